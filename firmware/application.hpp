@@ -67,6 +67,16 @@ class Controller {
     steps_.end_turn();
   }
 
+  /// The same turn for a host that knows its link: polls that would do nothing are left out.
+  /// @param link_waits returns whether the link has a byte
+  template <typename LinkWaits>
+  void run_turn(hal::TickCount now, const LinkWaits& link_waits) {
+    if (link_waits() || !protocol_.is_quiet(now)) protocol_.poll(now);
+    machine_.poll(now);
+    if (link_waits() || !protocol_.is_quiet(now)) protocol_.poll(now);
+    steps_.end_turn();
+  }
+
   /// A boundary and its turn, for whoever has both in one thread.
   /// @param now microseconds.
   void poll(hal::TickCount now) {

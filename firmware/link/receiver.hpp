@@ -104,6 +104,13 @@ class Receiver {
   /// or a report is due stays. Not while receive() may run.
   void begin_anew();
 
+  /// Returns whether nothing that was received waits: no line or part of one, and no byte that
+  /// acts.
+  [[nodiscard]] bool is_empty() const {
+    return !has_text() && commands_.size() == 0 && !reset_.load() && !status_.load() &&
+           !full_status_.load() && !late_hold_.load() && lost_lines_.load() == 0;
+  }
+
   // True once after each.
   [[nodiscard]] bool take_reset();  ///< Also forgets the lines before the reset.
   [[nodiscard]] bool take_status_request() { return status_.exchange(false); }

@@ -39,6 +39,11 @@ class SilenceWatch {
   /// @param allowed_ms above 0
   /// @param owes nothing is left to be answered, and its program has not ended
   [[nodiscard]] bool gone(hal::TickCount now, float allowed_ms, bool owes);
+  /// Returns whether gone() is false whatever the sender owes, as a byte came within the time
+  /// allowed. @param allowed_ms above 0
+  [[nodiscard]] bool heard_within(hal::TickCount now, float allowed_ms) const {
+    return static_cast<float>(now.since(heard_)) <= 1000.0F * allowed_ms;
+  }
   /// In the middle of its polls.
   [[nodiscard]] bool polls() const { return longest_interval() > 0; }
 

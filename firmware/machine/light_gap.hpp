@@ -43,6 +43,8 @@ class LightGap {
 
   /// Returns where the motion goes on, to the step where that is known. @pre any()
   [[nodiscard]] const AxisArray<std::int32_t>& place() const { return gap_.from; }
+  /// Returns whether take_uncut() has something to return.
+  [[nodiscard]] bool has_uncut() const { return reported_; }
   /// Returns once what was reported last, else null.
   [[nodiscard]] const Uncut* take_uncut();
 

@@ -56,6 +56,8 @@ class RestLight {
   void arm();
   void disarm() { periods_.store(0, std::memory_order_release); }
 
+  /// Returns whether take_refusal() will be true.
+  [[nodiscard]] bool has_refusal() const { return refusal_ == Refusal::kUntold; }
   /// True once in a program that asked for light and gets none, or none any more.
   [[nodiscard]] bool take_refusal();
 

@@ -53,6 +53,10 @@ class LineProtocol {
   /// @param now microseconds.
   void poll(hal::TickCount now);
 
+  /// Returns whether poll() would say nothing and change nothing, if the link has no byte. A host
+  /// that knows its link leaves out such polls, but for one in kMostQuietUs.
+  [[nodiscard]] bool is_quiet(hal::TickCount now) const;
+
   /// A realtime byte that came apart from the stream. Of lines nobody knows whether they were sent
   /// before it, so 0xA3, which has to know, is answered by a message.
   void act_at_once(std::byte byte);
@@ -77,6 +81,8 @@ class LineProtocol {
  private:
   /// Behind the last start-up line there is one to report its fault.
   static constexpr std::size_t kStartupDone = StoredState::kStartupLines + 1;
+  /// Times that are measured from now_ and the last bytes wrap far later.
+  static constexpr std::int32_t kMostQuietUs = 1'000'000;
 
   /// What the line before still waits for.
   enum class Owed : std::uint8_t { kNothing, kAck, kHoming };
@@ -102,6 +108,8 @@ class LineProtocol {
   void ask_again(LineCheck::Verdict verdict);
   void watch_checks();
   void watch_link();
+  [[nodiscard]] bool waits_for_machine() const;
+  [[nodiscard]] bool has_to_tell() const;
   [[nodiscard]] bool sender_owes() const;
 
   // A tool change, in tool_change.cpp.

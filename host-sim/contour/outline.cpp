@@ -1,10 +1,13 @@
 #include "host-sim/contour/outline.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <span>
+#include <utility>
 
 #include "host-sim/contour/free_form_row.hpp"
+#include "host-sim/contour/known_rows.hpp"
 #include "host-sim/import/curve_measure.hpp"
 #include "host-sim/import/sketch.hpp"
 #include "planner/base/contract.hpp"
@@ -73,13 +76,80 @@ std::vector<Shape> without_specks(const std::vector<Shape>& shapes, double toler
   return kept.empty() ? shapes : kept;
 }
 
+/// How arcs of a row keep to its ends.
+struct RowEnds {
+  FitEnd start = FitEnd::kPlace;
+  FitEnd end = FitEnd::kPlace;
+};
+
+/// Fits arcs to a row of curves.
+class RowFitter {
+ public:
+  explicit RowFitter(const OutlineOptions& options) : options_{options} {}
+
+  [[nodiscard]] FittedRow fit(std::span<const Shape> shapes, const RowEnds& ends) {
+    row_ = {};
+    const FreeFormRow row{shapes};
+    std::vector<CurvePiece> pieces(16);
+    auto count = split_offset(row, 0.0, pieces, kDrawnSmooth);
+    while (!count.ok() && count.error() == SplitError::kTooManyPieces &&
+           pieces.size() < kMostPieces) {
+      pieces.resize(2 * pieces.size());
+      count = split_offset(row, 0.0, pieces, kDrawnSmooth);
+    }
+    if (!count.ok()) {
+      fail(start_of(shapes.front()), "a curve that begins here is a place in parts of it");
+      return std::move(row_);
+    }
+    for (std::size_t i = 0; i < count.value() && row_.fault == nullptr; ++i) {
+      const bool last = i + 1 == count.value();
+      fit_piece(pieces[i], i == 0 ? ends.start : FitEnd::kPlace, last ? ends.end : FitEnd::kPlace);
+    }
+    return std::move(row_);
+  }
+
+ private:
+  void fit_piece(const CurvePiece& piece, FitEnd start, FitEnd end) {
+    const cnc::contour::FitOptions options{.tolerance_mm = options_.tolerance_mm,
+                                           .method = options_.method,
+                                           .start = start,
+                                           .end = end};
+    for (std::size_t size = kFirstFitSamples; size <= kMostFitSamples; size *= 4) {
+      samples_.resize(std::max(samples_.size(), size));
+      links_.resize(samples_.size() / 8);
+      fitted_.resize(samples_.size() / 4);
+      const auto made = fit_arcs(piece, options, {samples_, links_}, fitted_);
+      if (made.ok()) {
+        const auto arcs = std::span{fitted_}.first(made.value());
+        row_.vertices.insert(row_.vertices.end(), arcs.begin(), arcs.end());
+        return;
+      }
+      if (made.error() == FitError::kNoFit) break;
+    }
+    fail(piece.at(piece.from).place,
+         "no arcs were found within the tolerance for what begins here");
+  }
+
+  void fail(const Place& place, const char* reason) { row_ = {{}, reason, place}; }
+
+  const OutlineOptions& options_;
+  std::vector<cnc::contour::CurveSample> samples_;
+  std::vector<cnc::contour::FitLink> links_;
+  std::vector<ContourVertex> fitted_;
+  FittedRow row_;
+};
+
 /// The shapes of one contour become vertices.
 class ContourFitter {
  public:
-  ContourFitter(const drawing::DrawnContour& contour, const OutlineOptions& options)
+  ContourFitter(const drawing::DrawnContour& contour,
+                const OutlineOptions& options,
+                KnownRows& known)
       : contour_{contour},
         options_{options},
-        shapes_{without_specks(contour.shapes, options.tolerance_mm)} {}
+        known_{known},
+        shapes_{without_specks(contour.shapes, options.tolerance_mm)},
+        fitter_{options} {}
 
   [[nodiscard]] FittedContour run() {
     if (contour_.closed) begin_between_rows();
@@ -139,47 +209,25 @@ class ContourFitter {
   [[nodiscard]] std::size_t fit_row(std::size_t from) {
     std::size_t end = from + 1;
     while (end < shapes_.size() && is_one_row(shapes_[end - 1], shapes_[end])) ++end;
-    const FreeFormRow row{std::span{shapes_}.subspan(from, end - from)};
-    std::vector<CurvePiece> pieces(16);
-    auto count = split_offset(row, 0.0, pieces, kDrawnSmooth);
-    while (!count.ok() && count.error() == SplitError::kTooManyPieces &&
-           pieces.size() < kMostPieces) {
-      pieces.resize(2 * pieces.size());
-      count = split_offset(row, 0.0, pieces, kDrawnSmooth);
-    }
-    if (!count.ok()) {
-      fail(start_of(shapes_[from]), "a curve that begins here is a place in parts of it");
-      return end;
-    }
-    for (std::size_t i = 0; i < count.value() && !fault_; ++i) {
-      const bool first = i == 0;
-      const bool last = i + 1 == count.value();
-      fit_piece(pieces[i],
-                first && arrives_smoothly(from) ? FitEnd::kTangent : FitEnd::kPlace,
-                last && leaves_smoothly(end) ? FitEnd::kTangent : FitEnd::kPlace);
+    const std::span<const Shape> row = std::span{shapes_}.subspan(from, end - from);
+    const RowEnds ends{arrives_smoothly(from) ? FitEnd::kTangent : FitEnd::kPlace,
+                       leaves_smoothly(end) ? FitEnd::kTangent : FitEnd::kPlace};
+    if (auto shape = RowShape::of(row)) {
+      shape->add(std::bit_cast<std::int64_t>(options_.tolerance_mm));
+      shape->add(static_cast<std::int64_t>(options_.method));
+      shape->add(static_cast<std::int64_t>(ends.start));
+      shape->add(static_cast<std::int64_t>(ends.end));
+      const auto fit = [&] { return fitter_.fit(shape->curves(), ends); };
+      add_row(known_.find_or_fit(*shape, fit), start_of(row.front()));
+    } else {
+      add_row(fitter_.fit(row, ends), {0.0, 0.0});
     }
     return end;
   }
 
-  void fit_piece(const CurvePiece& piece, FitEnd start, FitEnd end) {
-    const cnc::contour::FitOptions options{.tolerance_mm = options_.tolerance_mm,
-                                           .method = options_.method,
-                                           .start = start,
-                                           .end = end};
-    for (std::size_t size = kFirstFitSamples; size <= kMostFitSamples; size *= 4) {
-      samples_.resize(std::max(samples_.size(), size));
-      links_.resize(samples_.size() / 8);
-      fitted_.resize(samples_.size() / 4);
-      const auto made = fit_arcs(piece, options, {samples_, links_}, fitted_);
-      if (made.ok()) {
-        const auto arcs = std::span{fitted_}.first(made.value());
-        vertices_.insert(vertices_.end(), arcs.begin(), arcs.end());
-        return;
-      }
-      if (made.error() == FitError::kNoFit) break;
-    }
-    fail(piece.at(piece.from).place,
-         "no arcs were found within the tolerance for what begins here");
+  void add_row(const FittedRow& row, const Place& origin) {
+    if (row.fault != nullptr) return fail(origin + row.fault_place, row.fault);
+    for (const ContourVertex& vertex : row.vertices) add(origin + vertex.point(), vertex.bulge);
   }
 
   void fail(const Place& place, const char* reason) {
@@ -192,10 +240,9 @@ class ContourFitter {
 
   const drawing::DrawnContour& contour_;
   const OutlineOptions& options_;
+  KnownRows& known_;
   std::vector<Shape> shapes_;
-  std::vector<cnc::contour::CurveSample> samples_;
-  std::vector<cnc::contour::FitLink> links_;
-  std::vector<ContourVertex> fitted_;
+  RowFitter fitter_;
   std::vector<ContourVertex> vertices_;
   std::optional<drawing::Fault> fault_;
 };
@@ -211,17 +258,25 @@ bool is_free_form(const Shape& shape) {
          !std::holds_alternative<drawing::Arc>(shape);
 }
 
-FittedContour arcs_of(const drawing::DrawnContour& contour, const OutlineOptions& options) {
+FittedContour arcs_of(const drawing::DrawnContour& contour,
+                      const OutlineOptions& options,
+                      KnownRows& known) {
   CNC_ASSERT(options.tolerance_mm >= kLeastToleranceMm &&
              options.tolerance_mm <= kGreatestToleranceMm);
-  return ContourFitter{contour, options}.run();
+  return ContourFitter{contour, options, known}.run();
+}
+
+FittedContour arcs_of(const drawing::DrawnContour& contour, const OutlineOptions& options) {
+  KnownRows known;
+  return arcs_of(contour, options, known);
 }
 
 Outline outline_of(const drawing::Drawing& drawing, const OutlineOptions& options) {
   Outline outline;
+  KnownRows known;
   for (std::size_t i = 0; i < drawing.contours.size(); ++i) {
     if (!drawing.contours[i].closed) continue;
-    FittedContour fitted = arcs_of(drawing.contours[i], options);
+    FittedContour fitted = arcs_of(drawing.contours[i], options, known);
     if (fitted.fault) {
       outline.faults.push_back(std::move(*fitted.fault));
       continue;

@@ -11,6 +11,8 @@
 
 namespace sim {
 
+class KnownRows;
+
 struct OutlineOptions {
   double tolerance_mm = 0.01;  ///< Between a drawn curve and its arcs, both ways.
   cnc::contour::FitMethod method = cnc::contour::FitMethod::kFewest;
@@ -39,6 +41,11 @@ struct FittedContour {
 /// @pre the tolerance within its limits
 [[nodiscard]] FittedContour arcs_of(const drawing::DrawnContour& contour,
                                     const OutlineOptions& options);
+/// Returns the same arcs, to the bit, but fits a row of curves that it knows only once.
+/// @param known rows of the contours before, for one thread; the row of this one is added
+[[nodiscard]] FittedContour arcs_of(const drawing::DrawnContour& contour,
+                                    const OutlineOptions& options,
+                                    KnownRows& known);
 /// Radians: control points with three decimals make such corners where none is meant.
 inline constexpr double kDrawnSmooth = 0.01;
 

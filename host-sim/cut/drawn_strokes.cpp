@@ -2,10 +2,19 @@
 
 #include <utility>
 
+#include "host-sim/contour/known_rows.hpp"
+
 namespace sim::cut {
 
 DrawnStrokes strokes_of(const drawing::DrawnContour& contour, const OutlineOptions& curves) {
-  FittedContour fitted = arcs_of(contour, curves);
+  KnownRows known;
+  return strokes_of(contour, curves, known);
+}
+
+DrawnStrokes strokes_of(const drawing::DrawnContour& contour,
+                        const OutlineOptions& curves,
+                        KnownRows& known) {
+  FittedContour fitted = arcs_of(contour, curves, known);
   if (fitted.fault) return {{}, std::move(fitted.fault)};
   const std::vector<ContourVertex>& vertices = fitted.vertices;
   DrawnStrokes drawn;

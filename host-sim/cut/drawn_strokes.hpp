@@ -19,5 +19,9 @@ struct DrawnStrokes {
 /// @pre as of arcs_of()
 [[nodiscard]] DrawnStrokes strokes_of(const drawing::DrawnContour& contour,
                                       const OutlineOptions& curves);
+/// Returns the same strokes, with the rows that arcs_of() knows.
+[[nodiscard]] DrawnStrokes strokes_of(const drawing::DrawnContour& contour,
+                                      const OutlineOptions& curves,
+                                      KnownRows& known);
 
 }  // namespace sim::cut

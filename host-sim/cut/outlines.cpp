@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "host-sim/contour/known_rows.hpp"
 #include "host-sim/contour/shared_work.hpp"
 #include "host-sim/cut/drawn_strokes.hpp"
 
@@ -45,7 +46,9 @@ std::vector<Outline> outlines_of(const drawing::Drawing& drawn,
   }
   std::vector<DrawnStrokes> all(driven.size());
   share_work(driven.size(), [&] {
-    return [&](std::size_t k) { all[k] = strokes_of(drawn.contours[driven[k]], curves); };
+    return [&, known = KnownRows{}](std::size_t k) mutable {
+      all[k] = strokes_of(drawn.contours[driven[k]], curves, known);
+    };
   });
   for (std::size_t k = 0; k < driven.size(); ++k) {
     const std::size_t i = driven[k];

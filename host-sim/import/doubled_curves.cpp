@@ -5,6 +5,8 @@
 #include <iterator>
 #include <variant>
 
+#include "host-sim/contour/known_rows.hpp"
+
 namespace sim::drawing {
 namespace {
 
@@ -37,10 +39,12 @@ void DoubledCurves::count(const DrawnContour& contour) {
 }
 
 /// Returns the curve itself where no arcs follow it.
-std::vector<Shape> DoubledCurves::arcs_along(const Bezier& curve, const OutlineOptions& options) {
+std::vector<Shape> DoubledCurves::arcs_along(const Bezier& curve,
+                                             const OutlineOptions& options,
+                                             KnownRows& rows) {
   DrawnContour alone;
   alone.shapes = {curve};
-  const FittedContour fitted = arcs_of(alone, options);
+  const FittedContour fitted = arcs_of(alone, options, rows);
   if (fitted.fault) return {curve};
   std::vector<Shape> arcs;
   for (std::size_t i = 1; i < fitted.vertices.size(); ++i) {
@@ -50,7 +54,9 @@ std::vector<Shape> DoubledCurves::arcs_along(const Bezier& curve, const OutlineO
   return arcs;
 }
 
-DrawnContour DoubledCurves::with_arcs(const DrawnContour& contour, const OutlineOptions& options) {
+DrawnContour DoubledCurves::with_arcs(const DrawnContour& contour,
+                                      const OutlineOptions& options,
+                                      KnownRows& rows) {
   DrawnContour result = contour;
   result.shapes.clear();
   for (const Shape& shape : contour.shapes) {
@@ -63,7 +69,7 @@ DrawnContour DoubledCurves::with_arcs(const DrawnContour& contour, const Outline
     }
     if (known->arcs.empty()) {
       const Shape along = is_backwards ? reversed(shape) : shape;
-      known->arcs = arcs_along(std::get<Bezier>(along), options);
+      known->arcs = arcs_along(std::get<Bezier>(along), options, rows);
     }
     std::vector<Shape> arcs = known->arcs;
     if (is_backwards) {

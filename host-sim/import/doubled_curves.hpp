@@ -22,7 +22,9 @@ class DoubledCurves {
   void count(const DrawnContour& contour);
 
   /// Returns a contour with arcs in place of its curves that were counted more than once.
-  [[nodiscard]] DrawnContour with_arcs(const DrawnContour& contour, const OutlineOptions& options);
+  [[nodiscard]] DrawnContour with_arcs(const DrawnContour& contour,
+                                       const OutlineOptions& options,
+                                       KnownRows& rows);
 
  private:
   /// Control points in units of 1e-7 mm, from the end that comes first in order.
@@ -37,7 +39,8 @@ class DoubledCurves {
   /// reversed
   [[nodiscard]] static Key key_of(const Bezier& curve, bool& is_backwards);
   [[nodiscard]] static std::vector<Shape> arcs_along(const Bezier& curve,
-                                                     const OutlineOptions& options);
+                                                     const OutlineOptions& options,
+                                                     KnownRows& rows);
 
   std::map<Key, Known> known_;
 };

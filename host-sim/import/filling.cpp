@@ -8,6 +8,7 @@
 #include <tuple>
 #include <utility>
 
+#include "host-sim/contour/known_rows.hpp"
 #include "host-sim/contour/outline.hpp"
 #include "host-sim/contour/shared_work.hpp"
 #include "host-sim/import/doubled_curves.hpp"
@@ -78,8 +79,11 @@ class Filling {
     std::vector<const std::vector<std::size_t>*> members;
     members.reserve(sets.size());
     for (const auto& [first, set] : sets) members.push_back(&set);
-    share_work(groups.size(),
-               [&] { return [&](std::size_t i) { groups[i] = group_of(*members[i]); }; });
+    share_work(groups.size(), [&] {
+      return [&, rows = KnownRows{}](std::size_t i) mutable {
+        groups[i] = group_of(*members[i], rows);
+      };
+    });
     for (const Group& group : groups) {
       for (const std::size_t piece : group.without_arcs) unresolved_[piece] = true;
       resolve(group);
@@ -90,7 +94,7 @@ class Filling {
   }
 
  private:
-  [[nodiscard]] Group group_of(const std::vector<std::size_t>& set) const;
+  [[nodiscard]] Group group_of(const std::vector<std::size_t>& set, KnownRows& rows) const;
   void resolve(const Group& group);
   [[nodiscard]] std::optional<std::vector<Resolved>> resolved(const Group& group,
                                                               double touch_mm) const;
@@ -111,14 +115,14 @@ class Filling {
 };
 
 /// Contours that no arcs follow stay as they are: they are named when they are cut.
-Group Filling::group_of(const std::vector<std::size_t>& set) const {
+Group Filling::group_of(const std::vector<std::size_t>& set, KnownRows& rows) const {
   Group group;
   const OutlineOptions options{.tolerance_mm = kFillToleranceMm};
   DoubledCurves doubled;
   for (const std::size_t piece : set) doubled.count(pieces_[piece].contour);
   for (const std::size_t piece : set) {
     const FittedContour fitted =
-        arcs_of(doubled.with_arcs(pieces_[piece].contour, options), options);
+        arcs_of(doubled.with_arcs(pieces_[piece].contour, options, rows), options, rows);
     if (fitted.fault) {
       group.without_arcs.push_back(piece);
       continue;

@@ -84,6 +84,7 @@ Report check(const Job& job) {
       std::move(program.text),
       {.after_refusal = AfterRefusal::kGoOn,
        .machine = job.machine,
+       .watches_memory = false,
        .on_progress = job.on_progress,
        .on_taken = [&path](std::size_t line, std::string_view text) { path->take(line, text); }}};
   apply_settings(job.settings, simulator.machine());

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "hal/interface/byte_stream.hpp"
+#include "host-sim/machine/known_link.hpp"
 
 namespace sim {
 
@@ -26,13 +26,16 @@ enum class AfterRefusal {
 
 /// A sender at the other end of the serial line: sends a program line by line,
 /// each when the one before has been answered, and keeps what was refused.
-class ProgramLink final : public hal::ByteStream {
+class ProgramLink final : public KnownLink {
  public:
   /// A last line without a line end gets one.
   ProgramLink(std::string program, AfterRefusal after_refusal);
 
   [[nodiscard]] std::size_t read(std::span<std::byte> into) override;
   [[nodiscard]] std::size_t write(std::span<const std::byte> from) override;
+  [[nodiscard]] bool has_byte() const override {
+    return status_due_ || !(awaits_answer_ || nothing_to_send());
+  }
 
   /// Nothing left to send and no answer outstanding.
   [[nodiscard]] bool finished() const { return !awaits_answer_ && nothing_to_send(); }

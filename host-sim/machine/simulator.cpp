@@ -23,6 +23,8 @@ Simulator::Simulator(std::string program, RunOptions options)
       controller_{link_, options_.machine} {
   link_.on_taken = options_.on_taken;
   link_.on_answer = options_.on_answer;
+  if (options_.skips_quiet_polls) controller_.skip_quiet_polls(link_);
+  controller_.watch_memory(options_.watches_memory);
 }
 
 std::string Simulator::change_setting(std::uint16_t number, float value) {

@@ -14,6 +14,9 @@ namespace sim {
 struct RunOptions {
   AfterRefusal after_refusal = AfterRefusal::kStop;
   MachineModel machine{};
+  /// Leaves out polls of the firmware that change nothing; the same trace and answers come sooner.
+  bool skips_quiet_polls = true;
+  bool watches_memory = true;  ///< As VirtualController::watch_memory() has it.
   /// Called now and then with the share of the program sent, 0…1.
   std::function<void(double)> on_progress{};
   /// Told of every line that the controller takes.

@@ -47,8 +47,13 @@ std::optional<std::uint32_t> VirtualController::take_turn() {
 }
 
 void VirtualController::run_turn() {
-  firmware_->run_turn(hal::TickCount{firmware_->turn() * cnc::kTurnUs});
-  if (!firmware_->check_memory()) restart();
+  const hal::TickCount now{firmware_->turn() * cnc::kTurnUs};
+  if (known_link_ == nullptr) {
+    firmware_->run_turn(now);
+  } else {
+    firmware_->run_turn(now, [this] { return known_link_->has_byte(); });
+  }
+  if (watches_memory_ && !firmware_->check_memory()) restart();
 }
 
 void VirtualController::follow_settings() {
@@ -122,7 +127,7 @@ void VirtualController::play_until(std::uint64_t tick) {
 }
 
 /// An interrupt moves a motor by one step at most, so most of them touch nothing.
-void VirtualController::feel_machine() {
+inline void VirtualController::feel_machine() {
   if (undisturbed_ == 0) return touch_machine();
   --undisturbed_;
   if (play_.any()) play_.follow(port_.position);
@@ -143,9 +148,12 @@ std::uint64_t VirtualController::steps_undisturbed(const PlayModel::Steps& axes,
   return std::min(switches_.steps_undisturbed(axes, second), probe_.steps_undisturbed(axes));
 }
 
-void VirtualController::report_change() {
+inline void VirtualController::report_change() {
   port_.changed = false;
-  if (sinks_.empty()) return;
+  if (!sinks_.empty()) keep_row();
+}
+
+void VirtualController::keep_row() {
   const TraceRow row{.time_ns = now_ * kNanosecondsPerTick,
                      .position = port_.position,
                      .duty = static_cast<float>(port_.power) / cnc::motion::kFullOutput};

@@ -10,6 +10,7 @@
 #include "hal/interface/byte_stream.hpp"
 #include "hal/interface/record_store.hpp"
 #include "host-sim/machine/breakdown.hpp"
+#include "host-sim/machine/known_link.hpp"
 #include "host-sim/machine/machine_model.hpp"
 #include "host-sim/machine/play_model.hpp"
 #include "host-sim/machine/probe_model.hpp"
@@ -37,6 +38,13 @@ class VirtualController {
 
   /// Sinks see every edge from now on; they must outlive the controller.
   void add_sink(TraceSink& sink) { sinks_.push_back(&sink); }
+
+  /// Leaves out work that changes nothing from now on: polls of the link where no byte waits and
+  /// nothing is to be said. @param link the controller's own; must outlive it
+  void skip_quiet_polls(const KnownLink& link) { known_link_ = &link; }
+  /// Lets the firmware look for memory that has changed by itself, as it does from the beginning,
+  /// or not: where no breakdown is planted it finds none.
+  void watch_memory(bool watches) { watches_memory_ = watches; }
 
   /// In place of one that has not happened yet. @pre the tick is not past
   void plant(const PlantedBreakdown& breakdown) { planted_ = breakdown; }
@@ -94,6 +102,7 @@ class VirtualController {
   [[nodiscard]] std::uint64_t steps_undisturbed(const PlayModel::Steps& axes,
                                                 const PlayModel::Steps& second) const;
   void report_change();
+  void keep_row();
   void hand_out_row();
 
   MachineModel model_;
@@ -112,6 +121,8 @@ class VirtualController {
   std::optional<PlantedBreakdown> planted_;
   std::uint32_t hangs_ms_ = 0;  ///< Before the watchdog bites; 0 while the main loop runs.
   std::uint32_t restarts_ = 0;
+  const KnownLink* known_link_ = nullptr;
+  bool watches_memory_ = true;
   std::vector<TraceSink*> sinks_;
   std::uint64_t now_ = 0;             ///< Ticks of the step clock.
   std::uint64_t last_event_ = 0;      ///< Start of the last turn, or an interrupt in it.

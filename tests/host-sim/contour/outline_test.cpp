@@ -12,6 +12,7 @@
 
 #include "host-sim/contour/contour_dxf.hpp"
 #include "host-sim/import/curve_measure.hpp"
+#include "tests/host-sim/contour/deviation.hpp"
 #include "tests/host-sim/import/support.hpp"
 #include "tests/support/random_source.hpp"
 #include "tests/support/trials.hpp"
@@ -49,40 +50,6 @@ std::size_t corners_of(const std::vector<ContourVertex>& loop) {
   std::size_t corners = 0;
   for (std::size_t i = 0; i + 1 < loop.size(); ++i) corners += kink_after(loop, i) > 1.0e-6 ? 1 : 0;
   return corners;
-}
-
-std::vector<drawing::Shape> shapes_of(const std::vector<ContourVertex>& loop) {
-  std::vector<drawing::Shape> shapes;
-  for (std::size_t i = 0; i + 1 < loop.size(); ++i) {
-    shapes.push_back(drawing::bulge_edge(loop[i].point(), loop[i + 1].point(), loop[i].bulge));
-  }
-  return shapes;
-}
-
-/// The farthest place of one row of places from the chords of another.
-double farthest(const std::vector<Place>& from, const std::vector<Place>& chords) {
-  double greatest = 0.0;
-  for (const Place& place : from) {
-    double least = 1.0e9;
-    for (std::size_t i = 1; i < chords.size(); ++i) {
-      const Place chord = chords[i] - chords[i - 1];
-      const Place seen = place - chords[i - 1];
-      const double square = chord.squaredNorm();
-      const double share = square > 0.0 ? std::clamp(seen.dot(chord) / square, 0.0, 1.0) : 0.0;
-      least = std::min(least, (seen - share * chord).norm());
-    }
-    greatest = std::max(greatest, least);
-  }
-  return greatest;
-}
-
-/// Both ways, by chords within a hundredth of the tolerance.
-double deviation(const DrawnContour& drawn,
-                 const std::vector<ContourVertex>& loop,
-                 double tolerance) {
-  const auto curve = drawing::outline_of(drawn.shapes, 0.005 * tolerance);
-  const auto arcs = drawing::outline_of(shapes_of(loop), 0.005 * tolerance);
-  return std::max(farthest(curve, arcs), farthest(arcs, curve)) - 0.01 * tolerance;
 }
 
 Drawing read_path(const std::string& path) {

@@ -1,0 +1,35 @@
+#include "firmware/protocol/line_protocol.hpp"
+
+/// Polls that would do nothing, which are most of a simulated job. It is for hosts: no board calls
+/// it. Each condition stands for a step of LineProtocol::poll() that does nothing where it holds.
+namespace cnc {
+
+/// All that was received is done, or what is done waits for the machine.
+bool LineProtocol::waits_for_machine() const {
+  if (machine_.busy()) return true;
+  const bool all_is_done = owed_ == Owed::kNothing && !beginning_ && startup_line_ >= kStartupDone;
+  return all_is_done && !machine_.idle();
+}
+
+/// Something is to be reported, stored or judged, or may be soon.
+bool LineProtocol::has_to_tell() const {
+  if (!outbox_.empty() || listing_.active() || auto_report_ || modes_wanted_ || greeting_due_ ||
+      startup_trial_ || !tool_refusal_.empty()) {
+    return true;
+  }
+  if (machine_.alarm() != told_alarm_ || machine_.has_news() ||
+      machine_.pending_tool().has_value() != tool_told_) {
+    return true;
+  }
+  return machine_.progress().any() ? machine_.interrupted() : stored_.has_progress();
+}
+
+bool LineProtocol::is_quiet(hal::TickCount now) const {
+  if (!receiver_.is_empty() || !waits_for_machine() || has_to_tell()) return false;
+  if (check_.active() || takes_part_ || machine_.changes_tool()) return false;
+  if (now.since(now_) >= kMostQuietUs) return false;
+  const float allowed_ms = machine_.settings().get(setting::kLinkWatchdog);
+  return allowed_ms <= 0.0F || silence_.heard_within(now, allowed_ms);
+}
+
+}  // namespace cnc
