@@ -201,10 +201,10 @@ class Machine {
   [[nodiscard]] const Uncut* take_uncut() { return gap_.take_uncut(); }
   /// The last motions of a path are held, and only another motion, G40 or M2 sets them free.
   [[nodiscard]] bool waits_for_g40() const;
-  /// Returns whether take_reset_pressed(), take_uncut() or the rest light's take_refusal() tell
-  /// something.
+  /// Returns whether news(), take_uncut() or the rest light's take_refusal() have something that a
+  /// poll reports by itself.
   [[nodiscard]] bool has_news() const {
-    return reset_pressed_ || gap_.has_uncut() || rest_light_.has_refusal();
+    return news_.reset_pressed.is_raised() || gap_.has_uncut() || rest_light_.has_refusal();
   }
   /// The last line was M2 or M30.
   [[nodiscard]] bool program_ended() const { return program_ended_; }

@@ -12,6 +12,7 @@ class OnceFlag {
  public:
   void raise() { is_raised_ = true; }
   void drop() { is_raised_ = false; }
+  [[nodiscard]] bool is_raised() const { return is_raised_; }
   /// Returns whether it was raised since the last call.
   [[nodiscard]] bool take() { return std::exchange(is_raised_, false); }
 
