@@ -287,24 +287,29 @@ class SharedLines:
 
     def __init__(self, rows: list, parts: list) -> None:
         rings = [line(row) for row in without_copies([ring_of(row) for row in rows if is_closed(row)])]
-        tree, number = STRtree(rings), {id(ring): i for i, ring in enumerate(rings)}
         inside, prepared = STRtree(parts), {id(part): prep(part) for part in parts}
 
         def has_part(place: Point) -> bool:
             return any(prepared[id(part)].contains(place) for part in inside.query(place))
 
-        pieces, touching = [], []
-        for i, ring in enumerate(rings):
-            for other in tree.query(ring.buffer(TOUCHES_MM)):
-                if number[id(other)] == i:
-                    continue
-                common = ring.intersection(other.buffer(TOUCHES_MM))
-                found = [one for one in getattr(common, "geoms", [common]) if not one.is_empty and one.length > 0]
-                touching += found
-                if number[id(other)] > i:
-                    pieces += [one for one in found if one.length > 0.05 and self.is_between(one, has_part)]
+        common = self.common_of(rings)
+        edges = [LineString(ring.coords) for part in parts for ring in [part.exterior, *part.interiors]]
+        pieces = [one for one in common if one.length > 0.05 and self.is_between(one, has_part)]
+        touching = common + self.common_of(edges)
         self.pieces = [stroke for _, stroke in strokes_of([[complex(*c) for c in one.coords] for one in pieces])]
         self.lines, self.touching = Nearest(self.pieces), Nearest(touching)
+
+    @staticmethod
+    def common_of(rings: list) -> list:
+        """Lines of rings that are within TOUCHES_MM of a later ring."""
+        tree, number, found = STRtree(rings), {id(ring): i for i, ring in enumerate(rings)}, []
+        for i, ring in enumerate(rings):
+            for other in tree.query(ring.buffer(TOUCHES_MM)):
+                if number[id(other)] <= i:
+                    continue
+                common = ring.intersection(other.buffer(TOUCHES_MM))
+                found += [one for one in getattr(common, "geoms", [common]) if not one.is_empty and one.length > 0]
+        return found
 
     @staticmethod
     def is_between(piece: LineString, has_part) -> bool:
