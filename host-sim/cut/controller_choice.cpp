@@ -11,6 +11,7 @@ std::string reason_against_controller(const UnbegunCut& cut, bool is_hole, std::
   const LayerSettings& settings = cut.settings;
   if (cut.is_open)
     return "it is an open line: parts share it, or it is in the middle of what is narrow";
+  if (cut.is_on_edge) return "it goes along an edge that parts share";
   if (loops != 1) return "the kerf parts it";
   if (settings.tabs != 0 && !is_hole) return "it has tabs";
   if (settings.corner_loop_mm > 0.0 || settings.corner_dwell_s > 0.0) {

@@ -9,10 +9,14 @@
 #include <optional>
 
 #include "host-sim/contour/contour_loops.hpp"
+#include "host-sim/cut/edge_paths.hpp"
+#include "host-sim/cut/filled_area.hpp"
 #include "host-sim/import/piece_sets.hpp"
 
 namespace sim::cut {
 namespace {
+
+using Rows = std::vector<std::vector<Stroke>>;
 
 struct Extremes {
   Place least{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
@@ -81,17 +85,20 @@ std::size_t owner_of(const std::vector<Stroke>& loop,
 }
 
 /// Returns the paths beside all outlines of a crowd, as of one region.
-std::optional<std::vector<std::vector<Stroke>>> paths_of(const std::vector<Outline>& outlines,
-                                                         const std::vector<std::size_t>& crowd,
-                                                         double half_kerf_mm,
-                                                         ContourOffset& offset) {
+/// @param by_turns outlines lie against each other, and may overlap by a hair
+std::optional<Rows> paths_of(const std::vector<Outline>& outlines,
+                             const std::vector<std::size_t>& crowd,
+                             double half_kerf_mm,
+                             bool by_turns,
+                             ContourOffset& offset) {
   Contour region;
   const bool has_frame = frame_holes(outlines, crowd, half_kerf_mm, region);
   for (const std::size_t i : crowd) {
     append_loops(contour_of(outlines[i].strokes).view(), region);
   }
   try {
-    std::vector<std::vector<Stroke>> loops = loops_of(offset.offset(region.view(), half_kerf_mm));
+    if (by_turns) region = filled_area(region, FilledBy::kTurns);
+    Rows loops = loops_of(offset.offset(region.view(), half_kerf_mm));
     if (!has_frame) return loops;
     // The path round the frame holds all others.
     const auto frame = std::ranges::max_element(
@@ -101,6 +108,39 @@ std::optional<std::vector<std::vector<Stroke>>> paths_of(const std::vector<Outli
   } catch (const NoOffset&) {
     return std::nullopt;
   }
+}
+
+/// Returns all that is driven between and around outlines.
+Rows driven_of(const Rows& around, const CutsBetween& between) {
+  Rows driven = around;
+  driven.insert(driven.end(), between.middles.begin(), between.middles.end());
+  for (const SharedEdge& edge : between.edges.edges) {
+    if (!edge.strokes.empty()) driven.push_back(edge.strokes);
+  }
+  return driven;
+}
+
+/// Returns what stays uncut of each outline of a crowd; nothing where that is too much.
+std::optional<std::vector<std::vector<Rest>>> rests_of_crowd(
+    const DrawnEdges& edges,
+    const std::vector<std::size_t>& crowd,
+    const Rows& driven,
+    const std::vector<PathBeside>& beside) {
+  const double half_kerf_mm = edges.half_kerf_mm(crowd.front());
+  const double reach_mm = 4.0 * half_kerf_mm;
+  std::vector<std::vector<Rest>> rests;
+  for (const std::size_t i : crowd) {
+    rests.push_back(rests_along(edges.outlines[i].strokes, driven, half_kerf_mm, reach_mm));
+    for (const Rest& rest : rests.back()) {
+      const auto is_as_long = [&](const Rest& own) {
+        return own.length_mm >= rest.length_mm - 1.0e-9;
+      };
+      const bool is_slot =
+          beside[i].loops.empty() || std::ranges::any_of(beside[i].rests, is_as_long);
+      if (rest.length_mm > kMostHoldMm && !is_slot) return std::nullopt;
+    }
+  }
+  return rests;
 }
 
 }  // namespace
@@ -153,44 +193,45 @@ std::vector<drawing::Fault> held_together(const drawing::Drawing& drawn,
   return {};
 }
 
-bool part_crowd(const std::vector<Outline>& outlines,
+bool part_crowd(const DrawnEdges& edges,
                 const std::vector<std::size_t>& crowd,
-                double half_kerf_mm,
-                const std::vector<std::vector<Stroke>>& middles,
+                const CutsBetween& between,
                 ContourOffset& offset,
                 std::vector<PathBeside>& beside) {
-  const auto loops = paths_of(outlines, crowd, half_kerf_mm, offset);
-  if (!loops) return false;
-  std::vector<std::vector<Stroke>> driven = *loops;
-  driven.insert(driven.end(), middles.begin(), middles.end());
-  const double reach_mm = 4.0 * half_kerf_mm;
-  std::vector<std::vector<Rest>> rests;
-  for (const std::size_t i : crowd) {
-    rests.push_back(rests_along(outlines[i].strokes, driven, half_kerf_mm, reach_mm));
-    for (const Rest& rest : rests.back()) {
-      const auto is_as_long = [&](const Rest& own) {
-        return own.length_mm >= rest.length_mm - 1.0e-9;
-      };
-      const bool is_slot =
-          beside[i].loops.empty() || std::ranges::any_of(beside[i].rests, is_as_long);
-      if (rest.length_mm > kMostHoldMm && !is_slot) return false;
-    }
+  const double half_kerf_mm = edges.half_kerf_mm(crowd.front());
+  const bool shares = !between.edges.edges.empty();
+  const auto around = paths_of(edges.outlines, crowd, half_kerf_mm, shares, offset);
+  if (!around) return false;
+  EdgePaths paths{.is_divided = std::vector<bool>(around->size())};
+  if (shares) {
+    auto along =
+        paths_along_edges(edges.outlines, between.edges, *around, edges.near, half_kerf_mm);
+    if (!along) return false;
+    paths = *std::move(along);
   }
+  const auto rests = rests_of_crowd(edges, crowd, driven_of(*around, between), beside);
+  if (!rests) return false;
   for (std::size_t k = 0; k < crowd.size(); ++k) {
+    const auto own = paths.of_contour.find(crowd[k]);
+    const bool shares_edges = own != paths.of_contour.end();
     PathBeside& path = beside[crowd[k]];
-    path.loops.clear();
+    path.loops = shares_edges ? Rows{own->second} : Rows{};
+    path.shares_edges = shares_edges;
+    path.vanishes = path.vanishes && !shares_edges;
     path.middles.clear();
     path.narrow.reset();
     path.gouges.clear();
-    path.rests = std::move(rests[k]);
+    path.rests = (*rests)[k];
   }
-  for (const std::vector<Stroke>& loop : *loops) {
-    beside[owner_of(loop, outlines, crowd)].loops.push_back(loop);
+  for (std::size_t i = 0; i < around->size(); ++i) {
+    if (paths.is_divided[i]) continue;
+    beside[owner_of((*around)[i], edges.outlines, crowd)].loops.push_back((*around)[i]);
   }
-  const auto around = std::ranges::max_element(
-      *loops, {}, [](const std::vector<Stroke>& loop) { return std::abs(area_of(loop)); });
-  const bool has_path = around != loops->end();
-  beside[has_path ? owner_of(*around, outlines, crowd) : crowd.front()].middles = middles;
+  const auto longest = std::ranges::max_element(
+      *around, {}, [](const std::vector<Stroke>& loop) { return std::abs(area_of(loop)); });
+  const bool has_path = longest != around->end();
+  beside[has_path ? owner_of(*longest, edges.outlines, crowd) : crowd.front()].middles =
+      between.middles;
   return true;
 }
 

@@ -8,6 +8,7 @@
 #include "host-sim/cut/clearance.hpp"
 #include "host-sim/cut/outlines.hpp"
 #include "host-sim/cut/paths_beside.hpp"
+#include "host-sim/cut/shared_edges.hpp"
 
 namespace sim::cut {
 
@@ -27,20 +28,27 @@ namespace sim::cut {
                                                         const std::vector<std::size_t>& crowd,
                                                         const std::vector<PathBeside>& beside);
 
+/// Cuts between the outlines of a crowd.
+struct CutsBetween {
+  /// Lines in the middle of narrow waste, where outlines do not hold together.
+  std::vector<std::vector<Stroke>> middles{};
+  SharedEdges edges{};  ///< Edges along which they are cut apart.
+};
+
 /// Moves paths beside outlines that touch, or are nearer to each other than the kerf, so that none
-/// takes anything off any of them: they are cut as one part, which holds together where they are
-/// so near. That is what becomes of parts that touch at a corner, and of scraps beside a notch.
+/// takes anything off any of them but along shared edges: elsewhere they are cut as one part, which
+/// holds together where they are so near. That is what becomes of parts that touch at a corner, and
+/// of scraps beside a notch.
 ///
 /// A path belongs to the outline beside which it begins; one that has none is cut with the others.
-/// @param middles lines in the middle of narrow waste between them, where they do not hold together
+/// @param edges reach of two kerfs at least
 /// @param beside paths of the outlines of the crowd; changed only where this returns true. The
 /// outline with the longest way around has the middles, which are cut before it
 /// @return false where no such paths exist, or more than `kMostHoldMm` would hold at one place:
 ///         these are parts that lie against each other
-[[nodiscard]] bool part_crowd(const std::vector<Outline>& outlines,
+[[nodiscard]] bool part_crowd(const DrawnEdges& edges,
                               const std::vector<std::size_t>& crowd,
-                              double half_kerf_mm,
-                              const std::vector<std::vector<Stroke>>& middles,
+                              const CutsBetween& between,
                               ContourOffset& offset,
                               std::vector<PathBeside>& beside);
 

@@ -1,48 +1,19 @@
 #include "host-sim/cut/fill_contours.hpp"
 
 #include <cmath>
-#include <numeric>
 #include <optional>
 #include <utility>
 
-#include "host-sim/contour/arrangement.hpp"
 #include "host-sim/contour/contour_loops.hpp"
 #include "host-sim/cut/fill_chains.hpp"
+#include "host-sim/cut/filled_area.hpp"
 #include "host-sim/cut/outlines.hpp"
-#include "host-sim/import/filled_set.hpp"
 #include "planner/pocket/loop_measures.hpp"
 
 namespace sim::cut {
 namespace {
 
 using View = cnc::contour::ContourView<double>;
-
-constexpr double kSamePointMm = 1.0e-7;
-/// Smaller areas and narrower ones are none.
-constexpr drawing::LeastLoop kLeastArea{.area_mm2 = 1.0e-6, .width_mm = 1.0e-4};
-
-/// Returns the area that an odd number of contours encloses, on the left of its contours.
-Contour area_of(const std::vector<std::vector<Stroke>>& outlines) {
-  Contour drawn;
-  std::vector<std::optional<drawing::FillingLoop>> loops;
-  for (const std::vector<Stroke>& outline : outlines) {
-    append_loop(contour_of(outline).view(), 0, drawn);
-    loops.emplace_back(drawing::FillingLoop{.shape = static_cast<std::uint32_t>(loops.size())});
-  }
-  Arrangement arrangement;
-  std::optional<drawing::FilledSet> filled;
-  if (arrangement.divide(drawn.view(), kSamePointMm)) {
-    std::vector<std::uint32_t> edges(arrangement.edges().size());
-    std::iota(edges.begin(), edges.end(), 0U);
-    filled = drawing::fill_set(arrangement, edges, loops, kLeastArea);
-  }
-  if (!filled) {
-    throw NoOffset{outlines.front().front().from,
-                   "what this contour, or one with it, encloses does not close",
-                   "do contours cross each other? take them apart"};
-  }
-  return std::move(filled->outlines);
-}
 
 /// Removes rows so narrow that a line in their middle is in their place.
 Contour without_slivers(const View& rows, double least_width_mm) {
@@ -85,7 +56,11 @@ std::optional<std::vector<FillRows>> rows_within(const Contour& area, double int
 }  // namespace
 
 ContourFill contour_fill(const std::vector<std::vector<Stroke>>& outlines, double interval_mm) {
-  const Contour area = area_of(outlines);
+  Contour drawn;
+  for (const std::vector<Stroke>& outline : outlines) {
+    append_loop(contour_of(outline).view(), 0, drawn);
+  }
+  const Contour area = filled_area(drawn);
   if (area.loop_ends.empty()) return {};
   std::optional<std::vector<FillRows>> levels = rows_within(area, interval_mm);
   if (!levels) return {.too_much = true};

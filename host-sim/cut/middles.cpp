@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "host-sim/cut/narrow_lines.hpp"
+#include "host-sim/cut/waste_beside.hpp"
 
 namespace sim::cut {
 namespace {

@@ -4,13 +4,10 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <optional>
 #include <utility>
 
-#include "host-sim/contour/contour_loops.hpp"
 #include "host-sim/contour/polyline_arcs.hpp"
-#include "host-sim/cut/outlines.hpp"
 #include "host-sim/import/piece_sets.hpp"
 #include "host-sim/pocket/medial_axis.hpp"
 #include "host-sim/pocket/owned_area.hpp"
@@ -337,28 +334,6 @@ void NarrowFinder::note(const std::vector<AxisPoint>& points) {
 }
 
 }  // namespace
-
-Contour waste_beside(const std::vector<const std::vector<Stroke>*>& rows, bool is_in_holes) {
-  constexpr double kInfinite = std::numeric_limits<double>::infinity();
-  Place least{kInfinite, kInfinite};
-  Place most = -least;
-  Contour waste;
-  for (const std::vector<Stroke>* row : rows) {
-    std::vector<Stroke> turned = *row;
-    turn_round(turned);
-    append_loops(contour_of(turned).view(), waste);
-    for (const Stroke& stroke : turned) {
-      least = least.cwiseMin(stroke.from);
-      most = most.cwiseMax(stroke.from);
-    }
-  }
-  if (is_in_holes) return waste;
-  const double margin = 1.0 + 2.0 * (most - least).maxCoeff();  // Arcs reach beyond their ends.
-  least -= Place::Constant(margin);
-  most += Place::Constant(margin);
-  append_rectangle(least, most, waste);
-  return waste;
-}
 
 NarrowLines narrow_lines(const cnc::contour::ContourView<double>& waste,
                          double half_kerf_mm,

@@ -15,12 +15,6 @@ struct NarrowLines {
   Place place{0.0, 0.0};     ///< …and where that is.
 };
 
-/// Returns the waste on the right of outlines.
-/// @param rows closed outlines with parts on their left, one at least
-/// @param is_in_holes the outermost of them are holes; else waste ends at a frame far around them
-[[nodiscard]] Contour waste_beside(const std::vector<const std::vector<Stroke>*>& rows,
-                                   bool is_in_holes);
-
 /// Finds lines along the medial axis of waste wherever it is narrower than the kerf: from path to
 /// path in a neck or a gap, from a path into a slot or a sharp tip, and along a hole which no path
 /// is in. Corners wider than 60 degrees have none. A hole that is about as long as wide has a line

@@ -1,6 +1,11 @@
 #include "host-sim/cut/paths_beside.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <memory>
+#include <optional>
+#include <string>
 #include <utility>
 
 #include "host-sim/contour/contour_offset.hpp"
@@ -44,15 +49,80 @@ PathBeside path_beside(const DrawnEdges& edges, std::size_t contour, ContourOffs
   return path;
 }
 
+/// Returns a warning for each outline that shares edges or points: where, and what that costs.
+std::vector<drawing::Fault> shared_by(const DrawnEdges& edges,
+                                      const std::vector<std::size_t>& crowd,
+                                      const SharedEdges& shared) {
+  std::vector<drawing::Fault> warnings;
+  for (const std::size_t i : crowd) {
+    const double half_kerf_mm = edges.half_kerf_mm(i);
+    double shared_mm = 0.0;
+    std::optional<Place> where;
+    for (const SharedEdge& edge : shared.edges) {
+      if (edge.beside[0].contour != i && edge.beside[1].contour != i) continue;
+      const double length_mm = length_of(edge.strokes);
+      if (!where || shared_mm == 0.0) {
+        where = length_mm > 0.0 ? MeasuredRow{edge.strokes}.place(0.5 * length_mm)
+                                : shared.nodes[edge.nodes[0]];
+      }
+      shared_mm += length_mm;
+    }
+    if (!where) continue;
+    const std::string along = shared_mm > 0.0
+                                  ? fmt::format(
+                                        "lies against other parts along {:.3f} mm: the cut "
+                                        "along the edge takes {:.3f} mm off it there",
+                                        shared_mm,
+                                        half_kerf_mm)
+                                  : fmt::format(
+                                        "touches other parts at corners: the cut between "
+                                        "them takes up to {:.3f} mm off it there",
+                                        half_kerf_mm);
+    warnings.push_back({drawing::FaultKind::kIgnored,
+                        edges.drawn.contours[i].entity,
+                        where,
+                        along,
+                        fmt::format("draw parts {:.3f} mm apart, the kerf, that are to have their "
+                                    "size",
+                                    2.0 * half_kerf_mm)});
+  }
+  return warnings;
+}
+
+/// Cuts a crowd apart along its shared edges.
+bool share_crowd(const DrawnEdges& edges,
+                 const std::vector<std::size_t>& crowd,
+                 ContourOffset& offset,
+                 std::vector<PathBeside>& paths,
+                 std::vector<drawing::Fault>& warnings) {
+  CutsBetween between{.edges = shared_edges(edges.outlines, crowd, edges.may_share)};
+  if (between.edges.edges.empty()) return false;
+  const std::vector<drawing::Fault> held = held_together(edges.drawn, crowd, paths);
+  const auto count_without_path = [&] {
+    return std::ranges::count_if(crowd, [&](std::size_t i) { return paths[i].loops.empty(); });
+  };
+  const auto without_path = count_without_path();
+  if (!part_crowd(edges, crowd, between, offset, paths)) return false;
+  // What has no path any more is cut with another part.
+  if (count_without_path() > without_path) {
+    warnings.insert(warnings.end(), held.begin(), held.end());
+  }
+  for (drawing::Fault& shared : shared_by(edges, crowd, between.edges)) {
+    warnings.push_back(std::move(shared));
+  }
+  return true;
+}
+
 void part_crowds(const DrawnEdges& edges,
                  std::vector<PathBeside>& paths,
                  std::vector<drawing::Fault>& warnings) {
   ContourOffset offset;
   for (const auto& crowd : crowds_of(edges.outlines, paths, edges.near, edges.half_kerf_mm)) {
+    if (share_crowd(edges, crowd, offset, paths, warnings)) continue;
     const std::vector<drawing::Fault> held = held_together(edges.drawn, crowd, paths);
-    const double half_kerf_mm = edges.half_kerf_mm(crowd.front());
-    const Middles middles = middles_beside(edges, crowd);
-    if (!part_crowd(edges.outlines, crowd, half_kerf_mm, middles.rows, offset, paths)) continue;
+    Middles middles = middles_beside(edges, crowd);
+    const CutsBetween between{.middles = std::move(middles.rows)};
+    if (!part_crowd(edges, crowd, between, offset, paths)) continue;
     if (middles.warning) {
       warnings.push_back(*middles.warning);
     } else {

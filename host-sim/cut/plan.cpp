@@ -28,7 +28,6 @@
 #include "host-sim/cut/paths_beside.hpp"
 #include "host-sim/cut/possible_beginnings.hpp"
 #include "host-sim/cut/share_lines.hpp"
-#include "host-sim/cut/shared_edges.hpp"
 #include "host-sim/cut/start_marks.hpp"
 #include "host-sim/cut/unfulfilled.hpp"
 #include "planner/base/contract.hpp"
@@ -85,7 +84,6 @@ class Planner {
     }
     append(plan_.warnings, skip_coincident(drawn_, sides));
     outlines_ = outlines_of(drawn_, sides, plan_.curves, plan_.faults);
-    part_touching();
     left_lines_ = without_doubled(drawn_, outlines_, sides);
     if (left_lines_.warning) plan_.warnings.push_back(*left_lines_.warning);
     marks_ = marked_starts(drawn_, sides, outlines_, plan_.curves, plan_.faults);
@@ -117,7 +115,7 @@ class Planner {
     return 0.5 * layer_of(contour).condition.kerf_mm;
   }
   [[nodiscard]] LeadRoom room_of(std::size_t contour) const { return {edges_, half_kerf(contour)}; }
-  void part_touching();
+  [[nodiscard]] bool may_share(std::size_t a, std::size_t b) const;
   void cut_contours(const std::vector<Side>& sides);
   void cut_beside(std::size_t i, const PathBeside& path);
   void vanish(std::size_t i);
@@ -153,14 +151,8 @@ class Planner {
   std::set<std::size_t> told_layers_;  ///< Those with a cut on the line, so far.
 };
 
-/// Where lines are shared, parts that lie against each other give way to the cut between them.
-void Planner::part_touching() {
-  const EdgeSharing sharing{
-      [this](std::size_t contour) {
-        return layer_of(contour).settings.common_line_mm > 0.0 ? half_kerf(contour) : 0.0;
-      },
-      [this](std::size_t a, std::size_t b) { return &layer_of(a) == &layer_of(b); }};
-  append(plan_.warnings, part_touching_edges(drawn_, outlines_, sharing));
+bool Planner::may_share(std::size_t a, std::size_t b) const {
+  return layer_of(a).settings.common_line_mm > 0.0 && &layer_of(a) == &layer_of(b);
 }
 
 void Planner::cut_contours(const std::vector<Side>& sides) {
@@ -169,7 +161,8 @@ void Planner::cut_contours(const std::vector<Side>& sides) {
                          edges_,
                          reach_mm_,
                          [this](std::size_t i) { return half_kerf(i); },
-                         [this](std::size_t i) { return layer_of(i).settings.narrow_mm; }};
+                         [this](std::size_t i) { return layer_of(i).settings.narrow_mm; },
+                         [this](std::size_t a, std::size_t b) { return may_share(a, b); }};
   std::vector<PathBeside> paths = paths_beside(drawn, plan_.warnings);
   for (std::size_t i = 0; i < outlines_.size(); ++i) {
     if (outlines_[i].is_beside) cut_beside(i, std::exchange(paths[i], {}));
@@ -183,7 +176,10 @@ void Planner::cut_beside(std::size_t i, const PathBeside& path) {
   if (path.vanishes) vanish(i);
   append(plan_.warnings, rests_of(drawn_.contours[i].entity, path.rests, half_kerf(i)));
   for (const std::vector<Stroke>& row : path.middles) add_middle(i, row);
-  for (const std::vector<Stroke>& loop : path.loops) add_cut(i, loop);
+  for (const std::vector<Stroke>& loop : path.loops) {
+    add_cut(i, loop);
+    unbegun_.back().is_on_edge = path.shares_edges;
+  }
   append(plan_.faults, path.gouges);
 }
 

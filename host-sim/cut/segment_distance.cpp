@@ -100,6 +100,9 @@ double nearest_share(const Stroke& stroke, const Place& place) {
     const double square = (stroke.to - stroke.from).squaredNorm();
     return square > 0.0 ? std::clamp(std::sqrt(way.squaredNorm() / square), 0.0, 1.0) : 0.0;
   }
+  // At the start the direction of what is left is rounding.
+  constexpr double kNoShare = 1.0e-9;
+  if (way.norm() < kNoShare * length_of(stroke)) return 0.0;
   // Between the tangent and a chord is half of the angle that the chord spans.
   const Place tangent = tangent_at(stroke, 0.0);
   const double half = std::atan2(drawing::cross(tangent, way), drawing::dot(tangent, way));

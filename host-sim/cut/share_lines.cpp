@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <utility>
 
 #include "host-sim/cut/clearance.hpp"
@@ -55,6 +56,7 @@ class Sharing {
       }
     }
     strokes_.prepare();
+    leave_each_a_line();
     rests_.resize(unbegun_.size());
     owners_.resize(unbegun_.size());
     for (std::size_t i = 0; i < unbegun_.size(); ++i) {
@@ -102,32 +104,89 @@ class Sharing {
       }
     }
     join_stretches(loss.stretches);
-    std::erase_if(loss.stretches, [&cut](const SharedStretch& stretch) {
-      return stretch.to_mm - stretch.from_mm < kShortestKerfs * 2.0 * cut.half_kerf_mm;
+    // Paths that have an edge in common have all of it in common.
+    const double shortest_mm = cut.is_on_edge ? 0.0 : kShortestKerfs * 2.0 * cut.half_kerf_mm;
+    std::erase_if(loss.stretches, [shortest_mm](const SharedStretch& stretch) {
+      return stretch.to_mm - stretch.from_mm < shortest_mm;
     });
     std::ranges::sort(loss.owners);
     loss.owners.erase(std::unique(loss.owners.begin(), loss.owners.end()), loss.owners.end());
     return loss;
   }
 
+  /// Returns what is left to a cut, apart from what the beam reaches from the ends of it.
+  [[nodiscard]] std::vector<std::vector<Stroke>> needed_rests(std::size_t i,
+                                                              const Loss& loss) const {
+    const UnbegunCut& cut = unbegun_[i];
+    std::vector<std::vector<Stroke>> rests = rests_between(cut.path, loss.stretches);
+    std::erase_if(rests, [&cut](const std::vector<Stroke>& rest) {
+      return is_reached_from_ends(rest, cut.half_kerf_mm);
+    });
+    return rests;
+  }
+
+  /// Lets cuts come earlier to which earlier ones would leave nothing, where that is possible.
+  void leave_each_a_line() {
+    constexpr int kMostRounds = 8;
+    bool is_changed = true;
+    for (int round = 0; is_changed && round < kMostRounds; ++round) {
+      is_changed = false;
+      for (std::size_t i = 0; i < unbegun_.size(); ++i) {
+        if (!may_share(i)) continue;
+        const Loss loss = loss_of(i);
+        if (loss.stretches.empty() || !needed_rests(i, loss).empty()) continue;
+        is_changed = comes_before_an_owner(i, loss) || is_changed;
+      }
+    }
+  }
+
+  /// Lets a cut come before that of the owners of its lines to which most is left.
+  bool comes_before_an_owner(std::size_t i, const Loss& loss) {
+    std::vector<bool> is_before(unbegun_.size());
+    std::vector<std::size_t> open{i};
+    while (!open.empty()) {
+      const std::size_t here = open.back();
+      open.pop_back();
+      if (is_before[here]) continue;
+      is_before[here] = true;
+      open.insert(open.end(), plan_.cuts[here].after.begin(), plan_.cuts[here].after.end());
+    }
+    std::optional<std::size_t> owner;
+    double most_mm = 0.0;
+    for (const std::size_t other : loss.owners) {
+      const double left_mm = length_left(other);
+      if (is_before[other] || left_mm <= most_mm) continue;
+      most_mm = left_mm;
+      owner = other;
+    }
+    if (!owner) return false;
+    std::vector<std::size_t> order(unbegun_.size());
+    for (std::size_t k = 0; k < order.size(); ++k) order[ranks_[k]] = k;
+    const auto from = order.begin() + static_cast<std::ptrdiff_t>(ranks_[*owner]);
+    const auto to = order.begin() + static_cast<std::ptrdiff_t>(ranks_[i]) + 1;
+    std::stable_partition(from, to, [&](std::size_t cut) { return is_before[cut]; });
+    for (std::size_t k = 0; k < order.size(); ++k) ranks_[order[k]] = k;
+    return true;
+  }
+
+  [[nodiscard]] double length_left(std::size_t i) const {
+    double left_mm = unbegun_[i].path.length();
+    for (const SharedStretch& stretch : loss_of(i).stretches) {
+      left_mm -= stretch.to_mm - stretch.from_mm;
+    }
+    return left_mm;
+  }
+
   void take(std::size_t i, Loss loss) {
     if (loss.stretches.empty()) return;
-    const UnbegunCut& cut = unbegun_[i];
-    const auto needed_rests = [&] {
-      std::vector<std::vector<Stroke>> rests = rests_between(cut.path, loss.stretches);
-      std::erase_if(rests, [&cut](const std::vector<Stroke>& rest) {
-        return is_reached_from_ends(rest, cut.half_kerf_mm);
-      });
-      return rests;
-    };
-    std::vector<std::vector<Stroke>> rests = needed_rests();
+    std::vector<std::vector<Stroke>> rests = needed_rests(i, loss);
     if (rests.empty()) {
       loss.stretches.erase(
           std::ranges::min_element(loss.stretches, {}, [](const SharedStretch& stretch) {
             return stretch.to_mm - stretch.from_mm;
           }));
       if (loss.stretches.empty()) return;
-      rests = needed_rests();
+      rests = needed_rests(i, loss);
     }
     for (const SharedStretch& stretch : loss.stretches) {
       ++plan_.shared.lines;
@@ -189,7 +248,7 @@ class Sharing {
 
   CutPlan& plan_;
   std::vector<UnbegunCut>& unbegun_;
-  const std::vector<std::size_t>& ranks_;
+  std::vector<std::size_t> ranks_;
   Clearance strokes_;
   std::vector<OwnedStroke> owner_of_stroke_;
   std::vector<std::vector<std::vector<Stroke>>> rests_;  ///< By cut; none: it is cut whole.

@@ -14,9 +14,10 @@ namespace sim::cut {
 /// open cuts, which begin and end in the kerf of the earlier one and come after it. They have no
 /// leads and no overcut.
 ///
-/// A shared line is at least two kerfs long. Where a part would have no cut of its own, its
-/// shortest shared line is cut twice. Arcs round a corner at which two shared lines meet are left
-/// out: both lines reach it.
+/// A shared line is at least two kerfs long, or that of an edge that parts share; see
+/// paths_along_edges(). Where earlier cuts would leave nothing to a part it comes before one of
+/// them; where it must not, its shortest shared line is cut twice. Arcs round a corner at which two
+/// shared lines meet are left out: both lines reach it.
 /// @param unbegun one for each cut of the plan; both rows have more cuts afterwards, numbered anew,
 /// and counts are in `plan.shared`
 /// @param ranks the place of each cut in an order in which no cut comes before those that it must

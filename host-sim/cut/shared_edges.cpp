@@ -1,244 +1,250 @@
 #include "host-sim/cut/shared_edges.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <optional>
 #include <utility>
 
 #include "host-sim/cut/clearance.hpp"
+#include "host-sim/cut/segment_distance.hpp"
 #include "host-sim/cut/shared_stretch.hpp"
 
 namespace sim::cut {
 namespace {
 
-using drawing::cross;
+/// Ends of lines that are no farther apart are one node; gaps of lines, and lines, are none, mm.
+constexpr double kSameNode = 2.0 * kTouchesMm;
 
-/// Lengths below this are rounding, mm.
-constexpr double kEdgeRounding = 1.0e-3;
-/// No shorter rests of edges are left beside shared ones, in kerfs.
-constexpr double kShortestRestKerfs = 2.0;
-/// The beam that comes round a corner of half a kerf's radius is clear of an edge that has given
-/// way for √3 half kerfs beyond that corner.
-constexpr double kBeyondCorner = 1.7320508075688772;
-/// Sine of an angle at which two edges go straight on.
-constexpr double kStraightOn = 1.0e-3;
+/// Two outlines, by their places in the list of those that are searched.
+using Pair = std::pair<std::size_t, std::size_t>;
 
-Place line_direction(const Stroke& line) { return (line.to - line.from).normalized(); }
-
-/// A straight or curved stretch of an outline, and how far it gives way to the left, where the part
-/// is, mm.
-struct EdgePiece {
-  Stroke stroke{};
-  double gives_mm = 0.0;
-
-  [[nodiscard]] bool gives() const { return gives_mm > 0.0; }
-  [[nodiscard]] Place left() const {
-    const Place way = line_direction(stroke);
-    return {-way.y(), way.x()};
-  }
-};
-
-/// Shared stretches of one stroke, longer by what corners of neighbours in its middle need, and
-/// without short rests.
-void widen_stretches(std::vector<SharedStretch>& stretches, double length_mm, double half_kerf_mm) {
-  const double least = kShortestRestKerfs * 2.0 * half_kerf_mm;
-  for (SharedStretch& stretch : stretches) {
-    if (stretch.from_mm > kEdgeRounding) stretch.from_mm -= kBeyondCorner * half_kerf_mm;
-    if (stretch.to_mm < length_mm - kEdgeRounding) stretch.to_mm += kBeyondCorner * half_kerf_mm;
-    if (stretch.from_mm < least) stretch.from_mm = 0.0;
-    if (stretch.to_mm > length_mm - least) stretch.to_mm = length_mm;
-  }
-  for (std::size_t i = 1; i < stretches.size(); ++i) {
-    if (stretches[i].from_mm - stretches[i - 1].to_mm < least) {
-      stretches[i].from_mm = stretches[i - 1].to_mm;
-    }
-  }
-  join_stretches(stretches);
-}
-
-/// Divides a stroke at the ends of its stretches.
-void divide_edge(const Stroke& stroke,
-                 const std::vector<SharedStretch>& stretches,
-                 double half_kerf_mm,
-                 std::vector<EdgePiece>& pieces) {
-  const double length = length_of(stroke);
-  double done = 0.0;
-  const auto add = [&](double to_mm, double gives_mm) {
-    if (to_mm - done > kEdgeRounding) {
-      pieces.push_back({part_of(stroke, done / length, std::min(1.0, to_mm / length)), gives_mm});
-      done = to_mm;
-    }
-  };
-  for (const SharedStretch& stretch : stretches) {
-    add(stretch.from_mm, 0.0);
-    add(stretch.to_mm, half_kerf_mm - 0.5 * stretch.off_mm);
-  }
-  if (stretches.empty()) {
-    pieces.push_back({stroke});
-  } else {
-    add(length, 0.0);
-  }
-}
-
-/// Where two pieces meet once they have given way: one point, or two with a step between them.
-struct MovedCorner {
-  Place end{0.0, 0.0};
-  Place start{0.0, 0.0};
-};
-
-std::optional<MovedCorner> moved_corner(const EdgePiece& before, const EdgePiece& after) {
-  const Place& corner = before.stroke.to;
-  if (!before.gives() && !after.gives()) return MovedCorner{corner, corner};
-  const Place end = before.gives() ? Place{corner + before.gives_mm * before.left()} : corner;
-  const Place start = after.gives() ? Place{corner + after.gives_mm * after.left()} : corner;
-  const Place from = tangent_at(before.stroke, 1.0);
-  const Place to = tangent_at(after.stroke, 0.0);
-  const double sine = cross(from, to);
-  const bool goes_on = std::abs(sine) < kStraightOn;
-  // Beside a straight line, or into the part: a step.
-  if (goes_on || (sine < 0.0 && !(before.gives() && after.gives()))) return MovedCorner{end, start};
-  if (before.stroke.bulge != 0.0 || after.stroke.bulge != 0.0) return std::nullopt;
-  // Where the moved lines cross.
-  const double along = cross(start - end, to) / sine;
-  const Place meeting = end + along * from;
-  const double left = drawing::dot(meeting - before.stroke.from, from);
-  const double right = drawing::dot(after.stroke.to - meeting, to);
-  if (left < kEdgeRounding || right < kEdgeRounding) return std::nullopt;
-  return MovedCorner{meeting, meeting};
-}
-
-/// Moves all pieces that give way. Returns nothing where one is too short for its corners.
-std::optional<std::vector<Stroke>> moved_edges(const std::vector<EdgePiece>& pieces) {
-  std::vector<MovedCorner> corners;
-  for (std::size_t i = 0; i < pieces.size(); ++i) {
-    const auto corner = moved_corner(pieces[i], pieces[(i + 1) % pieces.size()]);
-    if (!corner) return std::nullopt;
-    corners.push_back(*corner);
-  }
-  std::vector<Stroke> strokes;
-  for (std::size_t i = 0; i < pieces.size(); ++i) {
-    const MovedCorner& before = corners[(i + pieces.size() - 1) % pieces.size()];
-    Stroke stroke = pieces[i].stroke;
-    stroke.from = before.start;
-    stroke.to = corners[i].end;
-    // Both corners may have eaten it up.
-    const bool turns_back =
-        stroke.bulge == 0.0 &&
-        drawing::dot(stroke.to - stroke.from, pieces[i].stroke.to - pieces[i].stroke.from) <= 0.0;
-    if (turns_back) return std::nullopt;
-    strokes.push_back(stroke);
-    if (drawing::distance(corners[i].end, corners[i].start) > kEdgeRounding) {
-      strokes.push_back({corners[i].end, corners[i].start});
-    } else {
-      strokes.back().to = corners[i].start;
-    }
-  }
-  return strokes;
-}
-
-/// Finds which edges touch, and moves them.
-class Parting {
+/// Finds the lines that outlines share.
+class EdgeFinder {
  public:
-  Parting(const drawing::Drawing& drawn, std::vector<Outline>& outlines, const EdgeSharing& sharing)
-      : drawn_{drawn}, outlines_{outlines}, sharing_{sharing}, strokes_{kTouchReachMm} {}
+  EdgeFinder(const std::vector<Outline>& outlines,
+             const std::vector<std::size_t>& contours,
+             const std::function<bool(std::size_t, std::size_t)>& may_share)
+      : contours_{contours}, may_share_{may_share}, strokes_{kTouchReachMm} {
+    for (const std::size_t contour : contours) rows_.emplace_back(outlines[contour].strokes);
+  }
 
-  std::vector<drawing::Fault> run() {
-    for (std::size_t i = 0; i < outlines_.size(); ++i) {
-      if (!may_give(i)) continue;
-      for (const Stroke& stroke : outlines_[i].strokes) {
-        if (stroke.bulge != 0.0) continue;
-        strokes_.add(stroke, owners_.size());
-        owners_.push_back({i, stroke});
-      }
+  SharedEdges find() {
+    note_strokes();
+    for (std::size_t i = 0; i < rows_.size(); ++i) note_stretches(i);
+    for (auto& [pair, stretches] : stretches_) {
+      join(stretches, rows_[pair.first].length());
     }
-    strokes_.prepare();
-    std::vector<std::pair<std::size_t, std::vector<Stroke>>> changed;
-    for (std::size_t i = 0; i < outlines_.size(); ++i) {
-      if (!may_give(i)) continue;
-      if (auto strokes = given_way(i)) changed.emplace_back(i, std::move(*strokes));
+    for (const auto& [pair, stretches] : stretches_) {
+      if (pair.first > pair.second) continue;
+      for (const SharedStretch& stretch : stretches) add(pair, stretch);
     }
-    for (auto& [contour, strokes] : changed) outlines_[contour].strokes = std::move(strokes);
-    return std::move(warnings_);
+    note_taken();
+    for (std::size_t i = 0; i < rows_.size(); ++i) add_points(i);
+    return std::move(found_);
   }
 
  private:
   static constexpr double kTouchReachMm = 1.0;
 
-  struct TouchingStroke {
-    std::size_t contour = 0;
+  struct OwnedStroke {
+    std::size_t row = 0;
     Stroke stroke{};
   };
 
-  [[nodiscard]] bool may_give(std::size_t contour) const {
-    return outlines_[contour].is_beside && sharing_.half_kerf_mm(contour) > 0.0;
-  }
-
-  [[nodiscard]] std::vector<SharedStretch> stretches_of(std::size_t contour,
-                                                        const Stroke& stroke) const {
-    std::vector<SharedStretch> stretches;
-    if (stroke.bulge != 0.0) return stretches;
-    for (const std::size_t number : strokes_.owners_near(stroke, kTouchesMm)) {
-      const TouchingStroke& other = owners_[number];
-      if (other.contour == contour || !sharing_.are_alike(contour, other.contour)) continue;
-      if (const auto shared = shared_stretch(stroke, other.stroke, kTouchesMm)) {
-        stretches.push_back(*shared);
+  void note_strokes() {
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+      for (const Stroke& stroke : rows_[i].strokes()) {
+        strokes_.add(stroke, owned_.size());
+        owned_.push_back({i, stroke});
       }
     }
-    join_stretches(stretches);
-    return stretches;
+    strokes_.prepare();
   }
+  void note_stretches(std::size_t i);
+  static void join(std::vector<SharedStretch>& stretches, double length_mm);
+  void add(const Pair& pair, const SharedStretch& stretch);
+  [[nodiscard]] std::vector<Stroke> strokes_along(std::size_t i,
+                                                  const SharedStretch& stretch) const;
+  [[nodiscard]] bool is_whole(std::size_t i, const SharedStretch& stretch) const {
+    return stretch.to_mm - stretch.from_mm > rows_[i].length() - kSameNode;
+  }
+  [[nodiscard]] std::optional<SharedStretch> other_side(const Pair& pair,
+                                                        const SharedStretch& stretch) const;
+  [[nodiscard]] std::size_t node_at(const Place& place);
+  void note_taken();
+  [[nodiscard]] bool is_taken(std::size_t i, double way_mm) const;
+  void add_points(std::size_t i);
+  void add_point(std::size_t i, double way_mm, std::size_t other, const Place& place);
 
-  [[nodiscard]] std::optional<std::vector<Stroke>> given_way(std::size_t contour);
-
-  const drawing::Drawing& drawn_;
-  std::vector<Outline>& outlines_;
-  const EdgeSharing& sharing_;
+  const std::vector<std::size_t>& contours_;
+  const std::function<bool(std::size_t, std::size_t)>& may_share_;
+  std::vector<MeasuredRow> rows_;
   Clearance strokes_;
-  std::vector<TouchingStroke> owners_;
-  std::vector<drawing::Fault> warnings_;
+  std::vector<OwnedStroke> owned_;
+  std::map<Pair, std::vector<SharedStretch>> stretches_;  ///< Along the first one of the pair.
+  std::vector<std::vector<EdgeStretch>> taken_;           ///< By outline, stretches with lines.
+  SharedEdges found_;
 };
 
-std::optional<std::vector<Stroke>> Parting::given_way(std::size_t contour) {
-  const double half = sharing_.half_kerf_mm(contour);
-  std::vector<EdgePiece> pieces;
-  double shared_mm = 0.0;
-  std::optional<Place> where;
-  for (const Stroke& stroke : outlines_[contour].strokes) {
-    std::vector<SharedStretch> stretches = stretches_of(contour, stroke);
-    widen_stretches(stretches, length_of(stroke), half);
-    for (const SharedStretch& stretch : stretches) {
-      shared_mm += stretch.to_mm - stretch.from_mm;
-      if (!where) {
-        where = place_at(stroke, 0.5 * (stretch.from_mm + stretch.to_mm) / length_of(stroke));
-      }
+void EdgeFinder::note_stretches(std::size_t i) {
+  for (std::size_t k = 0; k < rows_[i].strokes().size(); ++k) {
+    const Stroke& stroke = rows_[i].strokes()[k];
+    for (const std::size_t number : strokes_.owners_near(stroke, kTouchesMm)) {
+      const OwnedStroke& other = owned_[number];
+      if (other.row == i || !may_share_(contours_[i], contours_[other.row])) continue;
+      auto shared = shared_stretch(stroke, other.stroke, kTouchesMm);
+      if (!shared) continue;
+      shared->from_mm += rows_[i].way_to(k);
+      shared->to_mm += rows_[i].way_to(k);
+      stretches_[{i, other.row}].push_back(*shared);
     }
-    divide_edge(stroke, stretches, half, pieces);
   }
-  if (!where) return std::nullopt;
-  auto strokes = moved_edges(pieces);
-  if (!strokes) return std::nullopt;
-  warnings_.push_back(
-      {drawing::FaultKind::kIgnored,
-       drawn_.contours[contour].entity,
-       where,
-       fmt::format("lies against other parts along {:.3f} mm: the cut along the edge "
-                   "takes {:.3f} mm off it there",
-                   shared_mm,
-                   half),
-       fmt::format("draw parts {:.3f} mm apart, the kerf, that are to have their "
-                   "size",
-                   2.0 * half)});
+}
+
+/// Joins stretches across corners and across the start of the outline, and drops short ones.
+void EdgeFinder::join(std::vector<SharedStretch>& stretches, double length_mm) {
+  std::ranges::sort(stretches, {}, &SharedStretch::from_mm);
+  std::vector<SharedStretch> joined;
+  for (const SharedStretch& next : stretches) {
+    if (joined.empty() || next.from_mm > joined.back().to_mm + kSameNode) {
+      joined.push_back(next);
+    } else {
+      joined.back().to_mm = std::max(joined.back().to_mm, next.to_mm);
+    }
+  }
+  if (joined.size() > 1 && joined.front().from_mm + length_mm < joined.back().to_mm + kSameNode) {
+    joined.back().to_mm = length_mm + joined.front().to_mm;
+    joined.erase(joined.begin());
+  }
+  std::erase_if(joined, [](const SharedStretch& stretch) {
+    return stretch.to_mm - stretch.from_mm <= kSameNode;
+  });
+  stretches = std::move(joined);
+}
+
+std::vector<Stroke> EdgeFinder::strokes_along(std::size_t i, const SharedStretch& stretch) const {
+  const MeasuredRow& row = rows_[i];
+  if (is_whole(i, stretch)) return row.strokes();
+  std::vector<Stroke> strokes = row.stretch(stretch.from_mm, std::min(stretch.to_mm, row.length()));
+  if (stretch.to_mm > row.length()) {
+    const std::vector<Stroke> more = row.stretch(0.0, stretch.to_mm - row.length());
+    strokes.insert(strokes.end(), more.begin(), more.end());
+  }
   return strokes;
+}
+
+/// Returns the stretch of the second outline beside a stretch of the first one.
+std::optional<SharedStretch> EdgeFinder::other_side(const Pair& pair,
+                                                    const SharedStretch& stretch) const {
+  const auto known = stretches_.find({pair.second, pair.first});
+  if (known == stretches_.end()) return std::nullopt;
+  const auto place = [](const MeasuredRow& row, double way_mm) {
+    return row.place(way_mm > row.length() ? way_mm - row.length() : way_mm);
+  };
+  const MeasuredRow& row = rows_[pair.first];
+  const MeasuredRow& other = rows_[pair.second];
+  const bool is_ring = is_whole(pair.first, stretch);
+  for (const SharedStretch& beside : known->second) {
+    if (is_ring != is_whole(pair.second, beside)) continue;
+    if (is_ring) return beside;
+    const bool ends_there = drawing::distance(place(row, stretch.from_mm),
+                                              place(other, beside.to_mm)) <= 2.0 * kSameNode &&
+                            drawing::distance(place(row, stretch.to_mm),
+                                              place(other, beside.from_mm)) <= 2.0 * kSameNode;
+    if (ends_there) return beside;
+  }
+  return std::nullopt;
+}
+
+std::size_t EdgeFinder::node_at(const Place& place) {
+  for (std::size_t i = 0; i < found_.nodes.size(); ++i) {
+    if (drawing::distance(found_.nodes[i], place) <= kSameNode) return i;
+  }
+  found_.nodes.push_back(place);
+  return found_.nodes.size() - 1;
+}
+
+void EdgeFinder::add(const Pair& pair, const SharedStretch& stretch) {
+  const auto other = other_side(pair, stretch);
+  if (!other) return;
+  SharedEdge edge{.strokes = strokes_along(pair.first, stretch)};
+  const auto along = [this](std::size_t i, const SharedStretch& one) {
+    return EdgeStretch{contours_[i], one.from_mm, std::fmod(one.to_mm, rows_[i].length())};
+  };
+  edge.beside = {along(pair.first, stretch), along(pair.second, *other)};
+  edge.is_ring = is_whole(pair.first, stretch);
+  edge.nodes[0] = node_at(edge.strokes.front().from);
+  edge.nodes[1] = edge.is_ring ? edge.nodes[0] : node_at(edge.strokes.back().to);
+  if (!edge.is_ring && edge.nodes[0] == edge.nodes[1]) return;
+  edge.strokes.front().from = found_.nodes[edge.nodes[0]];
+  edge.strokes.back().to = found_.nodes[edge.nodes[1]];
+  found_.edges.push_back(std::move(edge));
+}
+
+void EdgeFinder::note_taken() {
+  taken_.resize(rows_.size());
+  for (const SharedEdge& edge : found_.edges) {
+    for (const EdgeStretch& beside : edge.beside) {
+      const auto i = static_cast<std::size_t>(std::ranges::find(contours_, beside.contour) -
+                                              contours_.begin());
+      taken_[i].push_back(beside);
+      if (edge.is_ring) taken_[i].back().to_mm = beside.from_mm + rows_[i].length();
+    }
+  }
+}
+
+/// Returns whether an outline has a line, or a point, at or near a length along it.
+bool EdgeFinder::is_taken(std::size_t i, double way_mm) const {
+  const double length = rows_[i].length();
+  return std::ranges::any_of(taken_[i], [&](const EdgeStretch& one) {
+    const double from = one.from_mm - 2.0 * kSameNode;
+    double to = one.to_mm + 2.0 * kSameNode;
+    if (to < from) to += length;
+    return std::fmod(way_mm - from + 2.0 * length, length) <= to - from;
+  });
+}
+
+/// Adds the corners of an outline that touch others.
+void EdgeFinder::add_points(std::size_t i) {
+  for (std::size_t k = 0; k < rows_[i].strokes().size(); ++k) {
+    const Place& corner = rows_[i].strokes()[k].from;
+    for (const std::size_t number : strokes_.owners_near({corner, corner}, kTouchesMm)) {
+      const OwnedStroke& other = owned_[number];
+      if (other.row == i || !may_share_(contours_[i], contours_[other.row])) continue;
+      if (distance_to(other.stroke, corner) > kTouchesMm) continue;
+      add_point(i, rows_[i].way_to(k), other.row, corner);
+    }
+  }
+}
+
+void EdgeFinder::add_point(std::size_t i, double way_mm, std::size_t other, const Place& place) {
+  const MeasuredRow& row = rows_[other];
+  double beside_mm = 0.0;
+  double nearest = 2.0 * kTouchesMm;
+  for (std::size_t k = 0; k < row.strokes().size(); ++k) {
+    const Stroke& stroke = row.strokes()[k];
+    const double apart = distance_to(stroke, place);
+    if (apart >= nearest) continue;
+    nearest = apart;
+    beside_mm = row.way_to(k) + nearest_share(stroke, place) * length_of(stroke);
+  }
+  if (beside_mm > row.length() - kSameNode) beside_mm = 0.0;
+  if (is_taken(i, way_mm) || is_taken(other, beside_mm)) return;
+  const std::size_t node = node_at(place);
+  const EdgeStretch own{contours_[i], way_mm, way_mm};
+  const EdgeStretch beside{contours_[other], beside_mm, beside_mm};
+  taken_[i].push_back(own);
+  taken_[other].push_back(beside);
+  found_.edges.push_back({.beside = {own, beside}, .nodes = {node, node}});
 }
 
 }  // namespace
 
-std::vector<drawing::Fault> part_touching_edges(const drawing::Drawing& drawn,
-                                                std::vector<Outline>& outlines,
-                                                const EdgeSharing& sharing) {
-  return Parting{drawn, outlines, sharing}.run();
+SharedEdges shared_edges(const std::vector<Outline>& outlines,
+                         const std::vector<std::size_t>& contours,
+                         const std::function<bool(std::size_t, std::size_t)>& may_share) {
+  return EdgeFinder{outlines, contours, may_share}.find();
 }
 
 }  // namespace sim::cut

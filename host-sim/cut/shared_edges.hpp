@@ -1,37 +1,49 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <functional>
 #include <vector>
 
 #include "host-sim/cut/outlines.hpp"
-#include "host-sim/import/drawing.hpp"
 
 namespace sim::cut {
 
 /// Parts that lie no farther apart than this lie against each other, mm.
 inline constexpr double kTouchesMm = 0.01;
 
-/// Properties by which two contours may share an edge.
-struct EdgeSharing {
-  /// Returns half of the kerf of a contour whose edges may be shared, mm; else 0.
-  std::function<double(std::size_t)> half_kerf_mm;
-  /// Returns whether two contours are cut alike.
-  std::function<bool(std::size_t, std::size_t)> are_alike;
+/// A stretch of a closed outline, mm along it; it goes on across the start where `to_mm` is not
+/// greater.
+struct EdgeStretch {
+  std::size_t contour = 0;
+  double from_mm = 0.0;
+  double to_mm = 0.0;
 };
 
-/// Lets parts that lie against each other give way: a straight edge that two outlines share is
-/// moved by half a kerf into both, so that they lie a kerf apart, and one cut along the drawn edge
-/// frees both; see share_lines().
-///
-/// Where a part lies against the middle of a longer edge, that edge gives way for a little more at
-/// both ends, as the beam has to come round the part's corners. Corners between straight edges give
-/// way with them; at an arc the edge ends in a step. Edges that are too short for all that stay,
-/// and a cut beside them is a fault.
-/// @param outlines one for each contour of the drawing; those that give way are changed
-/// @return a warning for each contour that gave way: how long, where, and by how much
-[[nodiscard]] std::vector<drawing::Fault> part_touching_edges(const drawing::Drawing& drawn,
-                                                              std::vector<Outline>& outlines,
-                                                              const EdgeSharing& sharing);
+/// A line along which two outlines lie against each other, or a point at which they touch.
+struct SharedEdge {
+  std::vector<Stroke> strokes{};        ///< As the first outline goes; none of a point.
+  std::array<EdgeStretch, 2> beside{};  ///< The stretches of both outlines.
+  std::array<std::size_t, 2> nodes{};   ///< At its start and its end.
+  bool is_ring = false;                 ///< It is the whole of both outlines.
+};
+
+/// The lines along which outlines lie against each other, and the nodes at which they end.
+struct SharedEdges {
+  std::vector<SharedEdge> edges{};
+  std::vector<Place> nodes{};
+};
+
+/// Finds the lines along which two outlines lie against each other, nowhere farther apart than
+/// kTouchesMm: straight ones and arcs, whole edges and stretches of them. A line is that of the
+/// outline which comes first; its ends are moved by 2 kTouchesMm at most to where other lines end.
+/// Lines of 2 kTouchesMm or less are none. Points are corners that touch another outline where
+/// neither outline has a line.
+/// @param contours numbers of closed outlines
+/// @param may_share whether two contours may share a line
+[[nodiscard]] SharedEdges shared_edges(
+    const std::vector<Outline>& outlines,
+    const std::vector<std::size_t>& contours,
+    const std::function<bool(std::size_t, std::size_t)>& may_share);
 
 }  // namespace sim::cut

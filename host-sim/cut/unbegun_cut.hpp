@@ -11,9 +11,10 @@ namespace sim::cut {
 
 /// A contour as the beam goes along it, whose beginning and place in the order are not chosen yet.
 struct UnbegunCut {
-  MeasuredRow path;        ///< With the part on its left, or along an open line.
-  bool is_open = false;    ///< It ends elsewhere than it begins.
-  LayerSettings settings;  ///< Of its layer.
+  MeasuredRow path;         ///< With the part on its left, or along an open line.
+  bool is_open = false;     ///< It ends elsewhere than it begins.
+  bool is_on_edge = false;  ///< It goes along edges that parts share; see shared_edges().
+  LayerSettings settings;   ///< Of its layer.
   double half_kerf_mm = 0.0;
   std::size_t layer = 0;
   std::size_t part = 0;              ///< Cuts of one part have one number.

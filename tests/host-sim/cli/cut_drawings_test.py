@@ -108,6 +108,25 @@ class CutDrawings(unittest.TestCase):
         done = self.sound(pair, "--common-line", "0.2")
         self.assertIn("warning: ", done.stderr)
 
+    def test_parts_in_a_t_are_cut_once_along_their_edges(self):
+        tee = '<path d="M5 20H45V30H5Z"/><path d="M5 20V8H20V20Z"/><path d="M20 20V8H38V20Z"/>'
+        refused = self.cut(tee)
+        self.assertEqual(refused.returncode, 1)
+        self.assertIn("lies against path along 18.000 mm", refused.stderr)
+        done = self.sound(tee, "--common-line", "0.2", "--check")
+        self.assertEqual(self.cuts(done), 3)
+        self.assertIn("lies against other parts along 33.000 mm", done.stderr)
+
+    def test_parts_that_touch_at_a_corner_of_a_shared_edge_are_cut_apart(self):
+        # The second part lies against the first one and reaches round to another corner of it.
+        parts = '<path d="M10 10H30V20H20V30H10Z"/><path d="M30 10H40V40H5V30H10V35H30Z"/>'
+        done = self.sound(parts, "--common-line", "0.2")
+        self.assertEqual(self.cuts(done), 3, "the second part has what is between, and what is around")
+        corners = '<path d="M10 10H20V20H10Z"/><path d="M20 20H30V30H20Z"/>'
+        done = self.sound(corners, "--common-line", "0.2")
+        self.assertEqual(self.cuts(done), 2)
+        self.assertIn("touches other parts at corners", done.stderr)
+
     def test_rings_nearer_than_the_kerf_are_refused(self):
         refused = self.cut('<circle cx="30" cy="20" r="15"/><circle cx="30" cy="20" r="10"/>'
                            '<circle cx="30" cy="20" r="9.9"/>')

@@ -9,7 +9,10 @@ that is written it is looked
 * whether a path of the beam comes nearer to a part than half the kerf less 5 um, or less what the option --narrow
   allows, or runs across it;
 * whether each edge of a part has a path beside it: what has none must be listed by the program's warnings;
-* whether two cuts go along the same line.
+* whether two cuts go along the same line;
+* with the option --common-line, whether each line along which two parts lie against each other is cut once along
+  itself. At its ends, and where parts touch at a corner, a path may be nearer than half the kerf for two kerfs, but
+  nowhere within a part.
 
 Parts and holes of less than 0.02 mm2, or 0.01 mm of mean width, do not count, nor do needles and slits less than
 5 um wide, nor a line that is open and is cut as such. Prints a line for each drawing and the sums of drawings and of
@@ -40,6 +43,7 @@ MM_PER_PX = 25.4 / 96
 SLACK_MM = 0.005
 LEAST_MM2, LEAST_WIDTH_MM = 0.02, 0.01
 NEEDLE_MM = 0.005
+TOUCHES_MM = 0.012
 EVERY_MM, FINELY_MM = 0.4, 0.05
 LEAST_RUN = 4  # Places that two cuts share where they cross.
 MEETING_MM, CERTAIN_GAP_MM = 0.01, 0.2
@@ -278,8 +282,56 @@ class Shapes:
             self.right += beside >= 0.95 * len(places) and not is_gouged
 
 
-def judged(file: pathlib.Path, program: str, told: str, shapes: Shapes, narrow: float = 0.0) -> str:
-    """The faults of a program whose cuts may go by `narrow` into an edge, or an empty text."""
+class SharedLines:
+    """Lines along which two contours with parts on both sides lie against each other, and where they touch."""
+
+    def __init__(self, rows: list, parts: list) -> None:
+        rings = [line(row) for row in without_copies([ring_of(row) for row in rows if is_closed(row)])]
+        inside, prepared = STRtree(parts), {id(part): prep(part) for part in parts}
+
+        def has_part(place: Point) -> bool:
+            return any(prepared[id(part)].contains(place) for part in inside.query(place))
+
+        common = self.common_of(rings)
+        edges = [LineString(ring.coords) for part in parts for ring in [part.exterior, *part.interiors]]
+        pieces = [one for one in common if one.length > 0.05 and self.is_between(one, has_part)]
+        touching = common + self.common_of(edges)
+        self.pieces = [stroke for _, stroke in strokes_of([[complex(*c) for c in one.coords] for one in pieces])]
+        self.lines, self.touching = Nearest(self.pieces), Nearest(touching)
+
+    @staticmethod
+    def common_of(rings: list) -> list:
+        """Lines of rings that are within TOUCHES_MM of a later ring."""
+        tree, number, found = STRtree(rings), {id(ring): i for i, ring in enumerate(rings)}, []
+        for i, ring in enumerate(rings):
+            for other in tree.query(ring.buffer(TOUCHES_MM)):
+                if number[id(other)] <= i:
+                    continue
+                common = ring.intersection(other.buffer(TOUCHES_MM))
+                found += [one for one in getattr(common, "geoms", [common]) if not one.is_empty and one.length > 0]
+        return found
+
+    @staticmethod
+    def is_between(piece: LineString, has_part) -> bool:
+        middle, next_place = (piece.interpolate(0.5 * piece.length + d) for d in (0, 0.001))
+        way = complex(next_place.x - middle.x, next_place.y - middle.y)
+        off = 1j * way / abs(way) * 0.03
+        return has_part(Point(middle.x + off.real, middle.y + off.imag)) and has_part(
+            Point(middle.x - off.real, middle.y - off.imag))
+
+    def allow(self, place: Point, apart: float, kerf: float) -> bool:
+        if self.lines.of(place) <= SLACK_MM + TOUCHES_MM:
+            return True
+        return apart >= -TOUCHES_MM and self.touching.of(place) <= 2 * kerf
+
+    def uncut(self, near_cuts: Nearest) -> list:
+        places = [place for piece in self.pieces for place in places_along(piece, FINELY_MM)]
+        return [place for place in places if near_cuts.of(place) > SLACK_MM + TOUCHES_MM]
+
+
+def judged(file: pathlib.Path, program: str, told: str, shapes: Shapes, options: list) -> str:
+    """The faults of a program, or an empty text."""
+    narrow = float(options[options.index("--narrow") + 1]) if "--narrow" in options else 0.0
     nearest = -narrow - SLACK_MM
     kerf = float(re.search(r"kerf ([\d.]+) mm", program)[1])
     rows = rows_of_svg(file) if file.suffix == ".svg" else rows_of_dxf(file)
@@ -290,6 +342,7 @@ def judged(file: pathlib.Path, program: str, told: str, shapes: Shapes, narrow: 
     cuts = strokes_of(beam_rows(program))
     near_edges, near_lines, near_cuts = Nearest(edges), Nearest(lines), Nearest([s for _, s in cuts])
     inside, prepared = STRtree(parts) if parts else None, {id(part): prep(part) for part in parts}
+    shared = SharedLines(rows, parts) if "--common-line" in options and parts else None
     complaints, gouged = [], []
     worst, where = math.inf, None
     for _, stroke in cuts:
@@ -297,6 +350,8 @@ def judged(file: pathlib.Path, program: str, told: str, shapes: Shapes, narrow: 
             apart = near_edges.of(place)
             if inside and any(prepared[id(part)].contains(place) for part in inside.query(place)):
                 apart = -apart
+            if shared and shared.allow(place, apart, kerf):
+                continue
             if apart < kerf / 2 + nearest and near_lines.of(place) > SLACK_MM + 0.01:
                 gouged.append(place)
                 if apart < worst:
@@ -304,6 +359,9 @@ def judged(file: pathlib.Path, program: str, told: str, shapes: Shapes, narrow: 
     shapes.take(rings, near_cuts, kerf, gouged)
     if gouged:
         complaints.append(f"{len(gouged)} places too near, {worst:.4f} mm at {where.x:.3f} {where.y:.3f}")
+    between = shared.uncut(near_cuts) if shared else []
+    if between:
+        complaints.append(f"{len(between)} places between parts uncut, as at {between[0].x:.3f} {between[0].y:.3f}")
     uncut, missing = [], 0.0
     for edge in edges:
         if all(near_cuts.of(p) <= kerf + SLACK_MM for p in places_along(edge)):
@@ -347,7 +405,6 @@ def count_uncut(file: pathlib.Path, shapes: Shapes) -> None:
 
 def verdict_on(kerfline: str, file: pathlib.Path, options: list, shapes: Shapes) -> tuple:
     """`right`, `wrong`, `refused` or `not judged`, and why."""
-    narrow = float(options[options.index("--narrow") + 1]) if "--narrow" in options else 0.0
     with tempfile.TemporaryDirectory() as scratch:
         target = pathlib.Path(scratch) / "job.nc"
         try:
@@ -356,7 +413,7 @@ def verdict_on(kerfline: str, file: pathlib.Path, options: list, shapes: Shapes)
         except subprocess.TimeoutExpired:
             return "refused", f"longer than {SECONDS} s"
         try:
-            complaint = judged(file, target.read_text(), run.stderr, shapes, narrow) if target.exists() else None
+            complaint = judged(file, target.read_text(), run.stderr, shapes, options) if target.exists() else None
             if complaint is None:
                 count_uncut(file, shapes)
         except Exception as error:  # pylint: disable=broad-except

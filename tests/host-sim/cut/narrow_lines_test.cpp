@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -90,6 +91,41 @@ TEST(NarrowLines, GoThroughAHoleSmallerThanTheKerf) {
   EXPECT_THAT(plan_of_svg(plate_with("<circle cx=\"30\" cy=\"60\" r=\"0.2\"/>"), 0.09).faults,
               SizeIs(1))
       << "farther into the edge than allowed";
+}
+
+/// As arcs, the outlines of these lenses turn back by a hair at a tip.
+TEST(NarrowLines, StayInAHoleWhoseOutlineTurnsBackByAHair) {
+  struct Lens {
+    double angle_deg;
+    double length;
+    const char* path;
+  };
+  constexpr std::array kLenses{
+      Lens{36.10, 3.868, "M0 0C0.396 -0.036 2.868 0.087 3.868 0C2.900 0.000 1.140 -0.123 0 0Z"},
+      Lens{85.45, 5.559, "M0 0C1.003 -0.283 4.943 0.080 5.559 0C4.957 0.000 1.331 -0.363 0 0Z"},
+      Lens{33.07, 4.802, "M0 0C1.083 -0.111 4.202 0.064 4.802 0C3.601 0.000 1.882 -0.174 0 0Z"},
+      Lens{79.20, 6.847, "M0 0C2.064 -0.792 5.123 0.030 6.847 0C5.797 0.000 1.657 -0.821 0 0Z"}};
+  for (const Lens& lens : kLenses) {
+    SCOPED_TRACE(lens.path);
+    const std::string hole =
+        fmt::format("<path transform=\"translate(50 50) rotate({:.2f})\" d=\"{}\"/>",
+                    lens.angle_deg,
+                    lens.path);
+    const CutPlan plan = plan_of_svg(plate_with(hole), kEverything);
+    EXPECT_THAT(plan.faults, IsEmpty());
+    ASSERT_THAT(plan.cuts, SizeIs(2));
+    const Place along = drawing::direction(-lens.angle_deg * std::numbers::pi / 180.0);
+    const Cut& cut = plan.cuts.front();
+    EXPECT_NEAR(length_of(cut.strokes), lens.length - kTestKerf, 0.1);
+    for (const Stroke& stroke : cut.strokes) {
+      for (const Place& place : places_along(stroke, 0.1)) {
+        const Place off = place - Place{50.0, 50.0};
+        EXPECT_LT(std::abs(drawing::cross(along, off)), 0.5);
+        EXPECT_GT(drawing::dot(along, off), 0.0);
+        EXPECT_LT(drawing::dot(along, off), lens.length);
+      }
+    }
+  }
 }
 
 TEST(NarrowLines, PartNeighboursThatAreNearerThanTheKerf) {

@@ -7,11 +7,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <deque>
 #include <string>
 #include <vector>
 
 #include "host-sim/import/curve_measure.hpp"
+#include "tests/host-sim/cut/burnt_sheet.hpp"
 #include "tests/host-sim/cut/support.hpp"
 #include "tests/support/random_source.hpp"
 #include "tests/support/trials.hpp"
@@ -78,63 +78,6 @@ double lit_mm(const CutPlan& plan) {
   return sum;
 }
 
-/// The material that the beam leaves of a sheet, in small squares.
-class Sheet {
- public:
-  explicit Sheet(const CutPlan& plan) : burnt_(kCells * kCells, false) {
-    for (const Cut& cut : plan.cuts) {
-      for (const Stroke& stroke : cut.strokes) {
-        for (const Place& place : places_along(stroke, 0.25 * kCell)) burn(place);
-      }
-    }
-  }
-
-  /// Returns whether a way through the material leads from one place to the other.
-  [[nodiscard]] bool joins(const Place& from, const Place& to) const {
-    std::vector<bool> seen = burnt_;
-    std::deque<std::size_t> open{cell(from)};
-    seen[open.front()] = true;
-    while (!open.empty()) {
-      const std::size_t here = open.front();
-      open.pop_front();
-      if (here == cell(to)) return true;
-      const std::size_t x = here % kCells;
-      const std::size_t y = here / kCells;
-      const auto go = [&](bool is_inside, std::size_t there) {
-        if (!is_inside || seen[there]) return;
-        seen[there] = true;
-        open.push_back(there);
-      };
-      go(x > 0, here - 1);
-      go(x + 1 < kCells, here + 1);
-      go(y > 0, here - kCells);
-      go(y + 1 < kCells, here + kCells);
-    }
-    return false;
-  }
-
- private:
-  static constexpr double kCell = 0.08;  ///< mm.
-  static constexpr std::size_t kCells = 700;
-
-  static std::size_t index(double mm) { return static_cast<std::size_t>(mm / kCell); }
-  static std::size_t cell(const Place& place) {
-    return index(place.y()) * kCells + index(place.x());
-  }
-
-  void burn(const Place& place) {
-    for (std::size_t y = index(place.y() - kHalf); y <= index(place.y() + kHalf); ++y) {
-      for (std::size_t x = index(place.x() - kHalf); x <= index(place.x() + kHalf); ++x) {
-        const Place middle{(static_cast<double>(x) + 0.5) * kCell,
-                           (static_cast<double>(y) + 0.5) * kCell};
-        if (drawing::distance(middle, place) <= kHalf) burnt_[y * kCells + x] = true;
-      }
-    }
-  }
-
-  std::vector<bool> burnt_;
-};
-
 /// In the drawing, y goes up from the lower edge of a sheet of 100 mm; the sheet above begins here.
 Place middle_of(const Rectangle& part) {
   return {part.x + 0.5 * part.width, 100.0 - part.y - 0.5 * part.height};
@@ -165,11 +108,11 @@ TEST(ShareLines, FreeAllPartsAndCutNoneAndNoLineTwice) {
         }
       }
     }
-    const Sheet sheet{plan};
+    const BurntSheet sheet{plan};
     for (std::size_t i = 0; i < parts.size(); ++i) {
-      EXPECT_FALSE(sheet.joins(middle_of(parts[i]), {1.0, 1.0})) << "part " << i;
+      EXPECT_FALSE(sheet.are_one(middle_of(parts[i]), {1.0, 1.0})) << "part " << i;
       for (std::size_t k = 0; k < i; ++k) {
-        EXPECT_FALSE(sheet.joins(middle_of(parts[i]), middle_of(parts[k]))) << i << " and " << k;
+        EXPECT_FALSE(sheet.are_one(middle_of(parts[i]), middle_of(parts[k]))) << i << " and " << k;
       }
     }
     // Also shorter by rounds between four corners, at most so many.
@@ -348,11 +291,11 @@ TEST(ShareLines, AreTheDrawnEdgesOfPartsThatLieAgainstEachOther) {
         }
       }
     }
-    const Sheet sheet{plan};
+    const BurntSheet sheet{plan};
     for (std::size_t i = 0; i < parts.size(); ++i) {
-      EXPECT_FALSE(sheet.joins(middle_of(parts[i]), {1.0, 1.0})) << "part " << i;
+      EXPECT_FALSE(sheet.are_one(middle_of(parts[i]), {1.0, 1.0})) << "part " << i;
       for (std::size_t k = 0; k < i; ++k) {
-        EXPECT_FALSE(sheet.joins(middle_of(parts[i]), middle_of(parts[k]))) << i << " and " << k;
+        EXPECT_FALSE(sheet.are_one(middle_of(parts[i]), middle_of(parts[k]))) << i << " and " << k;
       }
     }
     if (HasFailure()) return;

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "host-sim/cut/clearance.hpp"
+#include "host-sim/cut/segment_distance.hpp"
 #include "tests/support/random_source.hpp"
 #include "tests/support/trials.hpp"
 
@@ -83,6 +84,15 @@ TEST(StrokeDistance, TellsWhatIsClearAsMeasuringAllDoes) {
   if (!trials.judges_shares()) return;
   EXPECT_GE(clear, (clear + close) / 95);
   EXPECT_GE(close, (clear + close) / 95);
+}
+
+TEST(StrokeDistance, HasItsEndsAtShares0And1) {
+  for (const std::uint64_t seed : proof::Trials{2'000}) {
+    proof::Random random{seed};
+    const Stroke stroke = stroke_anywhere(random);
+    ASSERT_NEAR(nearest_share(stroke, stroke.from), 0.0, 1.0e-6) << "KERFLINE_SEED=" << seed;
+    ASSERT_NEAR(nearest_share(stroke, stroke.to), 1.0, 1.0e-6) << "KERFLINE_SEED=" << seed;
+  }
 }
 
 /// The stroke nearest to the last place is where a search begins; it need not be the result.

@@ -1,0 +1,76 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "host-sim/cut/clearance.hpp"
+#include "host-sim/cut/stroke.hpp"
+
+namespace sim::cut {
+
+/// A point of a path around outlines.
+struct PathMark {
+  std::size_t loop = 0;
+  double way_mm = 0.0;  ///< Along the path.
+  Place place{0.0, 0.0};
+};
+
+/// A stretch of an outline between two nodes at which it touches other outlines.
+struct FreeStretch {
+  std::size_t contour = 0;
+  std::size_t from = 0;      ///< Node…
+  std::size_t to = 0;        ///< …and node.
+  Place leaving{0.0, 0.0};   ///< Unit direction at the first node…
+  Place arriving{0.0, 0.0};  ///< …and at the last one.
+  double length_mm = 0.0;
+  std::optional<PathMark> first{};  ///< The end of the line from the first node into the waste…
+  std::optional<PathMark> last{};   ///< …and of that from the last one.
+};
+
+/// Longest line from a node into the waste, in half kerfs.
+inline constexpr double kLongestConnector = 4.0;
+
+/// Finds straight lines from nodes through the waste to the paths around outlines.
+class WedgeMarks {
+ public:
+  /// @param rows closed paths half a kerf beside all outlines
+  /// @param near all outlines, reach of kLongestConnector half kerfs at least
+  WedgeMarks(const std::vector<Place>& nodes,
+             const std::vector<MeasuredRow>& rows,
+             const Clearance& near,
+             double half_kerf_mm);
+
+  /// Marks both ends of free stretches. At a node, the waste between one that arrives and the next
+  /// one that leaves, to the left, is a wedge: both get the point of the paths in it that is
+  /// nearest to the node. They have none where waste is too narrow for a path.
+  void find(std::vector<FreeStretch>& stretches) const;
+
+ private:
+  /// The waste at a node between two free stretches.
+  struct Wedge {
+    std::size_t node = 0;
+    Place from{0.0, 0.0};  ///< Direction of its right side, unit.
+    double angle = 0.0;    ///< To its left side, above 0.
+    bool is_only = false;  ///< The node has no other one.
+  };
+  struct Ends {
+    std::vector<std::size_t> arriving{};
+    std::vector<std::size_t> leaving{};
+  };
+
+  void mark_wedges(std::size_t node, const Ends& ends, std::vector<FreeStretch>& stretches) const;
+  [[nodiscard]] std::optional<PathMark> mark_in(const Wedge& wedge) const;
+  [[nodiscard]] bool leads_through_waste(const Place& from, const Place& to) const;
+  [[nodiscard]] PathMark mark_on(std::size_t number, const Place& place) const;
+
+  const std::vector<Place>& nodes_;
+  const std::vector<MeasuredRow>& rows_;
+  const Clearance& near_;
+  double half_;
+  Clearance strokes_;
+  std::vector<std::pair<std::size_t, std::size_t>> owners_;  ///< Loop and number of each stroke.
+};
+
+}  // namespace sim::cut
