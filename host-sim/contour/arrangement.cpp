@@ -24,7 +24,7 @@ constexpr int kMostRounds = 4;
 
 double reach_of(const cnc::contour::ContourView<double>& loops) {
   double most = 0.0;
-  double faults = 0.0;  // Stays 0 until it becomes NaN.
+  double faults = 0.0;  // Stays 0, or becomes NaN for numbers that are not finite.
   for (const ContourVertex& vertex : loops.vertices) {
     most = std::max({most, std::abs(vertex.x), std::abs(vertex.y)});
     faults += 0.0 * (vertex.x + vertex.y + vertex.bulge);
@@ -69,7 +69,7 @@ bool Arrangement::divide(const cnc::contour::ContourView<double>& loops, double 
   return true;
 }
 
-/// Divides curves where they meet; the storage grows until it is enough.
+/// Divides curves where they meet. The storage grows until it is large enough.
 bool Arrangement::cut(const std::vector<RawCurve<double>>& curves) {
   const auto raw_count = static_cast<std::uint32_t>(curves.size());
   const auto node_count = static_cast<std::uint32_t>(nodes_.size());
@@ -92,8 +92,8 @@ bool Arrangement::cut(const std::vector<RawCurve<double>>& curves) {
   }
 }
 
-/// Returns the pieces as curves of their own, for a node may lie on a curve that was not there when
-/// others met in it.
+/// Returns the pieces as curves of their own. They must be divided again, because a node may lie on
+/// a curve that did not meet this node's curves before.
 std::vector<RawCurve<double>> Arrangement::parts_of_pieces(
     const std::vector<RawCurve<double>>& curves) const {
   std::vector<RawCurve<double>> parts;
@@ -119,7 +119,8 @@ void Arrangement::add_elements(const cnc::contour::ContourView<double>& loops) {
   for (std::size_t loop = 0; loop < loops.loop_ends.size(); ++loop) add_loop(loops, loop);
 }
 
-/// Elements shorter than `touch` are left out; the next one begins where the last one ended.
+/// Adds the elements of a loop. Elements shorter than `touch` are left out, and the next element
+/// begins where the last one ended.
 void Arrangement::add_loop(const cnc::contour::ContourView<double>& loops, std::size_t loop) {
   const std::uint32_t first = loops.loop_begin(loop);
   const std::uint32_t end = loops.loop_ends[loop];
@@ -144,7 +145,8 @@ void Arrangement::add_loop(const cnc::contour::ContourView<double>& loops, std::
     raw_.resize(first_raw);
     return;
   }
-  raw_.back().curve.end = raw_[first_raw].curve.start;  // Less than `touch` may be left out.
+  // The last elements may be left out; together they are shorter than `touch`.
+  raw_.back().curve.end = raw_[first_raw].curve.start;
   for (std::size_t i = first_raw; i < raw_.size(); ++i) {
     const auto node = static_cast<std::uint32_t>(nodes_.size());
     nodes_.push_back({raw_[i].curve.start, node});
@@ -160,7 +162,7 @@ void Arrangement::add_element(const WideVec2& from, const WideVec2& to, double b
   if (arc.ok()) raw_.push_back({cnc::contour::curve_of(arc.value()), kNone, kNone});
 }
 
-/// Sorts pieces by the nodes at their ends, and gathers those on top of each other.
+/// Sorts pieces by the nodes at their ends, and makes one edge of pieces on top of each other.
 void Arrangement::make_edges() {
   edges_.clear();
   owners_.clear();
@@ -185,7 +187,8 @@ void Arrangement::make_edges() {
   windings_ = WindingRays{edges_, owners_, pieces_, raw_, loop_of_raw_, nodes_}.find_all();
 }
 
-/// @param pieces all between two nodes
+/// Adds the edges between two nodes.
+/// @param pieces all pieces between these nodes
 void Arrangement::add_edges(std::vector<std::uint32_t>& pieces) {
   auto from = pieces.begin();
   while (from != pieces.end()) {
@@ -197,7 +200,8 @@ void Arrangement::add_edges(std::vector<std::uint32_t>& pieces) {
   }
 }
 
-/// @param pieces those on top of each other
+/// Adds one edge.
+/// @param pieces pieces on top of each other
 void Arrangement::add_edge(std::span<const std::uint32_t> pieces) {
   const Piece& first = pieces_[pieces.front()];
   const auto number = static_cast<std::uint32_t>(edges_.size());
@@ -237,7 +241,7 @@ double Arrangement::length_mm(const ArrangedEdge& edge) const {
   return bulge < 1.0e-6 ? chord : chord * (1.0 + bulge * bulge) / bulge * std::atan(bulge);
 }
 
-/// Writes edges as curves of their own, with all of their nodes.
+/// Makes curves of the kept edges, which keep all of their nodes, and writes them as loops.
 bool Arrangement::write_loops(std::span<const DirectedEdge> kept, Contour& out) {
   if (kept.empty()) return true;
   junctions_.resize(nodes_.size());

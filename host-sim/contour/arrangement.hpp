@@ -11,16 +11,16 @@
 
 namespace sim {
 
-/// The plane divided by closed loops of lines and arcs, and how often each loop runs round each
-/// face. The offset's own cutting divides the elements.
+/// The plane divided by closed loops of lines and arcs, with the number of times that each loop
+/// runs around each face. The code that cuts raw curves for the offset divides the elements.
 ///
-/// Time: n log n for n elements that each meet few others, and for each row of edges between
-/// places where loops meet, the elements beside it.
+/// Time: n log n for n elements that each meet few others. Each row of edges between points where
+/// loops meet adds the number of elements on the line of its ray.
 class Arrangement {
  public:
-  /// Divides the loops. Points closer than `touch_mm` are one; never less than what coordinates of
-  /// this size resolve.
-  /// @return false where there are more meetings than kMostMeetings, or numbers that are not finite
+  /// Divides the loops. Points closer than `touch_mm` count as one point. The distance that is used
+  /// is never below the resolution of coordinates of this size.
+  /// @return false if there are more meetings than kMostMeetings, or numbers that are not finite
   [[nodiscard]] bool divide(const cnc::contour::ContourView<double>& loops, double touch_mm);
 
   [[nodiscard]] const std::vector<ArrangedEdge>& edges() const { return edges_; }
@@ -30,14 +30,14 @@ class Arrangement {
   [[nodiscard]] const Windings& windings(std::uint32_t number) const { return windings_[number]; }
 
   [[nodiscard]] const cnc::WideVec2& place(std::uint32_t node) const { return nodes_[node].place; }
-  /// The point halfway along an edge.
+  /// Returns the point halfway along an edge.
   [[nodiscard]] cnc::WideVec2 middle(const ArrangedEdge& edge) const;
-  /// Length of an edge, mm.
+  /// Returns the length of an edge, mm.
   [[nodiscard]] double length_mm(const ArrangedEdge& edge) const;
 
-  /// Follows edges round loops, with what is inside on the left; loops touch each other and
-  /// themselves, but never cross.
-  /// @return false where edges do not lead back to their start: a fault of rounding
+  /// Joins edges to loops with the inside on their left. The loops touch each other and themselves,
+  /// but never cross.
+  /// @return false if edges do not lead back to their start, which is a fault of rounding
   [[nodiscard]] bool write_loops(std::span<const DirectedEdge> kept, Contour& out);
 
  private:

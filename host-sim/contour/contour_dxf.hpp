@@ -7,8 +7,8 @@
 
 namespace sim {
 
-/// Contours as a DXF of release 12: a closed POLYLINE with bulges for each loop, mm,
-/// contour number n on layer `n`, from 1 on; with as many digits as each number needs.
+/// Returns contours as a DXF file of release 12, in mm. Each loop is a closed POLYLINE with bulges.
+/// Contour number n, counted from 1, is on layer `n`. Each number has as many digits as it needs.
 [[nodiscard]] std::string dxf_of_contours(std::span<const Contour> contours);
 
 }  // namespace sim

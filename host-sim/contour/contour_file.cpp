@@ -15,7 +15,8 @@
 namespace sim {
 namespace {
 
-/// A lone whole number is how a DXF begins, and no vertex.
+/// Returns whether a text is a drawing. A line with one whole number begins a DXF; it cannot be a
+/// vertex.
 bool is_drawing(std::string_view text) {
   constexpr std::string_view kByteOrder = "\xEF\xBB\xBF";
   constexpr std::string_view kDigits = "0123456789";
@@ -29,7 +30,8 @@ bool is_drawing(std::string_view text) {
          text.starts_with("AutoCAD Binary DXF");
 }
 
-/// Errors end it, and letters, which only `cut` draws; what is no path and left out does not.
+/// Throws FaultyDrawing for errors, and for letters, which only `cut` draws. Other entities that
+/// are left out because they are no paths do not count.
 void throw_faults(const drawing::Drawing& drawn, const std::vector<drawing::Fault>& more) {
   std::string text;
   for (const auto* const faults : {&drawn.faults, &more}) {
@@ -45,7 +47,8 @@ void throw_faults(const drawing::Drawing& drawn, const std::vector<drawing::Faul
   if (!text.empty()) throw FaultyDrawing{text};
 }
 
-/// As a drawing's places are judged: sums with greater numbers lose the distance.
+/// Throws FaultyDrawing for points that are farther away than a drawing's points may be: sums with
+/// larger numbers lose the precision of distances.
 void refuse_far(const Contour& contour, const std::string& name) {
   for (std::size_t i = 0; i < contour.vertices.size(); ++i) {
     const ContourVertex& vertex = contour.vertices[i];
@@ -59,7 +62,7 @@ void refuse_far(const Contour& contour, const std::string& name) {
   }
 }
 
-/// The loops of each part by themselves, in the file's order.
+/// Returns the loops of each part separately, in the file's order.
 std::vector<ContourPart> parts_of(const Outline& outline, const drawing::Drawing& drawn) {
   std::map<std::size_t, ContourPart> parts;
   const auto view = outline.contour.view();

@@ -13,7 +13,8 @@
 namespace sim {
 namespace {
 
-/// Where most vertices lie in a square with the distance as its side, and how many.
+/// The point with the most vertices in a square whose side is the offset distance, and their
+/// number.
 struct Crowd {
   drawing::Place place{0.0, 0.0};
   std::size_t vertices = 0;
@@ -48,11 +49,11 @@ Crowd densest(const cnc::contour::ContourView<double>& input, double side_mm) {
                  "simplify it there, or leave out what the tool does not reach"};
 }
 
-/// The measures of loops that bound what an offset adds or takes.
+/// The measures of loops that bound the area which an offset adds or removes.
 struct Measures {
   double area_mm2 = 0.0;
   double length_mm = 0.0;
-  double turn = 0.0;  ///< Sum over arcs and corners, to either side, radians.
+  double turn = 0.0;  ///< Sum of the absolute turns of arcs and corners, radians.
 };
 
 Measures measures_of(const cnc::contour::ContourView<double>& view) {
@@ -80,8 +81,9 @@ Measures measures_of(const cnc::contour::ContourView<double>& view) {
 
 constexpr double kRoundingMm2 = 1.0e-6;
 
-/// Returns whether material has grown, or shrunk, as the distance says, and by no more than strips
-/// beside all elements and sectors at all corners: a loop that is lost, or turned round, shows.
+/// Returns whether the result of an offset is possible. The material must have grown or shrunk,
+/// depending on the sign of the distance. The change is at most the area of strips along all
+/// elements and sectors at all corners. This check detects a loop that is lost or reversed.
 bool is_possible(const Measures& input,
                  const cnc::contour::ContourView<double>& result,
                  double distance_mm) {
@@ -96,7 +98,8 @@ bool is_possible(const Measures& input,
   return changed >= -rounding && changed <= most + rounding;
 }
 
-/// Returns what loops fill; nothing where that is not known, or where all of it is lost.
+/// Returns the outlines of the area that loops fill. Returns nothing if they are unknown, or if all
+/// of the area is lost.
 std::optional<Contour> outlines_of(const cnc::contour::ContourView<double>& input) {
   std::optional<Contour> outlines = filled_loops(input);
   const bool is_lost =
@@ -129,8 +132,8 @@ cnc::contour::ContourView<double> ContourOffset::offset(
   return offset_once_filled(input, distance_mm, false);
 }
 
-/// Loops that touch or cross, so that no offset closes or material is lost, are offset as what they
-/// fill.
+/// Returns the offset. If no offset closes, or if material is lost, the loops touch or cross. In
+/// this case it replaces the loops, once, by the outlines of the area that they fill.
 // Once at most. NOLINTNEXTLINE(misc-no-recursion)
 cnc::contour::ContourView<double> ContourOffset::offset_once_filled(
     const cnc::contour::ContourView<double>& input, double distance_mm, bool is_filled) {

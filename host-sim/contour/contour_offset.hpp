@@ -14,7 +14,7 @@ namespace sim {
 
 using ContourVertex = cnc::contour::Vertex<double>;
 
-/// Closed loops of lines and arcs on the host; mm, as cnc::contour::ContourView.
+/// Closed loops of lines and arcs on the host, in mm, in the form of cnc::contour::ContourView.
 struct Contour {
   std::vector<ContourVertex> vertices;
   std::vector<std::uint32_t> loop_ends;
@@ -27,11 +27,11 @@ struct Contour {
 
 [[nodiscard]] Contour copy_of(const cnc::contour::ContourView<double>& view);
 
-/// There is no offset of a contour: what is left of it does not lead back to its start, or its
-/// elements lie so close together that their offsets cross each other without end.
+/// A contour has no offset: its remaining elements do not lead back to their start, or its elements
+/// lie so close together that their offsets cross each other without end.
 class NoOffset : public std::runtime_error {
  public:
-  /// `at X Y: reason; remedy`.
+  /// Makes the message `at X Y: reason; remedy`.
   NoOffset(const drawing::Place& place, std::string reason, std::string remedy);
 
   [[nodiscard]] const drawing::Place& place() const { return place_; }
@@ -44,19 +44,20 @@ class NoOffset : public std::runtime_error {
   std::string remedy_;
 };
 
-/// The planner's offset with storage that grows until it is enough, and is used
-/// again for the next contour.
+/// The planner's offset with storage that grows as needed and is reused for the next contour.
 class ContourOffset {
  public:
-  /// Places where moved elements cross or touch; 1.4 GB of storage.
+  /// Greatest number of points where offset elements cross or touch; this many need 1.4 GB of
+  /// storage.
   static constexpr std::size_t kMostMeetings = 8'000'000;
 
   explicit ContourOffset(std::size_t most_meetings = kMostMeetings)
       : most_meetings_{most_meetings} {}
 
-  /// Throws std::invalid_argument for numbers that are not finite, and
-  /// NoOffset. Loops whose offset does not close, or loses material, because they touch or cross
-  /// are offset as the outlines of their material. The view lasts until the next call.
+  /// Returns the offset of contours. Loops that touch or cross may have an offset that does not
+  /// close or that loses material. Such loops are offset as the outlines of their material. The
+  /// view is valid until the next call. Throws std::invalid_argument for numbers that are not
+  /// finite, and NoOffset.
   cnc::contour::ContourView<double> offset(const cnc::contour::ContourView<double>& input,
                                            double distance_mm);
 

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::string_view kSpaces = " \t\r";
 
-/// Takes the first word off the line; empty at its end.
+/// Removes the first word from the line and returns it; empty at the end of the line.
 std::string_view next_word(std::string_view& line) {
   line.remove_prefix(std::min(line.find_first_not_of(kSpaces), line.size()));
   const std::string_view word = line.substr(0, line.find_first_of(kSpaces));

@@ -8,7 +8,8 @@
 namespace sim {
 namespace {
 
-/// Points nearer to each other than this are one, mm; else only what coordinates resolve.
+/// Greatest distance of points that count as one point, mm. The resolution of the coordinates is
+/// the lower limit.
 constexpr double kSamePointMm = 1.0e-7;
 
 bool is_material(const Windings& windings) {

@@ -8,11 +8,11 @@
 
 namespace sim {
 
-/// Shapes of a drawing in a row, each from the end of the one before, as one curve
-/// for the fit: the spans of all of them.
+/// Shapes of a drawing in a row, each from the end of the previous shape, as one curve for the fit.
+/// The curve has the spans of all shapes.
 class FreeFormRow final : public cnc::contour::PlaneCurve {
  public:
-  /// @pre not empty; the shapes outlive this.
+  /// @pre the row is not empty, and the shapes outlive this object
   explicit FreeFormRow(std::span<const drawing::Shape> shapes);
 
   [[nodiscard]] std::size_t span_count() const override { return ends_.back(); }
@@ -20,7 +20,8 @@ class FreeFormRow final : public cnc::contour::PlaneCurve {
 
  private:
   std::span<const drawing::Shape> shapes_;
-  std::vector<std::size_t> ends_;  ///< Of each shape: one past its last span in the row.
+  /// For each shape, the number of the span after its last span in the row.
+  std::vector<std::size_t> ends_;
 };
 
 }  // namespace sim

@@ -11,7 +11,7 @@ namespace {
 using drawing::Bezier;
 using drawing::Place;
 
-constexpr double kUnitsPerMm = 17'179'869'184.0;  // 2^34: dividing by it is exact.
+constexpr double kUnitsPerMm = 17'179'869'184.0;  // 2^34, so that dividing by it is exact.
 constexpr double kLongestMm = 1.0e6;
 
 }  // namespace

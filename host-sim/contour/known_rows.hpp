@@ -14,29 +14,30 @@ namespace sim {
 
 /// Arcs of a row of curves, or the reason why there are none.
 struct FittedRow {
-  std::vector<ContourVertex> vertices{};  ///< Without the row's end.
-  const char* fault = nullptr;            ///< A literal; null if there are arcs.
+  std::vector<ContourVertex> vertices{};  ///< Vertices without the end of the row.
+  const char* fault = nullptr;            ///< Reason as a string literal; null if there are arcs.
   drawing::Place fault_place{0.0, 0.0};
 };
 
-/// A row of Bézier curves as seen from its start, in units of 2^-34 mm, with what else decides its
-/// arcs.
+/// A row of Bézier curves relative to its start, in units of 2^-34 mm, together with the other
+/// numbers that decide its arcs.
 ///
-/// The same row in different places of a drawing differs in its last binary digits. In these units
-/// it is one row, and no coordinate of it moves by more than 0.03 nm.
+/// The same row at different points of a drawing differs in its last binary digits. In these units
+/// it is always the same row, and no coordinate moves by more than 0.03 nm.
 class RowShape {
  public:
-  /// Longer rows are hardly repeated, and large to keep.
+  /// Greatest number of curves. Longer rows are rarely repeated, and they take much memory.
   static constexpr std::size_t kMostCurves = 64;
 
-  /// Returns nothing for curves of other kinds, for rows of more than kMostCurves, for those that
-  /// are longer than a kilometre, and where a curve does not begin where the one before ends.
-  /// @pre not empty
+  /// Returns the shape of a row. Returns nothing for curves that are not Bézier curves, for more
+  /// than kMostCurves curves, and for a row longer than a kilometre. Returns nothing, too, if a
+  /// curve does not begin where the previous one ends.
+  /// @pre the row is not empty
   [[nodiscard]] static std::optional<RowShape> of(std::span<const drawing::Shape> row);
 
-  /// Appends a number that decides the arcs of the row as well: tolerance, method, ends.
+  /// Appends another number that decides the arcs of the row: tolerance, method or ends.
   void add(std::int64_t number) { numbers_.push_back(number); }
-  /// Returns the curves of the row, which begins at zero.
+  /// Returns the curves of the row, moved so that they begin at the origin.
   [[nodiscard]] std::vector<drawing::Shape> curves() const;
   /// Returns how many numbers describe the row.
   [[nodiscard]] std::size_t size() const { return numbers_.size(); }
@@ -45,18 +46,20 @@ class RowShape {
 
  private:
   std::size_t curves_ = 0;
-  std::vector<std::int64_t> numbers_{};  ///< Three control points a curve, then the others.
+  /// Three control points for each curve, then the numbers from add().
+  std::vector<std::int64_t> numbers_{};
 };
 
-/// Keeps the arcs of rows: generated drawings have few rounded corners, each of them many times.
-/// One thread.
+/// Keeps the arcs of rows, because generated drawings repeat a few rounded corners many times. For
+/// use in one thread.
 class KnownRows {
  public:
-  /// Numbers that are kept, of shapes and of their arcs: 8 bytes each. A drawing that has more of
-  /// them repeats none.
+  /// Greatest count of numbers that are kept, 8 bytes each, for shapes and their arcs. When there
+  /// are more, all of them are dropped.
   static constexpr std::size_t kMostKept = 500'000;
 
-  /// Returns the arcs of a shape, which begin at zero; valid until the next call.
+  /// Returns the arcs of a shape, which begin at the origin. The reference is valid until the next
+  /// call.
   /// @param fit returns the arcs of a shape that is not kept; the shape alone must decide them
   template <typename Fit>
   [[nodiscard]] const FittedRow& find_or_fit(const RowShape& shape, const Fit& fit) {
@@ -68,7 +71,7 @@ class KnownRows {
     return fitted;
   }
 
-  /// Returns how many numbers are kept; at most those of one row more than kMostKept.
+  /// Returns how many numbers are kept: at most kMostKept plus the numbers of one row.
   [[nodiscard]] std::size_t kept() const { return kept_; }
 
  private:

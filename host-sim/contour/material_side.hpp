@@ -4,9 +4,10 @@
 
 namespace sim {
 
-/// Turns loops round where needed, so that material is on the left of each: the
-/// outermost run counter-clockwise, holes in them clockwise, islands in those
-/// counter-clockwise, and so on. Nothing else changes. For loops that do not cross.
+/// Reverses loops where needed, so that material is on the left of each loop. The outermost loops
+/// run counter-clockwise, the holes in them clockwise, the islands in those holes
+/// counter-clockwise, and so on. Nothing else changes.
+/// @pre no loops cross
 void put_material_left(Contour& contour);
 
 }  // namespace sim

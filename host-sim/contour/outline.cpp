@@ -23,10 +23,12 @@ using drawing::Place;
 using drawing::Shape;
 
 constexpr std::size_t kFirstFitSamples = 4'096;
-constexpr std::size_t kMostFitSamples = std::size_t{1} << 22;  // Half a gigabyte.
+// This many samples take half a gigabyte.
+constexpr std::size_t kMostFitSamples = std::size_t{1} << 22;
 constexpr std::size_t kMostPieces = std::size_t{1} << 16;
 
-/// Of travel, where a shape begins or ends; null where it has none.
+/// Returns the direction of travel at the start or the end of a shape; the null vector if the shape
+/// has none.
 Place direction_at(const Shape& shape, bool at_end) {
   const std::size_t span = at_end ? span_count(shape) - 1 : 0;
   const drawing::Jet found = jet(shape, span, at_end ? 1.0 : 0.0);
@@ -42,13 +44,13 @@ bool goes_on_smoothly(const Shape& before, const Shape& after) {
   return from.dot(to) > 0.0 && std::abs(cnc::cross(from, to)) <= kDrawnSmooth;
 }
 
-/// Whether a fit may run on from one shape into the other.
+/// Returns whether one fit may continue from one shape into the next.
 bool is_one_row(const Shape& before, const Shape& after) {
   return is_free_form(before) && is_free_form(after) && goes_on_smoothly(before, after);
 }
 
-/// Returns whether a free-form curve is so short that no place of it is farther than the tolerance
-/// from its start, however it turns.
+/// Returns whether a free-form curve is so short that every point of it is within the tolerance of
+/// its start.
 bool is_speck(const Shape& shape, double tolerance_mm) {
   constexpr double kLongestHull = 8.0;
   if (!is_free_form(shape) || drawing::length_of_hull(shape) > kLongestHull * tolerance_mm) {
@@ -62,7 +64,7 @@ bool is_speck(const Shape& shape, double tolerance_mm) {
                              is_near);
 }
 
-/// Returns shapes with lines in place of such curves, and without those that end at their start.
+/// Returns shapes without specks. A speck becomes a line, or is dropped if it ends at its start.
 std::vector<Shape> without_specks(const std::vector<Shape>& shapes, double tolerance_mm) {
   std::vector<Shape> kept;
   kept.reserve(shapes.size());
@@ -76,7 +78,7 @@ std::vector<Shape> without_specks(const std::vector<Shape>& shapes, double toler
   return kept.empty() ? shapes : kept;
 }
 
-/// How arcs of a row keep to its ends.
+/// The conditions on the arcs of a row at its ends.
 struct RowEnds {
   FitEnd start = FitEnd::kPlace;
   FitEnd end = FitEnd::kPlace;
@@ -139,7 +141,7 @@ class RowFitter {
   FittedRow row_;
 };
 
-/// The shapes of one contour become vertices.
+/// Converts the shapes of one contour to vertices.
 class ContourFitter {
  public:
   ContourFitter(const drawing::DrawnContour& contour,
@@ -175,7 +177,7 @@ class ContourFitter {
     for (std::size_t i = 0; i < shapes_.size(); ++i) {
       const Shape& before = shapes_[i == 0 ? shapes_.size() - 1 : i - 1];
       if (is_one_row(before, shapes_[i])) continue;
-      // std::ranges' returns a range that Clang 14 does not compile.
+      // std::rotate, because std::ranges::rotate returns a range that Clang 14 does not compile.
       std::rotate(shapes_.begin(), shapes_.begin() + static_cast<std::ptrdiff_t>(i), shapes_.end());
       return;
     }
@@ -195,7 +197,8 @@ class ContourFitter {
     add(arc.centre + turn.x() * radius + turn.y() * left, std::tan(0.125 * arc.sweep));
   }
 
-  /// Whether the path arrives at a shape without a corner; around the seam, too.
+  /// Returns whether the path arrives at a shape without a corner. For a closed contour this
+  /// includes the transition from the last shape to the first.
   [[nodiscard]] bool arrives_smoothly(std::size_t index) const {
     if (index > 0) return goes_on_smoothly(shapes_[index - 1], shapes_[index % shapes_.size()]);
     return contour_.closed && goes_on_smoothly(shapes_.back(), shapes_.front());
@@ -205,7 +208,8 @@ class ContourFitter {
     return arrives_smoothly(0);
   }
 
-  /// @return the shape after the row.
+  /// Fits arcs to the row that begins at a shape.
+  /// @return the number of the shape after the row
   [[nodiscard]] std::size_t fit_row(std::size_t from) {
     std::size_t end = from + 1;
     while (end < shapes_.size() && is_one_row(shapes_[end - 1], shapes_[end])) ++end;

@@ -11,12 +11,15 @@ namespace {
 
 using drawing::Place;
 
-/// Share of the tolerance that may be used where chords are looked at; it is exceeded between.
+/// Share of the tolerance that is permitted at the checked points of chords. Between these points
+/// the deviation may be larger.
 constexpr double kLooked = 0.97;
 
-/// Returns the bulge of the arc between two places through a third one; none beyond half a turn.
+/// Returns the bulge of the arc between two points through a third one; nothing if the arc exceeds
+/// half a turn.
 std::optional<double> bulge_through(const Place& from, const Place& middle, const Place& to) {
-  // The angle between the ways to both ends is what half the sweep lacks to half a turn.
+  // Seen from the middle point, the angle between the directions to both ends is half a turn minus
+  // half the sweep.
   const Place back = from - middle;
   const Place on = to - middle;
   const double angle = std::atan2(drawing::cross(on, back), drawing::dot(on, back));
@@ -26,7 +29,7 @@ std::optional<double> bulge_through(const Place& from, const Place& middle, cons
   return std::tan(0.5 * half_sweep);
 }
 
-/// An arc, or a line, from the first of some places to the last.
+/// An arc or line from the first to the last of some points.
 class Arc {
  public:
   Arc(const Place& from, const Place& to, double bulge) : from_{from}, way_{to - from} {
@@ -45,7 +48,7 @@ class Arc {
   }
 
  private:
-  static constexpr double kFlat = 2.0e-6;  ///< mm: an arc of half this height is a line.
+  static constexpr double kFlat = 2.0e-6;  ///< An arc of half this height is a line, mm.
 
   Place from_;
   Place way_;
@@ -54,8 +57,8 @@ class Arc {
   bool is_line_ = true;
 };
 
-/// Returns the bulge of an arc that is within the tolerance of the chords of places, if the one
-/// through the place in the middle is.
+/// Returns the bulge of the arc through the middle point, if this arc is within the tolerance of
+/// the chords between the points.
 std::optional<double> bulge_along(std::span<const Place> places, double tolerance_mm) {
   const Place& from = places.front();
   const Place& to = places.back();
@@ -72,7 +75,8 @@ std::optional<double> bulge_along(std::span<const Place> places, double toleranc
       const Place place = places[i - 1] + share * (places[i] - places[i - 1]);
       if (arc.distance_of(place) > most) return std::nullopt;
     }
-    // An arc of half a turn at most goes on along one side of its chord, and so do places near it.
+    // An arc of at most half a turn always advances along its chord and stays on one side of it.
+    // The same must hold for points near it.
     const double next = drawing::dot(places[i] - from, way);
     const double left = drawing::cross(way, places[i] - from) / way.norm();
     if (next < along || std::copysign(left, left * *bulge) > most) return std::nullopt;
@@ -88,7 +92,7 @@ std::vector<ContourVertex> arcs_along(const std::vector<Place>& places, double t
   std::vector<ContourVertex> elements;
   std::size_t from = 0;
   while (from + 1 < places.size()) {
-    // The least number of chords that fit, and the least that do not.
+    // The greatest number of chords known to fit, and the smallest number known not to fit.
     std::size_t fits = 1;
     double bulge = 0.0;
     std::size_t fails = places.size() - from;

@@ -7,15 +7,15 @@
 
 namespace sim {
 
-/// Replaces a row of places by few arcs and lines from its first place to its last one. Each goes
-/// from place to place, through one of those between, and is as long as it can be within the
-/// tolerance of the chords between places; it turns by half a turn at most. Elements meet with
-/// tangents that differ by no more than the places allow.
+/// Replaces a row of points by few arcs and lines from its first point to its last one. Each
+/// element starts and ends at points of the row and passes through one point between them. It is as
+/// long as the tolerance from the chords between the points allows, and it turns by at most half a
+/// turn. Where elements meet, their tangents differ by no more than the points allow.
 ///
-/// Time: n log n for n places.
-/// @param places two at least, of which neighbours differ
+/// Time: n log n for n points.
+/// @param places at least two points, of which neighbours differ
 /// @param tolerance_mm above 0
-/// @return where each element begins with its bulge, then the end
+/// @return the point where each element begins with its bulge, then the end
 [[nodiscard]] std::vector<ContourVertex> arcs_along(const std::vector<drawing::Place>& places,
                                                     double tolerance_mm);
 

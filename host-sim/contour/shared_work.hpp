@@ -9,9 +9,10 @@
 
 namespace sim {
 
-/// Calls a worker with each number below `count`, each once, by as many threads as there are cores.
-/// Numbers are handed out in their order; results must not depend on the thread.
-/// @param make_worker returns the worker of a thread, which is called with a number
+/// Calls a worker exactly once with each number below `count`. The calls are spread over as many
+/// threads as there are cores. Numbers are handed out in ascending order. Results must not depend
+/// on the thread.
+/// @param make_worker returns the worker of one thread; the worker is called with a number
 template <typename MakeWorker>
 void share_work(std::size_t count, const MakeWorker& make_worker) {
   std::atomic<std::size_t> next{0};

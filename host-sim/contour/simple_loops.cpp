@@ -9,7 +9,7 @@
 namespace sim {
 namespace {
 
-/// A vertex that is no farther from the line on between its neighbours is none, mm.
+/// Greatest distance of a dropped vertex from the straight line between its neighbours, mm.
 constexpr double kStraightMm = 1.0e-9;
 
 bool goes_straight_on(const ContourVertex& before,
@@ -39,7 +39,8 @@ void add_loop(const std::vector<ContourVertex>& loop, Contour& to) {
 Contour simple_loops(const cnc::contour::ContourView<double>& loops) {
   Contour simple;
   std::vector<ContourVertex> open;
-  std::map<std::pair<double, double>, std::size_t> places;  // Of the open vertices.
+  // Index in `open` by the coordinates of the vertex.
+  std::map<std::pair<double, double>, std::size_t> places;
   for (std::size_t loop = 0; loop < loops.loop_ends.size(); ++loop) {
     open.clear();
     places.clear();

@@ -4,9 +4,9 @@
 
 namespace sim {
 
-/// Returns loops that touch themselves in vertices as several loops that do not, which touch each
-/// other there: a hole that meets its outline in a corner is a loop of its own. Lines that go
-/// straight on become one.
+/// Returns loops that do not touch themselves. A loop that touches itself at vertices is split into
+/// several loops, which touch each other there: a hole that meets its outline in a corner becomes a
+/// loop of its own. Consecutive lines in the same direction become one line.
 /// @pre no loop crosses itself
 [[nodiscard]] Contour simple_loops(const cnc::contour::ContourView<double>& loops);
 

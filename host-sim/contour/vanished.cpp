@@ -12,7 +12,7 @@ namespace sim {
 namespace {
 
 struct LoopSize {
-  double area_mm2 = 0.0;  ///< Positive where the loop turns left.
+  double area_mm2 = 0.0;  ///< Area, positive if the loop turns left.
   double length_mm = 0.0;
 };
 
@@ -34,7 +34,8 @@ LoopSize size_of(const std::vector<cut::Stroke>& loop) {
   for (const cut::Stroke& stroke : loop) {
     const double length = length_of(stroke);
     const double sweep = 4.0 * std::atan(stroke.bulge);
-    const double radius = sweep == 0.0 ? 0.0 : length / sweep;  // Signed.
+    // The radius has the sign of the sweep.
+    const double radius = sweep == 0.0 ? 0.0 : length / sweep;
     size.area_mm2 += 0.5 * drawing::cross(stroke.from, stroke.to);
     size.area_mm2 += 0.5 * radius * radius * (sweep - std::sin(sweep));
     size.length_mm += length;
@@ -42,7 +43,7 @@ LoopSize size_of(const std::vector<cut::Stroke>& loop) {
   return size;
 }
 
-/// One loop by itself, with its inside on the left.
+/// Returns a contour that consists of one loop, with its inside on the left.
 Contour alone(const std::vector<cut::Stroke>& loop, bool turns_left) {
   Contour contour;
   for (std::size_t i = 0; i < loop.size(); ++i) {
@@ -54,8 +55,8 @@ Contour alone(const std::vector<cut::Stroke>& loop, bool turns_left) {
   return contour;
 }
 
-/// Whether nothing is left of a loop that the distance makes smaller. Its widest circle has at
-/// least the radius of area over length, which spares most loops the offset.
+/// Returns whether an offset shrinks a loop to nothing. The largest circle inside the loop has at
+/// least the radius of area divided by length. This bound avoids the offset for most loops.
 bool shrinks_to_nothing(const std::vector<cut::Stroke>& loop,
                         const LoopSize& size,
                         double distance_mm,
@@ -77,7 +78,7 @@ class VanishedSearch {
     left_.prepare();
   }
 
-  /// Appends the pieces of a loop, or the loop where all of it has vanished.
+  /// Appends the vanished pieces of a loop, or the whole loop if all of it has vanished.
   void search(const std::vector<cut::Stroke>& loop,
               const Vanished& whole,
               std::vector<Vanished>& found) const {
@@ -101,7 +102,8 @@ class VanishedSearch {
   }
 
  private:
-  static constexpr double kReach = 1.5;  ///< Of the distance; more than what is compared.
+  /// Reach of the search as a multiple of the distance, more than the comparison needs.
+  static constexpr double kReach = 1.5;
 
   [[nodiscard]] bool has_vanished(const cut::Stroke& stroke) const {
     constexpr std::array kShares{1.0 / 6.0, 0.5, 5.0 / 6.0};
@@ -147,7 +149,8 @@ std::vector<Vanished> vanished(const Contour& part,
     const LoopSize size = size_of(strokes);
     const Vanished whole{.is_hole = size.area_mm2 < 0.0, .begin = strokes.front().from};
     if (result.loop_ends.empty() || shrinks_to_nothing(strokes, size, distance_mm, offsetter)) {
-      // A hole goes with the material about it; where it grows, that is the loop's own loss.
+      // If all material is gone, a hole that grows is gone with the material around it. Then the
+      // outer loop has vanished, not the hole.
       const bool goes_with_loop = result.loop_ends.empty() && whole.is_hole && distance_mm < 0.0;
       if (!goes_with_loop) found.push_back(whole);
       continue;

@@ -12,14 +12,16 @@ using cnc::WideVec2;
 using cnc::contour::kNone;
 using cnc::contour::Piece;
 
-/// Turned by a quarter where the ray goes upwards: all rays go along x here.
+/// Returns a vector turned by a quarter turn if the ray goes upwards. So all rays go along x in the
+/// computation.
 WideVec2 turned(const WideVec2& way, bool upwards) {
   return upwards ? WideVec2{way.y(), -way.x()} : way;
 }
 
 /// Counts the crossing of a ray along x from `from` with a part of a curve that only rises or only
 /// falls: +1 where the part rises, -1 where it falls, 0 where the ray misses it.
-/// @param side of `from`, as Curve::side has it; curvature as travelled
+/// @param curvature curvature in the direction of travel @param side side of `from` as returned by
+/// Curve::side
 int crossing_of_part(const WideVec2& start,
                      const WideVec2& end,
                      const WideVec2& from,
@@ -135,7 +137,7 @@ void WindingRays::find(std::uint32_t number) {
   windings_.push_back(std::move(right));
 }
 
-/// Hands the windings of an edge on to those behind it, up to where loops meet.
+/// Copies the windings of an edge to the following edges, up to the next point where loops meet.
 void WindingRays::follow(std::uint32_t number, bool forwards) {
   for (std::size_t bound = 0; bound < edges_.size(); ++bound) {
     const ArrangedEdge& edge = edges_[number];
@@ -167,7 +169,7 @@ Windings WindingRays::turns_beside(std::uint32_t edge, const WideVec2& from, boo
   return windings;
 }
 
-/// Divides a piece where it is highest or lowest.
+/// Counts the crossings of a ray with a piece. A piece is divided at its highest or lowest point.
 int WindingRays::crossing(const Piece& piece, const WideVec2& from, bool upwards) const {
   const cnc::contour::Curve<double>& curve = raw_[piece.raw].curve;
   const WideVec2 start_place = nodes_[piece.start_node].place;
@@ -182,7 +184,7 @@ int WindingRays::crossing(const Piece& piece, const WideVec2& from, bool upwards
   if (leaving.y() * arriving.y() >= 0.0) {
     return crossing_of_part(start, end, place, curve.curvature, side);
   }
-  // The cosine of the direction there is 1 or -1.
+  // At the dividing point the cosine of the direction is 1 or -1.
   const double cosine = curve.curvature * leaving.y() > 0.0 ? -1.0 : 1.0;
   const double same = cosine * leaving.x();
   const double rise =

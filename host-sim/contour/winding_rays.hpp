@@ -9,12 +9,14 @@
 
 namespace sim {
 
-/// Finds how often each loop runs round both sides of each edge: by a ray from one edge of each row
-/// of edges between places where loops meet. What lies on top of the edge counts by its direction,
-/// everything else by the side of its chord and its circle on which the ray begins.
+/// Finds how often each loop runs around each side of each edge. Edges between points where loops
+/// meet form a row, and one ray starts from one edge of each row. A piece on top of that edge
+/// counts by its direction. Every other piece counts by the side of its chord and of its circle on
+/// which the ray begins.
 class WindingRays {
  public:
-  /// All must outlive this. @param pieces `next` of each is the number of its edge
+  /// Refers to its arguments, all of which must outlive this object.
+  /// @param pieces `next` of each piece is the number of its edge
   WindingRays(std::vector<ArrangedEdge>& edges,
               std::span<const EdgeOwner> owners,
               std::span<const cnc::contour::Piece> pieces,
@@ -22,7 +24,8 @@ class WindingRays {
               std::span<const std::uint32_t> loop_of_raw,
               std::span<const cnc::contour::Node<double>> nodes);
 
-  /// Sets `left` and `right` of each edge, which are numbers of the returned list.
+  /// Returns the list of windings, and sets `left` and `right` of each edge to numbers of this
+  /// list.
   [[nodiscard]] std::vector<Windings> find_all();
 
  private:
@@ -43,8 +46,9 @@ class WindingRays {
   std::span<const cnc::contour::Node<double>> nodes_;
   std::vector<cnc::contour::FlatBox<double>> boxes_;
   cnc::contour::BoxTree<double> tree_;
-  std::vector<std::uint32_t> degree_;               ///< By node.
-  std::vector<std::array<std::uint32_t, 2>> ends_;  ///< By node: edges, of more the first two.
+  std::vector<std::uint32_t> degree_;  ///< Number of edges at each node.
+  /// The edges at each node; if there are more than two, the first two.
+  std::vector<std::array<std::uint32_t, 2>> ends_;
   std::vector<Windings> windings_;
 };
 

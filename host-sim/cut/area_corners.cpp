@@ -9,10 +9,13 @@
 namespace sim::cut {
 namespace {
 
-constexpr double kLargestStep = 0.25 * std::numbers::pi;  ///< Half the turn at a corner, at most.
-constexpr double kTinyTurn = 1.0e-3;      ///< Radians; tangents that are off by less are smooth.
-constexpr double kTouchingSine = 0.17;    ///< About ten degrees.
-constexpr double kShareOfRadius = 0.001;  ///< By which corners stand off a large arc, at least.
+/// Greatest half of the turn at a corner.
+constexpr double kLargestStep = 0.25 * std::numbers::pi;
+constexpr double kTinyTurn = 1.0e-3;  ///< Turns below this are smooth, radians.
+/// Sine of the angle that still counts as touching: about ten degrees.
+constexpr double kTouchingSine = 0.17;
+/// Least distance of corners from a large arc, as a share of its radius.
+constexpr double kShareOfRadius = 0.001;
 
 Place turned_by(const Place& way, double angle) {
   return {std::cos(angle) * way.x() - std::sin(angle) * way.y(),
@@ -20,7 +23,7 @@ Place turned_by(const Place& way, double angle) {
 }
 
 /// Adds the corners of tangents outside of an arc that turns left.
-/// @param tangent unit way where it begins, with the centre on the left
+/// @param tangent unit direction at the start of the arc, with the centre on the left
 void add_tangents(std::vector<AreaCorner>& corners,
                   const Place& centre,
                   double radius,
@@ -49,7 +52,8 @@ bool AreaCorner::is_touched_from(const Place& other) const {
 }
 
 std::vector<AreaCorner> corners_around(const LoopArea& area, double distance_mm) {
-  // A little farther, so that rounding does not bring a way along the polygon too near.
+  // The distance is slightly larger than required, so that rounding does not bring a path along the
+  // polygon too near.
   const double away = area.skin_mm() + 1.001 * distance_mm + 1.0e-6;
   std::vector<AreaCorner> corners;
   const std::vector<Stroke>& loop = area.strokes();

@@ -10,11 +10,12 @@
 namespace sim::cut {
 namespace {
 
-/// Points that are tried for the usual beginning at each length of the leads.
+/// Greatest number of points of each kind that are tried for the usual beginning, for each length
+/// of the leads.
 constexpr std::size_t kMaxUsualSpots = 64;
 constexpr std::array kLeadShares{1.0, 0.5, 0.25, 0.125};
 
-/// A point of the loop, mm from its start, in the middle of `room_mm` of one stroke.
+/// A point of the loop, as a distance from its start, with the length of its stroke.
 struct Spot {
   double way_mm = 0.0;
   double room_mm = 0.0;
@@ -24,7 +25,8 @@ bool needs_leads(const LayerSettings& settings) {
   return settings.lead_in.kind != LeadKind::kNone || settings.lead_out.kind != LeadKind::kNone;
 }
 
-/// The middles of long strokes first, then where strokes meet.
+/// Returns the middles of strokes, then the points where strokes meet; each group begins with the
+/// longest strokes.
 std::vector<Spot> usual_spots(const MeasuredRow& loop) {
   std::vector<Spot> middles;
   std::vector<Spot> joints;
@@ -42,7 +44,7 @@ std::vector<Spot> usual_spots(const MeasuredRow& loop) {
   return middles;
 }
 
-/// Corners of the loop: in the middle of the arc around an outer one.
+/// Returns the corners of the loop. For an outer corner this is the middle of the arc around it.
 std::vector<double> corner_spots(const MeasuredRow& loop,
                                  const LayerSettings& settings,
                                  double half_kerf_mm) {
@@ -56,7 +58,8 @@ std::vector<double> corner_spots(const MeasuredRow& loop,
   return spots;
 }
 
-/// About `count` points, evenly on each stroke, none on strokes that are short for that.
+/// Returns about `count` points, evenly spaced on each stroke. Strokes that are too short for this
+/// get none.
 std::vector<double> stroke_spots(const MeasuredRow& loop, std::size_t count) {
   std::vector<double> spots;
   const double spacing = loop.length() / static_cast<double>(count);
@@ -77,7 +80,7 @@ std::vector<double> stroke_spots(const MeasuredRow& loop, std::size_t count) {
   return spots;
 }
 
-/// Leaves about `count` of them, evenly.
+/// Reduces the points to `count`, evenly spread over the list.
 void thin(std::vector<double>& spots, std::size_t count) {
   if (spots.size() <= count) return;
   std::vector<double> fewer;

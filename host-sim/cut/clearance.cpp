@@ -9,7 +9,7 @@
 namespace sim::cut {
 namespace {
 
-/// Returns the square of the distance between a place and a box.
+/// Returns the square of the distance between a point and a box.
 double squared_distance(const cnc::contour::FlatBox<double>& box, const Place& place) {
   const double x = std::max({box.x0 - place.x(), place.x() - box.x1, 0.0});
   const double y = std::max({box.y0 - place.y(), place.y() - box.y1, 0.0});
@@ -18,7 +18,8 @@ double squared_distance(const cnc::contour::FlatBox<double>& box, const Place& p
 
 }  // namespace
 
-/// With the height of the arc all round, which is more than it needs.
+/// Returns a box around a stroke. The height of the arc is added on all sides, which is more than
+/// needed.
 Clearance::Box Clearance::box_of(const Stroke& stroke) {
   const Place chord = stroke.to - stroke.from;
   const double size = std::abs(stroke.bulge);
@@ -75,7 +76,7 @@ Clearance::Nearest Clearance::nearest(const Place& place, const Nearest& last) c
   return last.stroke == nullptr ? nearest(place) : nearest_from(last.entry, place);
 }
 
-/// Looks at one stroke first: what is farther than that is left out.
+/// Measures one stroke first, so that strokes farther away than this one are left out.
 Clearance::Nearest Clearance::nearest_from(std::uint32_t first, const Place& place) const {
   Nearest found{.distance_mm = reach_mm_};
   const auto look = [&](std::uint32_t index) {

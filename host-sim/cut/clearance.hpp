@@ -9,40 +9,45 @@
 
 namespace sim::cut {
 
-/// Finds what of many strokes is near a place, and measures few of them for that, however close
+/// Finds the strokes near a point among many strokes. It measures only a few of them, however close
 /// together they lie.
 class Clearance {
  public:
-  /// What is nearest, and how near.
+  /// The nearest stroke and its distance.
   struct Nearest {
     double distance_mm = 0.0;
-    std::size_t owner = 0;           ///< Of the stroke, as given to add().
-    std::size_t looks = 0;           ///< Strokes that were measured for it.
-    const Stroke* stroke = nullptr;  ///< Null where none is within reach.
-    std::uint32_t entry = 0;         ///< The number of that stroke here.
+    std::size_t owner = 0;           ///< Owner of the nearest stroke, as given to add().
+    std::size_t looks = 0;           ///< Number of strokes that the search measured.
+    const Stroke* stroke = nullptr;  ///< The nearest stroke; null if none is within reach.
+    std::uint32_t entry = 0;         ///< Index of the nearest stroke in this object.
   };
 
-  /// Nothing farther than `reach` is looked for, mm > 0.
+  /// Searches only within `reach_mm`.
+  /// @param reach_mm above 0
   explicit Clearance(double reach_mm) : reach_mm_{reach_mm} {}
   ~Clearance() = default;
   Clearance(const Clearance&) = delete;
   Clearance& operator=(const Clearance&) = delete;
 
   void add(const Stroke& stroke, std::size_t owner);
-  /// After the last add().
+  /// Prepares the searches. Call it after the last add().
   void prepare();
 
-  /// The nearest stroke; where none is within reach, the reach and no owner that means anything.
+  /// Returns the nearest stroke. If no stroke is within reach, the distance is the reach and the
+  /// owner has no meaning.
   [[nodiscard]] Nearest nearest(const Place& place) const;
-  /// The same, sooner where the place is near the last one. @param last what was nearest to it; of
-  /// strokes with one owner that are equally near it may be another one
+  /// Returns the nearest stroke, and is faster than the other overload if the point is near the
+  /// last one. Of several strokes with one owner at equal distances, it may return another one than
+  /// the other overload.
+  /// @param last the result for the last point
   [[nodiscard]] Nearest nearest(const Place& place, const Nearest& last) const;
 
-  /// Returns the owners of all strokes whose boxes come within `mm` of that of a stroke, in no
-  /// order that means anything.
+  /// Returns the owners of all strokes whose boxes come within `mm` of the box of a stroke, in no
+  /// particular order.
   [[nodiscard]] std::vector<std::size_t> owners_near(const Stroke& stroke, double mm) const;
 
-  /// Returns whether no point of a stroke is nearer than `least_mm` to any of those added, exactly.
+  /// Returns whether every point of a stroke is at least `least_mm` from all added strokes. The
+  /// answer is exact.
   [[nodiscard]] bool is_clear(const Stroke& stroke, double least_mm) const;
 
  private:

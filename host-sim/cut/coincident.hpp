@@ -7,15 +7,15 @@
 
 namespace sim::cut {
 
-/// Returns how deep a contour is cut that is treated so: 3 through, beside its line, 2 on it, 1 for
-/// a mark, 0 for none.
+/// Returns a rank for the depth to which a contour with this side is cut: 3 for a cut through the
+/// sheet next to the line, 2 for a cut on the line, 1 for a mark, 0 for no cut.
 [[nodiscard]] int depth_of(Side side);
 
-/// Lets one of contours that lie on each other on several layers be driven: the one that is cut
-/// beside its line before one on the line, that before one that is engraved, and of the rest the
-/// first one drawn.
-/// @param sides by contour; those of the others become kSkip
-/// @return a warning for each of them
+/// Selects one contour to be driven where contours on several layers lie on top of each other. A
+/// contour that is cut next to its line comes before one that is cut on its line, which comes
+/// before one that is engraved. Among equal ones, the first one drawn is selected.
+/// @param sides by contour; the sides of the other contours become kSkip
+/// @return a warning for each contour that is skipped
 [[nodiscard]] std::vector<drawing::Fault> skip_coincident(const drawing::Drawing& drawn,
                                                           std::vector<Side>& sides);
 

@@ -18,7 +18,7 @@ std::invalid_argument refusal(const MaterialRecord& record, const std::string& r
       fmt::format("{}: {}; `kerfline kerf advise` tells more", record.name, reason));
 }
 
-/// Powers of the record's own rows; those in between permit nothing more.
+/// Returns the powers of the record's own rows. Powers between them do not permit other speeds.
 std::vector<std::uint32_t> powers_of(const OwnedKerfTable<double>& table) {
   std::vector<std::uint32_t> powers;
   for (const cnc::kerf::Band& band : table.bands) powers.push_back(band.power_mw);
@@ -27,7 +27,8 @@ std::vector<std::uint32_t> powers_of(const OwnedKerfTable<double>& table) {
   return powers;
 }
 
-/// The least power with the fastest speed, or with the one asked for; 0 where there is none.
+/// Returns the lowest power that permits the highest speed, or the required speed; 0 if there is
+/// none.
 std::uint32_t choose_power(const OwnedKerfTable<double>& table,
                            std::uint32_t thickness_um,
                            std::optional<std::uint32_t> speed_um_min,
@@ -35,7 +36,7 @@ std::uint32_t choose_power(const OwnedKerfTable<double>& table,
   std::uint32_t best = 0;
   std::uint32_t fastest = 0;
   for (const std::uint32_t power : powers_of(table)) {
-    if (power > most_power_mw) break;  // They ascend.
+    if (power > most_power_mw) break;  // The powers are in ascending order.
     const auto speeds = cnc::kerf::permissible_speeds(table.view(), thickness_um, power);
     if (!speeds.ok()) continue;
     if (speed_um_min) {

@@ -7,32 +7,33 @@
 
 namespace sim::cut {
 
-/// Power and speed to cut with, and how wide that is.
+/// Power and speed of a cut, with the width of its kerf.
 struct Condition {
   cnc::kerf::Condition cut{};
   double kerf_mm = 0.0;
-  double half_interval_mm = 0.0;  ///< 95 % of cuts are within so much of it.
+  /// Half width of the interval around `kerf_mm` that holds 95 % of cuts.
+  double half_interval_mm = 0.0;
 };
 
-/// Whatever is given is kept; the rest is chosen: the fastest speed that is permissible, and the
-/// least power that permits it. Throws std::invalid_argument saying what is permissible when
-/// nothing is.
-/// @param most_power_mw what the laser gives; no power above it is chosen
+/// Returns the condition for a cut. Given values are kept. A missing speed becomes the highest
+/// permissible speed, and a missing power the lowest power that permits this speed. If nothing is
+/// permissible, throws std::invalid_argument, which says what the record permits.
+/// @param most_power_mw full power of the laser; no higher power is chosen
 [[nodiscard]] Condition choose(const MaterialRecord& record,
                                std::uint32_t thickness_um,
                                std::optional<std::uint32_t> power_mw,
                                std::optional<std::uint32_t> speed_um_min,
                                std::uint32_t most_power_mw = cnc::kerf::kMostPowerMw);
 
-/// Returns how a line is engraved: as it would be cut, but with the power and speed given.
-/// Engraving needs no kerf, so nothing has to be known of its width.
-/// @param share of the cut's power where none is given, 0 to 1
+/// Returns the condition for engraving a line: that of a cut, with its own power and speed.
+/// Engraving needs no kerf, so the record need not know the width.
+/// @param share engraving power over cutting power, 0 to 1, used if no power is given
 [[nodiscard]] Condition engraving(const Condition& cut,
                                   double share,
                                   std::optional<std::uint32_t> power_mw,
                                   std::optional<std::uint32_t> speed_um_min);
 
-/// The greatest power that the record has at a thickness, mW; 0 where it has none.
+/// Returns the greatest power that the record has at a thickness, mW; 0 if the record has none.
 [[nodiscard]] std::uint32_t greatest_power(const MaterialRecord& record,
                                            std::uint32_t thickness_um);
 

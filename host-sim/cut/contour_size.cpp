@@ -14,9 +14,9 @@ namespace {
 
 using drawing::Place;
 
-/// Places this far outside a circle, as a share of its radius, lie on it.
+/// Points outside a circle by up to this share of its radius lie on the circle.
 constexpr double kOnCircle = 1.0e-12;
-/// Arcs whose centres and radii agree to this are one circle, mm.
+/// Arcs whose centres and radii agree within this distance belong to one circle, mm.
 constexpr double kSameCircleMm = 1.0e-6;
 
 struct Circle {
@@ -33,7 +33,8 @@ Circle around(const Place& a, const Place& b) {
   return {0.5 * (a + b), 0.5 * drawing::distance(a, b)};
 }
 
-/// Through three places; of three on a line that around the farthest two.
+/// Returns the circle through three points. For three points on a line, returns the circle around
+/// the two that are farthest apart.
 Circle around(const Place& a, const Place& b, const Place& c) {
   const Place ab = b - a;
   const Place ac = c - a;
@@ -47,7 +48,8 @@ Circle around(const Place& a, const Place& b, const Place& c) {
   return {a + way, way.norm()};
 }
 
-/// An order that is the same on any machine; without it places along a curve take n³ steps.
+/// Shuffles points in an order that is the same on any machine. Without it, points along a curve
+/// take n³ steps.
 void shuffle(std::vector<Place>& places) {
   std::uint64_t state = 1;
   for (std::size_t i = places.size(); i > 1; --i) {
@@ -56,7 +58,7 @@ void shuffle(std::vector<Place>& places) {
   }
 }
 
-/// The circle of a contour that is one.
+/// Returns the diameter of a contour that is a circle.
 std::optional<double> own_diameter(const drawing::DrawnContour& contour) {
   const auto* const first = std::get_if<drawing::Arc>(&contour.shapes.front());
   if (first == nullptr || !contour.closed) return {};

@@ -6,12 +6,12 @@
 
 namespace sim::cut {
 
-/// Returns the diameter of the smallest circle around all places, mm; 0 for one place or none.
-/// Source: Welzl 1991, in its iterative form. The radius is right to a few roundings.
+/// Returns the diameter of the smallest circle around all points, mm; 0 for fewer than two points.
+/// Source: Welzl 1991, in its iterative form. The radius is accurate to a few roundings.
 [[nodiscard]] double enclosing_diameter(std::vector<drawing::Place> places);
 
-/// Returns the diameter of a circle, mm; of any other contour that of the smallest circle around
-/// it, within 0.002 mm.
+/// Returns the diameter of a contour, mm: of a circle its own, of any other contour that of the
+/// smallest circle around it, within 0.002 mm.
 [[nodiscard]] double diameter_of(const drawing::DrawnContour& contour);
 
 }  // namespace sim::cut

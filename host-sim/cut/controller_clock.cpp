@@ -11,17 +11,17 @@ namespace {
 using cnc::motion::Drive;
 using cnc::motion::Limits;
 
-/// Any stretch of a plan is shorter, ns.
+/// Longer than any stretch of a plan, ns.
 constexpr std::uint32_t kAnyNs = 1'000'000'000;
-/// Time in which the controller takes a line of the program, s: a cycle of its main loop.
+/// Time for which the controller takes one line of the program, s: one cycle of its main loop.
 constexpr double kLineS = 1.0e-3;
-/// Time from when the first block of a chain is known until its window is chosen, s: the controller
-/// reads one more line in it.
+/// Time from the moment when the first block of a chain is known until its window is chosen, s. The
+/// controller reads one more line in this time.
 constexpr double kStartS = 1.5 * kLineS;
-/// Cycles that pass at each standstill until the controller goes on, s. Measured on the simulated
-/// controller.
+/// Time at each stop until the controller continues, s. It is a number of cycles measured on the
+/// simulated controller.
 constexpr double kStandstillS = 4.0e-3;
-/// The plan is cut into segments so long before it is driven, s.
+/// Time by which the plan is cut into segments before they are driven, s.
 constexpr double kAheadS = 0.020;
 
 Limits limits_of(const OrderWish& machine) {
@@ -34,7 +34,7 @@ Limits limits_of(const OrderWish& machine) {
     limits.jerk_mm_s3[axis] = static_cast<float>(machine.limits.jerk_mm_s3[axis]);
   }
   limits.junction_deviation_mm = static_cast<float>(machine.junction_deviation_mm);
-  // The rates are those of the motors already.
+  // The machine's rates already include the limits of the motors.
   limits.steps_per_s_one_motor = kNoLimit;
   return limits;
 }
@@ -66,7 +66,7 @@ void ControllerClock::move(const Stroke& path, double feed_mm_s, bool is_lit) {
   }
 }
 
-/// Appends an element to the path, after driving as much of it as makes room.
+/// Appends an element to the path. If the path is full, it drives motion until there is free space.
 void ControllerClock::put(const cnc::path::PathItem& item) {
   while (!path_.has_room()) {
     make_blocks();
@@ -78,9 +78,9 @@ void ControllerClock::put(const cnc::path::PathItem& item) {
   make_blocks();
 }
 
-/// A piece out of the motors' reach is left out: the machine refuses such a program. A chain is
-/// driven as soon as its end is known, as blocks behind a stop change nothing before it; so plans
-/// are made of few blocks.
+/// Makes blocks of the pieces of the path. A piece out of the motors' reach is left out, because
+/// the machine refuses such a program. A chain is driven as soon as its end is known, because
+/// blocks after a stop do not affect the motion before it. So each plan consists of few blocks.
 void ControllerClock::make_blocks() {
   while (!queue_.full()) {
     const cnc::path::PathPiece* const piece = path_.next();
@@ -97,11 +97,11 @@ void ControllerClock::make_blocks() {
   }
 }
 
-/// Follows the plan for a stretch. Returns false when there is nothing to drive.
+/// Follows the plan for a stretch. Returns false if there is nothing to drive.
 bool ControllerClock::drive() {
   if (plan_.at_end()) return false;
   const cnc::motion::SourceLine line = queue_.at(plan_.blocks_left()).line;
-  // Numbers of lines have 24 bits: the motion is one of the newest with that number.
+  // Line numbers have 24 bits, so the motion is the newest one with this number.
   constexpr std::size_t kLineNumbers = std::size_t{1} << 24U;
   const std::size_t newest = times_.size() - 1;
   const std::size_t motion = newest - (newest - line.number) % kLineNumbers;
@@ -123,8 +123,8 @@ void ControllerClock::pass(std::size_t motion, double seconds) {
   now_s_ += seconds;
 }
 
-/// Chooses the window for the blocks to the next stop, as the controller's segmenter does: the
-/// longest where that stop is not known yet.
+/// Chooses the window for the blocks up to the next stop, as the controller's segmenter does. If
+/// this stop is not yet known, chooses the longest window.
 void ControllerClock::begin_chain(std::size_t motion) {
   end_chain();
   in_chain_ = true;
@@ -145,7 +145,8 @@ cnc::motion::TimeWindow ControllerClock::longest_window() {
   return cnc::motion::window_for(limits_, axes);
 }
 
-/// The motion is the mean of the plan over the window, so it ends later by that.
+/// Ends a chain. The motion is the mean of the plan over the window, so it ends later than the plan
+/// by the length of the window.
 void ControllerClock::end_chain() {
   if (in_chain_) pass(last_, static_cast<double>(window_.seconds()));
   in_chain_ = false;

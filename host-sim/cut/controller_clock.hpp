@@ -13,27 +13,28 @@
 
 namespace sim::cut {
 
-/// Predicts how long a controller takes for each motion of a program, by the controller's own
-/// planner: welds and corners, look-ahead, and the window of a limit of jerk.
+/// Predicts the time that a controller takes for each motion of a program. It runs the controller's
+/// own planner: welds and corners, look-ahead, and the window of a limit of jerk.
 ///
-/// No pulses are made, so a motion costs microseconds however long it lasts. Motors that follow
-/// later (input shaping, backlash) and the cycles of the main loop are not counted.
+/// No pulses are made, so a motion costs microseconds of computing however long it lasts. The delay
+/// of the motors after the plan (input shaping, backlash) and the cycles of the main loop are not
+/// counted.
 ///
-/// Motions are added in the order of the program. Some are held back until the ones after them are
-/// known, as on the controller, so times are known at the end only.
+/// Motions are added in the order of the program. Some motions are held back until the following
+/// ones are known, as on the controller. The times are therefore known only at the end.
 class ControllerClock {
  public:
   explicit ControllerClock(const OrderWish& machine);
 
-  /// Adds a motion, which begins where the one before ended.
-  /// @param path not beyond a kilometre from zero; a path without length takes no time
-  /// @param feed_mm_s > 0, or 0 for a rapid
-  /// @param is_lit the beam is on
+  /// Adds a motion, which begins where the previous one ended.
+  /// @param path at most a kilometre from zero; a path without length takes no time
+  /// @param feed_mm_s above 0, or 0 for a rapid
+  /// @param is_lit whether the beam is on
   void move(const Stroke& path, double feed_mm_s, bool is_lit);
-  /// Lets the machine stand, as a dwell does: nothing of what follows is known before.
+  /// Stops the machine, as a dwell does: the planner knows no later motion before the stop.
   void rest();
-  /// Lets the machine stand and returns the time of each motion since the last call, s, in the
-  /// order in which they were added. The window of a limit of jerk counts for the last motion
+  /// Stops the machine and returns the time of each motion since the last call, s, in the order in
+  /// which the motions were added. The window of a limit of jerk is counted with the last motion
   /// before a stop.
   [[nodiscard]] std::vector<double> finish();
 
@@ -53,18 +54,19 @@ class ControllerClock {
   cnc::motion::PlanCursor plan_;
   cnc::motion::TimeWindow window_{};
   WrittenPath written_;
-  std::vector<double> times_{};  ///< By motion, s.
-  std::size_t last_ = 0;         ///< Number of the motion that was driven last.
-  bool in_chain_ = false;        ///< The window of the last chain is not counted yet.
+  std::vector<double> times_{};  ///< Time of each motion, s.
+  std::size_t last_ = 0;         ///< Number of the last motion that was driven.
+  bool in_chain_ = false;        ///< The window of the last chain is not yet counted.
 
-  // State by which the controller chooses a window. Times are seconds since the program's start.
-  double now_s_ = 0.0;    ///< The plan has been driven up to here.
-  double read_s_ = 0.0;   ///< The newest line was read.
-  double ready_s_ = 0.0;  ///< The first block of the chain that is next was known.
-  /// When the plan left the blocks before, in a ring: as many as the queue holds.
+  // State from which the controller chooses a window. Times are seconds since the start of the
+  // program.
+  double now_s_ = 0.0;    ///< Time up to which the plan has been driven.
+  double read_s_ = 0.0;   ///< Time at which the newest line was read.
+  double ready_s_ = 0.0;  ///< Time at which the first block of the next chain was known.
+  /// Times at which the plan left the latest blocks, in a ring of the queue's capacity.
   std::array<double, cnc::motion::kLookAheadBlocks> left_s_{};
-  std::size_t pushed_ = 0;  ///< Blocks so far…
-  std::size_t left_ = 0;    ///< …and those of them that the plan has left.
+  std::size_t pushed_ = 0;  ///< Number of all blocks so far.
+  std::size_t left_ = 0;    ///< Number of blocks that the plan has left.
 };
 
 }  // namespace sim::cut

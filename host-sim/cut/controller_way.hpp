@@ -9,20 +9,21 @@
 
 namespace sim::cut {
 
-/// What a controller is given that finds the way beside a part itself, or why it cannot be.
+/// The path for a controller that computes the compensated path itself, or the reason why there is
+/// none.
 struct ControllerWay {
-  /// A pierce in the waste where one is asked for, the entry (kLeadIn, the first of G42), the
-  /// drawn outline with the part on its left, a bit of it once more, and the exit (kLeadOut, the
-  /// first after G40); none where there is a reason.
+  /// The strokes in order: a pierce in the waste if one is required, the entry (kLeadIn, the first
+  /// stroke under G42), the drawn outline with the part on its left, a short piece of the outline
+  /// once more, and the exit (kLeadOut, the first stroke after G40). Empty if there is a reason.
   std::vector<Stroke> strokes{};
   std::string reason{};
 };
 
-/// The way of a cut for G42, beginning beside the place where the beam's way begins and ending
-/// in the waste. Entry and exit are straight; the entry turns into the outline at an angle, so the
-/// beam reaches it a little later, and the end goes on as far.
-/// @param outline closed, the part on its left
-/// @param beam the same cut as it is planned here, leads included
+/// Returns the path of a cut for G42. It begins next to the point where the beam's path begins, and
+/// ends in the waste. Entry and exit are straight. The entry meets the outline at an angle, so the
+/// beam reaches the outline a little later. The end continues past the start by the same distance.
+/// @param outline closed, with the part on its left
+/// @param beam the path of the beam for this cut as planned by this program, with its leads
 [[nodiscard]] ControllerWay controller_way(const std::vector<Stroke>& outline,
                                            const std::vector<Stroke>& beam,
                                            const LayerSettings& settings,

@@ -10,10 +10,11 @@
 namespace sim::cut {
 namespace {
 
-/// Cuts ahead that may come earlier: enough to leave the neighbourhood, few enough to be quick.
+/// Number of cuts ahead among which one may overtake: enough to leave the hot neighbourhood, few
+/// enough to be quick.
 constexpr std::size_t kMaxOvertaken = 64;
 
-/// The time of the job so far, and the heat that it left.
+/// The time of the job so far, and the heat of its cuts.
 class HeatClock {
  public:
   explicit HeatClock(const CoolingRules& rules)
@@ -22,7 +23,7 @@ class HeatClock {
   [[nodiscard]] double now_s() const { return now_s_; }
   [[nodiscard]] const Place& here() const { return here_; }
 
-  /// Returns how long a pierce must wait if the beam comes to its place at a time, s.
+  /// Returns the time that a pierce must wait if the beam arrives at `arrival_s`, s.
   [[nodiscard]] double wait_at(const Cut& cut, double arrival_s) const {
     if (cut.strokes.front().purpose == Purpose::kLink) return 0.0;
     return std::max(0.0, heat_.cool_from(cut.start(), arrival_s) - arrival_s);
@@ -85,7 +86,8 @@ class CoolOrder {
     return std::ranges::all_of(cut.after, [this](std::size_t before) { return is_done_[before]; });
   }
 
-  /// Returns the place in the order of the cut to come next: of the least wait and detour.
+  /// Returns the position in the order of the cut that comes next: the cut with the least sum of
+  /// wait and detour.
   [[nodiscard]] std::size_t best_at(std::size_t i) const {
     const Place& here = clock_.here();
     const auto cost_of = [&](std::size_t k) {
@@ -106,7 +108,7 @@ class CoolOrder {
     return best;
   }
 
-  /// Returns the time of travel that it adds if cut `k` overtakes those from `i` on, s.
+  /// Returns the additional time of travel if cut `k` overtakes the cuts from `i` on, s.
   [[nodiscard]] double detour(std::size_t i, std::size_t k) const {
     const Place& here = clock_.here();
     double added = way(here, rapid_end(at(k))) + way(beam_end(at(k)), rapid_end(at(i))) -
@@ -147,7 +149,7 @@ void wait_for_cooling(CutPlan& plan, const CoolingRules& rules) {
   for (std::size_t i = 0; i < plan.cuts.size(); ++i) {
     Cut& cut = plan.cuts[i];
     for (const Place& place : rapid_before(plan, i)) clock.travel(place);
-    // Up to the next millisecond, as programs have them.
+    // Round up to the next millisecond, which is the resolution of programs.
     cut.wait_s = 1.0e-3 * std::ceil(1.0e3 * clock.wait_at(cut, clock.now_s()));
     clock.cut(cut, plan.plan_of(cut), cut.wait_s);
     if (cut.wait_s <= 0.0) continue;

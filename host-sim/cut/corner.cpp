@@ -7,11 +7,12 @@
 namespace sim::cut {
 namespace {
 
-/// Arcs around drawn corners have half the kerf as radius to within this, mm.
+/// Tolerance within which the radius of an arc around a drawn corner is half the kerf, mm.
 constexpr double kSameRadius = 1.0e-6;
-/// The beam is measured to be clear within this; next to its edge it just is, mm.
+/// Tolerance for measuring whether the beam is clear of parts, mm. A beam along its own edge is
+/// just clear.
 constexpr double kLoopSlack = 1.0e-5;
-/// What turns more has its loop too far away.
+/// Greatest turn of a corner with a loop; for sharper corners the loop would be too far away.
 constexpr double kSharpest = 170.0 * std::numbers::pi / 180.0;
 
 double sweep_of(const Stroke& stroke) { return 4.0 * std::atan(stroke.bulge); }
@@ -29,8 +30,9 @@ double turn_between(const Stroke& before, const Stroke& after) {
   return std::abs(std::atan2(drawing::cross(from, to), drawing::dot(from, to)));
 }
 
-/// Straight on from the arc's start, round to the right, and straight on to its end: both lines
-/// touch the loop, and cross where the corner would be if it were not round.
+/// Returns a loop: straight on from the start of the arc, around to the right, and straight to the
+/// end of the arc. Both lines are tangential to the loop, and cross where the corner would be
+/// without the arc.
 std::vector<Stroke> loop_past(const Stroke& arc, double radius_mm) {
   const double turn = sweep_of(arc);
   const double round_mm = length_of(arc) / turn;
@@ -44,8 +46,8 @@ std::vector<Stroke> loop_past(const Stroke& arc, double radius_mm) {
 }
 
 struct RoomyLoop {
-  std::vector<Stroke> strokes{};  ///< None where there is no room.
-  double share = 1.0;             ///< Of the radius.
+  std::vector<Stroke> strokes{};  ///< Strokes of the loop; empty if there is no free space.
+  double share = 1.0;             ///< Share of the required radius.
 };
 
 RoomyLoop loop_with_room(const Stroke& arc,
@@ -106,7 +108,7 @@ CornerWork treat_corners(std::vector<Stroke>& strokes,
       }
       if (work.without_room++ == 0) work.first_without = corner.place;
     }
-    // Where the cut begins, the beam comes from its lead.
+    // At the beginning of the cut, the beam comes from the lead, so there is no dwell.
     if (corner.stroke != 0) strokes[done].dwell_s = settings.corner_dwell_s;
   }
   treated.insert(treated.end(), strokes.begin() + static_cast<std::ptrdiff_t>(done), strokes.end());

@@ -10,35 +10,39 @@
 
 namespace sim::cut {
 
-/// Where the beam's way beside a part turns sharply.
+/// A point where the beam's path along a part turns sharply.
 struct Corner {
   std::size_t stroke =
-      0;                  ///< The arc around an outer corner; at an inner one that which leaves it.
-  bool is_outer = false;  ///< The waste is outside the turn: there is room for a loop.
-  Place place{0.0, 0.0};  ///< In the middle of the turn.
+      /// Number of a stroke: at an outer corner the arc around it, at an inner corner the stroke
+      /// that leaves it.
+      0;
+  bool is_outer = false;  ///< The waste is on the outside of the turn, so a loop has free space.
+  Place place{0.0, 0.0};  ///< Point in the middle of the turn.
 };
 
-/// Corners between strokes along the edge of a part on the left, that turn by at least so much;
-/// of a closed row also where it closes.
-/// Outer ones are arcs of half the kerf around a drawn corner; drawn rounds are none.
+/// Returns the corners between strokes along the edge of a part on the left, which turn by at least
+/// `least_turn`. In a closed row, the point where it closes counts, too. Outer corners are arcs of
+/// half the kerf around a drawn corner. Drawn rounded corners do not count.
 /// @param least_turn radians
 [[nodiscard]] std::vector<Corner> corners_of(const std::vector<Stroke>& strokes,
                                              double least_turn,
                                              double half_kerf_mm);
 
-/// What was done about the corners of a cut.
+/// Figures of the treatment of a cut's corners.
 struct CornerWork {
-  std::size_t without_room = 0;  ///< Outer corners whose loops would come too near to a part…
-  std::optional<Place> first_without{};  ///< …and the first of them.
-  std::size_t smaller = 0;               ///< Loops with less than the radius that was set…
-  std::optional<Place> first_smaller{};  ///< …and the first of them.
+  /// Number of outer corners whose loops would come too near to a part.
+  std::size_t without_room = 0;
+  std::optional<Place> first_without{};  ///< Point of the first outer corner without a loop.
+  std::size_t smaller = 0;               ///< Number of loops with a radius below the set one.
+  std::optional<Place> first_smaller{};  ///< Point of the first loop with a smaller radius.
 };
 
-/// Against burnt corners, as the settings ask. A loop goes straight on past an outer corner, turns
-/// round in the waste and comes back along the next edge, so that the part is passed at speed; it
-/// is made smaller, to an eighth, where there is no room. At inner corners, and where there is no
-/// room for a loop, the beam rests dark for the dwell before it goes on.
-/// @param parts all drawn edges; nothing of a loop is nearer to one than half the kerf
+/// Changes strokes to prevent burnt corners, as the settings require. A loop continues straight
+/// past an outer corner, turns around in the waste and comes back along the next edge. So the beam
+/// passes the part at speed. Where there is not enough free space, the loop is reduced, at most to
+/// an eighth. At inner corners, and where a loop has no free space, the beam rests off for the
+/// dwell before it continues.
+/// @param parts all drawn edges; every point of a loop is at least half the kerf from each of them
 CornerWork treat_corners(std::vector<Stroke>& strokes,
                          const LayerSettings& settings,
                          const Clearance& parts,

@@ -37,8 +37,8 @@ bool holds(const Extremes& outer, const Extremes& inner) {
          (outer.most - inner.most).minCoeff() >= 0.0;
 }
 
-/// Puts a frame round a crowd in a hole, so that there is material round the hole.
-/// @return whether it has one
+/// Adds a frame around a crowd in a hole, so that there is material around the hole.
+/// @return whether a frame was added
 bool frame_holes(const std::vector<Outline>& outlines,
                  const std::vector<std::size_t>& crowd,
                  double half_kerf_mm,
@@ -66,7 +66,7 @@ bool frame_holes(const std::vector<Outline>& outlines,
   return true;
 }
 
-/// Returns the outline of a crowd that is nearest to the beginning of a path.
+/// Returns the outline of a crowd that is nearest to the first stroke of a path.
 std::size_t owner_of(const std::vector<Stroke>& loop,
                      const std::vector<Outline>& outlines,
                      const std::vector<std::size_t>& crowd) {
@@ -84,8 +84,8 @@ std::size_t owner_of(const std::vector<Stroke>& loop,
   return owner;
 }
 
-/// Returns the paths beside all outlines of a crowd, as of one region.
-/// @param by_turns outlines lie against each other, and may overlap by a hair
+/// Returns the offset paths of all outlines of a crowd, treated as one region.
+/// @param by_turns whether outlines lie against each other, and may overlap by a hair
 std::optional<Rows> paths_of(const std::vector<Outline>& outlines,
                              const std::vector<std::size_t>& crowd,
                              double half_kerf_mm,
@@ -100,7 +100,7 @@ std::optional<Rows> paths_of(const std::vector<Outline>& outlines,
     if (by_turns) region = filled_area(region, FilledBy::kTurns);
     Rows loops = loops_of(offset.offset(region.view(), half_kerf_mm));
     if (!has_frame) return loops;
-    // The path round the frame holds all others.
+    // The path around the frame encloses all others.
     const auto frame = std::ranges::max_element(
         loops, {}, [](const std::vector<Stroke>& loop) { return area_of(loop); });
     if (frame != loops.end()) loops.erase(frame);
@@ -110,7 +110,7 @@ std::optional<Rows> paths_of(const std::vector<Outline>& outlines,
   }
 }
 
-/// Returns all that is driven between and around outlines.
+/// Returns all rows that are driven between and around outlines.
 Rows driven_of(const Rows& around, const CutsBetween& between) {
   Rows driven = around;
   driven.insert(driven.end(), between.middles.begin(), between.middles.end());
@@ -120,7 +120,7 @@ Rows driven_of(const Rows& around, const CutsBetween& between) {
   return driven;
 }
 
-/// Returns what stays uncut of each outline of a crowd; nothing where that is too much.
+/// Returns the uncut stretches of each outline of a crowd; nothing if one of them is too long.
 std::optional<std::vector<std::vector<Rest>>> rests_of_crowd(
     const DrawnEdges& edges,
     const std::vector<std::size_t>& crowd,

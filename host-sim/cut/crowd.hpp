@@ -12,18 +12,20 @@
 
 namespace sim::cut {
 
-/// Returns sets of outlines whose paths take something off each other, with their neighbours within
-/// the kerf; each outline is in one set at most. Outlines with another kerf are in none.
+/// Returns crowds of outlines. A crowd holds outlines whose paths take something off each other,
+/// with their neighbours within the kerf. Each outline is in at most one crowd. Outlines with
+/// another kerf are in none.
 /// @param beside one for each outline
-/// @param half_kerf_mm of an outline
+/// @param half_kerf_mm returns half of the kerf of an outline
 [[nodiscard]] std::vector<std::vector<std::size_t>> crowds_of(
     const std::vector<Outline>& outlines,
     const std::vector<PathBeside>& beside,
     const Clearance& edges,
     const std::function<double(std::size_t)>& half_kerf_mm);
 
-/// Returns a warning for the first outline of a crowd whose path takes something off another, where
-/// that is most: there they hold together once they share a path.
+/// Returns a warning for the first outline of a crowd whose path takes something off another
+/// outline. It names the point where the path takes off most: there the outlines hold together once
+/// they share a path.
 [[nodiscard]] std::vector<drawing::Fault> held_together(const drawing::Drawing& drawn,
                                                         const std::vector<std::size_t>& crowd,
                                                         const std::vector<PathBeside>& beside);
@@ -32,20 +34,21 @@ namespace sim::cut {
 struct CutsBetween {
   /// Lines in the middle of narrow waste, where outlines do not hold together.
   std::vector<std::vector<Stroke>> middles{};
-  SharedEdges edges{};  ///< Edges along which they are cut apart.
+  SharedEdges edges{};  ///< Edges along which the outlines are cut apart.
 };
 
-/// Moves paths beside outlines that touch, or are nearer to each other than the kerf, so that none
-/// takes anything off any of them but along shared edges: elsewhere they are cut as one part, which
-/// holds together where they are so near. That is what becomes of parts that touch at a corner, and
-/// of scraps beside a notch.
+/// Moves the paths along outlines that touch, or that are nearer to each other than the kerf. Then
+/// no path takes anything off any of these outlines, except along shared edges. Elsewhere the
+/// outlines are cut as one part, which holds together where they are nearer than the kerf. Examples
+/// are parts that touch at a corner, and scraps next to a notch.
 ///
-/// A path belongs to the outline beside which it begins; one that has none is cut with the others.
-/// @param edges reach of two kerfs at least
-/// @param beside paths of the outlines of the crowd; changed only where this returns true. The
-/// outline with the longest way around has the middles, which are cut before it
-/// @return false where no such paths exist, or more than `kMostHoldMm` would hold at one place:
-///         these are parts that lie against each other
+/// A path belongs to the outline next to which it begins. An outline without a path of its own is
+/// cut with the others.
+/// @param edges reach of at least two kerfs
+/// @param beside paths of the outlines of the crowd; changed only if this returns true. The outline
+/// whose path encloses the largest area has the middles, which are cut before it
+/// @return false if no such paths exist, or if more than `kMostHoldMm` would hold at one point,
+/// because these are parts that lie against each other
 [[nodiscard]] bool part_crowd(const DrawnEdges& edges,
                               const std::vector<std::size_t>& crowd,
                               const CutsBetween& between,

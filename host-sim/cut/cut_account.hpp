@@ -10,31 +10,33 @@
 
 namespace sim::cut {
 
-/// What the time and the money of a job go to.
+/// Account of the time and money of a job.
 struct CutAccount {
-  Timeline timeline{};       ///< Adds up to the time of the job on the simulated machine.
-  double predicted_s = 0.0;  ///< Time of the job by its lengths, feeds and accelerations.
+  Timeline timeline{};  ///< Its times add up to the time of the job on the simulated machine.
+  /// Time of the job, predicted from its lengths, feeds and accelerations.
+  double predicted_s = 0.0;
   PriceList prices{};
   Cost cost{};
   std::vector<PartRow> parts{};
-  std::vector<std::size_t> cuts_of_layers{};  ///< One for each layer of the drawing.
+  std::vector<std::size_t> cuts_of_layers{};  ///< Number of cuts of each layer of the drawing.
 };
 
-/// Makes up the account of a job.
-/// @param job_time_s of the simulated machine; 0 where it refused the program: then the predicted
-/// times count
+/// Returns the account of a job.
+/// @param job_time_s time on the simulated machine; 0 if the machine refused the program: then the
+/// predicted times count
 [[nodiscard]] CutAccount account_of(const drawing::Drawing& drawn,
                                     const CutPlan& plan,
                                     const Timeline& predicted,
                                     double job_time_s,
                                     const PriceList& prices);
 
-/// For people: the time by kind, cuts by layer where there are several, and costs where there is a
-/// price. @param drawn has the layers' names
+/// Returns the account as lines for people: the time by kind, the cuts by layer if there are
+/// several layers, and the costs if there is a price.
+/// @param drawn the drawing with the names of the layers
 [[nodiscard]] std::vector<std::string> lines_of(const CutAccount& account,
                                                 const drawing::Drawing& drawn);
 
-/// Adds `time`, `cuts_by_layer`, `parts` and, where there is a price, `cost` to a report.
+/// Adds `time`, `cuts_by_layer` and `parts` to a report, and `cost` if there is a price.
 void add_to_report(nlohmann::ordered_json& report,
                    const CutAccount& account,
                    const drawing::Drawing& drawn);

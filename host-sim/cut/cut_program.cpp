@@ -28,8 +28,8 @@ class StrokeWriter {
 
   void go_to(const Place& place) { take(writer_.rapid(place), place); }
 
-  /// Writes the rapid before a cut, or after the last one; lifted it goes straight, and Z is at 0
-  /// where the beam cuts.
+  /// Writes the rapid before a cut, or after the last one. A lifted rapid is straight. Z returns to
+  /// 0 at its end, where the beam cuts.
   void go_along(const std::vector<Place>& way, double lift_mm) {
     const std::string before = std::exchange(text_, {});
     for (std::size_t i = 1; i < way.size(); ++i) go_to(way[i]);
@@ -37,13 +37,13 @@ class StrokeWriter {
     text_ = before + text_;
   }
 
-  /// M5, as M3 may keep a beam on at rest.
+  /// Writes a wait with M5, because M3 may keep a beam on at rest.
   void wait(double seconds) {
     if (seconds <= 0.0) return;
     text_ += fmt::format("M5\nG4 P{:.3f}\n{}\n", seconds, beam_.follows_speed ? "M4" : "M3");
   }
 
-  /// Lowers Z for a pass before the rapid to it, and raises it for the first one.
+  /// Lowers Z for a pass before the rapid to it, and raises Z for the next first pass.
   void lower_to(const Cut& cut, const LayerPlan& layer) {
     const double height_mm = -layer.settings.z_step_mm * (cut.pass - 1);
     if (height_mm != 0.0) has_lowered_ = true;
@@ -69,14 +69,15 @@ class StrokeWriter {
     }
   }
 
-  /// Writes rows without their first line, a rapid that is driven already. They have motions, feeds
-  /// and powers of their own, so that the next line says all of them.
+  /// Writes rows without their first line, because this rapid is already written. The rows have
+  /// their own motions, feeds and powers. Therefore the writer restarts, and the next line gives
+  /// all words.
   void burn(const std::string& rows) {
     text_ += rows.substr(rows.find('\n') + 1);
     writer_ = ProgramWriter{grid_};
   }
 
-  /// G42 goes by F and S as they are.
+  /// Writes a cut for G42. The controller needs F and S as they are for the whole cut.
   void write_for_controller(const Cut& cut, const LayerPlan& layer) {
     const std::uint32_t feed = layer.condition.cut.speed_um_min;
     const std::uint32_t power = power_of(layer.condition);
@@ -100,7 +101,7 @@ class StrokeWriter {
     return static_cast<std::uint32_t>(std::lround(1000.0 * value));
   }
 
-  /// So slow that it takes its time.
+  /// Returns the feed at which a pierce takes its set time.
   static std::uint32_t pierce_feed(const Stroke& stroke, const LayerPlan& layer) {
     const double feed = std::min(from_thousandths(layer.condition.cut.speed_um_min),
                                  60.0 * length_of(stroke) / layer.settings.pierce_s);
@@ -122,7 +123,8 @@ class StrokeWriter {
   void write(const Stroke& stroke) {
     const Written written = writer_.cut(stroke.from, stroke.to, stroke.bulge);
     if (written.ok() || written.error() != WriterError::kTooFlat) return take(written, stroke.to);
-    // So flat that its centre is out of reach: lines within half a digit of it.
+    // The arc is so flat that its centre is out of range. It is written as lines within half a
+    // digit of the arc.
     const double height = 0.5 * std::abs(stroke.bulge) * drawing::distance(stroke.from, stroke.to);
     const double lines = std::ceil(std::sqrt(2.0 * height / digit_mm_));
     for (double i = 0.0; i < lines; i += 1.0) {
@@ -147,7 +149,7 @@ class StrokeWriter {
   double digit_mm_;
   ProgramWriter writer_;
   std::string text_;
-  bool has_lowered_ = false;  ///< Lines have a Z.
+  bool has_lowered_ = false;  ///< A lowered Z has been written.
 };
 
 std::string_view kind_of(const Cut& cut, const LayerPlan& layer) {
@@ -171,7 +173,7 @@ std::string_view word_of(Air air) {
   return "M9\n";
 }
 
-/// Returns `, pass 2 of 3` of a cut that is made several times.
+/// Returns `, pass 2 of 3` for a cut with several passes, otherwise an empty text.
 std::string pass_text(const Cut& cut, const LayerPlan& layer) {
   const unsigned passes = layer.settings.passes;
   return passes == 1 ? "" : fmt::format(", pass {} of {}", cut.pass, passes);
@@ -198,7 +200,7 @@ std::string program_of(const CutPlan& plan,
   for (const std::string& line : heading) text += comment_line(line);
   text += "G21 G90 G17 G94 G54\n";
   if (beam.kerf_table && !plan.cuts.empty()) {
-    // One sheet has one thickness.
+    // All cuts of a sheet have the same thickness.
     const Condition& any = plan.plan_of(plan.cuts.front()).condition;
     text +=
         fmt::format("M190 P{} Q{:g}\n", *beam.kerf_table, from_thousandths(any.cut.thickness_um));
@@ -215,7 +217,7 @@ std::string program_of(const CutPlan& plan,
                                      entity_of(cut, drawn).name,
                                      pass_text(cut, layer)));
     if (layer.settings.air != air) {
-      // M7 and M8 may be on side by side.
+      // M7 and M8 may be active at the same time, so the old one is switched off first.
       if (air != Air::kOff) text += word_of(Air::kOff);
       if (layer.settings.air != Air::kOff) text += word_of(layer.settings.air);
       air = layer.settings.air;

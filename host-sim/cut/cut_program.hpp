@@ -11,21 +11,24 @@ namespace sim::cut {
 
 /// The laser that a program is for.
 struct Beam {
-  double full_power_w = 0.0;     ///< What it gives at `full_power_s`.
-  double full_power_s = 1000.0;  ///< $30.
-  bool follows_speed = true;     ///< M4: power by the speed really driven; else M3.
-  /// Of the material in the controller's list ($K), where it finds the way beside parts itself.
+  double full_power_w = 0.0;     ///< Power of the laser at `full_power_s`.
+  double full_power_s = 1000.0;  ///< S value of full power, $30.
+  bool follows_speed = true;     ///< M4, where the power follows the actual speed; otherwise M3.
+  /// Number of the material's kerf table in the controller's list ($K), if the controller computes
+  /// compensated paths itself.
   std::optional<unsigned> kerf_table{};
-  bool knows_watts = true;  ///< Else `full_power_w` is 100, and watts are percents.
+  /// If false, `full_power_w` is 100, and powers in watts are percentages.
+  bool knows_watts = true;
 };
 
-/// A text as a line of comment: printable ASCII without what ends a comment or acts at once on the
-/// wire, which becomes `_`.
+/// Returns a text as a line of comment in printable ASCII. Characters that end a comment, or that
+/// act at once on the wire, become `_`.
 [[nodiscard]] std::string comment_line(const std::string& text);
 
-/// A plan as G-code: one M4 or M3, a rapid to each cut, and no word that changes nothing.
-/// Throws std::invalid_argument naming what the laser or the numbers of a line cannot.
-/// @param heading lines of comment at the top; what G-code could not carry is left out of them
+/// Returns a plan as G-code: one M4 or M3, a rapid to each cut, and no word that changes nothing.
+/// Throws std::invalid_argument, which names what the laser or the numbers of a line cannot
+/// express.
+/// @param heading lines of comment at the top; characters that G-code cannot carry are left out
 [[nodiscard]] std::string program_of(const CutPlan& plan,
                                      const drawing::Drawing& drawn,
                                      const Beam& beam,

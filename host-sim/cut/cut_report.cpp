@@ -54,7 +54,7 @@ std::string line_of(const SharedLineFigures& shared) {
       shared.most_off_mm);
 }
 
-/// Returns `1800 W at 4000 mm/min`, with percents where watts are not known.
+/// Returns `1800 W at 4000 mm/min`, with a percentage if the power in watts is not known.
 std::string condition_text(const Condition& condition, const Beam& beam) {
   return fmt::format("{:g} {} at {:g} mm/min",
                      from_thousandths(condition.cut.power_mw),
@@ -81,7 +81,7 @@ std::string layer_line(const CutJob& job, std::size_t index) {
   return line;
 }
 
-/// Returns what the greatest S is.
+/// Returns the power at the greatest S, and whether the power follows the speed.
 std::string full_power_text(const Beam& beam) {
   const std::string power =
       beam.knows_watts ? fmt::format("{:g} W", beam.full_power_w) : "full power, 100 percent";
@@ -136,7 +136,7 @@ Json json_of(const Recipes& recipes, const drawing::Drawing& drawn) {
   return rows;
 }
 
-/// Curves of the drawing that are cut as arcs.
+/// Returns the number of curves in the drawing that are cut as arcs.
 std::size_t curves_of(const CutJob& job) {
   std::set<std::size_t> contours;
   for (const Cut& cut : job.plan.cuts) {
@@ -150,7 +150,8 @@ std::size_t curves_of(const CutJob& job) {
   return curves;
 }
 
-/// A loop is there instead of the arc around the corner.
+/// Adds the corners of a cut to the figures. A loop replaces the arc around its corner, so the
+/// length of this arc is subtracted.
 void add_corners(const Cut& cut, const LayerPlan& layer, CutFigures& figures) {
   figures.corners += cut.corners.size();
   for (const Stroke& stroke : cut.strokes) {
@@ -176,7 +177,7 @@ std::string line_of_corners(const CutFigures& figures) {
                      figures.corner_dwell_s);
 }
 
-/// As comments of a program these are at most as long as Grbl takes lines.
+/// Breaks lines so that, as comments of a program, they are not longer than Grbl accepts.
 std::vector<std::string> none_too_long(const std::vector<std::string>& lines) {
   constexpr std::size_t kLineWidth = 76;
   std::vector<std::string> result;

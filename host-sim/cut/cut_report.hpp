@@ -9,49 +9,52 @@
 
 namespace sim::cut {
 
-/// What a job of cuts amounts to.
+/// Figures of a job of cuts.
 struct CutFigures {
-  std::size_t cuts = 0;   ///< Without pictures.
-  std::size_t lines = 0;  ///< Strokes that are straight, with leads and tabs…
-  std::size_t arcs = 0;   ///< …and that are not.
+  std::size_t cuts = 0;   ///< Number of cuts without pictures.
+  std::size_t lines = 0;  ///< Number of straight strokes, with leads and tabs.
+  std::size_t arcs = 0;   ///< Number of strokes that are arcs, with leads and tabs.
   double cut_length_mm = 0.0;
   double rapid_length_mm = 0.0;
-  std::size_t corners = 0;        ///< Of the beam's way beside parts…
-  std::size_t corner_loops = 0;   ///< …that are passed in a loop…
-  double corner_loop_mm = 0.0;    ///< …by which the cuts are longer;
-  std::size_t corner_dwells = 0;  ///< that the beam rests at…
-  double corner_dwell_s = 0.0;    ///< …in all.
-  std::size_t pictures = 0;       ///< Pictures that are burnt, each pass by itself…
-  double burnt_mm = 0.0;          ///< …and the length of their pixels.
-  double job_time_s = 0.0;        ///< As the simulated controller drives it…
-  bool is_simulated = true;       ///< …or, of long jobs, as it is predicted.
+  std::size_t corners = 0;        ///< Number of corners of the beam's path along parts.
+  std::size_t corner_loops = 0;   ///< Number of corners that are passed in a loop.
+  double corner_loop_mm = 0.0;    ///< Length that these loops add to the cuts.
+  std::size_t corner_dwells = 0;  ///< Number of corners at which the beam rests.
+  double corner_dwell_s = 0.0;    ///< Total time of these rests.
+  std::size_t pictures = 0;       ///< Number of burnt pictures; each pass counts.
+  double burnt_mm = 0.0;          ///< Length of the pixels of these pictures.
+  double job_time_s = 0.0;        ///< Time of the job on the simulated controller.
+  bool is_simulated = true;       ///< False for long jobs, whose time is only predicted.
 };
 
 [[nodiscard]] CutFigures figures_of(const CutPlan& plan);
 
-/// A job with what it was made from.
+/// A job with the data from which it was made.
 struct CutJob {
   const drawing::Drawing& drawn;
   const CutPlan& plan;
   const MaterialRecord& record;
   Beam beam;
-  std::string laser{};                   ///< Name of this machine's; empty: not named.
-  std::vector<std::string> notes{};      ///< About the kerf, see kerf_notes(), and guesses.
-  std::vector<ProgramDigest> digests{};  ///< Of what it was made from.
-  bool is_kerf_given = false;            ///< By the user, not by the record.
-  std::string placing{};                 ///< Where the drawing was put; empty: as drawn.
-  std::vector<std::string> offered{};    ///< Settings that the drawing itself has, by layer.
-  std::vector<std::string> origins{};    ///< Persons and days of the measurements.
+  std::string laser{};  ///< Name of this machine's laser; empty if not named.
+  /// Notes about the kerf (see kerf_notes()) and about guesses.
+  std::vector<std::string> notes{};
+  std::vector<ProgramDigest> digests{};  ///< Digests of the inputs of the job.
+  /// The kerf is given by the user, not taken from the record.
+  bool is_kerf_given = false;
+  /// Position of the drawing on the machine; empty: as drawn.
+  std::string placing{};
+  std::vector<std::string> offered{};  ///< Settings that the drawing itself contains, by layer.
+  std::vector<std::string> origins{};  ///< Persons and dates of the measurements.
 };
 
-/// Material, conditions of each layer that is cut, notes, and figures: the heading of the program,
-/// and what people are told.
+/// Returns the lines for the heading of the program and for the report to the user: material,
+/// conditions of each layer that is cut, notes, and figures.
 [[nodiscard]] std::vector<std::string> lines_of(const CutJob& job, const CutFigures& figures);
 
-/// The heading of a program: these lines, and the digests.
+/// Returns the heading of a program: the lines of lines_of(), and the digests.
 [[nodiscard]] std::vector<std::string> heading_of(const CutJob& job, const CutFigures& figures);
 
-/// The same for programs, with faults and warnings.
+/// Returns the content of lines_of() as JSON, with faults and warnings.
 [[nodiscard]] nlohmann::ordered_json json_of(const CutJob& job, const CutFigures& figures);
 
 }  // namespace sim::cut

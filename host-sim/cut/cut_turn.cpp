@@ -13,7 +13,7 @@ std::vector<CutTurn> turns_of(const std::vector<UnbegunCut>& cuts, Grouping grou
   std::vector<CutTurn> turns;
   turns.reserve(cuts.size());
   for (const UnbegunCut& cut : cuts) turns.push_back(wished_turn(cut, grouping));
-  // Along chains of cuts, however the drawing lists them.
+  // Later turns are passed along chains of cuts, whatever the order in the drawing.
   for (bool is_changed = true; is_changed;) {
     is_changed = false;
     for (std::size_t i = 0; i < cuts.size(); ++i) {

@@ -9,23 +9,23 @@
 
 namespace sim::cut {
 
-/// When a cut is due by the user's will: all cuts of a lower turn come before it.
+/// Rank of a cut in the order that the user requires: all cuts of a lower turn come before it.
 struct CutTurn {
   unsigned rank = 0;      ///< The rank of the cut's layer.
-  std::size_t part = 0;   ///< Turn of its part in a sheet file.
-  std::size_t layer = 0;  ///< Where layers are cut as a whole; else 0.
+  std::size_t part = 0;   ///< Turn of the cut's part in a sheet file.
+  std::size_t layer = 0;  ///< Number of the layer if each layer is cut as a whole, otherwise 0.
   auto operator<=>(const CutTurn&) const = default;
 };
 
-/// Returns the turn that is wished for a cut.
+/// Returns the turn that the user requires for a cut.
 [[nodiscard]] CutTurn wished_turn(const UnbegunCut& cut, Grouping grouping);
 
-/// Returns for each cut how many different turns are before its own.
+/// Returns for each cut how many different turns come before its own.
 [[nodiscard]] std::vector<std::size_t> numbered(const std::vector<CutTurn>& turns);
 
-/// Returns the turns of all cuts: as wished, but for cuts that must come after one of a later turn,
-/// which get that.
-/// @param cuts their `after` has no cycle
+/// Returns the turns of all cuts. They are the required turns, except for a cut that must come
+/// after a cut of a later turn: it gets that later turn.
+/// @param cuts cuts whose `after` has no cycle
 [[nodiscard]] std::vector<CutTurn> turns_of(const std::vector<UnbegunCut>& cuts, Grouping grouping);
 
 }  // namespace sim::cut

@@ -36,7 +36,7 @@ class DoubledLines {
   }
 
   LeftLines find() {
-    std::size_t first = 0;  // The number of the first stroke of a contour.
+    std::size_t first = 0;  // Number of the first stroke of the contour.
     for (const std::size_t i : contours_) {
       if (!outlines_[i].is_beside) leave_out(i, first);
       first += outlines_[i].strokes.size();
@@ -68,12 +68,12 @@ class DoubledLines {
     for (const SharedStretch& stretch : doubled) length_mm_ += stretch.to_mm - stretch.from_mm;
     auto rests =
         outlines_[contour].is_closed ? rests_between(path, doubled) : rests_of_open(path, doubled);
-    // The beam at the ends of the other line comes to all of such a rest.
+    // The beam at the ends of the other line covers such a short rest.
     std::erase_if(rests, [](const auto& rest) { return length_of(rest) < 2.0 * kTouchesMm; });
     left_.rests[contour] = std::move(rests);
   }
 
-  /// Returns the stretches of a stroke along which strokes of lower numbers run.
+  /// Returns the stretches of a stroke along which strokes with lower numbers run.
   [[nodiscard]] std::vector<SharedStretch> stretches_before(std::size_t number) const {
     const Stroke& stroke = strokes_[number];
     std::vector<SharedStretch> stretches;
@@ -104,12 +104,12 @@ class DoubledLines {
 
   const drawing::Drawing& drawn_;
   const std::vector<Outline>& outlines_;
-  std::vector<std::size_t> contours_;  ///< The deepest cut first.
-  std::vector<Stroke> strokes_;        ///< All contours' strokes, in that order.
+  std::vector<std::size_t> contours_;  ///< Numbers of the contours, the deepest cut first.
+  std::vector<Stroke> strokes_;        ///< Strokes of all contours, in the order of `contours_`.
   Clearance near_;
   LeftLines left_;
   std::size_t first_ = 0;  ///< The first contour of which a stretch is left out.
-  Place place_{0.0, 0.0};  ///< Where.
+  Place place_{0.0, 0.0};  ///< Start of the first stretch that is left out.
   double length_mm_ = 0.0;
 };
 

@@ -11,23 +11,26 @@
 
 namespace sim::cut {
 
-/// Shorter stretches of lines that run along others are driven twice, mm.
+/// Shortest length of a stretch that is left out because it runs along another line, mm. Shorter
+/// stretches are driven twice.
 inline constexpr double kShortestDoubledMm = 0.2;
 
 /// Lines without the stretches along which another line is cut.
 struct LeftLines {
-  /// By contour of which a stretch is left out: what is left of its line, open rows in its order;
-  /// empty where nothing is.
+  /// Remaining lines of each contour of which a stretch is left out: open rows in the contour's
+  /// order; empty if nothing remains.
   std::map<std::size_t, std::vector<std::vector<Stroke>>> rests{};
-  std::optional<drawing::Fault> warning{};  ///< How much is left out, and where first.
+  /// Reports the length that is left out, and the first point.
+  std::optional<drawing::Fault> warning{};
 };
 
-/// Leaves out stretches of lines that are cut or engraved on the line where they run along another
-/// line, in either direction and within kTouchesMm: an edge that is cut beside goes before a line
-/// that is cut, that before one that is engraved, and of the rest the one drawn first. A line that
-/// runs back along itself is driven once.
+/// Leaves out stretches of lines that are cut or engraved on the line and that run along another
+/// line. The other line may run in either direction, within kTouchesMm. An edge that is cut next to
+/// its line has precedence over a line that is cut, and this over a line that is engraved. Among
+/// equal ones, the first one drawn has precedence. A line that runs back along itself is driven
+/// once.
 /// @param outlines by contour
-/// @param sides by contour; filled ones are not compared
+/// @param sides by contour; filled contours are not compared
 [[nodiscard]] LeftLines without_doubled(const drawing::Drawing& drawn,
                                         const std::vector<Outline>& outlines,
                                         const std::vector<Side>& sides);

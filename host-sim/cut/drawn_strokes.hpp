@@ -9,17 +9,19 @@
 
 namespace sim::cut {
 
-/// A contour of a drawing as strokes, or why it is none.
+/// A contour of a drawing as strokes, or the reason why there are none.
 struct DrawnStrokes {
   std::vector<Stroke> strokes;
-  std::optional<drawing::Fault> fault;  ///< No strokes then.
+  std::optional<drawing::Fault> fault;  ///< If there is a fault, there are no strokes.
 };
 
-/// Lines and arcs as they are, arcs of at most half a turn; curves as arcs within the tolerance.
-/// @pre as of arcs_of()
+/// Returns the strokes of a contour. Lines stay lines, arcs become arcs of at most half a turn, and
+/// other curves become arcs within the tolerance.
+/// @pre as for arcs_of()
 [[nodiscard]] DrawnStrokes strokes_of(const drawing::DrawnContour& contour,
                                       const OutlineOptions& curves);
-/// Returns the same strokes, with the rows that arcs_of() knows.
+/// Returns the same strokes as strokes_of() without `known`, but fits a repeated row only once.
+/// @param known rows as for arcs_of()
 [[nodiscard]] DrawnStrokes strokes_of(const drawing::DrawnContour& contour,
                                       const OutlineOptions& curves,
                                       KnownRows& known);

@@ -18,17 +18,20 @@
 namespace sim::cut {
 namespace {
 
-/// Drawn edges are looked at so often, mm.
+/// Distance between checked points of drawn edges, mm.
 constexpr double kEdgeEvery = 0.02;
-/// They are the drawing's own curves, not their arcs, as chords that leave them by about this, mm.
+/// Deviation of the chords that replace the curves of drawn edges, mm. Drawn edges are the
+/// drawing's own curves, not the arcs that are cut.
 constexpr double kEdgeChord = 1.0e-5;
-/// The plan's beam touches an edge that it comes to within this, mm; of a curve that was cut as
-/// arcs within this and their tolerance, of a line that two parts share within this and its own.
+/// Distance within which the plan's beam touches an edge, mm. For a curve that is cut as arcs,
+/// their tolerance is added. For a line that two parts share, the line's own tolerance is added.
 constexpr double kTouches = 1.0e-3;
 constexpr double kNoLimit = std::numeric_limits<double>::infinity();
-/// What the beam cuts under conditions that nobody has cut under counts so far around it, mm.
+/// Width around the beam that counts as cut under unknown conditions where no test cut covers them,
+/// mm.
 constexpr double kAroundUnknown = 0.1;
-/// The beam is wider for as long as it pierces, and a little on, mm.
+/// Distance from a pierce within which cuts are not swept, mm, because the beam is wider while it
+/// pierces and shortly after.
 constexpr double kAroundPierce = 0.1;
 
 cnc::AxisArray<double> scales_of(const cnc::Settings& settings) {
@@ -39,7 +42,7 @@ cnc::AxisArray<double> scales_of(const cnc::Settings& settings) {
   return steps;
 }
 
-/// The kerf of a heat input under which nobody may have cut: the laws around the thickness.
+/// Returns the kerf of a heat input that no test cut may cover, from the laws around the thickness.
 std::optional<double> kerf_of_heat(const cnc::kerf::TableView<double>& table,
                                    std::uint32_t thickness_um,
                                    double heat) {
@@ -76,7 +79,7 @@ class EdgeCheck::Sweep final : public TraceSink {
                 sweep({place[0], place[1]});
               }} {
     lay_out_plan();
-    // Motors that follow the kerf leave the path on which energy is measured.
+    // With kerf control, the motors leave the path on which the energy is measured.
     if (simulator.settings().get(cnc::setting::kKerfControl) != 0.0F) {
       simulator.add_sink(heat_);
       return;
@@ -87,7 +90,7 @@ class EdgeCheck::Sweep final : public TraceSink {
   }
 
   void on_row(const TraceRow& row) override {
-    // The output may have gone off just now: the way up to here was lit.
+    // The output may have been switched off only now, so the path up to here was cut.
     const bool lit = row.duty > 0.0F || duty_ > 0.0F;
     duty_ = row.duty;
     if (!lit) return;
@@ -97,26 +100,27 @@ class EdgeCheck::Sweep final : public TraceSink {
   [[nodiscard]] EdgeFigures figures() const;
 
  private:
-  static constexpr double kNear = 2.0;  ///< mm.
+  static constexpr double kNear = 2.0;  ///< Reach of the searches, mm.
 
   struct Sum {
     EdgeFigures figures{};
     double sizes_mm = 0.0;
-    double since_mm = 0.0;  ///< The last place of the profile.
+    double since_mm = 0.0;  ///< Distance since the last point of the profile.
   };
 
-  /// The kerf of the heat there is, around a place of the beam.
+  /// Adds a disc around the beam, with the kerf of the present heat input.
   void sweep(const Place& here) {
     if (pierces_.nearest(here).distance_mm < kAroundPierce) return;
     nearest_ = strokes_.nearest(here, nearest_);
     const LayerPlan& layer = job_.plan.plan_of(job_.plan.cuts[nearest_.owner]);
     if (is_engraved(layer.settings.side)) {
-      joules_per_mm_ = 0.0;  // Nothing is cut through, and the next cut has a heat of its own.
+      joules_per_mm_ = 0.0;  // Nothing is cut through, and the next cut has its own heat input.
       return;
     }
     const double radius = 0.5 * kerf_at(layer);
     swept_.add(here, radius);
-    // All edges around, also where this beam was too narrow to come to them.
+    // This covers all edges around the beam, including those that this beam was too narrow to
+    // reach.
     if (!is_known(layer)) unknown_.add(here, radius + kAroundUnknown);
     const double ratio = ratio_of(layer);
     note_heat(ratio);
@@ -127,7 +131,7 @@ class EdgeCheck::Sweep final : public TraceSink {
 
   void look(const drawing::Shape& edge, double touches_mm, Sum& sum) const;
   void look(const Place& place, double stretch_mm, double touches_mm, Sum& sum) const;
-  /// The place is of the row, if it is far enough from the last one or begins an edge.
+  /// Adds a point to the profile if it is far enough from the last one or begins an edge.
   static void add_to_profile(const EdgePlace& edge, double stretch_mm, Sum& sum);
 
   EnergyMeter::Options options_of(const CutJob& job, Simulator& simulator) {
@@ -152,13 +156,14 @@ class EdgeCheck::Sweep final : public TraceSink {
                         cnc::kerf::heat_input<double>(table_.unit, cut.power_mw, cut.speed_um_min);
     return kerf_of_heat(table_.view(), cut.thickness_um, heat).value_or(layer.condition.kerf_mm);
   }
-  /// Whether somebody has cut so, this power at the speed that has this heat.
+  /// Returns whether test cuts cover this power at the speed that gives the present heat input.
   [[nodiscard]] bool is_known(const LayerPlan& layer) const {
     const cnc::kerf::Condition& cut = layer.condition.cut;
     const auto speeds =
         cnc::kerf::permissible_speeds(table_.view(), cut.thickness_um, cut.power_mw);
     const double speed = cut.speed_um_min / ratio_of(layer);
-    constexpr double kMeasured = 0.01;  // Of heat that is as planned.
+    // Tolerance of the measured heat input when it is as planned.
+    constexpr double kMeasured = 0.01;
     return speeds.ok() && speed >= (1.0 - kMeasured) * speeds.value().least &&
            speed <= (1.0 + kMeasured) * speeds.value().most;
   }
@@ -167,7 +172,7 @@ class EdgeCheck::Sweep final : public TraceSink {
     greatest_ratio_ = std::max(greatest_ratio_, ratio);
   }
 
-  /// The kerf of the plan along its lit strokes.
+  /// Records the kerf of the plan along its strokes with the beam on.
   void lay_out_plan() {
     for (std::size_t index = 0; index < job_.plan.cuts.size(); ++index) {
       const Cut& cut = job_.plan.cuts[index];
@@ -195,11 +200,11 @@ class EdgeCheck::Sweep final : public TraceSink {
   cnc::AxisArray<double> scale_;
   ProgrammedPath path_;
   PathDeviation deviation_;
-  double joules_per_mm_ = 0.0;  ///< Of the window that ends here.
+  double joules_per_mm_ = 0.0;  ///< Heat input of the window that ends here.
   EnergyMeter energy_;
   CourseHeat heat_;
   Clearance strokes_{kNear};
-  Clearance::Nearest nearest_{};  ///< The stroke nearest to the last place.
+  Clearance::Nearest nearest_{};  ///< The stroke nearest to the last point.
   Clearance pierces_{kNear};
   Clearance corners_{kNear};
   PlannedArea planned_;
@@ -222,7 +227,7 @@ void EdgeCheck::Sweep::add_to_profile(const EdgePlace& edge, double stretch_mm, 
   row.push_back(next);
 }
 
-/// Looks at a stretch of a drawn edge; `sum` is of all sizes.
+/// Evaluates a stretch of a drawn edge, and adds it to `sum`.
 void EdgeCheck::Sweep::look(const Place& place,
                             double stretch_mm,
                             double touches_mm,

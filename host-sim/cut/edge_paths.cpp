@@ -9,21 +9,23 @@
 namespace sim::cut {
 namespace {
 
-/// Marks that are no farther apart are one, mm.
+/// Greatest distance between marks that count as one mark, mm.
 constexpr double kSameMark = 1.0e-6;
-/// A path is beside an outline where it is no farther from it than this beyond half a kerf, mm.
+/// Tolerance of a path's offset, mm: a path belongs to an outline if it is at most half a kerf plus
+/// this distance away.
 constexpr double kBeside = 1.0e-3;
-/// Outlines between two shared edges with a common end are no longer, mm.
+/// Greatest length of an outline between two shared edges that have a common end, mm.
 constexpr double kNoGap = 4.0 * kTouchesMm;
 
-/// A shared edge as one of its outlines goes along it, and what comes after it.
+/// The passage of an outline along a shared edge, with the stretch that follows it.
 struct Passage {
   std::size_t edge = 0;
-  bool is_second = false;             ///< The outline is the second one of the edge.
-  std::optional<std::size_t> rest{};  ///< Number of the free stretch after it; none: there is none.
+  bool is_second = false;  ///< The outline is the second one of the edge.
+  /// Number of the free stretch after the edge; nothing if none follows.
+  std::optional<std::size_t> rest{};
 };
 
-/// A stretch of a path around all, between two marks.
+/// A stretch of a path around all outlines, between two marks.
 struct Run {
   double from_mm = 0.0;
   double to_mm = 0.0;
@@ -33,7 +35,7 @@ void append(std::vector<Stroke>& row, const std::vector<Stroke>& more) {
   row.insert(row.end(), more.begin(), more.end());
 }
 
-/// Makes the paths of contours.
+/// Makes the paths of contours that share edges.
 class PathDivider {
  public:
   PathDivider(const std::vector<Outline>& outlines,
@@ -86,13 +88,14 @@ class PathDivider {
   const std::vector<Outline>& outlines_;
   const SharedEdges& shared_;
   double half_;
-  std::vector<MeasuredRow> rows_;                         ///< Paths around all.
-  std::map<std::size_t, std::vector<Passage>> passages_;  ///< By contour, along it.
+  std::vector<MeasuredRow> rows_;  ///< Paths around all outlines.
+  /// Passages of each contour, in the order along it.
+  std::map<std::size_t, std::vector<Passage>> passages_;
   std::vector<FreeStretch> rests_;
-  std::vector<std::vector<Run>> runs_;  ///< By path around all.
+  std::vector<std::vector<Run>> runs_;  ///< Runs on each path around all outlines.
 };
 
-/// Notes the free stretches of an outline.
+/// Records the free stretches of an outline.
 void PathDivider::note_rests(std::size_t contour, std::vector<Passage>& along) {
   const MeasuredRow row{outlines_[contour].strokes};
   for (std::size_t i = 0; i < along.size(); ++i) {
@@ -115,7 +118,8 @@ void PathDivider::note_rests(std::size_t contour, std::vector<Passage>& along) {
   }
 }
 
-/// Returns the path of an outline, begun where it first leaves a shared edge and its neighbour.
+/// Returns the path of an outline. The path begins where it first leaves a shared edge and the node
+/// at the end of this edge.
 std::optional<std::vector<Stroke>> PathDivider::path_of(const std::vector<Passage>& along) {
   std::vector<Stroke> path;
   std::optional<std::size_t> begin;
@@ -135,11 +139,12 @@ std::optional<std::vector<Stroke>> PathDivider::path_of(const std::vector<Passag
   return path;
 }
 
-/// Appends the way along a free stretch, beside the outline.
+/// Appends the path along a free stretch, at the offset from the outline. Returns false if there is
+/// none.
 bool PathDivider::add_run(const FreeStretch& rest, std::vector<Stroke>& path) {
   if (!rest.first || !rest.last || rest.first->loop != rest.last->loop) return false;
   path.push_back({shared_.nodes[rest.from], rest.first->place});
-  // Both ends of a step that is small may lead to one inner corner.
+  // Both ends of a small step may lead to the same inner corner.
   const bool is_step = std::abs(rest.first->way_mm - rest.last->way_mm) <= kSameMark &&
                        rest.length_mm <= kLongestConnector * half_;
   if (!is_step) {
@@ -162,7 +167,7 @@ std::vector<Stroke> PathDivider::strokes_of(std::size_t loop, const Run& run) co
   return strokes;
 }
 
-/// Returns whether the middle of a run is beside an outline.
+/// Returns whether the middle of a run is at the offset from an outline.
 bool PathDivider::is_beside(std::size_t contour, const std::vector<Stroke>& run) const {
   const MeasuredRow row{run};
   const Place middle = row.place(0.5 * row.length());
@@ -171,7 +176,8 @@ bool PathDivider::is_beside(std::size_t contour, const std::vector<Stroke>& run)
   });
 }
 
-/// Returns whether each run ends where the next one begins, once around each path.
+/// Returns whether the runs cover each divided path exactly once: each run ends where the next one
+/// begins.
 bool PathDivider::are_divided_once() {
   for (std::vector<Run>& runs : runs_) {
     std::ranges::sort(runs, {}, &Run::from_mm);

@@ -35,7 +35,7 @@ std::vector<std::string> lines_of(const EdgeFigures& figures) {
                   "corners, slots and tabs are not reached",
                   text_of(figures.most_off_model),
                   figures.untouched_mm),
-      fmt::format("where the beam cuts as somebody has cut at most {}; {:.2f} mm of edges are cut "
+      fmt::format("where power and speed are within those of test cuts at most {}; {:.2f} mm of edges are cut "
                   "otherwise, by the same law",
                   text_of(figures.most_off_known),
                   figures.unknown_mm),

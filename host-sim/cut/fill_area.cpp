@@ -13,9 +13,9 @@ namespace {
 struct RisingEdge {
   Place low{0.0, 0.0};
   Place high{0.0, 0.0};
-  Place centre{0.0, 0.0};  ///< The middle of an arc.
-  double radius = 0.0;     ///< 0: a line.
-  bool is_right = false;   ///< An arc lies to the right of its centre.
+  Place centre{0.0, 0.0};  ///< Centre of the circle of an arc.
+  double radius = 0.0;     ///< Radius of an arc; 0: a line.
+  bool is_right = false;   ///< The arc lies to the right of its centre.
 
   [[nodiscard]] double x_at(double y) const {
     if (radius == 0.0) {
@@ -27,8 +27,8 @@ struct RisingEdge {
   }
 };
 
-/// Finds where rows along x cross closed outlines. Both ends of an edge keep the values that the
-/// edges beside it have, so that each row crosses each outline an even number of times.
+/// Finds the crossings of rows along x with closed outlines. Adjacent edges share the exact
+/// coordinates of their common end, so each row crosses each outline an even number of times.
 class RowCrossings {
  public:
   explicit RowCrossings(double interval_mm) : interval_mm_{interval_mm} {}
@@ -49,7 +49,7 @@ class RowCrossings {
   [[nodiscard]] bool is_too_much() const { return too_much_; }
   /// Returns the number of the first row.
   [[nodiscard]] std::int64_t first_row() const { return first_; }
-  /// Returns where each row crosses the outlines, ascending.
+  /// Returns the x coordinates at which each row crosses the outlines, in ascending order.
   [[nodiscard]] std::vector<std::vector<double>> rows() {
     first_ = std::numeric_limits<std::int64_t>::max();
     std::int64_t last = std::numeric_limits<std::int64_t>::min();
@@ -81,7 +81,7 @@ class RowCrossings {
   }
 
  private:
-  /// Returns the first row at or above a height.
+  /// Returns the number of the first row at or above a height.
   [[nodiscard]] std::int64_t row_from(double y) const {
     auto row = static_cast<std::int64_t>(std::ceil(y / interval_mm_ - 0.5));
     while (y_of(row) < y) ++row;
@@ -94,12 +94,12 @@ class RowCrossings {
     edges_.push_back(edge);
   }
 
-  /// Divides an arc at its highest and lowest points.
+  /// Adds an arc, divided at its highest and lowest points.
   void add_arc(
       const Stroke& stroke, const Place& centre, double radius, double begin, double sweep) {
     constexpr double kHalfTurn = std::numbers::pi;
     const double way = sweep < 0.0 ? -1.0 : 1.0;
-    // The first extreme after the beginning, at an odd multiple of a quarter turn.
+    // Direction of the first extreme after the beginning, an odd multiple of a quarter turn.
     double next = way * (std::floor(way * begin / kHalfTurn + 0.5) + 0.5) * kHalfTurn;
     double at = begin;
     Place from = stroke.from;
@@ -131,13 +131,13 @@ Place turned(const Place& place, const Place& direction) {
           place.x() * direction.y() + place.y() * direction.x()};
 }
 
-/// Appends strokes one after the other.
+/// Builds the path by appending one stroke after the other.
 class FillPath {
  public:
   FillPath(const Place& direction, double overscan_mm)
       : direction_{direction}, overscan_mm_{overscan_mm} {}
 
-  /// Appends a row in the direction that is next.
+  /// Appends a row. The direction alternates from row to row.
   void add_row(const std::vector<double>& crossings, double y) {
     std::vector<std::pair<double, double>> lines;
     for (std::size_t i = 0; i + 1 < crossings.size(); i += 2) {
@@ -168,7 +168,8 @@ class FillPath {
   std::vector<Stroke> take() { return std::move(strokes_); }
 
  private:
-  static constexpr double kShortestMm = 1.0e-3;  ///< Shorter lines and gaps are left out.
+  /// Least length of lines and gaps; shorter ones are left out.
+  static constexpr double kShortestMm = 1.0e-3;
 
   void go(double x, double y, Purpose purpose) {
     const Place to = turned({x, y}, direction_);
@@ -192,7 +193,7 @@ struct Box {
 Box box_of(const std::vector<Stroke>& strokes) {
   Box box{strokes.front().from, strokes.front().from};
   for (const Stroke& stroke : strokes) {
-    // No place of an arc is farther from its middle than this.
+    // Every point of an arc is within this distance of the arc's middle.
     const double reach =
         0.5 * drawing::distance(stroke.from, stroke.to) * std::max(1.0, std::abs(stroke.bulge));
     const Place middle =
@@ -204,13 +205,13 @@ Box box_of(const std::vector<Stroke>& strokes) {
   return box;
 }
 
-/// Sets that are united.
+/// Sets that can be united.
 class UnitedSets {
  public:
   explicit UnitedSets(std::size_t count) : first_(count) {
     std::iota(first_.begin(), first_.end(), std::size_t{0});
   }
-  /// Returns the least member of the set of a member.
+  /// Returns the smallest member of the set that contains a member.
   std::size_t first_of(std::size_t member) {
     while (first_[member] != member) member = first_[member] = first_[first_[member]];
     return member;
@@ -253,7 +254,7 @@ double overscan_for(double speed_mm_s, double angle_deg, const cnc::order::Rapid
   const Place direction = drawing::direction(angle_deg * std::numbers::pi / 180.0);
   const std::array<double, 2> shares{std::abs(direction.x()), std::abs(direction.y())};
   double acceleration = std::numeric_limits<double>::max();
-  double rise_s = 0.0;  // Time until the acceleration is reached.
+  double rise_s = 0.0;  // Time until the acceleration reaches its limit.
   for (std::size_t axis = 0; axis < 2; ++axis) {
     if (shares[axis] < 1.0e-6) continue;
     acceleration = std::min(acceleration, limits.acceleration_mm_s2[axis] / shares[axis]);

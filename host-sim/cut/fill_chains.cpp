@@ -13,12 +13,16 @@
 namespace sim::cut {
 namespace {
 
-constexpr double kLongestLink = 2.0;    ///< Intervals.
-constexpr double kCornerReach = 0.2;    ///< Intervals between a spur and its corner, at most.
-constexpr double kLongestReturn = 3.0;  ///< Intervals, with the beam off, to where a detour begins.
-constexpr double kLongestSpur = 2.0;    ///< Intervals; longer ones are paths of their own.
+/// Greatest distance from a path's end to a row, in intervals.
+constexpr double kLongestLink = 2.0;
+/// Greatest distance between a spur and its corner, in intervals.
+constexpr double kCornerReach = 0.2;
+/// Greatest length, in intervals, of the path with the beam off to the start of a detour.
+constexpr double kLongestReturn = 3.0;
+/// Greatest length of a spur, in intervals; a longer one becomes a path of its own.
+constexpr double kLongestSpur = 2.0;
 
-/// The rows of one level. Their strokes are numbered one row after the other.
+/// The rows of one level. Their strokes are numbered consecutively from row to row.
 class Level {
  public:
   Level(FillRows rows, double interval_mm)
@@ -31,7 +35,7 @@ class Level {
     near_.prepare();
   }
 
-  /// A stroke of a row and a place on it.
+  /// A stroke of a row and a point on it.
   struct On {
     std::size_t row = 0;
     std::size_t stroke = 0;
@@ -41,7 +45,7 @@ class Level {
   [[nodiscard]] std::size_t size() const { return rows_.size(); }
   [[nodiscard]] On begin_of(std::size_t row) const { return {row, 0, rows_[row].front().from}; }
 
-  /// Returns the nearest place of a row; nothing where there is none within reach.
+  /// Returns the nearest point on the rows; nothing if none is within reach.
   [[nodiscard]] std::optional<On> nearest(const Place& place) const {
     const Clearance::Nearest found = near_.nearest(place);
     if (found.stroke == nullptr) return std::nullopt;
@@ -50,7 +54,8 @@ class Level {
     return On{row, found.owner - firsts_[row], nearest_on(*found.stroke, place)};
   }
 
-  /// Takes a spur if there is a corner near its beginning.
+  /// Adds a spur to the level if a corner is near the spur's beginning. Returns whether it was
+  /// added.
   [[nodiscard]] bool take_spur(const FillRest& spur, double reach_mm) {
     const std::optional<On> on = nearest(spur.places.front());
     if (!on) return false;
@@ -64,13 +69,13 @@ class Level {
     return true;
   }
 
-  /// A path that is driven where a row passes the place of its target, and back.
+  /// A path that is driven where a row passes the target point, and then back to this point.
   struct Detour {
     On target{};
     std::vector<Stroke> path{};
   };
 
-  /// Appends a row, from a place on it once around, with detours from it.
+  /// Appends a row from a point on it once around, with the detours from it.
   void drive(const On& from, const std::vector<Detour>& detours, std::vector<Stroke>& path) {
     const std::size_t count = rows_[from.row].size();
     std::vector<Stop> stops;
@@ -90,14 +95,15 @@ class Level {
   }
 
  private:
-  /// Where a row is left for a detour.
+  /// The point at which a detour leaves a row.
   struct Stop {
     std::size_t stroke = 0;
     double share = 0.0;
     const Detour* detour = nullptr;
   };
 
-  /// Returns the share of its stroke at which a place lies; 0 or 1 where that is nearly so.
+  /// Returns the share of its stroke at which a point lies. A share that is nearly 0 or 1 becomes
+  /// exactly 0 or 1.
   [[nodiscard]] double share_of(const On& on) const {
     constexpr double kAtEnd = 1.0e-9;
     const double share = nearest_share(rows_[on.row][on.stroke], on.place);
@@ -153,7 +159,8 @@ class Level {
   FillRows rows_;
   std::vector<std::size_t> firsts_;  ///< Number of the first stroke of each row.
   Clearance near_;
-  std::unordered_map<std::size_t, std::vector<std::vector<Place>>> spurs_;  ///< By number.
+  /// Spurs by the number of the stroke that begins at their corner.
+  std::unordered_map<std::size_t, std::vector<std::vector<Place>>> spurs_;
 };
 
 double length_of(const std::vector<Place>& places) {
@@ -183,14 +190,14 @@ class ChainMaker {
     }
     for (std::size_t level = levels_.size() + 1; level-- > 0;) {
       if (level < levels_.size()) drive_level(level);
-      // A line lies between this level and the one before.
+      // A line lies between this level and the next level outside it.
       for (const FillRest* line : lines[level]) drive_line(*line, level);
     }
     return std::move(paths_);
   }
 
  private:
-  /// Drives all rows of a level, from the paths that end beside them if there are any.
+  /// Drives all rows of a level. Paths that end next to a row continue along it.
   void drive_level(std::size_t number) {
     Level& level = *levels_[number];
     std::vector<std::vector<Level::Detour>> arriving(level.size());
@@ -216,12 +223,14 @@ class ChainMaker {
     }
   }
 
-  /// Returns how far a path that arrives at a row begins from there, mm.
+  /// Returns the distance from the row's target point to the beginning of a path that arrives
+  /// there, mm.
   static double way_back(const Level::Detour& path) {
     return drawing::distance(path.path.front().from, path.target.place);
   }
 
-  /// Takes the path that begins farthest off out of those that arrive at a row; else there is none.
+  /// Removes and returns the path that begins farthest away among the paths that arrive at a row.
+  /// If none arrives, returns an empty path that begins at `begin`.
   static Level::Detour farthest_of(std::vector<Level::Detour>& arriving, const Level::On& begin) {
     if (arriving.empty()) return {.target = begin};
     const auto farthest = std::ranges::max_element(arriving, {}, way_back);
@@ -230,7 +239,7 @@ class ChainMaker {
     return main;
   }
 
-  /// Drives along a line; a spur towards its corner.
+  /// Drives along a line; a spur is driven towards its corner.
   void drive_line(const FillRest& line, std::size_t level) {
     std::vector<Place> places = line.places;
     if (line.is_spur) std::ranges::reverse(places);
@@ -241,7 +250,8 @@ class ChainMaker {
     if (!path.empty()) go_outwards(std::move(path), level);
   }
 
-  /// Keeps a path open if the row before a level is near its end.
+  /// Keeps a path open if a row of the next level outside is near its end. Otherwise the path is
+  /// complete.
   void go_outwards(std::vector<Stroke> path, std::size_t level) {
     const auto next = level > 0 ? levels_[level - 1]->nearest(path.back().to) : std::nullopt;
     if (next) {
@@ -253,7 +263,7 @@ class ChainMaker {
 
   double interval_;
   std::vector<std::unique_ptr<Level>> levels_;
-  std::vector<Level::Detour> open_;  ///< Paths that end beside rows of the next level.
+  std::vector<Level::Detour> open_;  ///< Paths that end next to rows of the next level.
   std::vector<std::vector<Stroke>> paths_;
 };
 

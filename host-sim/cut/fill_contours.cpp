@@ -15,7 +15,7 @@ namespace {
 
 using View = cnc::contour::ContourView<double>;
 
-/// Removes rows so narrow that a line in their middle is in their place.
+/// Removes rows so narrow that a line along their middle replaces them.
 Contour without_slivers(const View& rows, double least_width_mm) {
   Contour kept;
   for (std::size_t row = 0; row < rows.loop_ends.size(); ++row) {
@@ -38,7 +38,8 @@ FillRows rows_of(const Contour& contour) {
   return rows;
 }
 
-/// Moves the edge of an area inwards, row by row. Nothing where that takes too many.
+/// Returns the rows that result from moving the edge of an area inwards, level by level. Returns
+/// nothing if there would be too many rows or strokes.
 std::optional<std::vector<FillRows>> rows_within(const Contour& area, double interval_mm) {
   std::vector<FillRows> levels;
   ContourOffset offset;

@@ -9,27 +9,29 @@
 
 namespace sim::cut {
 
-/// Greatest number of rows, one within the other, and of strokes that fill one area with rows along
-/// its outline.
+/// Greatest number of nested rows along the outline of one area, and greatest number of their
+/// strokes.
 inline constexpr std::size_t kMaxFillLevels = 20'000;
 inline constexpr std::size_t kMaxRowStrokes = 4'000'000;
 
-/// How an area is filled with rows along its outline.
+/// The fill of an area with rows along its outline.
 struct ContourFill {
   std::vector<std::vector<Stroke>> paths{};
-  ThinParts thin{};  ///< Parts that are not filled.
+  ThinParts thin{};  ///< Parts of the area that are not filled.
   bool too_much =
-      false;  ///< There would be more rows or strokes than the greatest number; no path.
+      /// The fill would need more rows or strokes than the greatest number; there are no paths.
+      false;
 };
 
-/// Returns paths that fill an area with rows along its outline: the area that an odd number of the
-/// contours encloses. Rows are one interval apart, the outermost ones half of it inside the edge;
-/// short lines at sharp corners of rows and lines in the middle cover what rows leave.
+/// Returns paths that fill an area with rows along its outline. The area is the set of points that
+/// an odd number of the contours encloses. Rows are one interval apart, and the outermost ones lie
+/// half an interval inside the edge. Short lines at sharp corners of rows, and lines in the middle
+/// of the area, cover the gaps between rows.
 ///
-/// Guarantee: no path is nearer to the edge than half the interval (1e-3 of it). A place that a
-/// disc of the interval's diameter reaches inside the area is no farther from a path than half
-/// the interval and kFillSlack of it.
-/// Throws NoOffset, and std::runtime_error with the place where contours cross in a rounding.
+/// Guarantee: no path is nearer to the edge than half the interval, within 1e-3 of the interval.
+/// Consider a point that a disc of the interval's diameter inside the area can cover. Its distance
+/// to a path is at most half the interval plus kFillSlack of the interval.
+/// Throws NoOffset. Throws std::runtime_error with the point if contours cross by rounding.
 /// @param outlines strokes of closed contours, which may cross
 /// @param interval_mm above 0
 [[nodiscard]] ContourFill contour_fill(const std::vector<std::vector<Stroke>>& outlines,

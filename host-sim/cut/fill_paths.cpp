@@ -16,7 +16,7 @@ namespace {
 using drawing::Fault;
 using drawing::FaultKind;
 
-/// Fills one area and names what is in the way.
+/// Fills one area, and reports what prevents it.
 class AreaFiller {
  public:
   AreaFiller(const std::vector<std::vector<Stroke>>& outlines,

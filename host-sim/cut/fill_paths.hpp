@@ -8,18 +8,18 @@
 
 namespace sim::cut {
 
-/// The paths that fill an area, or why there are none.
+/// The paths that fill an area, or the reason why there are none.
 struct FillPaths {
   std::vector<std::vector<Stroke>> paths{};
   std::vector<drawing::Fault> faults{};
   std::vector<drawing::Fault> warnings{};
 };
 
-/// Returns the paths that fill the area that an odd number of contours encloses, by the pattern of
-/// the settings.
+/// Returns the paths that fill an area with the pattern of the settings. The area is the set of
+/// points that an odd number of contours encloses.
 /// @param outlines strokes of closed contours, none of them empty
-/// @param overscan_mm of parallel lines, 0 or more
-/// @param entity that faults name
+/// @param overscan_mm overscan of parallel lines, 0 or more
+/// @param entity entity that the faults name
 [[nodiscard]] FillPaths fill_paths(const std::vector<std::vector<Stroke>>& outlines,
                                    const FillSettings& fill,
                                    double overscan_mm,

@@ -18,28 +18,31 @@ using pocket::AxisChain;
 using pocket::AxisPoint;
 using pocket::MedialAxis;
 
-constexpr double kAxisTolerance = 0.02;  ///< Share of the interval.
-constexpr double kLeastThin = 2.0;       ///< Intervals; shorter thin parts are corners.
+/// Tolerance of the medial axis, as a share of the interval.
+constexpr double kAxisTolerance = 0.02;
+/// Least length of a thin part, in intervals; shorter ones are corners.
+constexpr double kLeastThin = 2.0;
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
-/// The thing at which a stretch ends.
+/// The kind of a stretch's end.
 enum class EndKind : std::uint8_t {
-  kRow,   ///< A corner of the row of its level.
-  kTip,   ///< A place that the row before just covers.
+  kRow,   ///< A corner of the row of the stretch's level.
+  kTip,   ///< A point that the next row outside just covers.
   kNode,  ///< A node of the axis where stretches meet.
   kLeaf,  ///< A node at which the axis ends.
 };
 
 struct StretchEnd {
   EndKind kind = EndKind::kTip;
-  std::uint32_t node = 0;  ///< Its number; for nodes only.
+  std::uint32_t node = 0;  ///< Number of the node, if the end is a node.
 };
 
-/// A part of a chain of the axis, whose radii lie between those of neighbouring rows and halves.
+/// A part of a chain of the axis within one band. The bounds of a band are the radius at a row and
+/// the radius in the middle between two rows.
 struct Stretch {
   std::vector<AxisPoint> points{};
-  std::vector<double> ways{};  ///< Length from the start to each point, mm.
-  std::size_t band = 0;        ///< Radii are at least this many half intervals.
+  std::vector<double> ways{};  ///< Distance from the start to each point, mm.
+  std::size_t band = 0;        ///< The radii of the stretch are at least this many half intervals.
   StretchEnd from{};
   StretchEnd to{};
 
@@ -54,7 +57,7 @@ struct Stretch {
   }
 };
 
-/// A line along the axis with the nodes at its ends, if there are any.
+/// A line along the axis, with the nodes at its ends, if any.
 struct Ridge {
   FillRest rest{};
   std::vector<std::uint32_t> nodes{};
@@ -83,7 +86,8 @@ class RestFinder {
   }
 
  private:
-  /// Returns the number of half intervals in a radius; a radius that is just so large has no row.
+  /// Returns the number of half intervals in a radius. A radius that only just reaches a row does
+  /// not count as reaching it.
   [[nodiscard]] std::size_t band_of(double radius) const {
     return static_cast<std::size_t>(std::max(radius - kLeastRowWidth * interval_, 0.0) / half_);
   }
@@ -91,7 +95,7 @@ class RestFinder {
     return point.radius - half_ * static_cast<double>(stretch.band);
   }
 
-  /// Cuts a chain where a row, or the middle between two rows, meets it.
+  /// Divides a chain where a row, or the middle between two rows, crosses it.
   void divide(const AxisChain& chain) {
     Stretch stretch{.points = {chain.points.front()}, .ways = {0.0}};
     stretch.from = end_at(chain.from);
@@ -102,7 +106,8 @@ class RestFinder {
       if (is_begun && band != stretch.band) {
         const AxisPoint begin = from;
         const bool rises = band > stretch.band;
-        // The end of one stretch is the beginning of the next one: the lower one's end is higher.
+        // One point is the end of this stretch and the start of the next one. It is the upper limit
+        // of the stretch in the lower band.
         stretch.to.kind = kind_of_limit(stretch.band, rises);
         take(std::exchange(stretch, {.points = {begin}, .ways = {0.0}}));
         stretch.from.kind = kind_of_limit(band, !rises);
@@ -123,12 +128,14 @@ class RestFinder {
   [[nodiscard]] StretchEnd end_at(std::uint32_t node) const {
     return {degrees_[node] == 1 ? EndKind::kLeaf : EndKind::kNode, node};
   }
-  /// Odd bands end at a row below, even ones above.
+  /// Returns the kind of a band's limit. Odd bands end at a row at their lower limit, even bands at
+  /// their upper limit.
   [[nodiscard]] static EndKind kind_of_limit(std::size_t band, bool is_upper) {
     return (band % 2 == 0) == is_upper ? EndKind::kRow : EndKind::kTip;
   }
 
-  /// Goes from one point to another by way of those where the radius is some half intervals.
+  /// Visits the points between two points at which the radius is a whole number of half intervals,
+  /// then the second point.
   template <typename GoTo>
   void go_through(const AxisPoint& from, const AxisPoint& to, const GoTo& go_to) const {
     const double slack = kLeastRowWidth * interval_;
@@ -161,7 +168,7 @@ class RestFinder {
     thin.place = place;
   }
 
-  /// Returns whether rows leave a place of a stretch.
+  /// Returns whether a stretch has a point that the rows do not cover.
   [[nodiscard]] bool is_left(const Stretch& stretch) const {
     const double reach = half_ + kFillSlack * interval_;
     const double length = stretch.length();
@@ -174,7 +181,7 @@ class RestFinder {
            std::ranges::any_of(stretch.ways, is_far);
   }
 
-  /// Adds a line along a stretch, as much shorter as its ends are covered nevertheless.
+  /// Adds a line along a stretch. The line is shortened at ends that are covered without it.
   void cover(const Stretch& stretch) {
     const auto spared = [&](const StretchEnd& end, const AxisPoint& point) {
       if (end.kind == EndKind::kTip) return half_;
@@ -223,7 +230,7 @@ class RestFinder {
     ridges_.push_back(std::move(ridge));
   }
 
-  /// A short line, as a beam may be off at rest.
+  /// Adds a short line instead of a point, because the beam may be off at rest.
   void add_dot(const Place& place, std::size_t level) {
     const Place reach{0.5 * half_, 0.0};
     rests_.lines.push_back({.places = {place - reach, place + reach}, .level = level});
@@ -238,7 +245,7 @@ class RestFinder {
 
   [[nodiscard]] bool ends_at(std::uint32_t node) const { return nodes_.contains(node); }
 
-  /// Makes one line of ridges that meet in nodes, in pairs.
+  /// Joins ridges that meet in nodes, in pairs, to one line.
   void join_ridges() {
     std::map<std::uint32_t, std::vector<std::size_t>> at_node;
     for (std::size_t i = 0; i < ridges_.size(); ++i) {
@@ -260,7 +267,7 @@ class RestFinder {
     }
   }
 
-  /// Appends ridges to the end of one for as long as there are any.
+  /// Appends ridges to the end of a ridge as long as one continues there.
   void lengthen(Ridge& line,
                 const std::map<std::uint32_t, std::vector<std::size_t>>& at_node,
                 std::vector<bool>& is_used) {
@@ -286,11 +293,12 @@ class RestFinder {
   const MedialAxis& axis_;
   double interval_;
   double half_;
-  std::vector<std::size_t> degrees_;  ///< Number of chains' ends at each node.
+  std::vector<std::size_t> degrees_;  ///< Number of chain ends at each node.
   FillRests rests_;
   std::vector<Ridge> ridges_;
-  std::set<std::uint32_t> nodes_;                         ///< Those at which lines end.
-  std::set<std::pair<std::uint32_t, std::size_t>> dots_;  ///< Nodes that are left, with the level.
+  std::set<std::uint32_t> nodes_;  ///< Nodes at which lines end.
+  /// Nodes that the rows do not cover, each with its level.
+  std::set<std::pair<std::uint32_t, std::size_t>> dots_;
 };
 
 }  // namespace

@@ -8,41 +8,42 @@
 
 namespace sim::cut {
 
-/// Rows that follow an outline are as far apart as the interval; a place may be farther from them
-/// than half of it by this share of the interval.
+/// Rows along an outline are one interval apart. A point may be farther from all rows than half the
+/// interval by this share of the interval.
 inline constexpr double kFillSlack = 0.1;
 
-/// A row that is narrower than this share of the interval is none: a line along its middle is in
-/// its place.
+/// Least width of a row, as a share of the interval. A narrower row is replaced by a line along its
+/// middle.
 inline constexpr double kLeastRowWidth = 1.0e-3;
 
-/// A line between rows that follow an outline, along which the beam covers what these leave.
+/// A line between rows along an outline. The beam along it covers the gap between these rows.
 struct FillRest {
-  std::vector<Place> places{};  ///< Two at least.
-  std::size_t level = 0;  ///< Rows beside it that are nearer to the edge have the level before.
-  bool is_spur = false;   ///< It begins at a corner of a row of its own level.
+  std::vector<Place> places{};  ///< At least two points.
+  /// The rows next to this line that are nearer to the edge have the level below.
+  std::size_t level = 0;
+  bool is_spur = false;  ///< The line begins at a corner of a row of its own level.
 };
 
-/// Parts of an area that no disc of the interval's diameter in the area reaches, and that are
-/// longer than two intervals.
+/// Parts of an area that are longer than two intervals and that no disc of the interval's diameter
+/// inside the area can cover.
 struct ThinParts {
   std::size_t count = 0;
-  double length_mm = 0.0;   ///< Length of all.
-  double longest_mm = 0.0;  ///< Length of the longest…
-  Place place{0.0, 0.0};    ///< …and a place in it.
+  double length_mm = 0.0;   ///< Total length of these parts.
+  double longest_mm = 0.0;  ///< Length of the longest part.
+  Place place{0.0, 0.0};    ///< A point in the longest part.
 };
 
-/// What rows leave of an area.
+/// Places of an area that its rows do not cover.
 struct FillRests {
   std::vector<FillRest> lines{};
   ThinParts thin{};
 };
 
-/// Finds where a place of an area would be farther from all rows than half an interval and the
-/// slack: beside sharp corners of rows, and in the middle of an area or in a neck between two rows.
-/// Row number n is n + 1/2 intervals inside the edge. Lines go along the medial axis.
+/// Finds the places of an area whose distance from all rows would exceed half an interval plus the
+/// slack: at sharp corners of rows, in the middle of an area, and in a neck between two rows. Row
+/// number n is n + 1/2 intervals inside the edge. The lines run along the medial axis.
 ///
-/// Throws std::runtime_error with the place where contours cross.
+/// Throws std::runtime_error with the point if contours cross.
 /// @param area closed contours with the area on their left, which may touch
 /// @param interval_mm above 0
 [[nodiscard]] FillRests rests_between_rows(const cnc::contour::ContourView<double>& area,

@@ -6,18 +6,18 @@
 
 namespace sim::cut {
 
-/// Loops narrower than this on average are left out of a filled area, mm.
+/// Least average width of a loop of a filled area, mm. Narrower loops are left out.
 inline constexpr double kLeastFilledWidthMm = 1.0e-4;
 
-/// The places that are inside of contours.
+/// The rule for the points that count as inside of contours.
 enum class FilledBy : std::uint8_t {
-  kOddCount,  ///< Those that an odd number of contours encloses.
-  kTurns,     ///< Those around which the turns of all contours are not 0 in all.
+  kOddCount,  ///< Points that an odd number of contours encloses.
+  kTurns,     ///< Points around which the turns of all contours do not add up to 0.
 };
 
-/// Returns the area inside of closed contours, on the left of its own contours, which never cross:
-/// loops of less than 1e-6 mm² are left out, and those narrower than kLeastFilledWidthMm. Throws
-/// NoOffset where what they enclose does not close.
+/// Returns the area inside closed contours. It is on the left of the returned contours, which never
+/// cross. Loops of less than 1e-6 mm², and loops narrower than kLeastFilledWidthMm, are left out.
+/// Throws NoOffset if the outline of the area does not close.
 /// @param drawn closed contours, which may cross each other and themselves; not empty
 [[nodiscard]] Contour filled_area(const Contour& drawn, FilledBy rule = FilledBy::kOddCount);
 

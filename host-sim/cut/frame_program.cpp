@@ -20,7 +20,7 @@ namespace {
 
 using HullPoint = boost::geometry::model::d2::point_xy<double>;
 
-/// Places along a stroke whose chords leave it by no more than kFrameToleranceMm.
+/// Appends points of a stroke whose chords deviate from it by at most kFrameToleranceMm.
 void add_places(const Stroke& stroke, boost::geometry::model::multi_point<HullPoint>& places) {
   const double chord = drawing::distance(stroke.from, stroke.to);
   const double sweep = 4.0 * std::atan(std::abs(stroke.bulge));
@@ -51,7 +51,7 @@ std::vector<Place> corners_of(const boost::geometry::model::multi_point<HullPoin
   boost::geometry::model::polygon<HullPoint, false> hull;
   boost::geometry::convex_hull(places, hull);
   for (const HullPoint& point : hull.outer()) corners.emplace_back(point.x(), point.y());
-  // The ring ends where it began; that of places on one line repeats its corners.
+  // The ring ends at its first point. The ring of points on one line has repeated corners.
   corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
   while (corners.size() > 1 && corners.back() == corners.front()) corners.pop_back();
   return corners;

@@ -9,31 +9,31 @@
 
 namespace sim::cut {
 
-/// The line around a job that a frame program traces.
+/// The line around a job along which a frame program moves.
 enum class FrameShape : std::uint8_t {
   kHull,  ///< The convex hull of all strokes.
-  kBox,   ///< The upright rectangle around them.
+  kBox,   ///< The upright rectangle around all strokes.
 };
 
-/// How a frame is traced.
+/// Settings for tracing a frame.
 struct FrameSettings {
   FrameShape shape = FrameShape::kHull;
-  double power_share = 0.0;     ///< Of full power, 0…1; 0: beam off.
+  double power_share = 0.0;     ///< Share of full power, 0…1; 0: beam off.
   double feed_mm_min = 3000.0;  ///< Above 0.
 };
 
-/// Greatest distance of a frame from the exact line around the strokes, mm: arcs are taken as
-/// chords that leave them by this at most.
+/// Greatest distance between a frame and the exact line around the strokes, mm. Arcs are replaced
+/// by chords that deviate from them by at most this distance.
 inline constexpr double kFrameToleranceMm = 0.01;
 
-/// Returns the corners of the line around all strokes of a plan, leads included, anticlockwise. The
-/// path given to a controller that finds the way beside parts itself counts as well. Empty without
-/// strokes.
+/// Returns the corners of the line around all strokes of a plan with their leads,
+/// counter-clockwise. Paths for a controller that computes compensated paths itself count, too.
+/// Empty if there are no strokes.
 [[nodiscard]] std::vector<Place> frame_of(const CutPlan& plan, FrameShape shape);
 
 /// Returns the program that traces a frame once and returns to zero. Without power the beam is
-/// never switched on. Throws std::invalid_argument for places that no program can have.
-/// @param frame as frame_of() returns it, with a corner at least
+/// never switched on. Throws std::invalid_argument for points that no program can express.
+/// @param frame as frame_of() returns it, with at least one corner
 /// @param heading lines of comment at the top
 [[nodiscard]] std::string frame_program(const std::vector<Place>& frame,
                                         const FrameSettings& settings,

@@ -9,19 +9,21 @@
 
 namespace sim::cut {
 
-/// An end of a rapid: cuts begin and end where they must, so that areas may be nearer to it than
-/// the rest of the rapid comes.
+/// An end of a rapid. Cuts fix the ends of rapids, so areas may be nearer to an end than the
+/// clearance of the rest of the rapid.
 struct RapidEnd {
   Place place{0.0, 0.0};
-  /// Areas nearer than the clearance, and how far their skins are, mm; negative inside of it.
+  /// Areas nearer than the clearance, each with the distance to its skin, mm. The distance is
+  /// negative inside the area.
   std::vector<std::pair<std::uint32_t, double>> near{};
 };
 
-/// Which straight legs of a rapid keep their distance from areas.
+/// Decides which straight legs of a rapid keep their distance from areas.
 class FreeLegs {
  public:
   /// @param clearance_mm distance to keep, above 0
-  /// @param depth_mm less than this inside of an area is not in it: rounding, at a cut along it
+  /// @param depth_mm a point less deep than this inside of an area does not count as inside; it is
+  /// there by rounding, at a cut along the area
   FreeLegs(const FreedAreas& areas, double clearance_mm, double depth_mm)
       : areas_{&areas}, clearance_mm_{clearance_mm}, depth_mm_{depth_mm} {}
 
@@ -29,19 +31,20 @@ class FreeLegs {
   [[nodiscard]] double clearance_mm() const { return clearance_mm_; }
   [[nodiscard]] double depth_mm() const { return depth_mm_; }
 
-  /// Returns an end with the areas that are near.
+  /// Returns the end of a rapid at a point, with the areas near it.
   [[nodiscard]] RapidEnd end_at(const Place& place) const;
 
-  /// Returns an area in which a place is, deeper than the rounding, other than `but`.
+  /// Returns an area other than `but` that contains the point deeper than `depth_mm`.
   [[nodiscard]] std::optional<std::uint32_t> area_around(
       const Place& place, std::optional<std::uint32_t> but = std::nullopt) const;
 
-  /// Returns an area that a place is in or too near to.
+  /// Returns an area that contains the point or is nearer to it than the clearance.
   [[nodiscard]] std::optional<std::uint32_t> area_at(const Place& place) const;
 
-  /// Returns an area, other than `but`, that keeps a straight leg from being driven: it comes too
-  /// near, or nearer than those of its ends that are nearer anyway.
-  /// @pre no place of the leg's ends is inside of another area
+  /// Returns an area, other than `but`, that prevents a straight leg. Such an area comes nearer
+  /// than the clearance. An area that is already nearer to an end of the leg prevents it only by
+  /// coming even nearer than at that end.
+  /// @pre no end of the leg is inside of another area
   [[nodiscard]] std::optional<std::uint32_t> blocker(
       const Place& from,
       const Place& to,

@@ -10,34 +10,40 @@
 
 namespace sim::cut {
 
-/// Areas by their place in the plane, so that few are measured for what is near a place or a
-/// segment. Areas come and go; each has a number that its owner chooses.
+/// Index of areas by their position in the plane, so that a search near a point or a segment
+/// measures few of them. Areas are added and removed. Each has a number that its owner chooses.
 class FreedAreas {
  public:
   using Box = LoopArea::Box;
 
-  /// @param cell_mm size of the cells of the plane, above 0; about that of an area is fast
+  /// @param cell_mm size of the cells of the plane, above 0; a cell about as large as an area is
+  /// fast
   explicit FreedAreas(double cell_mm) : cell_mm_{cell_mm} {}
 
   void add(std::uint32_t number, std::shared_ptr<const LoopArea> area);
   void remove(std::uint32_t number);
 
   [[nodiscard]] bool has(std::uint32_t number) const { return areas_.contains(number); }
+  /// Returns the area with this number.
   /// @pre has(number)
   [[nodiscard]] const LoopArea& area(std::uint32_t number) const { return *areas_.at(number); }
 
-  /// Calls `visit(number, area)` once for each area whose box meets the box, until one returns
-  /// true; returns whether one did. The order of the areas is that of the cells along x and y.
+  /// Calls `visit(number, area)` once for each area whose box meets `box`, until a call returns
+  /// true. Returns whether a call returned true. The order of the areas is that of the cells along
+  /// x and y.
   template <typename Visit>
   bool visit_near(const Box& box, Visit&& visit) const;
 
-  /// The same for the boxes that a segment meets, grown by so many mm, roughly from its start on.
+  /// Calls `visit(number, area)` once for each area whose box meets a segment grown by `mm`,
+  /// approximately in the order from its start, until a call returns true. Returns whether a call
+  /// returned true.
   template <typename Visit>
   bool visit_along(const Place& from, const Place& to, double mm, Visit&& visit) const;
 
  private:
   using Cell = std::vector<std::uint32_t>;
-  /// Areas with more cells are in a list that every search goes through.
+  /// Greatest number of cells of an area. Larger areas are in a list that every search reads in
+  /// full.
   static constexpr double kMaxCells = 1024.0;
 
   [[nodiscard]] std::int64_t cell_of(double mm) const;
@@ -57,7 +63,7 @@ class FreedAreas {
   std::unordered_map<std::uint32_t, std::shared_ptr<const LoopArea>> areas_;
   std::unordered_map<std::int64_t, Cell> cells_;
   Cell large_;
-  /// The last search that met an area, by number.
+  /// Number of the last search that met each area, by the number of the area.
   mutable std::vector<std::uint64_t> met_;
   mutable std::uint64_t search_ = 0;
 };
@@ -105,7 +111,8 @@ bool FreedAreas::visit_along(const Place& from, const Place& to, double mm, Visi
   begin_search();
   const Box all = grown(box_between(from, to), mm);
   if (visit_row(large_, all, visit)) return true;
-  // Pieces no longer than a cell, each with the cells of its own box.
+  // Divide the segment into pieces no longer than a cell, and visit the cells of each piece's own
+  // box.
   const double length = std::hypot(to.x() - from.x(), to.y() - from.y());
   const auto pieces = static_cast<std::int64_t>(length / cell_mm_) + 1;
   Place begin = from;

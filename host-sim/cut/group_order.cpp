@@ -15,7 +15,7 @@ using cnc::order::Index;
 
 cnc::order::Place plain(const Place& place) { return {place.x(), place.y()}; }
 
-/// The problem of one group, with the beginning that each candidate stands for.
+/// The ordering problem of one group, with the beginning that belongs to each candidate.
 class GroupProblem {
  public:
   GroupProblem(const std::vector<UnbegunCut>& cuts,
@@ -48,9 +48,9 @@ class GroupProblem {
   const RapidCost& cost_;
   const GroupTask& task_;
   order::OrderProblem problem_;
-  std::vector<double> own_;  ///< By candidate.
+  std::vector<double> own_;  ///< Own cost by candidate.
   std::vector<const Beginning*> beginning_;
-  bool has_leads_ = false;  ///< Some closed cut ends elsewhere than it begins.
+  bool has_leads_ = false;  ///< Some closed cut ends at another point than it begins.
 };
 
 void GroupProblem::add_home() {
@@ -70,13 +70,13 @@ void GroupProblem::add_cut(const UnbegunCut& cut) {
   const auto first = static_cast<Index>(problem_.entry.size());
   for (std::size_t i = 0; i < count; ++i) {
     const Beginning& beginning = cut.beginnings[i];
-    // An open line has its other direction beside it.
+    // The two candidates of an open line are its two directions.
     const bool is_line = count == 2 && cut.beginnings[1].is_backwards;
     problem_.entry.push_back(plain(beginning.entry));
     problem_.exit.push_back(plain(beginning.exit));
     problem_.reversed.push_back(static_cast<Index>(is_line ? first + 1 - i : first + i));
     has_leads_ = has_leads_ || (!is_line && beginning.entry != beginning.exit);
-    // Searches turn stretches round, which must not change what the lines in them cost.
+    // Searches reverse stretches of the order. This must not change the own cost of lines in them.
     own_.push_back(is_line ? 0.5 * (cut.own_cost_of(0) + cut.own_cost_of(1)) : cut.own_cost_of(i));
     beginning_.push_back(&beginning);
   }
@@ -94,8 +94,8 @@ void GroupProblem::add_pairs() {
   }
 }
 
-/// Begins and ends all closed cuts in the middle between their ends: rapids are then the same in
-/// both directions, so that a search may turn stretches round.
+/// Returns a problem in which each closed cut begins and ends in the middle between its ends.
+/// Rapids are then the same in both directions, so a search may reverse stretches.
 order::OrderProblem GroupProblem::made_symmetric() const {
   order::OrderProblem problem = problem_;
   problem.is_symmetric = true;
@@ -121,7 +121,8 @@ order::OrderResult GroupProblem::run(const order::OrderProblem& problem,
                                    precedence.value(),
                                    is_symmetric,
                                    problem.is_home_closed};
-  constexpr std::size_t kMaxKept = 1024;  // Candidates whose legs' costs fit near the processor.
+  // Greatest number of candidates for which a table of leg costs fits into the cache.
+  constexpr std::size_t kMaxKept = 1024;
   LegCost cost{{{problem.entry, problem.exit}, own_, !task_.to}, cost_};
   std::vector<double> table;
   if (options.method == order::OrderMethod::kOurs && problem.entry.size() <= kMaxKept) {
@@ -168,8 +169,8 @@ GroupResult GroupProblem::result_of(const order::OrderResult& result) const {
 }
 
 GroupResult GroupProblem::solve(const order::OrderProgress& progress) {
-  constexpr std::size_t kMaxProven = 13;  // Cuts of which a proof costs little.
-  constexpr double kTurningShare = 0.6;   // Of the search.
+  constexpr std::size_t kMaxProven = 13;  // Greatest number of cuts for which a proof costs little.
+  constexpr double kTurningShare = 0.6;   // Share of the search that solves the symmetric problem.
   order::OrderOptions options;
   options.method = task_.method;
   options.seconds = task_.seconds;
@@ -199,17 +200,18 @@ GroupResult GroupProblem::solve(const order::OrderProgress& progress) {
 }  // namespace
 
 std::uint64_t usual_steps(std::size_t cuts, std::size_t candidates) {
-  // Legs that are compared in a step: all choose again in a small group, else those around.
+  // Number of legs that one step compares. In a small group all cuts choose their candidates again,
+  // otherwise only the nearby ones.
   const double of_a_cut = static_cast<double>(candidates) / static_cast<double>(cuts);
-  constexpr double kFewCuts = 64.0;  // As Search has it.
+  constexpr double kFewCuts = 64.0;  // Same value as in Search.
   const double count = static_cast<double>(cuts);
   const double chosen = count <= kFewCuts ? count : 24.0;
   const double legs_of_step = 3000.0 + 2.0 * chosen * of_a_cut * of_a_cut;
-  constexpr double kLegs = 8.0e6;  // Of a small group.
+  constexpr double kLegs = 8.0e6;  // Number of legs for a small group.
   constexpr double kLegsOfCut = 0.12e6;
   constexpr double kMaxLegs = 1.2e9;
   const double legs = std::clamp(kLegsOfCut * count, kLegs, kMaxLegs);
-  // Each cut is tried once at least.
+  // Each cut is tried at least once.
   return static_cast<std::uint64_t>(std::max(legs / legs_of_step, 2.0 * count));
 }
 

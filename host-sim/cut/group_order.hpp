@@ -9,18 +9,18 @@
 
 namespace sim::cut {
 
-/// How a group of cuts is ordered.
+/// Settings for ordering a group of cuts.
 struct GroupTask {
   order::OrderMethod method = order::OrderMethod::kOurs;
-  bool only_usual = false;  ///< The first beginning of each cut only.
+  bool only_usual = false;  ///< Use only the first beginning of each cut.
   Place from{0.0, 0.0};
-  std::optional<Place> to{};  ///< Nothing: another group follows.
+  std::optional<Place> to{};  ///< End point of the group's path; nothing if another group follows.
   std::uint64_t seed = 1;
   std::optional<double> seconds{};
-  /// Bounds the search instead of usual_steps(), where neither seconds are given nor a proof is
-  /// worth while.
+  /// Number of steps that bounds the search instead of usual_steps(). It is used if no seconds are
+  /// given and no proof is worthwhile.
   std::optional<std::uint64_t> steps{};
-  /// An order of the same cuts to begin a search with, with beginnings of their lists; may be
+  /// Order of the same cuts with which a search begins, with beginnings from their lists; may be
   /// empty.
   std::vector<OrderedCut> start{};
 };
@@ -30,14 +30,14 @@ struct GroupResult {
   bool is_proven = false;
 };
 
-/// Returns how many steps a search takes that is not bounded by time: as many as take about a
-/// second for 1,000 cuts, and 20 s at most.
+/// Returns the number of steps of a search that is not bounded by time: the steps that take about a
+/// second for 1,000 cuts, and at most 20 s.
 /// @param candidates number of beginnings of all cuts
 [[nodiscard]] std::uint64_t usual_steps(std::size_t cuts, std::size_t candidates);
 
-/// Orders some of the cuts by the solver of published problems: sets are cuts, candidates their
-/// beginnings.
-/// @param members numbers of the cuts; what they must come after and is not among them is done
+/// Orders some of the cuts with the solver for published problems: a set is a cut, and its
+/// candidates are its beginnings.
+/// @param members numbers of the cuts; a cut in their `after` that is not a member counts as done
 [[nodiscard]] GroupResult order_group(const std::vector<UnbegunCut>& cuts,
                                       const std::vector<std::size_t>& members,
                                       const RapidCost& cost,

@@ -5,12 +5,12 @@
 namespace sim::cut {
 namespace {
 
-/// After this many times of fading nothing is left to be seen.
+/// Number of fading times after which the heat is no longer visible.
 constexpr double kMaxFadings = 5.0;
 
 bool is_pierced(const Cut& cut) { return cut.strokes.front().purpose != Purpose::kLink; }
 
-/// When each cut begins, s.
+/// Returns the time at which each cut begins, s.
 std::vector<double> pierce_times(const CutPlan& plan, const Timeline& timeline) {
   std::vector<double> times(plan.cuts.size(), 0.0);
   for (std::size_t i = timeline.steps.size(); i-- > 0;) {

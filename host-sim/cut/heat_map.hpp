@@ -8,19 +8,19 @@
 
 namespace sim::cut {
 
-/// Where the beam cut, and when, so that the next pierce can keep off what is still hot.
+/// Points and times of the beam's cuts, so that the next pierce can keep away from hot spots.
 class HeatMap {
  public:
-  /// @param distance_mm within which heat counts, above 0
-  /// @param lasts_s for which it counts after the cut, above 0
+  /// @param distance_mm distance within which heat counts, above 0
+  /// @param lasts_s time after the cut during which heat counts, above 0
   HeatMap(double distance_mm, double lasts_s);
 
   /// Adds a stroke with the beam on. Strokes are added in the order of time.
   void add(const Stroke& stroke, double begin_s, double end_s);
 
-  /// Returns the time from which on a place may be pierced, s; −infinity where nothing near was
-  /// cut. Distances are right within 1/16 of the distance that counts, times within that of a
-  /// stretch of this length: never too short.
+  /// Returns the earliest time at which a point may be pierced, s; −infinity if nothing near it was
+  /// cut. Distances are accurate to 1/16 of the distance within which heat counts. Times are
+  /// accurate to the time of a stretch of this length. The result is never too early.
   [[nodiscard]] double cool_from(const Place& place, double now_s) const;
 
  private:
@@ -33,10 +33,10 @@ class HeatMap {
     return column * (std::int64_t{1} << 32) + row;
   }
 
-  double step_mm_;   ///< Of a stretch that is one spot.
-  double reach_mm_;  ///< From the middle of a stretch to the farthest place that counts.
+  double step_mm_;   ///< Length of a stretch that is one spot.
+  double reach_mm_;  ///< Distance from the middle of a stretch to the farthest point that counts.
   double lasts_s_;
-  /// Spots by cells of the reach, the latest last.
+  /// Spots by cells as large as `reach_mm_`, the latest spot last.
   std::unordered_map<std::int64_t, std::vector<Spot>> cells_;
 };
 

@@ -5,17 +5,17 @@
 
 namespace sim::cut {
 
-/// Returns the time that a straight rapid takes at least, s: without acceleration.
+/// Returns the least time of a straight rapid, s: without acceleration.
 [[nodiscard]] double least_time(const Place& from,
                                 const Place& to,
                                 const cnc::order::RapidLimits& limits);
 
-/// Returns the time that a stroke takes at least, s: at the feed of its layer, a pierce as long as
-/// it lasts, and its dwell.
+/// Returns the least time of a stroke, s: at the feed of its layer, for a pierce its set time, with
+/// the dwell added.
 [[nodiscard]] double least_time(const Stroke& stroke, const LayerPlan& layer);
 
-/// Returns the feed at which a stroke is programmed, mm/s: that of its layer, or so low that a
-/// pierce takes its time.
+/// Returns the programmed feed of a stroke, mm/s: the feed of its layer, or for a pierce a lower
+/// feed at which the pierce takes its set time.
 [[nodiscard]] double feed_of(const Stroke& stroke, const LayerPlan& layer);
 
 }  // namespace sim::cut

@@ -15,21 +15,23 @@ namespace {
 
 using drawing::FaultKind;
 
-/// A cut may be nearer to a drawn edge by this before it is reported, mm.
+/// Distance by which a cut may be too near to a drawn edge before it is reported, mm.
 constexpr double kGougeSlack = 1.0e-4;
-/// Parts that lie against each other along less than this do not, mm.
+/// Least length along which parts must touch to count as lying against each other, mm.
 constexpr double kShortestTouch = 0.1;
-constexpr double kLookForGougesEvery = 0.01;  ///< For the place of the worst, mm.
-constexpr double kLookForRestsEvery = 0.05;   ///< mm.
+/// Distance between checked points in the search for the worst point, mm.
+constexpr double kLookForGougesEvery = 0.01;
+/// Distance between checked points in the search for uncut stretches, mm.
+constexpr double kLookForRestsEvery = 0.05;
 
-/// What the beam removes beside paths. The stroke of the path that was nearest to a place is mostly
-/// near to the next one.
+/// The area that the beam removes along paths. The stroke of a path that was nearest to one point
+/// is usually near the next point, too, and is tried first.
 class Covering {
  public:
-  /// @param reach_mm from the path, mm
+  /// @param reach_mm distance from the paths up to which the beam removes material, mm
   Covering(const Clearance& paths, double reach_mm) : paths_{paths}, reach_mm_{reach_mm} {}
 
-  /// Returns by how much the reach exceeds the distance of a place, or less than that, with its
+  /// Returns the reach minus the distance of a point to the paths, or a smaller number of the same
   /// sign.
   double spare_at(const Place& place) {
     const double known = last_ == nullptr ? -1.0 : reach_mm_ - distance_to(*last_, place);
@@ -38,12 +40,12 @@ class Covering {
     if (nearest.stroke != nullptr) last_ = nearest.stroke;
     return reach_mm_ - nearest.distance_mm;
   }
-  /// Returns whether all of a stroke beyond a share of it is within reach of the stroke of the path
-  /// that is within reach of the place there; false where it is not certain.
-  /// @pre spare_at() was 0 or more at that place
+  /// Returns whether the rest of a stroke after `share` is within reach of one stroke of the path:
+  /// the stroke that covers the point at `share`. Returns false if this is not certain.
+  /// @pre spare_at() returned 0 or more at that point
   [[nodiscard]] bool holds_rest_of(const Stroke& stroke, double share) const {
     if (stroke.bulge == 0.0 && last_->bulge == 0.0) {
-      // The distance from a line is convex along another one.
+      // The distance from a line is a convex function along another line.
       return distance_to(*last_, stroke.to) <= reach_mm_;
     }
     return stroke.bulge * last_->bulge > 0.0 && holds_rest_of_arc(stroke, share);
@@ -57,8 +59,9 @@ class Covering {
   const Stroke* last_ = nullptr;
 };
 
-/// Around nearly one centre the distance is the difference of the radii, and more only where the
-/// stroke sweeps beyond the ends of the path's arc.
+/// Returns whether the rest of an arc is within reach of the path's arc. If both arcs have nearly
+/// the same centre, their distance is the difference of the radii. It is larger only where the
+/// stroke extends beyond the ends of the path's arc.
 bool Covering::holds_rest_of_arc(const Stroke& stroke, double share) const {
   constexpr double kAheadOfStart = 0.25 * std::numbers::pi;
   const Place centre = arc_centre(*last_);
@@ -93,7 +96,8 @@ std::optional<drawing::Fault> gouge_of(const drawing::Drawing& drawn,
     if (is_clear) where = stroke.to;
     is_clear = false;
     const auto looks = static_cast<int>(std::ceil(length_of(stroke) / kLookForGougesEvery));
-    for (int k = 1; k <= looks; ++k) {  // The start is the end of the stroke before.
+    // The start of a stroke is the end of the previous one, so it is not checked.
+    for (int k = 1; k <= looks; ++k) {
       const Place place = place_at(stroke, static_cast<double>(k) / looks);
       const Clearance::Nearest nearest = edges.nearest(place);
       if (nearest.distance_mm >= worst.distance_mm) continue;
@@ -180,7 +184,7 @@ std::vector<Rest> rests_along(const std::vector<Stroke>& outline,
       if (spare >= 0.0) {
         end_rest();
         if (covering.holds_rest_of(stroke, static_cast<double>(k) / looks)) break;
-        // No place that is so near to this one is farther than the kerf.
+        // Every point of the outline within this distance is also within the kerf of a path.
         k += static_cast<int>(spare * looks / length);
       } else {
         rest.push_back(place);

@@ -11,8 +11,8 @@
 
 namespace sim::cut {
 
-/// Returns a fault at the point where the path of a cut would take most off a part, if it takes
-/// any.
+/// Returns a fault at the point where the path of a cut would take most off a part, or nothing if
+/// it takes nothing off any part.
 /// @param contour number of the contour in the drawing
 /// @param edges all drawn edges, each with the number of its contour
 [[nodiscard]] std::optional<drawing::Fault> gouge_of(const drawing::Drawing& drawn,
@@ -21,8 +21,8 @@ namespace sim::cut {
                                                      const Clearance& edges,
                                                      double half_kerf_mm);
 
-/// Returns a fault where a part lies against another one, edge to edge, if it does anywhere: no cut
-/// between them leaves both at their size. It names the longest such edge, at its middle.
+/// Returns a fault if a part lies against another one, edge to edge: no cut between them leaves
+/// both at their size. The fault names the longest such edge, at its middle.
 /// @param contour number of the contour in the drawing
 /// @param outlines one for each contour
 /// @param edges all drawn edges, each with the number of its contour
@@ -35,20 +35,20 @@ namespace sim::cut {
 
 /// A stretch of a drawn line that stays uncut.
 struct Rest {
-  Place place{0.0, 0.0};  ///< In its middle.
+  Place place{0.0, 0.0};  ///< Middle point of the stretch.
   double length_mm = 0.0;
 };
 
-/// Returns the stretches of a drawn line to which the beam does not come near: farther than a kerf
-/// instead of half of one, as in slots and in corners sharper than 60 degrees.
+/// Returns the stretches of a drawn line that are farther from the beam's path than a kerf, instead
+/// of half a kerf. Such stretches occur in slots and in corners sharper than 60 degrees.
 /// @param loops all paths of the beam along this outline
-/// @param reach_mm at least the kerf; no path that is farther off matters
+/// @param reach_mm at least the kerf; a path farther away than this does not matter
 [[nodiscard]] std::vector<Rest> rests_along(const std::vector<Stroke>& outline,
                                             const std::vector<std::vector<Stroke>>& loops,
                                             double half_kerf_mm,
                                             double reach_mm);
 
-/// Returns a warning for each of them.
+/// Returns a warning for each stretch that stays uncut.
 [[nodiscard]] std::vector<drawing::Fault> rests_of(const drawing::Entity& entity,
                                                    const std::vector<Rest>& rests,
                                                    double half_kerf_mm);

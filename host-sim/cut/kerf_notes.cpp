@@ -10,20 +10,20 @@
 namespace sim::cut {
 namespace {
 
-/// Widths nearer to each other are one for any use of them, mm.
+/// Difference of kerfs below which they count as equal, mm.
 constexpr double kSameKerfMm = 0.001;
 
 const char* unit_option(cnc::kerf::HeatUnit unit) {
   return unit == cnc::kerf::HeatUnit::kJoulesPerMillimetre ? "J/mm" : "printed";
 }
 
-/// A sentence for each kerf that another unit would change.
+/// Adds a note for each kerf that would differ with another unit.
 void add_other_unit(const MaterialRecord& record,
                     const MaterialRecord& other,
                     const std::vector<LayerPlan>& layers,
                     std::set<std::string>& notes) {
   for (const LayerPlan& layer : layers) {
-    if (layer.condition.kerf_mm <= 0.0) continue;  // It is not cut.
+    if (layer.condition.kerf_mm <= 0.0) continue;  // The layer is not cut.
     const auto found = predict(other, layer.condition.cut);
     if (!found.ok()) continue;
     if (std::abs(found.value().kerf_mm - layer.condition.kerf_mm) < kSameKerfMm) continue;
@@ -37,7 +37,7 @@ void add_other_unit(const MaterialRecord& record,
   }
 }
 
-/// Empty where the record is of this laser.
+/// Returns a note about the laser of a record; empty if it is this laser.
 std::string note_of_laser(const MaterialRecord& record, const std::string& laser) {
   if (!record.calibrated) {
     return fmt::format("the kerf of {} was not measured on this machine: {}; {}",

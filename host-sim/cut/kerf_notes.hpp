@@ -8,21 +8,23 @@
 
 namespace sim::cut {
 
-/// Whether a record is of test cuts by this laser. Without a name on either side it is not known,
-/// and false.
+/// Returns whether a record has test cuts made with this laser. Returns false if either side has no
+/// name, because then this is not known.
 [[nodiscard]] bool is_measured_here(const MaterialRecord& record, const std::string& laser);
 
-/// Notes on the kerf that a job counts on, for its user: that it was not measured on this machine,
-/// or that this is not known, and its width by a record of the same material with another unit of
-/// Q.
-/// @param laser the name of this machine's laser; empty where the user gave none
-/// @param others records of the same name; that with the unit of `record` does not count
+/// Returns notes for the user about the kerf of a job. A note says that the kerf was not measured
+/// on this machine, or that this is not known. Another note gives the kerf by a record of the same
+/// material that has another unit of Q.
+/// @param laser the name of this machine's laser; empty if the user gave none
+/// @param others records of the same name; a record with the same unit of Q as `record` does not
+/// count
 [[nodiscard]] std::vector<std::string> kerf_notes(const MaterialRecord& record,
                                                   const std::string& laser,
                                                   const std::vector<MaterialRecord>& others,
                                                   const std::vector<LayerPlan>& layers);
 
-/// The text in lines of at most `width` characters, but for longer words.
+/// Returns a text broken into lines of at most `width` characters. Only a longer word makes a
+/// longer line.
 [[nodiscard]] std::vector<std::string> wrapped(const std::string& text, std::size_t width);
 
 }  // namespace sim::cut

@@ -7,10 +7,11 @@
 
 namespace sim::cut {
 
-/// Returns a fault for each pair of layers, and each pair of parts of a sheet file, of which the
-/// one is to be cut first but has the other inside it: nothing is cut free before what lies in it.
-/// Each names the first such contour and the number of others.
-/// @param cuts with their contours, in the order of `unbegun`
+/// Returns a fault for each pair of layers, and each pair of parts of a sheet file, whose required
+/// order is impossible. This is so if the one to be cut first has the other inside it: nothing is
+/// cut free before the cuts inside it are done. Each fault names the first such contour and the
+/// number of others.
+/// @param cuts cuts with their contours, in the order of `unbegun`
 [[nodiscard]] std::vector<drawing::Fault> late_cuts(const drawing::Drawing& drawn,
                                                     const std::vector<Cut>& cuts,
                                                     const std::vector<UnbegunCut>& unbegun);

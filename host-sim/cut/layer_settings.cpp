@@ -14,19 +14,20 @@
 namespace sim::cut {
 namespace {
 
-constexpr double kLongestWay = 1000.0;     ///< mm, of leads, tabs and overcuts.
-constexpr double kLongestPierce = 60.0;    ///< s, of pierces and dwells.
-constexpr double kGreatestNumber = 1.0e6;  ///< W and mm/min.
+constexpr double kLongestWay = 1000.0;     ///< Greatest length of leads, tabs and overcuts, mm.
+constexpr double kLongestPierce = 60.0;    ///< Greatest time of pierces and dwells, s.
+constexpr double kGreatestNumber = 1.0e6;  ///< Greatest power in W and feed in mm/min.
 constexpr unsigned kMostTabs = 1000;
-constexpr double kMaxCommonLine = 1.0;  ///< mm.
-constexpr double kMaxNarrow = 1.0;      ///< mm.
-constexpr double kDeepestStep = 100.0;  ///< mm, of Z with each pass.
+constexpr double kMaxCommonLine = 1.0;  ///< Greatest distance of cuts that become one, mm.
+/// Greatest width that a cut in narrow waste may take off, mm.
+constexpr double kMaxNarrow = 1.0;
+constexpr double kDeepestStep = 100.0;  ///< Greatest step of Z with each pass, mm.
 constexpr std::string_view kAnyLayer = "*";
 constexpr std::string_view kRuleForm = "rule `LAYER: key=value, key=value`";
 
-/// Keys that only a filled layer has; a picture has two of them.
+/// Keys that are only for a filled layer; two of them are also for a layer of pictures.
 constexpr std::array<std::string_view, 4> kFillKeys{"interval", "angle", "overscan", "pattern"};
-/// Keys of a line that is engraved.
+/// Keys that are valid for an engraved line.
 constexpr std::array<std::string_view, 10> kMarkKeys{
     "power", "feed", "side", "kind", "start", "rank", "passes", "passes-by", "z-step", "air"};
 
@@ -59,14 +60,14 @@ bool holds(const std::array<std::string_view, kCount>& keys, std::string_view ke
   return std::ranges::find(keys, key) != keys.end();
 }
 
-/// Returns whether a layer of pictures has a setting.
+/// Returns whether a layer of pictures has this setting.
 bool is_for_image(std::string_view key) {
   if (key == "start" || key == "z-step") return false;
   if (key == "angle" || key == "pattern") return false;
   return holds(kImageKeys, key) || holds(kFillKeys, key) || holds(kMarkKeys, key);
 }
 
-/// Throws std::invalid_argument for what a layer of this side cannot have.
+/// Throws std::invalid_argument if a rule has keys that a layer of this side cannot have.
 void expect_of_side(const LayerRule& rule, const LayerSettings& settings) {
   const Side side = settings.side;
   const bool has_lines = settings.fill.pattern == FillPattern::kLines;
@@ -155,7 +156,7 @@ unsigned count_from(std::string_view key, std::string_view text, double least, c
   return static_cast<unsigned>(number_from(key, text, least, kMostTabs, unit));
 }
 
-/// All keys but those of pictures, and what they set.
+/// All keys except those of pictures, with the functions that set them.
 constexpr std::array<KeySetter, 25> kSetters{{
     {"power", set_power},
     {"feed",
@@ -250,7 +251,7 @@ constexpr std::array<KeySetter, 25> kSetters{{
      }},
 }};
 
-/// Throws std::invalid_argument with the place for keys and values that mean nothing.
+/// Throws std::invalid_argument, which names the place, for unknown keys and invalid values.
 void expect_settings(const LayerRule& rule) {
   LayerSettings tried;
   try {
@@ -336,7 +337,7 @@ LayerSettings settings_for(const drawing::Layer& layer,
     }
     return settings;
   };
-  // Single strokes have no side.
+  // Text of single strokes has no inside, so it cannot be cut at an offset.
   const bool is_stroke_text = layer.colour == drawing::kStrokeTextColour;
   LayerSettings base = common;
   if (is_stroke_text) base.side = Side::kMark;

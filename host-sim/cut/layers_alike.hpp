@@ -7,11 +7,11 @@
 
 namespace sim::cut {
 
-/// Returns groups of layers that are cut beside their lines in the same way, for
-/// drawing::fill_across(): an edge of one that crosses an edge of the other is one of the same
-/// part, whatever the colours of both.
-/// @return one number for each layer; drawing::kAloneInGroup for what is engraved, cut on its line
-///         or not at all
+/// Returns groups of layers that are cut at an offset from their lines in the same way, for
+/// drawing::fill_across(). If an edge of one such layer crosses an edge of another, both edges
+/// belong to the same part, whatever the colours of the layers.
+/// @return one number for each layer; drawing::kAloneInGroup for a layer that is engraved, cut on
+/// its line, or not cut at all
 [[nodiscard]] std::vector<std::size_t> layers_alike(const std::vector<LayerPlan>& layers);
 
 }  // namespace sim::cut

@@ -7,10 +7,12 @@
 namespace sim::cut {
 namespace {
 
-constexpr double kQuarterBulge = std::numbers::sqrt2 - 1.0;  // tan(π / 8).
+// This is tan(π / 8), the bulge of a quarter turn.
+constexpr double kQuarterBulge = std::numbers::sqrt2 - 1.0;
 constexpr double kDiagonal = 0.5 * std::numbers::sqrt2;
 
-/// The lead that ends in `place`, going the way `tangent`; its length is that of its path.
+/// Returns the lead-in that ends at `place` in the direction `tangent`. The length is measured
+/// along its path.
 Stroke lead_in(const Lead& lead, double length, const Place& place, const Place& tangent) {
   if (lead.kind == LeadKind::kLine) {
     const Place from = place + length * kDiagonal * (right_of(tangent) - tangent);
@@ -38,11 +40,11 @@ void add(std::vector<Stroke>& row, std::vector<Stroke> more, Purpose purpose) {
   }
 }
 
-/// Tabs at even distances. What is left standing is a kerf less than what is not cut.
+/// Evenly spaced tabs. The width that stays at a tab is one kerf less than the uncut length.
 struct Tabs {
   unsigned count = 0;
   double gap_mm = 0.0;
-  bool has_last_at_end = false;  ///< The row ends before it, and is not closed.
+  bool has_last_at_end = false;  ///< The row ends before its last tab, and is not closed.
 };
 
 std::vector<Stroke> tabbed(const MeasuredRow& row, const Tabs& tabs) {
@@ -66,13 +68,13 @@ bool ends_at_a_tab(const LayerSettings& settings, unsigned tabs) {
   return settings.start == StartAt::kTab && tabs > 0;
 }
 
-/// Tabs take less than half of the cut.
+/// Reduces the number of tabs until they take less than half of the cut.
 unsigned tabs_with_room(const MeasuredRow& loop, unsigned tabs, double gap_mm) {
   while (tabs > 0 && tabs * gap_mm >= 0.5 * loop.length()) --tabs;
   return tabs;
 }
 
-/// The cut without its leads, from a place on.
+/// Returns the cut from a point on, without its leads.
 std::vector<Stroke> body_of(const MeasuredRow& loop,
                             double way_mm,
                             const LayerSettings& settings,

@@ -10,25 +10,27 @@
 
 namespace sim::cut {
 
-/// The beam is measured to be clear within this; the contour itself just is, mm.
+/// Tolerance for measuring whether the beam is clear of parts, mm. A beam along the contour itself
+/// is just clear.
 inline constexpr double kClearSlackMm = 1.0e-5;
-/// Under which a pierce takes its time: too short to see, long enough to take steps, mm.
+/// Length of the path during which a pierce takes its time, mm: too short to see, long enough to
+/// need steps.
 inline constexpr double kPierceWayMm = 0.1;
 
-/// Where a lead must not be.
+/// The space that leads must not enter.
 struct LeadRoom {
   const Clearance& parts;   ///< All drawn edges of parts.
-  double half_kerf_mm = 0;  ///< No nearer to any of them.
+  double half_kerf_mm = 0;  ///< Least distance between a lead and any of these edges.
 };
 
-/// Both leads of a cut that begins at a point of its contour; nothing where none are required.
+/// Both leads of a cut that begins at a point of its contour; a lead that is not required is empty.
 struct Leads {
   std::optional<Stroke> in{};
   std::optional<Stroke> out{};
 };
 
-/// Returns the leads at `share` of their length, room or not.
-/// @param way_mm along the loop to where the cut begins
+/// Returns the leads at `share` of their length, without a check of their free space.
+/// @param way_mm distance along the loop to the beginning of the cut
 [[nodiscard]] Leads leads_at(const MeasuredRow& loop,
                              double way_mm,
                              const LayerSettings& settings,
@@ -37,30 +39,30 @@ struct Leads {
 /// Returns whether both leads keep clear of all parts.
 [[nodiscard]] bool have_room(const Leads& leads, const LeadRoom& room);
 
-/// Where a closed loop is begun, and what the rapids before and after it see of that.
+/// The beginning of a closed loop or line, with the points where the adjacent rapids end and begin.
 struct Beginning {
-  double way_mm = 0.0;        ///< Along the loop.
-  bool has_leads = true;      ///< False where none that are required have room.
-  double lead_share = 1.0;    ///< Of their length.
-  bool is_backwards = false;  ///< Of an open line: it is cut from its end to its start.
-  Place entry{0.0, 0.0};      ///< Where the first stroke begins.
-  Place exit{0.0, 0.0};       ///< Where the last stroke ends.
+  double way_mm = 0.0;        ///< Distance along the loop.
+  bool has_leads = true;      ///< False if no required lead has free space.
+  double lead_share = 1.0;    ///< Share of the leads' set length.
+  bool is_backwards = false;  ///< Direction of an open line: it is cut from its end to its start.
+  Place entry{0.0, 0.0};      ///< Point where the first stroke begins.
+  Place exit{0.0, 0.0};       ///< Point where the last stroke ends.
 };
 
 struct LedCut {
   std::vector<Stroke> strokes{};
-  bool has_leads = false;   ///< Or there was no room for those that were asked for.
-  double lead_share = 1.0;  ///< Of the length that was asked for.
-  unsigned tabs = 0;        ///< As many as have room.
+  bool has_leads = false;   ///< False if there was no free space for the required leads.
+  double lead_share = 1.0;  ///< Share of the required length.
+  unsigned tabs = 0;        ///< Number of tabs, as many as have free space.
   CornerWork corners{};
 };
 
-/// A closed row of strokes with the part on its left, as a cut: led in from the waste on the right,
-/// with the beam off at tabs, overcut and led out; then corners are treated. An arc is a quarter
-/// turn and touches the contour, a line comes at 45 degrees.
-/// With StartAt::kTab the last tab ends where the cut began, and there is no overcut and no lead
-/// out.
-/// @param tabs their number, evenly spaced; fewer where they would take half of the cut
+/// Makes a cut of a closed row of strokes with the part on its left. The cut leads in from the
+/// waste on the right, has the beam off at tabs, overcuts and leads out. Then its corners are
+/// treated. A lead that is an arc makes a quarter turn and is tangential to the contour. A line
+/// meets the contour at 45 degrees. With StartAt::kTab the last tab ends where the cut began, and
+/// there is no overcut and no lead-out.
+/// @param tabs number of tabs, evenly spaced; fewer if they would take half of the cut
 [[nodiscard]] LedCut with_leads(const MeasuredRow& loop,
                                 const LayerSettings& settings,
                                 unsigned tabs,

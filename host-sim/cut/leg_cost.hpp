@@ -11,13 +11,13 @@ namespace sim::cut {
 
 /// Cost of a straight rapid, as length or as time.
 ///
-/// Times are in units of the distance that the machine rapids in that time, so that both kinds of
-/// cost are about as large, and searches that compare costs with distances work with both.
+/// A time is expressed as the distance that the machine rapids in that time. So both kinds of cost
+/// have about the same magnitude, and searches that compare costs with distances work with both.
 class RapidCost {
  public:
-  /// Cost is length, mm.
+  /// Makes the cost a length, mm.
   RapidCost() = default;
-  /// Cost is time.
+  /// Makes the cost a time.
   explicit RapidCost(const cnc::order::RapidLimits& limits)
       : time_{limits},
         mm_per_s_{std::min(limits.rate_mm_s[0], limits.rate_mm_s[1])},
@@ -41,19 +41,21 @@ class LegCost {
  public:
   struct Terms {
     cnc::order::CandidatePlaces places;
-    std::span<const double> own;  ///< Cost of each candidate itself; empty: none.
-    bool is_free_end = false;     ///< The way home costs nothing: others go on from there.
+    std::span<const double> own;  ///< Own cost of each candidate; empty: none.
+    /// The path home costs nothing, because other cuts follow from the last one.
+    bool is_free_end = false;
   };
 
   LegCost(const Terms& terms, const RapidCost& rapid) : terms_{terms}, rapid_{&rapid} {}
 
-  /// Half of what a candidate costs is with the leg to it and half with the leg from it: so a tour
-  /// costs the same in both directions where its rapids do.
+  /// Returns the cost of the leg between two candidates. Half of a candidate's own cost belongs to
+  /// the leg to it, and half to the leg from it. So a tour costs the same in both directions if its
+  /// rapids do.
   [[nodiscard]] double operator()(cnc::order::Index from, cnc::order::Index to) const {
     return table_.empty() ? computed(from, to) : table_[from * terms_.places.entry.size() + to];
   }
 
-  /// Keeps the costs of all legs in a table, which has to outlive this.
+  /// Keeps the costs of all legs in a table, which must outlive this object.
   void keep_in(std::vector<double>& table) {
     const std::size_t count = terms_.places.entry.size();
     table.resize(count * count);

@@ -9,14 +9,15 @@
 namespace sim::cut {
 namespace {
 
-/// A tab holds by the waste at its other end, too.
+/// Distance that links keep from tabs, in kerfs. A tab also needs the waste at its other end to
+/// hold.
 constexpr double kKerfsFromTabs = 1.5;
 
 bool may_be_linked(const Cut& cut, const LayerPlan& layer) {
   return layer.settings.side == Side::kWaste && !cut.is_slice && cut.programmed.empty();
 }
 
-/// Returns the time that a link saves, s, without acceleration.
+/// Returns the time that a link saves, s, computed without acceleration.
 double saved_by(const Stroke& link,
                 const Cut& next,
                 const LayerPlan& layer,
@@ -31,7 +32,8 @@ double saved_by(const Stroke& link,
   return saved;
 }
 
-/// The pierce was the first bit of the lead, or of the contour where there is none.
+/// Inserts a link before a cut. The pierce of the cut becomes what it was a part of: the lead, or
+/// the contour if there is no lead.
 void add_link(Cut& next, const Stroke& link) {
   Stroke& first = next.strokes.front();
   if (first.purpose == Purpose::kPierce) {

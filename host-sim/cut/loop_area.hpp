@@ -8,40 +8,40 @@
 
 namespace sim::cut {
 
-/// The plane inside of a closed row of lines and arcs, which may cross itself, as corner loops do:
-/// what it goes round at all, in either direction, is inside.
+/// The area inside a closed row of lines and arcs. The row may cross itself, as corner loops do.
+/// Every point that the row goes around, in either direction, is inside.
 class LoopArea {
  public:
   using Box = cnc::contour::FlatBox<double>;
 
-  /// @pre each stroke begins where the one before it ends, the first one at the end of the last,
-  /// and one is longer than a nanometre
-  /// @param skin_mm how far beyond the loop its owner counts the area, 0 or more
+  /// @pre each stroke begins where the previous one ends, the first one begins at the end of the
+  /// last, and at least one is longer than a nanometre
+  /// @param skin_mm distance by which the owner extends the area beyond the loop, 0 or more
   explicit LoopArea(std::vector<Stroke> loop, double skin_mm = 0.0);
 
-  /// The loop, turning left.
+  /// Returns the loop, counter-clockwise.
   [[nodiscard]] const std::vector<Stroke>& strokes() const { return loop_; }
-  /// With the skin.
+  /// Returns the box around the area with its skin.
   [[nodiscard]] const Box& box() const { return box_; }
   [[nodiscard]] double skin_mm() const { return skin_mm_; }
 
-  /// Returns whether a place is inside of the loop; either answer is right within rounding of the
-  /// edge.
+  /// Returns whether a point is inside the loop. Within rounding of the edge, either answer counts
+  /// as right.
   [[nodiscard]] bool contains(const Place& place) const;
 
-  /// Returns the distance of a place to the loop, mm, from inside as from outside.
+  /// Returns the distance of a point to the loop, mm; positive both inside and outside.
   [[nodiscard]] double distance_to_loop(const Place& place) const;
 
-  /// Returns whether a segment comes nearer to the loop than so many mm.
+  /// Returns whether a segment comes nearer to the loop than `mm`.
   [[nodiscard]] bool comes_near(const Place& from, const Place& to, double mm) const;
 
-  /// Returns whether a place of a segment is inside, farther than `depth_mm` from the loop. Shallow
-  /// excursions up to about twice that depth may be missed, deeper ones are not.
+  /// Returns whether a point of a segment is inside, farther than `depth_mm` from the loop.
+  /// Excursions up to about twice this depth may be missed; deeper ones are not.
   [[nodiscard]] bool is_crossed(const Place& from, const Place& to, double depth_mm) const;
 
  private:
   std::vector<Stroke> loop_;
-  std::vector<Box> boxes_;  ///< One for each stroke.
+  std::vector<Box> boxes_;  ///< Boxes around the strokes, one for each.
   Box box_{};
   double skin_mm_;
 };
@@ -49,12 +49,12 @@ class LoopArea {
 /// Returns a box that holds a stroke.
 [[nodiscard]] LoopArea::Box box_around(const Stroke& stroke);
 
-/// Returns a box that is larger by so many mm to all sides.
+/// Returns a box that is extended by `mm` on all sides.
 [[nodiscard]] inline LoopArea::Box grown(const LoopArea::Box& box, double mm) {
   return {box.x0 - mm, box.y0 - mm, box.x1 + mm, box.y1 + mm};
 }
 
-/// Returns the box with these two places as opposite corners.
+/// Returns the box with two points as opposite corners.
 [[nodiscard]] inline LoopArea::Box box_between(const Place& a, const Place& b) {
   return {a.x() < b.x() ? a.x() : b.x(),
           a.y() < b.y() ? a.y() : b.y(),

@@ -18,10 +18,11 @@ namespace {
 
 constexpr const char* kProfileMark = "kerfline_machine";
 constexpr double kMaxBedMm = 1.0e5;
-constexpr double kMaxRate = 1.0e6;          ///< mm/min.
-constexpr double kMaxAcceleration = 1.0e6;  ///< mm/s².
-constexpr double kMaxJerk = 1.0e9;          ///< mm/s³.
-constexpr double kBedSlackMm = 1.0e-3;      ///< A rounded position leaves no bed.
+constexpr double kMaxRate = 1.0e6;          ///< Greatest rate, mm/min.
+constexpr double kMaxAcceleration = 1.0e6;  ///< Greatest acceleration, mm/s².
+constexpr double kMaxJerk = 1.0e9;          ///< Greatest jerk, mm/s³.
+/// Excess up to which a position counts as within the bed, because of rounding.
+constexpr double kBedSlackMm = 1.0e-3;
 
 struct CornerName {
   const char* key;
@@ -44,7 +45,7 @@ OriginCorner corner_of(const JsonFields& fields) {
   fields.refuse("origin", "wants front-left, front-right, back-left, back-right or centre");
 }
 
-/// Adds a setting for X and the next one for Y.
+/// Adds the setting `number` for X and the next one for Y.
 void add_pair(std::vector<SettingChange>& settings,
               std::uint16_t number,
               const std::optional<std::pair<double, double>>& values,
@@ -76,7 +77,7 @@ std::vector<SettingChange> settings_in(const JsonFields& fields, const std::stri
   return settings;
 }
 
-/// The places of a stroke that may be the outermost ones.
+/// Returns the points of a stroke that may be the outermost ones.
 std::vector<Place> outermost_of(const Stroke& stroke) {
   std::vector<Place> places{stroke.from, stroke.to};
   if (stroke.bulge == 0.0) return places;
@@ -96,7 +97,8 @@ std::vector<Place> outermost_of(const Stroke& stroke) {
   return places;
 }
 
-/// The same of all strokes of a cut, and of what a controller is given for it.
+/// Returns the points that may be the outermost ones, of all strokes of a cut and of its strokes
+/// for a controller.
 std::vector<Place> outermost_of(const Cut& cut) {
   std::vector<Place> places;
   for (const std::vector<Stroke>* strokes : {&cut.strokes, &cut.programmed}) {
@@ -108,11 +110,11 @@ std::vector<Place> outermost_of(const Cut& cut) {
   return places;
 }
 
-/// The farthest place beyond one side of the bed.
+/// The farthest point beyond one side of the bed.
 struct BedSide {
   const char* name = "";
   std::size_t axis = 0;
-  double way = 1.0;  ///< Outwards.
+  double way = 1.0;  ///< Sign of the outward direction along the axis.
   double edge = 0.0;
   double beyond_mm = kBedSlackMm;
   Place place{0.0, 0.0};

@@ -14,7 +14,8 @@
 namespace sim::cut {
 namespace {
 
-/// Returns whether the outermost of some contours around one of them, or itself, is a hole.
+/// Returns whether contour `i` lies in a hole. This is so if the outermost of `contours` around it,
+/// or the contour itself if none is around it, is a hole.
 bool is_in_hole(const DrawnEdges& edges, const std::vector<std::size_t>& contours, std::size_t i) {
   std::size_t outermost = i;
   for (auto around = edges.drawn.contours[i].lies_in; around;
@@ -39,7 +40,8 @@ Middles middles_beside(const DrawnEdges& edges, const std::vector<std::size_t>& 
   double most_off_mm = std::numeric_limits<double>::infinity();
   for (const std::size_t i : contours) most_off_mm = std::min(most_off_mm, edges.narrow_mm(i));
   if (most_off_mm <= 0.0 || half_kerf_mm <= 0.0) return {};
-  std::array<std::vector<const std::vector<Stroke>*>, 2> rows;  // Outside of parts; in holes.
+  // First the outlines whose waste is outside of parts, then those whose waste is in holes.
+  std::array<std::vector<const std::vector<Stroke>*>, 2> rows;
   for (const std::size_t i : contours) {
     rows[is_in_hole(edges, contours, i) ? 1 : 0].push_back(&edges.outlines[i].strokes);
   }

@@ -8,16 +8,16 @@
 
 namespace sim::cut {
 
-/// Lines in the middle of waste that is narrower than the kerf, and a warning that tells of them.
+/// Lines in the middle of waste that is narrower than the kerf, and a warning that reports them.
 struct Middles {
   std::vector<std::vector<Stroke>> rows{};
   std::optional<drawing::Fault> warning{};
 };
 
-/// Returns the lines in the middle of narrow waste beside outlines, and between them, which go no
-/// farther into any of them than its settings allow; none where one of them allows nothing, or
-/// where outlines cross.
-/// @param contours numbers of outlines that are cut beside their lines with one kerf, one at least
+/// Returns the lines in the middle of narrow waste next to outlines and between them. The cuts go
+/// no farther into any outline than the settings of its contour allow. There are no lines if one of
+/// these settings is 0, or if outlines cross.
+/// @param contours numbers of the outlines that are cut at an offset with one kerf, at least one
 [[nodiscard]] Middles middles_beside(const DrawnEdges& edges,
                                      const std::vector<std::size_t>& contours);
 

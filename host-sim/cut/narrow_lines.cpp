@@ -19,23 +19,27 @@ using pocket::AxisChain;
 using pocket::AxisPoint;
 using pocket::MedialAxis;
 
-constexpr double kMiddleTolerance = 5.0e-3;  ///< Share of half the kerf.
+/// Tolerance of the lines, as a share of half the kerf.
+constexpr double kMiddleTolerance = 5.0e-3;
 constexpr double kSamePlaceMm = 1.0e-6;
-constexpr double kNoMore = 1.0e-6;      ///< Rounding of a limit, mm.
-constexpr double kWideEnough = 1.0e-3;  ///< Share of half the kerf by which paths may lie nearer.
-constexpr double kSteepest = 0.5;       ///< Radius by length: an end that narrows so is a corner.
-constexpr double kDot = 0.25;           ///< Half the length of a line for a point, in half kerfs.
+constexpr double kNoMore = 1.0e-6;  ///< Tolerance of a limit for rounding, mm.
+/// Tolerance, as a share of half the kerf, by which paths may lie too near to each other.
+constexpr double kWideEnough = 1.0e-3;
+/// Ratio of the decrease of the radius to the length; an end that narrows faster is a corner.
+constexpr double kSteepest = 0.5;
+/// Half the length of a line that replaces a point, in half kerfs.
+constexpr double kDot = 0.25;
 
-/// The thing at which a stretch of the axis ends.
+/// The kind of a stretch's end.
 enum class NarrowEnd : std::uint8_t {
-  kPath,   ///< A path of the beam begins here, as waste is wider.
-  kLimit,  ///< A cut would take more off the edges.
+  kPath,   ///< A path of the beam begins here, because the waste is wider from here on.
+  kLimit,  ///< Beyond this point a cut would take too much off the edges.
   kNode,   ///< A node of the axis.
 };
 
 struct End {
   NarrowEnd kind = NarrowEnd::kNode;
-  std::uint32_t node = 0;  ///< Its number; for nodes only.
+  std::uint32_t node = 0;  ///< Number of the node, if the end is a node.
 };
 
 /// A part of a chain of the axis along which waste is narrower than the kerf.
@@ -58,7 +62,7 @@ double length_of(const std::vector<AxisPoint>& points) {
   return length;
 }
 
-/// Removes a length from the end of a line of points.
+/// Removes a part of the given length from the end of a line of points.
 void shorten(std::vector<AxisPoint>& points, double length) {
   while (points.size() > 1) {
     const AxisPoint& last = points.back();
@@ -76,7 +80,8 @@ void shorten(std::vector<AxisPoint>& points, double length) {
   }
 }
 
-/// Returns a chain with the points between its own at which a radius is a limit.
+/// Returns the points of a chain, with additional points where the radius is equal to one of the
+/// limits.
 std::vector<AxisPoint> with_limits(const AxisChain& chain, double least, double most) {
   std::vector<AxisPoint> points{chain.points.front()};
   for (std::size_t i = 1; i < chain.points.size(); ++i) {
@@ -94,7 +99,7 @@ std::vector<AxisPoint> with_limits(const AxisChain& chain, double least, double 
   return points;
 }
 
-/// Joins what is narrow along a medial axis to lines.
+/// Finds the narrow stretches of a medial axis and joins them to lines.
 class NarrowFinder {
  public:
   NarrowFinder(const MedialAxis& axis, double half_kerf_mm, double most_off_mm)
@@ -136,19 +141,22 @@ class NarrowFinder {
 
   const MedialAxis& axis_;
   double half_;
-  double least_;  ///< Radii of what is narrow are at least so great…
-  double most_;   ///< …and less than this.
+  double least_;  ///< Least radius of narrow waste.
+  double most_;   ///< Upper limit of the radius of narrow waste.
   std::vector<Narrow> narrows_{};
   std::vector<std::uint32_t> degrees_;  ///< Number of narrow ends at each node.
-  drawing::PieceSets sets_;             ///< Nodes between which all is narrow.
-  std::vector<bool> has_path_;          ///< By the first node of a set: some path leads to it…
-  std::vector<bool> is_cut_{};          ///< …or a line goes through it.
-  /// By node: the stretches that end there, and whether each does with its last point.
+  drawing::PieceSets sets_;             ///< Sets of nodes that are connected by narrow stretches.
+  /// Whether a path leads to a set, by the first node of the set.
+  std::vector<bool> has_path_;
+  /// Whether a line goes through a set, by the first node of the set.
+  std::vector<bool> is_cut_{};
+  /// For each node, the stretches that end there. The flag says whether the node is at the last
+  /// point of the stretch.
   std::vector<std::vector<std::pair<std::size_t, bool>>> ends_at_{};
   NarrowLines found_{};
 };
 
-/// Cuts a chain where it becomes narrow, and no longer is.
+/// Divides a chain into the stretches along which the waste is narrow.
 void NarrowFinder::divide(const AxisChain& chain) {
   const std::vector<AxisPoint> points = with_limits(chain, least_, most_);
   const auto end_at = [&](std::size_t i) -> End {
@@ -169,7 +177,7 @@ void NarrowFinder::divide(const AxisChain& chain) {
   }
 }
 
-/// Says which nodes belong together, and which of these sets paths lead to.
+/// Determines the sets of connected nodes, and the sets to which paths lead.
 void NarrowFinder::note_sets() {
   for (const Narrow& narrow : narrows_) {
     for (const End& end : {narrow.from, narrow.to}) {
@@ -188,7 +196,7 @@ void NarrowFinder::note_sets() {
   }
 }
 
-/// Returns whether a stretch leads into a corner, which the beam reaches as far as it can.
+/// Returns whether a stretch leads into a corner, which the beam already reaches as far as it can.
 bool NarrowFinder::is_corner(const Narrow& narrow) const {
   const bool ends_free = is_free(narrow.to);
   if (is_free(narrow.from) == ends_free) return false;
@@ -200,7 +208,8 @@ void NarrowFinder::drop_corners() {
   for (bool is_changed = true; is_changed;) {
     is_changed = false;
     std::vector<Narrow> kept;
-    // All are judged as they are now: one that ends at a node is none because another one goes.
+    // All stretches are judged in their present state. If a stretch becomes an end because another
+    // one is dropped, the next pass judges it.
     std::vector<bool> goes;
     for (const Narrow& narrow : narrows_) goes.push_back(is_corner(narrow));
     for (std::size_t i = 0; i < narrows_.size(); ++i) {
@@ -217,7 +226,7 @@ void NarrowFinder::drop_corners() {
   }
 }
 
-/// Makes lines of stretches that meet in nodes: each goes straight on where it can.
+/// Joins stretches that meet in nodes to lines. Each line continues as straight as possible.
 void NarrowFinder::join() {
   ends_at_.assign(axis_.nodes.size(), {});
   for (std::size_t i = 0; i < narrows_.size(); ++i) {
@@ -263,14 +272,14 @@ void NarrowFinder::lengthen(Narrow& line, std::vector<bool>& is_used) const {
   }
 }
 
-/// Returns whether the cuts that begin at both ends of a line reach across its middle.
+/// Returns whether the cuts that begin at both ends of a line reach its middle.
 bool NarrowFinder::is_cut_from_ends(const Narrow& line) const {
   if (line.from.kind != NarrowEnd::kPath || line.to.kind != NarrowEnd::kPath) return false;
   const double widest = std::ranges::max_element(line.points, {}, &AxisPoint::radius)->radius;
   return std::hypot(widest, 0.5 * length_of(line.points)) <= half_;
 }
 
-/// Adds a line, as much shorter at its free ends as the beam reaches beyond them.
+/// Adds a line. At its free ends it is shortened by the reach of the beam.
 void NarrowFinder::add(Narrow line) {
   if (is_cut_from_ends(line)) return;
   const AxisPoint widest = *std::ranges::max_element(line.points, {}, &AxisPoint::radius);
@@ -303,7 +312,7 @@ void NarrowFinder::add(Narrow line) {
   }
 }
 
-/// Adds points for what is narrow and neither has a line nor leads to a path.
+/// Adds points for narrow waste that has no line and leads to no path.
 void NarrowFinder::add_points() {
   std::vector<std::optional<AxisPoint>> widest(axis_.nodes.size());
   for (std::uint32_t i = 0; i < axis_.nodes.size(); ++i) {
@@ -317,7 +326,7 @@ void NarrowFinder::add_points() {
   }
 }
 
-/// A short line, as a beam may be off at rest.
+/// Adds a short line instead of a point, because the beam may be off at rest.
 void NarrowFinder::add_point(const AxisPoint& point) {
   const Place reach{kDot * half_, 0.0};
   note({point});

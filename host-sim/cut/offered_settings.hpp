@@ -8,16 +8,18 @@
 
 namespace sim::cut {
 
-/// Settings that a project of a laser program has for a layer, in the words of a rule.
+/// Settings for a layer from the project file of a laser program, written as key and value of a
+/// rule.
 struct OfferedValues {
-  std::vector<std::pair<std::string, std::string>> values{};  ///< For set(), `kind` first.
-  std::vector<std::string> unusable{};  ///< Reasons why others of the project are not there.
+  /// Keys and values for set(), with `kind` first.
+  std::vector<std::pair<std::string, std::string>> values{};
+  std::vector<std::string> unusable{};  ///< Reasons why other settings of the project are not used.
 };
 
-/// Returns the settings that a project offers: Cut is kind=cut, Scan kind=fill, Image
-/// kind=image, Tool kind=skip;
-/// power is a share, speed a feed in mm/min, priority a rank. A layer of another mode has its rank
-/// only, since its power and speed are of an operation that is not here.
+/// Returns the settings that a project offers. The mode Cut becomes kind=cut, Scan kind=fill, Image
+/// kind=image, and Tool kind=skip. Power becomes a share, speed a feed in mm/min, and priority a
+/// rank. A layer of another mode keeps only its rank, since its power and speed belong to an
+/// operation that does not exist here.
 [[nodiscard]] OfferedValues values_of(const drawing::OfferedSettings& offered);
 
 }  // namespace sim::cut

@@ -7,9 +7,10 @@
 
 namespace sim::cut {
 
-/// Lets open contours of layers that are cut beside their lines be cut on them, as living hinges,
-/// score lines and slits are drawn: they have no inside, so no side for the kerf. Contours that may
-/// be meant closed (DrawnContour::is_doubtful) are left to the drawing's faults.
+/// Changes open contours of layers that are cut at an offset to cuts on the line, because living
+/// hinges, score lines and slits are drawn in this way. Open contours have no inside, and therefore
+/// no side for the kerf. Contours that may be meant as closed (DrawnContour::is_doubtful) stay
+/// among the drawing's faults.
 /// @param layers one for each layer of the drawing
 /// @param recipes receives plans for these contours
 /// @return a warning for each layer that has such contours, with their number

@@ -21,13 +21,13 @@ using order::OrderMethod;
 
 constexpr int kRefinementRounds = 20;
 constexpr int kRoundsOfMany = 4;
-constexpr std::size_t kMany = 20'000;  ///< Cuts.
+constexpr std::size_t kMany = 20'000;  ///< Number of cuts above which refinement has fewer passes.
 
 RapidCost cost_of(const OrderWish& wish) {
   return wish.cost == OrderCost::kTime ? RapidCost{wish.limits} : RapidCost{};
 }
 
-/// Cuts by their turns.
+/// Returns groups of cuts with the same turn, in the order of the turns.
 std::vector<std::vector<std::size_t>> groups_of(const std::vector<UnbegunCut>& cuts,
                                                 Grouping grouping) {
   const std::vector<CutTurn> turns = turns_of(cuts, grouping);
@@ -39,7 +39,7 @@ std::vector<std::vector<std::size_t>> groups_of(const std::vector<UnbegunCut>& c
   return groups;
 }
 
-/// Orders the cuts of one turn, those of each part together where that is wished.
+/// Orders the cuts of one turn. The cuts of each part stay together if the user requires it.
 GroupResult order_turn(const std::vector<UnbegunCut>& cuts,
                        const std::vector<std::size_t>& members,
                        const RapidCost& cost,
@@ -93,7 +93,8 @@ double sum_of(const std::vector<OrderedCut>& order, const RapidCost& cost, const
   return sum + cost(ends.to.x() - here.x(), ends.to.y() - here.y());
 }
 
-/// Searches again with the beginnings that refinement found beside the others, while that helps.
+/// Repeats the search with the refined beginnings added to the lists, as long as this lowers the
+/// cost.
 void search_again(ChosenOrder& chosen,
                   const std::vector<UnbegunCut>& cuts,
                   const OrderWish& wish,

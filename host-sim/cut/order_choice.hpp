@@ -13,33 +13,35 @@ namespace sim::cut {
 struct RapidSum {
   double length_mm = 0.0;
   double time_s = 0.0;
-  double own_s = 0.0;  ///< Time of the cuts beyond that with their cheapest beginnings.
+  double own_s = 0.0;  ///< Time of the cuts minus their time with the cheapest beginnings.
 };
 
-/// @param order of all the cuts
+/// Returns length and time of all rapids.
+/// @param order all cuts in order
 [[nodiscard]] RapidSum rapids_of(const std::vector<OrderedCut>& order,
                                  const std::vector<UnbegunCut>& cuts,
                                  const OrderWish& wish);
 
-/// An order of all cuts that keeps what must come before what.
+/// An order of all cuts that keeps every precedence between cuts.
 struct ChosenOrder {
   std::vector<OrderedCut> cuts;
-  RapidSum listed{};  ///< The rapids of the first order, in which all beginnings are listed ones.
-  bool is_proven = false;  ///< No order with the listed beginnings is cheaper.
+  /// Rapids of the first order found, in which all beginnings come from the lists.
+  RapidSum listed{};
+  bool is_proven = false;  ///< True if no order with beginnings from the lists is cheaper.
 };
 
-/// Chooses order and beginnings by the wished method: then, but for orders that are there for
-/// comparison (nearest, anneal), the best beginnings along the order, and the best points between
-/// them.
-/// @param cuts their `after` has no cycle
-/// @param edges all drawn edges, of which leads keep clear
-/// Throws std::invalid_argument where the cuts are too many for the proof that is wished.
+/// Chooses order and beginnings by the required method. Then it chooses the best listed beginnings
+/// along the order, and the best points between them. The methods for comparison (nearest, anneal)
+/// have no such steps.
+/// Throws std::invalid_argument if there are too many cuts for the required proof.
+/// @param cuts cuts whose `after` has no cycle
+/// @param edges all drawn edges, from which leads keep clear
 [[nodiscard]] ChosenOrder choose_order(const std::vector<UnbegunCut>& cuts,
                                        const OrderWish& wish,
                                        const Clearance& edges);
 
-/// Orders all cuts, each with its first beginning, by a method that takes no search: as the drawing
-/// lists them (kFile) or always the nearest next (kNearest). For comparison.
+/// Orders all cuts, each with its first beginning, by a method without a search: in the order of
+/// the drawing (kFile), or always the nearest cut next (kNearest). Used for comparison.
 [[nodiscard]] std::vector<OrderedCut> usual_order(const std::vector<UnbegunCut>& cuts,
                                                   const OrderWish& wish,
                                                   order::OrderMethod method);

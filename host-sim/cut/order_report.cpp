@@ -12,12 +12,13 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// What is saved of `other`, %; 0 where there is nothing to save.
+/// Returns the saving compared with `other`, %; 0 if `other` is 0.
 double saving(double ours, double other) {
   return other > 0.0 ? 100.0 * (1.0 - ours / other) : 0.0;
 }
 
-/// Time of the job in another order: cuts take longer or shorter by their beginnings.
+/// Returns the time of the job in another order. The time of the cuts differs because of their
+/// beginnings.
 double job_time(const RapidSum& sum, const OrderFigures& order) {
   return order.strokes_s - order.rapids.own_s + sum.own_s + sum.time_s;
 }
@@ -28,7 +29,7 @@ Json json_of(const RapidSum& sum, const OrderFigures& order) {
           {"predicted_job_time_s", job_time(sum, order)}};
 }
 
-/// Whether rapids are led round something, or lifted.
+/// Returns whether rapids are routed around areas, or lifted.
 bool is_led(const OrderFigures& order) {
   constexpr double kNothingMm = 0.05;
   return std::abs(order.rapids.length_mm - order.straight.length_mm) > kNothingMm;
@@ -47,13 +48,14 @@ std::vector<std::string> lines_of(const OrderFigures& order, std::size_t cuts) {
   const auto cost = [&order](const RapidSum& sum) {
     return order.wish.cost == OrderCost::kLength ? sum.length_mm : sum.time_s;
   };
-  // The other orders are known with straight rapids only, so this one is compared by its own.
+  // The rapids of the other orders are known only as straight ones, so this order is compared by
+  // its straight rapids, too.
   const auto beside = [&](std::string_view name, const RapidSum& other) {
     return line(name, other) +
            fmt::format("; {:.1f} percent saved", saving(cost(order.straight), cost(other)));
   };
   std::vector<std::string> lines{first};
-  if (is_led(order)) lines.push_back(line("  as ordered, by straight ways:", order.straight));
+  if (is_led(order)) lines.push_back(line("  this order, by straight rapids:", order.straight));
   lines.push_back(beside("  only listed starts:", order.listed));
   lines.push_back(beside("  as drawn, usual starts:", order.file));
   lines.push_back(beside("  nearest, usual starts:", order.nearest));

@@ -8,11 +8,11 @@
 
 namespace sim::cut {
 
-/// Lines of a report about the order: its rapids and predicted time beside those of the drawing's
-/// order and of the nearest neighbour, at most 76 characters each.
+/// Returns lines of at most 76 characters for a report on the order. They compare its rapids and
+/// predicted time with those of the drawing's order and of the nearest neighbour.
 [[nodiscard]] std::vector<std::string> lines_of(const OrderFigures& order, std::size_t cuts);
 
-/// The same for programs.
+/// Returns the content of lines_of() as JSON for programs.
 [[nodiscard]] nlohmann::ordered_json json_of(const OrderFigures& order, std::size_t cuts);
 
 }  // namespace sim::cut

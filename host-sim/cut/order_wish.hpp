@@ -12,38 +12,42 @@
 
 namespace sim::cut {
 
-/// What an order of cuts is to be short in.
+/// The cost that an order of cuts is to minimise.
 enum class OrderCost : std::uint8_t {
-  kTime,    ///< Seconds of rapids, and of what beginnings change of the cuts.
-  kLength,  ///< Millimetres of rapids, as in the paper.
+  kTime,    ///< Time of the rapids, plus the changes of the cuts' time by their beginnings.
+  kLength,  ///< Length of the rapids, as in the paper.
 };
 [[nodiscard]] std::string_view text_of(OrderCost cost);
 
-/// What is cut together.
+/// The cuts that stay together in the order.
 enum class Grouping : std::uint8_t {
   kNone,
-  kLayer,  ///< Each layer as a whole, in the order of their ranks and of the drawing.
-  kPart,   ///< Each outermost contour with everything in it.
+  /// Each layer is cut as a whole. Layers follow their ranks, then the order of the drawing.
+  kLayer,
+  kPart,  ///< Each outermost contour stays together with everything inside it.
 };
 [[nodiscard]] std::string_view text_of(Grouping grouping);
 
-/// How the order of the cuts and their beginnings are chosen.
+/// Requirements on the order of the cuts and their beginnings.
 struct OrderWish {
   order::OrderMethod method = order::OrderMethod::kOurs;
   OrderCost cost = OrderCost::kTime;
   Grouping grouping = Grouping::kNone;
-  Place from{0.0, 0.0};  ///< Where the head is before the first cut, mm.
-  Place to{0.0, 0.0};    ///< Where it goes after the last one, mm.
-  /// Time of the search. Without it a number of steps that follows from the number of cuts, so that
+  Place from{0.0, 0.0};  ///< Position of the head before the first cut, mm.
+  Place to{0.0, 0.0};    ///< Position of the head after the last cut, mm.
+  /// Time of the search. Without it, the number of steps follows from the number of cuts, so that
   /// the result is the same on every machine.
   std::optional<double> seconds{};
   std::uint64_t seed = 1;
   cnc::order::RapidLimits limits{};
-  double junction_deviation_mm = 0.01;               ///< $11: how far corners may be rounded.
-  double arc_tolerance_mm = 0.002;                   ///< $12: share of it for welded lines.
-  std::array<double, 2> steps_per_mm{250.0, 250.0};  ///< $100 and $101.
-  std::uint8_t decimals = 4;        ///< Decimals of positions, see cnc::gcode::PrintGrid.
-  order::OrderProgress progress{};  ///< Share done and cost, now and then.
+  /// $11: deviation up to which corners may be rounded.
+  double junction_deviation_mm = 0.01;
+  /// $12: tolerance of arcs, part of which is available for welded lines.
+  double arc_tolerance_mm = 0.002;
+  std::array<double, 2> steps_per_mm{250.0, 250.0};  ///< $100 and $101: steps per millimetre.
+  std::uint8_t decimals = 4;  ///< Decimals of printed positions, see cnc::gcode::PrintGrid.
+  /// Receives from time to time the finished share of the search and the cost.
+  order::OrderProgress progress{};
 };
 
 }  // namespace sim::cut

@@ -11,18 +11,19 @@
 
 namespace sim::cut {
 
-/// A drawn contour that is cut, as strokes with the part on the left.
+/// A drawn contour that is cut, as strokes with the part on their left.
 struct Outline {
-  std::vector<Stroke> strokes;  ///< None: it is not cut.
+  std::vector<Stroke> strokes;  ///< Strokes; empty: the contour is not cut.
   bool is_hole = false;
   bool is_closed = false;
-  bool is_beside = false;  ///< Half a kerf beside its line; else on it.
+  /// It is cut at an offset of half a kerf from its line, otherwise on its line.
+  bool is_beside = false;
 };
 
-/// Returns an outline for each contour of the drawing. Contours that are not cut beside their line
-/// are no parts, and nothing is a hole in them.
+/// Returns an outline for each contour of the drawing. Only contours that are cut at an offset are
+/// parts. Other contours are no parts and have no holes.
 /// @param sides by contour
-/// @param faults receives the contours that no arcs follow
+/// @param faults receives the contours that could not be approximated by arcs
 [[nodiscard]] std::vector<Outline> outlines_of(const drawing::Drawing& drawn,
                                                const std::vector<Side>& sides,
                                                const OutlineOptions& curves,
@@ -31,12 +32,12 @@ struct Outline {
 /// Reverses a row of strokes.
 void turn_round(std::vector<Stroke>& strokes);
 
-/// The same loop for and from the offset.
+/// Convert a loop to the form that the offset takes, and loops of the offset to strokes.
 [[nodiscard]] Contour contour_of(const std::vector<Stroke>& strokes);
 [[nodiscard]] std::vector<std::vector<Stroke>> loops_of(
     const cnc::contour::ContourView<double>& view);
 
-/// Returns the area that the strokes of a closed row enclose, positive where they turn left, mm².
+/// Returns the area that the strokes of a closed row enclose, mm²; positive if they turn left.
 [[nodiscard]] double area_of(const std::vector<Stroke>& loop);
 
 }  // namespace sim::cut

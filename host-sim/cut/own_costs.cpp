@@ -10,12 +10,14 @@
 namespace sim::cut {
 namespace {
 
-/// Strokes that are compared for all cuts together, and of these that are planned: some seconds.
+/// Greatest numbers of strokes that are compared, and of motions that are planned, for all cuts
+/// together. They take some seconds.
 constexpr std::size_t kStrokes = 1'000'000;
 constexpr std::size_t kMotions = 200'000;
-/// Under a limit of jerk each is planned for several windows.
+/// Greatest number of planned motions under a limit of jerk, where each motion is planned for
+/// several windows.
 constexpr std::size_t kMotionsUnderJerk = 20'000;
-/// Beginnings within this of each other are the same, mm.
+/// Distance within which beginnings count as the same, mm.
 constexpr double kSamePlace = 1.0e-6;
 
 bool has_jerk(const cnc::order::RapidLimits& limits) {
@@ -28,12 +30,12 @@ bool beam_is_on(const Stroke& stroke) { return has_beam(stroke.purpose); }
 
 std::int64_t millionths(double value) { return std::llround(1.0e6 * value); }
 
-/// Radians from one direction to another, −π…π.
+/// Returns the angle from one direction to another, radians, −π…π.
 double turn_angle(const Place& from, const Place& to) {
   return std::atan2(drawing::cross(from, to), drawing::dot(from, to));
 }
 
-/// Joins numbers to one of 64 bits (FNV-1a over whole words).
+/// Combines numbers to one of 64 bits (FNV-1a over whole words).
 class Digest {
  public:
   void add(std::int64_t number) {
@@ -78,7 +80,8 @@ std::uint64_t OwnCosts::digest_of(const std::vector<Stroke>& strokes,
   return digest.value();
 }
 
-/// After a rapid from the side, so that the cut begins from rest, and all of it is known by then.
+/// Returns the time of the strokes. A rapid from the side precedes them, so that the cut begins at
+/// rest, and the whole cut is known to the planner by then.
 double OwnCosts::time_of(const std::vector<Stroke>& strokes, const LayerPlan& layer) {
   constexpr double kRapidMm = 100.0;
   const Place& entry = strokes.front().from;

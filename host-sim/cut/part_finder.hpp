@@ -8,17 +8,17 @@
 
 namespace sim::cut {
 
-/// Number of a part that is none.
+/// Number that stands for no part.
 inline constexpr std::size_t kNoPart = SIZE_MAX;
 
-/// Finds the part that a cut belongs to. A part is an outer contour that is cut beside its line,
-/// with its holes, and with the marks that lie in it but in no smaller part; an open mark is of the
-/// part that has most of it.
+/// Finds the part to which a cut belongs. A part is an outer contour that is cut at an offset, with
+/// its holes, and with the marks that lie in it but in no smaller part. An open mark belongs to the
+/// part that contains most of it.
 class PartFinder {
  public:
   PartFinder(const drawing::Drawing& drawn, const CutPlan& plan);
 
-  /// Returns the outer contour of the part, or kNoPart.
+  /// Returns the number of the outer contour of the part, or kNoPart.
   [[nodiscard]] std::size_t part_of(const Cut& cut) const;
 
  private:

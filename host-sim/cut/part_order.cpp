@@ -11,11 +11,13 @@ namespace sim::cut {
 namespace {
 
 constexpr int kPartRounds = 4;
-constexpr std::size_t kManyUnits = 5'000;  ///< Units of which one round is enough to wait for.
-/// Steps of the search within a part, for each of its cuts.
+/// Number of units above which one pass takes long enough.
+constexpr std::size_t kManyUnits = 5'000;
+/// Number of search steps within a part, per cut of the part.
 constexpr std::uint64_t kStepsOfCut = 100;
 
-/// A way through all cuts of a part: from one of the first cut's beginnings to one of the last's.
+/// A path through all cuts of a part, from a beginning of the first cut to a beginning of the last
+/// one.
 struct PartWay {
   std::size_t first = 0;
   std::size_t last = 0;
@@ -26,8 +28,8 @@ double cost_of_leg(const RapidCost& cost, const Beginning& from, const Beginning
   return cost(to.entry.x() - from.exit.x(), to.entry.y() - from.exit.y());
 }
 
-/// Finds the cheapest ways from any beginning of the first cut to each of the last one, along an
-/// order that stays.
+/// Returns, for each beginning of the last cut, the cheapest path from any beginning of the first
+/// cut. The order does not change.
 std::vector<PartWay> ways_to_last(const std::vector<const UnbegunCut*>& row,
                                   const RapidCost& cost) {
   std::vector<PartWay> ways;
@@ -49,7 +51,8 @@ std::vector<PartWay> ways_to_last(const std::vector<const UnbegunCut*>& row,
   return ways;
 }
 
-/// Finds those from each beginning of the first cut to any of the last one.
+/// Returns, for each beginning of the first cut, the cheapest path to any beginning of the last
+/// cut. The order does not change.
 std::vector<PartWay> ways_from_first(const std::vector<const UnbegunCut*>& row,
                                      const RapidCost& cost) {
   std::vector<PartWay> ways;
@@ -103,7 +106,7 @@ class PartSearch {
     return {task_.from, task_.to.value_or(order.back().beginning.exit)};
   }
 
-  /// Orders all cuts as if they were of no part, and brings those of each unit together.
+  /// Orders all cuts as if they belonged to no part, then brings the cuts of each unit together.
   [[nodiscard]] std::vector<OrderedCut> searched_apart(const order::OrderProgress& progress) const {
     GroupTask task = task_;
     task.start = {};
@@ -114,7 +117,7 @@ class PartSearch {
     return order;
   }
 
-  /// Takes the order within each unit from one of all cuts.
+  /// Returns the order within each unit that follows from an order of all cuts.
   [[nodiscard]] std::vector<std::vector<OrderedCut>> rows_of(
       const std::vector<OrderedCut>& order) const {
     std::vector<std::size_t> unit_of(cuts_.size());
@@ -125,7 +128,7 @@ class PartSearch {
     for (const OrderedCut& ordered : order) rows[unit_of[ordered.cut]].push_back(ordered);
     return rows;
   }
-  /// Orders the cuts of each unit as if it were the first.
+  /// Orders the cuts of each unit as if it were the first unit.
   [[nodiscard]] std::vector<std::vector<OrderedCut>> rows_from_start() const {
     std::vector<std::vector<OrderedCut>> rows;
     for (const std::vector<std::size_t>& unit : units_.cuts) {
@@ -154,11 +157,12 @@ class PartSearch {
   const RapidCost& cost_;
   const GroupTask& task_;
   PartUnits units_;
-  std::vector<std::vector<OrderedCut>> rows_;  ///< By unit.
+  std::vector<std::vector<OrderedCut>> rows_;  ///< Order of the cuts of each unit.
   std::vector<OrderedCut> sequence_;           ///< Order of units, each with the ends of its path.
 };
 
-/// Makes a cut that begins and ends where the ways through a unit do.
+/// Returns a cut that represents a unit: its beginnings have the entries and exits of the paths
+/// through the unit.
 UnbegunCut PartSearch::stand_in(std::size_t unit) const {
   UnbegunCut cut{.path = MeasuredRow{{}}, .settings = {}};
   cut.after = units_.after[unit];
@@ -192,7 +196,7 @@ void PartSearch::order_units(const order::OrderProgress& progress) {
   sequence_ = order_group(units, numbers, cost_, task, progress).cuts;
 }
 
-/// Searches the order within each unit again, between the ends of its neighbours.
+/// Repeats the search of the order within each unit, between the ends of its neighbours.
 void PartSearch::order_within() {
   for (std::size_t i = 0; i < sequence_.size(); ++i) {
     std::vector<OrderedCut>& row = rows_[sequence_[i].cut];
@@ -210,7 +214,7 @@ void PartSearch::order_within() {
   }
 }
 
-/// Joins the rows of all units, with the best beginnings along them.
+/// Returns the rows of all units as one order, with the best beginnings along it.
 std::vector<OrderedCut> PartSearch::whole() const {
   std::vector<OrderedCut> order;
   for (const OrderedCut& unit : sequence_) {

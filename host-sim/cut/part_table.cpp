@@ -11,13 +11,15 @@
 namespace sim::cut {
 namespace {
 
-/// Rounded measures by which copies are found: a hundredth of a millimetre or of its square.
+/// Returns a measure in hundredths of a millimetre or square millimetre. Copies are recognised by
+/// rounded measures.
 std::int64_t rounded(double measure) { return std::llround(100.0 * measure); }
 
-/// Whether a contour is a mark, its layer, area and length, rounded.
+/// Measures of a contour by which copies are recognised: whether it is a mark, its layer, and its
+/// area and length, rounded.
 using Likeness = std::array<std::int64_t, 4>;
 
-/// One copy of a part, with the contours that its copies share.
+/// One copy of a part, with the measures of its contours, which all copies share.
 struct Copy {
   PartRow row{.copies = 1};
   std::vector<Likeness> likeness{};
@@ -106,7 +108,8 @@ class TableMaker {
     row.time_s += more.time_s;
   }
 
-  /// Returns the parts by their last cuts, and sorts the contours of each for the comparison.
+  /// Returns the parts in the order of their last cuts, and sorts the measures of each part's
+  /// contours for the comparison.
   [[nodiscard]] std::vector<std::size_t> parts_as_finished() {
     std::vector<std::size_t> parts;
     std::vector<bool> seen(drawn_.contours.size(), false);

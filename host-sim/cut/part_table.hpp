@@ -9,23 +9,27 @@
 
 namespace sim::cut {
 
-/// Copies of one part: an outer contour that is cut beside its line, with the holes and marks in
-/// it. A part that lies in a hole of another one is a part of its own.
+/// Copies of one part: an outer contour that is cut at an offset, with the holes and marks in it. A
+/// part inside a hole of another part is a part of its own.
 struct PartRow {
-  std::string name{};  ///< Of the outer contour of the first copy; of the last row `on the sheet`.
+  /// Name of the outer contour of the first copy; `on the sheet` in the last row.
+  std::string name{};
   std::size_t copies = 0;
-  std::size_t number = 0;      ///< Of the last cut of the first copy, as in pictures: from 1.
-  std::size_t pierces = 0;     ///< Of all copies, as everything below.
-  double cut_length_mm = 0.0;  ///< With leads, without tabs.
-  double area_mm2 = 0.0;       ///< Of the material that is left: holes are subtracted.
-  double time_s = 0.0;  ///< Of its cuts and the rapids to them, with its share of the way back.
+  /// Number of the last cut of the first copy, as in pictures: from 1.
+  std::size_t number = 0;
+  /// Number of pierces of all copies; all members below are sums over all copies, too.
+  std::size_t pierces = 0;
+  double cut_length_mm = 0.0;  ///< Length of the cuts with leads, without tabs.
+  double area_mm2 = 0.0;       ///< Area of the material of the parts: holes are subtracted.
+  /// Time of the cuts and of the rapids to them, with a share of the rapid back.
+  double time_s = 0.0;
   Cost cost{};
 };
 
-/// Returns a row for each part that is cut, in the order in which their first copies are finished,
-/// and a last one for cuts that belong to no part, where there are such. Parts whose outer contours
-/// and holes have the same areas and lengths are copies. Times add up to the timeline's; the price
-/// of the sheet is shared by area, or evenly where nothing has one.
+/// Returns a row for each part that is cut, in the order in which the first copies are finished. If
+/// some cuts belong to no part, a last row holds them. Parts are copies if their outer contours and
+/// holes have the same areas and lengths. Times add up to the timeline's total. The price of the
+/// sheet is shared by area, or evenly if no row has an area.
 [[nodiscard]] std::vector<PartRow> part_table(const drawing::Drawing& drawn,
                                               const CutPlan& plan,
                                               const Timeline& timeline,

@@ -19,7 +19,7 @@ void make_unique(std::vector<std::size_t>& numbers) {
   numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
 }
 
-/// Puts together what belongs to the same unit.
+/// Returns the units with their cuts and their precedence.
 PartUnits gathered(const std::vector<UnbegunCut>& cuts,
                    const std::vector<std::size_t>& members,
                    const std::vector<std::size_t>& unit_of,
@@ -39,9 +39,9 @@ PartUnits gathered(const std::vector<UnbegunCut>& cuts,
   return units;
 }
 
-/// Returns the units in an order that keeps what must come before what, of those that are free
-/// always the one of the lowest rank; without those that wait for each other in a circle, and
-/// those after them.
+/// Returns the units in an order that keeps every precedence. Of the units whose predecessors are
+/// done, the one with the lowest rank comes next. Units that wait for each other in a circle, and
+/// those after them, are left out.
 std::vector<std::size_t> sorted_units(const PartUnits& units,
                                       const std::vector<std::size_t>& ranks) {
   using Ranked = std::pair<std::size_t, std::size_t>;
@@ -77,7 +77,7 @@ PartUnits units_of(const std::vector<UnbegunCut>& cuts, const std::vector<std::s
   const std::vector<std::size_t> none(units.cuts.size(), 0);
   const std::vector<std::size_t> sorted = sorted_units(units, none);
   if (sorted.size() == units.cuts.size()) return units;
-  // The others become the last unit.
+  // The remaining units together become the last unit.
   std::vector<std::size_t> number(units.cuts.size(), sorted.size());
   for (std::size_t i = 0; i < sorted.size(); ++i) number[sorted[i]] = i;
   for (const std::size_t member : members) unit_of[member] = number[unit_of[member]];

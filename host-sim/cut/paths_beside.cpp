@@ -18,7 +18,7 @@ namespace {
 
 using Rows = std::vector<std::vector<Stroke>>;
 
-/// Returns the paths beside one outline, as if there were no other one.
+/// Returns the offset paths of one outline, as if there were no other outlines.
 PathBeside path_beside(const DrawnEdges& edges, std::size_t contour, ContourOffset& offset) {
   const std::vector<Stroke>& outline = edges.outlines[contour].strokes;
   const double half_kerf_mm = edges.half_kerf_mm(contour);
@@ -49,7 +49,8 @@ PathBeside path_beside(const DrawnEdges& edges, std::size_t contour, ContourOffs
   return path;
 }
 
-/// Returns a warning for each outline that shares edges or points: where, and what that costs.
+/// Returns a warning for each outline that shares edges or points. The warning names the point, and
+/// how much the cut takes off there.
 std::vector<drawing::Fault> shared_by(const DrawnEdges& edges,
                                       const std::vector<std::size_t>& crowd,
                                       const SharedEdges& shared) {
@@ -89,7 +90,7 @@ std::vector<drawing::Fault> shared_by(const DrawnEdges& edges,
   return warnings;
 }
 
-/// Cuts a crowd apart along its shared edges.
+/// Cuts a crowd apart along its shared edges. Returns false if that is not possible.
 bool share_crowd(const DrawnEdges& edges,
                  const std::vector<std::size_t>& crowd,
                  ContourOffset& offset,
@@ -103,7 +104,7 @@ bool share_crowd(const DrawnEdges& edges,
   };
   const auto without_path = count_without_path();
   if (!part_crowd(edges, crowd, between, offset, paths)) return false;
-  // What has no path any more is cut with another part.
+  // An outline that has no path any more is cut together with another part.
   if (count_without_path() > without_path) {
     warnings.insert(warnings.end(), held.begin(), held.end());
   }
@@ -131,7 +132,7 @@ void part_crowds(const DrawnEdges& edges,
   }
 }
 
-/// Parts that lie against each other are reported once, in place of each gouge.
+/// Replaces the gouges of parts that lie against each other by one fault.
 void name_touching(const DrawnEdges& edges, std::vector<PathBeside>& paths) {
   for (std::size_t i = 0; i < paths.size(); ++i) {
     if (paths[i].gouges.empty()) continue;

@@ -12,38 +12,39 @@
 
 namespace sim::cut {
 
-/// The paths of the beam beside one outline, and their faults.
+/// The compensated paths of the beam for one outline, and their faults.
 struct PathBeside {
   std::vector<std::vector<Stroke>> loops{};
   /// Open lines in the middle of waste that is narrower than the kerf.
   std::vector<std::vector<Stroke>> middles{};
-  std::optional<drawing::Fault> narrow{};   ///< A warning that tells of these lines.
-  std::optional<drawing::Fault> failure{};  ///< Why there is no path.
-  bool shares_edges = false;                ///< Its path goes along edges of other outlines, too.
-  bool vanishes = false;                    ///< The outline is narrower than the kerf.
-  std::vector<Rest> rests{};                ///< Stretches of the outline that stay uncut.
-  std::vector<drawing::Fault> gouges{};     ///< Places where a path takes something off a part.
+  std::optional<drawing::Fault> narrow{};   ///< A warning that reports these lines.
+  std::optional<drawing::Fault> failure{};  ///< The reason why there is no path.
+  /// The path of the outline also follows edges of other outlines.
+  bool shares_edges = false;
+  bool vanishes = false;                 ///< The outline is narrower than the kerf.
+  std::vector<Rest> rests{};             ///< Stretches of the outline that stay uncut.
+  std::vector<drawing::Fault> gouges{};  ///< Points where a path takes something off a part.
 };
 
-/// The edges of a drawing, and the kerf of their cuts.
+/// The edges of a drawing, with the kerf and the settings of their cuts.
 struct DrawnEdges {
   const drawing::Drawing& drawn;
-  const std::vector<Outline>& outlines;  ///< By contour.
-  const Clearance& near;                 ///< All outlines that are cut beside their lines.
-  double reach_mm;                       ///< No edge that is farther off matters, mm.
-  std::function<double(std::size_t)> half_kerf_mm;  ///< Of a contour.
-  /// Returns by how much a cut along the middle of narrow waste may go into a contour, mm; 0: there
-  /// is none.
+  const std::vector<Outline>& outlines;  ///< The outline of each contour.
+  const Clearance& near;                 ///< All outlines that are cut at an offset.
+  double reach_mm;                       ///< Edges farther away than this do not matter, mm.
+  std::function<double(std::size_t)> half_kerf_mm;  ///< Returns half of the kerf of a contour.
+  /// Returns the distance by which a cut along the middle of narrow waste may go into a contour,
+  /// mm. 0: no such cut is permitted.
   std::function<double(std::size_t)> narrow_mm;
-  /// Returns whether two contours that lie against each other are cut once along their edge.
+  /// Returns whether two contours that lie against each other are cut once along their common edge.
   std::function<bool(std::size_t, std::size_t)> may_share;
 };
 
-/// Returns by contour the paths beside its outline at half of its kerf; no paths where an outline
-/// is cut in another way. Outlines that come nearer to each other than the kerf share their paths,
-/// with a warning; those that lie against each other, and may, have the edge between them in
-/// common. Where waste is narrower than the kerf and their settings say so, lines go along its
-/// middle, with a warning, too.
+/// Returns by contour the paths at an offset of half the kerf from its outline. There are no paths
+/// for an outline that is cut in another way. Outlines that come nearer to each other than the kerf
+/// share their paths, with a warning. Outlines that lie against each other have the edge between
+/// them in common if `may_share` permits. Where waste is narrower than the kerf and the settings
+/// allow it, lines run along its middle, with a warning, too.
 [[nodiscard]] std::vector<PathBeside> paths_beside(const DrawnEdges& edges,
                                                    std::vector<drawing::Fault>& warnings);
 

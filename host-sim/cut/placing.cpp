@@ -31,7 +31,7 @@ Transform about(const Place& middle, const Transform& transform) {
   return drawing::moved_by(middle) * transform * drawing::moved_by(-middle);
 }
 
-/// Returns contours that the map has changed, with the copy's name and part.
+/// Returns transformed contours. They keep their names and part numbers.
 std::vector<Piece> mapped(const std::vector<Piece>& pieces, const Transform& transform) {
   std::vector<Piece> result;
   result.reserve(pieces.size());
@@ -58,7 +58,7 @@ DrawnBox box_around(const std::vector<Piece>& pieces) {
   return box;
 }
 
-/// Widens a box by the corners of a picture.
+/// Extends a box by the corners of a picture.
 void include(const drawing::DrawnPicture& picture, DrawnBox& box) {
   const auto width = static_cast<double>(picture.image->width);
   const auto height = static_cast<double>(picture.image->height);
@@ -76,7 +76,7 @@ void move_faults(Drawing& drawn, const Transform& transform) {
   }
 }
 
-/// Puts one drawing to its place.
+/// Puts one drawing at its place.
 class DrawingPlacer {
  public:
   DrawingPlacer(Drawing& drawn, const PlaceWishes& wishes, double effort)
@@ -215,7 +215,7 @@ Place lower_left(const PlaceWishes& wishes, const Place& size, const MachineProf
   const Place margin{wishes.margin_mm, wishes.margin_mm};
   const Place low = bed.low + margin;
   const Place high = bed.high - margin - size;
-  // An origin at the right, or at the back, has the bed at its left, or before it.
+  // If the origin is at the right, or at the back, the bed lies on its left, or in front of it.
   return {bed.low.x() < 0.0 && bed.high.x() <= 0.0 ? high.x() : low.x(),
           bed.low.y() < 0.0 && bed.high.y() <= 0.0 ? high.y() : low.y()};
 }

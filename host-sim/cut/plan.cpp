@@ -41,7 +41,7 @@ void append(std::vector<drawing::Fault>& faults, const std::vector<drawing::Faul
   faults.insert(faults.end(), more.begin(), more.end());
 }
 
-/// Leaves a line along which nothing is done but cutting.
+/// Removes everything from the settings except the cut along the line.
 void leave_plain(LayerSettings& settings) {
   settings.lead_in = settings.lead_out = {};
   settings.overcut_mm = 0.0;
@@ -57,7 +57,7 @@ double widest_kerf(const std::vector<LayerPlan>& layers, const Recipes& recipes)
   return widest;
 }
 
-/// Makes the plan of one drawing: first what is cut, then in which order and from where on.
+/// Makes the plan of one drawing: first the cuts, then their order and beginnings.
 class Planner {
  public:
   Planner(const drawing::Drawing& drawn,
@@ -140,15 +140,19 @@ class Planner {
   const drawing::Drawing& drawn_;
   WayBeside beside_;
   const OrderWish& wish_;
-  CutPlan plan_;  ///< Its cuts have no strokes and are in the order of the drawing until the end.
-  std::vector<UnbegunCut> unbegun_;  ///< One for each cut.
-  std::vector<Outline> outlines_;    ///< One for each contour; empty ones are not cut.
+  /// The plan. Its cuts have no strokes, and are in the order of the drawing, until the order is
+  /// chosen.
+  CutPlan plan_;
+  std::vector<UnbegunCut> unbegun_;  ///< One unbegun cut for each cut of the plan.
+  std::vector<Outline> outlines_;    ///< One for each contour; an empty one is not cut.
   LeftLines left_lines_;
-  std::vector<std::optional<Place>> marks_;    ///< By contour.
+  std::vector<std::optional<Place>> marks_;    ///< Marked start of each contour.
   std::vector<std::size_t> loops_of_contour_;  ///< Number of cuts of each contour.
-  double reach_mm_;                            ///< Twice the widest kerf: nothing farther matters.
+  /// Reach of searches: twice the widest kerf. Nothing farther away matters.
+  double reach_mm_;
   Clearance edges_;
-  std::set<std::size_t> told_layers_;  ///< Those with a cut on the line, so far.
+  /// Layers with a cut on the line for which the warning was already given.
+  std::set<std::size_t> told_layers_;
 };
 
 bool Planner::may_share(std::size_t a, std::size_t b) const {
@@ -183,7 +187,8 @@ void Planner::cut_beside(std::size_t i, const PathBeside& path) {
   append(plan_.faults, path.gouges);
 }
 
-/// A gap between contours that cross is no slot that was drawn: it is only named.
+/// Reports an outline that is narrower than the kerf. A gap between contours that cross is not a
+/// slot that the user drew. It gets only a warning.
 void Planner::vanish(std::size_t i) {
   drawing::Fault fault{
       FaultKind::kTooSmall,
@@ -220,7 +225,7 @@ void Planner::cut_along(std::size_t i) {
   for (const std::vector<Stroke>& row : rests->second) add(row, true);
 }
 
-/// Fills the closed contours that are treated alike, layer by layer.
+/// Fills the closed contours, layer by layer. Contours with the same plan are filled together.
 void Planner::fill_areas(const std::vector<Side>& sides) {
   std::vector<std::pair<const LayerPlan*, std::vector<std::size_t>>> alike;
   for (std::size_t i = 0; i < outlines_.size(); ++i) {
@@ -278,7 +283,8 @@ void Planner::add_cut(std::size_t i, const std::vector<Stroke>& loop) {
   plan_.cuts.push_back(std::move(cut));
 }
 
-/// A line in narrow waste begins and ends as it is: there is no room for leads.
+/// Adds a cut along a line in narrow waste. It has no leads, because there is no free space for
+/// them.
 void Planner::add_middle(std::size_t i, const std::vector<Stroke>& row) {
   UnbegunCut cut{.path = MeasuredRow{row},
                  .is_open = true,
@@ -290,7 +296,7 @@ void Planner::add_middle(std::size_t i, const std::vector<Stroke>& row) {
   unbegun_.push_back(std::move(cut));
 }
 
-/// Says of each cut to which part it belongs, and which cuts must come before it.
+/// Sets for each cut its part, and the cuts that must come before it.
 void Planner::name_parts() {
   for (std::size_t i = 0; i < plan_.cuts.size(); ++i) {
     unbegun_[i].after = plan_.cuts[i].after;
@@ -302,12 +308,12 @@ void Planner::name_parts() {
   }
 }
 
-/// The line between two parts goes to the part that is drawn first, unless that one must be cut
-/// later.
+/// Shares the lines between parts. A line belongs to the part that is drawn first, unless this part
+/// must be cut later.
 void Planner::share_common_lines() {
   const auto asks = [](const UnbegunCut& cut) { return cut.settings.common_line_mm > 0.0; };
   if (std::ranges::none_of(unbegun_, asks)) return;
-  // The order of the file asks for no place.
+  // The order of the file does not depend on the points of the beginnings.
   for (UnbegunCut& cut : unbegun_) cut.beginnings = {Beginning{}};
   const auto drawn = usual_order(unbegun_, wish_, order::OrderMethod::kFile);
   std::vector<std::size_t> ranks(unbegun_.size());
@@ -316,7 +322,7 @@ void Planner::share_common_lines() {
 }
 
 void Planner::find_beginnings() {
-  // So many in all, so that the time for them is bounded.
+  // Greatest number of beginnings of all cuts, which bounds the time to find them.
   constexpr std::size_t kBeginnings = 400'000;
   constexpr std::size_t kFewest = 4;
   constexpr std::size_t kUsual = 16;
@@ -389,7 +395,7 @@ void Planner::put_in_order() {
   plan_.order.nearest = usual(order::OrderMethod::kNearest);
 }
 
-/// Finds what the beginnings of a cut cost where the order is searched for the least time.
+/// Finds the own costs of the beginnings of each cut, if the search minimises time.
 void Planner::find_own_costs() {
   const bool is_searched =
       wish_.method == order::OrderMethod::kOurs || wish_.method == order::OrderMethod::kExact;
@@ -403,7 +409,7 @@ void Planner::find_own_costs() {
   }
 }
 
-/// Only what falls out and is wanted is held.
+/// Returns the number of tabs of a cut. Only a wanted piece that would fall out gets tabs.
 unsigned Planner::tabs_of(const Cut& cut, const UnbegunCut& unbegun) {
   return cut.area_mm2 > 0.0 ? unbegun.settings.tabs : 0;
 }
@@ -430,7 +436,8 @@ void Planner::begin(Cut& cut, const UnbegunCut& unbegun, const Beginning& beginn
   cut.strokes = std::move(led.strokes);
 }
 
-/// Where the controller cannot find the way beside the part, it is given the way itself.
+/// Gives a cut the strokes for the controller. If the controller cannot compute the compensated
+/// path, the cut keeps the path itself, with a warning.
 void Planner::leave_to_controller(Cut& cut, std::size_t number) {
   ControllerWay way;
   way.reason = reason_against_controller(number);

@@ -16,58 +16,67 @@
 
 namespace sim::cut {
 
-/// Who moves the beam half a kerf aside.
+/// The program that offsets the path by half a kerf.
 enum class WayBeside : std::uint8_t {
-  kHere,          ///< The program has the beam's path.
-  kOnController,  ///< It has the drawn outline, and G42 by the kerf of the material.
+  kHere,  ///< This program: the G-code contains the beam's path.
+  /// The controller: the G-code contains the drawn outline, and G42 with the kerf of the material.
+  kOnController,
 };
 
-/// Number of a cut's contour where it has none.
+/// Stands for no contour, as the number of a cut's contour.
 inline constexpr std::size_t kNoContour = SIZE_MAX;
 
-/// The path along a contour, of which cuts are rests; see share_lines().
+/// The whole path along a contour, of which several cuts each have a piece; see share_lines().
 using SharedLoop = std::shared_ptr<const std::vector<Stroke>>;
 
 struct BurntPicture;
 
-/// One pierce and what is cut from it on; or a picture, whose rows are its strokes.
+/// One pierce and the strokes that follow it; or a picture, whose rows are the strokes.
 struct Cut {
-  std::size_t contour = 0;  ///< Of the drawing; kNoContour of a slice and of a picture.
-  std::size_t layer = 0;    ///< Of the drawing, and of the plan.
-  std::size_t turn = 0;     ///< Cuts of lower turns come before it: see CutTurn.
+  /// Number of the contour in the drawing; kNoContour for a slice or a picture.
+  std::size_t contour = 0;
+  std::size_t layer = 0;  ///< Number of the layer in the drawing and in the plan.
+  std::size_t turn = 0;   ///< Cuts of lower turns come before this cut: see CutTurn.
   bool is_hole = false;
-  double area_mm2 = 0.0;  ///< Enclosed by the beam's path, or by `loop`; 0 of an open line.
-  SharedLoop loop{};      ///< The whole path, where earlier cuts have some of its lines; else none.
+  double area_mm2 = 0.0;  ///< Area enclosed by the beam's path, or by `loop`; 0 for an open line.
+  /// The whole path, if earlier cuts have some of its lines; otherwise none.
+  SharedLoop loop{};
   std::vector<Stroke> strokes{};
-  /// The same for a controller that finds the way beside the part (see ControllerWay); none where
-  /// it is given the strokes.
+  /// The strokes for a controller that computes the compensated path itself (see ControllerWay);
+  /// empty if the controller gets `strokes`.
   std::vector<Stroke> programmed{};
-  /// Where its way turned sharply, whatever was done about it.
+  /// Points where the path turned sharply, whatever was done about them.
   std::vector<Place> corners{};
-  /// Cuts that must come before: what lies in a part is cut while the part holds still.
+  /// Cuts that must come before this cut. Contours inside a part are cut while the part is still
+  /// held.
   std::vector<std::size_t> after{};
-  /// Corners of the rapid to the start, between its ends; none where it is straight.
+  /// Corners of the rapid to the start, between its ends; empty if the rapid is straight.
   std::vector<Place> approach{};
   double lift_mm = 0.0;   ///< Height of Z during the rapid to the start; 0: not lifted.
-  bool is_slice = false;  ///< Of the waste: no contour of the drawing.
-  unsigned pass = 1;      ///< Number of times that it has been cut with it.
-  double wait_s = 0.0;    ///< The beam rests off before the pierce, until the sheet is cooler.
-  std::shared_ptr<const BurntPicture> picture{};  ///< Null of what is no picture.
+  bool is_slice = false;  ///< A cut through the waste, which belongs to no contour of the drawing.
+  unsigned pass = 1;      ///< Number of this pass over the contour, from 1.
+  /// Time at rest with the beam off before the pierce, until the sheet is cooler.
+  double wait_s = 0.0;
+  std::shared_ptr<const BurntPicture> picture{};  ///< The picture; null if the cut is no picture.
 
   [[nodiscard]] const Place& start() const { return strokes.front().from; }
   [[nodiscard]] const Place& end() const { return strokes.back().to; }
 };
 
-/// How the cuts came into their order, and what others would have cost.
+/// Figures of the order of the cuts, with the costs of other orders for comparison.
 struct OrderFigures {
   OrderWish wish{};
-  bool is_proven = false;  ///< No order with the listed beginnings is cheaper.
-  RapidSum rapids{};       ///< The rapids of this order as they are driven.
-  RapidSum straight{};     ///< The same if all were straight, as those below are.
-  RapidSum listed{};       ///< The first order, in which all beginnings are listed ones.
-  RapidSum file{};         ///< As the drawing lists them, each with its usual beginning.
-  RapidSum nearest{};      ///< Always the nearest next, each with its usual beginning.
-  double strokes_s = 0.0;  ///< Predicted time of everything else; 0 until predict().
+  bool is_proven = false;  ///< True if no order with beginnings from the lists is cheaper.
+  RapidSum rapids{};       ///< Rapids of this order as they are driven.
+  /// Rapids of this order if all were straight, as those of the orders below are.
+  RapidSum straight{};
+  /// Rapids of the first order found, in which all beginnings come from the lists.
+  RapidSum listed{};
+  /// Rapids in the order of the drawing, each cut with its usual beginning.
+  RapidSum file{};
+  /// Rapids if always the nearest cut is next, each with its usual beginning.
+  RapidSum nearest{};
+  double strokes_s = 0.0;  ///< Predicted time without the rapids; 0 until predict() is called.
 
   [[nodiscard]] double predicted_s() const { return rapids.time_s + strokes_s; }
 };
@@ -80,37 +89,39 @@ struct SharedLineFigures {
   double most_off_mm = 0.0;  ///< Greatest excess of the gap of two parts over the kerf.
 };
 
-/// What is to be cut, in order, and what of the drawing cannot be.
+/// The cuts in order, and the contours of the drawing that cannot be cut.
 struct CutPlan {
   std::vector<LayerPlan> layers;
-  Recipes recipes{};  ///< Of contours that rules treat otherwise than their layers.
+  Recipes recipes{};  ///< Plans of contours that rules treat differently from their layers.
   std::vector<Cut> cuts;
-  std::vector<drawing::Fault> faults;    ///< What is not cut as drawn.
-  std::vector<drawing::Fault> warnings;  ///< What is, and should be known.
-  OutlineOptions curves;                 ///< How the drawing's curves became arcs.
-  OrderFigures order{};                  ///< How the order was chosen, and what it costs.
+  std::vector<drawing::Fault> faults;    ///< Contours that are not cut as drawn.
+  std::vector<drawing::Fault> warnings;  ///< Warnings about contours that are cut as drawn.
+  OutlineOptions curves;                 ///< Options by which the drawing's curves became arcs.
+  OrderFigures order{};                  ///< Data on the choice of the order and on its cost.
   std::vector<Place> way_home{};         ///< Corners of the rapid after the last cut.
-  double lift_home_mm = 0.0;             ///< Height of Z during that rapid; 0: not lifted.
-  SharedLineFigures shared{};            ///< Lines that are cut once for two parts.
-  SafetyFigures safety{};                ///< What was done so that the order is safe.
+  /// Height of Z during the rapid after the last cut; 0: not lifted.
+  double lift_home_mm = 0.0;
+  SharedLineFigures shared{};  ///< Lines that are cut once for two parts.
+  SafetyFigures safety{};      ///< Figures of the measures that make the order safe.
 
-  /// Returns how a cut is made: by the rules for its contour, else as its layer.
+  /// Returns the plan for a cut: by the rules for its contour, otherwise that of its layer.
   [[nodiscard]] const LayerPlan& plan_of(const Cut& cut) const {
     return recipes.of(cut.contour, layers[cut.layer]);
   }
 };
 
-/// The closed contours of each layer, cut half a kerf beside the line, on the waste side, with
-/// leads, overcut and tabs; those of layers that say so on the line. Curves that are neither lines
-/// nor arcs are cut as arcs within the tolerance. Faults are contours that no arcs follow, holes
-/// too narrow for the kerf, and parts that are too close to each other for it; open contours are
-/// the drawing's own, and left out.
+/// Plans the cuts of a drawing. The closed contours of each layer are cut at an offset of half a
+/// kerf, on the waste side, with leads, overcut and tabs. Those of layers with such a setting are
+/// cut on the line. Curves that are neither lines nor arcs are cut as arcs within the tolerance.
+/// Faults are contours that could not be approximated by arcs, holes too narrow for the kerf, and
+/// parts that are too close to each other for it. Open contours are the drawing's own faults, and
+/// are left out.
 /// @param layers one for each layer of the drawing
-/// @param beside on the controller, what is cut beside the line has `programmed`, too; warnings
-/// tell of which has not
+/// @param beside kOnController: cuts at an offset have `programmed`, too; warnings name those
+/// without it
 /// @param recipes plans of single contours, which replace those of their layers
 /// @param order how order and beginnings are chosen; throws as choose_order() does
-/// @pre the tolerance of `curves` within its limits
+/// @pre the tolerance of `curves` is within its limits
 [[nodiscard]] CutPlan plan_cuts(const drawing::Drawing& drawn,
                                 std::vector<LayerPlan> layers,
                                 const OutlineOptions& curves = {},

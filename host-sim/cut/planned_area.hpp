@@ -7,20 +7,21 @@
 
 namespace sim::cut {
 
-/// Everything that a beam covers along strokes, each with a radius of its own.
+/// The area that a beam covers along strokes, each stroke with its own radius.
 class PlannedArea {
  public:
-  /// @param radius_mm > 0
+  /// Adds a stroke.
+  /// @param radius_mm above 0
   void add(const Stroke& stroke, double radius_mm);
-  /// After the last add().
+  /// Prepares the searches. Call it after the last add().
   void prepare();
 
-  /// Returns how far a place is inside of what is covered, negative outside, as
+  /// Returns the depth of a point inside the covered area, negative outside, as
   /// SweptArea::depth_of() does.
   [[nodiscard]] double depth_of(const Place& place) const;
 
  private:
-  std::map<double, Clearance> strokes_;  ///< By radius.
+  std::map<double, Clearance> strokes_;  ///< Strokes by radius.
 };
 
 }  // namespace sim::cut

@@ -9,14 +9,15 @@
 
 namespace sim::cut {
 
-/// Limits on where a cut may begin, beside those of its settings.
+/// Limits on the beginning of a cut, in addition to those of its settings.
 struct BeginningRoom {
-  bool is_planned_here = true;  ///< Else the controller finds the way beside the contour.
-  std::optional<Place> mark{};  ///< In the drawing: nearest to it, and nowhere else.
-  std::size_t count = 16;       ///< About as many beginnings.
+  bool is_planned_here = true;  ///< If false, the controller computes the compensated path.
+  /// A point of the drawing: the cut begins only at the point nearest to it.
+  std::optional<Place> mark{};
+  std::size_t count = 16;  ///< Approximate number of beginnings.
 };
 
-/// Gives a cut the list of its beginnings, and says whether it may begin between them, too.
+/// Sets the list of a cut's beginnings, and whether the cut may also begin between them.
 void find_possible_beginnings(UnbegunCut& cut,
                               const Outline& outline,
                               const LeadRoom& leads,

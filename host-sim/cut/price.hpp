@@ -4,19 +4,20 @@
 
 namespace sim::cut {
 
-/// Prices that a job is reckoned by.
+/// Prices from which the cost of a job is computed.
 struct PriceList {
-  double per_hour = 0.0;   ///< Of the machine, in `currency`.
-  double per_sheet = 0.0;  ///< Of the material of the sheet, in `currency`.
-  std::string currency{};  ///< `EUR`; printed behind each amount, may be empty.
+  double per_hour = 0.0;   ///< Price of the machine per hour, in `currency`.
+  double per_sheet = 0.0;  ///< Price of the material of a sheet, in `currency`.
+  /// Currency, for example `EUR`; printed after each amount, may be empty.
+  std::string currency{};
 
   [[nodiscard]] bool is_given() const { return per_hour > 0.0 || per_sheet > 0.0; }
 };
 
-/// Returns an amount for people: two decimals, and the currency where it has one.
+/// Returns an amount for people: with two decimals, and with the currency if the list has one.
 [[nodiscard]] std::string amount_text(double amount, const PriceList& prices);
 
-/// What a job or a part of it costs, in the currency of the list.
+/// Cost of a job or of a part of it, in the currency of the list.
 struct Cost {
   double machine = 0.0;
   double material = 0.0;

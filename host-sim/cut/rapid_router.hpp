@@ -8,34 +8,37 @@
 
 namespace sim::cut {
 
-/// Leads rapids round areas.
+/// Routes rapids around areas.
 class RapidRouter {
  public:
-  /// What rapids keep to.
+  /// Rules for rapids.
   struct Rules {
-    double clearance_mm = 0.5;  ///< Distance from areas, above 0; a gap may leave less.
-    double depth_mm = 0.01;     ///< Less than this inside of an area is its edge.
-    Place lowest{0.0, 0.0};     ///< Corners left of or below it only where there is no other way.
+    double clearance_mm = 0.5;  ///< Distance from areas, above 0; in a gap it may be less.
+    /// A point less deep than this inside an area counts as on its edge.
+    double depth_mm = 0.01;
+    /// Corners to the left of this point, or below it, are used only if there is no other path.
+    Place lowest{0.0, 0.0};
   };
 
-  /// @param areas what is not to be crossed, as it is at the time of each find()
+  /// @param areas areas that must not be crossed; each find() uses their state at that time
   RapidRouter(const FreedAreas& areas, const Rules& rules) : areas_{&areas}, rules_{rules} {}
 
-  /// Returns all places of the way of a rapid, its ends included: nearly the shortest one that
-  /// keeps the clearance, or a quarter or a sixteenth of it where there is no other. None where an
-  /// end is in an area, there is no way, or it takes more than some ten thousand trials.
-  /// @param just_cut the area whose edge the beam has just cut; from inside of it or beside it the
-  /// rapid leaves by the shortest way, and does not come back
+  /// Returns all points of the path of a rapid, including its ends. The path is nearly the shortest
+  /// one that keeps the clearance, or a quarter or a sixteenth of it if there is no other path. The
+  /// result is empty if an end is in an area, if there is no path, or if the search would need more
+  /// than some ten thousand trials.
+  /// @param just_cut the area whose edge the beam has just cut. From inside or near this area the
+  /// rapid leaves by the shortest path, and does not come back.
   [[nodiscard]] std::vector<Place> find(const Place& from,
                                         const Place& to,
                                         std::optional<std::uint32_t> just_cut) const;
 
  private:
-  /// One try: what is free, and how far left and down corners may be.
+  /// One try: the free legs, and the limit for corners to the left and below.
   struct Try {
     FreeLegs legs;
     Place lowest;
-    bool was_bounded = false;  ///< A corner was left out for that.
+    bool was_bounded = false;  ///< A corner was left out because of this limit.
   };
   [[nodiscard]] static std::vector<Place> search(Try& t, const RapidEnd& from, const RapidEnd& to);
   [[nodiscard]] static std::vector<Place> find(Try& t, const RapidEnd& from, const RapidEnd& to);

@@ -5,8 +5,8 @@
 namespace sim::cut {
 namespace {
 
-/// Factors of the distance to the goal: the first finds ways that are some per cent too long at
-/// most, the second goes straight for the goal where the first takes long.
+/// Factors of the distance to the goal in estimates. With the first factor, paths are at most some
+/// per cent too long. The second one makes a long search head straight for the goal.
 constexpr double kCareful = 1.02;
 constexpr double kHasty = 1.6;
 constexpr std::uint64_t kCarefulTrials = 3'000;

@@ -13,32 +13,34 @@
 
 namespace sim::cut {
 
-/// The search for one way round areas, from corner to corner of those that were met (A*).
+/// The search for one path around areas, from corner to corner of the areas that were found (A*).
 ///
-/// A leg is tried when it is the most promising one; what keeps it from being driven adds its
-/// corners to the places that can be reached from there. So a way costs the areas along it, not
-/// all that there are. It is nearly the shortest: estimates are raised by some per cent, more
-/// where the search is long.
+/// The most promising leg is tried first. An area that blocks a leg adds its corners to the points
+/// that can be reached from there. So the work depends on the areas along the path, not on all
+/// areas. The path is nearly the shortest one: estimates are raised by some per cent, and more in a
+/// long search.
 class RapidSearch {
  public:
-  /// @param legs what is free; it and the ends must outlive the search
-  /// @param lowest corners below or left of it are not used
+  /// @param legs decides which legs are free; `legs` and the ends must outlive the search
+  /// @param lowest corners below this point, or to the left of it, are not used
   RapidSearch(const FreeLegs& legs, const RapidEnd& from, const RapidEnd& to, const Place& lowest);
 
   enum class Outcome : std::uint8_t {
     kFound,
-    kNoWay,   ///< All that can be reached was tried.
-    kGaveUp,  ///< More trials may find one.
+    kNoWay,   ///< Everything that can be reached was tried.
+    kGaveUp,  ///< More trials may find a path.
   };
 
-  /// Searches, or goes on with a search that was given up. @pre the ends are in no area
-  /// @param max_trials legs that are tried, in all
+  /// Searches, or continues a search that was given up.
+  /// @pre the ends are in no area
+  /// @param max_trials total number of legs that may be tried
   [[nodiscard]] Outcome find(std::uint64_t max_trials);
 
-  /// Returns all places of the way, the ends included. @pre it was found
+  /// Returns all points of the path, including the ends.
+  /// @pre a path was found
   [[nodiscard]] std::vector<Place> way() const;
 
-  /// Returns whether a corner was left out because it is too far left or low.
+  /// Returns whether a corner was left out because it lies too far to the left or too low.
   [[nodiscard]] bool was_bounded() const { return was_bounded_; }
 
  private:
@@ -55,7 +57,8 @@ class RapidSearch {
   /// A leg that may be tried.
   struct Trial {
     double estimate_mm = 0.0;
-    std::uint64_t number = 0;  ///< Of equal ones the older comes first.
+    /// Number of the trial. Among equal estimates the older trial comes first.
+    std::uint64_t number = 0;
     std::size_t from = 0;
     std::size_t to = 0;
     bool operator>(const Trial& other) const {

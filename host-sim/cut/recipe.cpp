@@ -30,7 +30,8 @@ bool holds(Relation relation, double value, double bound) {
   return false;
 }
 
-/// Applies rules to one drawing. Contours of one layer to which the same rules apply share a plan.
+/// Applies rules to one drawing. Contours of one layer share a plan if the same rules apply to
+/// them.
 class RuleApplier {
  public:
   RuleApplier(const std::vector<ShopRule>& rules,
@@ -136,7 +137,7 @@ class RuleApplier {
     const ShopRule& rule = recipes_.applied[index].rule;
     if (rule.action == RuleAction::kSkip) plan.settings.side = Side::kSkip;
     if (rule.action == RuleAction::kMark) {
-      // A mark has neither leads nor tabs, and those that a layer has are no wishes.
+      // A mark has neither leads nor tabs. Those of the layer do not count as required.
       plan.settings = {.air = plan.settings.air};
       plan.settings.side = Side::kMark;
     }

@@ -12,13 +12,14 @@
 
 namespace sim::cut {
 
-/// How the contours of one layer are cut, with power and speed chosen.
+/// Settings for cutting the contours of one layer, with chosen power and speed.
 struct LayerPlan {
   LayerSettings settings;
   Condition condition;
 };
 
-/// Returns `kerf 0.1234 mm`, or `engraved` of lines without one.
+/// Returns `kerf 0.1234 mm`, or for a layer without a kerf `engraved`, `scored`, `filled` or `burnt
+/// as a picture`.
 [[nodiscard]] std::string width_text(const LayerPlan& plan);
 
 /// A rule of the shop and the contours to which it applies.
@@ -27,14 +28,14 @@ struct AppliedRule {
   std::vector<std::size_t> contours{};
 };
 
-/// Plans of the contours that rules treat otherwise than their layers.
+/// Plans of the contours that rules treat differently from their layers.
 struct Recipes {
   static constexpr std::uint32_t kOfLayer = UINT32_MAX;
 
   std::vector<LayerPlan> plans{};
-  /// Index into `plans` by contour, kOfLayer where no rule applies; empty without rules.
+  /// Index into `plans` by contour; kOfLayer if no rule applies; empty without rules.
   std::vector<std::uint32_t> by_contour{};
-  std::vector<AppliedRule> applied{};  ///< One for each rule, in their order.
+  std::vector<AppliedRule> applied{};  ///< One entry for each rule, in the order of the rules.
 
   /// Returns the plan of a contour, or that of its layer.
   [[nodiscard]] const LayerPlan& of(std::size_t contour, const LayerPlan& layer) const {
@@ -43,16 +44,17 @@ struct Recipes {
   }
 };
 
-/// Chooses power and speed for settings, as choose() does for a layer; throws std::invalid_argument
-/// saying what is permissible.
+/// Chooses power and speed for settings, as choose() does for a layer. Throws
+/// std::invalid_argument, which says what is permissible.
 using ChooseCondition = std::function<Condition(const LayerSettings&)>;
 
-/// Applies the rules in their order to all contours of layers that are not skipped; later rules
-/// change what earlier ones set. Holes and outer contours are those of the drawing with its layers
-/// as they are, before any rule. A marked contour is engraved on its line with `mark_share` of its
-/// layer's power. Throws std::invalid_argument with the place of the rule.
+/// Applies the rules in their order to all contours of layers that are not skipped. Later rules
+/// change the settings of earlier ones. Holes and outer contours are determined from the drawing
+/// and its layers before any rule applies. A marked contour is engraved on its line with
+/// `mark_share` of its layer's power. Throws std::invalid_argument, which names the place of the
+/// rule.
 /// @param layers one for each layer of the drawing
-/// @param thickness_mm of the sheet
+/// @param thickness_mm thickness of the sheet
 [[nodiscard]] Recipes apply_rules(const std::vector<ShopRule>& rules,
                                   const drawing::Drawing& drawn,
                                   const std::vector<LayerPlan>& layers,
@@ -60,7 +62,7 @@ using ChooseCondition = std::function<Condition(const LayerSettings&)>;
                                   double mark_share,
                                   const ChooseCondition& choose);
 
-/// Returns a line for each rule: its text, the number of contours, and how they are cut.
+/// Returns a line for each rule: its text, the number of its contours, and how they are cut.
 [[nodiscard]] std::vector<std::string> lines_of(const Recipes& recipes);
 
 }  // namespace sim::cut

@@ -10,10 +10,12 @@
 namespace sim::cut {
 namespace {
 
-constexpr std::size_t kFewStrokes = 32;    ///< Paths of as many are tried everywhere…
-constexpr std::size_t kStrokesAround = 3;  ///< …longer ones this far to either side.
-constexpr double kMarginMm = 0.2;          ///< Beginnings stay this far from the ends of strokes…
-constexpr double kMarginShare = 0.25;      ///< …or a share of the stroke, where that is less.
+/// Greatest number of strokes of a path on which all strokes are tried.
+constexpr std::size_t kFewStrokes = 32;
+/// Number of strokes to either side that are tried on longer paths.
+constexpr std::size_t kStrokesAround = 3;
+constexpr double kMarginMm = 0.2;      ///< Distance of beginnings from the ends of strokes.
+constexpr double kMarginShare = 0.25;  ///< Greatest such distance as a share of the stroke.
 constexpr double kGolden = 0.618033988749895;
 constexpr double kEndlessly = std::numeric_limits<double>::infinity();
 
@@ -21,7 +23,7 @@ double cost_between(const RapidCost& cost, const Place& from, const Place& to) {
   return cost(to.x() - from.x(), to.y() - from.y());
 }
 
-/// The costs of reaching the ends of one cut's beginnings.
+/// The costs of reaching the ends of a cut, by its beginnings.
 struct Layer {
   std::vector<double> cost;
   std::vector<std::size_t> before;
@@ -46,7 +48,7 @@ Layer layer_after(const Layer& last,
   return layer;
 }
 
-/// The best place of one cut's beginning between two places.
+/// Finds the best point for the beginning of one cut between two points.
 class Mover {
  public:
   Mover(const UnbegunCut& cut, const RapidCost& cost, const Place& from, const Place& to)
@@ -59,8 +61,9 @@ class Mover {
     return moved_to(present, cut_.path, cut_.settings, way_mm);
   }
 
-  /// By golden section, as the cost along a straight stroke has one minimum; that of the cut
-  /// itself hardly changes there.
+  /// Returns the best beginning on a stroke. It uses a golden section search on the rapids, because
+  /// their cost along a straight stroke has one minimum. The own cost of the cut hardly changes
+  /// there.
   [[nodiscard]] Beginning best_on(std::size_t stroke, const Beginning& present) const {
     constexpr int kSteps = 24;
     const double length = cut_.path.way_to(stroke + 1) - cut_.path.way_to(stroke);
@@ -100,13 +103,14 @@ class Mover {
   Place to_;
 };
 
-/// An arc around a corner of the part, at half a kerf.
+/// Returns whether a stroke is an arc around a corner of the part, at half a kerf.
 bool is_round_corner(const Stroke& stroke, double half_kerf_mm) {
   if (stroke.bulge <= 0.0 || half_kerf_mm <= 0.0) return false;
   return length_of(stroke) / (4.0 * std::atan(stroke.bulge)) < half_kerf_mm + 1.0e-6;
 }
 
-/// Moves one beginning. @return the gain, 0 where it stays
+/// Moves one beginning.
+/// @return the gain; 0 if the beginning stays
 double move_one(Beginning& beginning,
                 const UnbegunCut& cut,
                 const Mover& mover,
@@ -130,7 +134,7 @@ double move_one(Beginning& beginning,
         is_round_corner(cut.path.strokes()[stroke], cut.half_kerf_mm)) {
       continue;
     }
-    // Moving by a distance changes both rapids by about that at most.
+    // Moving by a distance changes each of the two rapids by at most about this distance.
     if (mover.cost_of(mover.at(beginning, from + 0.5 * length)) - length > least) continue;
     const Beginning wanted = mover.best_on(stroke, beginning);
     if (mover.cost_of(wanted) >= least) continue;
@@ -154,7 +158,8 @@ double move_one(Beginning& beginning,
   return present - mover.cost_of(best);
 }
 
-/// A cut whose beginning stayed where it is between two places stays there again.
+/// Records that a beginning did not move between two points. It would not move between the same
+/// points again.
 struct Settled {
   bool has_stayed = false;
   Place from{0.0, 0.0};
@@ -208,7 +213,7 @@ double refine_beginnings(std::vector<OrderedCut>& order,
                          const JobEnds& ends,
                          const Clearance& edges,
                          int rounds) {
-  constexpr double kHardlyAnything = 1.0e-4;  // Of the first round's gain.
+  constexpr double kHardlyAnything = 1.0e-4;  // Share of the first pass's gain.
   double sum = 0.0;
   double first = 0.0;
   std::vector<Settled> settled(order.size());

@@ -8,29 +8,31 @@
 
 namespace sim::cut {
 
-/// The ends of a job, mm.
+/// The positions at the start and the end of a job, mm.
 struct JobEnds {
   Place from{0.0, 0.0};
   Place to{0.0, 0.0};
 };
 
-/// Chooses the best of the given beginnings along an order that stays, exactly: the shortest path
-/// through layers of beginnings.
+/// Chooses the best of the given beginnings along a fixed order. The result is exact: the shortest
+/// path through layers of beginnings.
 void choose_beginnings(std::vector<OrderedCut>& order,
                        const std::vector<UnbegunCut>& cuts,
                        const RapidCost& cost,
                        const JobEnds& ends);
 
-/// Returns the cost of an order with its beginnings: of all rapids, and of the cuts themselves.
+/// Returns the cost of an order with its beginnings: the sum over all rapids and the own costs of
+/// the cuts.
 [[nodiscard]] double cost_along(const std::vector<OrderedCut>& order,
                                 const std::vector<UnbegunCut>& cuts,
                                 const RapidCost& cost,
                                 const JobEnds& ends);
 
-/// Moves beginnings along their paths, one after another, each to the best point between the cuts
-/// before and after it, until a round gains hardly anything or `rounds` have passed. The order
-/// stays. Leads keep their length and clear of `edges`; beginnings that may not move stay.
-/// @return how much cheaper the rapids and the cuts are
+/// Moves beginnings along their paths, one after another, each to the best point between the
+/// previous and the next cut. It stops when a pass gains hardly anything, or after `rounds` passes.
+/// The order does not change. Leads keep their length and stay clear of `edges`. Beginnings that
+/// may not move stay.
+/// @return reduction of the cost of the rapids and the cuts
 double refine_beginnings(std::vector<OrderedCut>& order,
                          const std::vector<UnbegunCut>& cuts,
                          const RapidCost& cost,

@@ -11,7 +11,7 @@
 namespace sim::cut {
 namespace {
 
-/// Throws std::invalid_argument for wishes that count on cuts that are made once.
+/// Throws std::invalid_argument if a cut has several passes, but the wishes require a single pass.
 void expect_passes_with(const SafetyWishes& wishes, const LayerSettings& settings) {
   const char* other = nullptr;
   if (settings.passes > 1) {
@@ -25,7 +25,7 @@ void expect_passes_with(const SafetyWishes& wishes, const LayerSettings& setting
       fmt::format("passes={}: does not go with {}; leave one of them out", settings.passes, other));
 }
 
-/// Returns whether a pass may go back along the line that the one before went.
+/// Returns whether a pass may go back along the line of the previous pass.
 bool may_return(const Cut& cut) {
   return cut.start() != cut.end() && cut.programmed.empty() && !cut.picture &&
          std::ranges::all_of(cut.strokes, [](const Stroke& stroke) {
@@ -44,7 +44,7 @@ Cut pass_of(const Cut& cut, unsigned pass) {
   return repeated;
 }
 
-/// Makes the list of cuts with all passes.
+/// Makes the list of cuts, with all their passes.
 class PassRepeater {
  public:
   explicit PassRepeater(const CutPlan& plan) : plan_{plan}, last_(plan.cuts.size()) {}
@@ -71,7 +71,7 @@ class PassRepeater {
     return plan_.plan_of(plan_.cuts[cut]).settings;
   }
 
-  /// Returns the end of the cuts that are repeated together.
+  /// Returns the end of the run of cuts whose passes alternate.
   [[nodiscard]] std::size_t end_of_run(std::size_t begin) const {
     std::size_t end = begin + 1;
     if (!settings_of(begin).passes_by_layer) return end;
@@ -93,8 +93,8 @@ class PassRepeater {
 
   const CutPlan& plan_;
   std::vector<Cut> cuts_;
-  std::vector<std::size_t> before_;  ///< Number of the pass before, by cut.
-  std::vector<std::size_t> last_;    ///< Number of the last pass so far, by cut of the plan.
+  std::vector<std::size_t> before_;  ///< Number of the previous pass of each cut.
+  std::vector<std::size_t> last_;    ///< Number of the last pass so far, for each cut of the plan.
 };
 
 }  // namespace
@@ -111,7 +111,7 @@ void repeat_passes(CutPlan& plan, const SafetyWishes& wishes) {
   plan.cuts = PassRepeater{plan}.repeat();
   const RapidSum all = rapids_of(plan);
   OrderFigures& order = plan.order;
-  // Other orders would have the rapids between passes as well.
+  // Other orders would have the rapids between passes, too.
   for (RapidSum* sum : {&order.straight, &order.listed, &order.file, &order.nearest}) {
     sum->length_mm += all.length_mm - once.length_mm;
     sum->time_s += all.time_s - once.time_s;

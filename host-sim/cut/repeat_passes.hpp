@@ -5,11 +5,11 @@
 
 namespace sim::cut {
 
-/// Repeats cuts as often as their layers want passes: each contour before the next one, or all
-/// neighbouring cuts of a layer once and then once more. Open lines are driven to and fro. The
-/// passes of a cut are cuts of their own, see Cut::pass. Throws std::invalid_argument where passes
-/// do not go with what the plan was made safe by.
-/// @param wishes by which make_safe() was called before
+/// Repeats cuts according to the number of passes of their layers: each contour before the next
+/// one, or all neighbouring cuts of a layer once and then once more. Open lines are driven to and
+/// fro. Each pass of a cut is a cut of its own, see Cut::pass. Throws std::invalid_argument if
+/// passes are incompatible with the measures that made the plan safe.
+/// @param wishes the wishes with which make_safe() was called before
 void repeat_passes(CutPlan& plan, const SafetyWishes& wishes);
 
 }  // namespace sim::cut

@@ -17,7 +17,7 @@ namespace {
 
 using SharedArea = std::shared_ptr<const LoopArea>;
 
-/// Rounding in places of the drawing, mm.
+/// Tolerance for rounding of points in the drawing, mm.
 constexpr double kJoined = 1.0e-3;
 
 bool frees(const Cut& cut) {
@@ -25,8 +25,8 @@ bool frees(const Cut& cut) {
                               [](const Stroke& stroke) { return stroke.purpose == Purpose::kTab; });
 }
 
-/// Returns the area that each cut frees, if any. A hole's area goes to the edge of the part, half a
-/// kerf beyond the cut; a part's has the cut outside.
+/// Returns the area that each cut frees, if any. The area of a hole extends to the edge of the
+/// part, half a kerf beyond the cut. The area of a part has the cut outside.
 std::vector<SharedArea> freed_by(const CutPlan& plan) {
   const std::vector<Cut>& cuts = plan.cuts;
   std::vector<SharedArea> areas(cuts.size());
@@ -43,7 +43,7 @@ std::vector<SharedArea> freed_by(const CutPlan& plan) {
   return areas;
 }
 
-/// Size of cells in which most areas are small.
+/// Returns a size of cells at which most areas need few cells.
 double cell_for(const std::vector<SharedArea>& areas) {
   double sum = 0.0;
   std::size_t count = 0;
@@ -72,8 +72,8 @@ Place lowest_of(const std::vector<Cut>& cuts) {
   return lowest;
 }
 
-/// For each cut, the cuts whose areas are free after it: its own, but for closed ones on their
-/// line, which are held until the last cut that begins inside.
+/// Returns, for each cut, the cuts whose areas become free after it. Usually this is the cut
+/// itself. The area of a closed cut on its line is held until the last cut that begins inside it.
 std::vector<std::vector<std::uint32_t>> releases(const CutPlan& plan,
                                                  const std::vector<SharedArea>& areas,
                                                  double cell_mm) {
@@ -97,7 +97,7 @@ std::vector<std::vector<std::uint32_t>> releases(const CutPlan& plan,
   return released;
 }
 
-/// Puts arcs where corner loops were left out: along the tangents of both edges.
+/// Adds arcs in place of corner loops that were left out. They are tangential to both edges.
 std::vector<Stroke> with_corners_closed(const std::vector<Stroke>& row) {
   std::vector<Stroke> closed;
   for (std::size_t i = 0; i < row.size(); ++i) {
@@ -113,7 +113,7 @@ std::vector<Stroke> with_corners_closed(const std::vector<Stroke>& row) {
   return closed;
 }
 
-/// Routes one rapid after the other, with the areas that are free by then.
+/// Routes one rapid after the other, around the areas that are free at that time.
 class Routing {
  public:
   Routing(CutPlan& plan, const drawing::Drawing& drawn, const AvoidanceRules& rules)
@@ -162,8 +162,8 @@ class Routing {
     plan_.safety.longer_mm += length;
   }
 
-  /// Returns the area of which the last cut was the last: the largest of those around the beam, or
-  /// the one whose edge it is at.
+  /// Returns the area that the last cut freed. Of several ones, returns the largest of those around
+  /// the beam, or else the one at whose edge the beam is.
   [[nodiscard]] std::optional<std::uint32_t> just_freed(const std::vector<std::uint32_t>& released,
                                                         const Place& beam) const {
     std::optional<std::uint32_t> found;
@@ -201,7 +201,8 @@ class Routing {
          "let the head rise with --lift, hold the parts with tabs, or leave out --avoid-freed"});
   }
 
-  /// What is inside of another freed area is crossed with it or not at all.
+  /// Removes freed areas inside another freed area: a rapid that avoids the outer area avoids them,
+  /// too.
   void drop_inside(std::uint32_t number) {
     const LoopArea& outer = *areas_[number];
     std::vector<std::uint32_t> inside;
@@ -219,7 +220,8 @@ class Routing {
   const drawing::Drawing& drawn_;
   double lift_mm_;
   std::vector<SharedArea> areas_;
-  std::vector<std::vector<std::uint32_t>> released_;  ///< After each cut.
+  /// Numbers of the areas that become free after each cut.
+  std::vector<std::vector<std::uint32_t>> released_;
   FreedAreas freed_;
   RapidRouter router_;
 };
@@ -237,7 +239,7 @@ std::vector<Stroke> loop_of_cut(const Cut& cut) {
   const auto is_closed = [&loop] {
     return !loop.empty() && drawing::distance(loop.front().from, loop.back().to) < kJoined;
   };
-  // Without a lead the first bit of the edge is the pierce.
+  // Without a lead, the pierce is the first piece of the edge.
   const Stroke& first = cut.strokes.front();
   if (!is_closed() && first.purpose == Purpose::kPierce) loop.insert(loop.begin(), first);
   if (has_loops) loop = with_corners_closed(loop);

@@ -7,7 +7,7 @@
 namespace sim::cut {
 namespace {
 
-/// Returns whether a place of the circle is on the arc: on the side of the chord to which it
+/// Returns whether a point of the circle is on the arc: on the side of the chord to which the arc
 /// bulges, whatever its sweep.
 bool is_on_arc(const Stroke& arc, const Place& place) {
   const double side = drawing::cross(arc.to - arc.from, place - arc.from);
@@ -21,8 +21,8 @@ Place nearest_on_line(const Place& from, const Place& to, const Place& place) {
   return from + std::clamp(drawing::dot(place - from, way) / square, 0.0, 1.0) * way;
 }
 
-/// Shares of the line through two places at which it meets a circle, the lesser first; none where
-/// it passes by.
+/// Shares of the line through two points at which it meets a circle, the smaller one first; none if
+/// it misses the circle.
 struct CircleMeetings {
   std::array<double, 2> shares{};
   bool meets = false;
@@ -100,10 +100,10 @@ double nearest_share(const Stroke& stroke, const Place& place) {
     const double square = (stroke.to - stroke.from).squaredNorm();
     return square > 0.0 ? std::clamp(std::sqrt(way.squaredNorm() / square), 0.0, 1.0) : 0.0;
   }
-  // At the start the direction of what is left is rounding.
+  // Near the start, the direction to the point is only rounding.
   constexpr double kNoShare = 1.0e-9;
   if (way.norm() < kNoShare * length_of(stroke)) return 0.0;
-  // Between the tangent and a chord is half of the angle that the chord spans.
+  // The angle between the tangent and a chord is half of the angle that the chord spans.
   const Place tangent = tangent_at(stroke, 0.0);
   const double half = std::atan2(drawing::cross(tangent, way), drawing::dot(tangent, way));
   return std::clamp(half / (2.0 * std::atan(stroke.bulge)), 0.0, 1.0);

@@ -6,17 +6,19 @@
 
 namespace sim::cut {
 
-/// Returns the centre of an arc. @pre the bulge is not 0
+/// Returns the centre of an arc.
+/// @pre the bulge is not 0
 [[nodiscard]] Place arc_centre(const Stroke& arc);
 
-/// Returns the nearest place of a stroke to another place.
+/// Returns the point of a stroke that is nearest to another point.
 [[nodiscard]] Place nearest_on(const Stroke& stroke, const Place& place);
 
-/// Returns the share of a stroke's length, 0 to 1, at which it is nearest to a place.
+/// Returns the share of a stroke's length, 0 to 1, at which it is nearest to a point.
 [[nodiscard]] double nearest_share(const Stroke& stroke, const Place& place);
 
-/// Returns the distance of the nearest places of a straight segment and a stroke, mm; 0 where they
-/// meet. Exact but for rounding: below 1e-9 mm for places within 10 m of each other.
+/// Returns the least distance between a straight segment and a stroke, mm; 0 if they meet. The
+/// result is exact except for rounding, which is below 1e-9 mm for points within 10 m of each
+/// other.
 [[nodiscard]] double segment_distance(const Place& from, const Place& to, const Stroke& stroke);
 
 /// Appends the shares of a segment, 0 to 1, at which it meets a stroke.

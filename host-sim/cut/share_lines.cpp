@@ -13,12 +13,12 @@
 namespace sim::cut {
 namespace {
 
-/// Shorter lines are not shared, in kerfs.
+/// Least length of a shared line, in kerfs.
 constexpr double kShortestKerfs = 2.0;
-/// An edge is cut where the beam comes to it within this, mm.
+/// Tolerance of the half kerf within which the beam reaches an edge, mm.
 constexpr double kReaches = 1.0e-3;
 
-/// Returns whether the beam at both ends of a rest comes to all of the part's edge beside it.
+/// Returns whether the beam at both ends of a rest reaches all of the part's edge along it.
 bool is_reached_from_ends(const std::vector<Stroke>& rest, double half_kerf_mm) {
   constexpr int kLooks = 8;
   if (length_of(rest) > 4.0 * half_kerf_mm) return false;
@@ -35,13 +35,13 @@ bool is_reached_from_ends(const std::vector<Stroke>& rest, double half_kerf_mm) 
   return true;
 }
 
-/// Stretches of a path that earlier cuts have.
+/// Stretches of a path that earlier cuts take over.
 struct Loss {
   std::vector<SharedStretch> stretches{};
-  std::vector<std::size_t> owners{};  ///< The cuts that have them.
+  std::vector<std::size_t> owners{};  ///< The cuts that take them over.
 };
 
-/// Finds what the cuts share, and makes the rows of cuts anew.
+/// Finds the lines that cuts share, and makes the new lists of cuts.
 class Sharing {
  public:
   Sharing(CutPlan& plan, std::vector<UnbegunCut>& unbegun, const std::vector<std::size_t>& ranks)
@@ -85,7 +85,7 @@ class Sharing {
     return &plan_.plan_of(plan_.cuts[a]) == &plan_.plan_of(plan_.cuts[b]);
   }
 
-  /// Returns what a cut shares with cuts of lower rank, along its path.
+  /// Returns the stretches that a cut shares with cuts of lower rank, along its path.
   [[nodiscard]] Loss loss_of(std::size_t i) const {
     const UnbegunCut& cut = unbegun_[i];
     const double tolerance = cut.settings.common_line_mm;
@@ -104,7 +104,7 @@ class Sharing {
       }
     }
     join_stretches(loss.stretches);
-    // Paths that have an edge in common have all of it in common.
+    // Paths with a common edge share the whole edge, however short it is.
     const double shortest_mm = cut.is_on_edge ? 0.0 : kShortestKerfs * 2.0 * cut.half_kerf_mm;
     std::erase_if(loss.stretches, [shortest_mm](const SharedStretch& stretch) {
       return stretch.to_mm - stretch.from_mm < shortest_mm;
@@ -114,7 +114,7 @@ class Sharing {
     return loss;
   }
 
-  /// Returns what is left to a cut, apart from what the beam reaches from the ends of it.
+  /// Returns the rests of a cut, without those that the beam covers from their ends.
   [[nodiscard]] std::vector<std::vector<Stroke>> needed_rests(std::size_t i,
                                                               const Loss& loss) const {
     const UnbegunCut& cut = unbegun_[i];
@@ -125,7 +125,7 @@ class Sharing {
     return rests;
   }
 
-  /// Lets cuts come earlier to which earlier ones would leave nothing, where that is possible.
+  /// Moves cuts forward to which earlier ones would leave nothing, where that is possible.
   void leave_each_a_line() {
     constexpr int kMostRounds = 8;
     bool is_changed = true;
@@ -140,7 +140,8 @@ class Sharing {
     }
   }
 
-  /// Lets a cut come before that of the owners of its lines to which most is left.
+  /// Moves a cut before one of the owners of its lines: the owner with the greatest length left.
+  /// Returns false if no owner permits this.
   bool comes_before_an_owner(std::size_t i, const Loss& loss) {
     std::vector<bool> is_before(unbegun_.size());
     std::vector<std::size_t> open{i};
@@ -197,7 +198,7 @@ class Sharing {
     owners_[i] = std::move(loss.owners);
   }
 
-  /// Puts the rests of a cut in its place, and numbers all cuts anew.
+  /// Replaces a cut by its rests, and renumbers all cuts.
   void split() {
     std::vector<std::size_t> first(unbegun_.size() + 1);
     for (std::size_t i = 0; i < unbegun_.size(); ++i) {
@@ -239,7 +240,7 @@ class Sharing {
       settings.overcut_mm = 0.0;
       settings.start = StartAt::kUsual;
       if (rest != longest) settings.tabs = 0;
-      // The beam begins in a kerf, unless a tab of the other part is there.
+      // The beam begins in a kerf, unless the other part has a tab at this point.
       if (unbegun_[i].settings.tabs == 0) settings.pierce_s = 0.0;
       unbegun.push_back(std::move(open));
       cuts.push_back(cut);
@@ -251,8 +252,10 @@ class Sharing {
   std::vector<std::size_t> ranks_;
   Clearance strokes_;
   std::vector<OwnedStroke> owner_of_stroke_;
-  std::vector<std::vector<std::vector<Stroke>>> rests_;  ///< By cut; none: it is cut whole.
-  std::vector<std::vector<std::size_t>> owners_;         ///< By cut.
+  /// Rests of each cut; none: the cut is made whole.
+  std::vector<std::vector<std::vector<Stroke>>> rests_;
+  /// Cuts that take over lines of each cut.
+  std::vector<std::vector<std::size_t>> owners_;
 };
 
 }  // namespace

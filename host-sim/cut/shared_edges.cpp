@@ -13,10 +13,11 @@
 namespace sim::cut {
 namespace {
 
-/// Ends of lines that are no farther apart are one node; gaps of lines, and lines, are none, mm.
+/// Greatest distance between ends of lines that count as one node, mm. Gaps of lines, and lines, of
+/// at most this length do not count.
 constexpr double kSameNode = 2.0 * kTouchesMm;
 
-/// Two outlines, by their places in the list of those that are searched.
+/// Two outlines, by their positions in the list that is searched.
 using Pair = std::pair<std::size_t, std::size_t>;
 
 /// Finds the lines that outlines share.
@@ -82,8 +83,10 @@ class EdgeFinder {
   std::vector<MeasuredRow> rows_;
   Clearance strokes_;
   std::vector<OwnedStroke> owned_;
-  std::map<Pair, std::vector<SharedStretch>> stretches_;  ///< Along the first one of the pair.
-  std::vector<std::vector<EdgeStretch>> taken_;           ///< By outline, stretches with lines.
+  /// Stretches along the first outline of each pair.
+  std::map<Pair, std::vector<SharedStretch>> stretches_;
+  /// Stretches of each outline that have lines or points.
+  std::vector<std::vector<EdgeStretch>> taken_;
   SharedEdges found_;
 };
 
@@ -134,7 +137,7 @@ std::vector<Stroke> EdgeFinder::strokes_along(std::size_t i, const SharedStretch
   return strokes;
 }
 
-/// Returns the stretch of the second outline beside a stretch of the first one.
+/// Returns the stretch of the second outline that lies along a stretch of the first one.
 std::optional<SharedStretch> EdgeFinder::other_side(const Pair& pair,
                                                     const SharedStretch& stretch) const {
   const auto known = stretches_.find({pair.second, pair.first});
@@ -194,7 +197,7 @@ void EdgeFinder::note_taken() {
   }
 }
 
-/// Returns whether an outline has a line, or a point, at or near a length along it.
+/// Returns whether an outline has a line, or a point, at or near a distance along it.
 bool EdgeFinder::is_taken(std::size_t i, double way_mm) const {
   const double length = rows_[i].length();
   return std::ranges::any_of(taken_[i], [&](const EdgeStretch& one) {
@@ -205,7 +208,7 @@ bool EdgeFinder::is_taken(std::size_t i, double way_mm) const {
   });
 }
 
-/// Adds the corners of an outline that touch others.
+/// Adds the corners of an outline that touch other outlines.
 void EdgeFinder::add_points(std::size_t i) {
   for (std::size_t k = 0; k < rows_[i].strokes().size(); ++k) {
     const Place& corner = rows_[i].strokes()[k].from;

@@ -9,11 +9,11 @@
 
 namespace sim::cut {
 
-/// Parts that lie no farther apart than this lie against each other, mm.
+/// Greatest distance between parts that count as lying against each other, mm.
 inline constexpr double kTouchesMm = 0.01;
 
-/// A stretch of a closed outline, mm along it; it goes on across the start where `to_mm` is not
-/// greater.
+/// A stretch of a closed outline, mm along it. If `to_mm` is not greater than `from_mm`, it
+/// continues across the start of the outline.
 struct EdgeStretch {
   std::size_t contour = 0;
   double from_mm = 0.0;
@@ -22,10 +22,12 @@ struct EdgeStretch {
 
 /// A line along which two outlines lie against each other, or a point at which they touch.
 struct SharedEdge {
-  std::vector<Stroke> strokes{};        ///< As the first outline goes; none of a point.
+  /// Strokes in the direction of the first outline; none for a point.
+  std::vector<Stroke> strokes{};
   std::array<EdgeStretch, 2> beside{};  ///< The stretches of both outlines.
-  std::array<std::size_t, 2> nodes{};   ///< At its start and its end.
-  bool is_ring = false;                 ///< It is the whole of both outlines.
+  /// Numbers of the nodes at the start and the end of the edge.
+  std::array<std::size_t, 2> nodes{};
+  bool is_ring = false;  ///< The edge is the whole of both outlines.
 };
 
 /// The lines along which outlines lie against each other, and the nodes at which they end.
@@ -35,12 +37,12 @@ struct SharedEdges {
 };
 
 /// Finds the lines along which two outlines lie against each other, nowhere farther apart than
-/// kTouchesMm: straight ones and arcs, whole edges and stretches of them. A line is that of the
-/// outline which comes first; its ends are moved by 2 kTouchesMm at most to where other lines end.
-/// Lines of 2 kTouchesMm or less are none. Points are corners that touch another outline where
-/// neither outline has a line.
+/// kTouchesMm. Lines may be straight or arcs, whole edges or stretches of edges. The geometry of a
+/// line is that of the outline with the lower position in the list. Ends of lines move by at most 2
+/// kTouchesMm to ends of other lines. Lines of 2 kTouchesMm or less do not count. Points are
+/// corners that touch another outline where neither outline has a line.
 /// @param contours numbers of closed outlines
-/// @param may_share whether two contours may share a line
+/// @param may_share returns whether two contours may share a line
 [[nodiscard]] SharedEdges shared_edges(
     const std::vector<Outline>& outlines,
     const std::vector<std::size_t>& contours,

@@ -8,16 +8,16 @@
 
 namespace sim::cut {
 
-/// A stretch of a path along which another path runs back.
+/// A stretch of a path along which another path runs in the opposite direction.
 struct SharedStretch {
-  double from_mm = 0.0;  ///< Along the path…
-  double to_mm = 0.0;    ///< …and more than that.
-  double off_mm = 0.0;   ///< Greatest distance between both paths there.
+  double from_mm = 0.0;  ///< Start of the stretch, as a distance along the path.
+  double to_mm = 0.0;    ///< End of the stretch, above `from_mm`.
+  double off_mm = 0.0;   ///< Greatest distance between the two paths along the stretch.
 };
 
-/// Returns the stretch of a stroke beside which another one runs in the opposite direction, nowhere
-/// farther than `tolerance_mm`: lines beside lines, and arcs beside arcs. None where they share
-/// less than a micrometre.
+/// Returns the stretch of a stroke along which another stroke runs in the opposite direction,
+/// nowhere farther away than `tolerance_mm`. Lines are compared with lines, and arcs with arcs.
+/// Returns nothing if the stretch is shorter than a micrometre.
 [[nodiscard]] std::optional<SharedStretch> shared_stretch(const Stroke& stroke,
                                                           const Stroke& other,
                                                           double tolerance_mm);
@@ -25,13 +25,13 @@ struct SharedStretch {
 /// Sorts stretches of one path and joins those that meet within a micrometre.
 void join_stretches(std::vector<SharedStretch>& stretches);
 
-/// Returns what stretches leave of a closed path, each rest in one piece; none where they leave
-/// nothing.
+/// Returns the parts of a closed path outside of the stretches, each in one piece; none if the
+/// stretches cover the path.
 /// @pre the stretches are sorted, joined, and not empty
 [[nodiscard]] std::vector<std::vector<Stroke>> rests_between(
     const MeasuredRow& path, const std::vector<SharedStretch>& stretches);
 
-/// Returns the same of an open path, in its order.
+/// Returns the parts of an open path outside of the stretches, in the path's order.
 [[nodiscard]] std::vector<std::vector<Stroke>> rests_of_open(
     const MeasuredRow& path, const std::vector<SharedStretch>& stretches);
 

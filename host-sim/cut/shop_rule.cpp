@@ -16,7 +16,7 @@
 namespace sim::cut {
 namespace {
 
-constexpr double kMaxBound = 1.0e9;  ///< mm, mm² and multiples.
+constexpr double kMaxBound = 1.0e9;  ///< Greatest bound, in mm, in mm² or as a multiple.
 constexpr double kMaxPercent = 1000.0;
 constexpr std::string_view kRuleBlanks = " \t\r\n";
 
@@ -72,7 +72,8 @@ class RuleParser {
     ++at_;
     return true;
   }
-  /// Letters, digits and hyphens from a letter on, not taken yet.
+  /// Returns the next word, which begins with a letter and has letters and digits. The word is not
+  /// consumed.
   std::string_view next_word() {
     skip_blanks();
     const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };

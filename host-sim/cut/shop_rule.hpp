@@ -10,47 +10,47 @@
 
 namespace sim::cut {
 
-/// What of a contour a rule compares.
+/// The quantity of a contour that a rule compares.
 enum class Quantity : std::uint8_t {
-  kDiameter,   ///< Of a closed contour; see diameter_of().
-  kPerimeter,  ///< The length of any contour.
-  kArea,       ///< What a closed contour encloses, holes included.
-  kThickness,  ///< Of the sheet.
+  kDiameter,   ///< Diameter of a closed contour; see diameter_of().
+  kPerimeter,  ///< Length of any contour.
+  kArea,       ///< Area that a closed contour encloses, holes included.
+  kThickness,  ///< Thickness of the sheet.
 };
 
 enum class Relation : std::uint8_t { kLess, kAtMost, kGreater, kAtLeast };
 
-/// `diameter < 2 thickness`: a quantity and a bound.
+/// A comparison such as `diameter < 2 thickness`, of a quantity with a bound.
 struct Comparison {
   Quantity quantity = Quantity::kDiameter;
   Relation relation = Relation::kLess;
-  double bound = 0.0;         ///< mm or mm², or a multiple of the thickness.
-  bool of_thickness = false;  ///< The bound is such a multiple.
+  double bound = 0.0;         ///< Bound in mm or mm², or as a multiple of the thickness.
+  bool of_thickness = false;  ///< The bound is a multiple of the thickness.
 };
 
-/// The contours that a rule is for, by their place in the part.
+/// The contours to which a rule applies, by their role in the part.
 enum class ContourKind : std::uint8_t { kAny, kHole, kOuter, kOpen };
 
-/// What happens to the contours of a rule.
+/// The treatment of the contours to which a rule applies.
 enum class RuleAction : std::uint8_t {
-  kChange,  ///< They are cut with other settings.
-  kSkip,    ///< They are not cut.
-  kMark,    ///< They are engraved on their line.
+  kChange,  ///< The contours are cut with other settings.
+  kSkip,    ///< The contours are not cut.
+  kMark,    ///< The contours are engraved on their line.
 };
 
-/// A value of a rule: that of a setting, or a share of the layer's.
+/// A value in a rule: the value of a setting, or a share of the layer's value.
 struct RuleChange {
   std::string key;
   std::string value;
-  double percent = 0.0;  ///< Of the layer's power or feed; 0: the value itself.
+  double percent = 0.0;  ///< Percentage of the layer's power or feed; 0: `value` is used as it is.
 };
 
 /// One rule of the shop: `hole diameter < thickness: feed=60%, lead-in=line:1`.
 struct ShopRule {
-  std::string text;   ///< As written, without blanks around it.
-  std::string place;  ///< `FILE:LINE` or `--rule`, for messages.
+  std::string text;   ///< The rule as written, without blanks around it.
+  std::string place;  ///< Origin of the rule for messages: `FILE:LINE` or `--rule`.
   ContourKind kind = ContourKind::kAny;
-  std::vector<Comparison> comparisons{};  ///< All of them hold.
+  std::vector<Comparison> comparisons{};  ///< Comparisons, all of which must hold.
   RuleAction action = RuleAction::kChange;
   std::vector<RuleChange> changes{};
 };
@@ -69,8 +69,8 @@ struct ShopRule {
 /// with the place, the column and what is wanted there.
 [[nodiscard]] ShopRule parse_shop_rule(std::string_view text, std::string place);
 
-/// Reads rules, one to a line; blank lines and those that begin with `#` do not count. Throws as
-/// parse_shop_rule() does, and for a text without any.
+/// Reads rules, one per line. Blank lines, and lines that begin with `#`, do not count. Throws as
+/// parse_shop_rule() does, and for a text without any rule.
 [[nodiscard]] std::vector<ShopRule> read_shop_rules(const std::string& text,
                                                     const std::string& file);
 

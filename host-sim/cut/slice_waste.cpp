@@ -12,11 +12,12 @@
 namespace sim::cut {
 namespace {
 
-/// Shorter ones are not worth a pierce, and narrower waste breaks by itself, mm.
+/// Least length of a slice, mm. Shorter ones are not worth a pierce, because so narrow waste breaks
+/// by itself.
 constexpr double kShortestSlice = 0.05;
 constexpr double kReachInKerfs = 10.0;
 
-/// The closed lines that are cut, by their place: inside of them is no waste of the sheet.
+/// Index of the closed lines that are cut. Inside them there is no waste of the sheet.
 class InsideOfCuts {
  public:
   InsideOfCuts(const CutPlan& plan, const drawing::Drawing& drawn, double cell_mm)
@@ -53,7 +54,7 @@ LoopArea::Box sheet_of(const CutPlan& plan, const SliceRules& rules) {
           sheet.y1};
 }
 
-/// The layer of the last cut beside a line, or of the last one at all.
+/// Returns the layer of the last cut at an offset from a line, or else of the last cut.
 std::size_t layer_of_slices(const CutPlan& plan) {
   for (auto cut = plan.cuts.rbegin(); cut != plan.cuts.rend(); ++cut) {
     if (plan.plan_of(*cut).settings.side == Side::kWaste) return cut->layer;
@@ -61,7 +62,7 @@ std::size_t layer_of_slices(const CutPlan& plan) {
   return plan.cuts.back().layer;
 }
 
-/// Appends slices along lines.
+/// Appends slices along straight lines.
 class Slicing {
  public:
   Slicing(CutPlan& plan, const drawing::Drawing& drawn, double piece_mm)

@@ -7,19 +7,21 @@
 
 namespace sim::cut {
 
-/// How the waste is cut up.
+/// Settings for cutting up the waste.
 struct SliceRules {
-  double piece_mm = 500.0;               ///< No piece of waste is wider or higher, above 0.
-  double margin_mm = 5.0;                ///< Of the sheet around all that is cut, 0 or more.
-  std::optional<LoopArea::Box> stock{};  ///< The sheet, where it is known; then without margin.
+  /// Greatest width and height of a piece of waste, above 0.
+  double piece_mm = 500.0;
+  double margin_mm = 5.0;  ///< Margin of the sheet around all cuts, 0 or more.
+  /// The sheet, if it is known; then the margin does not apply.
+  std::optional<LoopArea::Box> stock{};
 };
 
-/// Appends cuts that make pieces of what remains of the sheet round the parts, so that it can be
-/// carried away: straight lines across the sheet, the upright ones first, without what is inside of
-/// a contour or nearer to a drawn line than a kerf. There they end in the slot of the part. They
-/// have power and feed of the last cut beside a line. Without a sheet, it is the box of all that is
-/// cut, with the margin, though not beyond zero where all else is on this side of it. Counts in
-/// `safety`.
+/// Appends cuts that divide the rest of the sheet around the parts into pieces, so that it can be
+/// carried away. They are straight lines across the sheet, the vertical ones first. They omit
+/// everything inside a contour or nearer to a drawn line than a kerf, so they end in the slot of
+/// the part. Their power and feed are those of the last cut at an offset from a line, or else of
+/// the last cut. If the sheet is not known, it is the box of all cuts plus the margin. If all cuts
+/// are on the positive side of zero, it does not extend beyond zero. Counts in `safety`.
 void slice_waste(CutPlan& plan, const drawing::Drawing& drawn, const SliceRules& rules);
 
 }  // namespace sim::cut

@@ -12,7 +12,7 @@
 namespace sim::cut {
 namespace {
 
-/// A mark that is farther from all contours marks none, mm.
+/// Greatest distance of a mark from its contour, mm; a mark farther from all contours is a fault.
 constexpr double kFarthestMark = 5.0;
 
 Place middle_of(const std::vector<Stroke>& strokes) {

@@ -9,17 +9,19 @@
 
 namespace sim::cut {
 
-/// Returns, for each contour of the drawing, where the user has marked its start: the middle of a
-/// small circle or a short line on a layer with side=start that lies nearest to it.
+/// Returns, for each contour of the drawing, the point that the user has marked as its start. A
+/// mark is a small circle or a short line on a layer with side=start, and counts for the contour
+/// nearest to it. The point is the middle of the mark.
 /// @param sides by contour
-/// @param faults receives marks that are far from all contours or share one with another mark
+/// @param faults receives marks that are far from all contours, and marks of a contour that already
+/// has another mark
 [[nodiscard]] std::vector<std::optional<Place>> marked_starts(const drawing::Drawing& drawn,
                                                               const std::vector<Side>& sides,
                                                               const std::vector<Outline>& outlines,
                                                               const OutlineOptions& curves,
                                                               std::vector<drawing::Fault>& faults);
 
-/// Returns how far along a row its point nearest to `place` is, mm.
+/// Returns the distance along a row to its point nearest to `place`, mm.
 [[nodiscard]] double way_nearest_to(const MeasuredRow& row, const Place& place);
 
 }  // namespace sim::cut

@@ -7,7 +7,7 @@
 namespace sim::cut {
 namespace {
 
-/// Shorter stretches are none, mm.
+/// Least length of a stretch, mm; shorter ones are left out.
 constexpr double kShortestStretch = 1.0e-6;
 
 double sweep_of(const Stroke& stroke) { return 4.0 * std::atan(stroke.bulge); }
@@ -18,6 +18,7 @@ Place turned(const Place& way, double angle) {
   return std::cos(angle) * way + std::sin(angle) * left_of(way);
 }
 
+/// Returns the centre of an arc.
 /// @pre the bulge is not 0
 Place centre_of(const Stroke& stroke) {
   const double across = (1.0 - stroke.bulge * stroke.bulge) / (4.0 * stroke.bulge);
@@ -53,7 +54,7 @@ Place place_at(const Stroke& stroke, double share) {
 Place place_at(const Stroke& stroke, const HalfSweep& half, double share) {
   if (share <= 0.0) return stroke.from;
   if (share >= 1.0) return stroke.to;
-  // In the frame of the chord: no far-away centre of a flat arc.
+  // The point is computed relative to the chord, which avoids the distant centre of a flat arc.
   const Place chord = stroke.to - stroke.from;
   if (half.angle == 0.0) return stroke.from + share * chord;
   const double reach = std::sin(share * half.angle) / half.sine;

@@ -8,14 +8,15 @@
 namespace sim::cut {
 namespace {
 
-/// Arcs that leave their chord by less are lines here, mm: their centres have no digits left.
+/// Height of an arc below which it counts as a line here, mm, because its centre would have no
+/// correct digits left.
 constexpr double kFlatMm = 1.0e-7;
 
 bool is_line(const Stroke& stroke) {
   return std::abs(stroke.bulge) * drawing::distance(stroke.from, stroke.to) < 2.0 * kFlatMm;
 }
 
-/// The circle of an arc, and the sector that the arc takes of it.
+/// The circle of an arc, and the sector of the arc.
 struct CircleArc {
   explicit CircleArc(const Stroke& arc) {
     const Place chord = arc.to - arc.from;
@@ -71,11 +72,14 @@ double inner_distance(const Stroke& line, const CircleArc& arc, double least) {
   return least;
 }
 
-/// @pre the first circle is not the larger one: a crossing is found from it without loss of digits
+/// Returns the smaller of `least` and the distances between inner points of two arcs; 0 if they
+/// cross.
+/// @pre the first circle is not larger than the second one, so that a crossing is computed without
+/// loss of digits
 double inner_distance(const CircleArc& a, const CircleArc& b, double least) {
   const Place way = b.centre - a.centre;
   const double apart = std::hypot(way.x(), way.y());
-  // Circles around one centre are equally far apart everywhere: the ends of the arcs tell.
+  // Concentric circles have the same distance everywhere, so the ends of the arcs decide.
   if (apart == 0.0) return least;
   for (const double on_a : {1.0, -1.0}) {
     if (!a.holds(on_a * way)) continue;

@@ -10,16 +10,16 @@
 
 namespace sim::cut {
 
-/// Everything that discs cover, by cells of the plane.
+/// The area that discs cover, stored by cells of the plane.
 class SweptArea {
  public:
-  /// Edges farther than this outside of a disc are not told apart, mm.
+  /// Outside of the discs, distances to the edge are measured up to this limit, mm.
   static constexpr double kReachMm = 0.25;
 
   void add(const Place& centre, double radius_mm);
 
-  /// How far a place is inside of what is covered, negative outside; −kReachMm at least. Inside,
-  /// where discs follow each other closely, it is the distance to the edge of their band.
+  /// Returns the depth of a point inside the covered area; negative outside, at least −kReachMm.
+  /// Inside, where discs follow each other closely, it is the distance to the edge of their band.
   [[nodiscard]] double depth_of(const Place& place) const;
 
  private:
@@ -27,20 +27,21 @@ class SweptArea {
     Place centre;
     double radius_mm;
   };
-  /// The box of some centres, and the greatest radius.
+  /// The box of the centres of some discs, and their greatest radius.
   struct Group {
     cnc::contour::FlatBox<double> centres{};
     double widest_mm = 0.0;
 
-    /// Returns whether a place may be deeper than `depth_mm` in one of its discs.
+    /// Returns whether a point may be deeper than `depth_mm` in a disc of the group.
     [[nodiscard]] bool may_be_deeper(const Place& place, double depth_mm) const;
-    /// Returns the square of the distance between a place and the box, mm².
+    /// Returns the square of the distance between a point and the box, mm².
     [[nodiscard]] double squared_distance(const Place& place) const;
   };
   /// Discs in the order in which they were added, so that neighbours are near each other.
   struct Cell {
     std::vector<Disc> discs{};
-    std::vector<Group> groups{};  ///< Each holds kGroup discs; the last may hold fewer.
+    /// Groups of discs. Each holds kGroup discs; the last may hold fewer.
+    std::vector<Group> groups{};
   };
   static constexpr double kCellMm = 0.5;
   static constexpr std::size_t kGroup = 16;

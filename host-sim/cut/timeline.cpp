@@ -46,7 +46,8 @@ TimeKind kind_of(Purpose purpose) {
 
 bool is_rest(TimeKind kind) { return kind == TimeKind::kCornerDwell || kind == TimeKind::kWait; }
 
-/// Goes through a job in the order of its program; times of motions are known at its end.
+/// Goes through a job in the order of its program. The times of motions are known only at the end
+/// of the job.
 class TimelineMaker {
  public:
   explicit TimelineMaker(const OrderWish& machine) : clock_{machine}, here_{machine.from} {}
@@ -70,7 +71,7 @@ class TimelineMaker {
     here_ = cut.end();
   }
 
-  /// Puts one step behind the other, with the times of its motions.
+  /// Returns the timeline: the steps one after the other, with the times of the motions.
   Timeline finish() {
     const std::vector<double> times = clock_.finish();
     std::size_t motion = 0;
@@ -97,17 +98,19 @@ class TimelineMaker {
   }
 
   ControllerClock clock_;
-  Timeline timeline_;  ///< Only rests have their times, from 0 on.
+  Timeline timeline_;  ///< Steps; until finish() only rests have their times, from 0 on.
   Place here_;
 };
 
-/// Cuts in a row, whose times are predicted apart from those of others.
+/// Consecutive cuts whose times are predicted separately from those of other cuts.
 struct CutRange {
   std::size_t first = 0;
-  std::size_t end = 0;  ///< Behind the last one; behind all cuts for the return to the origin, too.
+  /// Number after the last cut; the number of cuts plus one if the range includes the return to the
+  /// origin.
+  std::size_t end = 0;
 };
 
-/// Divides long jobs, everywhere at the same cuts: threads only share them out.
+/// Divides a long job into ranges. The division does not depend on the number of threads.
 std::vector<CutRange> ranges_of(const CutPlan& plan) {
   constexpr std::size_t kStrokesOfRange = 50'000;
   const std::size_t all = plan.cuts.size() + 1;
@@ -124,9 +127,9 @@ std::vector<CutRange> ranges_of(const CutPlan& plan) {
   return ranges;
 }
 
-/// Returns the cuts that are driven to predict those of a range. How far the controller has read
-/// ahead follows from the last motions, so cuts before the range are driven as well, and some
-/// behind it: its last motion does not end the job.
+/// Returns the cuts that are driven to predict the times of a range. The controller's state of
+/// reading ahead follows from the last motions, so cuts before the range are driven, too. Some cuts
+/// after the range are driven because its last motion does not end the job.
 CutRange driven_for(const CutPlan& plan, const CutRange& range) {
   constexpr std::size_t kStrokesBefore = 4 * cnc::motion::kLookAheadBlocks;
   constexpr std::size_t kStrokesBehind = cnc::motion::kLookAheadBlocks;
@@ -140,7 +143,7 @@ CutRange driven_for(const CutPlan& plan, const CutRange& range) {
   return driven;
 }
 
-/// Returns the steps of a range of cuts, from some time on.
+/// Returns the steps of a range of cuts, starting at an arbitrary time.
 Timeline timeline_of(const CutPlan& plan, const CutRange& range) {
   const CutRange driven = driven_for(plan, range);
   OrderWish machine = plan.order.wish;
@@ -157,7 +160,7 @@ Timeline timeline_of(const CutPlan& plan, const CutRange& range) {
   return timeline;
 }
 
-/// Moves steps behind those that are there.
+/// Appends steps after those that are already there, with their times moved.
 void append(Timeline& more, Timeline& all) {
   double now = all.total_s();
   for (TimeStep& step : more.steps) {

@@ -8,15 +8,15 @@
 
 namespace sim::cut {
 
-/// Lists the wishes of the settings that an offset cut does not fulfil, as warnings: leads, tabs
-/// and corner loops without room, and an overcut or lead out of a cut that ends before a tab.
+/// Returns warnings about settings that a cut at an offset does not fulfil: leads, tabs and corner
+/// loops without free space, and an overcut or lead-out of a cut that ends before a tab.
 /// @param tabs the number that the settings require
 [[nodiscard]] std::vector<drawing::Fault> unfulfilled(const LedCut& cut,
                                                       const LayerSettings& settings,
                                                       const drawing::Entity& entity,
                                                       unsigned tabs);
 
-/// Lists the wishes of the settings that no cut on its line fulfils. At most one warning.
+/// Returns at most one warning, about settings that a cut on its line cannot fulfil.
 [[nodiscard]] std::vector<drawing::Fault> unfulfilled_on_line(const LayerSettings& settings,
                                                               const drawing::Entity& entity,
                                                               const Place& start);

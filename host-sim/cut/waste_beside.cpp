@@ -20,7 +20,7 @@ double signed_area_of(const Contour& contours) {
   return area;
 }
 
-/// Puts a frame far around outlines.
+/// Adds a frame far around outlines.
 void append_frame(const std::vector<const std::vector<Stroke>*>& rows, Contour& waste) {
   constexpr double kInfinite = std::numeric_limits<double>::infinity();
   Place least{kInfinite, kInfinite};
@@ -31,7 +31,8 @@ void append_frame(const std::vector<const std::vector<Stroke>*>& rows, Contour& 
       most = most.cwiseMax(stroke.from);
     }
   }
-  const double margin = 1.0 + 2.0 * (most - least).maxCoeff();  // Arcs reach beyond their ends.
+  // The margin includes arcs, which extend beyond their ends.
+  const double margin = 1.0 + 2.0 * (most - least).maxCoeff();
   append_rectangle(least - Place::Constant(margin), most + Place::Constant(margin), waste);
 }
 
@@ -53,7 +54,8 @@ Contour waste_beside(const std::vector<const std::vector<Stroke>*>& rows, bool i
     append_loops(inside.view(), drawn);
   }
   Contour waste = filled_area(drawn);
-  // An odd number of contours encloses the overlap of two parts, too: it is no waste.
+  // The filling rule counts the overlap of two parts as enclosed by an odd number of contours, but
+  // it is no waste.
   if (std::abs(signed_area_of(waste) - waste_mm2) > kLeastFilledWidthMm * length_mm) {
     throw NoOffset{rows.front()->front().from,
                    "this contour, or one with it, overlaps another one",

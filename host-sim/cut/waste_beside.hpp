@@ -7,11 +7,12 @@
 
 namespace sim::cut {
 
-/// Returns the waste on the right of outlines, on the left of contours which may touch. Outlines
-/// that turn back by a hair are read by the filling rule; see filled_area().
-/// Throws NoOffset where waste does not close, or outlines overlap by more than a hair.
-/// @param rows closed outlines with parts on their left, one at least
-/// @param is_in_holes the outermost of them are holes; else waste ends at a frame far around them
+/// Returns the waste on the right of outlines, as contours with the waste on their left, which may
+/// touch. Outlines that turn back by a hair are read by the filling rule; see filled_area(). Throws
+/// NoOffset if the contours of the waste do not close, or if outlines overlap by more than a hair.
+/// @param rows closed outlines with parts on their left, at least one
+/// @param is_in_holes the outermost outlines are holes; otherwise the waste ends at a frame far
+/// around the outlines
 [[nodiscard]] Contour waste_beside(const std::vector<const std::vector<Stroke>*>& rows,
                                    bool is_in_holes);
 

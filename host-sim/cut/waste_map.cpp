@@ -8,9 +8,10 @@
 namespace sim::cut {
 namespace {
 
-/// The shortest step along a way, mm: less than the beam's path is known by.
+/// Least step along a path, mm. It is smaller than the accuracy of the beam's path.
 constexpr double kShortestStep = 1.0e-3;
-/// A step of all that there is to spare ends at the limit, on either side of it by rounding.
+/// Share of the spare distance that one step uses. A step over the whole spare distance would end
+/// at the limit, on either side of it by rounding.
 constexpr double kShareOfSpare = 0.9;
 
 }  // namespace

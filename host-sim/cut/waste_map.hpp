@@ -9,24 +9,26 @@
 
 namespace sim::cut {
 
-/// How near a straight way comes to the lines of a drawing that are cut, and to tabs.
+/// Measures the distance of a straight path from the lines of a drawing that are cut, and from
+/// tabs.
 class WasteMap {
  public:
-  /// @param reach_mm nothing farther is measured, above 0
+  /// @param reach_mm greatest distance that is measured, above 0
   WasteMap(const CutPlan& plan, const drawing::Drawing& drawn, double reach_mm);
 
-  /// Distance to the nearest line that is cut, at most the reach, mm.
+  /// Returns the distance to the nearest line that is cut, mm; at most the reach.
   [[nodiscard]] double distance_to_lines(const Place& place) const;
 
-  /// Returns whether a straight way keeps these distances; shallower intrusions than a micrometre
-  /// may be missed. @pre both are less than the reach
+  /// Returns whether a straight path keeps both distances. Intrusions shallower than a micrometre
+  /// may be missed.
+  /// @pre both distances are below the reach
   [[nodiscard]] bool is_clear(const Place& from,
                               const Place& to,
                               double from_lines_mm,
                               double from_tabs_mm) const;
 
-  /// Returns the stretches of a straight way that are no nearer to lines than this, as lengths from
-  /// its start; their ends are within a micrometre of where they could be.
+  /// Returns the stretches of a straight path that keep `from_lines_mm` from lines, as distances
+  /// from its start. Their ends are accurate to a micrometre.
   [[nodiscard]] std::vector<std::pair<double, double>> clear_stretches(const Place& from,
                                                                        const Place& to,
                                                                        double from_lines_mm) const;

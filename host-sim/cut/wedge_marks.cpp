@@ -11,12 +11,13 @@
 namespace sim::cut {
 namespace {
 
-/// The end of a path is its start, mm.
+/// Distance from the end of a path within which a point counts as its start, mm.
 constexpr double kSameEnd = 1.0e-6;
-/// Share of half a kerf that a line gains at least by its end, in proportion.
+/// Least distance to the outlines at the end of a line, as a share of half a kerf; before the end
+/// it grows in proportion to the length.
 constexpr double kGains = 0.4;
 
-/// Returns the angle from one direction to another one, to the left, above 0.
+/// Returns the angle from one direction to the left to another one, above 0.
 double angle_between(const Place& from, const Place& to) {
   const double angle = std::atan2(drawing::cross(from, to), drawing::dot(from, to));
   return angle > 0.0 ? angle : angle + drawing::kFullTurn;
@@ -93,7 +94,7 @@ std::optional<PathMark> WedgeMarks::mark_in(const Wedge& wedge) const {
   return nearest;
 }
 
-/// Returns the point of a stroke of a path that is nearest to a place.
+/// Returns the mark at the point of a path's stroke that is nearest to a point.
 PathMark WedgeMarks::mark_on(std::size_t number, const Place& place) const {
   const auto [loop, stroke_number] = owners_[number];
   const MeasuredRow& row = rows_[loop];

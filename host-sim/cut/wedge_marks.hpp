@@ -13,20 +13,22 @@ namespace sim::cut {
 /// A point of a path around outlines.
 struct PathMark {
   std::size_t loop = 0;
-  double way_mm = 0.0;  ///< Along the path.
+  double way_mm = 0.0;  ///< Distance along the path.
   Place place{0.0, 0.0};
 };
 
 /// A stretch of an outline between two nodes at which it touches other outlines.
 struct FreeStretch {
   std::size_t contour = 0;
-  std::size_t from = 0;      ///< Node…
-  std::size_t to = 0;        ///< …and node.
-  Place leaving{0.0, 0.0};   ///< Unit direction at the first node…
-  Place arriving{0.0, 0.0};  ///< …and at the last one.
+  std::size_t from = 0;      ///< Number of the node at its start.
+  std::size_t to = 0;        ///< Number of the node at its end.
+  Place leaving{0.0, 0.0};   ///< Unit direction of the stretch at the first node.
+  Place arriving{0.0, 0.0};  ///< Unit direction of the stretch at the last node.
   double length_mm = 0.0;
-  std::optional<PathMark> first{};  ///< The end of the line from the first node into the waste…
-  std::optional<PathMark> last{};   ///< …and of that from the last one.
+  /// End of the line that leads from the first node into the waste.
+  std::optional<PathMark> first{};
+  /// End of the line that leads from the last node into the waste.
+  std::optional<PathMark> last{};
 };
 
 /// Longest line from a node into the waste, in half kerfs.
@@ -35,25 +37,25 @@ inline constexpr double kLongestConnector = 4.0;
 /// Finds straight lines from nodes through the waste to the paths around outlines.
 class WedgeMarks {
  public:
-  /// @param rows closed paths half a kerf beside all outlines
-  /// @param near all outlines, reach of kLongestConnector half kerfs at least
+  /// @param rows closed paths at half a kerf around all outlines
+  /// @param near all outlines, with a reach of at least kLongestConnector half kerfs
   WedgeMarks(const std::vector<Place>& nodes,
              const std::vector<MeasuredRow>& rows,
              const Clearance& near,
              double half_kerf_mm);
 
-  /// Marks both ends of free stretches. At a node, the waste between one that arrives and the next
-  /// one that leaves, to the left, is a wedge: both get the point of the paths in it that is
-  /// nearest to the node. They have none where waste is too narrow for a path.
+  /// Marks both ends of free stretches. At a node, the waste between an arriving stretch and the
+  /// next leaving stretch to the left is a wedge. Both stretches get the point of the paths in this
+  /// wedge that is nearest to the node. They get no mark if the waste is too narrow for a path.
   void find(std::vector<FreeStretch>& stretches) const;
 
  private:
   /// The waste at a node between two free stretches.
   struct Wedge {
     std::size_t node = 0;
-    Place from{0.0, 0.0};  ///< Direction of its right side, unit.
-    double angle = 0.0;    ///< To its left side, above 0.
-    bool is_only = false;  ///< The node has no other one.
+    Place from{0.0, 0.0};  ///< Unit direction of the right side of the wedge.
+    double angle = 0.0;    ///< Angle from the right side to the left side, above 0.
+    bool is_only = false;  ///< The node has no other wedge.
   };
   struct Ends {
     std::vector<std::size_t> arriving{};
@@ -70,7 +72,7 @@ class WedgeMarks {
   const Clearance& near_;
   double half_;
   Clearance strokes_;
-  std::vector<std::pair<std::size_t, std::size_t>> owners_;  ///< Loop and number of each stroke.
+  std::vector<std::pair<std::size_t, std::size_t>> owners_;  ///< Path and number of each stroke.
 };
 
 }  // namespace sim::cut

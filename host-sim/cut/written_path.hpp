@@ -8,17 +8,19 @@
 
 namespace sim::cut {
 
-/// Follows a path as a controller reads it from the program that cnc::gcode::ProgramWriter makes:
-/// ends are on the printed grid, and arcs are those about printed centres. Where small arcs meet
-/// lines, this rounding decides whether the controller finds a corner.
+/// Follows a path as a controller reads it from the program of cnc::gcode::ProgramWriter: ends are
+/// on the printed grid, and arcs are arcs around printed centres. Where small arcs meet lines, this
+/// rounding decides whether the controller detects a corner.
 class WrittenPath {
  public:
+  /// Begins at the start of a path.
   /// @param from start of the path, mm
   WrittenPath(cnc::gcode::PrintGrid grid, const Place& from);
 
-  /// Returns the elements of the next stroke, until the next call; none where it does not move.
-  /// @param stroke begins where the last one ended; places beyond the printed range are moved to
-  /// its limit, and arcs that are too flat for a centre are lines
+  /// Returns the elements of the next stroke, valid until the next call; none if the stroke does
+  /// not move.
+  /// @param stroke begins where the previous one ended. Points beyond the printed range are moved
+  /// to its limit. Arcs that are too flat for a centre become lines.
   [[nodiscard]] const std::vector<cnc::PathElement>& next(const Stroke& stroke);
 
  private:

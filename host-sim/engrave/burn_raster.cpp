@@ -11,13 +11,14 @@
 namespace sim::engrave {
 namespace {
 
-/// The share of one pixel in the mean of another row or column.
+/// The pixels that one pixel of the raster averages along a row or column: the first pixel, and the
+/// share of each from there on.
 struct Weight {
   std::size_t from = 0;
   std::vector<float> shares{};
 };
 
-/// Returns how `from` pixels in a row make up each of `to` pixels, by length.
+/// Returns, for each of `to` pixels, the shares by length of the `from` pixels that it covers.
 std::vector<Weight> weights(std::size_t from, std::size_t to) {
   std::vector<Weight> result(to);
   const double step = static_cast<double>(from) / static_cast<double>(to);
@@ -36,8 +37,8 @@ std::vector<Weight> weights(std::size_t from, std::size_t to) {
   return result;
 }
 
-/// Returns the mean of values, one for each pixel of a picture, in each pixel of the raster, rows
-/// from the top.
+/// Returns, for each pixel of the raster, the mean of values within its area. The values belong to
+/// the pixels of the picture. Rows are counted from the top.
 std::vector<float> resampled(const GreyImage& image,
                              const std::vector<float>& values,
                              std::size_t columns,
@@ -64,7 +65,7 @@ std::vector<float> resampled(const GreyImage& image,
   return result;
 }
 
-/// A neighbour to which an error of a dot goes.
+/// A neighbour that receives a share of a dot's error.
 struct Spread {
   int right = 0;
   int down = 0;
@@ -104,7 +105,8 @@ std::span<const Spread> spread_of(Shading shading) {
                                      : std::span<const Spread>{kStuckiSpread};
 }
 
-/// Makes dots of greys by giving the error of each to its neighbours, to and fro.
+/// Converts greys to dots. The error of each dot is distributed to its neighbours. The direction
+/// alternates from row to row.
 void diffuse(std::vector<float>& grey, std::size_t columns, std::size_t rows, Shading shading) {
   const auto width = static_cast<int>(columns);
   const auto height = static_cast<int>(rows);
@@ -153,7 +155,7 @@ void make_dots(std::vector<float>& grey, std::size_t columns, std::size_t rows, 
   }
 }
 
-/// Inverts greys within what the picture covers.
+/// Inverts greys within the area that the picture covers.
 void invert(const GreyImage& image,
             std::size_t columns,
             std::size_t rows,

@@ -11,14 +11,16 @@ namespace sim::engrave {
 
 using picture::GreyImage;
 
-/// How greys become powers.
+/// The methods that convert greys to powers.
 enum class Shading : std::uint8_t {
-  kGrey,            ///< Power by the grey.
-  kThreshold,       ///< Full power where it is darker than a half.
-  kOrdered,         ///< The same, with an 8 x 8 Bayer matrix.
-  kFloydSteinberg,  ///< Errors go to four neighbours.
-  kJarvis,          ///< Jarvis, Judice and Ninke: to twelve.
-  kStucki,          ///< To twelve, with other weights.
+  kGrey,       ///< Power depends on the grey, without dithering.
+  kThreshold,  ///< Full power for pixels that are darker than a half.
+  /// Full power for pixels that are darker than their threshold in an 8 x 8 Bayer matrix.
+  kOrdered,
+  /// Floyd and Steinberg: the error of each dot is distributed to four neighbours.
+  kFloydSteinberg,
+  kJarvis,  ///< Jarvis, Judice and Ninke: the error is distributed to twelve neighbours.
+  kStucki,  ///< Stucki: the error is distributed to twelve neighbours, with other weights.
 };
 
 /// The curve from greys to powers.
@@ -26,42 +28,44 @@ struct ToneCurve {
   Shading shading = Shading::kGrey;
   double least_power = 0.0;  ///< Share of full power of the lightest grey that is burnt.
   double most_power = 1.0;   ///< Share of full power of black.
-  double gamma = 1.0;        ///< Exponent of the darkness; above 1 is lighter.
+  double gamma = 1.0;  ///< Exponent of the darkness. A value above 1 makes the picture lighter.
   bool is_inverted = false;
 };
 
-/// A picture as powers: columns along X, rows from the bottom.
+/// A picture as powers. Columns run along X, rows are counted from the bottom.
 struct BurnRaster {
   std::size_t columns = 0;
   std::size_t rows = 0;
   double pixel_mm = 0.1;     ///< Width of a pixel.
-  double interval_mm = 0.1;  ///< From row to row.
-  std::vector<float> power;  ///< Share of full power, 0 where the beam is off.
+  double interval_mm = 0.1;  ///< Distance from row to row.
+  std::vector<float> power;  ///< Power of each pixel, as a share of full power; 0: beam off.
 
   [[nodiscard]] float at(std::size_t column, std::size_t row) const {
     return power[row * columns + column];
   }
 };
 
-/// Darkness below this is white, which is not burnt; half of a step of 8 bits.
+/// Darkness below this counts as white and is not burnt. It is half a step of 8 bits.
 inline constexpr float kWhiteBelow = 0.5F / 255.0F;
 
-/// Returns the power of a darkness without dithering: 0 for white, else between the least and the
-/// most power by (darkness)^gamma.
+/// Returns the power of a darkness without dithering: 0 for white, else least power + (most power -
+/// least power) · darkness^gamma.
 [[nodiscard]] double power_of(double darkness, const ToneCurve& curve);
 
-/// Returns the picture as powers of pixels of a size: each pixel has the mean darkness of its area.
-/// What the picture does not cover stays without power.
+/// Returns the picture as powers, in a raster of `columns` by `rows` pixels. Each pixel has the
+/// mean darkness of its area. Pixels that the picture does not cover have no power.
 /// @pre columns and rows above 0
 [[nodiscard]] BurnRaster burn_raster(const GreyImage& image,
                                      std::size_t columns,
                                      std::size_t rows,
                                      const ToneCurve& curve);
 
-/// Returns the picture as powers in a size of its own, in pixels and rows as near to the wanted
-/// ones as whole numbers of them allow. Throws std::invalid_argument where these are too many.
+/// Returns the picture as powers, for a picture of `size_mm`. The width of a pixel and the distance
+/// of rows are as near to the wanted values as whole numbers of pixels and rows allow. Throws
+/// std::invalid_argument if there are too many pixels.
 /// @param size_mm above 0
-/// @param pixel_mm width of a pixel
+/// @param interval_mm wanted distance of rows
+/// @param pixel_mm wanted width of a pixel
 [[nodiscard]] BurnRaster burn_raster(const GreyImage& image,
                                      const drawing::Place& size_mm,
                                      double interval_mm,

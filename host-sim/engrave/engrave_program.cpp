@@ -11,9 +11,10 @@ namespace {
 
 using drawing::Place;
 
-/// Runs of one power that are at least as long become a line of their own.
+/// Least length, in pixels, of a run of one power that gets a line of its own.
 constexpr std::size_t kLongRun = 6;
-/// Powers in one line, of which a controller takes 64, and characters, of which it takes 256.
+/// Greatest number of powers in one line (a controller accepts 64), and greatest number of their
+/// characters (a controller accepts lines of 256).
 constexpr std::size_t kMaxPowers = 48;
 constexpr std::size_t kMaxPowerText = 200;
 
@@ -62,7 +63,7 @@ class RowWriter {
   }
 
  private:
-  /// Returns the first column of a row that is burnt, and the one behind the last.
+  /// Returns the first burnt column of a row, and the column after the last burnt one.
   [[nodiscard]] std::pair<std::size_t, std::size_t> burnt_columns(std::size_t row) const {
     std::size_t first = 0;
     std::size_t end = raster_.columns;
@@ -71,7 +72,7 @@ class RowWriter {
     return {first, end};
   }
 
-  /// Returns where a column begins.
+  /// Returns the X coordinate of the left side of a column.
   [[nodiscard]] double x_of(std::size_t column) const {
     const double shift = way_ < 0.0 ? settings_.reverse_shift_mm : 0.0;
     return settings_.at_mm.x() + static_cast<double>(column) * raster_.pixel_mm + shift;
@@ -138,7 +139,7 @@ class RowWriter {
     return way_ < 0.0 ? from - index : from + index;
   }
 
-  /// Returns the end of the pixels that one line can have, before a long run.
+  /// Returns the end of the pixels that fit into one line. A long run ends them early.
   [[nodiscard]] std::size_t end_of_cluster(std::size_t begin) const {
     std::size_t end = begin;
     std::size_t characters = 0;

@@ -10,49 +10,50 @@
 
 namespace sim::engrave {
 
-/// How the rows of a picture are driven.
+/// The settings with which the rows of a picture are driven.
 struct EngraveSettings {
   drawing::Place at_mm{0.0, 0.0};  ///< The lower left corner of the picture.
   double feed_mm_min = 3000.0;
   double overscan_mm = 2.0;       ///< Length of the beam-off run before and after each row.
-  double reverse_shift_mm = 0.0;  ///< Added to X in rows that are driven backwards.
-  bool is_one_way = false;        ///< All rows from left to right.
-  bool is_plain = false;          ///< One S to a line, as any Grbl reads.
-  bool follows_speed = true;      ///< M4; else M3.
-  double full_power_s = 1000.0;   ///< $30.
-  std::string air = "M8";         ///< M7 or M8; empty: none.
+  double reverse_shift_mm = 0.0;  ///< Length added to X in rows that are driven backwards.
+  bool is_one_way = false;        ///< All rows are driven from left to right.
+  bool is_plain = false;          ///< Each line has at most one S, as any Grbl can read.
+  bool follows_speed = true;      ///< True: M4, where power follows speed. False: M3.
+  double full_power_s = 1000.0;   ///< S value of full power: setting $30.
+  std::string air = "M8";         ///< Word that switches air on, M7 or M8; empty: none.
   int decimals = 4;               ///< Decimals of positions.
 };
 
-/// Counts of all that is driven.
+/// Figures of an engraving program.
 struct EngraveFigures {
-  std::size_t rows = 0;          ///< Rows with something to burn; the others are passed over.
-  std::size_t lines = 0;         ///< The program's, without its heading.
-  double burnt_mm = 0.0;         ///< Length with the beam on.
-  double estimated_s = 0.0;      ///< From feeds and accelerations.
-  drawing::Place low{0.0, 0.0};  ///< Box of the motion of the head, overscan included.
+  std::size_t rows = 0;      ///< Number of rows with something to burn; other rows are skipped.
+  std::size_t lines = 0;     ///< Number of lines of the program, without its heading.
+  double burnt_mm = 0.0;     ///< Length with the beam on.
+  double estimated_s = 0.0;  ///< Duration, estimated from feeds and accelerations.
+  /// Lower corner of the box that the head moves in, overscan included.
+  drawing::Place low{0.0, 0.0};
   drawing::Place high{0.0, 0.0};
 };
 
-/// A row as it is driven: the beam is off before `from_mm` and behind `to_mm`.
+/// A row as it is driven. The beam is off before `from_mm` and after `to_mm`.
 struct EngravedRow {
   double y_mm = 0.0;
-  double start_mm = 0.0;  ///< X where the overscan before it begins.
-  double from_mm = 0.0;   ///< X of its first pixel's near side.
-  double to_mm = 0.0;     ///< X of its last pixel's far side.
-  double end_mm = 0.0;    ///< X where the overscan behind it ends.
+  double start_mm = 0.0;  ///< X at which the overscan before the row begins.
+  double from_mm = 0.0;   ///< X of the near side of the first pixel.
+  double to_mm = 0.0;     ///< X of the far side of the last pixel.
+  double end_mm = 0.0;    ///< X at which the overscan after the row ends.
 };
 
-/// The lines that burn a picture while M4 or M3 is in force, and what they drive.
+/// The lines that burn a picture while M4 or M3 is in force, with their rows and figures.
 struct EngravedRows {
   std::string text;
   EngraveFigures figures;
   std::vector<EngravedRow> rows;
 };
 
-/// Returns the rows of a raster, from the bottom: rows are begun and ended where they have
-/// something to burn, and rows without are left out. The first line is a rapid, the beam is off at
-/// the end, and G1, F and S 0 stay in force. Nothing for a white picture.
+/// Returns the rows of a raster, from the bottom. Each row is driven only along its burnt part, and
+/// rows without a burnt pixel are left out. The first line is a rapid. At the end the beam is off,
+/// and G1, F and S0 stay in force. Returns nothing for a white picture.
 [[nodiscard]] std::optional<EngravedRows> engrave_rows(const BurnRaster& raster,
                                                        const EngraveSettings& settings,
                                                        const cnc::order::RapidLimits& limits);
@@ -63,8 +64,8 @@ struct EngraveProgram {
   EngraveFigures figures;
 };
 
-/// Returns the program that burns a raster, with the rows of engrave_rows(). Nothing for a white
-/// picture.
+/// Returns the program that burns a raster, with the rows of engrave_rows(). Returns nothing for a
+/// white picture.
 /// @param heading comments at the top
 [[nodiscard]] std::optional<EngraveProgram> engrave_program(
     const BurnRaster& raster,

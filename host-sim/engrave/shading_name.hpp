@@ -9,10 +9,10 @@
 
 namespace sim::engrave {
 
-/// Returns `grey`, `threshold`, `ordered`, `floyd-steinberg`, `jarvis`, `stucki`.
+/// Returns the names `grey`, `threshold`, `ordered`, `floyd-steinberg`, `jarvis`, `stucki`.
 [[nodiscard]] std::vector<std::string> shading_names();
 
-/// Returns the shading of a name; nothing for another text.
+/// Returns the shading with a name; nothing for any other text.
 [[nodiscard]] std::optional<Shading> shading_named(std::string_view name);
 
 }  // namespace sim::engrave

@@ -15,13 +15,14 @@ using drawing::Transform;
 using picture::GreyImage;
 
 constexpr double kSamplesAlongPixel = 4.0;
-/// Sampled pictures have at most as many pixels as a picture may have in a file, by this part.
+/// Greatest number of pixels of a sampled picture, as a share of the pixels that a picture in a
+/// file may have.
 constexpr double kShareOfPixels = 0.25;
-/// Ways along an axis are off it by no more than this part of their length.
+/// Greatest deviation of a vector from an axis with which it still counts as parallel, as a share
+/// of its length.
 constexpr double kAlongAxis = 1.0e-9;
 
-/// Returns the orientation, as EXIF counts it, in which a quarter turn or a mirror shows a picture;
-/// 0 for any other map.
+/// Returns the EXIF orientation of a map that is a quarter turn or a mirror; 0 for any other map.
 int orientation_of(const Transform& to_mm) {
   const Place& x = to_mm.x_axis;
   const Place& y = to_mm.y_axis;
@@ -66,7 +67,7 @@ double sample_size(const Transform& to_mm, const Place& size, double burnt_mm) {
   return std::max(finest, std::sqrt(size.x() * size.y() / most));
 }
 
-/// Fills the rectangle with the pixels of the picture that lie at the middles of its squares.
+/// Fills the squares of the rectangle. Each gets the pixel of the picture that lies at its middle.
 void sample(const GreyImage& image, const Transform& to_mm, double step_mm, UprightImage& result) {
   const Place size = result.high_mm - result.low_mm;
   GreyImage& seen = result.image;

@@ -12,10 +12,12 @@
 namespace sim::drawing {
 namespace {
 
-// A beam is wider than this; what is narrower is a line drawn there and back.
+// Least width of a contour with an area, mm. A narrower contour is a line that is drawn there and
+// back, because a beam is wider.
 constexpr double kLeastWidthMm = 0.001;
 
-// A third of a gigabyte: a hundred thousand holes of a millimetre and more.
+// Greatest number of points of all outlines. They take a third of a gigabyte, enough for more than
+// a hundred thousand holes of a millimetre.
 constexpr std::size_t kMostPlaces = 20'000'000;
 
 std::vector<Piece> pieces_of(Sketch& sketch) {
@@ -43,7 +45,8 @@ std::vector<Piece> pieces_of(Sketch& sketch) {
   return pieces;
 }
 
-/// A report of a closed contour that runs to and fro at a distance less than any beam.
+/// Returns the report of a closed contour that runs to and fro with distances smaller than any
+/// beam.
 Fault dense(const Piece& piece, double width_mm) {
   const DrawnContour& contour = piece.contour;
   return {
@@ -58,8 +61,8 @@ Fault dense(const Piece& piece, double width_mm) {
       "it is left out; simplify it, or leave it open to draw a line"};
 }
 
-/// Reports a closed contour without area. Where its outline is drawn, a line is seen, and it
-/// becomes one; else nothing is seen. Returns whether it is kept.
+/// Reports a closed contour without area. If its outline is drawn, it is visible as a line and
+/// becomes one; else nothing of it is visible. Returns whether the contour is kept.
 bool keep_as_line(Sketch& sketch, Piece& piece) {
   const Place& place = piece.outline.front();
   const std::string reason = "the contour is closed and has no area";
@@ -81,7 +84,8 @@ bool keep_as_line(Sketch& sketch, Piece& piece) {
   return true;
 }
 
-/// Contours that cross themselves may have no area in sum, and are reported already.
+/// Removes closed contours without area, or keeps them as lines. Does not test contours that cross
+/// themselves: parts of their area may cancel, and they are already reported.
 void drop_flat(Sketch& sketch, std::vector<Piece>& pieces, const std::vector<bool>& crossed) {
   std::vector<Piece> kept;
   kept.reserve(pieces.size());
@@ -109,7 +113,7 @@ OutlineBox box_around(const std::vector<Piece>& pieces) {
   return box;
 }
 
-/// The gap that is joined, and what helps where it leaves ends open.
+/// The gap that is joined, and a remedy for ends that stay open.
 struct GapToJoin {
   double gap_mm;
   std::string remedy;

@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::string_view kLibraryRoot = "LightBurnLibrary";
 
-/// Returns the text of the first of these attributes that is there and not empty.
+/// Returns the text of the first of the named attributes that exists and is not empty.
 std::string attribute_of(const pugi::xml_node& node, std::initializer_list<const char*> names) {
   for (const char* const name : names) {
     std::string text = node.attribute(name).value();
@@ -105,7 +105,7 @@ class ClbReader {
     if (settings == 0) note(entry, "the entry has no CutSetting and is left out");
   }
 
-  /// A thickness of -1 is how a library says that there is none.
+  /// Returns the thickness of an entry. A library writes -1 if the entry has none.
   std::optional<double> thickness_of(const pugi::xml_node& entry) {
     const std::string text = attribute_of(entry, {"Thickness"});
     if (text.empty()) return {};

@@ -9,13 +9,14 @@
 namespace sim::drawing {
 namespace {
 
-/// Where a row of pixels meets the edge of a clip, and how the winding changes there.
+/// A point where a row of pixels meets the edge of a clip, and the change of the winding number
+/// there.
 struct Crossing {
   double column = 0.0;
   int turn = 0;
 };
 
-/// Returns the loops of an area in pixels of a picture.
+/// Returns the loops of an area in coordinates of a picture's pixels.
 std::vector<std::vector<Place>> in_pixels(const ClipRegion::Area& area, const Transform& to_mm) {
   const double size = to_mm.determinant();
   const auto pixel = [&](const Place& place) {
@@ -45,7 +46,7 @@ std::vector<Crossing> crossings_at(const std::vector<std::vector<Place>>& loops,
   return crossings;
 }
 
-/// Marks the pixels of a row whose middles lie within an area.
+/// Marks those pixels of a row whose middles lie within an area.
 void mark_row(const std::vector<Crossing>& crossings, FillRule rule, std::vector<bool>& seen) {
   const auto first_behind = [&seen](double column) {
     return static_cast<std::size_t>(

@@ -6,10 +6,11 @@
 namespace sim::drawing {
 namespace {
 
-// What a hundredth of the finest step of a machine is: no arc is kept for less.
+// Least distance of an arc from its chord, mm. It is a hundredth of the finest step of a machine;
+// flatter arcs become lines.
 constexpr double kFlatMm = 1.0e-6;
 
-/// An ellipse, or the arc of a circle that it is.
+/// Returns an ellipse, or an arc if the ellipse is a circle.
 Shape rounded(const Ellipse& ellipse) {
   const Transform axes{.x_axis = ellipse.major, .y_axis = ellipse.minor, .origin = ellipse.centre};
   if (!axes.keeps_circles()) return ellipse;
@@ -84,7 +85,7 @@ std::string_view name_of(const Shape& shape) {
 Shape bulge_edge(const Place& start, const Place& end, double bulge) {
   const Place chord = end - start;
   if (std::abs(bulge) * 0.5 * chord.norm() < kFlatMm) return Line{start, end};
-  // The centre lies left of the middle by chord/2 · (1 - b²) / (2 b).
+  // The centre is left of the middle of the chord by chord/2 · (1 - b²) / (2 b), for the bulge b.
   const Place left{-chord.y(), chord.x()};
   const Place centre = 0.5 * (start + end) + left * ((1.0 - bulge * bulge) / (4.0 * bulge));
   return Arc{start, end, centre, 4.0 * std::atan(bulge)};
@@ -107,7 +108,7 @@ Place end_of(const Shape& shape) {
   if (const auto* const line = std::get_if<Line>(&shape)) return line->end;
   if (const auto* const arc = std::get_if<Arc>(&shape)) return arc->end;
   if (const auto* const ellipse = std::get_if<Ellipse>(&shape)) {
-    // A whole ellipse ends where it begins, to the bit.
+    // A whole ellipse ends exactly at its start.
     if (std::abs(ellipse->to - ellipse->from) >= kFullTurn) return start_of(shape);
   }
   return jet(shape, span_count(shape) - 1, 1.0).place;

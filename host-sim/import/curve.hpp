@@ -18,17 +18,17 @@ struct Line {
   Place end;
 };
 
-/// An arc of a circle; its end points are those of the file, not computed anew.
+/// An arc of a circle. Its end points are those of the file; they are not recomputed.
 struct Arc {
   Place start;
   Place end;
   Place centre;
-  double sweep;  ///< Radians, at most a full turn; positive turns left.
+  double sweep;  ///< Angle of the arc in radians, at most a full turn; positive turns left.
 };
 
-/// centre + cos t · major + sin t · minor, t from `from` to `to` in radians, at
-/// most a full turn either way. The two need not be perpendicular: any affine
-/// map of a circle has this form.
+/// An elliptical arc: centre + cos t · major + sin t · minor, for t from `from` to `to`, in
+/// radians. It covers at most a full turn in either direction. The axes `major` and `minor` need
+/// not be perpendicular: any affine map of a circle has this form.
 struct Ellipse {
   Place centre;
   Place major;
@@ -37,39 +37,42 @@ struct Ellipse {
   double to;
 };
 
-/// A cubic Bézier curve; a quadratic one is raised to it, which changes no place.
+/// A cubic Bézier curve. A quadratic curve is raised to degree three, which changes no point.
 struct Bezier {
   std::array<Place, 4> points;
 };
 
-/// A rational B-spline. @invariant made by `nurbs()`.
+/// A rational B-spline.
+/// @invariant made by `nurbs()`
 struct Nurbs {
   std::size_t degree;
   std::vector<Place> points;
-  std::vector<double> weights;     ///< One for each point, above 0.
-  std::vector<double> knots;       ///< points + degree + 1, not falling.
-  std::vector<std::size_t> spans;  ///< The knots at which spans begin.
+  std::vector<double> weights;  ///< One weight for each control point, above 0.
+  /// Number of points + degree + 1 knots, in ascending order; they may repeat.
+  std::vector<double> knots;
+  std::vector<std::size_t> spans;  ///< Indices of the knots at which spans begin.
 };
 
 using Shape = std::variant<Line, Arc, Ellipse, Bezier, Nurbs>;
 
-/// `line`, `arc`, `ellipse`, `bezier`, `spline`.
+/// Returns the name of a shape's kind: `line`, `arc`, `ellipse`, `bezier` or `spline`.
 [[nodiscard]] std::string_view name_of(const Shape& shape);
 
 inline constexpr std::size_t kHighestDegree = 11;
 inline constexpr std::size_t kMostControlPoints = 100'000;
 
-/// Nothing where degree, counts, knots or weights make no curve. Knots beyond
-/// the first and last `degree` + 1 may be repeated `degree` times at most.
+/// Returns a spline; nothing if degree, counts, knots or weights do not define a curve. Knots other
+/// than the first and the last `degree` + 1 may be repeated at most `degree` times.
 [[nodiscard]] std::optional<Nurbs> nurbs(std::size_t degree,
                                          std::vector<Place> points,
                                          std::vector<double> weights,
                                          std::vector<double> knots);
 
-/// The arc whose bulge is tan(sweep / 4); a line where it is 0, or where the arc
-/// would leave the chord by less than a nanometre.
+/// Returns the arc with the bulge tan(sweep / 4). Returns a line if the bulge is 0, or if the arc
+/// would leave its chord by less than a nanometre.
 [[nodiscard]] Shape bulge_edge(const Place& start, const Place& end, double bulge);
 
+/// Returns an arc that begins at the angle `from` and covers the angle `sweep`, in radians.
 /// @pre radius > 0
 [[nodiscard]] Arc arc_of(const Place& centre, double radius, double from, double sweep);
 
@@ -78,16 +81,18 @@ inline constexpr std::size_t kMostControlPoints = 100'000;
 [[nodiscard]] bool finite(const Shape& shape);
 [[nodiscard]] Shape reversed(Shape shape);
 
-/// Arcs stay arcs where circles stay circles, and an ellipse that became a
-/// circle is an arc.
+/// Returns a shape under an affine map. Arcs stay arcs if the map keeps circles. An ellipse that
+/// becomes a circle is returned as an arc.
 [[nodiscard]] Shape transformed(const Shape& shape, const Transform& transform);
 
-/// Smooth parts of a shape, each with a share of 0…1 of its own.
+/// Returns the number of spans: the smooth parts of a shape. Each span has its own parameter
+/// `share` from 0 to 1.
 [[nodiscard]] std::size_t span_count(const Shape& shape);
 
-/// Place and derivatives by the share.
+/// A point of a span with the derivatives by the parameter `share`.
 using Jet = cnc::contour::CurveJet;
 
+/// Returns the point and the derivatives at `share` of a span.
 /// @pre span < span_count(shape), share in 0…1
 [[nodiscard]] Jet jet(const Shape& shape, std::size_t span, double share);
 

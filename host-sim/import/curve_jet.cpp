@@ -7,11 +7,11 @@ namespace sim::drawing {
 namespace {
 
 std::size_t turn_spans(double sweep) {
-  // Eight spans a turn are smooth enough for the quadrature of lengths.
+  // With eight spans per turn, the quadrature of lengths is accurate enough.
   return static_cast<std::size_t>(std::max(1.0, std::ceil(std::abs(sweep) * 8.0 / kFullTurn)));
 }
 
-/// A control point times its weight, with the weight.
+/// A control point multiplied by its weight, and the weight.
 struct Homogeneous {
   Place place;
   double weight;
@@ -25,7 +25,8 @@ Homogeneous difference(const Homogeneous& from, const Homogeneous& to, double sc
   return {(to.place - from.place) * scale, (to.weight - from.weight) * scale};
 }
 
-/// By the quotient rule from homogeneous coordinates and their derivatives.
+/// Computes a point and its derivatives from homogeneous coordinates and their derivatives, by the
+/// quotient rule.
 Jet projected(const Homogeneous& at, const Homogeneous& first, const Homogeneous& second) {
   const Place place = at.place / at.weight;
   const Place slope = (first.place - place * first.weight) / at.weight;
@@ -34,8 +35,8 @@ Jet projected(const Homogeneous& at, const Homogeneous& first, const Homogeneous
           (second.place - slope * (2.0 * first.weight) - place * second.weight) / at.weight};
 }
 
-/// De Boor in homogeneous coordinates: what is left of the triangle one step and two before its
-/// point are the differences that make the derivatives.
+/// Computes a point and its derivatives by de Boor's algorithm in homogeneous coordinates. The
+/// derivatives are differences of the triangle's columns one and two steps before the last.
 Jet nurbs_jet(const Nurbs& curve, std::size_t knot, double share) {
   const std::size_t degree = curve.degree;
   const double width = curve.knots[knot + 1] - curve.knots[knot];
@@ -95,7 +96,7 @@ bool rises(const std::vector<double>& knots, std::size_t degree) {
   for (std::size_t i = 1; i < knots.size(); ++i) {
     if (!(knots[i] >= knots[i - 1])) return false;
   }
-  // Inside, degree + 1 equal knots would part the curve.
+  // degree + 1 equal inner knots would divide the curve.
   for (std::size_t i = 1; i + degree + 1 < knots.size(); ++i) {
     if (!(knots[i + degree] > knots[i])) return false;
   }

@@ -17,7 +17,7 @@ bool near_chord(const Place& place, const Place& start, const Place& end, double
   return (place - start - chord * share).squaredNorm() <= tolerance * tolerance;
 }
 
-/// Halves a span until three places between the ends are near the chord.
+/// Halves a span until three points between its ends are within the tolerance of the chord.
 class Halver {
  public:
   Halver(const Shape& shape, std::size_t span, double tolerance_mm, std::vector<Place>& into)
@@ -51,16 +51,17 @@ class Halver {
   std::vector<Place>& into_;
 };
 
-/// How many chords of a turn leave a circle by no more than the tolerance.
+/// Returns the number of chords with which a sweep leaves its circle by no more than the tolerance.
 double chords_of(double radius, double sweep, double tolerance_mm) {
   const double cosine = std::clamp(1.0 - tolerance_mm / std::max(radius, tolerance_mm), -1.0, 1.0);
   const double widest = std::min(2.0 * std::acos(cosine), 0.25 * kFullTurn);
   return std::min(std::ceil(std::abs(sweep) / widest), kMostChords);
 }
 
-/// Without its end. It is the image of a unit circle, which it stretches by `stretch` at most, and
-/// its chords are those of the circle's: they leave it by no more than those of the circle whose
-/// radius is the stretch.
+/// Appends points along an elliptical arc, without its end. The ellipse is the image of a unit
+/// circle under a map that stretches by at most `stretch`, and its chords are the images of the
+/// circle's chords. They therefore leave the ellipse by no more than the chords of a circle with
+/// the radius `stretch` would leave that circle.
 void flatten_turn(const Ellipse& turn,
                   double stretch,
                   double tolerance_mm,
@@ -80,14 +81,16 @@ void flatten_arc(const Arc& arc, double tolerance_mm, std::vector<Place>& into) 
   into.push_back(arc.end);
 }
 
-/// The longest half axis: the greater singular value of the map that makes it of a circle.
+/// Returns the longest half axis: the greater singular value of the map from a unit circle to the
+/// ellipse.
 double longest_axis(const Ellipse& ellipse) {
   const double sum = ellipse.major.squaredNorm() + ellipse.minor.squaredNorm();
   const double area = cross(ellipse.major, ellipse.minor);
   return std::sqrt(0.5 * (sum + std::sqrt(std::max(0.0, sum * sum - 4.0 * area * area))));
 }
 
-/// Gauss-Legendre with five points on each quarter of a span.
+/// Integrates over a shape by Gauss-Legendre quadrature, with five points on each quarter of a
+/// span.
 template <typename Function>
 double integral(const Shape& shape, const Function& function) {
   struct Node {

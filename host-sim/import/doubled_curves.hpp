@@ -11,32 +11,33 @@
 
 namespace sim::drawing {
 
-/// Makes the same arcs of a Bézier curve wherever it is drawn, in either direction.
+/// Converts equal Bézier curves to equal arcs wherever they are drawn, in either direction.
 ///
-/// Arcs are fitted to rows of curves, so that a curve that is drawn twice, with other curves
-/// beside it, gets other arcs each time: between them are areas a micrometre wide that are not
-/// drawn, and lines that lie on each other do not cancel.
+/// Arcs are fitted to rows of curves. A curve that is drawn twice, with different neighbours in its
+/// row, would get different arcs each time. Between these arcs would be areas a micrometre wide
+/// that the drawing does not have, and lines that coincide would not cancel.
 class DoubledCurves {
  public:
-  /// Counts the curves of a contour. Call for all contours first.
+  /// Counts the curves of a contour.
+  /// @pre with_arcs() has not been called: all contours are counted first
   void count(const DrawnContour& contour);
 
-  /// Returns a contour with arcs in place of its curves that were counted more than once.
+  /// Returns a contour in which arcs replace the curves that were counted more than once.
   [[nodiscard]] DrawnContour with_arcs(const DrawnContour& contour,
                                        const OutlineOptions& options,
                                        KnownRows& rows);
 
  private:
-  /// Control points in units of 1e-7 mm, from the end that comes first in order.
+  /// Control points in units of 1e-7 mm, from the end that sorts first.
   using Key = std::array<std::int64_t, 8>;
 
   struct Known {
     std::size_t count = 0;
-    std::vector<Shape> arcs{};  ///< Along the key; made when they are wanted first.
+    std::vector<Shape> arcs{};  ///< Arcs in the direction of the key; computed at the first use.
   };
 
-  /// Returns the key of a curve. @param is_backwards set if its points are those of the key
-  /// reversed
+  /// Returns the key of a curve.
+  /// @param is_backwards set to true if the key has the curve's points in reverse order
   [[nodiscard]] static Key key_of(const Bezier& curve, bool& is_backwards);
   [[nodiscard]] static std::vector<Shape> arcs_along(const Bezier& curve,
                                                      const OutlineOptions& options,

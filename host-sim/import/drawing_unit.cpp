@@ -17,7 +17,7 @@ struct NamedUnit {
   double mm;
 };
 
-// The likely ones come first. Points of 72 to the inch and pixels of 90 are those of old programs.
+// The units, likely ones first. Units of 72 and 90 dpi are the points and pixels of old programs.
 constexpr auto kDrawingUnits = std::to_array<NamedUnit>({{"mm", 1.0},
                                                          {"inch", 25.4},
                                                          {"cm", 10.0},
@@ -31,7 +31,7 @@ constexpr auto kDrawingUnits = std::to_array<NamedUnit>({{"mm", 1.0},
 
 bool is_usual(double size_mm) { return size_mm >= kSmallestUsualMm && size_mm <= kLargestUsualMm; }
 
-/// Returns the name of the unit in which a drawing would be as large as drawings are.
+/// Returns the name of the unit with which the drawing would have a usual size.
 std::string_view likely_unit(double size_mm, double mm_per_unit) {
   for (const NamedUnit& unit : kDrawingUnits) {
     if (unit.name.ends_with("dpi")) continue;
@@ -40,7 +40,7 @@ std::string_view likely_unit(double size_mm, double mm_per_unit) {
   return {};
 }
 
-/// Returns `63.5 by 20 mm`.
+/// Returns a text such as `63.5 by 20 mm`.
 std::string size_text(double width_mm, double height_mm) {
   const auto rounded = [](double size_mm) {
     return size_mm < 1000.0 ? fmt::format("{:.3g}", size_mm) : fmt::format("{:.0f}", size_mm);

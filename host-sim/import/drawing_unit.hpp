@@ -9,15 +9,17 @@
 
 namespace sim::drawing {
 
-/// `mm, cm, m, um, inch, foot, mil, 96dpi, 90dpi, 72dpi`, for messages and help.
+/// Returns `mm, cm, m, um, inch, foot, mil, 96dpi, 90dpi, 72dpi`, for messages and help.
 [[nodiscard]] std::string drawing_unit_names();
 
-/// Returns millimetres per unit of one of these names; nothing for any other.
+/// Returns the millimetres per unit of a name that drawing_unit_names() lists; nothing for any
+/// other name.
 [[nodiscard]] std::optional<double> drawing_unit_mm(std::string_view name);
 
-/// Notes that a drawing is larger or smaller than what lasers cut, which may be a slip of units,
-/// with the unit that is likely. @param box around all that is drawn, mm
-/// @param mm_per_unit by which it was read
+/// Adds a note if a drawing is larger or smaller than usual work of a laser, which suggests a wrong
+/// unit. The note names the likely unit.
+/// @param box rectangle around the whole drawing, mm
+/// @param mm_per_unit unit with which the drawing was read
 void question_scale(Sketch& sketch, const OutlineBox& box, double mm_per_unit);
 
 }  // namespace sim::drawing

@@ -12,11 +12,12 @@
 namespace sim::drawing {
 namespace {
 
-// Distances of places to chords; some seconds.
+// Greatest number of distances of points to chords to compute: they take some seconds.
 constexpr std::size_t kMostComparisons = 300'000'000;
 constexpr std::size_t kPlacesCompared = 256;
 
-/// Whether places of `outline`, all or evenly chosen, lie on `other`.
+/// Returns whether points of `outline` lie on `other`: all of them or, of a long outline, an even
+/// selection.
 bool runs_along(const Piece& outline, const Piece& other, double tolerance, Budget& budget) {
   const std::vector<Place>& places = outline.outline;
   const std::size_t stride = places.size() / kPlacesCompared + 1;
@@ -31,7 +32,7 @@ bool runs_along(const Piece& outline, const Piece& other, double tolerance, Budg
   return true;
 }
 
-/// The same chords in the same order, as copies have them.
+/// Returns whether two pieces have the same chords in the same order, as copies have.
 bool same_chords(const Piece& piece, const Piece& other, double tolerance, Budget& budget) {
   const auto near = [tolerance](const Place& a, const Place& b) {
     return distance(a, b) <= tolerance;
@@ -40,16 +41,16 @@ bool same_chords(const Piece& piece, const Piece& other, double tolerance, Budge
          std::ranges::equal(piece.outline, other.outline, near);
 }
 
-/// Of one layer, or of any two.
+/// The pieces that are compared: those of one layer, or those of all layers.
 enum class Among : std::uint8_t { kLayer, kAll };
 
-/// Looks pieces up by the lower left corner of their boxes.
+/// Finds pieces by the lower left corner of their boxes.
 class PieceLookup {
  public:
   PieceLookup(Among among, double tolerance, std::size_t comparisons)
       : among_{among}, tolerance_{tolerance}, budget_{comparisons} {}
 
-  /// The number of the earlier piece that runs the same way, or nothing.
+  /// Returns the number of the earlier piece that runs along the same path, or nothing.
   std::optional<std::size_t> find(const Piece& piece, const std::vector<Piece>& kept) {
     if (budget_.exhausted()) return std::nullopt;
     for (int dx = -1; dx <= 1; ++dx) {
@@ -96,7 +97,8 @@ class PieceLookup {
   std::unordered_map<std::uint64_t, std::vector<std::size_t>> cells_;
 };
 
-/// Chords of one curve cut differently are apart by their tolerance, twice.
+/// Returns the tolerance of the comparison. Two divisions of one curve to chords are apart by up to
+/// twice the tolerance of chords.
 double tolerance_for(double gap_mm) { return std::max(gap_mm, 3.0 * kChordToleranceMm); }
 
 void report_exhausted(Sketch& sketch) {

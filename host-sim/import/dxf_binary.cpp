@@ -12,12 +12,13 @@ namespace sim::drawing {
 namespace {
 
 constexpr std::string_view kSentinel = "AutoCAD Binary DXF";
-// Sentinel, carriage return, line feed, substitute and a zero.
+// The sentinel, followed by carriage return, line feed, substitute and a zero.
 constexpr std::size_t kSentinelBytes = kSentinel.size() + 4;
 
 enum class BinaryKind : std::uint8_t { kText, kReal, kShort, kLong, kHuge, kFlag, kChunk };
 
-/// The last group code of a range, and how its values are written. Codes beyond are text.
+/// The last group code of a range, and the format of the values of the range. Values of codes after
+/// all ranges are text.
 struct BinaryRange {
   int last;
   BinaryKind kind;
@@ -38,7 +39,8 @@ BinaryKind binary_kind(int code) {
   return kText;
 }
 
-/// Reads bytes, least significant first. Nothing beyond the end, from then on.
+/// Reads bytes, the least significant first. A read beyond the end returns nothing, and so do all
+/// reads after it.
 class ByteReader {
  public:
   explicit ByteReader(std::string_view bytes) : rest_{bytes} {}
@@ -77,11 +79,12 @@ class ByteReader {
   std::string_view rest_;
 };
 
-/// Reads groups of two bytes for each code, or of one as Release 12 writes them.
+/// Reads groups. Their codes have two bytes, or one byte in files of Release 12.
 class BinaryGroups {
  public:
   explicit BinaryGroups(std::string_view bytes)
-      // The first code is 0: what follows is its other byte, or the name of a section.
+      // The first code is 0. The next byte is zero as the second byte of a two-byte code, else it
+      // begins the name of a section.
       : reader_{bytes}, has_short_codes_{bytes.size() > 1 && bytes[1] != '\0'} {}
 
   std::string as_lines() {

@@ -9,21 +9,21 @@
 namespace sim::drawing {
 namespace {
 
-/// An object of which the owner counts.
+/// An object with the handles that lead from owner to owner.
 struct Owned {
   std::string_view handle{};
   std::string_view owner{};
-  DxfEntity object{};  ///< Groups of a boundary.
+  DxfEntity object{};  ///< The groups of the object, if it is a boundary.
 };
 
-/// Returns the upper two rows of a matrix of three rows and four columns, which are written one
-/// after the other.
+/// Returns the upper two rows of a matrix of three rows and four columns, whose values are written
+/// row by row.
 Transform matrix_of(const std::vector<double>& values, std::size_t from) {
   const auto at = [&](std::size_t i) { return values[from + i]; };
   return {.x_axis{at(0), at(4)}, .y_axis{at(1), at(5)}, .origin{at(3), at(7)}};
 }
 
-/// Reads a SPATIAL_FILTER: of its matrices the first leads to the block.
+/// Reads a SPATIAL_FILTER. The first of its two matrices maps to the block.
 DxfClip clip_of(const DxfEntity& filter) {
   constexpr std::size_t kMatrix = 12;
   constexpr double kTilt = 1.0e-6;
@@ -38,8 +38,8 @@ DxfClip clip_of(const DxfEntity& filter) {
   return clip;
 }
 
-/// Follows the owners of boundaries: a dictionary of filters, the dictionary of an entity, and the
-/// entity.
+/// Follows the owners of boundaries: first a dictionary of filters, then the dictionary of an
+/// entity, then the entity.
 class ClipFinder {
  public:
   explicit ClipFinder(std::string_view text) : cursor_{text} {}
@@ -64,7 +64,7 @@ class ClipFinder {
       owned_ = {};
       owned_.object.type = group.value;
     } else if (group.code == 102) {
-      // Between braces are handles of others.
+      // Groups between braces hold handles of other objects.
       in_braces_ = group.value.starts_with('{');
     } else if (!in_braces_ && group.code == 5) {
       owned_.handle = group.value;

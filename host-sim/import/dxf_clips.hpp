@@ -12,20 +12,21 @@ namespace sim::drawing {
 
 /// The boundary by which an INSERT is clipped (XCLIP).
 struct DxfClip {
-  std::vector<Place> corners{};  ///< Two are those of a rectangle.
-  Transform to_block{};          ///< From their axes to those of the block.
-  bool is_in_plan = true;        ///< Its plane is that of the drawing, and it is complete.
-  bool has_depths = false;       ///< It clips in front or at the back, too.
+  std::vector<Place> corners{};  ///< Corners of the boundary. Two corners define a rectangle.
+  Transform to_block{};          ///< Maps the axes of the corners to the axes of the block.
+  bool is_in_plan = true;        ///< The boundary is complete and lies in the plane of the drawing.
+  bool has_depths = false;       ///< The boundary also clips by depth, in front or at the back.
 };
 
 using DxfClips = std::map<std::string, DxfClip, std::less<>>;
 
-/// Returns the boundaries of a drawing by the handles of the INSERTs that they clip.
+/// Returns the boundaries of a drawing. The keys are the handles of the INSERTs that the boundaries
+/// clip.
 [[nodiscard]] DxfClips dxf_clips(std::string_view text);
 
-/// Returns what a boundary shows of a block.
-/// @param to_mm from the axes of the block
-/// @param insert as messages name it
+/// Returns the region of a block that a boundary leaves visible.
+/// @param to_mm maps the axes of the block to mm
+/// @param insert name of the INSERT in messages
 [[nodiscard]] ClipRegion region_of(const DxfClip& clip,
                                    const Transform& to_mm,
                                    const std::string& insert);

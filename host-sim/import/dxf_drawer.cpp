@@ -15,7 +15,7 @@ namespace {
 constexpr int kByBlock = 0;
 constexpr int kByLayer = 256;
 
-/// Parts a row of curves where one does not begin at the end of the one before.
+/// Splits a row of curves wherever a curve does not begin at the end of the curve before it.
 std::vector<std::vector<Shape>> rows_of(std::vector<Shape> shapes) {
   std::vector<std::vector<Shape>> rows;
   for (Shape& shape : shapes) {
@@ -98,7 +98,7 @@ void DxfDrawer::add(const DxfEntity& entity, const DxfInstance& within, DxfShape
   }
 }
 
-/// The same rule as that of clips in SVG.
+/// Returns whether a row of curves is visible within clips, by the rule of clips in SVG.
 bool DxfDrawer::is_visible(const std::vector<Shape>& row,
                            const Entity& named,
                            const ClipRegions& clips) {
@@ -144,7 +144,7 @@ void DxfDrawer::add_text(const DxfEntity& entity, const DxfInstance& within) {
   if (letters.lines.back().font == style.font) note_style(entity, style, named);
 }
 
-/// Names a font that the style wishes and that is not the one in which letters are drawn.
+/// Adds a note if the font that the style wishes is not the font in which letters are drawn.
 void DxfDrawer::note_style(const DxfEntity& entity, const DxfStyle& style, const Entity& named) {
   const std::string& used = sketch_.lettering().font_name();
   const std::string& family = style.font.family;

@@ -11,18 +11,18 @@
 
 namespace sim::drawing {
 
-/// Properties that an INSERT hands down to the entities of its block.
+/// Properties that an INSERT passes on to the entities of its block.
 struct DxfInstance {
   Transform to_mm{};
-  std::string layer{};      ///< For entities on layer 0.
-  std::string colour{};     ///< For entities by block.
-  std::string line_type{};  ///< The same.
+  std::string layer{};      ///< Layer of entities that are on layer 0.
+  std::string colour{};     ///< Colour of entities with the colour BYBLOCK.
+  std::string line_type{};  ///< Line type of entities with the line type BYBLOCK.
   std::size_t line = 0;
   std::size_t depth = 0;
-  ClipRegions clips{};  ///< Boundaries of it and of those around it.
+  ClipRegions clips{};  ///< Boundaries of this INSERT and of the INSERTs around it.
 };
 
-/// Puts entities into the sketch, on their layers, with what is to be said of them.
+/// Adds entities to the sketch, on their layers, with notes and faults about them.
 class DxfDrawer {
  public:
   explicit DxfDrawer(Sketch& sketch)
@@ -30,21 +30,23 @@ class DxfDrawer {
 
   [[nodiscard]] DxfTables& tables() { return tables_; }
 
-  /// Returns why an entity is not seen; empty where it is. Layers that are off do not hide what
-  /// an INSERT on them brings on other layers.
+  /// Returns why an entity is not visible; empty if it is visible. A layer that is off does not
+  /// hide the entities that an INSERT on it brings on other layers; a frozen layer hides them.
   [[nodiscard]] std::string hidden(const DxfEntity& entity, const DxfInstance& within) const;
 
-  /// Returns an entity as messages name it, with its layer.
+  /// Returns an entity as messages name it, and with its layer.
   [[nodiscard]] Entity described(const DxfEntity& entity, const DxfInstance& within);
   [[nodiscard]] Layer layer_of(const DxfEntity& entity, const DxfInstance& within) const;
-  /// Returns the line type that an entity has in the end.
+  /// Returns the line type of an entity after BYLAYER and BYBLOCK are resolved.
   [[nodiscard]] std::string line_type_of(const DxfEntity& entity, const DxfInstance& within) const;
 
-  /// Adds what was read of an entity, in chains of curves that meet, or says what is wrong.
+  /// Adds the shapes of an entity as chains of curves that meet, or reports why there are none.
   void add(const DxfEntity& entity, const DxfInstance& within, DxfShapes drawn);
-  /// Draws letters as the sketch wishes them. @pre is_dxf_text(entity.type)
+  /// Draws letters in the text mode of the sketch.
+  /// @pre is_dxf_text(entity.type)
   void add_text(const DxfEntity& entity, const DxfInstance& within);
-  /// Says that an entity is left out that has nothing to cut, or that is not read.
+  /// Reports that an entity is left out because it has nothing to cut, or because its type is not
+  /// read.
   void leave_out(const DxfEntity& entity, const DxfInstance& within);
   void refuse(const DxfEntity& entity,
               const DxfInstance& within,

@@ -10,35 +10,38 @@
 
 namespace sim::drawing {
 
-/// Two lines of a DXF file: what a value means, and the value.
+/// A group, which is two lines of a DXF file: the code, which gives the meaning of the value, and
+/// the value.
 struct DxfGroup {
   int code = 0;
-  std::string_view value;  ///< Without blanks around it.
-  std::size_t line = 0;    ///< Of the value, from 1.
+  std::string_view value;  ///< The value without blanks around it.
+  std::size_t line = 0;    ///< Number of the value's line, from 1.
   std::string_view raw;    ///< The value with blanks around it.
 };
 
-/// Reads group after group. A copy remembers the place.
+/// Reads group after group. A copy of the cursor continues from the same position in the text.
 class DxfCursor {
  public:
   explicit DxfCursor(std::string_view text) : rest_{text} {}
 
-  /// Nothing at the end of the text, and where a code is no number.
+  /// Returns the next group; nothing at the end of the text and if a code is no number.
   std::optional<DxfGroup> next();
 
   [[nodiscard]] std::size_t line() const { return line_; }
-  /// The code that was no number; empty at the end of the text.
+  /// Returns the code that is no number; empty at the end of the text.
   [[nodiscard]] std::string_view bad_code() const { return bad_code_; }
 
  private:
-  std::string_view take_line();  ///< With blanks around it, without its end.
+  /// Returns the next line, with the blanks around it but without its line end.
+  std::string_view take_line();
 
   std::string_view rest_;
   std::string_view bad_code_;
   std::size_t line_ = 0;
 };
 
-/// Everything from one group 0 to the next. Numbers that are none are remembered.
+/// An entity: all groups from one group 0 to the next. Values that should be numbers but are not
+/// are kept for bad_number().
 class DxfEntity {
  public:
   std::string_view type;
@@ -48,21 +51,23 @@ class DxfEntity {
   [[nodiscard]] std::string_view text(int code) const;
   [[nodiscard]] std::optional<double> number(int code) const;
   [[nodiscard]] double number(int code, double otherwise) const;
-  /// Rounded towards 0, and between ±10⁹.
+  /// Returns the value of a code rounded towards 0 and limited to ±10⁹; `otherwise` if there is
+  /// none.
   [[nodiscard]] int whole(int code, int otherwise) const;
-  /// `code` and `code` + 10.
+  /// Returns the point whose coordinates have the codes `code` and `code` + 10.
   [[nodiscard]] Place place(int code) const;
   [[nodiscard]] std::vector<double> numbers(int code) const;
   [[nodiscard]] std::vector<Place> places(int code) const;
 
-  /// Leaves out the subclass of this name, and all that follows it.
+  /// Removes the subclass of this name and all groups after it.
   void drop_part(std::string_view subclass);
 
-  /// A coordinate, length, angle or flag that is no finite number; the first.
+  /// Returns the first coordinate, length, angle or flag that is no finite number.
   [[nodiscard]] const DxfGroup* bad_number() const;
 };
 
-/// A finite number and nothing else.
+/// Returns the number that a value consists of; nothing if it is not finite or has other
+/// characters.
 [[nodiscard]] std::optional<double> dxf_number(std::string_view value);
 
 }  // namespace sim::drawing

@@ -8,18 +8,18 @@ namespace sim::drawing {
 
 enum class DxfRole : std::uint8_t {
   kLetters,     ///< Left out with a note.
-  kAnnotation,  ///< Says something of the drawing, or draws nothing to cut; left out with a note.
-  kUnread,      ///< Draws what may be meant to be cut, and is not read: a fault.
+  kAnnotation,  ///< Annotates the drawing, or draws nothing to cut; left out with a note.
+  kUnread,      ///< May be meant to be cut, but is not read: a fault.
 };
 
-/// The part of an entity that draws no lines that are read.
+/// The role of an entity whose lines are not read, with the text of its message.
 struct DxfKind {
   DxfRole role;
-  std::string reason{};  ///< To follow the entity's type.
+  std::string reason{};  ///< Reason in a message, after the entity's type.
   std::string remedy{};
 };
 
-/// Returns the kind of an entity by its type. Unknown ones are kUnread.
+/// Returns the kind of an entity by its type. Unknown types are kUnread.
 [[nodiscard]] DxfKind dxf_kind(std::string_view type);
 
 }  // namespace sim::drawing

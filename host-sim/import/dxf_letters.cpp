@@ -13,11 +13,11 @@ namespace sim::drawing {
 namespace {
 
 constexpr double kDegreeOfLetters = kFullTurn / 360.0;
-/// From base line to base line, in heights of capitals.
+/// Distance from base line to base line, in heights of capitals.
 constexpr double kLineStep = 5.0 / 3.0;
 constexpr const char* kNoHeight = "its height is not above 0";
 
-/// How a TEXT stands beside its place: group 72.
+/// Horizontal alignment of a TEXT at its point: group 72.
 enum class Across : std::uint8_t { kLeft, kCentre, kRight, kAligned, kMiddle, kFit };
 
 LetterLine line_in(const DxfEntity& entity, const DxfStyle& style) {
@@ -28,17 +28,17 @@ LetterLine line_in(const DxfEntity& entity, const DxfStyle& style) {
           .slant_rad = entity.number(51, style.oblique_deg) * kDegreeOfLetters};
 }
 
-/// Stretches a line, or makes it larger, until it reaches from one place to the other.
+/// Stretches a line, or enlarges it, until it reaches from one point to the other, over `length`.
 void fit(LetterLine& line, double length, bool keeps_height, text::Lettering& lettering) {
   const double width = width_of(line, lettering);
   if (!(width > 0.0) || !(length > 0.0)) return;
   (keeps_height ? line.stretch : line.size) *= length / width;
 }
 
-/// Returns group 73 of a TEXT, which is group 74 of attributes.
+/// Returns the vertical alignment: group 73 of a TEXT, group 74 of attributes.
 int upright_of(const DxfEntity& entity) { return entity.whole(entity.type == "TEXT" ? 73 : 74, 0); }
 
-/// Returns the height of the base line over the place of a TEXT.
+/// Returns the height of the base line above the point of a TEXT.
 double base_line_of(const DxfEntity& entity, const LetterLine& line, text::Lettering& lettering) {
   constexpr int kBottom = 1;
   constexpr int kMiddle = 2;
@@ -52,7 +52,7 @@ double base_line_of(const DxfEntity& entity, const LetterLine& line, text::Lette
   return line.size * figures.descent / figures.capital;
 }
 
-/// Group 71 of a TEXT and its style.
+/// Returns the mirroring that the flags of group 71, of a TEXT or its style, require.
 Transform mirrored(int flags) {
   constexpr int kBackwards = 2;
   constexpr int kUpsideDown = 4;
@@ -92,8 +92,8 @@ DxfLetters text_line(const DxfEntity& entity, const DxfStyle& style, text::Lette
   return letters;
 }
 
-/// Returns the angle of the base line in the plane of a MTEXT: group 11 is a direction of the
-/// drawing.
+/// Returns the angle of the base line in the plane of a MTEXT. If group 11 gives it, that is a
+/// direction in the plane of the drawing.
 double angle_of(const DxfEntity& entity, const Transform& to_plan) {
   if (!entity.number(11)) return entity.number(50, 0.0) * kDegreeOfLetters;
   const Place way = entity.place(11);
@@ -102,7 +102,7 @@ double angle_of(const DxfEntity& entity, const Transform& to_plan) {
   return std::atan2(own.y(), own.x());
 }
 
-/// Breaks paragraphs where they are wider than `width`, at blanks.
+/// Breaks paragraphs that are wider than `width` into lines, at blanks.
 std::vector<std::string> wrapped_at(const std::vector<std::string>& paragraphs,
                                     double width,
                                     const LetterLine& like,

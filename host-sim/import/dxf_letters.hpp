@@ -10,18 +10,20 @@
 
 namespace sim::drawing {
 
-/// Returns whether an entity is letters that can be drawn: TEXT, MTEXT, ATTRIB, ATTDEF.
+/// Returns whether a type of entities is letters that can be drawn: TEXT, MTEXT, ATTRIB, ATTDEF.
 [[nodiscard]] bool is_dxf_text(std::string_view type);
 
-/// What an entity writes.
+/// The letters of an entity.
 struct DxfLetters {
-  std::vector<LetterLine> lines{};   ///< To the axes and units of the drawing, not to mm.
-  std::string wrong{};               ///< Empty, or why there are none.
-  std::vector<std::string> notes{};  ///< What is not followed, behind the entity's type.
+  /// Lines of letters. Their `to_mm` maps to the axes and units of the drawing, not to mm.
+  std::vector<LetterLine> lines{};
+  std::string wrong{};  ///< Reason why there are no lines; empty if there are.
+  /// Properties that are not followed, as text after the entity's type.
+  std::vector<std::string> notes{};
 };
 
-/// Returns the lines of an entity in its style.
-/// @param lettering measures lines that are wrapped or fitted between two places
+/// Returns the lines of letters of an entity in its style.
+/// @param lettering measures lines that are wrapped, or fitted between two points
 /// @pre is_dxf_text(entity.type), no bad_number()
 [[nodiscard]] DxfLetters dxf_letters(const DxfEntity& entity,
                                      const DxfStyle& style,

@@ -14,18 +14,18 @@ struct BulgeVertex {
   double bulge = 0.0;
 };
 
-/// The edges of a polyline; those without length are left out.
+/// Returns the edges of a polyline, except edges without length.
 [[nodiscard]] std::vector<Shape> bulge_edges(const std::vector<BulgeVertex>& vertices, bool closed);
 
 /// Returns the edges of an LWPOLYLINE. @pre no bad_number()
 [[nodiscard]] DxfShapes light_polyline(const DxfEntity& entity);
 
-/// Returns the edges of a POLYLINE, whose corners are entities of their own.
-/// @pre no bad_number() in any of them
+/// Returns the edges of a POLYLINE, whose corners are separate entities.
+/// @pre no bad_number() in the POLYLINE or its vertices
 [[nodiscard]] DxfShapes old_polyline(const DxfEntity& entity,
                                      const std::vector<DxfEntity>& vertices);
 
-/// Returns the outline of a 3DFACE, SOLID or TRACE; without the edges that a 3DFACE hides.
+/// Returns the outline of a 3DFACE, SOLID or TRACE, except the edges that a 3DFACE hides.
 /// @pre no bad_number()
 [[nodiscard]] DxfShapes face_outline(const DxfEntity& entity);
 

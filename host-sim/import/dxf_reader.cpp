@@ -17,15 +17,16 @@
 namespace sim::drawing {
 namespace {
 
-// Blocks of blocks double at each level: without a bound, a page of text fills memory.
+// Blocks within blocks may double the instances at each level: without a bound, a page of text
+// fills memory.
 constexpr std::size_t kMostInstances = 500'000;
 constexpr std::size_t kMostGroups = 8'000'000;
 constexpr double kDegreeInRadians = kFullTurn / 360.0;
 
 struct DxfBlock {
   Place base{0.0, 0.0};
-  bool is_external = false;  ///< Its entities are in another file.
-  DxfCursor body;            ///< Stands at the group 0 after BLOCK's.
+  bool is_external = false;  ///< The block's entities are in another file.
+  DxfCursor body;            ///< Cursor at the first group 0 after that of BLOCK.
 };
 
 class DxfReader {
@@ -81,7 +82,7 @@ class DxfReader {
     return !group_ || at(keyword) || at("ENDSEC") || at("EOF");
   }
 
-  /// The entity whose group 0 was read last; then the group 0 after it.
+  /// Returns the entity whose group 0 was read last, and reads the group 0 after it.
   DxfEntity take_entity(DxfCursor& cursor) {
     DxfEntity entity;
     entity.type = group_->value;
@@ -154,7 +155,7 @@ class DxfReader {
     if (entity.type == "POLYLINE") {
       while (at("VERTEX") && vertices.size() < kMostShapes) vertices.push_back(take_entity(cursor));
     }
-    // A definition of letters is seen only where it is in no block.
+    // An ATTDEF, which defines letters, is visible only outside of blocks.
     if (entity.type == "SEQEND" || (entity.type == "ATTDEF" && within.depth != 0)) return;
     const std::string hidden = drawer_.hidden(entity, within);
     if (!hidden.empty()) return sketch_.ignore(hidden, drawer_.described(entity, within));
@@ -190,7 +191,7 @@ class DxfReader {
     return bad;
   }
 
-  /// Returns why an INSERT is not drawn, and what to do; both empty where it is.
+  /// Returns the reason why an INSERT is not drawn, and the remedy; both are empty if it is drawn.
   [[nodiscard]] std::pair<std::string, std::string> obstacle(const DxfEntity& entity,
                                                              const DxfBlock* block,
                                                              std::size_t depth) const {
@@ -266,7 +267,7 @@ class DxfReader {
                     "they are left out; set the spacing, or one row and column"});
   }
 
-  /// One more is drawn. False, and told once, where there are too many.
+  /// Counts one more entity to draw. Returns false if there are too many, which is reported once.
   bool count(const DxfEntity& entity) {
     if (++instances_ <= most_instances_) return true;
     if (instances_ == most_instances_ + 1) too_many(entity);
@@ -282,7 +283,7 @@ class DxfReader {
          "cut the drawing in parts"});
   }
 
-  /// One copy of a block.
+  /// Draws one copy of a block.
   // Bounded by a depth. NOLINTNEXTLINE(misc-no-recursion)
   void expand(const DxfBlock& block, const DxfInstance& instance) {
     const auto kept = group_;

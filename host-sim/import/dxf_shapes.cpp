@@ -14,17 +14,18 @@ namespace {
 using Space = Eigen::Vector3d;
 
 constexpr double kRadiansInDegree = kFullTurn / 360.0;
-// A normal that leaves the vertical by less is vertical; one that is this near the plan stands.
+// Bounds for a normal of length 1. If its horizontal part is at most kTilt, it is vertical. If its
+// vertical part is less than kUprightShare, the plane of the entity is upright.
 constexpr double kTilt = 1.0e-6;
 constexpr double kUprightShare = 1.0e-3;
 
-/// Code, code + 10 and code + 20.
+/// Returns the point in space with coordinates from `code`, `code` + 10 and `code` + 20.
 Space space_of(const DxfEntity& entity, int code, double otherwise) {
   const Place place = entity.place(code);
   return {place.x(), place.y(), entity.number(code + 20, otherwise)};
 }
 
-/// The normal, of length 1; nothing where there is none.
+/// Returns the normal of an entity, of length 1; nothing if its data give none.
 std::optional<Space> normal_of(const DxfEntity& entity) {
   const bool is_given = entity.number(210) || entity.number(220);
   const Space normal = space_of(entity, 210, is_given ? 0.0 : 1.0);
@@ -33,10 +34,10 @@ std::optional<Space> normal_of(const DxfEntity& entity) {
   return Space{normal / length};
 }
 
-/// A turn from `from` to `to`, counter-clockwise and above 0.
+/// Returns the turn from `from` to `to`, counter-clockwise, above 0 and at most a full turn.
 double turn_between(double from, double to) {
   double sweep = std::fmod(to - from, kFullTurn);
-  // Files write a whole turn as 0 to 360, or to 6.283185: with what was rounded off.
+  // Files write a whole turn as 0 to 360, or as 0 to 6.283185, which is rounded.
   constexpr double kRounded = 1.0e-9;
   if (sweep <= kRounded) sweep += kFullTurn;
   return std::abs(sweep - kFullTurn) <= 1.0e-6 ? kFullTurn : sweep;
@@ -63,7 +64,8 @@ DxfShapes circle_shapes(const DxfEntity& entity) {
   return on_plane(*plane, arc_of(entity.place(10), radius, from, sweep));
 }
 
-/// Its centre and axes are in the axes of the drawing; the normal says where the minor one is.
+/// Returns the shapes of an ELLIPSE. Its centre and axes are in the axes of the drawing. The normal
+/// gives the direction of the minor axis.
 DxfShapes ellipse_shapes(const DxfEntity& entity) {
   const auto plane = dxf_plane(entity, 0.0);
   if (!plane) return {.wrong = kDxfUpright};
@@ -94,7 +96,7 @@ std::optional<DxfPlane> dxf_plane(const DxfEntity& entity, double elevation) {
   if (normal->head<2>().norm() <= kTilt) {
     return DxfPlane{normal->z() > 0.0 ? Transform{} : scaled_by(-1.0, 1.0)};
   }
-  // The reference calls this the arbitrary axis algorithm.
+  // This is the arbitrary axis algorithm of the DXF reference.
   constexpr double kNearTheAxis = 1.0 / 64.0;
   const bool is_near = std::abs(normal->x()) < kNearTheAxis && std::abs(normal->y()) < kNearTheAxis;
   const Space helper = is_near ? Space{0.0, 1.0, 0.0} : Space{0.0, 0.0, 1.0};

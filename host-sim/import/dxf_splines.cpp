@@ -8,13 +8,14 @@
 namespace sim::drawing {
 namespace {
 
-/// Equations with three diagonals, each row `lower · before + middle · own + upper · after`.
+/// A tridiagonal system of equations. Each row is `lower · before + middle · own + upper · after`.
 struct Tridiagonal {
   std::vector<double> lower;
   std::vector<double> middle;
   std::vector<double> upper;
 
-  /// Solves by elimination without pivots (Thomas). @pre middle outweighs the others in each row
+  /// Returns the solution by elimination without pivots (Thomas).
+  /// @pre in each row, `middle` outweighs the other two
   template <typename Value>
   [[nodiscard]] std::vector<Value> solved(std::vector<Value> right) const {
     std::vector<double> share(right.size(), 0.0);
@@ -29,7 +30,7 @@ struct Tridiagonal {
   }
 };
 
-/// Places with the distances to those that follow, the last to the first.
+/// Points with their distances to the next point; after the last point follows the first.
 struct Chords {
   explicit Chords(const std::vector<Place>& through) : places{through}, spans(through.size()) {
     for (std::size_t i = 0; i < spans.size(); ++i) spans[i] = distance(places[i], after(i));
@@ -54,7 +55,7 @@ std::vector<Shape> beziers(const Chords& chords, const std::vector<Place>& slope
   return shapes;
 }
 
-/// The rows of curvature that is the same on both sides of a place.
+/// Adds the equation that makes the curvature equal on both sides of a point.
 void add_smooth_row(Tridiagonal& rows,
                     std::vector<Place>& right,
                     const Chords& chords,
@@ -76,7 +77,8 @@ struct SplineData {
   std::vector<double> knots;
 };
 
-/// Returns why control points, weights and knots make no spline; empty where they may.
+/// Returns the reason why control points, weights and knots define no spline; empty if they may
+/// define one.
 std::string wrong_of(const SplineData& data) {
   const std::size_t wanted = data.points.size() + data.degree + 1;
   if (data.degree < 1 || data.degree > kHighestDegree) {
@@ -112,7 +114,7 @@ std::string wrong_of(const SplineData& data) {
   return {};
 }
 
-/// The part of a spline whose first knot is `from` and whose last is before `to`.
+/// Returns the part of a spline from knot `from` up to, but not including, knot `to`.
 std::optional<Nurbs> part_of(const SplineData& data, std::size_t from, std::size_t to) {
   const auto cut = [&](const auto& all, std::size_t count) {
     const auto start = all.begin() + static_cast<std::ptrdiff_t>(from);
@@ -125,13 +127,14 @@ std::optional<Nurbs> part_of(const SplineData& data, std::size_t from, std::size
                cut(data.knots, to - from));
 }
 
-/// Parts a spline at inner knots that are there degree + 1 times.
+/// Returns the curves of a spline, which is divided at inner knots that are repeated degree + 1
+/// times.
 DxfShapes spline_of(const SplineData& data) {
   DxfShapes drawn{.wrong = wrong_of(data)};
   if (!drawn.wrong.empty()) return drawn;
   const std::size_t repeats = data.degree + 1;
   std::size_t from = 0;
-  // A part at either end that lacks a span is not in the domain of the curve.
+  // A part at either end that lacks a span is outside the domain of the curve.
   const auto add = [&](std::size_t to) {
     if (to - from <= 2 * data.degree + 1) return;
     if (auto curve = part_of(data, from, to)) drawn.shapes.emplace_back(*std::move(curve));
@@ -155,7 +158,7 @@ std::optional<Place> tangent(const DxfEntity& entity, int code) {
 DxfShapes through_places(const DxfEntity& entity, std::vector<Place> through) {
   constexpr int kClosedFlag = 1;
   const bool closed = (entity.whole(70, 0) & kClosedFlag) != 0;
-  // The ranges of this library do not compile with Clang 14.
+  // std::ranges::unique of this standard library does not compile with Clang 14.
   through.erase(std::unique(through.begin(), through.end()), through.end());
   const auto start = tangent(entity, 12);
   const auto end = tangent(entity, 13);
@@ -166,7 +169,7 @@ DxfShapes through_places(const DxfEntity& entity, std::vector<Place> through) {
   return {.shapes = fitted_spline(through, start, end)};
 }
 
-/// Whether places rise: what is drawn is what is seen from above.
+/// Returns whether points have equal heights. If not, the curve is drawn as it appears from above.
 bool is_level(const DxfEntity& entity, int code) {
   const std::vector<double> heights = entity.numbers(code);
   if (heights.empty()) return true;
@@ -215,7 +218,8 @@ std::vector<Shape> closed_spline(const std::vector<Place>& places) {
   for (std::size_t i = 0; i < count; ++i) {
     add_smooth_row(rows, right, chords, (i + count - 1) % count, i);
   }
-  // The two corners of the equations are one more column times a row (Sherman and Morrison).
+  // The two corner elements of the matrix are added as the product of a column and a row (Sherman
+  // and Morrison).
   const double corner = rows.lower.front();
   const double shift = -rows.middle.front();
   rows.middle.front() -= shift;

@@ -11,38 +11,38 @@
 
 namespace sim::drawing {
 
-/// Returns millimetres per unit of $INSUNITS; nothing where it says none.
+/// Returns the millimetres per unit of a value of $INSUNITS; nothing if the value names no unit.
 [[nodiscard]] std::optional<double> millimetres_per_dxf_unit(int unit);
 
-/// Returns a name as all spellings of it have it: DXF does not tell cases apart.
+/// Returns a name in one case for all its spellings: DXF ignores case in names.
 [[nodiscard]] std::string dxf_key(std::string_view name);
 
 /// The header of a drawing.
 struct DxfHeader {
-  std::optional<double> mm_per_unit{};  ///< By $INSUNITS.
-  bool is_english = false;              ///< $MEASUREMENT is 0.
+  std::optional<double> mm_per_unit{};  ///< Unit by $INSUNITS.
+  bool is_english = false;              ///< $MEASUREMENT is 0: the drawing uses English units.
 
-  /// Reads one variable's group.
+  /// Reads one group of a header variable.
   void take(std::string_view variable, const DxfGroup& group);
 };
 
 /// A record of the table of layers.
 struct DxfLayer {
-  std::string name{};  ///< As the table spells it.
+  std::string name{};  ///< Name as the table spells it.
   std::string colour{"ACI 7"};
   std::string line_type{};
-  std::string hidden{};  ///< `off`, `frozen`, `not plotted`; empty where it is seen.
+  std::string hidden{};  ///< `off`, `frozen` or `not plotted`; empty if the layer is visible.
   [[nodiscard]] bool is_frozen() const { return hidden == "frozen"; }
 };
 
 /// A record of the table of styles of letters.
 struct DxfStyle {
-  std::string file{};  ///< The font that it names; empty where it names none.
+  std::string file{};  ///< Name of the style's font file; empty if it has none.
   text::FontWish font{};
-  double height = 0.0;       ///< For letters that have none of their own.
-  double width = 1.0;        ///< Factor.
-  double oblique_deg = 0.0;  ///< To the right.
-  int flags = 0;             ///< 2: backwards, 4: upside down.
+  double height = 0.0;       ///< Height of letters that have none of their own.
+  double width = 1.0;        ///< Factor of the width.
+  double oblique_deg = 0.0;  ///< Lean of the letters to the right.
+  int flags = 0;             ///< Sum of 2 (backwards) and 4 (upside down).
 };
 
 /// Layers, line types and styles of letters.
@@ -52,9 +52,9 @@ class DxfTables {
   void add_line_type(const DxfEntity& record);
   void add_style(const DxfEntity& record);
 
-  /// Returns the layer of a name, or one of that name that is as usual.
+  /// Returns the layer with a name, or a default layer with that name if the table has none.
   [[nodiscard]] DxfLayer layer(std::string_view name) const;
-  /// Returns the style of a name, or a usual one.
+  /// Returns the style with a name, or a default style.
   [[nodiscard]] DxfStyle style(std::string_view name) const;
   /// Returns whether a line of this type has gaps or figures.
   [[nodiscard]] bool is_dashed(std::string_view line_type) const;

@@ -16,7 +16,7 @@ namespace {
 constexpr std::string_view kEscape = "\\U+";
 constexpr std::size_t kEscapeDigits = 4;
 
-/// Returns how many bytes the character at the front has in UTF-8, or 0 where it is none.
+/// Returns the number of bytes in UTF-8 of the character at the front, or 0 if it is not UTF-8.
 std::size_t utf8_length(std::string_view text) {
   const auto first = static_cast<unsigned char>(text.front());
   if (first < 0x80) return 1;
@@ -37,7 +37,7 @@ bool is_utf8(std::string_view text) {
   return true;
 }
 
-/// Returns the value of $DWGCODEPAGE, in upper case; empty where the header has none.
+/// Returns the value of $DWGCODEPAGE in upper case; empty if the header has none.
 std::string code_page_of(std::string_view text) {
   constexpr std::size_t kHeaderBytes = 200'000;
   const std::string_view head = text.substr(0, kHeaderBytes);
@@ -55,7 +55,7 @@ std::string code_page_of(std::string_view text) {
   return page;
 }
 
-/// Converts text of a code page to UTF-8; closed with the object.
+/// Converts text of a code page to UTF-8. The destructor closes the converter.
 class CodePage {
  public:
   explicit CodePage(const std::string& name) : handle_{iconv_open("UTF-8", name.c_str())} {}
@@ -72,7 +72,7 @@ class CodePage {
     return handle_ != reinterpret_cast<iconv_t>(-1);
   }
 
-  /// Returns the text in UTF-8. Adds to `replaced` the bytes that became `?`.
+  /// Returns a text in UTF-8. Adds the number of bytes that became `?` to `replaced`.
   std::string utf8_of(std::string text, std::size_t& replaced) {
     std::string out;
     std::array<char, 4096> buffer{};
@@ -133,7 +133,8 @@ void append_utf8(std::string& out, std::uint32_t code) {
   }
 }
 
-/// Returns the unit of UTF-16 that an escape at the front names.
+/// Returns the unit of UTF-16 that an escape at the front of the text names; nothing if there is no
+/// escape.
 std::optional<std::uint32_t> escaped_unit(std::string_view text) {
   if (!text.starts_with(kEscape) || text.size() < kEscape.size() + kEscapeDigits) return {};
   const std::string_view digits = text.substr(kEscape.size(), kEscapeDigits);
@@ -144,7 +145,8 @@ std::optional<std::uint32_t> escaped_unit(std::string_view text) {
   return unit;
 }
 
-/// Control characters stay escaped: a line end would be one of the file.
+/// Replaces escapes by their characters. Control characters stay escaped, because a line end would
+/// count as one of the file.
 std::string without_escapes(const std::string& text) {
   constexpr std::size_t kLength = kEscape.size() + kEscapeDigits;
   std::string out;

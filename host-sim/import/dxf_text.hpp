@@ -6,10 +6,10 @@
 
 namespace sim::drawing {
 
-/// Returns the lines of an ASCII DXF file in UTF-8 with `\U+XXXX` replaced by its character.
+/// Returns the lines of an ASCII DXF file in UTF-8, with each `\U+XXXX` replaced by its character.
 ///
-/// Text that is no UTF-8 is taken in the code page of $DWGCODEPAGE, or in ANSI_1252 where that is
-/// missing or unknown. Notes in `sketch` that a code page was assumed and that characters were
+/// Text that is not UTF-8 is decoded with the code page of $DWGCODEPAGE, or with ANSI_1252 if that
+/// is missing or unknown. Adds notes to `sketch` if a code page was assumed, and if characters were
 /// replaced by `?`.
 [[nodiscard]] std::string utf8_of_dxf(std::string text, Sketch& sketch);
 

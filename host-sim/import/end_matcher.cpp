@@ -28,7 +28,7 @@ EndMatcher::EndMatcher(const std::vector<Piece>& chains, double gap_mm)
 
 CertainGaps EndMatcher::pair_certain() {
   LooseEnds loose;
-  std::vector<EndIndex> of;  // By number in `loose`.
+  std::vector<EndIndex> of;  // Ends of chains, by their number in `loose`.
   for (EndIndex end = 0; end < partner_.size(); ++end) {
     if (partner_[end] != kNoEnd || among_others_[end]) continue;
     loose.add(place(end), chains_[end / 2].contour.entity);
@@ -63,7 +63,7 @@ void EndMatcher::gather_pairs() {
 }
 
 void EndMatcher::gather_in(EndIndex end, Key key) {
-  // A drawing does not have more ends at one place; some of them are looked at.
+  // Greatest number of ends at one point that are checked. A sensible drawing does not have more.
   constexpr std::size_t kMostEndsAtAPlace = 16;
   std::size_t found = 0;
   for (auto at = std::ranges::lower_bound(cells_, std::pair{key, end + 1});

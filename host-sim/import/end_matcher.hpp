@@ -10,35 +10,36 @@
 
 namespace sim::drawing {
 
-/// One end of a chain: its start (even) or its end (odd).
+/// Number of an end of a chain: even for the start, odd for the end.
 using EndIndex = std::size_t;
 inline constexpr EndIndex kNoEnd = static_cast<EndIndex>(-1);
 
-/// Ends nearer than this are one place: the controller's own resolution, mm.
+/// Ends nearer than this count as one point, mm. It is the controller's own resolution.
 inline constexpr double kSamePlaceMm = 1.0e-6;
 
-/// Gaps that are joined although they are wider than asked.
+/// Gaps that are joined although they are wider than the wanted gap.
 struct CertainGaps {
   std::size_t count = 0;
-  Extent widest{};  ///< mm.
+  Extent widest{};  ///< The widest of these gaps, mm.
 };
 
-/// Pairs the ends of chains that are near each other, the nearest first.
+/// Pairs the ends of chains that are near each other. The nearest ends are paired first.
 class EndMatcher {
  public:
-  /// @param chains must outlive this
+  /// @param chains must outlive the matcher
   EndMatcher(const std::vector<Piece>& chains, double gap_mm);
 
-  /// Pairs ends that are farther apart, up to kWidestCertainGapMm, and have no other one near.
+  /// Pairs ends that are farther apart than the gap, up to kWidestCertainGapMm, if no other end is
+  /// near.
   CertainGaps pair_certain();
 
-  /// Returns the end that meets an end, or kNoEnd.
+  /// Returns the partner of an end, or kNoEnd.
   [[nodiscard]] EndIndex partner(EndIndex end) const { return partner_[end]; }
   [[nodiscard]] Place place(EndIndex end) const {
     const std::vector<Place>& outline = chains_[end / 2].outline;
     return end % 2 == 0 ? outline.front() : outline.back();
   }
-  /// Returns whether an end that has no partner is near others that have.
+  /// Returns whether an end without a partner is near ends that have partners.
   [[nodiscard]] bool among_others(EndIndex end) const { return among_others_[end]; }
 
  private:
@@ -61,7 +62,7 @@ class EndMatcher {
   std::vector<EndIndex> partner_;
   std::vector<bool> among_others_;
   std::vector<EndPair> pairs_;
-  std::vector<std::pair<Key, EndIndex>> cells_;  ///< Sorted.
+  std::vector<std::pair<Key, EndIndex>> cells_;  ///< Ends by cell, sorted.
 };
 
 }  // namespace sim::drawing

@@ -4,7 +4,7 @@
 
 namespace sim::drawing {
 
-/// A length or an area, and where it is.
+/// A length or an area, and its position.
 struct Extent {
   double size = 0.0;
   Place place{0.0, 0.0};

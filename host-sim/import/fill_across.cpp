@@ -11,7 +11,7 @@
 namespace sim::drawing {
 namespace {
 
-/// Returns whether two layers or more are in one group.
+/// Returns whether a group has two layers or more.
 bool has_group(const std::vector<std::size_t>& groups) {
   std::set<std::size_t> known;
   for (const std::size_t group : groups) {
@@ -20,7 +20,7 @@ bool has_group(const std::vector<std::size_t>& groups) {
   return false;
 }
 
-/// Gives layers that are by themselves numbers that no other one has.
+/// Returns the groups, with a new number for each layer that is by itself.
 std::vector<std::size_t> numbered_groups(const std::vector<std::size_t>& groups) {
   std::vector<std::size_t> numbers = groups;
   for (std::size_t layer = 0; layer < numbers.size(); ++layer) {
@@ -29,7 +29,8 @@ std::vector<std::size_t> numbered_groups(const std::vector<std::size_t>& groups)
   return numbers;
 }
 
-/// Pieces, with those aside that lie on others: they would fill nothing together.
+/// Pieces that fill areas, and separately the pieces that run along others: these would fill
+/// nothing together.
 struct SortedPieces {
   std::vector<Piece> filling{};
   std::vector<Piece> doubled{};
@@ -68,7 +69,8 @@ bool fill_across(Drawing& drawn,
                       std::make_move_iterator(sketch.faults().begin()),
                       std::make_move_iterator(sketch.faults().end()));
   std::ranges::move(doubled, std::back_inserter(pieces));
-  // The notes of this were told when the drawing was read.
+  // A second sketch takes these notes, because they were already reported when the drawing was
+  // read.
   Sketch told{options.effort, options.text};
   find_coincident(told, pieces, options.gap_mm);
   nest(told, pieces);

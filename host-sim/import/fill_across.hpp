@@ -7,15 +7,16 @@
 
 namespace sim::drawing {
 
-/// The number of a layer whose contours fill nothing together with those of others.
+/// Group number of a layer whose contours do not fill areas together with contours of other layers.
 inline constexpr std::size_t kAloneInGroup = static_cast<std::size_t>(-1);
 
-/// Reads closed contours of several layers that overlap as the shape that they fill together, as
-/// those of one layer have been read; see fill(). What is made of them has the layer of the first
-/// one. Notes and faults are added to those of the drawing.
-/// @param groups by layer: those of one number fill together; kAloneInGroup: by itself
-/// @param options as the drawing was read with
-/// @return whether contours were replaced; their numbers are others then
+/// Replaces overlapping closed contours of several layers by the outlines of the area that they
+/// fill together, as fill() does within one layer. The outlines get the layer of the first contour.
+/// Notes and faults are added to those of the drawing.
+/// @param groups group number of each layer: layers with equal numbers fill together;
+///        kAloneInGroup: the layer is by itself
+/// @param options options with which the drawing was read
+/// @return whether contours were replaced; the numbers of contours then change
 /// @pre one group for each layer
 bool fill_across(Drawing& drawn,
                  const std::vector<std::size_t>& groups,

@@ -20,20 +20,20 @@
 namespace sim::drawing {
 namespace {
 
-/// Contours that touch, as loops of one arrangement.
+/// Contours that touch each other, as loops of one arrangement.
 struct Group {
-  std::vector<std::size_t> pieces{};  ///< By loop.
+  std::vector<std::size_t> pieces{};  ///< Number of the piece of each loop.
   Contour loops{};
-  std::vector<std::size_t> without_arcs{};  ///< Pieces that are no loop, as no arcs follow them.
+  std::vector<std::size_t> without_arcs{};  ///< Pieces without a loop, because no arcs follow them.
 };
 
-/// A set of pieces and what they fill together.
+/// A set of pieces, and the outlines of the area that they fill together.
 struct Resolved {
   std::vector<std::size_t> from{};
   FilledSet filled{};
 };
 
-/// The loops of a set and the edges of them all, by number in the arrangement.
+/// The loops of a set and all edges of these loops, by number in the arrangement.
 struct SetParts {
   std::vector<std::uint32_t> loops{};
   std::vector<std::uint32_t> edges{};
@@ -110,11 +110,13 @@ class Filling {
   bool refuses_crossings_;
   std::vector<bool> unresolved_;
   std::vector<bool> replaced_;
-  std::map<std::size_t, std::vector<Piece>> outlines_;  ///< By the first piece that they replace.
+  /// Outlines, by the number of the first piece that they replace.
+  std::map<std::size_t, std::vector<Piece>> outlines_;
   FillingNotes notes_;
 };
 
-/// Contours that no arcs follow stay as they are: they are named when they are cut.
+/// Returns the loops of a set of pieces. Contours that no arcs follow stay as they are; they are
+/// reported when they are cut.
 Group Filling::group_of(const std::vector<std::size_t>& set, KnownRows& rows) const {
   Group group;
   const OutlineOptions options{.tolerance_mm = kFillToleranceMm};
@@ -141,7 +143,7 @@ void Filling::resolve(const Group& group) {
     const auto sets = resolved(group, touch_mm);
     if (!sets) continue;
     for (const Resolved& set : *sets) {
-      // Lines there and back enclose nothing, and are named as that.
+      // Lines there and back enclose nothing; drop_flat() reports them.
       if (set.filled.outlines.loop_ends.empty()) continue;
       if (refuses_crossings_ && set.from.size() > 1) {
         refuse(set.from, set.filled.crossing);
@@ -155,7 +157,7 @@ void Filling::resolve(const Group& group) {
   give_up(group.pieces);
 }
 
-/// Returns nothing where outlines do not close.
+/// Resolves a group. Returns nothing if outlines do not close.
 std::optional<std::vector<Resolved>> Filling::resolved(const Group& group, double touch_mm) const {
   Arrangement arrangement;
   if (!arrangement.divide(group.loops.view(), touch_mm)) return std::nullopt;
@@ -169,7 +171,7 @@ std::optional<std::vector<Resolved>> Filling::resolved(const Group& group, doubl
   return sets;
 }
 
-/// Loops of one entity are one shape.
+/// Returns the filling rule and the shape of each loop. The loops of one entity are one shape.
 std::vector<std::optional<FillingLoop>> Filling::filling_of(const Group& group,
                                                             const SetParts& set) const {
   std::map<std::tuple<std::size_t, std::size_t, std::string>, std::uint32_t> shapes;
@@ -223,7 +225,7 @@ void Filling::refuse(const std::vector<std::size_t>& set, const Place& crossing)
                   "take them apart, or draw the outline of what is meant"});
 }
 
-/// Puts outlines in the places of the pieces that they replace.
+/// Replaces pieces by their outlines, at the same positions in the list.
 void Filling::rebuild() {
   if (outlines_.empty()) return;
   std::vector<Piece> pieces;

@@ -7,19 +7,20 @@
 
 namespace sim::drawing {
 
-/// Curves of contours that cross become arcs within this, mm.
+/// Tolerance of the arcs that replace the curves of crossing contours, mm.
 inline constexpr double kFillToleranceMm = 0.002;
-/// Points of contours nearer to each other than this are one, mm. Where contours lie just that far
-/// apart, so that points are one and lines are two, the next one is tried.
+/// Distances below which points of contours count as one, mm. The distances are tried in turn: a
+/// distance fails if contours lie just that far apart, so that their points count as one but their
+/// lines as two.
 inline constexpr std::array kFillTouchesMm{1.0e-7, 2.0e-6, 3.0e-9, 4.0e-5};
 
 /// Replaces closed pieces of one layer and part that overlap themselves or each other by the
-/// outlines of the shape that they fill, and notes in the sketch where, what is left out, and which
-/// lines have the same on both sides. Pieces that lie beside or within each other stay as they are,
-/// also where they touch.
-/// @param refuses_crossings pieces that overlap others are left as they are and reported as an
-///        error; one that overlaps itself is resolved
-/// @return by piece, true for those that could not be resolved; they are reported as crossings
+/// outlines of the area that they fill. Adds notes to the sketch: where this happened, what is left
+/// out, and which lines have equal filling on both sides. Pieces that lie next to each other or
+/// within each other stay unchanged, even if they touch.
+/// @param refuses_crossings pieces that overlap others stay unchanged and are reported as an error;
+///        a piece that overlaps only itself is resolved
+/// @return for each piece, true if it could not be resolved; it is reported as a crossing
 [[nodiscard]] std::vector<bool> fill(Sketch& sketch,
                                      std::vector<Piece>& pieces,
                                      bool refuses_crossings = false);

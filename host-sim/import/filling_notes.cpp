@@ -7,7 +7,7 @@
 namespace sim::drawing {
 namespace {
 
-/// Shorter lines that are on no outline are a rounding, mm.
+/// Least length of reported lines that are on no outline, mm. Shorter lines are rounding.
 constexpr double kUnseenRoundingMm = 0.01;
 constexpr LeastLoop kLeastLoop{};
 

@@ -9,17 +9,18 @@
 
 namespace sim::drawing {
 
-/// Notes of contours that were read as what they fill. Those that only lost small loops, as at the
-/// corners of boxes, share one note.
+/// Notes about contours that were replaced by the outlines of the area that they fill. Contours
+/// that only lost small loops, for example at the corners of boxes, share one note.
 class FillingNotes {
  public:
   explicit FillingNotes(Sketch& sketch) : sketch_{sketch} {}
 
-  /// @param from the pieces that `filled` replaces
+  /// Adds a note about a set of pieces.
+  /// @param from numbers of the pieces that `filled` replaces
   void add(const std::vector<Piece>& pieces,
            const std::vector<std::size_t>& from,
            const FilledSet& filled);
-  /// Reports what is gathered. Call once, at the end.
+  /// Reports the notes that share one text. Call once, at the end.
   void finish();
 
  private:
@@ -27,10 +28,10 @@ class FillingNotes {
 
   Sketch& sketch_;
   std::size_t notes_ = 0;
-  std::size_t more_ = 0;  ///< Sets that have no note of their own.
+  std::size_t more_ = 0;  ///< Number of sets that have no note of their own.
   double more_unseen_mm_ = 0.0;
-  std::size_t mended_ = 0;  ///< Contours that only lost small loops.
-  std::size_t loops_ = 0;   ///< All of these.
+  std::size_t mended_ = 0;  ///< Number of contours that only lost small loops.
+  std::size_t loops_ = 0;   ///< Number of all these small loops.
   Extent greatest_{};
   std::optional<Entity> first_{};
 };

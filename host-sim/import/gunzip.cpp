@@ -10,10 +10,10 @@ namespace sim::drawing {
 namespace {
 
 constexpr std::size_t kChunkBytes = std::size_t{1} << 16;
-// 15 is the window of all of zlib, 16 says that it is gzip.
+// Argument of zlib: 15 is the size of the greatest window, 16 requires the gzip format.
 constexpr int kGzipWindow = 15 + 16;
 
-/// A stream of zlib, ended whatever happens.
+/// A stream of zlib. The destructor ends it.
 class Inflater {
  public:
   explicit Inflater(std::string_view bytes) : bytes_{bytes} {
@@ -28,7 +28,7 @@ class Inflater {
     if (is_open_) inflateEnd(&stream_);
   }
 
-  /// Appends the next bytes. Returns what zlib says.
+  /// Appends the next unpacked bytes to `text`. Returns the status of zlib.
   int next(std::string& text) {
     if (!is_open_) return Z_STREAM_ERROR;
     stream_.next_out = chunk_.data();
@@ -39,7 +39,7 @@ class Inflater {
   }
 
  private:
-  std::string bytes_;  ///< zlib wants bytes that are not const.
+  std::string bytes_;  ///< A copy, because zlib requires bytes that are not const.
   std::vector<Bytef> chunk_ = std::vector<Bytef>(kChunkBytes);
   z_stream stream_{};
   bool is_open_ = false;

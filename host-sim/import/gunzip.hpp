@@ -7,10 +7,11 @@
 
 namespace sim::drawing {
 
-/// Returns whether bytes begin as gzip does: an SVGZ is an SVG in it.
+/// Returns whether bytes begin as gzip does. An SVGZ file is an SVG in gzip.
 [[nodiscard]] bool is_gzip(std::string_view bytes);
 
-/// Unpacks gzip. Nothing where it is damaged, cut off, or longer than `most_bytes`.
+/// Returns the content of gzip data; nothing if they are damaged or cut off, or if the content is
+/// longer than `most_bytes`.
 [[nodiscard]] std::optional<std::string> gunzip(std::string_view bytes, std::size_t most_bytes);
 
 }  // namespace sim::drawing

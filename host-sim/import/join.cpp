@@ -13,8 +13,8 @@
 namespace sim::drawing {
 namespace {
 
-/// Makes `next` begin where `shape` ends, no farther than the gap. False when a line has to go
-/// between.
+/// Moves the start of `next` to the end of `shape`, if they are within the gap. Returns false if a
+/// line is needed between them.
 bool meet(Shape& shape, Shape& next, double gap_mm) {
   const Place end = end_of(shape);
   const Place start = start_of(next);
@@ -48,7 +48,7 @@ void close(std::vector<Shape>& row, double gap_mm) {
   }
 }
 
-/// Lines within the gap may have become places.
+/// Removes lines without length: meet() may move the ends of short lines to one point.
 void drop_places(std::vector<Shape>& row) {
   std::erase_if(row, [](const Shape& shape) {
     const auto* const line = std::get_if<Line>(&shape);
@@ -62,7 +62,7 @@ std::vector<Shape> reversed_row(std::vector<Shape> row) {
   return row;
 }
 
-/// Follows partners from chain to chain.
+/// Joins chains by following the partners of their ends.
 class Joiner {
  public:
   Joiner(
@@ -91,7 +91,7 @@ class Joiner {
   }
 
  private:
-  /// An open piece, and the ends of chains that are its own.
+  /// An open piece, and the two chain ends at which it begins and ends.
   struct OpenPiece {
     std::size_t piece;
     EndIndex first;
@@ -124,7 +124,7 @@ class Joiner {
     pieces_.push_back(std::move(piece));
   }
 
-  /// Closes what nearly closes itself, and reports what stays open.
+  /// Closes pieces that nearly close themselves, and reports pieces that stay open.
   void judge_open() {
     loose_.prepare();
     for (std::size_t i = 0; i < open_.size(); ++i) {
@@ -151,7 +151,8 @@ class Joiner {
                     "draw them closed, or give --gap where a gap is meant"});
   }
 
-  /// A gap that is a slip is short beside its contour.
+  /// Returns whether the gap of a piece is probably a mistake: it is short compared with the
+  /// contour.
   [[nodiscard]] bool nearly_closes(const Piece& piece, std::size_t open) const {
     constexpr double kMostShare = 0.02;
     const double apart = distance(piece.outline.front(), piece.outline.back());
@@ -224,9 +225,9 @@ class Joiner {
   std::vector<EndIndex> alone_;
   std::vector<Piece> pieces_;
   std::vector<OpenPiece> open_;
-  LooseEnds loose_;         ///< Those of `open_`, in its order.
-  std::size_t closed_ = 0;  ///< Pieces that nearly closed themselves.
-  Extent widest_{};         ///< The longest line that closed one, mm.
+  LooseEnds loose_;         ///< Ends of the pieces of `open_`, in its order.
+  std::size_t closed_ = 0;  ///< Number of pieces that nearly closed themselves and were closed.
+  Extent widest_{};         ///< The longest line that closed a piece, mm.
   Entity widest_entity_{};
 };
 
@@ -257,7 +258,7 @@ std::vector<Piece> join(Sketch& sketch,
   for (Piece& chain : chains) {
     const double apart = distance(chain.outline.front(), chain.outline.back());
     if (chain.contour.length_mm <= gap_mm) {
-      // Not seen, and no error: one kind of note counts them.
+      // The piece is not visible, which is no error. One note per kind counts such pieces.
       sketch.note({FaultKind::kIgnored,
                    chain.contour.entity,
                    chain.outline.front(),

@@ -7,11 +7,11 @@
 namespace sim::drawing {
 namespace {
 
-/// Numbers of a vertex behind its place: `c0x` and `c0y`, `c1x` and `c1y`. A handle without both
-/// is none: LightBurn writes `c0x1` for a vertex that has no curve.
+/// Reads the handles that follow the point of a vertex: `c0x` and `c0y`, `c1x` and `c1y`. A handle
+/// without both numbers does not count: LightBurn writes `c0x1` for a vertex without a curve.
 class HandleReader {
  public:
-  /// Reads one `c` with its name and number. False where it is broken.
+  /// Reads one `c` with its name and number. Returns false if it is broken.
   bool read(Scanner& scanner) {
     if (!scanner.take('c')) return false;
     const char which = scanner.peek();
@@ -67,7 +67,7 @@ std::optional<std::vector<LbrnVertex>> lbrn_vertices(std::string_view list) {
   std::vector<LbrnVertex> vertices;
   Scanner scanner{list};
   while (!scanner.at_end()) {
-    // An S says that a vertex is smooth, which its handles say as well.
+    // An S marks a vertex as smooth. Its handles contain the same fact.
     if (scanner.take('S')) continue;
     if (!scanner.take('V')) return {};
     const auto x = scanner.number();
@@ -84,7 +84,7 @@ std::optional<std::vector<LbrnVertex>> lbrn_vertices(std::string_view list) {
 
 std::optional<std::vector<LbrnEdge>> lbrn_edges(std::string_view list, std::size_t vertices) {
   Scanner scanner{list};
-  // Passes blanks.
+  // Skips blanks.
   static_cast<void>(scanner.peek());
   if (scanner.rest().starts_with("LineClosed")) return all_around(vertices, true);
   if (scanner.rest().starts_with("LineOpen")) return all_around(vertices, false);

@@ -21,8 +21,9 @@
 namespace sim::drawing {
 namespace {
 
-// Shapes may share one long list: without a bound, a page of text is hours of work. Each shape
-// costs as much as some hundred bytes of its lists.
+// Bound on the work of a project, in units of kBytesOfWork bytes of lists. Shapes may share one
+// long list: without a bound, a page of text is hours of work. Each shape costs kWorkOfShape units,
+// as much as some hundred bytes of its lists.
 constexpr std::size_t kMostLbrnWork = 20'000'000;
 constexpr std::size_t kWorkOfShape = 32;
 constexpr std::size_t kBytesOfWork = 16;
@@ -36,7 +37,8 @@ std::optional<double> lbrn_number(const pugi::xml_node& node, const char* name) 
   return number;
 }
 
-/// The six numbers of an XForm; nothing where it is broken, the identity where there is none.
+/// Returns the map of an XForm of six numbers; nothing if it is broken, the identity if there is
+/// none.
 std::optional<Transform> lbrn_transform(const pugi::xml_node& shape) {
   const pugi::xml_node form = shape.child("XForm");
   if (!form) return Transform{};
@@ -52,7 +54,8 @@ std::optional<Transform> lbrn_transform(const pugi::xml_node& shape) {
       .x_axis{values[0], values[1]}, .y_axis{values[2], values[3]}, .origin{values[4], values[5]}};
 }
 
-/// A rectangle around the origin, its corners rounded by a radius. @pre 2 r <= width, height
+/// Returns a rectangle around the origin with corners rounded by a radius.
+/// @pre 2 r <= width, height
 std::vector<Shape> rounded_rectangle(double width, double height, double radius) {
   const double x = 0.5 * width;
   const double y = 0.5 * height;
@@ -190,7 +193,7 @@ class LbrnReader {
     read_shapes(shape.child("Children"), within);
   }
 
-  /// Outlines of letters have the place of the letters themselves.
+  /// Reads letters by their outlines. The project gives outlines and letters the same position.
   void read_letters(const pugi::xml_node& shape, Within within) {
     if (!is_output(shape)) return;
     const pugi::xml_node outline = shape.child("BackupPath");
@@ -251,7 +254,8 @@ class LbrnReader {
     add(shape, within, {Ellipse{{0.0, 0.0}, {*rx, 0.0}, {0.0, *ry}, 0.0, kFullTurn}});
   }
 
-  /// Its middle is the origin; its data are a file's, in base 64.
+  /// Reads a picture. Its middle is the origin. Its data are the bytes of a picture file in base
+  /// 64.
   void read_picture(const pugi::xml_node& shape, const Within& within) {
     Entity entity = entity_of(shape);
     const auto width = lbrn_number(shape, "W");
@@ -274,7 +278,7 @@ class LbrnReader {
     sketch_.add(DrawnPicture{std::move(image), to_mm, std::move(entity), {}});
   }
 
-  /// Lists that others refer to by number are written once.
+  /// Remembers the lists of a path. Lists that several paths share are written once, with a number.
   void remember_lists(const pugi::xml_node& path) {
     const auto remember = [](auto& lists, const char* id, const pugi::xml_node& list) {
       if (*id != '\0' && list) lists.insert_or_assign(std::string{id}, list);
@@ -302,7 +306,8 @@ class LbrnReader {
     }
   }
 
-  /// Returns the list of vertices in the short form, in which old projects do not have it.
+  /// Returns the list of vertices in the short form. Old projects have another form, which is
+  /// converted.
   std::string vertex_text(const pugi::xml_node& path) const {
     if (const auto list = list_of(path, "VertList", "VertID", vertex_lists_)) return *list;
     std::string text;

@@ -11,7 +11,7 @@
 namespace sim::drawing {
 namespace {
 
-// Colours of the layers, by their index; the last two are those of the tool layers.
+// Colours of the layers, by their index. The last two colours are those of the tool layers.
 constexpr std::array<std::string_view, 32> kLbrnPalette{
     "#000000", "#0000ff", "#ff0000", "#00e000", "#d0d000", "#ff8000", "#00e0e0", "#ff00ff",
     "#b4b4b4", "#0000a0", "#a00000", "#00a000", "#a0a000", "#c08000", "#00a0ff", "#a000a0",
@@ -19,7 +19,8 @@ constexpr std::array<std::string_view, 32> kLbrnPalette{
     "#fa9ed4", "#500a78", "#b45a00", "#004754", "#86fa88", "#ffdb66", "#f36926", "#0c96d9"};
 constexpr int kFirstToolLayer = 30;
 
-/// The number of `<name Value="…"/>` within a setting, or of its attribute of that name.
+/// Returns the number of `<name Value="…"/>` within a setting, or else of the setting's attribute
+/// `name`.
 std::optional<double> value_of(const pugi::xml_node& setting, const char* name) {
   const pugi::xml_node child = setting.child(name);
   const char* const text = child ? child.attribute("Value").value() : "";
@@ -96,7 +97,8 @@ std::map<int, LbrnLayer> lbrn_layers(const pugi::xml_node& project, LbrnUse use)
     layer.layer.offered = offered_by(setting);
     if (value_of(setting, "doOutput") == 0.0) layer.is_output = false;
     layer.has_sub_layers = !setting.child("SubLayer").empty();
-    // Where an index has two settings, that of lines comes first and that of pictures second.
+    // If an index has two settings, the settings for lines come first and those for pictures
+    // second.
     if (use == LbrnUse::kPictures && tag == "CutSetting_Img") {
       layers.insert_or_assign(number, std::move(layer));
     } else {

@@ -18,7 +18,7 @@ struct LoosePair {
 void LooseEnds::prepare() { std::ranges::sort(cells_); }
 
 std::vector<double> LooseEnds::paired_distances() const {
-  // Where more ends meet, a wider gap is no help.
+  // Greatest number of neighbours that are checked. If more ends meet, a wider gap does not help.
   constexpr std::size_t kMostNeighbours = 16;
   std::vector<LoosePair> pairs;
   for (std::size_t end = 0; end < ends_.size(); ++end) {

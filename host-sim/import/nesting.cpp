@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t kMostRayCrossings = 400'000'000;
 
-/// Where a horizontal line through an outline leaves and enters it, from left to right.
+/// Returns the x coordinates at which a horizontal line crosses an outline, in ascending order.
 std::vector<double> cuts_at(const std::vector<Place>& outline, double y) {
   std::vector<double> cuts;
   for (std::size_t i = 1; i < outline.size(); ++i) {
@@ -26,7 +26,8 @@ std::vector<double> cuts_at(const std::vector<Place>& outline, double y) {
   return cuts;
 }
 
-/// A place inside, as far from the outline as three looks find: neighbours may share edges.
+/// Returns a point inside a piece. Neighbours may share edges, so three heights are tried and the
+/// point in the middle of the widest interval is chosen.
 Place place_inside(const Piece& piece) {
   Place best = piece.outline.front();
   double widest = -1.0;
@@ -42,7 +43,8 @@ Place place_inside(const Piece& piece) {
   return best;
 }
 
-/// Chords by the strips of height that they reach into.
+/// Chords of closed pieces, sorted into horizontal strips of equal height. A chord is in each strip
+/// that it touches.
 class Strips {
  public:
   explicit Strips(const std::vector<Piece>& pieces) : pieces_{pieces} {
@@ -62,10 +64,10 @@ class Strips {
     fill();
   }
 
-  /// Adds one for each crossing of the ray from `place`, wherever it is, to the right; false when
-  /// the budget ends.
+  /// Counts in `hits`, for each piece, how often it crosses the ray from `place` to the right. The
+  /// point may be anywhere. Returns false if the budget ends.
   bool count(const Place& place, std::map<std::size_t, std::size_t>& hits, Budget& budget) const {
-    // What is looked at closely takes so many times as long.
+    // Cost of a full check of a chord, compared with the check of its piece's box.
     constexpr std::size_t kCloseLook = 16;
     if (place.y() < least_ || place.y() > most_) return true;
     const std::size_t number = strip_of(place.y());
@@ -94,7 +96,8 @@ class Strips {
     return static_cast<std::size_t>(std::max(0.0, std::floor((y - least_) / height_)));
   }
 
-  /// Counts the chords of each strip first: lists that grow would take several times the memory.
+  /// Sorts the chords into strips. The chords of each strip are counted first, because growing
+  /// lists would take several times the memory.
   void fill() {
     ends_.assign(strip_of(most_) + 2, 0);
     for_each_chord([this](std::size_t strip, const Chord&) { ++ends_[strip + 1]; });
@@ -121,7 +124,8 @@ class Strips {
   double least_ = OutlineBox::kInfinite;
   double most_ = -OutlineBox::kInfinite;
   double height_ = 1.0;
-  std::vector<std::size_t> ends_;  ///< By strip: where its chords begin, and those of the next.
+  /// By strip: index of its first chord; its chords end where those of the next strip begin.
+  std::vector<std::size_t> ends_;
   std::vector<Chord> chords_;
 };
 
@@ -137,7 +141,8 @@ struct Innermost {
   double smallest = OutlineBox::kInfinite;
 };
 
-/// Distance of the places that are looked at along all open outlines: it bounds their number.
+/// Returns the distance between the points that are checked along open outlines. It bounds the
+/// number of all these points.
 double spacing_of_places(const std::vector<Piece>& pieces) {
   constexpr double kEveryMm = 2.0;
   constexpr double kMaxPlaces = 500'000.0;
@@ -148,7 +153,7 @@ double spacing_of_places(const std::vector<Piece>& pieces) {
   return std::max(kEveryMm, length / kMaxPlaces);
 }
 
-/// Places along an open outline, three at least, no farther from each other than `every_mm`.
+/// Returns points along an open outline: at least three, at most `every_mm` apart.
 std::vector<Place> places_along(const Piece& piece, double every_mm) {
   const double length = piece.contour.length_mm;
   const double count = std::max(std::ceil(length / every_mm), 3.0);
@@ -179,7 +184,7 @@ void turn_as_nested(DrawnContour& contour) {
 
 namespace {
 
-/// Finds what is around an open contour. Returns false when the budget ends.
+/// Finds the contours around an open contour. Returns false if the budget ends.
 bool find_around(std::vector<Piece>& pieces,
                  std::size_t index,
                  double every_mm,
@@ -225,7 +230,8 @@ void nest(Sketch& sketch, std::vector<Piece>& pieces) {
     Innermost of_all;
     for (const auto& [other, count] : hits) {
       const double area = std::abs(pieces[other].contour.area_mm2);
-      // Of two that hold each other's inside the greater one is around.
+      // If each of two contours surrounds the inner point of the other, the one with the greater
+      // area is the outer one.
       if (count % 2 == 0 || other == index || area <= std::abs(contour.area_mm2)) continue;
       of_all.look_at(other, area);
       if (pieces[other].contour.entity.part != contour.entity.part) continue;

@@ -10,7 +10,7 @@
 
 namespace sim::drawing {
 
-/// The upright rectangle around places; empty until one is included.
+/// The rectangle around points, with sides along the axes; empty until a point is included.
 struct OutlineBox {
   static constexpr double kInfinite = std::numeric_limits<double>::infinity();
   Place least{kInfinite, kInfinite};

@@ -10,26 +10,28 @@
 
 namespace sim::drawing {
 
-/// Sorts the loops of an arrangement into those that are simple and lie beside or within each
-/// other, touching at most, and sets of those that do not.
+/// Sorts the loops of an arrangement. Loops that are simple, and at most touch other loops, stay by
+/// themselves. All other loops are united to sets that overlap.
 ///
-/// A loop overlaps itself where it crosses itself or runs along itself. Two loops overlap where one
-/// has edges within and without the other, or where they run along each other with both insides on
-/// the same side.
+/// A loop overlaps itself if it crosses itself or runs along itself. Two loops overlap if one has
+/// edges inside and outside the other, or if they run along each other with both insides on the
+/// same side.
 class Overlaps {
  public:
   Overlaps(const Arrangement& arrangement, std::size_t loops);
 
-  /// Whether a loop overlaps itself or another one.
+  /// Returns whether a loop overlaps itself or another loop.
   [[nodiscard]] bool overlaps(std::size_t loop) const { return overlaps_[loop]; }
-  /// The least number of the loops with which a loop must be resolved, itself included.
+  /// Returns the number of the set of a loop: the smallest number of the loops with which the loop
+  /// must be resolved, itself included.
   [[nodiscard]] std::size_t set_of(std::size_t loop) { return sets_.find(loop); }
 
  private:
   struct Relation {
-    std::size_t edges_within = 0;  ///< Of the first loop, within the second one.
-    std::size_t edges_on = 0;      ///< Of both.
-    bool on_same_side = false;     ///< At some of these, their insides.
+    std::size_t edges_within = 0;  ///< Number of edges of the first loop within the second loop.
+    std::size_t edges_on = 0;      ///< Number of edges that belong to both loops.
+    /// At one of the shared edges or more, both insides are on the same side.
+    bool on_same_side = false;
   };
   using Pair = std::pair<std::uint32_t, std::uint32_t>;
 
@@ -38,8 +40,8 @@ class Overlaps {
   void conclude();
   void mark(std::uint32_t a, std::uint32_t b);
 
-  std::vector<std::size_t> edges_;  ///< By loop.
-  std::vector<int> turns_;          ///< By loop: round its inside; 0: not known yet.
+  std::vector<std::size_t> edges_;  ///< Number of edges of each loop.
+  std::vector<int> turns_;          ///< Turns of each loop around its inside; 0: not known yet.
   std::vector<bool> overlaps_;
   PieceSets sets_;
   std::map<Pair, Relation> relations_;

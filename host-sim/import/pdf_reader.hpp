@@ -7,16 +7,16 @@
 
 namespace sim::drawing {
 
-/// Returns true where a file begins as PDF does; drawings of Illustrator do, as a rule.
-/// @param start without blanks and byte order mark
+/// Returns whether a file begins as PDF does. Drawings of Illustrator usually do.
+/// @param start beginning of the file, after blanks and byte order mark
 [[nodiscard]] bool is_pdf(std::string_view start);
 
-/// Reads the first page of a PDF file, in mm: what it strokes and fills, letters included, as
-/// paths, 0.0001 mm off what the file says at most. A layer is a colour; layers of the PDF itself
-/// are not kept.
+/// Reads the first page of a PDF file, in mm. All strokes and fills of the page, including letters,
+/// become paths that are within 0.0001 mm of the file's data. Each colour becomes a layer; layers
+/// of the PDF itself are not kept.
 ///
-/// Further pages are a note. A file that is broken, or locked by a password, is refused. Faults
-/// have no line: the paths of a page are not lines of its file.
+/// A note reports further pages. A file that is broken, or locked by a password, is refused. Faults
+/// have no line, because the paths of a page are not lines of its file.
 void read_pdf(const std::string& text, Sketch& sketch);
 
 }  // namespace sim::drawing

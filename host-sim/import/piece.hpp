@@ -11,10 +11,12 @@
 
 namespace sim::drawing {
 
-/// A contour on its way into the drawing, with its chords.
+/// A contour before it is added to the drawing, with its chords.
 struct Piece {
   DrawnContour contour;
-  std::vector<Place> outline;  ///< Within kChordToleranceMm; the first place again at the end.
+  /// Points of the chords, which are within kChordToleranceMm of the curves; a closed outline ends
+  /// with its first point.
+  std::vector<Place> outline;
   OutlineBox box;
 };
 
@@ -28,15 +30,15 @@ struct Piece {
   return distance(place, start + chord * share);
 }
 
-/// Fills in chords, box, length and, of a closed one, area.
+/// Computes the chords, box and length of a piece and, if it is closed, its area.
 void measure(Piece& piece);
 
-/// Work left for a search that has no bound worth having: a drawing that takes
-/// more is told so instead of a user waiting for minutes.
+/// Remaining work of a search that would otherwise take minutes on some drawings. A search that
+/// spends all of it ends, and a fault reports that.
 class Budget {
  public:
   explicit Budget(std::size_t steps) : left_{steps} {}
-  /// False when it is used up.
+  /// Takes steps from the budget. Returns false if none are left.
   bool spend(std::size_t steps) {
     left_ = steps > left_ ? 0 : left_ - steps;
     return left_ != 0;
@@ -47,26 +49,26 @@ class Budget {
   std::size_t left_;
 };
 
-/// Joins chains of one layer whose ends are within the gap. Ends that stay alone
-/// become faults of the sketch, with `remedy` beside that of closing them.
-/// @param mends_gaps as ImportOptions has it
+/// Joins chains of one layer whose ends are within the gap. Ends without a partner become faults of
+/// the sketch. Their remedies are to close the contour, or `remedy`.
+/// @param mends_gaps see ImportOptions::mends_gaps
 [[nodiscard]] std::vector<Piece> join(Sketch& sketch,
                                       std::vector<Piece> chains,
                                       double gap_mm,
                                       bool mends_gaps,
                                       const std::string& remedy);
 
-/// Leaves out what runs along an earlier piece of its layer, and says so.
+/// Removes pieces that run along an earlier piece of their layer, and reports them.
 void drop_duplicates(Sketch& sketch, std::vector<Piece>& pieces, double gap_mm);
 
-/// Finds pieces that lie on an earlier one of another layer, and notes them.
+/// Finds pieces that run along an earlier piece of another layer, and adds notes about them.
 void find_coincident(Sketch& sketch, std::vector<Piece>& pieces, double gap_mm);
 
-/// Finds depth and parent of closed pieces.
+/// Finds the depth and parent of closed pieces, and the contours around open pieces.
 void nest(Sketch& sketch, std::vector<Piece>& pieces);
 
-/// All of it: what a reader gathered becomes a drawing.
-/// @param mm_per_unit by which it was read, for messages
+/// Converts the sketch that a reader gathered to a drawing, by all steps above.
+/// @param mm_per_unit unit with which the file was read, for messages
 [[nodiscard]] Drawing assemble(Sketch& sketch,
                                const std::string& file,
                                const ImportOptions& options,

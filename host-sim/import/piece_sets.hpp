@@ -7,14 +7,14 @@
 
 namespace sim::drawing {
 
-/// Sets of numbers that are united step by step.
+/// Sets of numbers. Each number begins as a set of its own; sets are then united.
 class PieceSets {
  public:
   explicit PieceSets(std::size_t count) : parents_(count) {
     std::iota(parents_.begin(), parents_.end(), std::size_t{0});
   }
 
-  /// The least number of the set.
+  /// Returns the smallest number of the set that contains `number`.
   [[nodiscard]] std::size_t find(std::size_t number) {
     while (parents_[number] != number) {
       parents_[number] = parents_[parents_[number]];

@@ -37,7 +37,7 @@ void read_packed(const std::string& bytes, Sketch& sketch) {
   }
 }
 
-/// A format that is known and not read, by how its files begin.
+/// A format that is recognised by the start of its files, but not read.
 struct OtherFormat {
   std::string_view start;
   std::string_view name;
@@ -70,15 +70,16 @@ void refuse_other(std::string_view start, Sketch& sketch) {
   }
 }
 
-/// Returns millimetres per unit of the drawing as its format has them; sizes in the drawing's own
-/// millimetres follow a wanted unit, too.
+/// Returns the millimetres per unit of the drawing. If the options give a unit, that is used in
+/// place of the format's, and the sketch is scaled by the ratio, including sizes that the drawing
+/// gives in millimetres.
 double read_scaled(const ImportOptions& options, double usual_mm, Sketch& sketch) {
   if (!options.unit_mm) return usual_mm;
   sketch.scale(*options.unit_mm / usual_mm);
   return *options.unit_mm;
 }
 
-/// Returns millimetres per unit of the drawing.
+/// Reads a drawing of any format. Returns the millimetres per unit of the drawing.
 double read_any(const std::string& text, const ImportOptions& options, Sketch& sketch) {
   std::string_view start = text;
   if (start.starts_with(kByteOrderMark)) start.remove_prefix(kByteOrderMark.size());

@@ -8,8 +8,8 @@
 
 namespace sim::drawing {
 
-/// Reads numbers and words as SVG's attributes have them: separated by blanks, by
-/// commas, or by nothing where no doubt is left.
+/// Reads the numbers and words of SVG attributes. They are separated by blanks, by commas, or by
+/// nothing if the division is clear without.
 class Scanner {
  public:
   explicit Scanner(std::string_view text) : text_{text} {}
@@ -18,11 +18,11 @@ class Scanner {
     skip_blanks();
     return at_ == text_.size();
   }
-  /// From 1.
+  /// Returns the column of the next character, from 1.
   [[nodiscard]] std::size_t column() const { return at_ + 1; }
   [[nodiscard]] std::string_view rest() const { return text_.substr(at_); }
 
-  /// The next character, or 0.
+  /// Skips blanks and returns the next character, without taking it; 0 at the end.
   [[nodiscard]] char peek() {
     skip_blanks();
     return at_ < text_.size() ? text_[at_] : '\0';
@@ -33,10 +33,10 @@ class Scanner {
     ++at_;
     return true;
   }
-  /// Passes a comma, if there is one.
+  /// Takes a comma if there is one.
   void separate() { static_cast<void>(take(',')); }
 
-  /// A finite number; nothing, and no step ahead, where there is none.
+  /// Takes a finite number. If there is none, returns nothing and takes nothing.
   std::optional<double> number() {
     skip_blanks();
     std::size_t from = at_;
@@ -51,7 +51,7 @@ class Scanner {
     return value;
   }
 
-  /// 0 or 1, which need not be separated from what follows.
+  /// Takes a flag, 0 or 1, which need not be separated from the text that follows.
   std::optional<bool> flag() {
     const char next = peek();
     if (next != '0' && next != '1') return {};
@@ -59,7 +59,7 @@ class Scanner {
     return next == '1';
   }
 
-  /// Letters and hyphens; empty where there are none.
+  /// Takes a word of letters and hyphens; returns an empty one if there is none.
   std::string_view word() {
     skip_blanks();
     const std::size_t from = at_;

@@ -11,7 +11,8 @@
 namespace sim::drawing {
 namespace {
 
-// Shorter ones are a place and no way: a tenth of the controller's nanometre.
+// Least length of a shape, mm: a tenth of the controller's nanometre. A shorter shape counts as a
+// point.
 constexpr double kNoLengthMm = 1.0e-7;
 constexpr std::size_t kMostLayers = 10'000;
 
@@ -19,7 +20,7 @@ bool within_reach(const Place& place) {
   return std::abs(place.x()) <= kFarthestMm && std::abs(place.y()) <= kFarthestMm;
 }
 
-/// Whether every place that decides a shape is a number and not absurdly far.
+/// Returns whether all points that define a shape are finite and within kFarthestMm.
 bool within_reach(const Shape& shape) {
   if (!finite(shape)) return false;
   if (const auto* const curve = std::get_if<Nurbs>(&shape)) {
@@ -33,8 +34,8 @@ bool within_reach(const Shape& shape) {
            within_reach(ellipse->minor);
   }
   if (const auto* const arc = std::get_if<Arc>(&shape)) {
-    // Up to half a turn an arc is no farther from its ends than they are from each other; more of
-    // one goes all round its centre.
+    // An arc of at most half a turn is no farther from its ends than the ends are from each other.
+    // A longer arc may reach all sides of its circle.
     const double radius = distance(arc->start, arc->centre);
     const Place far = arc->centre.cwiseAbs() + Place{radius, radius};
     if (std::abs(arc->sweep) > 0.5 * kFullTurn && !within_reach(far)) return false;
@@ -190,7 +191,7 @@ void Sketch::refuse(std::size_t line, std::size_t column, std::string reason, st
 }
 
 void Sketch::note(const Fault& first, std::string detail) {
-  // Rules may skip letters and pictures of one layer, and not those of another.
+  // One note per layer, because rules may skip the letters or pictures of one layer only.
   const bool is_of_layer = first.kind == FaultKind::kText || first.kind == FaultKind::kPicture ||
                            first.kind == FaultKind::kBadPicture;
   const std::size_t layer = is_of_layer ? first.entity.layer : 0;

@@ -4,9 +4,9 @@
 
 namespace sim::drawing {
 
-/// The colour of letters that are single strokes, whatever theirs is, so that rules can name them.
+/// Colour given to letters of single strokes in place of their own, so that rules can name them.
 inline constexpr std::string_view kStrokeTextColour = "text";
-/// The colour of pictures, which have none of their own.
+/// Colour given to pictures, which have no colour of their own.
 inline constexpr std::string_view kPictureColour = "image";
 
 }  // namespace sim::drawing

@@ -9,22 +9,22 @@
 
 namespace sim::drawing {
 
-/// Sizes to which percentages and lengths in em refer, in user units.
+/// The sizes, in user units, to which percentages and lengths in em refer.
 struct SvgViewport {
   double width = 100.0;
   double height = 100.0;
-  double em = 16.0;  ///< Size of the font.
+  double em = 16.0;  ///< Size of the font, in user units.
 };
 
 enum class SvgDirection : std::uint8_t { kAcross, kUpright, kOther };
 
-/// A length in user units, of which a px is one; nothing where it is none.
+/// Returns a length in user units, which are px; nothing if the text is no length.
 [[nodiscard]] std::optional<double> svg_length(std::string_view text,
                                                const SvgViewport& viewport,
                                                SvgDirection direction);
 
-/// A list of transforms, of attributes or with the units of style sheets; nothing where one of
-/// them is none.
+/// Returns the product of a list of transforms, with or without the units of style sheets; nothing
+/// if one of them cannot be read.
 [[nodiscard]] std::optional<Transform> svg_transform(std::string_view text);
 
 struct SvgViewBox {
@@ -32,15 +32,15 @@ struct SvgViewBox {
   Place size;
 };
 
-/// Nothing where it is no box with a size.
+/// Returns the box that a `viewBox` gives; nothing if it is no box with a size.
 [[nodiscard]] std::optional<SvgViewBox> svg_view_box(std::string_view text);
 
-/// Maps the box into a viewport at the origin, as preserveAspectRatio says.
+/// Returns the map of the box into a viewport at the origin, as `preserveAspectRatio` requires.
 [[nodiscard]] Transform svg_fit(const SvgViewBox& box,
                                 const SvgViewport& viewport,
                                 std::string_view aspect);
 
-/// The point that `transform-origin` names in a viewport; nothing where it is none.
+/// Returns the point that `transform-origin` gives in a viewport; nothing if the text is no point.
 [[nodiscard]] std::optional<Place> svg_origin(std::string_view text, const SvgViewport& viewport);
 
 }  // namespace sim::drawing

@@ -14,28 +14,29 @@
 
 namespace sim::drawing {
 
-/// All that style sheets, `style` and attributes say of one element.
+/// The properties of one element, from style sheets, `style` and attributes.
 class SvgProperties {
  public:
   explicit SvgProperties(const pugi::xml_node& node) : node_{node} {}
-  // Candidates are declarations of inline_, which a move keeps where they are.
+  // Candidates point to declarations, also to those in inline_. A move keeps these at their
+  // addresses; a copy does not.
   SvgProperties(const SvgProperties&) = delete;
   SvgProperties& operator=(const SvgProperties&) = delete;
   SvgProperties(SvgProperties&&) noexcept = default;
   SvgProperties& operator=(SvgProperties&&) noexcept = default;
   ~SvgProperties() = default;
 
-  /// Returns the value of a property without blanks at its ends; empty where it has none.
+  /// Returns the value of a property without blanks at its ends; empty if the element has none.
   [[nodiscard]] std::string_view get(const char* name) const;
-  /// Returns an attribute as it is written.
+  /// Returns an attribute as the file has it.
   [[nodiscard]] std::string_view attribute(const char* name) const {
     return node_.attribute(name).value();
   }
-  /// Returns whether a property has a value, be it an empty one.
+  /// Returns whether a property has a value, even an empty one.
   [[nodiscard]] bool has(const char* name) const {
     return !styled(name).empty() || node_.attribute(name);
   }
-  /// Returns a value that `style` or a sheet gives, but no attribute.
+  /// Returns the value that `style` or a style sheet gives, without regard to attributes.
   [[nodiscard]] std::string_view styled(std::string_view name) const;
 
  private:
@@ -61,15 +62,16 @@ class SvgProperties {
 /// The style sheets of a document.
 class SvgCascade {
  public:
-  /// @param steps comparisons of elements with selectors that the document may take
+  /// @param steps greatest number of comparisons of elements with selectors in the document
   explicit SvgCascade(std::size_t steps) : steps_{steps} {}
 
-  /// Adds the rules of a sheet behind those of earlier ones.
+  /// Adds the rules of a sheet after those of earlier sheets.
   void add(std::vector<SvgRule> rules);
 
   [[nodiscard]] SvgProperties properties_of(const pugi::xml_node& node);
 
-  /// Returns whether all steps were taken; later elements are without their rules.
+  /// Returns whether all steps are used up. Elements after that do not get the rules of style
+  /// sheets.
   [[nodiscard]] bool is_exhausted() const { return steps_ == 0; }
 
  private:
@@ -80,7 +82,8 @@ class SvgCascade {
   std::vector<SvgRule> rules_;
   Buckets by_id_;
   Buckets by_class_;
-  Buckets by_element_;  ///< Under the empty name: rules of any element.
+  /// Rules by the name of the element; under the empty name, rules for any element.
+  Buckets by_element_;
   std::size_t steps_;
 };
 

@@ -8,7 +8,8 @@
 namespace sim::drawing {
 namespace {
 
-// `use` of `use` doubles them at each level: without a bound, a page of text fills memory.
+// `use` elements within `use` elements may double the elements at each level: without a bound, a
+// page of text fills memory.
 constexpr std::size_t kMostElements = 500'000;
 constexpr std::size_t kMostSelectorSteps = 100'000'000;
 constexpr std::string_view kSvgNamespace = "http://www.w3.org/2000/svg";

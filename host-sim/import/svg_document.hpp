@@ -12,26 +12,27 @@
 
 namespace sim::drawing {
 
-/// An SVG document: its elements by id, its style sheets, and the places of both in the file.
+/// An SVG document: its elements by id, its style sheets, and the positions of both in the file.
 class SvgDocument {
  public:
   SvgDocument(const std::string& source, Sketch& sketch);
 
-  /// Parses the file. False, and a fault, where it is no SVG document.
+  /// Parses the file. Returns false, and reports a fault, if it is no SVG document.
   [[nodiscard]] bool load();
   [[nodiscard]] pugi::xml_node root() const { return document_.document_element(); }
 
-  /// Returns the first element of an id; none where there is none.
+  /// Returns the first element with an id; an empty node if there is none.
   [[nodiscard]] pugi::xml_node find(std::string_view id) const;
-  /// Returns the element that `href` or `xlink:href` names in this document; else none.
+  /// Returns the element of this document that `href` or `xlink:href` names; else an empty node.
   [[nodiscard]] pugi::xml_node linked(const pugi::xml_node& node) const;
   [[nodiscard]] SvgProperties properties_of(const pugi::xml_node& node);
 
-  /// Returns name, id and place of an element.
+  /// Returns the name, id and position of an element.
   [[nodiscard]] Entity entity_of(const pugi::xml_node& node) const;
   void report_bad(const pugi::xml_node& node, std::string reason, std::string remedy);
 
-  /// Counts an element that is drawn. False where there are too many; the first of them is a fault.
+  /// Counts an element that is drawn. Returns false if there are too many. The first element beyond
+  /// the limit becomes a fault.
   [[nodiscard]] bool count(const pugi::xml_node& node);
   [[nodiscard]] bool is_full() const { return elements_ > most_elements_ || sketch_.full(); }
 
@@ -49,10 +50,10 @@ class SvgDocument {
   bool told_of_steps_ = false;
 };
 
-/// Returns `href`, or else `xlink:href`.
+/// Returns the value of `href`, or else of `xlink:href`.
 [[nodiscard]] std::string_view svg_link(const pugi::xml_node& node);
 
-/// Returns whether an element is one of SVG's, and not of a drawing program's own.
+/// Returns whether an element belongs to SVG, and not to a drawing program's own vocabulary.
 [[nodiscard]] bool is_svg_element(const pugi::xml_node& node);
 
 }  // namespace sim::drawing

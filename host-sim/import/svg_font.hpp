@@ -11,17 +11,17 @@ namespace sim::drawing {
 /// Properties that letters inherit.
 struct SvgFont {
   text::FontWish wish{};
-  double letter_spacing = 0.0;  ///< Behind each letter, in user units.
-  double word_spacing = 0.0;    ///< Behind each blank, in user units.
+  double letter_spacing = 0.0;  ///< Extra distance after each letter, in user units.
+  double word_spacing = 0.0;    ///< Extra distance after each blank, in user units.
   std::string anchor = "start";
-  std::string baseline{};  ///< `dominant-baseline`; empty: the usual one.
+  std::string baseline{};  ///< `dominant-baseline`; empty: the default base line.
   bool keeps_blanks = false;
 };
 
-/// Takes font, spacing and size, `viewport.em`, of an element over what it inherits.
+/// Replaces inherited font, spacing and size (`viewport.em`) by those that an element gives.
 void inherit_font(const SvgProperties& properties, SvgViewport& viewport, SvgFont& font);
 
-/// Returns how far the base line lies below the line that `baseline` names, in em.
+/// Returns the distance of the base line below the line that `baseline` names, in em.
 [[nodiscard]] double base_line_shift(std::string_view baseline, const text::FontFigures& figures);
 
 }  // namespace sim::drawing

@@ -25,7 +25,7 @@ std::optional<int> hex_digit(char c) {
   return std::nullopt;
 }
 
-/// Returns a link with its `%20` as characters.
+/// Returns a link with escapes such as `%20` replaced by their characters.
 std::string unescaped(std::string_view link) {
   constexpr int kHex = 16;
   std::string text;
@@ -42,7 +42,8 @@ std::string unescaped(std::string_view link) {
   return text;
 }
 
-/// Returns why a link is not followed; empty where it names a file below the drawing's folder.
+/// Returns the reason why a link is not followed; empty if it names a file below the drawing's
+/// folder.
 std::string reason_against(std::string_view name) {
   if (name.empty()) return "it links no picture";
   const std::size_t colon = name.find(':');

@@ -13,20 +13,20 @@
 
 namespace sim::drawing {
 
-/// Reads `image` elements: pictures within the document, or in files below its folder. Their layers
-/// have the colour kPictureColour.
+/// Reads `image` elements, whose pictures are in the document itself or in files below its folder.
+/// The layers of pictures have the colour kPictureColour.
 class SvgImages {
  public:
   SvgImages(SvgDocument& document, Sketch& sketch, SvgClips& clips)
       : document_{document}, sketch_{sketch}, clips_{clips} {}
 
-  /// Keeps the picture of an element; what cannot be read is reported.
+  /// Adds the picture of an element to the sketch. Reports a picture that cannot be read.
   void read(const pugi::xml_node& node, const SvgProperties& properties, SvgStyle style);
 
  private:
   using Image = std::shared_ptr<const picture::GreyImage>;
 
-  /// A picture by its link; null where it cannot be read.
+  /// The picture of a link; null if it cannot be read.
   struct Linked {
     Image image{};
     std::string file{};
@@ -35,13 +35,13 @@ class SvgImages {
   const Linked& linked(std::string_view link, const Entity& entity);
   Linked embedded(std::string_view data, const Entity& entity);
   Linked beside(std::string_view link, const Entity& entity);
-  /// Returns the map of the picture's pixels; nothing where it has no size.
+  /// Returns the map of the picture's pixels to mm; nothing if the element has no size.
   [[nodiscard]] std::optional<Transform> map_of(const pugi::xml_node& node,
                                                 const SvgProperties& properties,
                                                 const picture::GreyImage& image,
                                                 SvgStyle& style);
-  /// Returns what is seen of a picture within the clips of the style; null where it is nothing, or
-  /// too much to find out.
+  /// Returns the part of a picture that is visible within the clips of the style. Returns null if
+  /// nothing is visible, or if the comparison would take too much work.
   [[nodiscard]] Image clipped(const Image& image,
                               const Transform& to_mm,
                               const SvgStyle& style,
@@ -50,7 +50,8 @@ class SvgImages {
   SvgDocument& document_;
   Sketch& sketch_;
   SvgClips& clips_;
-  std::map<std::string_view, Linked> linked_;  ///< By links, which the document has.
+  /// Pictures by link; the strings of the keys belong to the document.
+  std::map<std::string_view, Linked> linked_;
   std::size_t clip_steps_ = 0;
 };
 

@@ -19,7 +19,7 @@ bool is_xml_name_character(char c) {
          static_cast<unsigned char>(c) >= 0x80U;
 }
 
-/// Returns the name of the reference `&name;` at the beginning of a text; empty where it is none.
+/// Returns the name of the reference `&name;` at the beginning of a text; empty if there is none.
 std::string_view reference_name(std::string_view text) {
   std::size_t end = 1;
   while (end < text.size() && end < kLongestName && is_xml_name_character(text[end])) ++end;
@@ -32,13 +32,14 @@ bool is_predefined(std::string_view name) {
   return std::ranges::find(kNames, name) != kNames.end();
 }
 
-/// Returns the end of a construct that begins at `from`, past its end mark.
+/// Returns the position after the end mark of a construct that begins at `from`.
 std::size_t past(std::string_view text, std::string_view mark, std::size_t from) {
   const std::size_t end = text.find(mark, from);
   return end == std::string_view::npos ? text.size() : end + mark.size();
 }
 
-/// Returns where a declaration of the DOCTYPE ends, past its `>`; quotes may hold others.
+/// Returns the position after the `>` of a declaration of the DOCTYPE. A `>` within quotes does not
+/// end it.
 std::size_t past_declaration(std::string_view text, std::size_t from) {
   char quote = '\0';
   for (std::size_t i = from; i < text.size(); ++i) {
@@ -150,7 +151,7 @@ void SvgMarkup::read_entity(std::string_view declaration, std::size_t at) {
   if (name != "%" && (quote == '"' || quote == '\'')) {
     const std::size_t end = declaration.find(quote, 1);
     if (end == std::string_view::npos) return;
-    // The first declaration of a name holds.
+    // The first declaration of a name is in force.
     entities_.emplace(name, declaration.substr(1, end - 1));
     return;
   }
@@ -229,7 +230,7 @@ void SvgMarkup::put(std::string_view text, bool in_tag, std::size_t depth, std::
 }
 
 void SvgMarkup::put_character(char c, bool in_tag) {
-  // In an attribute they are data, as XML says, and do not end it.
+  // In an attribute, quotes of an entity are data, as XML requires, and do not end the value.
   if (in_tag && c == '"') {
     text_ += "&quot;";
   } else if (in_tag && c == '\'') {

@@ -12,27 +12,29 @@
 
 namespace sim::drawing {
 
-/// An XML document whose entities are put in, and the way back to the places of the file.
+/// An XML document with its entities expanded, and a map from its bytes back to positions in the
+/// file.
 ///
-/// Entities of the internal subset are expanded, those that hold elements, too. What is not
-/// declared, or lies in another file, becomes a fault and stays as it is written. Expansion is
-/// bounded in depth and size.
+/// Entities of the internal subset are expanded, including those that contain elements. An entity
+/// that is not declared, or lies in another file, becomes a fault and stays as it is written.
+/// Expansion is bounded in depth and size.
 class SvgMarkup {
  public:
   SvgMarkup(const std::string& source, Sketch& sketch);
 
   /// Returns the document without its DOCTYPE.
   [[nodiscard]] const std::string& text() const { return text_; }
-  /// Returns line and column in the file of a byte of text(), both from 1.
+  /// Returns the line and column in the file, both from 1, of a byte of text().
   [[nodiscard]] std::pair<std::size_t, std::size_t> at(std::size_t offset) const;
-  /// Returns whether the expansion was ended by a bound; a fault says so.
+  /// Returns whether a bound ended the expansion; a fault reports it.
   [[nodiscard]] bool is_too_long() const { return too_long_; }
 
  private:
   struct Stretch {
-    std::size_t out;   ///< Where it begins in the text.
-    std::size_t in;    ///< Where it comes from.
-    bool is_verbatim;  ///< Else all of it comes from one reference.
+    std::size_t out;  ///< Start of the stretch in the text.
+    std::size_t in;   ///< Position in the source from which the stretch comes.
+    /// True: copied byte by byte. False: the whole stretch comes from one reference.
+    bool is_verbatim;
   };
 
   void read_prologue();
@@ -41,7 +43,8 @@ class SvgMarkup {
   void read_entity(std::string_view declaration, std::size_t at);
   void expand_all();
   void copy(std::size_t from, std::size_t to);
-  /// Puts the reference at `at` in. Returns where the source goes on.
+  /// Writes the expansion of the reference at `at`. Returns the position at which the source
+  /// continues.
   std::size_t put_reference(std::size_t at, bool in_tag);
   void put(std::string_view text, bool in_tag, std::size_t depth, std::size_t at);
   void undeclared(std::string_view name, std::size_t at);

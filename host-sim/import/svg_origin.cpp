@@ -8,7 +8,7 @@
 namespace sim::drawing {
 
 void note_burn(Sketch& sketch, const std::string& svg) {
-  // Its reference line says so in letters: `100.0mm, burn:0.10mm`.
+  // Boxes.py labels its reference line with a text such as `100.0mm, burn:0.10mm`.
   constexpr std::string_view kGenerator = "Boxes.py";
   constexpr std::string_view kBurn = "burn:";
   const std::size_t found = svg.find(kBurn);

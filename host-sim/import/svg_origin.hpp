@@ -6,9 +6,9 @@
 
 namespace sim::drawing {
 
-/// Notes that a drawing of a box generator allows for a kerf by itself. Boxes.py grows its parts by
-/// `burn`, half the kerf, for a beam along the drawn line; cut beside that line they are too large
-/// by twice as much, and do not fit.
+/// Adds a note if the drawing comes from a box generator that already allows for the kerf. Boxes.py
+/// enlarges its parts by `burn`, half the kerf, for a beam along the drawn line. If the cut is
+/// offset from that line as well, the parts are too large by twice `burn` and do not fit.
 void note_burn(Sketch& sketch, const std::string& svg);
 
 }  // namespace sim::drawing

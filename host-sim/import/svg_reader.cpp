@@ -29,7 +29,7 @@ bool is_one_of(std::string_view name, const std::array<std::string_view, count>&
 constexpr std::array<std::string_view, 4> kGroups{"g", "a", "switch", "svg"};
 constexpr std::array<std::string_view, 7> kLetters{
     "text", "tspan", "textPath", "flowRoot", "flowPara", "altGlyph", "tref"};
-// Drawn by nothing, or only where something names them.
+// Elements that draw nothing, or draw only where another element refers to them.
 constexpr std::array<std::string_view, 15> kSilent{"title",
                                                    "desc",
                                                    "metadata",
@@ -46,7 +46,7 @@ constexpr std::array<std::string_view, 15> kSilent{"title",
                                                    "mask",
                                                    "clipPath"};
 
-/// Gathers the beginning of the letters in an element.
+/// Gathers the first letters of an element.
 class WordCollector final : public pugi::xml_tree_walker {
  public:
   bool for_each(pugi::xml_node& node) override {
@@ -57,15 +57,15 @@ class WordCollector final : public pugi::xml_tree_walker {
   std::string words;
 };
 
-/// Returns the letters within an element, of any depth.
+/// Returns the letters within an element, at any depth.
 std::string words_of(pugi::xml_node node) {
   WordCollector words;
   node.traverse(words);
   return std::move(words.words);
 }
 
-/// Returns whether a child of `switch` can be drawn: it needs nothing of a program, and its
-/// language is English or any.
+/// Returns whether a child of `switch` can be drawn: it requires no extension, and its language is
+/// English or any.
 bool is_taken(const pugi::xml_node& child) {
   if (child.type() != pugi::node_element || child.attribute("requiredExtensions")) return false;
   const pugi::xml_attribute language = child.attribute("systemLanguage");
@@ -98,7 +98,7 @@ class SvgReader {
   }
 
  private:
-  /// A length of a document or symbol, or what it is without one.
+  /// Returns a width or height of a document or symbol, or `otherwise` if it has none.
   double extent(const pugi::xml_node& node,
                 const char* name,
                 const SvgViewport& around,
@@ -116,7 +116,7 @@ class SvgReader {
   void read_root(const pugi::xml_node& root) {
     const auto box = svg_view_box(root.attribute("viewBox").value());
     SvgStyle style;
-    // Without a size a drawing is as large as its box says, in px.
+    // A drawing without a size is as large as its viewBox, in px.
     const SvgViewport page{box ? box->size.x() : 100.0, box ? box->size.y() : 100.0};
     if (!box && root.attribute("viewBox")) {
       document_.report_bad(root, "the viewBox is no box", "give it as x y width height");
@@ -132,7 +132,7 @@ class SvgReader {
     read_children(root, style);
   }
 
-  /// The units of what is in a viewport.
+  /// Sets the units of the content of a viewport.
   static void enter_box(const pugi::xml_node& node, const Place& size, SvgStyle& style) {
     const auto box = svg_view_box(node.attribute("viewBox").value());
     style.viewport.width = box ? box->size.x() : size.x();
@@ -142,7 +142,8 @@ class SvgReader {
     style.to_mm = style.to_mm * svg_fit(*box, {size.x(), size.y()}, aspect);
   }
 
-  /// Layers are the groups of the document itself, and what Inkscape calls layers.
+  /// Sets the layer. Layers are the groups directly in the document, and the groups that Inkscape
+  /// marks as layers.
   static void enter_layer(const pugi::xml_node& node, SvgStyle& style) {
     const std::string_view mode = node.attribute("inkscape:groupmode").value();
     if (mode != "layer" && (style.depth != 1 || local_name(node) != "g")) return;
@@ -204,7 +205,7 @@ class SvgReader {
     }
   }
 
-  /// Notes what changes how an element looks and is not followed.
+  /// Adds notes about properties that change the look of an element and are not followed.
   void note_effects(const pugi::xml_node& node, const SvgProperties& properties) {
     const auto note = [&](const char* name, const char* what) {
       const std::string_view value = properties.get(name);
@@ -217,7 +218,7 @@ class SvgReader {
     }
   }
 
-  /// A document within the document, perhaps of the size that `use` gives it.
+  /// Enters a nested document, whose size `use` may give.
   void enter_document(const pugi::xml_node& node,
                       const pugi::xml_node& use,
                       const SvgProperties& properties,
@@ -243,7 +244,7 @@ class SvgReader {
     }
     if (std::ranges::find(used_, target) != used_.end() || style.depth >= kDeepestNesting) {
       return document_.report_bad(
-          node, fmt::format("\"{:.60}\" uses itself", link), "take the circle apart");
+          node, fmt::format("\"{:.60}\" uses itself", link), "remove the circular reference");
     }
     style.to_mm = style.to_mm * moved_by(svg_place(properties, style.viewport));
     used_.push_back(target);
@@ -274,7 +275,8 @@ class SvgReader {
     return sketch_.layer({style.layer, style.sorting_colour()});
   }
 
-  /// Returns whether something of the style is seen; else notes why not, unless it is hidden.
+  /// Returns whether the style paints anything visible. If not, adds a note with the reason, unless
+  /// the element is hidden.
   bool is_seen(const pugi::xml_node& node, const SvgStyle& style) {
     if (!style.is_visible) return false;
     if (style.is_clear) {
@@ -297,7 +299,7 @@ class SvgReader {
     text_.read(node, style);
   }
 
-  /// Returns whether letters have places: not those that flow within a region.
+  /// Returns whether letters have positions of their own, unlike letters that flow within a region.
   static bool is_laid_out(const pugi::xml_node& node) { return local_name(node) == "text"; }
 
   void read_shape(const pugi::xml_node& node, const SvgProperties& properties, SvgStyle style) {

@@ -36,7 +36,7 @@ class SelectorReader {
     return compound;
   }
 
-  /// Returns the combinator ahead; nothing where the text does not go on with one.
+  /// Takes the combinator that follows. Returns nothing if the text does not continue with one.
   std::optional<char> combinator() {
     const bool blank = skip_blanks();
     if (at_end()) return {};
@@ -58,7 +58,7 @@ class SelectorReader {
     while (!at_end() && kCssBlanks.find(text_[at_]) != std::string_view::npos) ++at_;
     return at_ != from;
   }
-  /// Returns a name, whose characters may be escaped by `\`.
+  /// Takes a name. A `\` escapes its next character.
   std::string name() {
     std::string name;
     while (!at_end()) {

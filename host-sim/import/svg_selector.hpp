@@ -12,37 +12,41 @@ namespace sim::drawing {
 
 inline constexpr std::string_view kCssBlanks = " \t\r\n\f";
 
-/// `[name]`, `[name=value]`, `[name~=value]` and so on.
+/// A condition on an attribute: `[name]`, `[name=value]`, `[name~=value]` and so on.
 struct SvgAttributeTest {
   std::string name;
-  char kind = '\0';  ///< 0: is there; else the sign before `=`, or `=` alone.
+  char kind = '\0';  ///< 0: the attribute exists. Else the sign before `=`, or `=` alone.
   std::string value{};
 };
 
 /// Conditions for one element: `rect.cut#a[id]:first-child`.
 struct SvgCompound {
-  char combinator = ' ';  ///< How it follows the one before: blank, `>`, `+` or `~`.
-  std::string element{};  ///< Empty: any.
+  char combinator = ' ';  ///< Relation to the compound before: blank, `>`, `+` or `~`.
+  std::string element{};  ///< Name of the element; empty: any.
   std::vector<std::string> ids{};
   std::vector<std::string> classes{};
   std::vector<SvgAttributeTest> attributes{};
   bool is_first_child = false;
   bool is_root = false;
-  bool is_never = false;  ///< Only while a pointer is over it, and the like.
+  /// The conditions hold only during interaction, for example while a pointer is over the element.
+  bool is_never = false;
 };
 
-/// A selector of a style sheet: elements by type, class, id and attribute, within, directly within
-/// or behind others.
+/// A selector of a style sheet. It selects elements by type, class, id and attribute, and by their
+/// position: within, directly within or after other elements.
 class SvgSelector {
  public:
-  /// Nothing where it has something that is not known.
+  /// Returns the selector of a text; nothing if it has a construct that is not supported.
   [[nodiscard]] static std::optional<SvgSelector> parse(std::string_view text);
 
-  /// Returns whether the element is meant. Counts down `steps`, and says no when none are left.
+  /// Returns whether the selector matches an element. Counts `steps` down, and returns false if
+  /// none are left.
   [[nodiscard]] bool matches(const pugi::xml_node& node, std::size_t& steps) const;
-  /// Returns ids, then classes and attributes, then types, in one number that compares.
+  /// Returns the specificity as one number for comparisons: the count of ids in the highest bits,
+  /// then classes and attributes, then types.
   [[nodiscard]] std::uint32_t specificity() const;
-  /// Returns what the last element has to be. @pre parse() made it
+  /// Returns the conditions for the selected element itself.
+  /// @pre parse() made the selector
   [[nodiscard]] const SvgCompound& last() const { return compounds_.back(); }
 
  private:
@@ -56,7 +60,7 @@ class SvgSelector {
 /// Returns the name of an element without its prefix.
 [[nodiscard]] std::string_view local_name(const pugi::xml_node& node);
 
-/// Returns whether a list of words, separated by blanks, has the word.
+/// Returns whether a list of words, separated by blanks, contains a word.
 [[nodiscard]] bool has_word(std::string_view list, std::string_view word);
 
 }  // namespace sim::drawing

@@ -8,13 +8,13 @@
 namespace sim::drawing {
 namespace {
 
-/// Reads lengths of one element; remembers the first that is none.
+/// Reads lengths of one element, and stores the error of the first one that is no length.
 class LengthReader {
  public:
   LengthReader(const SvgProperties& properties, const SvgViewport& viewport)
       : properties_{properties}, viewport_{viewport} {}
 
-  /// Nothing where the attribute is missing, `auto` or wrong.
+  /// Returns a length; nothing if the attribute is missing, `auto` or wrong.
   std::optional<double> find(const char* name, SvgDirection direction) {
     const std::string_view text = properties_.get(name);
     if (!properties_.has(name) || text == "auto") return {};
@@ -26,14 +26,14 @@ class LengthReader {
     return find(name, direction).value_or(0.0);
   }
 
-  /// Of a size or radius: below 0 is wrong, too.
+  /// Returns a size or radius. A value below 0 is an error, too.
   double size(const char* name, SvgDirection direction) {
     const double length = get(name, direction);
     if (length < 0.0 && wrong_.empty()) wrong_ = fmt::format("{} is below 0", name);
     return length;
   }
 
-  /// A part of no size is drawn as nothing: a note, for it is hardly meant to be.
+  /// Notes a shape without area: it is drawn as nothing, which is probably not intended.
   void need_area(const char* what, bool has_area) {
     if (has_area || !wrong_.empty()) return;
     wrong_ = fmt::format("{} is 0: it has no area", what);

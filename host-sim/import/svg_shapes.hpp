@@ -9,23 +9,23 @@
 
 namespace sim::drawing {
 
-/// path, rect, circle, ellipse, line, polyline, polygon.
+/// Returns whether a name is path, rect, circle, ellipse, line, polyline or polygon.
 [[nodiscard]] bool is_svg_shape(std::string_view name);
 
-/// The fault of a shape; empty where it has none.
+/// The fault of a shape; its reason is empty if there is none.
 struct SvgShapeFault {
   std::string reason{};
-  bool is_error = true;  ///< Else it is drawn as nothing.
+  bool is_error = true;  ///< False: a note, because the shape draws nothing.
 };
 
-/// Draws one of them in the units of its element.
+/// Draws a basic shape in the units of its element.
 /// @pre is_svg_shape(name)
 [[nodiscard]] SvgShapeFault draw_svg_shape(std::string_view name,
                                            const SvgProperties& properties,
                                            const SvgViewport& viewport,
                                            SvgPen& pen);
 
-/// Returns `x` and `y` of an element, each 0 where it has none.
+/// Returns `x` and `y` of an element; a missing one is 0.
 [[nodiscard]] Place svg_place(const SvgProperties& properties, const SvgViewport& viewport);
 
 }  // namespace sim::drawing

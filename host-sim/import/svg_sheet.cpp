@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t kDeepestBlock = 4;
 
-/// Puts blanks in the place of comments and of the marks of XML comments, so that places stay.
+/// Replaces comments and the marks of XML comments by blanks, so that positions do not change.
 std::string without_comments(std::string_view text) {
   std::string bare{text};
   const auto blank = [&](std::size_t from, std::size_t to) {
@@ -30,7 +30,8 @@ std::string without_comments(std::string_view text) {
   return bare;
 }
 
-/// Returns the first of `wanted` outside of quotes, brackets and braces, or the size of the text.
+/// Returns the position of the first character of `wanted` outside of quotes, brackets and braces,
+/// or the size of the text.
 std::size_t find_outside(std::string_view text, std::string_view wanted, std::size_t from) {
   char quote = '\0';
   std::size_t depth = 0;
@@ -58,7 +59,7 @@ std::string lower(std::string_view text) {
   return result;
 }
 
-/// Returns whether a list of media is of what is seen on a screen.
+/// Returns whether a list of media includes screens.
 bool is_seen(std::string_view media) {
   while (!media.empty()) {
     const std::string_view one = media.substr(0, media.find(','));

@@ -20,20 +20,20 @@ struct SvgDeclaration {
 
 using SvgDeclarations = std::vector<SvgDeclaration>;
 
-/// Reads `name: value; …`. What is none is skipped, as browsers do.
+/// Reads declarations `name: value; …`. Skips malformed ones, as browsers do.
 [[nodiscard]] SvgDeclarations svg_declarations(std::string_view text);
 
-/// Properties that the elements of one selector get.
+/// The declarations that apply to the elements of one selector.
 struct SvgRule {
   SvgSelector selector;
   std::shared_ptr<const SvgDeclarations> declarations;
 };
 
-/// Receives what of a style sheet is not read, and at which byte of it.
+/// Receives each part of a style sheet that is not read, with the number of its first byte.
 using SvgSheetReport = std::function<void(std::size_t offset, const std::string& what)>;
 
-/// Reads the rules of a style sheet in their order, those of `@media all` and `screen` included.
-/// Rules with a selector that is not known and other at-rules are reported and left out.
+/// Reads the rules of a style sheet in their order, including those of `@media all` and `screen`.
+/// Rules with a selector that is not supported, and other at-rules, are reported and left out.
 [[nodiscard]] std::vector<SvgRule> svg_rules(std::string_view text, const SvgSheetReport& report);
 
 /// Returns the text without blanks at its ends.

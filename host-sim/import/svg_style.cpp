@@ -8,13 +8,13 @@
 namespace sim::drawing {
 namespace {
 
-/// Returns whether a number or percentage is 0 or less.
+/// Returns whether a text is a number or percentage of 0 or less.
 bool is_nothing(std::string_view text) {
   const auto value = Scanner{text}.number();
   return value && *value <= 0.0;
 }
 
-/// Returns whether a paint is a colour that is seen, or the name of a pattern.
+/// Returns whether a paint is a visible colour, or refers to a pattern.
 bool is_paint(std::string_view paint) {
   if (paint == "none" || paint == "transparent") return false;
   if (paint.starts_with("rgba(") || paint.starts_with("hsla(")) {

@@ -14,14 +14,14 @@
 
 namespace sim::drawing {
 
-/// Properties that elements hand down to those within them.
+/// Properties that elements pass on to the elements within them.
 struct SvgStyle {
   Transform to_mm{};
   SvgViewport viewport{};
   std::string layer{};
   std::string stroke = "none";
   std::string fill = "black";
-  std::string colour = "black";  ///< Meant by `currentColor`.
+  std::string colour = "black";  ///< Colour that `currentColor` stands for.
   std::string stroke_width = "1";
   std::string stroke_opacity = "1";
   std::string fill_opacity = "1";
@@ -30,23 +30,25 @@ struct SvgStyle {
   SvgFont font{};
   ClipRegions clips{};
   bool is_visible = true;
-  bool is_clear = false;  ///< Opacity 0, of its own or of an element around it.
+  bool is_clear = false;  ///< The opacity of the element, or of an element around it, is 0.
   std::size_t depth = 0;
 
-  /// Returns whether outlines, or areas, are painted in a colour that is seen.
+  /// Returns whether outlines are painted in a visible colour; has_fill() returns the same for
+  /// areas.
   [[nodiscard]] bool has_stroke() const;
   [[nodiscard]] bool has_fill() const;
-  /// Returns the colour that sorts a drawing: of the stroke, else of the fill.
+  /// Returns the colour by which the drawing is sorted into layers: that of the stroke, else that
+  /// of the fill.
   [[nodiscard]] const std::string& sorting_colour() const { return has_stroke() ? stroke : fill; }
 };
 
-/// Takes what an element says over what it inherits.
+/// Replaces inherited properties by those that an element gives.
 void inherit(const SvgProperties& properties, SvgStyle& style);
 
 /// Returns the rule that a value of `fill-rule` or `clip-rule` names.
 [[nodiscard]] FillRule fill_rule_of(std::string_view value);
 
-/// Returns the id of `url(#id)`, with or without quotes; empty where the text is none.
+/// Returns the id of `url(#id)`, with or without quotes; empty if the text has another form.
 [[nodiscard]] std::string_view svg_reference(std::string_view text);
 
 }  // namespace sim::drawing

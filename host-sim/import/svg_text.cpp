@@ -15,7 +15,8 @@ namespace {
 constexpr double kDegreeOfText = kFullTurn / 360.0;
 constexpr std::size_t kMostCharacters = 100'000;
 
-/// Returns the lengths of a list, separated by blanks or commas; it ends at the first that is none.
+/// Returns the lengths of a list that is separated by blanks or commas, up to the first entry that
+/// is no length.
 std::vector<double> lengths_of(std::string_view text,
                                const SvgViewport& viewport,
                                SvgDirection direction) {
@@ -110,7 +111,7 @@ void SvgText::move_characters(const SvgProperties& properties,
     }
     return list;
   };
-  // Inner elements are read first, and hold.
+  // Inner elements are read first, and their values take precedence.
   const auto first = [](std::optional<double>& value, double given) {
     if (!value) value = given;
   };
@@ -149,7 +150,7 @@ std::size_t SvgText::lay_chunk(std::size_t from) {
   pen_ = {characters_[from].x.value_or(pen_.x()), characters_[from].y.value_or(pen_.y())};
   std::size_t to = from + 1;
   while (to < characters_.size() && !characters_[to].x && !characters_[to].y) ++to;
-  // The blank between two lines is of neither.
+  // The blank between two lines belongs to neither line.
   std::size_t end = to;
   while (to < characters_.size() && end > from + 1 && characters_[end - 1].bytes == " ") --end;
   const double start = pen_.x();

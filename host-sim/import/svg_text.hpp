@@ -14,17 +14,18 @@
 
 namespace sim::drawing {
 
-/// Lays the letters of a `text` element out, as outlines or strokes: its lines, spans and places.
+/// Lays out the letters of a `text` element, with its lines, spans and positions, as outlines or
+/// strokes.
 class SvgText {
  public:
   SvgText(SvgDocument& document, Sketch& sketch, SvgClips& clips)
       : document_{document}, sketch_{sketch}, clips_{clips} {}
 
-  /// Draws an element; what is not followed is a note.
+  /// Draws a `text` element. Notes report properties that are not followed.
   void read(const pugi::xml_node& node, const SvgStyle& style);
 
  private:
-  /// A letter, and what moves it.
+  /// A letter, and the attributes that move it.
   struct Character {
     std::string bytes;
     std::size_t span;
@@ -34,7 +35,7 @@ class SvgText {
     double dy = 0.0;
     double rotate_deg = 0.0;
   };
-  /// Letters of one style.
+  /// A run of letters of one style.
   struct Span {
     pugi::xml_node node;
     SvgStyle style;
@@ -53,9 +54,10 @@ class SvgText {
                        const SvgViewport& viewport,
                        std::size_t from);
   void note_unfollowed(const pugi::xml_node& node, const SvgProperties& properties);
-  /// Lays out the characters from `from` that stand in one chunk. Returns where the next begins.
+  /// Lays out the characters of one chunk, which begins at `from`. Returns the start of the next
+  /// chunk.
   std::size_t lay_chunk(std::size_t from);
-  /// Lays out characters of one span.
+  /// Lays out the characters from `from` to `to`, which belong to one span.
   void lay_run(std::size_t from, std::size_t to, std::vector<Glyph>& glyphs);
   void draw(const std::vector<Glyph>& glyphs, double shift);
 

@@ -13,15 +13,16 @@
 namespace sim::drawing {
 namespace {
 
-// Pairs of chords looked at; some seconds.
+// Greatest number of pairs of chords that are checked: they take some seconds.
 constexpr std::size_t kMostChordPairs = 200'000'000;
-// Chords of curves that touch are apart by their tolerance, twice, and by a rounding.
+// Greatest distance of chords of curves that touch, mm: twice the tolerance of chords, and some
+// rounding.
 constexpr double kNearMm = 2.5 * kChordToleranceMm;
-// Chords of one contour with less path from the start of one to the end of the other enclose
-// nothing that could be cut, mm: closely drawn curves have many.
+// Least path of a contour that is checked, mm, from the start of one chord to the end of another. A
+// shorter path encloses nothing that could be cut, and closely drawn curves have many.
 constexpr double kShortPathMm = 0.01;
 
-/// A part of an outline.
+/// A chord of an outline.
 struct Chord {
   Place start;
   Place end;
@@ -43,7 +44,7 @@ bool are_near(const Chord& a, const Chord& b) {
                    distance_to_chord(b.end, a.start, a.end)}) <= kNearMm;
 }
 
-/// Returns whether a chord runs back along the one before it.
+/// Returns whether the chord `b` runs back along the chord `a` before it.
 bool turns_back(const Chord& a, const Chord& b) {
   const Place in = a.end - a.start;
   const Place out = b.end - b.start;
@@ -65,10 +66,10 @@ Box box_near(const Box& box) {
   return {box.x0 - kNearMm, box.y0 - kNearMm, box.x1 + kNearMm, box.y1 + kNearMm};
 }
 
-/// Boxes of things that are searched; filled again and again.
+/// A searchable set of boxes. It is filled many times.
 class Boxes {
  public:
-  /// Takes `box_at(i)` for all i < count.
+  /// Replaces the boxes by `box_at(i)` for all i < count.
   template <typename BoxAt>
   void fill(std::size_t count, const BoxAt& box_at) {
     const std::size_t size = Tree::size_for(count);
@@ -77,7 +78,8 @@ class Boxes {
     for (std::uint32_t i = 0; i < count; ++i) tree_.leaf(i) = box_at(i);
     tree_.build(static_cast<std::uint32_t>(count));
   }
-  /// Calls `visit(i)` for boxes from number `from` on that come near a box, until it is false.
+  /// Calls `visit(i)` for each box from number `from` on that is near `box`, until a call returns
+  /// false.
   template <typename Visit>
   void search(const Box& box, std::uint32_t from, const Visit& visit) const {
     tree_.search(box_near(box), from, visit);
@@ -89,8 +91,8 @@ class Boxes {
   Tree tree_{cnc::contour::Slice<Box>{}};
 };
 
-/// Compares each piece with itself, and with those that are near and have fewer chords: a tree
-/// holds the chords of one piece at a time.
+/// Compares each piece with itself and with near pieces that have fewer chords. A tree holds the
+/// chords of one piece at a time.
 class TouchFinder {
  public:
   TouchFinder(Sketch& sketch, const std::vector<Piece>& pieces)
@@ -129,7 +131,7 @@ class TouchFinder {
     return places == 0 ? 0 : static_cast<std::uint32_t>(places - 1);
   }
 
-  /// Neighbours in the plane are mostly neighbours in this order.
+  /// Sorts the closed pieces so that neighbours in the plane are mostly neighbours in the list.
   void sort_by_place() {
     OutlineBox all;
     for (const std::uint32_t piece : closed_) {
@@ -151,7 +153,8 @@ class TouchFinder {
     std::ranges::transform(keys, closed_.begin(), &std::pair<std::uint64_t, std::uint32_t>::second);
   }
 
-  /// @pre `chords_` has the chords of the piece
+  /// Compares a piece with itself.
+  /// @pre `chords_` contains the chords of the piece
   void look_at_itself(std::uint32_t piece) {
     along_mm_.assign(1, 0.0);
     const std::uint32_t count = chords_of(piece);
@@ -168,7 +171,8 @@ class TouchFinder {
     }
   }
 
-  /// @pre `chords_` has the chords of the piece
+  /// Compares a piece with near pieces.
+  /// @pre `chords_` contains the chords of the piece
   void look_at_others(std::uint32_t piece) {
     const Entity& entity = pieces_[piece].contour.entity;
     const OutlineBox& box = pieces_[piece].box;
@@ -210,6 +214,7 @@ class TouchFinder {
     return std::min(ahead, round_the_seam) < kShortPathMm;
   }
 
+  /// Returns whether two chords of a piece touch.
   /// @pre first < last
   [[nodiscard]] bool touch_itself(std::uint32_t piece,
                                   std::uint32_t first,
@@ -236,9 +241,9 @@ class TouchFinder {
   TouchingPieces touching_;
   Budget budget_;
   std::vector<std::uint32_t> closed_;  ///< Numbers of the closed pieces.
-  Boxes near_;                         ///< Of `closed_`.
-  Boxes chords_;                       ///< Of the piece that is compared.
-  std::vector<double> along_mm_;       ///< Length of its path up to each place.
+  Boxes near_;                         ///< Boxes of the pieces of `closed_`.
+  Boxes chords_;                       ///< Boxes of the chords of the piece that is compared.
+  std::vector<double> along_mm_;  ///< Length of that piece's path up to each of its points, mm.
 };
 
 }  // namespace

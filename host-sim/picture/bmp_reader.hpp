@@ -8,7 +8,7 @@
 namespace sim::picture {
 
 /// Reads a BMP of 1, 4 or 8 bits with a palette, or of 24 or 32 bits, without compression. Throws
-/// as read_image().
+/// the same exceptions as read_image().
 [[nodiscard]] GreyImage read_bmp(std::string_view bytes, const std::string& name);
 
 }  // namespace sim::picture

@@ -33,7 +33,7 @@ GreyImage image_from(std::size_t width,
   return image;
 }
 
-/// Frees what libpng keeps of a picture.
+/// Frees the memory that libpng keeps for a picture.
 struct PngEnd {
   void operator()(png_image* image) const { png_image_free(image); }
 };
@@ -54,7 +54,7 @@ GreyImage read_png_image(std::string_view bytes, const std::string& name) {
   return image_from(header.width, header.height, lightness);
 }
 
-/// Ends a decoder.
+/// Destroys a JPEG decoder.
 struct JpegEnd {
   void operator()(void* decoder) const { static_cast<void>(tjDestroy(decoder)); }
 };
@@ -95,7 +95,7 @@ GreyImage read_jpeg_image(std::string_view bytes, const std::string& name) {
       exif_orientation(bytes));
 }
 
-/// Returns a number of some bytes, nothing beyond the end.
+/// Returns the number that `count` bytes at `at` encode; nothing if they reach beyond the end.
 std::optional<std::uint32_t> number_at(std::string_view bytes,
                                        std::size_t at,
                                        std::size_t count,
@@ -109,7 +109,7 @@ std::optional<std::uint32_t> number_at(std::string_view bytes,
   return value;
 }
 
-/// Returns the orientation of TIFF data, which EXIF has.
+/// Returns the orientation that TIFF data give; EXIF data contain TIFF data.
 int tiff_orientation(std::string_view tiff) {
   constexpr std::uint32_t kOrientation = 0x0112;
   constexpr std::size_t kEntryBytes = 12;

@@ -7,31 +7,34 @@
 
 namespace sim::picture {
 
-/// Greater pictures are refused.
+/// Greatest number of pixels of a picture. Greater pictures are refused.
 inline constexpr std::size_t kMaxImagePixels = 100'000'000;
 
-/// A picture as how dark its pixels are.
+/// A picture, as the darkness of its pixels.
 struct GreyImage {
   std::size_t width = 0;
   std::size_t height = 0;
-  std::vector<float> darkness{};  ///< 0 white to 1 black, row by row from the top.
-  /// Share of each pixel that belongs to the picture: the rest is not burnt, inverted or not. Empty
-  /// where all of them do. Darkness is at most this.
+  /// Darkness from 0 (white) to 1 (black), row by row from the top.
+  std::vector<float> darkness{};
+  /// Share of each pixel that belongs to the picture. The rest of the pixel is not burnt, whether
+  /// the picture is inverted or not. Empty if all pixels belong to it fully. The darkness of a
+  /// pixel is at most its cover.
   std::vector<float> cover{};
 };
 
-/// Reads a PNG, JPEG or BMP picture, told by content. What is transparent is white; colours count
-/// by their lightness; a JPEG of a camera is turned as it says. Throws std::invalid_argument with
-/// the name, the reason and what to do.
+/// Reads a PNG, JPEG or BMP picture. Detects the format by content. Transparent pixels are white,
+/// and colours count by their lightness. A JPEG is turned to the orientation that its camera
+/// recorded. Throws std::invalid_argument with the name, the reason and a remedy.
 [[nodiscard]] GreyImage read_image(std::string_view bytes, const std::string& name);
 
-/// Returns a picture as it is seen. @param orientation of EXIF, 1 to 8; others are 1
+/// Returns a picture turned and mirrored to the view that the orientation defines.
+/// @param orientation of EXIF, 1 to 8; any other value counts as 1
 [[nodiscard]] GreyImage oriented(GreyImage image, int orientation);
 
-/// Returns the orientation that the EXIF data of a JPEG gives, 1 where it gives none.
+/// Returns the orientation that the EXIF data of a JPEG give, or 1 if they give none.
 [[nodiscard]] int exif_orientation(std::string_view jpeg);
 
-/// Throws std::invalid_argument for a picture without pixels, or with too many.
+/// Checks the size of a picture. Throws std::invalid_argument if it has no pixels, or too many.
 void expect_size(std::size_t width, std::size_t height, const std::string& name);
 
 }  // namespace sim::picture

@@ -19,11 +19,11 @@ constexpr double kMostLineNumber = 999'999'999.0;
 constexpr double kLeastPostDecimals = 3.0;
 constexpr double kMostPostDecimals = 6.0;
 
-/// The values of a key, and what each of them means.
+/// The values of a key, each with its meaning.
 template <typename Value>
 using Choices = std::vector<std::pair<std::string_view, Value>>;
 
-/// Reads one file, line by line.
+/// Reads one post file, line by line.
 class PostReader {
  public:
   PostReader(std::string_view text, std::string name) : lines_{text}, name_{std::move(name)} {}
@@ -53,7 +53,8 @@ class PostReader {
   static constexpr std::array<std::string_view, 6> kSections{
       "[format]", "[words]", "[header]", "[footer]", "[before-cut]", "[after-cut]"};
 
-  /// Returns where lines of the section go that stand as they are; null for others.
+  /// Returns the list that takes the lines of the current section unchanged; null for sections with
+  /// keys.
   [[nodiscard]] std::vector<std::string>* texts_of_section() {
     if (section_ == "[header]") return &post_.header;
     if (section_ == "[footer]") return &post_.footer;
@@ -98,7 +99,7 @@ class PostReader {
     read_format(key, without_comment(value));
   }
 
-  /// Returns a value without a comment behind it.
+  /// Returns a value without the comment after it.
   static std::string_view without_comment(std::string_view value) {
     return without_blanks_around(value.substr(0, value.find(" #")));
   }
@@ -181,7 +182,7 @@ class PostReader {
     return chosen<bool>(key, text, {{"yes", true}, {"no", false}});
   }
 
-  /// Returns the words of a value, between blanks and commas.
+  /// Returns the words of a value, which blanks and commas separate.
   static std::vector<std::string_view> words_of(std::string_view text) {
     std::vector<std::string_view> words;
     while (!text.empty()) {

@@ -22,17 +22,17 @@ using Eigen::Vector3d;
 constexpr std::string_view kAxisLetters = "XYZ";
 constexpr std::string_view kCentreLetters = "IJK";
 constexpr int kMostWordDecimals = 9;
-constexpr int kFirstPlaneWord = 17;  // G17, G18 and G19 are the planes in their order.
+constexpr int kFirstPlaneWord = 17;  // G17, G18 and G19 are the planes in the order of cnc::Plane.
 constexpr int kLineMotion = 1;
 constexpr int kClockwiseMotion = 2;
 constexpr int kDwell = 4;
 
-/// The words of one line, sorted.
+/// The words of one line, sorted by kind.
 struct SortedLine {
-  std::vector<std::string> codes;   ///< G and M but those of motions.
-  std::vector<std::string> values;  ///< S, P, D and Q.
+  std::vector<std::string> codes;   ///< G and M words, except those of motions.
+  std::vector<std::string> values;  ///< Words S, P, D and Q.
   std::array<std::optional<double>, 3> axes{};
-  std::array<double, 3> centre{};  ///< From the start.
+  std::array<double, 3> centre{};  ///< Centre of an arc, from its start.
   std::optional<std::string> feed{};
 
   [[nodiscard]] bool moves() const {
@@ -67,7 +67,7 @@ class PostWriter {
   [[nodiscard]] const std::string& text() const { return text_; }
 
  private:
-  /// Writes the lines of the post before the first motion of a cut, and after the last one.
+  /// Writes the post's lines before the first motion of a cut, and those after its last motion.
   void mark_cut(const SortedLine& line) {
     const bool is_stop = std::ranges::find(line.codes, replaced("M5")) != line.codes.end();
     const bool is_cut = line.moves() ? motion_ != 0 : in_cut_ && !is_stop;
@@ -85,7 +85,7 @@ class PostWriter {
     text_ += text + post_.line_end;
   }
 
-  /// Adds a line of words, with its number; nothing where the post leaves out all of them.
+  /// Adds a line of words, with its number. Adds nothing if the post leaves out all words.
   void add_line(const std::vector<std::string>& texts) {
     std::vector<std::string_view> words;
     for (const std::string& text : texts) {
@@ -104,7 +104,7 @@ class PostWriter {
     return *number_;
   }
 
-  /// Returns the text of a G or M word, or S, as the post replaces it.
+  /// Returns the text of a G or M word, or of S, after the post's replacement.
   [[nodiscard]] std::string replaced(const std::string& word) const {
     const auto found = post_.words.find(word);
     return found == post_.words.end() ? word : found->second;
@@ -144,7 +144,7 @@ class PostWriter {
       motion_ = number;
     } else if (word.letter == 'G' && number >= kFirstPlaneWord && number < kFirstPlaneWord + 3) {
       plane_ = static_cast<Plane>(number - kFirstPlaneWord);
-      if (written_plane_) return;  // Arcs write it.
+      if (written_plane_) return;  // The next arc writes the plane.
       written_plane_ = plane_;
       line.codes.push_back(replaced(name));
     } else {
@@ -210,9 +210,9 @@ class PostWriter {
     return words;
   }
 
-  /// Writes an arc in parts, as smaller ones with a radius or as lines.
+  /// Writes an arc in parts: as smaller arcs with a radius, or as lines.
   void write_parts(const SortedLine& line, const ProgramArc& arc, int parts, int motion) {
-    constexpr int kDigitsOfParts = 4;  // Where the post states none.
+    constexpr int kDigitsOfParts = 4;  // Decimals if the post gives none.
     const double scale = std::pow(10.0, post_.decimals.value_or(kDigitsOfParts));
     SortedLine part = line;
     for (const Vector3d& point : divided(arc, parts)) {
@@ -230,7 +230,7 @@ class PostWriter {
     }
   }
 
-  /// Writes one motion to the axes that have a value.
+  /// Writes one motion with words for the axes that have a value.
   void write_element(const SortedLine& line, int motion, const std::vector<std::string>& arc) {
     std::vector<std::string> words = line.codes;
     if (motion != written_motion_ || post_.repeat != Repeat::kNothing) {
@@ -254,13 +254,13 @@ class PostWriter {
   const Post& post_;
   std::string text_;
   std::optional<std::uint32_t> number_;  ///< Number of the last line.
-  bool in_cut_ = false;                  ///< The last motion was no rapid.
+  bool in_cut_ = false;                  ///< True while a cut lasts: the last motion was no rapid.
   int motion_ = 0;
   int written_motion_ = -1;
   Plane plane_ = Plane::kXY;
   std::optional<Plane> written_plane_;
   std::array<std::optional<double>, 3> place_{};
-  std::string feed_;  ///< The last one, as a word.
+  std::string feed_;  ///< The last feed, as a word.
 };
 
 }  // namespace

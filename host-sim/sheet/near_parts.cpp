@@ -17,9 +17,10 @@ using drawing::Drawing;
 using drawing::DrawnContour;
 using drawing::Place;
 
-/// Chords whose ends are this near to a line lie on it, mm.
+/// Greatest distance of a chord's ends from a line on which the chord counts as lying, mm.
 constexpr double kOnLineMm = 1.0e-6;
-/// Two chords are each within kSheetChordMm of their curves.
+/// Greatest error of the distance of two chords, mm: each chord is within kSheetChordMm of its
+/// curve.
 constexpr double kDistanceSlackMm = 2.0 * kSheetChordMm;
 
 /// A chord of an edge, with the material on its left.
@@ -30,7 +31,7 @@ struct EdgeChord {
   double kerf_mm = 0.0;
 };
 
-/// How two chords lie to each other.
+/// The relation of two chords.
 struct Meeting {
   bool overlap = false;
   double distance_mm = 0.0;
@@ -45,7 +46,8 @@ bool cross_each_other(const EdgeChord& a, const EdgeChord& b) {
   return side_of(a, b.from) * side_of(a, b.to) < 0.0 && side_of(b, a.from) * side_of(b, a.to) < 0.0;
 }
 
-/// Whether chords lie on one line, share more than a point and have material on the same side.
+/// Returns whether two chords lie on one line, share more than a point and have material on the
+/// same side.
 bool share_edge(const EdgeChord& a, const EdgeChord& b) {
   const Place way = a.to - a.from;
   const double length = way.norm();
@@ -57,8 +59,8 @@ bool share_edge(const EdgeChord& a, const EdgeChord& b) {
   return end - begin > kOnLineMm;
 }
 
-/// Places where two chords are nearest are an end of one and a place on the other, unless they
-/// cross.
+/// Updates the nearest distance with that of `end` from `chord`. Unless two chords cross, their
+/// nearest points include an end of one of them.
 void look_from(const Place& end, const EdgeChord& chord, Meeting& nearest) {
   const Place way = chord.to - chord.from;
   const double square = way.squaredNorm();
@@ -85,7 +87,7 @@ Meeting meeting_of(const EdgeChord& a, const EdgeChord& b) {
   return nearest;
 }
 
-/// Looks for the pairs of parts of one drawing.
+/// Finds the pairs of parts of one drawing that overlap or are too near.
 class PairFinder {
  public:
   PairFinder(const Drawing& placed, std::span<const ContourUse> uses, std::size_t max_pairs)
@@ -110,7 +112,7 @@ class PairFinder {
   using Box = cnc::contour::FlatBox<double>;
   using Key = std::pair<std::size_t, std::size_t>;
 
-  /// Edges of the contour's own part around it.
+  /// Returns the number of edges of the same part around a contour.
   [[nodiscard]] std::size_t depth_of(std::size_t contour) const {
     std::size_t depth = 0;
     for (auto p = placed_.contours[contour].parent; p; p = placed_.contours[*p].parent) {
@@ -166,7 +168,8 @@ class PairFinder {
     if (is_worse) pairs_[key] = {key, meeting.overlap, meeting.distance_mm, meeting.place};
   }
 
-  /// A part within an odd number of edges of another one lies on its material.
+  /// Finds the parts on whose material the part of an outer edge lies. It lies on the material of
+  /// another part if an odd number of that part's edges is around it.
   void look_for_cover(std::size_t contour) {
     const DrawnContour& drawn = placed_.contours[contour];
     if (depth_of(contour) != 0) return;

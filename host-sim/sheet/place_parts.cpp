@@ -23,7 +23,7 @@ using drawing::FaultKind;
 using drawing::Piece;
 using drawing::Shape;
 
-/// Cosine and sine of an angle; exact for quarter turns.
+/// Returns the cosine and sine of an angle. They are exact for quarter turns.
 Place exact_direction(double angle_deg) {
   const double quarters = angle_deg / 90.0;
   if (quarters != std::floor(quarters)) {
@@ -84,7 +84,8 @@ class PartPlacer {
     return sheet_.locked || std::ranges::any_of(sheet_.parts, waits);
   }
 
-  /// Reads each file once. Null, and a fault, where there is nothing to place.
+  /// Returns the drawing of a part. Reads each file once. Returns null, and reports a fault, if
+  /// there is nothing to place.
   const Drawing* drawing_of(const SheetPart& part) {
     const std::string file = resolved(sheet_, part.drawing);
     const auto known = drawings_.find(file);
@@ -116,7 +117,8 @@ class PartPlacer {
     return layers;
   }
 
-  /// The place of such a fault is that in the drawing.
+  /// Reports the faults of a part's drawing. Their positions are those in the drawing, not on the
+  /// sheet.
   void report_faults(const SheetPart& part,
                      const Drawing& drawn,
                      const std::vector<std::size_t>& layers) {
@@ -176,7 +178,7 @@ class PartPlacer {
   std::map<std::string, Drawing> drawings_;
   std::vector<Piece> pieces_;
   std::vector<std::string> labels_;
-  std::vector<std::size_t> turns_;  ///< One for each label.
+  std::vector<std::size_t> turns_;  ///< Turn of each copy, in the order of `labels_`.
   std::size_t shapes_ = 0;
 };
 

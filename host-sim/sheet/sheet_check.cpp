@@ -17,10 +17,11 @@ using drawing::FaultKind;
 using drawing::OutlineBox;
 using drawing::Place;
 
-/// Parts may reach beyond the stock by this: rounding of places and chords, mm.
+/// Greatest distance by which parts may reach beyond the stock, mm: the rounding of positions and
+/// chords.
 constexpr double kStockSlackMm = 1.0e-3;
 
-/// The distance of a part beyond the stock, and where.
+/// The distance by which a part reaches beyond the stock, and the point where it does.
 struct Excess {
   double mm = kStockSlackMm;
   Place place{0.0, 0.0};

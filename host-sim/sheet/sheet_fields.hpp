@@ -9,20 +9,20 @@
 
 namespace sim::sheet {
 
-/// Numbers that a field takes.
+/// The range of numbers that a field accepts.
 struct FieldRange {
   double min = 0.0;
   double max = 0.0;
   const char* unit = "";
 };
 
-/// Reads the fields of one JSON object. A value of the wrong type or out of range becomes a fault
-/// with the pointer of its field, and the default is returned.
+/// Reads the fields of one JSON object. For a value of the wrong type or out of range, reports a
+/// fault with the pointer of the field and returns the default.
 class SheetFields {
  public:
-  /// Reports each key that is not in `keys`, with the nearest one.
-  /// @param object a JSON object, which outlives this
-  /// @param pointer the place of the object in the file
+  /// Reports each key that is not in `keys`, and names the most similar key of `keys`.
+  /// @param object a JSON object, which must outlive the SheetFields
+  /// @param pointer JSON pointer to the object in the file
   SheetFields(const nlohmann::json& object,
               std::string pointer,
               const std::vector<std::string>& keys,
@@ -32,9 +32,10 @@ class SheetFields {
   [[nodiscard]] double number(const char* key, double otherwise, const FieldRange& range);
   [[nodiscard]] std::size_t whole(const char* key, std::size_t otherwise, const FieldRange& range);
   [[nodiscard]] bool flag(const char* key, bool otherwise);
-  /// Returns a text that is not empty; else `otherwise`.
+  /// Returns the text of a field if it is not empty; else `otherwise`.
   [[nodiscard]] std::string text(const char* key, const std::string& otherwise);
-  /// Returns the field if it is an array or an object as required; else a null value.
+  /// Returns the field if it is an array; object() returns it if it is an object. Any other field
+  /// is returned as a null value.
   [[nodiscard]] const nlohmann::json& array(const char* key);
   [[nodiscard]] const nlohmann::json& object(const char* key);
 

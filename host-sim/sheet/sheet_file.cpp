@@ -179,7 +179,8 @@ class SheetReader {
     return placing;
   }
 
-  /// The first copy lies in the corner; then row by row.
+  /// Returns the positions of copies in a grid. The first copy is in the corner; the others follow
+  /// row by row.
   static std::vector<Placing> grid_of_places(SheetFields& fields) {
     const Placing first = placing_of(fields);
     const std::size_t copies = fields.whole("copies", 1, kCounts);
@@ -207,8 +208,8 @@ class SheetReader {
   std::size_t copies_ = 0;
 };
 
-/// Refuses what is nested too deeply and keys that an object has twice, which a parser takes in
-/// silence.
+/// Refuses values that are nested too deeply, and objects with a repeated key, which a parser would
+/// accept silently.
 class StrictEvents {
  public:
   bool operator()(int depth, json::parse_event_t event, const json& value) {

@@ -12,29 +12,30 @@
 
 namespace sim::text {
 
-/// Closed or open rows of curves.
+/// Rows of curves, closed or open.
 using Strokes = std::vector<std::vector<drawing::Shape>>;
 
-/// The font that a drawing wishes.
+/// The font that a drawing requests.
 struct FontWish {
-  std::string family{};   ///< As CSS has it: names with commas; may be empty.
-  unsigned weight = 400;  ///< 100 to 900.
+  std::string family{};   ///< Names separated by commas, as in CSS; may be empty.
+  unsigned weight = 400;  ///< Weight of the font, 100 to 900.
   bool is_slanted = false;
   auto operator<=>(const FontWish&) const = default;
 };
 
-/// A glyph where it stands in a line that begins at the origin, in em.
+/// A glyph with its position in a line that begins at the origin, in em.
 struct PlacedGlyph {
-  std::uint32_t glyph = 0;  ///< 0: the font does not have the letter.
-  std::size_t byte = 0;     ///< Place of the first letter that it shows.
+  /// Number of the glyph in the font; 0: the font does not have the letter.
+  std::uint32_t glyph = 0;
+  std::size_t byte = 0;  ///< Position in the text of the first letter that the glyph shows.
   drawing::Place offset{0.0, 0.0};
   double advance = 0.0;
 };
 
-/// Heights over the base line, in em.
+/// Heights above the base line, in em.
 struct FontFigures {
   double ascent = 0.8;
-  double descent = 0.2;  ///< Below the base line.
+  double descent = 0.2;  ///< Depth below the base line.
   double capital = 0.7;
   double small = 0.5;  ///< Height of the letter x.
 };
@@ -42,15 +43,16 @@ struct FontFigures {
 /// A scalable font of the system. Outlines are exactly those of its file.
 class Font {
  public:
-  /// Nothing where the file holds no scalable font.
+  /// Opens a font of a file. Returns nothing if the file contains no scalable font.
   [[nodiscard]] static std::unique_ptr<Font> open(const std::string& file, int index);
   virtual ~Font() = default;
 
-  /// Returns family and style, as `DejaVu Sans Bold`.
+  /// Returns the family and style, such as `DejaVu Sans Bold`.
   [[nodiscard]] virtual const std::string& name() const = 0;
   [[nodiscard]] virtual const FontFigures& figures() const = 0;
   [[nodiscard]] virtual bool has(char32_t letter) const = 0;
-  /// Returns the glyphs of a line of one direction and script, kerned and joined as the font says.
+  /// Returns the glyphs of a line of one direction and script, with the kerning and ligatures of
+  /// the font.
   [[nodiscard]] virtual std::vector<PlacedGlyph> shape(std::string_view words) = 0;
   /// Returns the closed outlines of a glyph in em, y upwards.
   [[nodiscard]] virtual const Strokes& outline(std::uint32_t glyph) = 0;
@@ -64,7 +66,8 @@ class FontBook {
   FontBook(const FontBook&) = delete;
   FontBook& operator=(const FontBook&) = delete;
 
-  /// Returns the font nearest to a wish that has the letter; null where the system has none.
+  /// Returns the font that is most similar to a wish and has the letter; null if the system has
+  /// none.
   [[nodiscard]] Font* find(const FontWish& wish, char32_t letter = U' ');
 
  private:

@@ -20,7 +20,7 @@ Strokes transformed(const Strokes& strokes, const Transform& transform) {
   return result;
 }
 
-/// Returns whether a letter has no ink and no glyph needs to be there for it.
+/// Returns whether a letter has no ink, so that it needs no glyph.
 bool is_blank(char32_t letter) {
   return letter == U' ' || letter == U'\u00A0' || (letter >= 0x2000 && letter <= 0x200F) ||
          letter == 0xFEFF || letter == 0x00AD || letter < U' ';

@@ -11,25 +11,25 @@
 
 namespace sim::text {
 
-/// A glyph of a line, in em from the place where the pen stands before it, y upwards.
+/// A glyph of a line, in em, y upwards. Its origin is the position of the pen before the glyph.
 struct Letter {
-  std::size_t byte = 0;  ///< Place of the first letter that it shows.
-  double advance = 0.0;  ///< How far the pen goes on.
+  std::size_t byte = 0;  ///< Position in the text of the first letter that the glyph shows.
+  double advance = 0.0;  ///< Distance by which the pen moves on.
   Strokes strokes{};
 };
 
 /// Draws lines of letters: as outlines of the system's fonts, or as single strokes of our own.
 class Lettering {
  public:
-  /// @param is_stroked single strokes; else outlines
+  /// @param is_stroked true: single strokes; false: outlines
   explicit Lettering(bool is_stroked) : is_stroked_{is_stroked} {}
 
-  /// Returns the glyphs of a line in UTF-8. Letters that no font has are left out and gathered in
-  /// missing().
+  /// Returns the glyphs of a line in UTF-8. Letters that no font has are left out, and missing()
+  /// returns them.
   [[nodiscard]] std::vector<Letter> line(std::string_view words, const FontWish& wish);
   [[nodiscard]] FontFigures figures(const FontWish& wish);
 
-  /// Returns the name of the font that a wish got last; empty where there is none.
+  /// Returns the name of the font that was used last; empty if there is none.
   [[nodiscard]] const std::string& font_name() const { return font_name_; }
   /// Returns the letters that were left out of the last line.
   [[nodiscard]] const std::string& missing() const { return missing_; }
