@@ -81,7 +81,7 @@ void operate(Random& random, Simulator& simulator) {
     case 3:
       return simulator.machine().reset();
     case 4:
-      return simulator.machine().toggle_single_block();
+      return simulator.machine().switches().toggle_single_block();
     default:
       if (random.chance(0.01)) simulator.machine().resume();
   }

@@ -26,7 +26,7 @@ TEST(OrderReport, ComparesOrdersByStraightWays) {
   order.rapids = {.length_mm = 350.0, .time_s = 70.0};  // Led round what has fallen.
   const auto lines = lines_of(order, 5);
   EXPECT_THAT(lines[0], HasSubstr("350.0 mm and 70.0 s"));
-  EXPECT_THAT(lines[1], HasSubstr("straight ways: 300.0 mm and 60.0 s"));
+  EXPECT_THAT(lines[1], HasSubstr("straight rapids: 300.0 mm and 60.0 s"));
   EXPECT_THAT(lines[2], HasSubstr("64.0 s of rapids; 6.2 percent saved"));
   EXPECT_THAT(lines[3], HasSubstr("50.0 percent saved"));
   EXPECT_THAT(lines[4], HasSubstr("25.0 percent saved"));

@@ -193,7 +193,7 @@ TEST(JointProgram, RefusesWhatCannotBeCarriedOver) {
   const std::vector<std::pair<int, double>> tables{{cnc::setting::kRotaryAxes, 1}};
   using testing::HasSubstr;
   EXPECT_THAT(fault_of("G43.4\nG1 X1 F60\nM2\n", {}), HasSubstr("$900"));
-  EXPECT_THAT(fault_of("G1 X1 F60\nM2\n", tables), HasSubstr("job.nc: there is no G43.4"));
+  EXPECT_THAT(fault_of("G1 X1 F60\nM2\n", tables), HasSubstr("job.nc: the program has no G43.4"));
   EXPECT_THAT(fault_of("G43.4\nM62 P1\n", tables), HasSubstr("job.nc:2: M62"));
   EXPECT_THAT(fault_of("G43.4\nM6 T2\n", tables), HasSubstr("job.nc:2: M6"));
   EXPECT_THAT(fault_of("G43.4\nG38.2 Z-5 F60\n", tables), HasSubstr("job.nc:2:"));
