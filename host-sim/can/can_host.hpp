@@ -15,43 +15,47 @@
 
 namespace sim {
 
-/// The other end of a controller's CAN link: somebody who sends it lines, and hears it.
+/// The host's end of the CAN link to one controller: sends lines to the node and receives its text.
 class CanHost final : public hal::ByteStream {
  public:
   static constexpr std::uint32_t kHeartbeatUs = 25'000;
 
-  /// What a node said of a fault (CiA 301, 7.2.7.1).
+  /// Emergency message of a node (CiA 301, 7.2.7.1).
   struct Emergency {
     std::uint16_t code = 0;
     std::uint8_t alarm = 0;
   };
 
-  /// @param port outlives this
+  /// @param port must outlive this object
   CanHost(hal::CanPort& port, std::uint8_t node) : port_{port}, node_{node} {}
 
   CanHost(const CanHost&) = delete;
   CanHost& operator=(const CanHost&) = delete;
   ~CanHost() = default;
 
-  /// Takes the frames that have come, sends those that are due; every millisecond or so.
+  /// Takes the frames that have arrived and sends the frames that are due. Must be called about
+  /// every millisecond.
   /// @param now microseconds
   void attend(hal::TickCount now);
 
-  /// Text of the node; answers of others on the bus are passed over.
+  /// Reads text that the node has sent. Answers of other nodes on the bus are ignored.
   [[nodiscard]] std::size_t read(std::span<std::byte> into) override;
-  /// Text to the node.
+  /// Queues text for the node.
   [[nodiscard]] std::size_t write(std::span<const std::byte> from) override;
 
-  /// Realtime bytes, at most eight, beside the text. False: no room now.
+  /// Sends realtime bytes, at most eight, in a frame apart from the text. Returns whether the port
+  /// had capacity for the frame.
   [[nodiscard]] bool act(std::span<const std::byte> bytes);
-  /// To this node, or to all.
+  /// Sends a network command to this node, or to all nodes. Returns whether the port had capacity
+  /// for the frame.
   [[nodiscard]] bool order(cnc::can::NetworkCommand command, bool all = false);
-  /// No heartbeat, or one every kHeartbeatUs: without it the node waits for ever.
+  /// Sets whether a heartbeat is sent every kHeartbeatUs. A node that has received no heartbeat in
+  /// a session waits for the host without a time limit.
   void beat(bool beats) { beats_ = beats; }
 
-  /// The last state that the node told; none before the first.
+  /// Returns the state in the node's last heartbeat; nothing before the first heartbeat.
   [[nodiscard]] std::optional<cnc::can::NodeState> state() const { return state_; }
-  /// So many frames of the node have come.
+  /// Returns how many frames of the node have arrived.
   [[nodiscard]] std::uint32_t frames() const { return frames_; }
   [[nodiscard]] const std::vector<Emergency>& emergencies() const { return emergencies_; }
   [[nodiscard]] const cnc::IsoTpReceiver::Counts& received() const { return receiver_.counts(); }

@@ -10,7 +10,7 @@
 
 namespace sim {
 
-/// A bus that a node of ours is on, whatever it is made of.
+/// A CAN bus on which this program has a node or a host, through any kind of interface.
 class CanWire {
  public:
   CanWire() = default;
@@ -19,15 +19,15 @@ class CanWire {
   virtual ~CanWire() = default;
 
   [[nodiscard]] virtual hal::CanPort& port() = 0;
-  /// Carries frames between the port and the outside, without blocking.
+  /// Moves frames between the port and the bus, without blocking.
   virtual void carry() = 0;
-  /// Adds what to wake up for.
+  /// Adds the descriptors and events for which poll() is to wake up.
   virtual void add_to(std::vector<pollfd>& descriptors) const = 0;
-  /// False where the way to the bus is gone.
+  /// Returns false once the connection to the bus is lost.
   [[nodiscard]] virtual bool up() const { return true; }
-  /// `can` or `slcan`.
+  /// Returns `can` or `slcan`.
   [[nodiscard]] virtual std::string_view kind() const = 0;
-  /// Where others find the bus.
+  /// Returns the address at which other programs find the bus.
   [[nodiscard]] virtual std::string address() const = 0;
 };
 

@@ -5,10 +5,10 @@
 
 namespace sim {
 
-/// A CAN interface of the kernel.
+/// A CAN interface of the kernel (SocketCAN).
 class SocketCanWire final : public CanWire {
  public:
-  /// Throws as hal::host::SocketCan.
+  /// Throws as the constructor of hal::host::SocketCan does.
   SocketCanWire(const std::string& interface, std::span<const std::uint32_t> heard)
       : interface_{interface}, socket_{interface, heard} {}
 

@@ -15,7 +15,8 @@ using cut::TimeKind;
 using cut::TimeStep;
 using drawing::Place;
 
-/// One cut, whose dashes hide what is still to be cut: steps `first` … `end` of the timeline.
+/// Appends one cut, the steps `first` … `end` of the timeline. A dash hides the part that is still
+/// to be cut.
 void add_growing(std::string& out,
                  const CutScene& scene,
                  const View& view,
@@ -46,7 +47,8 @@ void add_growing(std::string& out,
                  time.attributes());
 }
 
-/// Of a cut too small to be seen, or with too many strokes, what can be seen of it.
+/// Returns path data of the visible features of a cut that is too small to be seen in full, or has
+/// too many strokes.
 std::string coarse_data(const cut::Cut& cut, const View& view) {
   PathSimplifier simplifier{{.distance_mm = 0.3 / view.px_per_mm()}};
   simplifier.push({.x_mm = cut.start().x(), .y_mm = cut.start().y(), .move = Move::kCut});

@@ -18,13 +18,13 @@ constexpr double kChartWidthPx = 1600.0;
 constexpr double kChartHeightPx = 900.0;
 constexpr double kPanelTopPx = 160.0;
 constexpr double kPanelBottomPx = 800.0;
-constexpr double kLeftRoomPx = 120.0;   ///< Of each panel, for its numbers.
-constexpr double kRightRoomPx = 175.0;  ///< For the names of its lines.
+constexpr double kLeftRoomPx = 120.0;   ///< Left of each panel, for its numbers.
+constexpr double kRightRoomPx = 175.0;  ///< Right of each panel, for the names of its lines.
 constexpr svg::LineStyle kRule{"#e9ebee", 1.0};
 constexpr svg::LineStyle kFrame{"#c3c8cf", 1.5};
 constexpr svg::TextStyle kNumber{.size_px = 20.0, .anchor = "middle", .fill = "#5b626c"};
 
-/// Numbers along one side, from one round number to another.
+/// An axis with numbers, from one round number to another.
 class ChartAxis {
  public:
   void include(double value) {
@@ -33,7 +33,7 @@ class ChartAxis {
   }
   [[nodiscard]] bool is_empty() const { return most_ < least_; }
 
-  /// To be called once everything is included.
+  /// Scales the axis. To be called after all values were included.
   void place(double from_px, double to_px) {
     from_px_ = from_px;
     to_px_ = to_px;
@@ -114,7 +114,7 @@ class PanelDrawing {
     }
   }
 
-  /// Below all lines: along the upper side of the band, and back along the lower one.
+  /// Appends the band below all lines: along its upper side, and back along its lower side.
   void add_band(const ChartSeries& series, const std::string& colour) {
     if (series.half_bands.empty()) return;
     std::string points;
@@ -137,7 +137,7 @@ class PanelDrawing {
   struct Label {
     double x_px;
     double y_px;
-    double width_px;  ///< At most.
+    double width_px;  ///< Upper bound of the width.
   };
 
   void add_axes() {
@@ -172,7 +172,8 @@ class PanelDrawing {
     add_label(series, colour);
   }
 
-  /// At the end of the line, moved down where another stands there already.
+  /// Appends the name of a series at the end of its line, moved down where another name is there
+  /// already.
   void add_label(const ChartSeries& series, const std::string& colour) {
     const auto& points = series.line.empty() ? series.dots : series.line;
     if (points.empty()) return;

@@ -11,15 +11,16 @@ struct Colour {
   std::uint8_t blue;
 };
 
-/// The colour of a speed as a fraction of the scale, held constant outside 0…1.
+/// Returns the colour of a speed given as a fraction of the scale. The colour is constant below 0
+/// and above 1.
 ///
-/// From dark blue (slow) through magenta to orange (fast). Lightness rises all
-/// the way, so the order survives colour blindness and grey printing, and ends
-/// early enough to stay visible on white. Source: the map "plasma" of S. van der
-/// Walt and N. Smith (matplotlib, CC0), its lower three quarters.
+/// The colours go from dark blue (slow) through magenta to orange (fast). Lightness rises
+/// throughout, so that the order is visible to colour-blind people and in grey prints. The scale
+/// ends early enough to stay visible on white. Source: the lower three quarters of the map "plasma"
+/// of S. van der Walt and N. Smith (matplotlib, CC0).
 [[nodiscard]] Colour speed_colour(double fraction);
 
-/// `#rrggbb`.
+/// Returns a colour as `#rrggbb`.
 [[nodiscard]] std::string hex(const Colour& colour);
 
 }  // namespace sim

@@ -27,7 +27,8 @@ void include(Extent& extent, const Contour& contour) {
     for (std::uint32_t i = first; i < contour.loop_ends[loop]; ++i) {
       const ContourVertex& from = contour.vertices[i];
       const ContourVertex& to = contour.vertices[i + 1 < contour.loop_ends[loop] ? i + 1 : first];
-      // The box over the chord as high as the arc; more than half a turn is framed wider.
+      // The extent includes a box over the chord, as high as the arc. An arc of more than half a
+      // turn gets a wider box.
       const double out_x = 0.5 * from.bulge * (to.y - from.y);
       const double out_y = -0.5 * from.bulge * (to.x - from.x);
       const double aside = std::abs(from.bulge) > 1.0 ? std::hypot(out_x, out_y) : 0.0;
@@ -82,7 +83,7 @@ View view_of(const Extent& extent) {
                std::clamp(natural_px, 200.0, kTallestContourPx)}};
 }
 
-/// A picture's frame, with the grid below what follows.
+/// Returns the start of a picture: its frame, and the grid, which lies below all that follows.
 std::string begin_picture(const View& view, const std::string& title) {
   const double height_px = view.box().bottom_px() + kContourMarginPx;
   std::string out = svg::document_start(kContourWidthPx, height_px);
@@ -94,7 +95,8 @@ std::string begin_picture(const View& view, const std::string& title) {
 
 using PathPoint = cnc::pocket::PathPoint<double>;
 
-/// How an element of a tool path is drawn. @param floor_mm the least height of the path
+/// Returns the style of an element of a tool path.
+/// @param floor_mm the lowest height of the path
 std::string style_of(const PathPoint& from, double floor_mm) {
   using cnc::pocket::Use;
   switch (from.use) {
@@ -113,7 +115,7 @@ std::string style_of(const PathPoint& from, double floor_mm) {
   return fmt::format(R"(stroke="{}" stroke-width="2.0")", hex(speed_colour(share)));
 }
 
-/// A row, in one path for each stretch of one style.
+/// Appends a row of path points as one path for each stretch of one style.
 void add_row(std::string& out,
              cnc::contour::Slice<const PathPoint> row,
              double floor_mm,

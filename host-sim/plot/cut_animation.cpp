@@ -24,9 +24,10 @@ constexpr double kAnimationWidthPx = 1200.0;
 constexpr double kAnimationMarginPx = 40.0;
 constexpr double kAnimationHeadingPx = 110.0;
 constexpr double kAnimationTallestPx = 1000.0;
-/// Texts of the clock, and its least step as a share of the job.
+/// Greatest number of texts of the clock. It sets the smallest step of the clock as a share of the
+/// job.
 constexpr std::size_t kMaxClockTexts = 300;
-/// Chords of an arc leave it by no more than this.
+/// Greatest distance between an arc and the chords along which the beam moves.
 constexpr double kBeamChordPx = 0.2;
 
 bool is_lit(const TimeStep& step) {
@@ -35,7 +36,7 @@ bool is_lit(const TimeStep& step) {
          step.kind != TimeKind::kOverscan;
 }
 
-/// Where the beam is at a share of the job's time.
+/// Position of the beam at a share of the job's time.
 struct BeamPlace {
   double x_px;
   double y_px;
@@ -92,7 +93,8 @@ class Animator {
   View view_;
 };
 
-/// The time in steps that fill a strip of texts, of which a window shows one at a time.
+/// Appends the clock. The times of all steps form a strip of texts, of which a window shows one at
+/// a time.
 void Animator::add_clock(std::string& out) const {
   const double y_px = 64.0;
   const double step_s = round_step(time_.total_s / static_cast<double>(kMaxClockTexts - 2));
@@ -107,8 +109,8 @@ void Animator::add_clock(std::string& out) const {
     const double line_px = 22.0 + kLinePx * static_cast<double>(i);
     fmt::format_to(std::back_inserter(texts), "<text y=\"{:g}\">{}</text>", line_px, text);
   }
-  // A window onto the strip, which is no <svg> of its own: browsers would give that its own time.
-  // At rest, as in a viewer that does not animate, the strip shows its end.
+  // The window is a clip path and not an <svg> of its own, because browsers would give that its own
+  // time. In a viewer that does not animate, the strip shows its end.
   fmt::format_to(std::back_inserter(out),
                  "<clipPath id=\"window\"><rect width=\"230\" height=\"{2:g}\"/></clipPath>\n"
                  "<g transform=\"translate({0:g} {1:g})\" clip-path=\"url(#window)\">"
@@ -149,7 +151,7 @@ std::vector<BeamPlace> Animator::beam_places() const {
   return places;
 }
 
-/// Leaves out places that are close to the one before, until there are few enough.
+/// Leaves out points that are close to the point before, until at most kMaxBeamPlaces are left.
 std::vector<BeamPlace> thinned(std::vector<BeamPlace> places) {
   for (double near_px = 0.5; places.size() > kMaxBeamPlaces; near_px *= 2.0) {
     std::vector<BeamPlace> kept{places.front()};

@@ -51,7 +51,7 @@ void add_line(std::string& out, const std::string& data, std::string_view colour
                  width_px);
 }
 
-/// Appends the pictures as they are burnt.
+/// Appends the engraved pictures as they are burnt.
 void add_pictures(std::string& out, const cut::CutPlan& plan, const View& view) {
   for (const Cut& cut : plan.cuts) {
     if (!cut.picture || cut.pass > 1) continue;
@@ -86,13 +86,13 @@ void add_beam(std::string& out, const cut::CutPlan& plan, const View& view) {
   }
 }
 
-/// Whether a contour is an edge of parts, which engraved and skipped contours are not.
+/// Returns whether a contour is an edge of parts, which engraved and skipped contours are not.
 bool cuts_through(const cut::CutPlan& plan, std::size_t contour, std::size_t layer) {
   const cut::Side side = plan.recipes.of(contour, plan.layers[layer]).settings.side;
   return side == cut::Side::kWaste || side == cut::Side::kOn;
 }
 
-/// The edges of the stock that a sheet file describes.
+/// Appends the edges of the stock that a sheet file describes.
 void add_stock(std::string& out, const drawing::Drawing& drawn, const View& view) {
   if (!drawn.stock) return;
   fmt::format_to(std::back_inserter(out),

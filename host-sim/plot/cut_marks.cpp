@@ -15,10 +15,10 @@
 namespace sim {
 namespace {
 
-/// Rapids without space for an arrow head have none.
+/// A rapid that is shorter than this gets no arrow head.
 constexpr double kMinArrowPx = 24.0;
 constexpr double kArrowPx = 9.0;
-/// Less is not shown; from `kFullHeat` on the colour is no stronger.
+/// Heat below kMinHeat is not shown. From `kFullHeat` on the colour does not become stronger.
 constexpr double kMinHeat = 0.15;
 constexpr double kFullHeat = 1.5;
 constexpr double kFullHeatOpacity = 0.8;

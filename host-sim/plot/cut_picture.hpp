@@ -6,10 +6,11 @@
 
 namespace sim {
 
-/// SVG document of a drawing and how it is cut: the parts, the band that the beam burns in the
-/// width of the kerf, its middle, leads and overcuts, tabs, rapids with their direction, where cuts
-/// begin with their numbers, and where the sheet is warm from pierces shortly before.
-/// @param edges how far the edges are off, where that was measured; else null
+/// Returns an SVG document of a drawing and of the way it is cut. It shows the parts, the band that
+/// the beam burns (as wide as the kerf), the middle of the band, leads and overcuts, tabs, rapids
+/// with their direction, the numbers of the cuts where they begin, and the areas that recent
+/// pierces have warmed.
+/// @param edges deviations of the edges if they were measured; otherwise null
 [[nodiscard]] std::string draw_cuts(const CutScene& scene,
                                     const std::string& title,
                                     const cut::EdgeFigures* edges = nullptr);

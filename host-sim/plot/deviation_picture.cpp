@@ -30,15 +30,16 @@ constexpr double kMapBottomPx = 84.0;
 constexpr double kMapWidthPx = kPictureWidthPx - kMapLeftPx - kMapKeyPx - 2.0 * kMapGapPx;
 constexpr double kLeastMapHeightPx = 760.0;
 constexpr double kTallestMapPx = 1.15 * kMapWidthPx;
-constexpr int kMostMapPixels = 2'000;  ///< Along a side.
+constexpr int kMostMapPixels = 2'000;  ///< Along the longer side.
 constexpr double kLeastScaleMm = 1.0e-4;
-/// From dark blue, which is left, to white and to dark red.
+/// Colours of material that is left (white to dark blue) and of gouges (white to dark red).
 constexpr std::array<Colour, 4> kRestColours{
     {{0xff, 0xff, 0xff}, {0x9e, 0xca, 0xe1}, {0x31, 0x82, 0xbd}, {0x08, 0x30, 0x6b}}};
 constexpr std::array<Colour, 4> kGougeColours{
     {{0xff, 0xff, 0xff}, {0xfc, 0x92, 0x72}, {0xde, 0x2d, 0x26}, {0x67, 0x00, 0x0d}}};
 
-/// Returns a round number that all but few distances stay below.
+/// Returns a round number for the end of the scale, below which all but 0.2 % of the distances
+/// stay.
 double scale_of(const DeviationMap& map) {
   constexpr double kShare = 0.998;
   std::vector<float> sizes;
@@ -52,7 +53,8 @@ double scale_of(const DeviationMap& map) {
   return round_step(std::max(static_cast<double>(*place), kLeastScaleMm));
 }
 
-/// Returns the distance that stands for a block of cells: the greatest gouge, else the mean.
+/// Returns the distance that represents a block of cells: the greatest gouge if it exceeds the mean
+/// distance, otherwise the mean.
 double off_of(const DeviationMap& map, int column, int row, int block) {
   double sum = 0.0;
   double least = 0.0;
@@ -113,7 +115,7 @@ void add_mark(std::string& out,
   svg::add_rimmed_text(out, x_px + 15.0, y_px - 9.0, 20.0, name);
 }
 
-/// Marks places and lists them in the key.
+/// Marks points on the plan and lists them in the key.
 void add_places(std::string& out,
                 const View& view,
                 const std::vector<WorstPlace>& places,

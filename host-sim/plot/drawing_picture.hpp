@@ -7,12 +7,13 @@
 
 namespace sim {
 
-/// What was read of a drawing, as an SVG document: the material that is left (outer
-/// contours filled, holes not), open contours dashed, the number of each contour, a ring at each
-/// fault that has a place. A drawing without contours is a valid picture of nothing.
+/// Returns an SVG document of the contours that were read from a drawing: the material that is left
+/// (outer contours filled, holes not), open contours dashed, the number of each contour, and a ring
+/// at each fault that has a position. A drawing without contours gives a valid picture without
+/// content.
 [[nodiscard]] std::string draw_contours(const drawing::Drawing& drawn);
 
-/// A contour as path data of SVG, its curves to a tenth of a pixel.
+/// Appends a contour as path data of SVG, with its curves exact to a tenth of a pixel.
 void add_outline(std::string& data, const drawing::DrawnContour& contour, const View& view);
 
 }  // namespace sim

@@ -15,15 +15,17 @@ namespace {
 using cut::EdgePeak;
 using cut::EdgePlace;
 
-/// What is at most so far cut off the part has this colour.
+/// An edge gets the colour of the first bin whose `most_mm` is not below its deviation. The
+/// deviation is positive where the part is cut into.
 struct EdgeBin {
   double most_mm;
   std::string_view colour;
   std::string_view name;
 };
 
-/// Two sizes that a user asks for: what is promised, and what is seen. Blue to orange over black:
-/// told apart by people who are blind to red and green.
+/// The limits are two sizes that matter to users: the promised accuracy, and the smallest visible
+/// deviation. The colours from blue over black to orange can be distinguished by people who are
+/// blind to red and green.
 constexpr std::array<EdgeBin, 5> kEdgeBins{{{-0.02, "#08306b", "> 20 um left"},
                                             {-0.005, "#56b4e9", "> 5 um left"},
                                             {0.005, "#000000", "within 5 um"},

@@ -9,7 +9,8 @@
 
 namespace sim {
 
-/// Writes `values` and `keyTimes` of one animation. Shares never go back, and end at 1.
+/// Writes `values` and `keyTimes` of one animation. A share that is smaller than the one before is
+/// raised to it. The last share must be 1.
 class KeyFrames {
  public:
   void add(double share, std::string_view value) {
@@ -19,7 +20,7 @@ class KeyFrames {
     fmt::format_to(std::back_inserter(times_), "{}{:.7g}", separator, last_);
   }
 
-  /// `values="…" keyTimes="…"`, with the last value until the end.
+  /// Returns `values="…" keyTimes="…"`.
   [[nodiscard]] std::string attributes() const {
     return fmt::format(R"(values="{}" keyTimes="{}")", values_, times_);
   }
@@ -30,10 +31,10 @@ class KeyFrames {
   double last_ = 0.0;
 };
 
-/// How the time of a job becomes that of an animation.
+/// The times that relate a job to its animation.
 struct AnimationTime {
-  double total_s = 1.0;  ///< Of the job, > 0.
-  double shown_s = 1.0;  ///< Of the animation, > 0.
+  double total_s = 1.0;  ///< Time of the job, > 0.
+  double shown_s = 1.0;  ///< Time of the animation, > 0.
 
   /// Returns the attributes that all animations of a document share, so that they stay in step.
   [[nodiscard]] std::string attributes() const {

@@ -9,13 +9,13 @@
 namespace sim {
 namespace {
 
-/// Speeds measured on the steps of short stretches scatter upwards. The fastest
-/// 0.2 % of the length, and another 2 % of speed, must not turn a scale up to
-/// 3000 mm/min into one up to 4000.
+/// Speeds measured over the steps of short stretches scatter upwards. The scale ignores the fastest
+/// 0.2 % of the length and the top 2 % of the speed, so that scatter does not extend a scale of
+/// 3000 mm/min to 4000.
 constexpr double kScatteredLength = 0.002;
 constexpr double kScatter = 0.98;
 
-/// Shorter than that, a stretch is a dot.
+/// A shorter stretch is only a dot.
 constexpr double kVisiblePx = 4.0;
 
 double length_mm(const PathVertex& from, const PathVertex& to) {
@@ -36,7 +36,7 @@ std::vector<Stretch> driven_stretches(const std::vector<PathVertex>& vertices) {
   return stretches;
 }
 
-/// The greatest speed but for what scatters; 0 without feed and cut.
+/// Returns the greatest speed without the values that scatter; 0 if there is neither feed nor cut.
 double greatest_speed_mm_s(const std::vector<PathVertex>& vertices) {
   std::vector<Stretch> stretches = driven_stretches(vertices);
   std::sort(stretches.begin(), stretches.end(), [](const Stretch& a, const Stretch& b) {
@@ -60,7 +60,7 @@ double greatest_shown(const std::vector<PathVertex>& vertices, Shown shown) {
   return static_cast<double>(greatest);
 }
 
-/// The longest way without a change of move.
+/// Returns the greatest length of path that is driven with this kind of move without a change.
 double longest_run_mm(const std::vector<PathVertex>& vertices, Move move) {
   double longest_mm = 0.0;
   double run_mm = 0.0;

@@ -15,7 +15,7 @@ namespace {
 using cnc::gcode::Action;
 using cnc::gcode::ActionKind;
 
-// As many as of the path itself: what a page can draw at every change.
+// The same limit as for the recorded path: a page can draw this many points at every change.
 constexpr std::size_t kMostVertices = 50'000;
 constexpr std::size_t kLongestReason = 160;
 constexpr double kMillimetresPerNanometre = 1.0e-6;
@@ -30,21 +30,22 @@ Point to_point(const cnc::Position& place) {
   return point;
 }
 
-/// Chords of a circle, each of which leaves it by no more than the tolerance.
+/// Returns the number of equal chords for a circle or arc with which each chord stays within the
+/// tolerance of the curve.
 double chord_count(const Curve& curve) {
   const Circle& circle = curve.circle().value();
   const double cosine = std::max(-1.0, 1.0 - PathTolerance{}.distance_mm / circle.radius);
   return std::ceil(std::abs(circle.sweep) / (2.0 * std::acos(cosine)));
 }
 
-/// Puts what actions move into the path.
+/// Appends the motion of actions to a path.
 class OutlinePen {
  public:
   OutlinePen(const Point& start, std::size_t most_points) : at_{start}, most_points_{most_points} {
     push(start, Move::kTravel);
   }
 
-  /// False when there would be too many points.
+  /// Appends the motion of an action. Returns false if there would be too many points.
   [[nodiscard]] bool draw(const Action& action) {
     switch (action.kind) {
       case ActionKind::kRapid:
@@ -128,7 +129,7 @@ class OutlinePen {
   Point at_;
   std::size_t most_points_;
   std::size_t points_ = 0;
-  bool on_ = false;  ///< Beam or spindle.
+  bool on_ = false;  ///< Beam or spindle is on.
   float speed_ = 0.0F;
 };
 

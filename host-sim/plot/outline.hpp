@@ -11,22 +11,23 @@
 
 namespace sim {
 
-/// The path of a program that has not run, seen from above. For drawing only:
-/// it is some hundredths of a millimetre wide, or coarser where it is long.
+/// The path of a program that has not run, seen from above. For drawing only: the path is exact to
+/// a few hundredths of a millimetre, or less exact if it is long.
 struct ProgramOutline {
-  std::vector<PathVertex> vertices;  ///< Machine coordinates; speeds are not known.
-  std::optional<Refusal> refused;    ///< The outline ends before this line.
+  std::vector<PathVertex> vertices;  ///< Points in machine coordinates; speeds are not known.
+  std::optional<Refusal> refused;    ///< Line before which the outline ends, with the reason.
 };
 
-/// Points that an outline is thinned from: more than any job that people make,
-/// and read within seconds. A line that asks for more is refused.
+/// Greatest number of points before thinning. No job of a real user has more, and this number is
+/// read within seconds. A line that needs more is refused.
 inline constexpr std::size_t kMostOutlinePoints = 20'000'000;
 
-/// Reads a program as the controller would now: `reader` is the controller's own,
-/// with its place, offsets and modes. The answer begins at that place.
+/// Returns the path that a program would take if the controller read it now. The path begins at the
+/// controller's position.
 ///
-/// Lines of `$` are no G-code and passed over; the contact of a probe is taken as
-/// programmed; M2 and M30 do not end it, as they do not end what a sender sends.
+/// Lines with `$` are no G-code and are skipped. A probe is assumed to touch at its programmed end.
+/// M2 and M30 do not end the outline, as they do not end the lines that a sender sends.
+/// @param reader a copy of the controller's own interpreter, with its position, offsets and modes
 [[nodiscard]] ProgramOutline program_outline_of(std::string_view program,
                                                 cnc::gcode::Interpreter reader,
                                                 std::size_t most_points = kMostOutlinePoints);

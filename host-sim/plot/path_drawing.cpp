@@ -14,8 +14,8 @@ namespace {
 
 constexpr std::size_t kColours = 32;
 
-/// The attribute `d` of one <path>: absolute starts, then relative stretches, in
-/// whole units, so that neither rounding adds up nor digits are wasted.
+/// The attribute `d` of one <path>. Starts are absolute and stretches are relative, both in whole
+/// units, so that rounding errors do not add up and no digits are wasted.
 class PathData {
  public:
   void add_stretch(const PathVertex& from, const PathVertex& to, double unit_mm) {
@@ -44,7 +44,7 @@ class PathData {
   [[nodiscard]] static Place rounded(const PathVertex& vertex, double unit_mm) {
     return {std::llround(vertex.x_mm / unit_mm), std::llround(vertex.y_mm / unit_mm)};
   }
-  /// A minus sign separates by itself.
+  /// Appends a blank before a number unless its minus sign separates it.
   void add_separator(std::int64_t next) {
     if (next >= 0) text_ += ' ';
   }
@@ -99,12 +99,12 @@ void add_coloured(std::string& out, const ColouredData& data, double width, Show
   out += "</g>\n";
 }
 
-/// A power of ten, at most a tenth of a pixel.
+/// Returns the unit of path data: the greatest power of ten that is at most a tenth of a pixel.
 double unit_for(const View& view) {
   return std::pow(10.0, std::floor(std::log10(0.1 / view.px_per_mm())));
 }
 
-/// A group in machine coordinates: whole units, y upwards.
+/// Opens a group in machine coordinates, with whole units and y upwards.
 void open_group(std::string& out, const View& view, double unit_mm) {
   const double px_per_unit = view.px_per_mm() * unit_mm;
   fmt::format_to(std::back_inserter(out),

@@ -5,16 +5,16 @@
 
 namespace sim {
 
-/// A4, in points of 1/72 inch.
+/// Size of an A4 page, in points of 1/72 inch.
 inline constexpr double kPageWidthPt = 595.28;
 inline constexpr double kPageHeightPt = 841.89;
 
 /// Draws SVG documents as the pages of one PDF by librsvg and cairo, each over a whole A4 page, and
-/// writes it. The file has no date, so that the same pages are the same bytes wherever fonts and
-/// libraries are the same.
+/// writes the file. The file has no date, so that the same pages give the same bytes on systems
+/// with the same fonts and libraries.
 ///
-/// Throws std::runtime_error naming the file when a page cannot be drawn, std::system_error when
-/// the file cannot be written. @pre there is a page
+/// Throws std::runtime_error naming the file if a page cannot be drawn, or std::system_error if the
+/// file cannot be written. @pre there is at least one page
 void write_pdf(const std::string& file,
                const std::vector<std::string>& pages,
                const std::string& title);

@@ -28,15 +28,16 @@ constexpr double kLegendWidthPx = 270.0;
 constexpr double kPlotWidthPx = kPictureWidthPx - kLeftLabelsPx - kLegendWidthPx - 2.0 * kMarginPx;
 constexpr double kTallestPlotPx = 1.15 * kPlotWidthPx;
 
-/// Less than anybody sees, so such points only cost bytes.
+/// Distances below this are invisible, so points that differ by less only cost bytes.
 constexpr double kInvisiblePx = 0.1;
 
-/// What is seen: the extent with room for line width, and never a mere point.
+/// Returns the visible area: the extent with space for the width of lines. It always has a width
+/// and a height.
 Extent framed(const Extent& extent) {
   const double size_mm = std::max(extent.width_mm(), extent.height_mm());
   if (extent.is_empty()) return {-11.0, 11.0, -5.5, 5.5};
   const double margin_mm = size_mm > 0.0 ? 0.04 * size_mm : 5.5;
-  const double more_x_mm = size_mm > 0.0 ? 0.0 : margin_mm;  // A wide frame about a point.
+  const double more_x_mm = size_mm > 0.0 ? 0.0 : margin_mm;  // A single point gets a wide frame.
   return {extent.left_mm - margin_mm - more_x_mm,
           extent.right_mm + margin_mm + more_x_mm,
           extent.bottom_mm - margin_mm,
@@ -70,7 +71,8 @@ std::string length_text(double mm) {
   return mm < 1000.0 ? fmt::format("{:.1f} mm", mm) : fmt::format("{:.2f} m", mm / 1000.0);
 }
 
-/// Dimensions of what is cut (or of all motion when nothing is), length and time.
+/// Returns the dimensions of the cuts (or of all motion if nothing is cut), the cut length and the
+/// time.
 std::string subtitle_of(const Path& path, double cut_length_mm) {
   const bool has_cut = has(path.vertices, Move::kCut);
   const Extent part = bounds_of(path.vertices, has_cut ? Move::kCut : Move::kTravel);
@@ -105,7 +107,7 @@ void add_no_motion(std::string& out, const Box& box, bool in_any_axis) {
                 in_any_axis ? "no motion" : "no motion in X and Y");
 }
 
-/// The path with its marks, and the legend beside it.
+/// Appends the path with its marks, and the legend next to it.
 void add_motion(std::string& out,
                 const std::vector<PathVertex>& vertices,
                 const View& view,

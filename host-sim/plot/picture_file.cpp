@@ -12,7 +12,7 @@
 namespace sim {
 namespace {
 
-/// Returns the end of a file's name from its last point on, in small letters; empty without one.
+/// Returns the ending of a file's name from its last dot on, in lower case; empty if there is none.
 std::string end_of(const std::string& file) {
   std::string end = std::filesystem::path{file}.extension().string();
   for (char& c : end) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));

@@ -5,11 +5,11 @@
 
 namespace sim {
 
-/// Throws std::invalid_argument naming the option where a file's name has an end other than `.svg`
-/// and `.png`. Names without one, such as those of devices, pass.
+/// Checks that a file's name ends in `.svg` or `.png`. Throws std::invalid_argument naming the
+/// option for another ending. Names without an ending, such as those of devices, are accepted.
 void require_picture_name(std::string_view option, const std::string& file);
 
-/// Writes an SVG document as it is, or as pixels into a file whose name ends in `.png`. Throws as
+/// Writes an SVG document unchanged, or as pixels if the file's name ends in `.png`. Throws as
 /// write_file() and write_png() do.
 void write_picture(const std::string& file, const std::string& svg);
 

@@ -11,15 +11,15 @@ namespace sim {
 
 /// A scale of colours with its numbers.
 struct ColourScale {
-  std::string heading;          ///< With its unit.
-  std::vector<Colour> colours;  ///< From the least number to the greatest, two at least.
+  std::string heading;          ///< Heading with the unit of the numbers.
+  std::vector<Colour> colours;  ///< Colours from the smallest number to the greatest; at least two.
   double least = 0.0;
-  double most = 1.0;  ///< Above the least.
+  double most = 1.0;  ///< Greatest number, above `least`.
 };
 
 enum class SampleShape : std::uint8_t { kLine, kArea };
 
-/// An entry of a key: what a line or an area of a colour is.
+/// An entry of a key: the meaning of a line or an area of a colour.
 struct KeySample {
   SampleShape shape = SampleShape::kLine;
   std::string colour;
@@ -28,11 +28,11 @@ struct KeySample {
   std::string label;
 };
 
-/// The explanations beside a picture.
+/// The explanations next to a picture.
 struct PictureKey {
-  std::vector<ColourScale> scales;  ///< One at most is usual.
+  std::vector<ColourScale> scales;  ///< Usually at most one.
   std::vector<KeySample> samples;
-  std::vector<std::string> notes;  ///< Lines of text below all.
+  std::vector<std::string> notes;  ///< Lines of text at the bottom of the key.
 };
 
 /// Appends a key from the top of a box downwards.

@@ -10,7 +10,7 @@
 
 namespace sim {
 
-/// Pixels that become a part of a picture; each is transparent until it is set.
+/// Pixels for a part of a picture. Each pixel is transparent until it is set.
 class PixelImage {
  public:
   /// @pre width and height are above 0
@@ -39,13 +39,13 @@ class PixelImage {
 /// Appends an image to an SVG document, stretched over a box. Throws as PixelImage::png() does.
 void add_image(std::string& out, const std::string& file, const PixelImage& image, const Box& box);
 
-/// How a picture lies on what is drawn below it.
+/// How an image is combined with the content of the picture below it.
 enum class Blend : std::uint8_t {
-  kOver,    ///< It hides that.
-  kDarken,  ///< Its white shows that.
+  kOver,    ///< The image hides the content below.
+  kDarken,  ///< The content below shows through white parts of the image.
 };
 
-/// Appends the bytes of a PNG in the same way.
+/// Appends an image, given as the bytes of a PNG, to an SVG document, stretched over a box.
 void add_png(std::string& out, const std::string& png, const Box& box, Blend blend = Blend::kOver);
 
 }  // namespace sim

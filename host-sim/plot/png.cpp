@@ -8,7 +8,7 @@
 namespace sim {
 namespace {
 
-/// Height for the width that keeps the shape of the document.
+/// Returns the height that keeps the shape of the document at the given width.
 int height_for(const std::string& file, RsvgHandle& handle, int width_px) {
   gdouble width = 0.0;
   gdouble height = 0.0;

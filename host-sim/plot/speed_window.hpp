@@ -8,9 +8,9 @@ namespace sim {
 
 /// Measures the speed of stepping motors over a stretch of a few milliseconds.
 ///
-/// Steps of several axes interleave, so single intervals say little: the length
-/// is summed over chords of at least `kChordSteps` steps, which makes the error
-/// of the staircase second order (below 1 %) and still follows a curve.
+/// Steps of several axes interleave, so single intervals carry little information. The length is
+/// therefore summed over chords of at least `kChordSteps` steps. That makes the error of the
+/// staircase second order (below 1 %), and the chords still follow a curve.
 class SpeedWindow {
  public:
   struct Point {
@@ -19,11 +19,11 @@ class SpeedWindow {
     double z_mm;
   };
 
-  /// Without a step for so long the machine stands: the wait must not be
-  /// averaged into the motion before and after it.
+  /// After this time without a step the machine counts as at rest. The wait must not be averaged
+  /// into the motion before and after it.
   static constexpr std::uint64_t kStandstillNs = 50'000'000;
 
-  /// `step_mm`: the coarsest step of X and Y.
+  /// @param step_mm the coarsest step of X and Y
   explicit SpeedWindow(double step_mm)
       : chord_mm_{kChordSteps * step_mm}, long_enough_mm_{kWindowSteps * step_mm} {}
 
@@ -42,12 +42,13 @@ class SpeedWindow {
     chord_start_ = to;
   }
 
-  /// True when the speed is worth reading: neither time nor steps too few.
+  /// Returns whether the window has enough time and steps for a useful speed.
   [[nodiscard]] bool is_full() const {
     return last_ns_ - start_ns_ >= kWindowNs && length_mm_ >= long_enough_mm_;
   }
 
-  /// Mean speed since the restart; `otherwise` when steps and time are too few to tell.
+  /// Returns the mean speed since the restart; `otherwise` if there are too few steps and too
+  /// little time to measure it.
   [[nodiscard]] double speed_mm_s(double otherwise) const {
     const std::uint64_t elapsed_ns = last_ns_ - start_ns_;
     const double length_mm = length_mm_ + distance_mm(chord_start_, last_);
@@ -60,8 +61,8 @@ class SpeedWindow {
 
  private:
   static constexpr double kChordSteps = 8.0;
-  static constexpr double kWindowSteps = 32.0;           ///< Direction to about 3 %.
-  static constexpr std::uint64_t kWindowNs = 5'000'000;  ///< 0.5 mm at 100 mm/s.
+  static constexpr double kWindowSteps = 32.0;           ///< Gives the direction to about 3 %.
+  static constexpr std::uint64_t kWindowNs = 5'000'000;  ///< Time for 0.5 mm at 100 mm/s.
 
   [[nodiscard]] static double distance_mm(const Point& a, const Point& b) {
     return std::hypot(b.x_mm - a.x_mm, b.y_mm - a.y_mm, b.z_mm - a.z_mm);

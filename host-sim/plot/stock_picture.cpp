@@ -25,7 +25,7 @@ constexpr double kStockWidthPx =
 constexpr double kTallestStockPx = 1.15 * kStockWidthPx;
 constexpr std::size_t kMostPlanPixels = 2'000'000;
 constexpr Colour kUncutColour{0xd9, 0xdc, 0xe0};
-/// Shallower, a block is uncut to the eye, mm.
+/// A block that is cut less deeply than this looks uncut, mm.
 constexpr double kUncutMm = 1.0e-4;
 
 View view_of_stock(const stock::StockBox& box) {
@@ -41,7 +41,7 @@ View view_of_stock(const stock::StockBox& box) {
                std::clamp(natural_px, kLegendHeightPx, kTallestStockPx)}};
 }
 
-/// Adds the plan as an image, a pixel for each block, Y upwards.
+/// Appends the plan as an image, with a pixel for each block and Y upwards.
 void add_plan(std::string& out,
               const std::string& file,
               const stock::HeightMap& map,

@@ -6,11 +6,11 @@
 
 namespace sim {
 
-/// The picture of a carved stock as an SVG document: its plan, coloured by depth below its top
-/// where something was cut, with grid, legend and scale bar. The plan is an image within the
+/// Returns the picture of a carved stock as an SVG document: its plan, coloured by depth below its
+/// top where material was removed, with grid, legend and scale bar. The plan is an image within the
 /// document.
-/// @param facts a line below the title, such as the removed volume; may be empty
 /// Throws std::runtime_error naming `file` if the plan cannot be drawn.
+/// @param facts a line below the title, such as the removed volume; may be empty
 [[nodiscard]] std::string draw_stock(const std::string& file,
                                      const stock::Stock& carved,
                                      const std::string& title,

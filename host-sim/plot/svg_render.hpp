@@ -9,7 +9,7 @@
 
 namespace sim {
 
-/// Frees an object of a C library when its owner goes.
+/// Frees an object of a C library when the smart pointer that owns it is destroyed.
 template <auto Release>
 struct Releaser {
   template <typename Object>
@@ -21,10 +21,10 @@ using SvgHandle = std::unique_ptr<RsvgHandle, Releaser<g_object_unref>>;
 using CairoSurface = std::unique_ptr<cairo_surface_t, Releaser<cairo_surface_destroy>>;
 using CairoContext = std::unique_ptr<cairo_t, Releaser<cairo_destroy>>;
 
-/// Throws std::runtime_error: `cannot draw FILE: REASON`.
+/// Throws std::runtime_error with the text `cannot draw FILE: REASON`.
 [[noreturn]] void fail_to_draw(const std::string& file, std::string_view reason);
 
-/// Reads an SVG document. Throws as fail_to_draw() does. @param file names it in messages
+/// Reads an SVG document. Throws as fail_to_draw() does. @param file name of the file for messages
 [[nodiscard]] SvgHandle load_svg(const std::string& file, std::string_view svg);
 
 /// Draws a document over the whole of a surface. Throws as fail_to_draw() does.

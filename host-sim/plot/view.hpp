@@ -9,7 +9,7 @@
 
 namespace sim {
 
-/// An upright rectangle in machine coordinates; empty until something is included.
+/// An upright rectangle in machine coordinates. It is empty until a point is included.
 struct Extent {
   double left_mm = std::numeric_limits<double>::infinity();
   double right_mm = -std::numeric_limits<double>::infinity();
@@ -37,10 +37,10 @@ struct Box {
   [[nodiscard]] double bottom_px() const { return top_px + height_px; }
 };
 
-/// Maps machine coordinates, y upwards, into the middle of a box.
+/// Maps machine coordinates, with y upwards, into the middle of a box.
 class View {
  public:
-  /// @pre bounds have a width and a height.
+  /// @pre bounds have a width and a height
   View(const Extent& bounds, const Box& box)
       : box_{box},
         px_per_mm_{std::min(box.width_px / bounds.width_mm(), box.height_px / bounds.height_mm())},
@@ -69,7 +69,7 @@ class View {
   double middle_y_mm_;
 };
 
-/// The smallest 1, 2 or 5 times a power of ten that is not below `least` (> 0).
+/// Returns the smallest 1, 2 or 5 times a power of ten that is not below `least` (> 0).
 [[nodiscard]] inline double round_step(double least) {
   const double power = std::pow(10.0, std::floor(std::log10(least)));
   for (const double factor : {1.0, 2.0, 5.0}) {
@@ -78,7 +78,7 @@ class View {
   return 10.0 * power;
 }
 
-/// What the vertices cover; only the parts where `move` is at least `least`.
+/// Returns the extent of those stretches of a path whose `move` is at least `least`.
 [[nodiscard]] inline Extent bounds_of(const std::vector<PathVertex>& vertices, Move least) {
   Extent bounds;
   for (std::size_t i = 0; i < vertices.size(); ++i) {

@@ -12,14 +12,16 @@
 namespace sim {
 namespace {
 
-/// In so many rounds a line that damages one byte in 80 spoils a fact of 20 bytes each time with a
-/// probability of 0.2 %, one that damages a byte in 600 with one of 1e-6.
+/// In this many rounds, a line that damages one byte in 80 spoils a fact of 20 bytes every time
+/// with a probability of 0.2 %; a line that damages one byte in 600 does so with a probability of
+/// 1e-6.
 constexpr std::size_t kRoundsUntilMissing = 4;
-/// A fact that arrives no more often than once in so many rounds is one that damage has made out of
-/// another name. A true one arrives so seldom with a probability of 1e-7 at worst.
+/// A fact that arrives at most once in this many rounds is a damaged copy of another fact. A real
+/// fact arrives so rarely with a probability of 1e-7 at worst.
 constexpr std::size_t kRoundsOfStray = 8;
-/// Any of the zeros of 12000 may be lost, so that damage makes the same 1200 of it again: twice in
-/// a row it does in one of 400 listings if it damages a byte in 200.
+/// Arrivals of a form that settle it. Damage may turn 12000 into 1200 by the loss of any of its
+/// zeros, so that the same wrong form may arrive again. If one byte in 200 is damaged, that happens
+/// twice in a row in one of 400 listings.
 constexpr std::size_t kAlike = 3;
 
 constexpr std::string_view kStatus = "<";
@@ -40,10 +42,10 @@ constexpr std::array<std::string_view, 14> kBracketed{"[G54:",
                                                       "[TLO:",
                                                       "[GC:"};
 
-/// `$130`, as the listing of settings begins a line.
+/// Returns the start of a line in the listing of settings, such as `$130`.
 std::string name_of_setting(std::uint16_t number) { return fmt::format("${}", number); }
 
-/// The fields of a status report that stay the same while the machine stands still.
+/// Returns the fields of a status report that do not change while the machine is at rest.
 std::optional<std::string> steady_status(std::string_view report) {
   const auto place = status_field(report, "|MPos:");
   if (!place) return std::nullopt;
@@ -100,7 +102,8 @@ bool AgreedAnswers::is_missing(const Forms& forms) const {
   return rounds_ >= rounds;
 }
 
-/// The form that has arrived most often, unless it came too seldom, or another one as often.
+/// Returns the form that has arrived most often; null if it has arrived too rarely, or if another
+/// form has arrived as often.
 const std::string* AgreedAnswers::settled_form(const Forms& forms) {
   const std::string* settled = nullptr;
   std::size_t most = kAlike - 1;

@@ -9,12 +9,12 @@
 namespace sim {
 
 /// Facts that a Kerfline reports without a check, over a line that damages bytes: settings (`$$`),
-/// offsets (`$#`), modes (`$G`), the state and the position (`?`, 0x87), and how far a job came
-/// (`$RESUME`). The questions are asked in rounds. A fact is settled when it has arrived three
-/// times alike, and in no other form as often.
+/// offsets (`$#`), modes (`$G`), the state and the position (`?`, 0x87), and the progress of a job
+/// (`$RESUME`). The questions are asked in rounds. A fact is settled when one form of it has
+/// arrived three times or more, and no other form has arrived as often.
 class AgreedAnswers {
  public:
-  /// @param resume `$RESUME` is one of the questions
+  /// @param resume whether `$RESUME` is one of the questions
   explicit AgreedAnswers(bool resume);
 
   /// Counts a line of the controller. Lines that state none of the facts are ignored.
@@ -22,21 +22,22 @@ class AgreedAnswers {
   /// Ends a round: all questions have been acknowledged.
   void end_round() { ++rounds_; }
 
-  /// Returns the names of the facts that are not settled, as `$130` or `[G54:`. Empty: all are. A
-  /// fact that never arrived in the first four rounds, or less than once in eight, is one that this
-  /// controller does not have.
+  /// Returns the names of the facts that are not settled, such as `$130` or `[G54:`. The result is
+  /// empty when all facts are settled. A fact counts as one that this controller does not have if
+  /// it never arrived in the first four rounds, or if it arrived in at most one round in eight.
   [[nodiscard]] std::vector<std::string> open() const;
-  /// Returns a line for each settled fact, settings first, as the controller would send it.
+  /// Returns one line for each settled fact, settings first, as the controller would send it.
   [[nodiscard]] std::vector<std::string> lines() const;
 
  private:
-  /// How often each form of a fact has arrived.
+  /// Number of arrivals of each form of a fact.
   using Forms = std::map<std::string, std::size_t, std::less<>>;
 
   [[nodiscard]] bool is_missing(const Forms& forms) const;
   [[nodiscard]] static const std::string* settled_form(const Forms& forms);
 
-  std::map<std::string, Forms, std::less<>> facts_;  ///< By name; '$' comes before '<' and '['.
+  std::map<std::string, Forms, std::less<>> facts_;  ///< Forms of each fact, by name; '$' comes
+                                                     ///< before '<' and '['.
   std::size_t rounds_ = 0;
 };
 

@@ -10,7 +10,8 @@ namespace {
 
 constexpr std::size_t kCrcDigits = 8;
 
-/// Takes a number off the front of the text; nothing when there is none.
+/// Removes a number from the front of the text and returns it; nothing if the text begins with no
+/// number.
 std::optional<std::uint32_t> take_count(std::string_view& text) {
   std::uint32_t number = 0;
   const auto result = std::from_chars(text.data(), text.data() + text.size(), number);
@@ -25,7 +26,7 @@ bool take_prefix(std::string_view& text, std::string_view words) {
   return true;
 }
 
-/// The CRC and its star are gone afterwards, if it was right.
+/// Returns whether the text ends with a star and its correct CRC, and removes both if so.
 bool take_crc(std::string_view& text) {
   if (text.size() <= kCrcDigits || text[text.size() - kCrcDigits - 1] != '*') return false;
   const std::string_view covered = text.substr(0, text.size() - kCrcDigits - 1);
@@ -41,7 +42,7 @@ void read_line_number(std::string_view text, Answer& answer) {
   if (take_prefix(text, " N")) answer.line = take_count(text);
 }
 
-/// Whether a field `F:` or `FS:` has a feed that is not 0.
+/// Returns whether a field `F:` or `FS:` has a feed that is not 0.
 bool moves(std::string_view text) {
   for (const std::string_view name : {"|FS:", "|F:"}) {
     const std::size_t begin = text.find(name);
@@ -53,7 +54,7 @@ bool moves(std::string_view text) {
   return false;
 }
 
-/// `<Run|MPos:0.000,0.000,0.000|Bf:15,128|…>`
+/// Reads a status report, such as `<Run|MPos:0.000,0.000,0.000|Bf:15,128|…>`.
 Answer read_status(std::string_view text) {
   Answer answer{.kind = AnswerKind::kStatus};
   answer.state = text.substr(0, text.find_first_of("|>"));
@@ -65,7 +66,7 @@ Answer read_status(std::string_view text) {
   return answer;
 }
 
-/// `[OPT:V,15,128]`
+/// Reads the options, such as `[OPT:V,15,128]`.
 Answer read_options(std::string_view text) {
   Answer answer{.kind = AnswerKind::kOptions};
   const std::size_t comma = text.find(',');

@@ -9,32 +9,33 @@ namespace sim {
 
 enum class AnswerKind : std::uint8_t {
   kOther,
-  kOk,       ///< `text` is what follows, in most controllers nothing.
-  kError,    ///< `code`
-  kAlarm,    ///< `code`
+  kOk,       ///< `text` is the rest of the line after `ok`; most controllers send none.
+  kError,    ///< `code` is the number of the error.
+  kAlarm,    ///< `code` is the number of the alarm.
   kBanner,   ///< The controller has restarted.
-  kStatus,   ///< `state`, and `waiting_room` where it says so.
+  kStatus,   ///< Has `state`, and `waiting_room` if the report has it.
   kOptions,  ///< `[OPT:`, with `waiting_room`.
-  kMessage,  ///< `[MSG:`, its words in `text`.
-  kResend,   ///< `number` is wanted; `line` says which was the last one taken.
+  kMessage,  ///< `[MSG:`; `text` has its words.
+  kResend,   ///< Line `number` is to be sent again; `line` is the last line that was taken.
 };
 
-/// The meaning of a line from a controller, Grbl's or Kerfline's, for a sender.
+/// A sender's reading of a line from a controller, Grbl or Kerfline.
 struct Answer {
   AnswerKind kind = AnswerKind::kOther;
-  bool checked = false;  ///< Ended with its right CRC-32.
+  bool checked = false;  ///< The line ended with a correct CRC-32.
   std::uint32_t code = 0;
   std::uint32_t number = 0;
-  std::optional<std::uint32_t> line{};          ///< Which line it is for: ` N12`.
-  std::string state{};                          ///< `Hold:0` or the like.
-  std::optional<std::uint32_t> waiting_room{};  ///< Bytes of lines that fit.
-  bool moves = false;                           ///< A status with a feed that is not 0.
+  std::optional<std::uint32_t> line{};          ///< Number of the answered line, from ` N12`.
+  std::string state{};                          ///< State of the machine, such as `Hold:0`.
+  std::optional<std::uint32_t> waiting_room{};  ///< Free space for lines, bytes.
+  bool moves = false;                           ///< The status reports a feed that is not 0.
   std::string text{};
 };
 
 [[nodiscard]] Answer read_answer(std::string_view line);
 
-/// `line*8D1F03A2`: with the CRC-32 of all before the star.
+/// Returns `line` with a star and its CRC-32 appended, such as `line*8D1F03A2`. The CRC-32 covers
+/// all characters before the star.
 [[nodiscard]] std::string with_crc(std::string line);
 
 }  // namespace sim

@@ -18,7 +18,7 @@ using cnc::kAxisCount;
 
 constexpr std::size_t kZ = 2;
 
-/// The lines so far, read by the controller's own interpreter, from some place.
+/// The lines so far, read by the controller's own interpreter from a given start position.
 class Reading {
  public:
   explicit Reading(Coordinate from) {
@@ -49,7 +49,8 @@ class Reading {
   Coordinate highest_{};
 };
 
-/// The word of a mode that a line without one goes on with; G0 and G1 are said anyway.
+/// Returns the motion word that the line needs because it relies on the mode of an earlier line. G0
+/// and G1 need none: the approach sets them anyway.
 std::string motion_of(const cnc::gcode::ModalState& state, const JobLine& line) {
   using cnc::gcode::MotionMode;
   const bool names_it = line.text.find_first_of("Gg$") != std::string::npos;
@@ -72,7 +73,8 @@ std::string motion_of(const cnc::gcode::ModalState& state, const JobLine& line) 
 }  // namespace
 
 Approach approach_to(const JobLines& job, std::size_t index, bool laser) {
-  // Farther than any machine goes. What differs between them is where it stood.
+  // Two start positions farther out than any machine reaches. A result that differs between them
+  // depends on the start position.
   const Coordinate here{123'456'789'123};
   const Coordinate there{-198'765'432'198};
   Reading one{here};
@@ -117,7 +119,7 @@ Approach approach_to(const JobLines& job, std::size_t index, bool laser) {
     add("G0Z" + coordinate_text(other.highest() - offset));
   }
   if (!over.empty()) add("G0" + over);
-  // A mill's spindle turns before it plunges; a beam would be lit on the way.
+  // A mill plunges with its spindle already on; a beam has to stay off until it is at its Z.
   if (laser && !down.empty()) add("G0" + down);
   add(process_of(state));
   if (!laser && !down.empty()) add((state.feed > 0.0F ? "G1" : "G0") + down);

@@ -8,19 +8,21 @@
 
 namespace sim {
 
-/// The lines that are sent before a line of a job that begins there.
+/// The lines to send before a job that begins at one of its middle lines.
 struct Approach {
   std::vector<JobLine> lines;
-  std::string motion;  ///< The word that has to stand before the line; empty for none.
+  std::string motion;  ///< Word in front of the job's first line; may be empty.
 };
 
-/// Brings a controller to where it would be before line `index` of a job, had it driven all lines
-/// before: beam and spindle off up to that point, and then with the modes that hold there.
-/// Where the program moves Z, over the highest place that it has come to.
+/// Returns the lines that bring a controller to the state that it would have before line `index` of
+/// a job if it had driven all earlier lines. Beam and spindle are off up to that point. Then the
+/// modes that hold there are set. If the program moves Z, the approach goes over the highest Z that
+/// the program has reached so far.
 ///
-/// Throws std::invalid_argument with the reason where the lines before leave it open: a position
-/// that depends on where the machine stood, an offset of G92, a line that cannot be read.
-/// @param laser a beam, which is lit by M3 and G1 ($32)
+/// Throws std::invalid_argument with the reason if the earlier lines do not decide the state: a
+/// position that depends on the start position of the machine, an offset of G92, a line that cannot
+/// be read.
+/// @param laser the tool is a beam, which M3 and G1 turn on ($32)
 /// @pre index is one of the job's lines
 [[nodiscard]] Approach approach_to(const JobLines& job, std::size_t index, bool laser);
 

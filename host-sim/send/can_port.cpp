@@ -16,11 +16,11 @@ namespace {
 
 namespace can = cnc::can;
 
-/// Four heartbeats of a node; somebody who is not there at all is not waited for longer.
+/// Four heartbeats of a node. A node that is not on the bus at all is not waited for any longer.
 constexpr std::chrono::milliseconds kNodeSilence{2000};
 constexpr std::chrono::milliseconds kMostAway{20};
 
-/// The host's end of an adapter of the serial kind.
+/// The host's end of a CAN adapter on a serial port (slcan).
 class SlcanHostWire final : public CanWire {
  public:
   SlcanHostWire(const std::string& device, unsigned baud)
@@ -55,7 +55,8 @@ class SlcanHostWire final : public CanWire {
   std::string address() const override { return device_; }
 
  private:
-  /// A serial port that has nothing says the same as one that was pulled out.
+  /// Checks for a hang-up: read() gives the same result for a serial port without data and for one
+  /// that was pulled out.
   void look_for_hang_up() {
     pollfd state{terminal_.number(), POLLIN, 0};
     if (::poll(&state, 1, 0) > 0 && (state.revents & (POLLHUP | POLLERR | POLLNVAL)) != 0) {
@@ -125,7 +126,7 @@ std::string CanNodePort::take_news() {
 void CanNodePort::attend() {
   using std::chrono::microseconds;
   const auto now = Clock::now();
-  // The host's clock begins with the first beat being due.
+  // The offset makes the first heartbeat due at once.
   const auto passed = std::chrono::floor<microseconds>(now - begun_).count();
   wire_->carry();
   if (!started_) started_ = host_.order(can::NetworkCommand::kStart);
@@ -136,7 +137,7 @@ void CanNodePort::attend() {
 }
 
 void CanNodePort::hear_news(Clock::time_point now) {
-  // Time in which we did not listen is no silence of theirs.
+  // Time in which this host did not listen does not count as silence of the node.
   silent_ += std::min<Clock::duration>(now - looked_, kMostAway);
   looked_ = now;
   if (host_.frames() != frames_heard_) silent_ = {};
@@ -144,7 +145,8 @@ void CanNodePort::hear_news(Clock::time_point now) {
   for (; emergencies_ < host_.emergencies().size(); ++emergencies_) {
     const CanHost::Emergency& emergency = host_.emergencies()[emergencies_];
     news_.push_back(fmt::format("node {}: {}", node_, emergency_text(emergency)));
-    // The session is over then; an alarm is told in the text, too, with its number.
+    // These codes end the session. An alarm does not: the node reports it, with its number, as text
+    // as well.
     const bool ends = emergency.code == can::kFramesLost || emergency.code == can::kHostSilent;
     if (ends && trouble_.empty()) trouble_ = news_.back();
   }

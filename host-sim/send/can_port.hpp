@@ -12,8 +12,8 @@
 
 namespace sim {
 
-/// A controller on a CAN bus, as its host has it: begins by starting the network's node, beats
-/// while it lives, and says at the end that the host is done.
+/// A controller on a CAN bus, as seen by its host. The port starts the node, sends heartbeats as
+/// long as the port exists, and resets the node's communication at the end.
 class CanNodePort final : public Port {
  public:
   CanNodePort(std::unique_ptr<CanWire> wire, std::uint8_t node);
@@ -41,18 +41,19 @@ class CanNodePort final : public Port {
   CanHost host_;
   Clock::time_point begun_ = Clock::now();
   Clock::time_point looked_ = begun_;
-  Clock::duration silent_{};        ///< Of the node, while we listened.
-  std::uint32_t frames_heard_ = 0;  ///< Of the node, as last seen.
-  std::size_t emergencies_ = 0;     ///< Told.
+  Clock::duration silent_{};        ///< Time without a frame while this host listened.
+  std::uint32_t frames_heard_ = 0;  ///< Frames of the node at the last call of hear_news().
+  std::size_t emergencies_ = 0;     ///< Number of emergency messages already reported.
   bool started_ = false;
   std::deque<std::string> news_;
   std::string trouble_;
 };
 
-/// Throws as hal::host::SocketCan.
+/// Opens a CAN interface of the kernel. Throws as the constructor of hal::host::SocketCan does.
 [[nodiscard]] std::unique_ptr<Port> open_can_port(const std::string& interface, std::uint8_t node);
 
-/// Behind an adapter of the serial kind (slcan), at 1 Mbit/s. Throws as open_serial_port().
+/// Opens a CAN bus at 1 Mbit/s through an adapter on a serial port (slcan). Throws as
+/// open_serial_port() does.
 [[nodiscard]] std::unique_ptr<Port> open_slcan_port(const std::string& device,
                                                     unsigned baud,
                                                     std::uint8_t node);

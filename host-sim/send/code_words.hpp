@@ -7,22 +7,22 @@
 
 namespace sim {
 
-/// The remedy for an alarm or an error of the firmware. Its words are cnc::alarm_texts() and
-/// cnc::error_texts().
+/// The remedy for an alarm or an error of the firmware. The description is in cnc::alarm_texts()
+/// and cnc::error_texts().
 struct CodeRemedy {
   std::uint8_t number;
   std::string_view remedy;  ///< One or two sentences for the operator.
 };
 
-/// One for each number that the firmware has, and no others.
+/// Return one entry for each alarm or error number of the firmware, and no others.
 [[nodiscard]] std::span<const CodeRemedy> alarm_remedies();
 [[nodiscard]] std::span<const CodeRemedy> error_remedies();
 
-/// The words and the remedy of a number; empty for one that the firmware does not have, as a
-/// foreign controller may.
+/// Return the description and the remedy of a number. The result is empty for a number that the
+/// firmware does not have but another controller may.
 [[nodiscard]] std::string alarm_words(std::uint32_t number);
 [[nodiscard]] std::string error_words(std::uint32_t number);
-/// The remedy alone, for errors that the controller has explained itself.
+/// Returns the remedy alone, for errors that the controller has explained itself.
 [[nodiscard]] std::string_view error_remedy(std::uint32_t number);
 
 }  // namespace sim

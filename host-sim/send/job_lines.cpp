@@ -33,7 +33,7 @@ std::string worth_sending(std::string_view line) {
   return nothing ? std::string{} : code_of(line);
 }
 
-/// A number of the program's own gives way to the one that the sender counts.
+/// Removes the program's own line number, which the sender's number replaces.
 std::string_view without_number(std::string_view line) {
   if (line.front() != 'N' && line.front() != 'n') return line;
   const std::size_t end = line.find_first_not_of("0123456789", 1);

@@ -10,47 +10,50 @@
 
 namespace sim {
 
-/// A line of a program as it is sent, and its line in the file.
+/// A line of a program as it is sent, and its line number in the file.
 struct JobLine {
-  std::string text;        ///< Without comments and blanks, never empty.
-  std::size_t number = 0;  ///< In the file, from 1.
-  std::uint32_t n = 0;     ///< Sent with it as N; 0 for none.
+  std::string text;        ///< Text without comments and blanks; never empty.
+  std::size_t number = 0;  ///< Line number in the file, from 1.
+  std::uint32_t n = 0;     ///< Line number N that is sent with the line; 0 for none.
 };
 
-/// The lines of a job. A long one costs its text and eight bytes a line.
+/// The lines of a job. A job of many lines takes the bytes of its text, and eight bytes more for
+/// each line.
 class JobLines {
  public:
-  /// @param numbered each line is sent with its place among them as N, from 1 on
+  /// @param numbered whether each line is sent with its position in the job, from 1, as N
   explicit JobLines(bool numbered = false) : numbered_{numbered} {}
   explicit JobLines(const std::vector<JobLine>& lines);
 
-  /// Appends a line; @pre `number` rises. Throws std::length_error beyond 4 GiB of text.
+  /// Appends a line. Throws std::length_error if the text would exceed 4 GiB.
+  /// @param number line number in the file
+  /// @pre `number` is greater than that of the line before
   void add(std::string_view text, std::size_t number);
 
   [[nodiscard]] std::size_t size() const { return ends_.size(); }
   [[nodiscard]] bool empty() const { return ends_.empty(); }
   /// @pre index < size()
   [[nodiscard]] JobLine operator[](std::size_t index) const;
-  /// The line's number in the file. @pre index < size()
+  /// Returns the line's number in the file. @pre index < size()
   [[nodiscard]] std::size_t number_of(std::size_t index) const { return numbers_[index]; }
-  /// Characters of the line. @pre index < size()
+  /// Returns the number of characters of the line. @pre index < size()
   [[nodiscard]] std::size_t length_of(std::size_t index) const {
     return ends_[index] - (index == 0 ? 0 : ends_[index - 1]);
   }
 
  private:
   bool numbered_ = false;
-  std::string text_;                    ///< Of all lines, without anything between them.
-  std::vector<std::uint32_t> ends_;     ///< Of each line in `text_`.
-  std::vector<std::uint32_t> numbers_;  ///< Of each line in the file.
-  std::vector<std::uint32_t> given_;    ///< N of each line; empty unless lines came with them.
+  std::string text_;                    ///< Text of all lines, without separators.
+  std::vector<std::uint32_t> ends_;     ///< End of each line in `text_`.
+  std::vector<std::uint32_t> numbers_;  ///< Line number in the file, for each line.
+  std::vector<std::uint32_t> given_;    ///< N of each line; empty if the lines came without N.
 };
 
-/// A job from one of its lines to its end.
+/// The part of a job from one of its lines to its end.
 struct JobPart {
   std::shared_ptr<const JobLines> lines;
   std::size_t first = 0;
-  std::string motion{};  ///< Words before the first line, see Approach.
+  std::string motion{};  ///< Words in front of the first line, see Approach.
 
   [[nodiscard]] std::size_t size() const { return lines->size() - first; }
   [[nodiscard]] bool empty() const { return size() == 0; }
@@ -58,21 +61,21 @@ struct JobPart {
   [[nodiscard]] JobLine operator[](std::size_t index) const;
 };
 
-/// The lines of a program that are worth sending: comments, blanks, empty lines and names of
-/// programs (`%`, `O1234`, `:1234`) mean nothing to a controller, and cost time or are refused by
-/// some. `$` lines stay as they are, and so do their blanks.
-/// @param program as prepare_program() leaves it
-/// @param numbered each line gets its place among them as number, from 1 on, instead of one that it
-/// may have: so a controller can report which one it has come to
+/// Returns the lines of a program that have to be sent. Comments, blanks, empty lines and names of
+/// programs (`%`, `O1234`, `:1234`) are left out: they mean nothing to a controller, cost time, and
+/// are refused by some controllers. `$` lines are kept as they are, with their blanks.
+/// @param program text that prepare_program() has returned
+/// @param numbered whether each line gets its position in the job, from 1, as N in place of its own
+///     N, so that a controller can report the line that it has reached
 [[nodiscard]] JobLines read_job(std::string_view program, bool numbered = false);
 
-/// Characters that a controller takes in a line, comments and blanks apart; and those that a number
-/// and a check of the sender's own need of them.
+/// kLongestSentLine: characters that a controller takes in a line, without comments and blanks.
+/// kSentNumber and kSentCheck: characters of these that the sender's own number and check take.
 inline constexpr std::size_t kLongestSentLine = 256;
 inline constexpr std::size_t kSentNumber = 8;
 inline constexpr std::size_t kSentCheck = 9;
 
-/// The first line longer than `most` characters; nothing where there is none.
+/// Returns the first line of more than `most` characters; nothing if no line is too long.
 [[nodiscard]] std::optional<JobLine> line_too_long(const JobLines& job, std::size_t most);
 
 }  // namespace sim

@@ -8,7 +8,7 @@ namespace sim {
 Keys::Keys() {
   termios mode{};
   if (::isatty(STDIN_FILENO) == 0 || ::tcgetattr(STDIN_FILENO, &mode) != 0) return;
-  // In the background a change of the terminal would stop this process.
+  // In a process in the background, a change to the terminal's mode would stop the process.
   if (::tcgetpgrp(STDIN_FILENO) != ::getpgrp()) return;
   before_ = mode;
   mode.c_lflag &= ~static_cast<tcflag_t>(ICANON | ECHO);

@@ -6,7 +6,8 @@
 
 namespace sim {
 
-/// The keys of a terminal one by one while it lives; none without a terminal.
+/// Reads the keys of a terminal one by one, as long as this object exists. Without a terminal there
+/// are no keys.
 class Keys {
  public:
   Keys();
@@ -15,7 +16,7 @@ class Keys {
   Keys& operator=(const Keys&) = delete;
 
   [[nodiscard]] bool any() const { return before_.has_value(); }
-  /// The next one pressed; nothing when none was.
+  /// Returns the next key that was pressed; nothing if no key was pressed.
   [[nodiscard]] std::optional<char> take();
 
  private:

@@ -11,7 +11,7 @@
 
 namespace sim {
 
-/// The sender's end of a link; no call blocks.
+/// The sender's end of a link. No call blocks.
 class Port {
  public:
   Port() = default;
@@ -19,30 +19,32 @@ class Port {
   Port& operator=(const Port&) = delete;
   virtual ~Port() = default;
 
-  /// What has come; 0 when nothing has, or when the link is gone: see open().
+  /// Reads the bytes that have arrived. Returns 0 if no byte has arrived, and if the link is lost:
+  /// see open().
   [[nodiscard]] virtual std::size_t read(std::span<char> into) = 0;
-  /// Takes what leaves soon: lines that wait in an adapter cannot be called back.
+  /// Takes the bytes that can leave soon, and returns how many: lines that wait in an adapter
+  /// cannot be called back.
   [[nodiscard]] virtual std::size_t write(std::string_view bytes) = 0;
-  /// Takes realtime bytes beside the lines, as many as there is room for; 0 where the link has
-  /// no such way, and they go between two lines.
+  /// Takes realtime bytes apart from the lines, and returns how many it took. Returns 0 if the link
+  /// cannot carry them apart; the caller then sends them between two lines.
   [[nodiscard]] virtual std::size_t act(std::string_view bytes) {
     static_cast<void>(bytes);
     return 0;
   }
   [[nodiscard]] virtual bool open() const = 0;
-  /// Why it is not open any more.
+  /// Returns why the link is not open any more.
   [[nodiscard]] virtual std::string trouble() const { return "the link is gone"; }
-  /// What the link itself has to tell, for the log: a line at a time, empty for none.
+  /// Returns the next line of news about the link itself, for the log; empty if there is none.
   [[nodiscard]] virtual std::string take_news() { return {}; }
-  /// Adds what to wake up for.
+  /// Adds the descriptors and events for which poll() is to wake up.
   virtual void add_to(std::vector<pollfd>& descriptors) const = 0;
 };
 
-/// A serial port, raw, 8N1, for this process alone. Throws std::system_error naming the device,
-/// std::invalid_argument for a rate that no port has.
+/// Opens a serial port: raw, 8N1, for this process alone. Throws std::system_error naming the
+/// device, or std::invalid_argument for a baud rate that no port has.
 [[nodiscard]] std::unique_ptr<Port> open_serial_port(const std::string& device, unsigned baud);
 
-/// Raw TCP, connected within five seconds. Throws std::system_error naming the address, or
+/// Opens a raw TCP connection within five seconds. Throws std::system_error naming the address, or
 /// std::invalid_argument.
 [[nodiscard]] std::unique_ptr<Port> open_tcp_port(const std::string& address);
 

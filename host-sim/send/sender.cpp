@@ -10,7 +10,8 @@
 namespace sim {
 namespace {
 
-/// `line 2: error:20: ` and the controller's own explanation or, without one, the number's words.
+/// Returns `line 2: error:20: ` and the controller's own explanation, or the description of the
+/// number if the controller gave none.
 std::string refusal_text(std::size_t line, std::uint32_t code, const std::string& message) {
   std::string text = fmt::format("line {}: error:{}", line, code);
   if (message.empty()) {
@@ -25,8 +26,8 @@ std::string refusal_text(std::size_t line, std::uint32_t code, const std::string
 
 constexpr unsigned kIdleReports = 2;
 constexpr const char* kInAlarm = "the controller is in alarm: home or unlock it first";
-/// A Grbl refuses every question for checked lines; a line that damages one byte in 80 spoils some,
-/// but hardly so many one after the other.
+/// A Grbl refuses every request to begin checked lines. A line that damages one byte in 80 spoils
+/// some of these requests, but hardly this many in a row.
 constexpr unsigned kMostRefused = 12;
 
 }  // namespace
@@ -92,7 +93,7 @@ void Sender::meet(const Answer& answer) {
 
 void Sender::take_status(const Answer& answer) {
   machine_state_ = answer.state;
-  // A report that was damaged may lack the buffer's room.
+  // A damaged report may lack the free space of the buffer.
   if (answer.waiting_room) room_now_ = answer.waiting_room;
   room_told_ = now_;
   moves_ = answer.moves;
@@ -109,7 +110,7 @@ void Sender::take_status(const Answer& answer) {
   if (state_ == State::kAsking) judge_state();
 }
 
-/// Lines are sent to a machine that does nothing else.
+/// Decides by the machine's state whether lines can be sent: the machine must do nothing else.
 void Sender::judge_state() {
   const bool alarm = machine_state_.starts_with("Alarm");
   if (alarm && !options_.rests_in_alarm) return fail(kInAlarm);
@@ -127,18 +128,18 @@ void Sender::take_trouble(const Answer& answer) {
     if (!words.empty()) why += ": " + words;
     return fail(state_ == State::kStopping ? trouble_ + "; " + why : std::move(why));
   }
-  // Opening a port may start a controller, and its banner comes when it likes.
+  // Opening a port may restart a controller, and its banner comes at any later time.
   if (state_ == State::kAsking || state_ == State::kBeginning) {
     answers_owed_ = 0;
     return enter(State::kAsking);
   }
   if (state_ == State::kStopping) return fail(std::move(trouble_));
-  // The job is driven, and a reset ends the numbers of lines, too.
+  // The job is complete, and a reset ends the numbering of lines, too.
   if (state_ == State::kEnding) return enter(State::kDone);
   fail("the controller has restarted");
 }
 
-/// Counts answers: the first is for the oldest line.
+/// Counts answers: each is for the oldest line in flight.
 void Sender::take_plain(const Answer& answer) {
   switch (state_) {
     case State::kAsking:
@@ -147,7 +148,7 @@ void Sender::take_plain(const Answer& answer) {
       if (answers_owed_ == 0) take_options();
       return;
     case State::kBeginning:
-      // Of a line that has a number and a check, a Grbl only says that it is wrong.
+      // To a line with a number and a check, a Grbl only answers that the line is wrong.
       if (answer.kind != AnswerKind::kOk || !answer.checked || answer.line != first_n_ - 1) {
         if (answer.kind == AnswerKind::kError && questions_ >= kMostRefused) {
           fail("the controller knows no checked lines: send without --checked");
@@ -159,7 +160,7 @@ void Sender::take_plain(const Answer& answer) {
     case State::kEnding:
       return take_end(answer);
     case State::kSending:
-      if (answered_ == next_) return;  // No line waits for one.
+      if (answered_ == next_) return;  // No line waits for an answer.
       if (answer.kind == AnswerKind::kError) refused(answered_, answer);
       return answered_until(answered_ + 1);
     default:
@@ -167,15 +168,15 @@ void Sender::take_plain(const Answer& answer) {
   }
 }
 
-/// Believes nothing but what its CRC confirms; an answer is one for all lines before it, too.
+/// Ignores an answer without a correct CRC. An answer to a line also answers all lines before it.
 void Sender::take_checked(const Answer& answer) {
   if (!answer.checked) return;
   const bool resend = answer.kind == AnswerKind::kResend;
   if (!resend && !answer.line) return;
   const std::uint32_t count = resend ? answer.number - 1 : *answer.line;
-  if (count + 1 < first_n_) return;  // Of lines before.
+  if (count + 1 < first_n_) return;  // An answer to lines before begun_.
   const std::size_t taken = begun_ + (count + 1 - first_n_);
-  if (taken > furthest_) return;  // Never sent.
+  if (taken > furthest_) return;  // An answer to a line that was never sent.
   if (taken < answered_ && resend) {
     return stop(fmt::format("the controller wants line {} again, which it has acknowledged",
                             number_in_file(taken)));
@@ -189,7 +190,7 @@ void Sender::take_options() {
   if (told_options_) enter(options_.checked ? State::kBeginning : State::kSending);
 }
 
-/// Also of lines that were to be sent again.
+/// Marks all lines before `line` as answered, including lines that were to be sent again.
 void Sender::answered_until(std::size_t line) {
   for (; answered_ < line && !sizes_.empty(); ++answered_) {
     on_their_way_ -= sizes_.front();

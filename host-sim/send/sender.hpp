@@ -15,86 +15,90 @@
 namespace sim {
 
 struct SendOptions {
-  bool checked = false;  ///< Lines with number and CRC; else plain ones, as for any Grbl.
-  /// Bytes on their way at most. 0 stands for the free space that the controller announces; for
-  /// checked lines, which are all repeated after a damaged one, for the least that keeps a serial
-  /// line full.
+  bool checked = false;  ///< Lines have number and CRC; else they are plain, as for any Grbl.
+  /// Greatest number of bytes in flight. 0 stands for the free space that the controller announces.
+  /// For checked lines, all of which are repeated after a damaged one, 0 stands for the smallest
+  /// window that keeps a serial line busy.
   std::size_t window = 0;
   bool goes_on_after_errors = false;
-  /// Resets a controller that is held, to resume an interrupted job.
+  /// Resets a controller that is held, so that an interrupted job can be resumed.
   bool takes_up = false;
-  /// A controller in alarm takes these lines: questions, other `$` statements, `$X` first.
+  /// The lines are sent although the controller is in alarm, as it takes them in that state:
+  /// questions, other `$` statements, `$X` first.
   bool rests_in_alarm = false;
-  std::uint32_t most_number = 9'999'999;  ///< Of a line; the count restarts after it.
+  std::uint32_t most_number = 9'999'999;  ///< Greatest number; after it the numbers restart.
 };
 
 /// The sender's half of the conversation with a Grbl controller, without a port and without a
-/// clock. The owner of both hands over the bytes that arrived, takes those to be written, and
-/// gives the time in milliseconds since any instant.
+/// clock. The owner of port and clock hands over the bytes that arrived, takes the bytes to be
+/// written, and passes the time in milliseconds since any fixed instant.
 ///
-/// Lines are counted by characters, so that the controller always has some waiting. When all are
-/// answered and the machine stands still, the job is done. However a job ends early, the
-/// controller is reset: at standstill, and at once in states in which a hold does nothing.
+/// Characters of lines are counted, so that the controller always has some lines waiting. The job
+/// is done when all lines are answered and the machine is at rest. If a job ends early for any
+/// reason, the controller is reset: when the machine is at rest, or at once in states in which a
+/// hold does nothing.
 class Sender {
  public:
   using Time = std::chrono::milliseconds;
   enum class State : std::uint8_t {
-    kMeeting,    ///< Waits for any word.
-    kAsking,     ///< For its free space; and it must be idle.
-    kBeginning,  ///< With checked lines.
+    kMeeting,    ///< Waits for the controller's first report or banner.
+    kAsking,     ///< Asks the controller for its free space; the controller must be idle.
+    kBeginning,  ///< Begins checked lines.
     kSending,
-    kWaiting,   ///< For standstill.
-    kEnding,    ///< With checked lines, at standstill: from here on a damaged byte may be a reset.
-    kStopping,  ///< Held, then reset: nothing of the job is left to go on.
+    kWaiting,   ///< Waits until the machine is at rest.
+    kEnding,    ///< Ends checked lines at rest. From here on, a damaged byte may act as a reset.
+    kStopping,  ///< Holds, then resets, so that nothing of the job is left to continue.
     kDone,
-    kFailed,  ///< trouble() says why.
+    kFailed,  ///< trouble() has the reason.
   };
 
   Sender(JobPart job, SendOptions options, Time now);
   Sender(const std::vector<JobLine>& job, SendOptions options, Time now);
 
   void receive(std::string_view bytes, Time now);
-  /// Acts on the time that has passed; to be called every few milliseconds at least.
+  /// Acts on the time that has passed. Must be called every few milliseconds at least.
   void attend(Time now);
   void lose_link(std::string why = "the link is gone") { fail(std::move(why)); }
 
-  /// Realtime bytes for a link that carries them apart from lines; else output() has them.
+  /// Returns realtime bytes for a link that carries them apart from lines. On other links output()
+  /// includes them.
   [[nodiscard]] std::string_view realtime() const { return realtime_; }
-  /// Drops `count` of them, which the link has carried.
+  /// Drops `count` bytes of realtime(), which the link has sent.
   void acted(std::size_t count) { realtime_.erase(0, count); }
 
-  /// The next bytes to be written, no more than the rest of a line; empty for none.
+  /// Returns the next bytes to be written, at most the rest of one line; empty if there are none.
   [[nodiscard]] std::string_view output();
   /// Drops `count` bytes of output(), which were written.
   void wrote(std::size_t count);
 
-  // The operator.
+  // Requests of the operator.
   void hold();
   void resume();
-  /// Asks for a full report, once; for a controller that has one.
+  /// Asks once for a full report, which only some controllers have.
   void ask_full_report() { put_realtime('\x87'); }
-  /// Ends the job: holds, and resets at standstill, or at once where a hold does nothing.
+  /// Ends the job: holds, and resets when the machine is at rest, or resets at once in a state in
+  /// which a hold does nothing.
   void abort(std::string why = "aborted") { stop(std::move(why)); }
 
   [[nodiscard]] State state() const { return state_; }
   [[nodiscard]] bool over() const { return state_ == State::kDone || state_ == State::kFailed; }
   [[nodiscard]] const std::string& trouble() const { return trouble_; }
   [[nodiscard]] const std::string& machine_state() const { return machine_state_; }
-  /// Share of the job's lines that were answered, 0…1.
+  /// Returns the share of the job's lines that were answered, 0…1.
   [[nodiscard]] double progress() const;
   [[nodiscard]] std::size_t answered() const { return answered_; }
-  /// The line of the file that comes next; 0 behind the last.
+  /// Returns the line of the file that comes next; 0 after the last line.
   [[nodiscard]] std::size_t file_line() const {
     return answered_ < job_.size() ? number_in_file(answered_) : 0;
   }
   [[nodiscard]] std::size_t resent() const { return resent_; }
   [[nodiscard]] std::size_t errors() const { return errors_; }
 
-  /// Gets every line in both directions: '>' or '<', and the line.
+  /// Called with each line in both directions: '>' for sent or '<' for received, and the line.
   std::function<void(char, std::string_view)> on_line;
 
  private:
-  // The other end's words, in sender.cpp.
+  // Lines from the controller, in sender.cpp.
   void take_line(std::string_view line);
   void meet(const Answer& answer);
   void take_status(const Answer& answer);
@@ -106,7 +110,7 @@ class Sender {
   void take_end(const Answer& answer);
   void refused(std::size_t line, const Answer& answer);
 
-  // Writing, in sender_lines.cpp.
+  // Lines to the controller, in sender_lines.cpp.
   void ask();
   void begin();
   void send_lines();
@@ -141,42 +145,42 @@ class Sender {
   SendOptions options_;
   State state_ = State::kMeeting;
   Time now_;
-  Time entered_;   ///< When this state began,
-  Time asked_;     ///< when its question was put last,
-  Time polled_;    ///< when a status was,
-  Time moved_;     ///< when something was answered or sent again,
-  Time heard_;     ///< and when anything was heard.
-  Time wished_{};  ///< When the operator's wish was last said.
+  Time entered_;   ///< When the current state began.
+  Time asked_;     ///< When the question of the current state was last sent.
+  Time polled_;    ///< When a status report was last requested.
+  Time moved_;     ///< When a line was last answered or sent again.
+  Time heard_;     ///< When anything was last received.
+  Time wished_{};  ///< When the operator's request was last sent.
   unsigned questions_ = 0;
   std::string trouble_;
-  std::string message_;  ///< The last `[MSG:`, which explains the error after it.
+  std::string message_;  ///< The last `[MSG:`; explains the error after it.
   std::string incoming_;
   std::deque<std::string> lines_out_;
   std::size_t line_out_written_ = 0;
-  std::string realtime_;      ///< Bytes that are to act,
-  std::string realtime_out_;  ///< and those on their way between the lines, as they are written.
+  std::string realtime_;      ///< Realtime bytes to be sent.
+  std::string realtime_out_;  ///< Realtime bytes in the form in which they are sent between lines.
 
-  std::size_t next_ = 0;           ///< The line to be sent.
-  std::size_t furthest_ = 0;       ///< All before it were sent once.
-  std::size_t answered_ = 0;       ///< All before it are.
-  std::deque<std::size_t> sizes_;  ///< Of the lines from answered_ to next_, in bytes,
-  std::size_t on_their_way_ = 0;   ///< and their sum.
-  std::size_t begun_ = 0;          ///< The line with which checked ones began,
-  std::uint32_t first_n_ = 1;      ///< and its number.
+  std::size_t next_ = 0;           ///< Index of the next line to be sent.
+  std::size_t furthest_ = 0;       ///< All lines before this index were sent at least once.
+  std::size_t answered_ = 0;       ///< All lines before this index were answered.
+  std::deque<std::size_t> sizes_;  ///< Bytes of each line from answered_ to next_.
+  std::size_t on_their_way_ = 0;   ///< Sum of sizes_.
+  std::size_t begun_ = 0;          ///< Index of the line with which checked lines began.
+  std::uint32_t first_n_ = 1;      ///< Number of the line at begun_.
   std::size_t resent_ = 0;
   std::size_t errors_ = 0;
-  std::size_t room_ = 0;                   ///< For lines, as the controller told it.
-  std::optional<std::uint32_t> room_now_;  ///< In the last status.
+  std::size_t room_ = 0;                   ///< Free space for lines, as announced, bytes.
+  std::optional<std::uint32_t> room_now_;  ///< Free space in the last status report, bytes.
   Time room_told_{};
   bool numbers_lines_ = false;  ///< Checked lines have begun.
   bool told_options_ = false;
   bool said_reset_ = false;
-  unsigned answers_owed_ = 0;  ///< To questions.
+  unsigned answers_owed_ = 0;  ///< Answers to questions that have not arrived.
   bool wants_hold_ = false;
   bool wants_resume_ = false;
   unsigned idle_reports_ = 0;
-  unsigned reports_ = 0;  ///< Of the machine since this state began.
-  bool moves_ = false;    ///< In the last of them.
+  unsigned reports_ = 0;  ///< Status reports since the current state began.
+  bool moves_ = false;    ///< The last status report has a feed that is not 0.
   std::string machine_state_;
 };
 

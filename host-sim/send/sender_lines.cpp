@@ -9,7 +9,8 @@ namespace sim {
 namespace {
 
 constexpr std::size_t kGrblRoom = 128;
-/// Of a serial line at 115,200 baud 22 ms, longer than adapters keep answers back.
+/// On a serial line at 115,200 baud these bytes take 22 ms, which is longer than adapters delay
+/// answers.
 constexpr std::size_t kCheckedWindow = 256;
 
 }  // namespace
@@ -25,7 +26,8 @@ void Sender::ask() {
 void Sender::begin() {
   ++questions_;
   asked_ = now_;
-  // Only Kerfline knows such lines; the number that it announced may be damaged.
+  // Only Kerfline knows checked lines, so its buffer size is known. The size that it announced may
+  // be damaged.
   room_ = cnc::Receiver::kAdvertisedBytes;
   begun_ = answered_;
   const std::uint32_t n = begun_ < job_.size() ? job_[begun_].n : 1U;
@@ -60,7 +62,7 @@ void Sender::send_lines() {
   while (next_ < job_.size()) {
     if (numbers_lines_ && number_of(next_) > options_.most_number) break;
     std::string line = text_of(next_);
-    // A line that is longer than the window goes alone.
+    // A line that is longer than the window is sent alone.
     const std::size_t size = line.size() + 1;
     if (next_ != answered_ && on_their_way_ + size >= window()) return;
     sizes_.push_back(size);
@@ -73,7 +75,7 @@ void Sender::send_lines() {
   enter(State::kWaiting);
 }
 
-/// Lines that have not been written yet are dropped.
+/// Sends again from `line` on. Lines that have not been written yet are dropped.
 void Sender::go_back(std::size_t line) {
   while (lines_out_.size() > (line_out_written_ > 0 ? 1U : 0U)) lines_out_.pop_back();
   resent_ += next_ - line;
@@ -89,14 +91,16 @@ void Sender::put(std::string line) {
   lines_out_.push_back(std::move(line) + "\n");
 }
 
-/// Where lines are checked a single byte may be a damaged one, so a pair is sent, after the end of
-/// a line that may have lost its own: within a line no byte acts. A question does no harm.
+/// Returns a realtime byte in the form in which it is sent between lines. With checked lines a
+/// single byte may be a damaged one, so the byte is sent twice. A line end precedes the pair,
+/// because the last line may have lost its own end, and no byte acts within a line. A question does
+/// no harm, so it is sent as a single byte.
 std::string Sender::between_lines(char byte) const {
   if (!numbers_lines_ || byte == '?') return {byte};
   return {'\n', byte, byte};
 }
 
-/// Between two lines, so that none is spoiled by what is not part of it.
+/// Realtime bytes are returned only between two lines, so that they spoil no line.
 std::string_view Sender::output() {
   if (line_out_written_ == 0) {
     for (const char byte : realtime_) realtime_out_ += between_lines(byte);

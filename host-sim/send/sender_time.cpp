@@ -10,16 +10,18 @@ constexpr Time kPollPeriod{200};
 constexpr Time kStopPollPeriod{50};
 constexpr Time kFirstPoll{300};
 constexpr Time kMeetingLimit{10'000};
-/// A status is answered at once in every state; Grbl itself is silent while it homes.
+/// A controller answers a status request at once in every state, except that Grbl is silent while
+/// it homes.
 constexpr Time kSilenceLimit{20'000};
 constexpr Time kAskPeriod{2000};
 constexpr Time kBeginPeriod{300};
 constexpr unsigned kMostQuestions = 20;
-/// Time after the last answer after which lines may have been lost,
+/// Time since the last answer after which several lines may have been lost.
 constexpr Time kStall{60};
-/// and for a single line, which may be waiting for the machine.
+/// Time since the last answer after which a single line may have been lost. It is longer because
+/// the line may be waiting for the machine.
 constexpr Time kStallOfOne{1000};
-/// A wish that no report has confirmed for this long is said again.
+/// A request of the operator is repeated if no report has confirmed it within this time.
 constexpr Time kPatience{250};
 /// Longer than an answer to any question takes.
 constexpr Time kDeaf{300};
@@ -50,7 +52,7 @@ void Sender::attend_silence() {
   if (state_ != State::kMeeting && since(heard_) > kSilenceLimit) fail("the controller is silent");
 }
 
-/// Repeats a wish until a report shows that it was heard.
+/// Repeats a request of the operator until a report shows that the controller received it.
 void Sender::attend_wishes() {
   if (state_ == State::kStopping) attend_stop();
   if (over() || since(wished_) < kPatience) return;
@@ -58,8 +60,9 @@ void Sender::attend_wishes() {
   if (wants_resume_) resume();
 }
 
-/// Resets as soon as that costs no position, and where a machine does not come to rest. The first
-/// report of a stop may have been on its way before the hold.
+/// Resets as soon as a reset keeps the position, or if the machine does not come to rest in time.
+/// The first report that shows the machine at rest may have been sent before the hold, so two
+/// reports are needed.
 void Sender::attend_stop() {
   constexpr Time kLongestBraking{10'000};
   constexpr Time kLongestReset{2'000};
@@ -74,8 +77,9 @@ void Sender::attend_stop() {
   put_realtime('\x18');
 }
 
-/// The last line may have lost its end, and all that follows would be part of it, questions too.
-/// Lines are not sent again for that: a machine on hold takes none, and they would fill the link.
+/// Sends an empty line. The last line may have lost its end, and all that follows, questions
+/// included, would become part of it. The lines themselves are not sent again here: a machine on
+/// hold takes no lines, and they would fill the link.
 void Sender::end_line_again() {
   const bool sends = state_ == State::kSending && numbers_lines_ && lines_out_.empty();
   const bool waits = state_ == State::kWaiting || state_ == State::kStopping || sends;
@@ -84,14 +88,14 @@ void Sender::end_line_again() {
   put("");
 }
 
-/// Lines of which the controller has none waiting, and no answer comes: they, or the request
-/// for them, or the answers were lost.
+/// Sends lines again that have no answer although the controller has no line waiting. Either the
+/// lines, the request to repeat them, or the answers were lost.
 void Sender::attend_losses() {
   if (next_ == answered_) return;
   const Time stall = next_ - answered_ == 1 ? kStallOfOne : kStall;
   if (since(moved_) < stall || !lines_out_.empty()) return;
   const bool told = room_told_ > moved_ + stall / 2 && room_now_;
-  // A report may be damaged, but nothing waits where nothing is done.
+  // A report may be damaged, but a machine that reports idle more than once has no line waiting.
   if (told && (*room_now_ >= room_ || idle_reports_ > 1)) return go_back(answered_);
   if (!room_now_ && since(moved_) > 2 * kStallOfOne) return go_back(answered_);
   if (!told && since(polled_) >= kStall) {
@@ -100,12 +104,13 @@ void Sender::attend_losses() {
   }
 }
 
-/// Questions and their answers may be lost, too.
+/// Repeats a question: the question or its answer may be lost, too.
 void Sender::repeat_question() {
   const bool asks = state_ == State::kAsking;
   const bool begins = state_ == State::kBeginning || state_ == State::kEnding;
   if (!asks && !begins) return;
-  // Some answers were lost with what a controller does not hear while it starts.
+  // Some answers were lost together with bytes that the controller did not receive while it
+  // started.
   if (asks && told_options_ && since(moved_) > kStallOfOne) return take_options();
   if (since(asked_) < (asks ? kAskPeriod : kBeginPeriod)) return;
   if (questions_ >= kMostQuestions) return fail("the controller does not answer as one should");

@@ -18,7 +18,8 @@ namespace {
 
 constexpr double kNanometresPerMillimetre = 1.0e6;
 
-/// `1.000,2.000,…` in mm or inches; axes that are missing keep their value.
+/// Reads a position such as `1.000,2.000,…` in mm or inches. Axes that are missing keep their
+/// value.
 void read_position(std::string_view text, bool inches, cnc::Position& position) {
   for (std::size_t axis = 0; axis < cnc::kAxisCount && !text.empty(); ++axis) {
     double value = 0.0;
@@ -33,7 +34,8 @@ void read_position(std::string_view text, bool inches, cnc::Position& position) 
   }
 }
 
-/// Modes that decide where a program goes. `[GC:` has others, too, such as M and F.
+/// Returns whether a mode decides where the path of a program goes. `[GC:` also has other modes,
+/// such as M and F.
 bool decides_path(std::string_view word) {
   constexpr std::array<std::string_view, 17> kWords{"G0",
                                                     "G1",
@@ -56,7 +58,7 @@ bool decides_path(std::string_view word) {
 }
 
 void interpret(cnc::gcode::Interpreter& reader, const std::string& line) {
-  static_cast<void>(reader.interpret(line).ok());  // A foreign controller may have other words.
+  static_cast<void>(reader.interpret(line).ok());  // Another controller may have other words.
 }
 
 }  // namespace
@@ -83,11 +85,11 @@ void StandpointReading::read_setting(std::string_view line) {
     static_cast<void>(settings_.set(change.number, change.value).ok());
     if (change.number == cnc::setting::kBlockDelete) block_delete_ = change.value != 0.0F;
   } catch (const std::invalid_argument&) {
-    // Another statement.
+    // The line is another statement.
   }
 }
 
-/// `[G54:1.000,2.000,3.000]`, `[TLO:0.000]`.
+/// Reads an offset such as `[G54:1.000,2.000,3.000]` or `[TLO:0.000]`.
 void StandpointReading::read_place(std::string_view line) {
   const std::size_t colon = line.find(':');
   if (colon == std::string_view::npos) return;
@@ -107,7 +109,7 @@ void StandpointReading::read_place(std::string_view line) {
   if (name == "TLO") {
     cnc::Position lengths{};
     read_position(value, inches, lengths);
-    const bool one = value.find(',') == std::string_view::npos;  // Else one for each axis.
+    const bool one = value.find(',') == std::string_view::npos;  // Else one value for each axis.
     tool_length_ = lengths[one ? 0 : 2];
   }
 }
@@ -121,7 +123,7 @@ void StandpointReading::read_status(std::string_view line) {
     std::from_chars(mask.data(), mask.data() + mask.size(), axes);
     homed_ = static_cast<std::uint8_t>(axes);
     const auto pins =
-        status_field(line, "|Pn:");  // Kerfline's full report, which has block delete.
+        status_field(line, "|Pn:");  // Only Kerfline's full report includes block delete.
     block_delete_ = pins && pins->find('L') != std::string_view::npos;
   }
 }

@@ -10,12 +10,12 @@
 
 namespace sim {
 
-/// Reads the state of a controller from its answers to `$$`, `$#`, `$G` and `?`: Grbl's, and the
-/// fields of Kerfline's full report (0x87). A controller that does not report block delete ($890)
-/// drives lines with /, as Grbl does.
+/// Reads the state of a controller from its answers to `$$`, `$#`, `$G` and `?`: those of Grbl, and
+/// the fields of Kerfline's full report (0x87). A controller that does not report block delete
+/// ($890) is taken to drive lines with /, as Grbl does.
 class StandpointReading {
  public:
-  /// The lines that ask for it.
+  /// Returns the lines that ask for the state.
   [[nodiscard]] static std::vector<JobLine> questions();
 
   void read(std::string_view line);
@@ -32,7 +32,7 @@ class StandpointReading {
   cnc::Position position_{};
   cnc::Position g92_{};
   cnc::Coordinate tool_length_{};
-  std::string modes_;  ///< Words of `[GC:`.
+  std::string modes_;  ///< Words of the last `[GC:` line.
   std::uint8_t homed_ = 0;
 };
 

@@ -5,8 +5,8 @@
 
 namespace sim {
 
-/// Returns the content of a field of a status report, given as `|NAME:`; nothing where the report
-/// has no such field.
+/// Returns the content of a field of a status report; nothing if the report has no such field.
+/// @param name start of the field, in the form `|NAME:`
 [[nodiscard]] inline std::optional<std::string_view> status_field(std::string_view report,
                                                                   std::string_view name) {
   const std::size_t begin = report.find(name);

@@ -10,27 +10,28 @@
 
 namespace sim {
 
-/// The state that a controller reports before a job begins in its midst.
+/// The state that a controller reports before a job begins at one of its middle lines.
 struct Standing {
   bool laser = false;
   bool in_alarm = false;
-  std::uint32_t line = 0;  ///< Of a job, from 1; 0 for none that was interrupted.
-  bool known = false;      ///< And the machine's position is known.
+  std::uint32_t line = 0;  ///< Interrupted line of the job, from 1; 0 for none.
+  bool known = false;      ///< The interrupted line and the machine's position are known.
 
   /// Reads a line of the controller.
   void read(std::string_view words);
 };
 
-/// The lines that ask for it. @param resume the job was interrupted, else it begins anywhere
+/// Returns the lines that ask for the Standing.
+/// @param resume whether an interrupted job is resumed; otherwise the job begins at any line
 [[nodiscard]] std::vector<JobLine> standing_questions(bool resume);
 
-/// Where the controller was interrupted: an index of a line. Throws std::invalid_argument where
-/// that is of no use.
+/// Returns the index of the line at which the controller was interrupted. Throws
+/// std::invalid_argument if the job cannot be resumed there.
 [[nodiscard]] std::size_t interrupted_at(const JobLines& job, const Standing& standing);
 
-/// The lines that bring the machine to line `index`, with which the job begins, and the word that
-/// has to stand before that line. Throws as approach_to().
-/// @param resume the path is driven, beam off, up to where the beam went out
+/// Returns the lines that bring the machine to line `index`, at which the job begins, and the word
+/// to put in front of that line. Throws as approach_to() does.
+/// @param resume the path up to the point where the beam went off is driven with the beam off
 [[nodiscard]] Approach lines_before(const JobLines& job,
                                     std::size_t index,
                                     const Standing& standing,

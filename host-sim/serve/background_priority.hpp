@@ -5,8 +5,8 @@
 
 namespace sim {
 
-/// Lets the loop of the server go before this thread where processors are few. A system that
-/// refuses it costs nothing but time.
+/// Lowers the priority of this thread, so that the server's loop runs first on a machine with few
+/// processors. If the system refuses, only time is lost.
 inline void work_in_background() {
   constexpr int kNice = 10;
   static_cast<void>(::setpriority(PRIO_PROCESS, static_cast<id_t>(::gettid()), kNice));

@@ -12,12 +12,13 @@
 
 namespace sim {
 
-/// Work that takes time, in a thread of its own, for a loop that must not wait: from copies, one
-/// result at a time. Work that is abandoned goes on until it sees that it was cancelled.
+/// Runs work that takes time in a thread of its own, for a loop that must not wait. The work uses
+/// copies of its inputs, and there is one result at a time. Abandoned work continues until it sees
+/// that it was cancelled.
 template <typename Result>
 class BackgroundTask {
  public:
-  /// Must not throw.
+  /// The work must not throw.
   using Work = std::function<Result(const std::atomic<bool>& cancelled)>;
 
   BackgroundTask() = default;
@@ -26,7 +27,7 @@ class BackgroundTask {
   /// Cancels all work and waits for it.
   ~BackgroundTask() { abandon(); }
 
-  /// Abandons the work before it.
+  /// Abandons earlier work and starts `work` in a new thread.
   void start(Work work) {
     abandon();
     std::erase_if(threads_, [](const Running& one) { return one.shared->done.load(); });
@@ -42,7 +43,7 @@ class BackgroundTask {
     current_.reset();
   }
   [[nodiscard]] bool running() const { return current_ != nullptr; }
-  /// The result, once; nothing while there is none.
+  /// Returns the result of the work once; nothing while there is no result.
   [[nodiscard]] std::optional<Result> take() {
     if (!current_ || !current_->done) return std::nullopt;
     const std::shared_ptr<Shared> finished = std::exchange(current_, nullptr);
@@ -61,7 +62,7 @@ class BackgroundTask {
   };
 
   std::shared_ptr<Shared> current_;
-  std::vector<Running> threads_;  ///< Also of abandoned work.
+  std::vector<Running> threads_;  ///< Threads of the current work and of abandoned work.
 };
 
 }  // namespace sim

@@ -8,15 +8,17 @@
 
 namespace sim {
 
-/// First in, first out, of any length, in blocks: no byte moves however many come, so that a
-/// thread that must not be late can keep megabytes.
+/// A queue of bytes (first in, first out) of any length, in blocks. No byte is moved as the queue
+/// grows, so that a thread that must not be late can keep megabytes.
 ///
-/// Some blocks are kept ready, and have been touched before: where the system has to find memory
-/// for each 4 KiB first, the loop reads at a quarter of its speed, on virtual machines above all.
+/// Some blocks are kept ready, with all their memory pages already touched. Otherwise the system
+/// has to find memory for each 4 KiB first, and the loop reads at a quarter of its speed, above all
+/// on virtual machines.
 class ByteBlocks {
  public:
   static constexpr std::size_t kBlock = std::size_t{1} << 20;
-  /// Blocks that are kept ready: twice the 4 MiB that a sender's system may hold back.
+  /// Blocks that are kept ready: twice the 4 MiB that the operating system of a sender may hold
+  /// back.
   static constexpr std::size_t kReady = 8;
 
   /// @throw std::bad_alloc
@@ -26,12 +28,12 @@ class ByteBlocks {
 
   /// @throw std::bad_alloc
   void append(std::span<const char> bytes);
-  /// The oldest bytes as far as they lie together; empty only when all is empty.
+  /// Returns the oldest bytes as far as they are contiguous; empty only if the queue is empty.
   [[nodiscard]] std::span<const char> front() const;
   /// @pre count is at most front().size()
   void pop(std::size_t count);
   void clear();
-  /// A copy of all.
+  /// Returns a copy of all bytes.
   [[nodiscard]] std::string text() const;
 
  private:
@@ -41,7 +43,7 @@ class ByteBlocks {
 
   std::deque<Block> blocks_;
   std::vector<Block> ready_;
-  std::size_t begin_ = 0;  ///< In the first block.
+  std::size_t begin_ = 0;  ///< Position of the oldest byte in the first block.
   std::size_t size_ = 0;
 };
 

@@ -6,7 +6,7 @@
 
 namespace sim {
 
-/// Whoever has a session, until it is over.
+/// The connection of the host that has a session, until the session is over.
 class CanTransport::Sender final : public Connection {
  public:
   explicit Sender(CanTransport& transport)
@@ -29,7 +29,7 @@ class CanTransport::Sender final : public Connection {
     return talks();
   }
   void end() override {}
-  void add_to(std::vector<pollfd>&, Wishes) const override {}  // The bus wakes us anyway.
+  void add_to(std::vector<pollfd>&, Wishes) const override {}  // The bus wakes the loop anyway.
 
  private:
   [[nodiscard]] bool talks() const { return transport_.link_.session() == session_; }
@@ -38,7 +38,7 @@ class CanTransport::Sender final : public Connection {
   std::uint32_t session_;
 };
 
-/// Simulated controllers on one bus differ by the number that they begin with.
+/// Simulated controllers on one bus differ by the number with which they begin.
 CanTransport::CanTransport(std::unique_ptr<CanWire> wire, Controller controller, double speed)
     : wire_{std::move(wire)},
       controller_{std::move(controller)},
@@ -57,12 +57,13 @@ void CanTransport::attend() {
   wire_->carry();
 }
 
-/// Who was away itself, on a machine that had other things to do, cannot tell that others were
-/// silent: they may have waited for the same processor. Nor is a host any quicker because the
-/// controller's time is.
+/// Advances the link's time. A process that was itself away, on a machine that was busy, cannot
+/// know whether the host was silent: the host may have waited for the same processor. So only
+/// kUsual of that time counts as silence. The host also does not become faster when the
+/// controller's time runs faster, so the silence is divided by the speed.
 void CanTransport::pass_time() {
   using std::chrono::microseconds;
-  constexpr microseconds kUsual{2000};  // Somewhat more than a turn.
+  constexpr microseconds kUsual{2000};  // Somewhat more than a cycle.
   const auto looked = Clock::now();
   const auto away = std::chrono::floor<microseconds>(looked - looked_);
   looked_ += away;

@@ -10,15 +10,17 @@
 
 namespace sim {
 
-/// The served controller as a node of a CAN bus: the link that runs on the controller, on the
-/// clock of this machine.
+/// The served controller as a node of a CAN bus. It runs the link of the controller's firmware
+/// (cnc::CanLink) on the clock of this machine.
 class CanTransport final : public Transport {
  public:
-  /// What the link has to know of the controller, asked for at each look, and to do with it.
+  /// Functions through which the link reads the controller's state, each time that the link is
+  /// attended, and changes the controller.
   struct Controller {
     std::function<cnc::CanLink::Condition()> condition;
-    std::function<std::uint8_t()> node;            ///< Its setting.
-    std::function<bool(std::uint8_t)> store_node;  ///< As its setting; false: not now.
+    std::function<std::uint8_t()> node;            ///< Returns the node number from the settings.
+    std::function<bool(std::uint8_t)> store_node;  ///< Stores the node number in the settings;
+                                                   ///< returns false if that is impossible now.
   };
 
   /// @param speed controller seconds per second
@@ -27,7 +29,7 @@ class CanTransport final : public Transport {
   [[nodiscard]] std::unique_ptr<Connection> accept() override;
   void add_to(std::vector<pollfd>& descriptors) const override { wire_->add_to(descriptors); }
   [[nodiscard]] std::string_view kind() const override { return wire_->kind(); }
-  /// With the node: `LINK node 17`.
+  /// Returns the address of the bus and the node number: `LINK node 17`.
   [[nodiscard]] std::string address() const override;
   [[nodiscard]] bool take_stop() override;
 
@@ -44,8 +46,8 @@ class CanTransport final : public Transport {
   cnc::CanLink link_;
   double speed_;
   Clock::time_point looked_ = Clock::now();
-  hal::TickCount now_{};        ///< What has passed for the link.
-  std::uint32_t accepted_ = 0;  ///< The session of the last sender.
+  hal::TickCount now_{};        ///< Time that has passed for the link.
+  std::uint32_t accepted_ = 0;  ///< Number of the last sender's session.
 };
 
 }  // namespace sim

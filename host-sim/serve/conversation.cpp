@@ -86,7 +86,8 @@ class ConversationReader {
     return {span.begin(), span.end()};
   }
 
-  /// Takes the first word and the blank after it off the front.
+  /// Removes the first word and the blank after it from the front of the line, and returns the
+  /// word.
   static std::string_view take_word(std::string_view& line) {
     const std::size_t blank = std::min(line.find(' '), line.size());
     const std::string_view word = line.substr(0, blank);

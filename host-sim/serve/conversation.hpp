@@ -11,33 +11,34 @@
 
 namespace sim {
 
-/// Some bytes that passed between sender and controller in one turn.
+/// Bytes that passed between sender and controller in one direction in one cycle.
 struct Exchange {
   enum class Kind : char {
-    kHeard = '>',   ///< The controller read them.
-    kSaid = '<',    ///< The controller wrote them.
-    kBeside = '^',  ///< Realtime bytes reached it apart from the stream.
-    kFull = '|',    ///< It had more to write, but the link was full; no bytes.
-    kStop = '!',    ///< An emergency stop came over a bus, apart from the stream; no bytes.
+    kHeard = '>',   ///< The controller read the bytes.
+    kSaid = '<',    ///< The controller wrote the bytes.
+    kBeside = '^',  ///< Realtime bytes reached the controller apart from the stream.
+    kFull = '|',    ///< The controller had more to write, but the link was full; no bytes.
+    kStop = '!',    ///< An emergency stop reached the controller over a bus, apart from the stream;
+                    ///< no bytes.
   };
   Kind kind = Kind::kHeard;
-  std::uint64_t time_ns = 0;  ///< The controller's time.
+  std::uint64_t time_ns = 0;  ///< Time of the controller.
   std::string bytes;
-  std::size_t line = 0;  ///< Of the file it was read from; else 0.
+  std::size_t line = 0;  ///< Line of the recording's file; 0 if it was not read from a file.
 };
 
 /// A surface that was probed.
 struct ProbedSurface {
   double tip_mm = 0.0;  ///< Diameter of the probe's ball.
-  std::string file;     ///< Bytes of the surface's file.
+  std::string file;     ///< Content of the surface's file.
 };
 
-/// The machine that a conversation is had with, as it was at the start.
+/// State at the start of the machine that takes part in a conversation.
 struct ConversationSetting {
   std::vector<SettingChange> settings;
   double probe_plate_z_mm = 0.0;
   std::optional<ProbedSurface> probe_surface{};
-  hal::host::MemoryStore::Records records;  ///< What was stored.
+  hal::host::MemoryStore::Records records;  ///< Records stored in the controller.
 };
 
 /// A conversation between a sender and the controller, kept as text:
@@ -52,23 +53,23 @@ struct ConversationSetting {
 ///     < 121000000 "ok\r\n"
 ///     end 500000000
 ///
-/// `probe_surface` is there if a surface is probed: the diameter of the tip, and the bytes of the
-/// surface's file. `#` begins a comment line. Times are nanoseconds of the controller, whole
-/// turns, and never go back.
+/// The line `probe_surface` is present if a surface is probed. It has the diameter of the tip in mm
+/// and the bytes of the surface's file. `#` begins a comment line. Times are in nanoseconds of the
+/// controller's time. They are whole cycles and never decrease.
 struct Conversation {
   ConversationSetting setting;
   std::vector<Exchange> exchanges;
   std::uint64_t end_ns = 0;
 };
 
-/// The lines in front of the exchanges.
+/// Returns the lines before the exchanges.
 [[nodiscard]] std::string head_text(const ConversationSetting& setting);
 [[nodiscard]] std::string to_text(const Exchange& exchange);
-/// The line that ends the conversation.
+/// Returns the line that ends the conversation.
 [[nodiscard]] std::string end_text(std::uint64_t end_ns);
 [[nodiscard]] std::string to_text(const Conversation& conversation);
 
-/// Throws std::invalid_argument with `name:line: ` and what is wrong.
+/// Throws std::invalid_argument with `name:line: ` and the fault.
 [[nodiscard]] Conversation parse_conversation(std::string_view text, const std::string& name);
 
 }  // namespace sim

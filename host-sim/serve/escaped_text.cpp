@@ -32,7 +32,8 @@ void append(std::string& text, char byte) {
   }
 }
 
-/// Takes what follows a backslash off the front.
+/// Removes the part of an escape after the backslash from the front, and returns the character that
+/// the escape stands for.
 std::optional<char> take_escape(std::string_view& text) {
   if (text.empty()) return {};
   const char letter = text.front();

@@ -6,11 +6,12 @@
 
 namespace sim {
 
-/// Bytes as text in quotation marks: printable ASCII as it is, the others as
-/// `\n`, `\r`, `\t`, `\"`, `\\` or `\xHH`.
+/// Returns bytes as text in quotation marks: printable ASCII unchanged, other bytes as `\n`, `\r`,
+/// `\t`, `\"`, `\\` or `\xHH`.
 [[nodiscard]] std::string escaped(std::string_view bytes);
 
-/// The bytes back; nothing when the text is not of that form.
+/// Returns the bytes of a text in the form of escaped(); nothing if the text does not have that
+/// form.
 [[nodiscard]] std::optional<std::string> unescaped(std::string_view text);
 
 }  // namespace sim

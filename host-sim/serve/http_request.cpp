@@ -6,7 +6,7 @@
 namespace sim {
 namespace {
 
-/// Takes the part before `mark` off the front, and the mark.
+/// Removes the part before `mark`, and the mark, from the front; returns that part.
 std::string_view take_to(std::string_view& text, char mark) {
   const std::size_t end = std::min(text.find(mark), text.size());
   const std::string_view part = text.substr(0, end);
@@ -14,7 +14,7 @@ std::string_view take_to(std::string_view& text, char mark) {
   return part;
 }
 
-/// `%41` is A. Nothing when a digit is missing.
+/// Decodes escapes: `%41` is A. Returns nothing if a digit is missing.
 std::optional<std::string> decoded(std::string_view text) {
   std::string plain;
   for (; !text.empty(); text.remove_prefix(1)) {

@@ -16,7 +16,7 @@ using hal::host::Descriptor;
 
 constexpr int kWaitingSenders = 64;
 
-/// What a connection is not able to is no reason to refuse it.
+/// Sets an option of a socket. A connection is not refused because it lacks an option.
 void set_option(const Descriptor& socket, int level, int option, int value) {
   static_cast<void>(::setsockopt(socket.number(), level, option, &value, sizeof value));
 }
@@ -30,10 +30,11 @@ Descriptor listen_at(InternetAddress& address, std::string_view way) {
   const std::string name = std::string{way} + " " + to_string(address);
   Descriptor listener{
       checked(::socket(AF_INET, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0), name)};
-  // Every connection has it from here. What waits in the kernel keeps a hold waiting.
+  // Every connection inherits this size from the listener. It is small because a hold has to wait
+  // for the bytes that wait in the kernel.
   constexpr int kUnreadBytes = 64 * 1024;
   set_option(listener, SOL_SOCKET, SO_RCVBUF, kUnreadBytes);
-  set_option(listener, SOL_SOCKET, SO_REUSEADDR, 1);  // Else a restart has to wait a minute.
+  set_option(listener, SOL_SOCKET, SO_REUSEADDR, 1);  // Otherwise a restart waits a minute.
   sockaddr_in place{};
   place.sin_family = AF_INET;
   place.sin_port = htons(address.port);
@@ -48,7 +49,7 @@ Descriptor listen_at(InternetAddress& address, std::string_view way) {
 
 std::optional<Descriptor> accept_at(const Descriptor& listener) {
   Descriptor socket{::accept4(listener.number(), nullptr, nullptr, SOCK_NONBLOCK | SOCK_CLOEXEC)};
-  if (socket.number() < 0) return {};  // Nobody, or gone again.
+  if (socket.number() < 0) return {};  // No connection, or one that is closed again.
   constexpr int kSilenceSeconds = 4;
   constexpr int kQuestions = 3;
   set_option(socket, IPPROTO_TCP, TCP_NODELAY, 1);

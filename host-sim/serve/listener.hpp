@@ -8,16 +8,17 @@
 
 namespace sim {
 
-/// Listens for TCP connections. Port 0 becomes the free one that was taken. Throws
-/// std::system_error naming `way` and the address.
+/// Listens for TCP connections. If the port is 0, a free one is taken and written to `address`.
+/// Throws std::system_error naming `way` and the address.
+/// @param way kind of the transport, for messages
 [[nodiscard]] hal::host::Descriptor listen_at(InternetAddress& address, std::string_view way);
 
-/// The next connection, as it suits a conversation: it does not block, small answers leave at
-/// once, and an end that is not there any more is noticed within some ten seconds. Nothing when
-/// nobody waits.
+/// Returns the next connection, set up for a conversation: it does not block, small answers leave
+/// at once, and a lost peer is noticed within about ten seconds. Returns nothing if no connection
+/// waits.
 [[nodiscard]] std::optional<hal::host::Descriptor> accept_at(const hal::host::Descriptor& listener);
 
-/// After a call that failed: whether it only has to be made again, later.
+/// Returns whether the call that failed only has to be repeated later.
 [[nodiscard]] bool is_only_slow();
 
 }  // namespace sim

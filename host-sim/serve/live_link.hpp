@@ -8,27 +8,27 @@
 
 namespace sim {
 
-/// Hears what passes between a sender and the controller, as the controller
-/// reads and writes it.
+/// Receives the bytes that pass between a sender and the controller, as the controller reads and
+/// writes them.
 class LinkListener {
  public:
   virtual void on_read(std::span<const std::byte> bytes) = 0;
   virtual void on_write(std::span<const std::byte> bytes) = 0;
-  /// The controller wanted to write more than there was room for.
+  /// The controller had more bytes to write than the link had capacity for.
   virtual void on_full() = 0;
-  /// A realtime byte reaches the controller beside the link.
+  /// A realtime byte reaches the controller apart from the link.
   virtual void on_beside(std::byte byte) = 0;
-  /// An emergency stop comes beside the link.
+  /// An emergency stop reaches the controller apart from the link.
   virtual void on_stop() = 0;
 
  protected:
   ~LinkListener() = default;
 };
 
-/// The controller's serial line with two queues between it and whoever is
-/// connected. One thread. Nothing is dropped while a sender is connected: a
-/// full queue makes its writer wait. Without a sender the controller talks to
-/// nobody, as on a cable that is plugged in nowhere.
+/// The controller's serial line, with one queue in each direction between the controller and the
+/// connected sender. For one thread. Nothing is dropped while a sender is connected: a full queue
+/// makes its writer wait. Without a sender all output of the controller is lost, as on a cable that
+/// is not plugged in.
 class LiveLink final : public hal::ByteStream {
  public:
   static constexpr std::size_t kIncoming = 4096;
@@ -40,35 +40,37 @@ class LiveLink final : public hal::ByteStream {
 
   // The sender's end.
 
-  /// Somebody listens from now on.
+  /// Starts to keep the controller's output for a sender.
   void connect() { connected_ = true; }
-  /// Forgets what was on its way in both directions.
+  /// Forgets the bytes that are on their way in both directions.
   void disconnect();
   [[nodiscard]] std::size_t room() const { return incoming_.room(); }
-  /// Bytes that the controller has not read.
+  /// Returns the number of bytes that the controller has not read.
   [[nodiscard]] std::size_t waiting() const { return kIncoming - incoming_.room(); }
   /// Forgets the lines that the controller has not read.
   void drop_incoming() { incoming_.clear(); }
   /// @pre bytes.size() is at most room()
   void receive(std::span<const std::byte> bytes);
-  /// A byte that overtakes all others; at most kUrgent at a time, more are dropped.
+  /// Queues a byte that overtakes all others. At most kUrgent such bytes can wait; more are
+  /// dropped.
   void interject(std::byte byte);
-  /// A realtime byte reaches the controller beside the stream: those who listen are to know.
+  /// Reports to the listener that a realtime byte reaches the controller apart from the stream.
   void pass_by(std::byte byte) {
     if (listener_ != nullptr) listener_->on_beside(byte);
   }
-  /// The controller is stopped beside the stream: those who listen are to know.
+  /// Reports to the listener that the controller is stopped apart from the stream.
   void stop_passes_by() {
     if (listener_ != nullptr) listener_->on_stop();
   }
-  /// Nothing waits for the controller.
+  /// Returns whether no byte waits for the controller.
   [[nodiscard]] bool heard_all() const { return incoming_.empty() && urgent_.empty(); }
-  /// What the controller said and nobody has taken yet; as much as lies together.
+  /// Returns bytes that the controller wrote and the sender has not taken yet, as far as they are
+  /// contiguous.
   [[nodiscard]] std::span<const std::byte> outgoing() const { return outgoing_.front(); }
   /// @pre count is at most outgoing().size()
   void taken(std::size_t count) { outgoing_.pop(count); }
 
-  /// Null for nobody; must outlive the link.
+  /// Sets the listener; null for none. The listener must outlive the link.
   void tell(LinkListener* listener) { listener_ = listener; }
 
  private:

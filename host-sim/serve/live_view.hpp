@@ -16,8 +16,8 @@
 
 namespace sim {
 
-/// The view of the watchers: the machine's state some twenty times a second and the path as it
-/// grows, as JSON.
+/// The view that watchers get as JSON: the machine's state about twenty times a second, and the
+/// path as it grows.
 ///
 ///     {"t":1.25,"state":"Run","substate":0,"alarm":0,"mpos":[…],"wco":[…],
 ///      "motors":[…],"feed":1200,"power":0.5,"spindle":500,"overrides":[100,100,100],
@@ -27,28 +27,29 @@ namespace sim {
 ///             "trouble":"","waits":"the end of the job that runs","resume_waits":"…"},
 ///      "path":{"from":17,"points":[x,y,speed,move, …]}}
 ///
-/// Lengths in mm, speeds of the path in mm/s, `feed` in mm/min, `power` the
-/// output 0…1, `move` 0 travel, 1 feed, 2 beam or spindle on. `motors` are
-/// places since power-up, in whose coordinates the path is: a change of machine
-/// coordinates by homing does not move what was drawn. `alarm_text` has the words and the
-/// remedy of the alarm. The `state` of a job is `none`, `loaded`, `running`, `stopped` or `done`;
-/// `line` is the line of its file that comes next, `trouble` the reason for its stop with the
-/// remedy. `waits` is awaited_by_run(), `resume_waits` awaited_by_resume().
+/// Lengths are in mm, speeds of the path in mm/s, `feed` in mm/min. `power` is the output, 0…1.
+/// `move` is 0 for travel, 1 for feed, and 2 for feed with beam or spindle on. `motors` are
+/// positions since power-up, and the path has the same coordinates: a change of machine coordinates
+/// by homing does not move the path that was drawn. `alarm_text` has the description and the remedy
+/// of the alarm. The `state` of a job is `none`, `loaded`, `running`, `stopped` or `done`. `line`
+/// is the line of the job's file that comes next. `trouble` is the reason for the job's stop, with
+/// the remedy. `waits` is awaited_by_run(), and `resume_waits` is awaited_by_resume().
 class LiveView final : public TraceSink {
  public:
   using Clock = std::chrono::steady_clock;
 
-  /// The controller and the job must outlive it.
+  /// @param controller must outlive the view
+  /// @param job must outlive the view
   LiveView(const VirtualController& controller, const ServedJob& job);
 
   void on_row(const TraceRow& row) override { recorder_->on_row(row); }
 
   [[nodiscard]] bool due(Clock::time_point now) const { return now >= next_; }
-  /// Sends the news to the watchers. To be called when due.
+  /// Sends the news to the watchers. To be called when due() returns true.
   void publish(const std::vector<std::shared_ptr<WebSocket>>& watchers,
                std::string_view sender_kind,
                Clock::time_point now);
-  /// The path until now.
+  /// Returns the path up to now.
   [[nodiscard]] Path path_so_far() const;
 
  private:
@@ -65,7 +66,7 @@ class LiveView final : public TraceSink {
   const VirtualController& controller_;
   const ServedJob& job_;
   cnc::AxisArray<float> steps_per_mm_{};
-  std::optional<PathRecorder> recorder_;  ///< Always there.
+  std::optional<PathRecorder> recorder_;  ///< Always has a value.
   std::map<const WebSocket*, Watcher> watchers_;
   std::string last_state_;
   Clock::time_point next_;

@@ -9,18 +9,19 @@
 namespace sim {
 namespace {
 
-// The receiver has capacity for a chunk, whatever it is in the middle of.
+// Bytes that are sorted at a time. The receiver has capacity for them in any state.
 constexpr std::size_t kChunk = 64;
 static_assert(kChunk < cnc::Receiver::kRealBytes);
 
-/// Bytes after which the order of text and realtime bytes may matter: 0xA3, `~` and 0x81.
+/// Returns whether the order of the byte and the text around it may matter: 0xA3, `~` and 0x81.
 bool marks_a_place(char byte) {
   const auto code = static_cast<cnc::RealtimeByte>(byte);
   return code == cnc::RealtimeByte::kToolAcknowledge || code == cnc::RealtimeByte::kCycleStart ||
          code == cnc::RealtimeByte::kCycleStartRaw;
 }
 
-/// The receiver has been given no text behind such a byte when it reports it.
+/// Returns the length of a chunk that ends with the first byte for which marks_a_place() holds. So
+/// the receiver has no text after such a byte when it reports the byte.
 std::size_t length_of_chunk(std::span<const char> bytes) {
   const std::span<const char> chunk = bytes.first(std::min(bytes.size(), kChunk));
   const auto mark = std::find_if(chunk.begin(), chunk.end(), marks_a_place);
@@ -40,7 +41,8 @@ void LookAhead::hear(std::span<const std::byte> bytes, Session& session) {
   receiver_->be_strict(strict);
   std::span<const char> rest = as_chars(bytes);
   while (!rest.empty()) {
-    // Most bytes need no sorting; the last of them tells the receiver where it is.
+    // Most bytes need no sorting. The last byte of such a run goes through the receiver, so that
+    // the receiver knows its position in the line.
     const std::size_t run = strict ? 0 : receiver_->plain_run(rest);
     if (run > kChunk) {
       lines_.append(rest.first(run - 1));
@@ -55,7 +57,8 @@ void LookAhead::hear(std::span<const std::byte> bytes, Session& session) {
   }
 }
 
-/// In the order of the receiver: a reset first, because it has forgotten what came before it.
+/// Acts on realtime bytes in the receiver's order: a reset first, because the receiver has
+/// forgotten all bytes before it.
 void LookAhead::act_on_realtime(Session& session) {
   if (receiver_->take_reset()) {
     lines_.clear();
@@ -74,9 +77,10 @@ void LookAhead::act_on_realtime(Session& session) {
   }
 }
 
-/// In a tool change 0xA3 and the `~` after it part lines that were sent before from those after
-/// them, so they stay among the lines. Where the controller has no capacity for all lines before
-/// 0xA3 it goes ahead of them, for the controller to refuse it.
+/// Keeps a realtime byte among the lines if its position there matters, and returns whether it did.
+/// In a tool change, 0xA3 and the `~` after it separate lines that were sent before from those sent
+/// later. If the controller lacks the capacity for all lines before 0xA3, the byte goes ahead of
+/// them, and the controller refuses it.
 bool LookAhead::keep_in_order(cnc::RealtimeByte command, Session& session) {
   if (!marks_a_place(static_cast<char>(command))) return false;
   keep_lines();

@@ -15,29 +15,31 @@ namespace sim {
 /// Reads a sender's stream ahead of the controller, so that realtime bytes act and a closed
 /// connection is noticed however many lines wait.
 ///
-/// A second `cnc::Receiver` sorts the bytes by the controller's own rules: realtime bytes go
-/// ahead of the lines at once, bytes of lines wait here until the controller has capacity for
-/// them. A reset forgets the lines before it, as it does in the controller. In a tool change 0xA3
-/// and `~` stay where they are among the lines, because they say which lines belong to it.
+/// A second `cnc::Receiver` sorts the bytes by the controller's own rules. Realtime bytes go ahead
+/// of the lines at once. Bytes of lines wait here until the controller has capacity for them. A
+/// reset forgets the lines before it, as it does in the controller. In a tool change, 0xA3 and `~`
+/// keep their position among the lines, because they determine which lines belong to the tool
+/// change.
 class LookAhead {
  public:
-  /// Bytes of lines that wait at most. A sender that is further ahead is to be hung up on:
-  /// its realtime bytes could not be read any more.
+  /// Greatest number of bytes of lines that wait. A sender that is further ahead must be
+  /// disconnected, because its realtime bytes could not be read any more.
   static constexpr std::size_t kMost = std::size_t{64} << 20;
 
   LookAhead();
 
-  /// Sorts what a sender has sent, in order.
+  /// Sorts the bytes that a sender has sent, in order, into realtime bytes and lines.
   void hear(std::span<const std::byte> bytes, Session& session);
   /// Hands lines to the controller as far as its link has capacity.
   void hand_over(Session& session);
 
-  /// Takes all lines, and the beginning of one, instead; realtime bytes among them act.
+  /// Removes and returns all waiting lines, and the beginning of an unfinished line, instead of
+  /// handing them to the controller. Realtime bytes among them act.
   [[nodiscard]] std::string take_lines(Session& session);
 
   [[nodiscard]] std::size_t size() const { return lines_.size(); }
   [[nodiscard]] bool overrun() const { return size() > kMost; }
-  /// Forgets everything: the sender is gone, or another one begins.
+  /// Forgets all bytes: the sender has gone, or another one begins.
   void forget();
 
  private:
@@ -45,9 +47,10 @@ class LookAhead {
   [[nodiscard]] bool keep_in_order(cnc::RealtimeByte command, Session& session);
   void keep_lines();
 
-  std::unique_ptr<cnc::Receiver> receiver_;  ///< Always there.
+  std::unique_ptr<cnc::Receiver> receiver_;  ///< Never null.
   ByteBlocks lines_;
-  /// Realtime bytes that were kept among the lines, since the controller had heard all of them.
+  /// Realtime bytes that were kept among the lines since the last time that the controller had read
+  /// all lines.
   std::vector<cnc::RealtimeByte> marks_;
 };
 

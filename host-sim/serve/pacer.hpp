@@ -5,14 +5,13 @@
 
 namespace sim {
 
-/// Says how many turns of the main loop, a millisecond of the controller's time
-/// each, are due on the wall clock.
+/// Computes how many cycles of the main loop, of a millisecond of the controller's time each, are
+/// due on the wall clock.
 ///
-/// The controller's time never runs ahead of the wall clock times the speed. A
-/// backlog is caught up in bursts of at most kMostTurns, between which the
-/// caller looks after its senders; what is more than kMostBehind late (the
-/// process was stopped, the machine too slow) is given up, so that it never
-/// races after an hour of sleep.
+/// The controller's time never runs ahead of the wall clock times the speed. A backlog is caught up
+/// in bursts of at most kMostTurns cycles, between which the caller attends to its senders. A
+/// backlog of more than kMostBehind (the process was stopped, or the machine is too slow) is cut to
+/// that time, so that the controller does not race after an hour of sleep.
 class Pacer {
  public:
   using Clock = std::chrono::steady_clock;
@@ -22,9 +21,9 @@ class Pacer {
   /// @param speed controller seconds per second, > 0
   Pacer(double speed, Clock::time_point start) : speed_{speed}, start_{start} {}
 
-  /// How many turns to do now, at most kMostTurns; they count as done.
+  /// Returns the number of cycles to run now, at most kMostTurns, and counts them as run.
   [[nodiscard]] std::uint64_t take_due(Clock::time_point now);
-  /// How long until the next one, ≥ 0.
+  /// Returns the time until the next cycle, ≥ 0.
   [[nodiscard]] Clock::duration until_next(Clock::time_point now) const;
 
  private:
@@ -32,7 +31,7 @@ class Pacer {
 
   double speed_;
   Clock::time_point start_;
-  std::uint64_t done_ = 0;  ///< Turns since start_.
+  std::uint64_t done_ = 0;  ///< Cycles since start_.
 };
 
 }  // namespace sim

@@ -8,14 +8,15 @@
 
 namespace sim {
 
-/// Answers what a page asks for. In the loop's thread; what takes time is left to the work.
+/// Answers the requests of a page, in the thread of the loop. Work that takes time is returned as
+/// WebWork.
 class PageService {
  public:
   using Answer = std::variant<WebReply, WebWork>;
 
-  /// Why a request is refused, by its head alone; nothing when its body may be read.
+  /// Returns why a request is refused, from its head alone; nothing if its body may be read.
   [[nodiscard]] virtual std::optional<WebReply> refusal(const HttpRequest& request) const = 0;
-  /// The answer to a request that was not refused.
+  /// Returns the answer to a request that was not refused.
   [[nodiscard]] virtual Answer answer(HttpRequest request) = 0;
 
  protected:

@@ -21,12 +21,12 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kLongestDeviceName = 64;
 
-/// Also forgets what the end that a sender opens has not read yet.
+/// Makes a terminal raw. Also forgets the bytes that the sender's end has not read yet.
 void make_raw(int terminal) {
   termios mode{};
   checked(::tcgetattr(terminal, &mode), "pty");
   ::cfmakeraw(&mode);
-  ::cfsetspeed(&mode, B115200);  // What a sender expects to read back.
+  ::cfsetspeed(&mode, B115200);  // A sender expects to read this speed back.
   checked(::tcsetattr(terminal, TCSAFLUSH, &mode), "pty");
 }
 
@@ -38,7 +38,8 @@ std::string device_of(int master) {
   return name;
 }
 
-/// Only after it was open once does the kernel report that it is closed.
+/// Opens and closes a device: the kernel reports that a terminal is closed only after it was open
+/// once.
 void open_once(const std::string& device) {
   const Descriptor slave{hal::host::open_file(device, O_RDWR | O_NOCTTY | O_CLOEXEC)};
   checked(slave.number(), device);
@@ -49,7 +50,7 @@ void open_once(const std::string& device) {
 PtyMaster::PtyMaster()
     : master_{checked(::posix_openpt(O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC), "pty")} {
   checked(::grantpt(number()), "pty");
-  make_raw(number());  // Both ends share the mode.
+  make_raw(number());  // Both ends share the terminal's mode.
   checked(::unlockpt(number()), "pty");
   device_ = device_of(number());
   open_once(device_);
@@ -63,7 +64,7 @@ bool PtyMaster::in_use() const {
 
 void PtyMaster::flush() const {
   ::tcflush(number(), TCIOFLUSH);
-  make_raw(number());  // Whatever mode the last sender liked.
+  make_raw(number());  // Undoes the mode that the last sender set.
 }
 
 void PtyLink::point_to(const std::string& device) {
@@ -76,8 +77,8 @@ void PtyLink::point_to(const std::string& device) {
       throw std::invalid_argument(
           fmt::format("--pty {}: there is a file of this name, and it is no link to a pty", path_));
     }
-    // A pty is gone with its server: the link that is left leads nowhere, or to `device`, which has
-    // the number of the pty that is gone.
+    // A pty is gone with its server. A link that is left then leads nowhere, or to `device` if that
+    // has received the number of the old pty.
     const fs::path leads_to = fs::read_symlink(link);
     const bool is_own = leads_to == device || leads_to == device_;
     if (!is_own && fs::exists(leads_to)) {
@@ -95,7 +96,7 @@ void PtyLink::point_to(const std::string& device) {
 }
 
 void PtyLink::remove() const {
-  if (device_.empty()) return;  // A file of that name is not ours.
+  if (device_.empty()) return;  // A file of that name does not belong to this process.
   std::error_code ignored;
   if (fs::read_symlink(path_, ignored) == device_) fs::remove(path_, ignored);
 }
@@ -139,8 +140,9 @@ std::unique_ptr<Connection> PtyTransport::accept() {
   return std::make_unique<Sender>(*this);
 }
 
-/// A sender who keeps the port open is hung up on: its terminal goes, and the
-/// link leads to a new one. After one who closed it, the terminal stays.
+/// Prepares the port for the next sender. A sender that keeps the port open is disconnected: its
+/// terminal is closed, and the link leads to a new one. After a sender that closed the port, the
+/// terminal stays.
 void PtyTransport::release() {
   accepted_ = false;
   try {
@@ -149,7 +151,7 @@ void PtyTransport::release() {
     link_.point_to(fresh->device());
     master_ = std::move(fresh);
   } catch (const std::exception&) {
-    // Without a new terminal or a new link the old one must do.
+    // If no new terminal or link can be made, the old one has to serve.
   }
 }
 

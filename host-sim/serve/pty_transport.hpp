@@ -12,20 +12,20 @@ namespace sim {
 
 /// The controller's end of a pseudo terminal.
 ///
-/// Raw before a sender can write: a terminal that echoes would send the
-/// controller its own greeting back as commands. The other end is not kept
-/// open, so the kernel says when a sender opens and closes it.
+/// The terminal is made raw before a sender can write: a terminal that echoes would send the
+/// controller's own greeting back to it as commands. The sender's end is not kept open here, so
+/// that the kernel reports when a sender opens and closes it.
 class PtyMaster {
  public:
   /// Throws std::system_error.
   PtyMaster();
 
   [[nodiscard]] int number() const { return master_.number(); }
-  /// The device that a sender opens.
+  /// Returns the device that a sender opens.
   [[nodiscard]] const std::string& device() const { return device_; }
-  /// A sender has it open, or left bytes behind.
+  /// Returns whether a sender has the device open, or has left bytes in it.
   [[nodiscard]] bool in_use() const;
-  /// Forgets what was on its way in both directions. Throws std::system_error.
+  /// Forgets the bytes that are on their way in both directions. Throws std::system_error.
   void flush() const;
 
  private:
@@ -33,8 +33,8 @@ class PtyMaster {
   std::string device_;
 };
 
-/// A symbolic link to the pseudo terminal, for senders that want a name that
-/// stays. Removed at the end, if it still is ours.
+/// A symbolic link to the pseudo terminal, for senders that need a fixed name. The destructor
+/// removes the link if it still points to this terminal.
 class PtyLink {
  public:
   explicit PtyLink(std::string path) : path_{std::move(path)} {}
@@ -42,9 +42,9 @@ class PtyLink {
   PtyLink& operator=(const PtyLink&) = delete;
   ~PtyLink() { remove(); }
 
-  /// Points to this device from now on, without a moment in which there is no
-  /// link. Throws std::system_error, or std::invalid_argument when something
-  /// else than the link of a run that has ended has that name.
+  /// Makes the link point to this device from now on; the link exists at every moment meanwhile.
+  /// Throws std::system_error, or std::invalid_argument if the name belongs to anything other than
+  /// a link that an ended run has left.
   void point_to(const std::string& device);
   [[nodiscard]] const std::string& path() const { return path_; }
 
@@ -55,16 +55,16 @@ class PtyLink {
   std::string device_;
 };
 
-/// A serial port that is none. One sender at a time can be told from another
-/// only by its closing the port; two that open it together share it, as they
+/// A serial port that exists only in software. The transport can tell one sender from the next only
+/// because the first closes the port. Two senders that open the port together share it, as they
 /// would a real one.
 class PtyTransport final : public Transport {
  public:
-  /// Throws as PtyLink::point_to().
+  /// Throws as PtyLink::point_to() does.
   explicit PtyTransport(const std::string& link);
 
   [[nodiscard]] std::unique_ptr<Connection> accept() override;
-  /// Nothing: opening the port wakes nobody, so look now and then.
+  /// Adds nothing: no event reports that the port is opened, so the loop has to check now and then.
   void add_to(std::vector<pollfd>&) const override {}
   [[nodiscard]] std::string_view kind() const override { return "pty"; }
   [[nodiscard]] std::string address() const override { return link_.path(); }

@@ -10,10 +10,11 @@ namespace sim {
 namespace {
 
 constexpr std::size_t kSenderPart = std::size_t{64} << 10;
-// Bytes read at a time: some milliseconds' worth, which the machine catches up.
+// Greatest number of bytes read in one go. They take some milliseconds, which the machine catches
+// up.
 constexpr std::size_t kMostAtOnce = std::size_t{4} << 20;
 
-/// No other page can guess it.
+/// Returns a key that no other page can guess.
 std::string fresh_key() {
   std::random_device random;
   return fmt::format("{:08x}{:08x}{:08x}{:08x}", random(), random(), random(), random());
@@ -35,8 +36,8 @@ void Reception::attend(Clock::time_point now) {
   see_off(now);
 }
 
-/// Those that came after the sender had left are accepted before the sender is read, so that its
-/// end has been noticed when they are met.
+/// Returns the new connections. They are accepted before the current sender is read. So, if they
+/// came after that sender had left, its end has been noticed when they are handled.
 std::vector<Reception::Arrival> Reception::accept_all() {
   std::vector<Arrival> arrivals;
   for (const auto& way : ways_in_) {
@@ -54,7 +55,7 @@ std::string_view Reception::sender_kind() const {
   return job_runs() ? kJob : std::string_view{};
 }
 
-/// To a job that runs only a page comes.
+/// Makes an arrival the sender, or refuses it. While a job runs only a page is let in.
 void Reception::meet(Arrival arrival, Clock::time_point now) {
   if (sender_ || (job_runs() && arrival.kind != kPage)) {
     const std::string_view reason = sender_ ? kRefusal : kJobRuns;
@@ -75,7 +76,8 @@ void Reception::meet(Arrival arrival, Clock::time_point now) {
 void Reception::see_off(Clock::time_point now) {
   part_.resize(kSenderPart);
   for (Departing& one : departing_) {
-    // Reading on keeps the kernel from throwing our words away with a reset.
+    // Bytes have to be read on: otherwise the kernel sends a reset, which discards the words sent
+    // to the peer.
     for (std::size_t read = 0; read < kMostAtOnce; read += kSenderPart) {
       if (one.connection->read(part_) == 0) break;
     }
@@ -94,7 +96,8 @@ void Reception::greet(Clock::time_point now) {
   greeted_ = true;
 }
 
-/// Also what comes behind lines that the controller cannot take yet.
+/// Reads the sender's stream, including realtime bytes after lines that the controller cannot take
+/// yet.
 void Reception::carry_in() {
   for (std::byte byte{}; sender_->take_realtime(byte);) session_.act_at_once(byte);
   part_.resize(kSenderPart);
@@ -108,7 +111,7 @@ void Reception::carry_in() {
   look_ahead_.hand_over(session_);
 }
 
-/// Each has its answer, as a sender that counts them expects.
+/// Refuses the sender's lines. Each line has its answer, as a sender that counts answers expects.
 void Reception::refuse_lines() {
   const std::string lines = look_ahead_.take_lines(session_);
   for (auto line = std::count(lines.begin(), lines.end(), '\n'); line > 0; --line) {
@@ -116,7 +119,8 @@ void Reception::refuse_lines() {
   }
 }
 
-/// Words that a page does not take while a job runs must not keep the job waiting.
+/// Carries the controller's output to the sender and the job. While a job runs, output that the
+/// page does not take is dropped for the page, so that the job does not wait.
 void Reception::carry_out(Clock::time_point now) {
   LiveLink& link = session_.link();
   while (!link.outgoing().empty()) {

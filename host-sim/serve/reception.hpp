@@ -13,24 +13,24 @@
 
 namespace sim {
 
-/// Lets one sender at a time at the controller and carries the bytes between them. A sender that
-/// comes meanwhile gets a line with the reason and is hung up on.
+/// Connects one sender at a time to the controller, and carries the bytes between them. A sender
+/// that comes meanwhile gets a line with the reason and is disconnected.
 ///
-/// The sender's stream is always read to its end: its realtime bytes act, and its end is
-/// noticed, however many lines wait. One that is more than 64 MiB ahead is hung up on.
+/// The sender's stream is always read to its end, so that its realtime bytes act and its end is
+/// noticed, however many lines wait. A sender that is more than 64 MiB ahead is disconnected.
 ///
-/// A sender is greeted kGreetAfter after it came: many flush their port just
-/// after opening it. What it sends before waits for the greeting.
+/// A sender is greeted kGreetAfter after its arrival, because many senders flush their port just
+/// after opening it. Bytes that it sends earlier wait for the greeting.
 ///
-/// While a job of the server runs, the job is the sender: of a page that operates the machine
-/// realtime bytes act, its lines are refused, and it may come and go.
+/// While a job of the server runs, the job is the sender. A page that operates the machine may come
+/// and go meanwhile: its realtime bytes act, and its lines are refused.
 ///
 /// A page gets a key in its first line, `[PAGE:…]`, with which it orders jobs over HTTP.
 class Reception {
  public:
   using Clock = std::chrono::steady_clock;
   static constexpr std::chrono::milliseconds kGreetAfter{120};
-  /// Time for a refused sender to read the reason.
+  /// Time that a refused sender has to read the reason.
   static constexpr std::chrono::milliseconds kFarewell{500};
   static constexpr std::string_view kRefusal = "[MSG:Another sender is connected]\r\n";
   static constexpr std::string_view kJobRuns = "[MSG:A job of the page runs]\r\n";
@@ -38,30 +38,30 @@ class Reception {
       "[MSG:More than 64 MiB of lines wait for the machine: the sender is hung up on]\r\n";
   static constexpr std::string_view kOnlyRealtime =
       "[MSG:0: a job runs: only realtime commands act]\r\nerror:8\r\n";
-  /// Kinds of senders: a page, and the job.
+  /// Kinds of senders: a page, and the server's job.
   static constexpr std::string_view kPage = "page";
   static constexpr std::string_view kJob = "job";
 
-  /// The session must outlive it.
+  /// @param session must outlive this object
   explicit Reception(Session& session) : session_{session} {}
 
   void add(std::unique_ptr<Transport> transport) { ways_in_.push_back(std::move(transport)); }
   [[nodiscard]] const std::vector<std::unique_ptr<Transport>>& ways_in() const { return ways_in_; }
-  /// The job that the server may run; must outlive it.
+  /// Sets the job that the server may run. The job must outlive this object.
   void set_job(ServedJob& job) { job_ = &job; }
 
   /// Serves all connections, without blocking.
   void attend(Clock::time_point now);
-  /// Adds the events to wake up for.
+  /// Adds the descriptors and events for which poll() is to wake up.
   void add_to(std::vector<pollfd>& descriptors);
-  /// How the sender came: `pty`, `tcp`, `ws`, `page`, `can`, `slcan`, or `job` for a job without
-  /// an operator; empty when there is none.
+  /// Returns how the sender is connected: `pty`, `tcp`, `ws`, `page`, `can`, `slcan`, or `job` for
+  /// a job without an operator; empty if there is no sender.
   [[nodiscard]] std::string_view sender_kind() const;
-  /// Whether the page with this key controls the machine.
+  /// Returns whether the page with this key controls the machine.
   [[nodiscard]] bool is_operator(std::string_view page_key) const {
     return sender_ && greeted_ && sender_kind_ == kPage && page_key == page_key_;
   }
-  /// A feed hold, which is safe for any operator that sees the machine, with control or without.
+  /// Holds the feed. This is safe for any operator that sees the machine, with control or without.
   void hold() { session_.act_at_once(std::byte{'!'}); }
 
  private:
@@ -72,7 +72,7 @@ class Reception {
   struct Departing {
     std::unique_ptr<Connection> connection;
     Clock::time_point until;
-    std::string_view words;  ///< Not sent yet.
+    std::string_view words;  ///< Rest of the reason that has not been sent yet.
   };
 
   [[nodiscard]] bool job_runs() const { return job_ != nullptr && job_->running(); }
@@ -88,15 +88,15 @@ class Reception {
   Session& session_;
   ServedJob* job_ = nullptr;
   std::vector<std::unique_ptr<Transport>> ways_in_;
-  // After the transports, which their connections refer to.
+  // Declared after the transports, to which their connections refer.
   std::unique_ptr<Connection> sender_;
-  LookAhead look_ahead_{};       ///< Of the sender.
-  std::vector<std::byte> part_;  ///< Read last.
+  LookAhead look_ahead_{};       ///< Look-ahead in the sender's stream.
+  std::vector<std::byte> part_;  ///< Bytes that were read last.
   std::vector<Departing> departing_;
   std::string_view sender_kind_;
-  std::string page_key_;  ///< Of the last page that came.
+  std::string page_key_;  ///< Key of the last page that came.
   Clock::time_point greet_at_;
-  bool greeted_ = false;  ///< The session has a sender, a connection or a job.
+  bool greeted_ = false;  ///< The session has a sender: a connection or a job.
 };
 
 }  // namespace sim

@@ -10,9 +10,9 @@
 
 namespace sim {
 
-/// Keeps the conversation of a session in a file, for replay(). With an empty path it keeps
-/// nothing. A file that cannot be written any more, as on a full disk, ends with a message; the
-/// session goes on.
+/// Records the conversation of a session in a file, for replay(). With an empty path nothing is
+/// recorded. If the file cannot be written any more, as on a full disk, the recording ends with a
+/// message and the session continues.
 class RecordFile {
  public:
   /// Throws std::system_error naming the file.
@@ -21,7 +21,8 @@ class RecordFile {
   RecordFile& operator=(const RecordFile&) = delete;
   ~RecordFile() = default;
 
-  /// After the last cycle. False where the file could not be written to its end.
+  /// Ends the file; to be called after the last cycle. Returns false if the file could not be
+  /// written to its end.
   [[nodiscard]] bool close(const Session& session);
 
  private:

@@ -10,13 +10,13 @@
 
 namespace sim {
 
-/// Makes exchanges of what passes over a link: the bytes of one direction and
-/// one turn that follow each other are one.
+/// Makes exchanges of the bytes that pass over a link: consecutive bytes of one direction and one
+/// cycle become one exchange.
 class Recorder final : public LinkListener {
  public:
   using Keep = std::function<void(const Exchange&)>;
 
-  /// The controller, whose time counts, must outlive it.
+  /// @param controller gives the time of the exchanges; must outlive this object
   Recorder(const VirtualController& controller, Keep keep)
       : controller_{controller}, keep_{std::move(keep)} {}
 
@@ -26,7 +26,7 @@ class Recorder final : public LinkListener {
   void on_beside(std::byte byte) override { add(Exchange::Kind::kBeside, {&byte, 1}); }
   void on_stop() override { add(Exchange::Kind::kStop, {}); }
 
-  /// Hands out the exchange that might have gone on.
+  /// Hands out the last exchange, to which more bytes might have been added.
   void finish();
 
  private:

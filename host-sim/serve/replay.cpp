@@ -24,7 +24,7 @@ class RecordedLink final : public hal::ByteStream {
 
   void tell(LinkListener* listener) { listener_ = listener; }
 
-  /// Lets the controller hear what it heard up to this time.
+  /// Makes the bytes available that the recorded controller had received up to this time.
   void set_time(std::uint64_t now_ns) {
     now_full_ = now_stops_ = false;
     now_beside_.clear();
@@ -39,9 +39,9 @@ class RecordedLink final : public hal::ByteStream {
     }
   }
 
-  /// Somebody on its bus stopped the controller before this turn.
+  /// Returns whether an emergency stop over the bus reached the controller before this cycle.
   [[nodiscard]] bool stops() const { return now_stops_; }
-  /// Realtime bytes that acted beside the stream before this turn.
+  /// Returns realtime bytes that acted apart from the stream before this cycle.
   [[nodiscard]] std::span<const std::byte> beside() const {
     return std::as_bytes(std::span{now_beside_});
   }
@@ -55,7 +55,7 @@ class RecordedLink final : public hal::ByteStream {
     return count;
   }
 
-  /// Takes as little as the sender did.
+  /// Takes no more bytes than the recorded sender took in this cycle.
   std::size_t write(std::span<const std::byte> from) override {
     const std::size_t count = now_full_ ? std::min(from.size(), now_said_) : from.size();
     now_said_ -= std::min(count, now_said_);
@@ -70,16 +70,17 @@ class RecordedLink final : public hal::ByteStream {
   std::size_t next_ = 0;
   std::string waiting_;
   std::string now_beside_;
-  std::size_t heard_ = 0;     ///< Of waiting_.
-  std::size_t now_said_ = 0;  ///< What may still be said in this turn, if it is full.
+  std::size_t heard_ = 0;     ///< Bytes of waiting_ that the controller has read.
+  std::size_t now_said_ = 0;  ///< Bytes that may still be written in this cycle if the link is
+                              ///< full.
   bool now_full_ = false;
   bool now_stops_ = false;
 };
 
-/// The line of `$I` that differs between builds that behave alike.
+/// Start of the line of `$I` that differs between builds that behave alike.
 constexpr std::string_view kVersionLine = "[KERFLINE:";
 
-/// Everything that the controller said but its version, with the exchange of each byte.
+/// All output of the controller except its version, with the exchange to which each byte belongs.
 struct Speech {
   explicit Speech(const Conversation& conversation) {
     for (const Exchange& exchange : conversation.exchanges) {
@@ -103,7 +104,7 @@ struct Speech {
     }
   }
 
-  /// The line around a byte, without its end.
+  /// Returns the line that contains the byte at `place`, without its line end.
   [[nodiscard]] std::string line_around(std::size_t place) const {
     if (place >= bytes.size()) return {};
     const std::size_t before = place == 0 ? std::string::npos : bytes.rfind('\n', place - 1);

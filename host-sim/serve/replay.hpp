@@ -7,23 +7,25 @@
 
 namespace sim {
 
-/// Has the conversation again with a fresh controller in virtual time: it hears
-/// the same bytes at the same times, and what it says is the result. The same
-/// in every run. Throws std::invalid_argument for a setting that is refused.
+/// Repeats the conversation with a fresh controller in virtual time. The controller receives the
+/// same bytes at the same times, and its output is the result, which is the same in every run.
+/// Throws std::invalid_argument for a setting that is refused.
 [[nodiscard]] Conversation replay(const Conversation& recorded);
 
-/// Where two controllers said different things.
+/// The point at which the output of two controllers differs.
 struct Difference {
-  std::size_t line = 0;  ///< Of the recording.
-  std::string expected;  ///< The line in which it differs; empty when it said nothing more.
+  std::size_t line = 0;  ///< Line in the recording's file.
+  std::string expected;  ///< Line of the recorded output that differs; empty if the recorded
+                         ///< controller wrote nothing more.
   std::string said;
 
   bool operator==(const Difference&) const = default;
 };
 
-/// The first difference in what was said, byte for byte. Times count only when
-/// they are asked for: an answer a millisecond later is no other answer. The version in `$I`
-/// never counts: recordings outlive commits.
+/// Returns the first difference between two outputs, byte for byte; nothing if there is none. The
+/// version in `$I` is never compared, because recordings outlive commits.
+/// @param with_times whether times are compared, too; otherwise an answer a millisecond later is
+///     the same answer
 [[nodiscard]] std::optional<Difference> first_difference(const Conversation& expected,
                                                          const Conversation& said,
                                                          bool with_times);

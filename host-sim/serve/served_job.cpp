@@ -30,7 +30,7 @@ void ServedJob::begin() {
   state_ = State::kRunning;
 }
 
-/// The lines are the program's, and live as long.
+/// Returns a part of the job. The part shares ownership of the program, which holds the lines.
 JobPart ServedJob::part_from(std::size_t first, std::string motion) const {
   return {.lines = std::shared_ptr<const JobLines>{program_, &program_->lines},
           .first = first,
@@ -51,7 +51,7 @@ void ServedJob::resume(Clock::time_point now) {
 
 void ServedJob::stop() {
   if (sender_) return sender_->abort();
-  if (running()) end(State::kStopped, "aborted");  // Nothing has been sent yet.
+  if (running()) end(State::kStopped, "aborted");  // The job ends before anything has been sent.
 }
 
 std::size_t ServedJob::file_line() const {
@@ -111,7 +111,7 @@ void ServedJob::end_phase(Clock::time_point now) {
   }
 }
 
-/// All lines before that of the interruption are read for it.
+/// Starts to plan the resumption, for which all lines before that of the interruption are read.
 void ServedJob::begin_plan() {
   sender_.reset();
   phase_ = Phase::kPlanning;

@@ -18,9 +18,9 @@
 
 namespace sim {
 
-/// A job that the server itself sends: it goes on without a page, and ends as a job of
-/// `kerfline send` does, because the same `Sender` drives it. Every line has a number, so that a
-/// job that was interrupted is resumed where its beam went out.
+/// A job that the server itself sends. It continues without a page, and ends as a job of `kerfline
+/// send` does, because the same `Sender` drives it. Every line has a number, so that an interrupted
+/// job can be resumed where its beam went off.
 class ServedJob {
  public:
   using Clock = std::chrono::steady_clock;
@@ -32,47 +32,48 @@ class ServedJob {
     kDone,
   };
 
-  /// Where threads that have prepared a program put it. collect() takes it from there.
+  /// Returns the inbox into which threads put a program that they have prepared. collect() takes it
+  /// from there.
   [[nodiscard]] const std::shared_ptr<ProgramInbox>& inbox() const { return inbox_; }
-  /// Loads a program that has arrived; one that arrives while a job runs is dropped.
+  /// Loads a program that has arrived. A program that arrives while a job runs is dropped.
   void collect();
   /// @pre !running()
   void load(std::shared_ptr<const ServedProgram> program);
-  /// The last judgement of the program, if it has this key; else null.
+  /// Returns the last judgement of the program, if its key is `key`; otherwise null.
   [[nodiscard]] const Judgement* judgement(std::string_view key) const {
     return judged_ && judged_->key == key ? &judged_->judgement : nullptr;
   }
   void keep(Judged judged) { judged_ = std::move(judged); }
-  /// From the first line. @pre loaded() && !running()
+  /// Runs the job from its first line. @pre loaded() && !running()
   void run(Clock::time_point now);
-  /// From where the machine was interrupted. @pre the same
+  /// Resumes the job where the machine was interrupted. @pre loaded() && !running()
   void resume(Clock::time_point now);
-  /// Ends the job: holds and resets at standstill, or resets at once where a hold does nothing. The
-  /// position stays known.
+  /// Ends the job: holds, and resets when the machine is at rest, or resets at once in a state in
+  /// which a hold does nothing. The position stays known.
   void stop();
 
   [[nodiscard]] State state() const { return state_; }
   [[nodiscard]] bool running() const { return state_ == State::kRunning; }
   [[nodiscard]] bool loaded() const { return state_ != State::kNone; }
-  /// Null for none.
+  /// Returns the program; null if there is none.
   [[nodiscard]] const std::shared_ptr<const ServedProgram>& program() const { return program_; }
-  /// Lines that were answered, and all.
+  /// Return the number of lines that were answered, and of all lines.
   [[nodiscard]] std::size_t done() const { return done_; }
   [[nodiscard]] std::size_t count() const { return program_ ? program_->lines.size() : 0; }
-  /// The line of the file that comes next.
+  /// Returns the line of the file that comes next.
   [[nodiscard]] std::size_t file_line() const;
   [[nodiscard]] const std::string& trouble() const { return trouble_; }
 
-  // While it runs.
+  // For use while the job runs.
 
-  /// Reads what the controller writes.
+  /// Reads bytes that the controller wrote.
   void hear(std::span<const std::byte> bytes, Clock::time_point now);
-  /// Sends what the controller has capacity for.
+  /// Sends the bytes for which the controller has capacity.
   void attend(Session& session, Clock::time_point now);
 
  private:
   enum class Phase : std::uint8_t { kAsking, kPlanning, kApproaching, kSending };
-  /// How the machine gets to the line of the interruption; or why not.
+  /// How the machine gets to the line of the interruption, or why it cannot.
   struct Plan {
     std::size_t first = 0;
     Approach approach{};
@@ -96,8 +97,8 @@ class ServedJob {
   std::shared_ptr<ProgramInbox> inbox_ = std::make_shared<ProgramInbox>();
   std::shared_ptr<const ServedProgram> program_;
   std::optional<Judged> judged_;
-  std::size_t first_ = 0;  ///< The line with which it began this time,
-  std::string motion_;     ///< and the words before that.
+  std::size_t first_ = 0;  ///< Index of the line with which the job began this time.
+  std::string motion_;     ///< Words in front of that line, see JobPart.
   std::size_t done_ = 0;
   std::string trouble_;
   Phase phase_ = Phase::kSending;

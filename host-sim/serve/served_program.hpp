@@ -11,32 +11,34 @@
 
 namespace sim {
 
-/// A program that the page has opened, ready to be sent. It takes a small multiple of its file's
-/// size.
+/// A program that the page has opened, ready to be sent. It takes a small multiple of the size of
+/// its file.
 struct ServedProgram {
-  std::string id;  ///< A check sum of name and content.
+  std::string id;  ///< A checksum of name and content.
   std::string name;
-  std::string text;  ///< As prepare_program() leaves it.
+  std::string text;  ///< Text that prepare_program() has returned.
   JobLines lines{true};
-  std::vector<std::string> notes;  ///< What was left out of the file, in words.
-  /// Faults with which no sender may begin: wrong checks, a line that is too long.
+  std::vector<std::string> notes;  ///< Sentences about parts of the file that were left out.
+  /// Faults with which no sender may begin: wrong checks, or a line that is too long.
   std::vector<std::string> barriers;
-  bool block_delete = true;  ///< Lines with / are skipped,
-  bool has_slashes = false;  ///< and there are some.
+  bool block_delete = true;  ///< Lines with / are skipped.
+  bool has_slashes = false;  ///< The program has lines with /.
 };
 
-/// Takes time. @param name of the file @param file its bytes
+/// Prepares a program, which takes time.
+/// @param name name of the file
+/// @param file content of the file
 [[nodiscard]] std::shared_ptr<const ServedProgram> prepare_served(std::string name,
                                                                   std::string file,
                                                                   bool block_delete);
 
-/// A judgement, and the program and the standpoint that it holds for.
+/// A judgement, and the key of the program and the standpoint for which it holds.
 struct Judged {
   std::string key;
   Judgement judgement;
 };
 
-/// A name for a program and all of a standpoint that a judgement depends on.
+/// Returns a key for a program and for all of a standpoint on which a judgement depends.
 [[nodiscard]] std::string judgement_key(const ServedProgram& program, const Standpoint& standpoint);
 
 /// Hands programs from threads that have prepared them to the loop.
@@ -51,7 +53,7 @@ class ProgramInbox {
     const std::lock_guard lock{mutex_};
     arrival_ = std::move(arrival);
   }
-  /// The last one, once; without a program where there is none.
+  /// Returns the last program that arrived, once. The program is null if none has arrived.
   [[nodiscard]] Arrival take() {
     const std::lock_guard lock{mutex_};
     return std::exchange(arrival_, {});

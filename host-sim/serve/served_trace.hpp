@@ -8,23 +8,23 @@
 
 namespace sim {
 
-/// The step trace of `kerfline serve`. A file that cannot be written any more ends with a message;
-/// the machine goes on.
+/// The step trace of `kerfline serve`. If the file cannot be written any more, the trace ends with
+/// a message and the machine continues.
 class ServedTrace final : public TraceSink {
  public:
-  /// Throws as TraceWriter.
+  /// Throws as the constructor of TraceWriter does.
   ServedTrace(const std::string& path, const cnc::AxisArray<float>& steps_per_mm);
 
   void on_row(const TraceRow& row) override;
   void on_end(std::uint64_t time_ns) override;
-  /// The file could not be written to its end.
+  /// Returns whether the file could not be written to its end.
   [[nodiscard]] bool lost() const { return !file_; }
 
  private:
   template <typename Write>
   void attempt(Write&& write);
 
-  std::optional<TraceWriter> file_;  ///< Empty once it is lost.
+  std::optional<TraceWriter> file_;  ///< Empty once the file cannot be written.
 };
 
 }  // namespace sim

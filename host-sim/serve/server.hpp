@@ -11,8 +11,8 @@
 
 namespace sim {
 
-/// SIGINT, SIGTERM and SIGHUP as something to poll for. Make it before any
-/// other thread starts, so that they are blocked there, too.
+/// SIGINT, SIGTERM and SIGHUP as a descriptor for poll(). Must be created before any other thread
+/// starts, so that the signals are blocked in those threads, too.
 class StopSignals {
  public:
   StopSignals();
@@ -23,15 +23,17 @@ class StopSignals {
   hal::host::Descriptor descriptor_;
 };
 
-/// The loop of `kerfline serve`: one thread for the controller and all its connections, asleep in
-/// poll() between the cycles.
+/// The loop of `kerfline serve`: one thread for the controller and all its connections, which
+/// sleeps in poll() between the cycles.
 class Server {
  public:
-  /// @param speed controller seconds per second; the others must outlive it
+  /// @param session must outlive this object
+  /// @param reception must outlive this object
+  /// @param speed controller seconds per second
   Server(Session& session, Reception& reception, double speed)
       : session_{session}, reception_{reception}, pacer_{speed, Pacer::Clock::now()} {}
 
-  /// Shows this view to the watchers; both must outlive the server.
+  /// Shows this view to the watchers. Both arguments must outlive the server.
   void show(LiveView& view, WebTransport& web) {
     view_ = &view;
     web_ = &web;
@@ -41,7 +43,8 @@ class Server {
   void run(const StopSignals& stop);
 
  private:
-  /// Time passes first: what arrives now must not be heard in the past.
+  /// Runs the cycles that are due. This comes first in the loop, so that bytes that arrive now do
+  /// not act at an earlier time.
   void catch_up();
   void show_view();
   void sleep(const StopSignals& stop);

@@ -6,10 +6,10 @@ namespace {
 constexpr std::byte kSafetyDoor{0x84};
 constexpr std::byte kSoftReset{0x18};
 
-// More than the segments that are queued last: no pause of the step timer
-// within a motion is that long.
+// Cycles without a step after which the machine is at rest. They last longer than the queued
+// segments: no pause of the step timer within a motion is that long.
 constexpr unsigned kTurnsStill = 100;
-// Longer than any machine brakes. What does not obey is reset then.
+// Longer than any machine brakes. A machine that still moves then is reset.
 constexpr unsigned kMostTurnsToStop = 10'000;
 
 }  // namespace
@@ -46,7 +46,7 @@ void Session::emergency_stop() {
 
 void Session::lose_sender() {
   link_.disconnect();
-  act_at_once(kSafetyDoor);  // Whatever line or comment the sender was in the middle of.
+  act_at_once(kSafetyDoor);  // Acts in the middle of a line or comment, too.
   parting_ = Parting::kStopping;
   turns_of_parting_ = turns_still_ = 0;
 }

@@ -10,40 +10,40 @@
 
 namespace sim {
 
-/// The controller on its link, and what becomes of it when senders come and go.
+/// The controller on its link, and its reaction when senders come and go.
 ///
-/// Both work by the bytes that a careful operator would send, so that the
-/// firmware needs to know nothing of it and a recording holds all of it:
-/// * A sender who came gets a soft reset, and so the greeting that it waits for.
-///   The machine stands still then: nothing goes on without a sender.
-/// * When a sender is lost, the safety door darkens the beam at once and stops the
-///   machine on its path; once it stands, a soft reset empties the planner and
-///   switches off spindle and coolant. The position stays known.
+/// Each reaction consists of bytes that a careful operator would send. So the firmware needs no
+/// knowledge of it, and a recording includes all of it:
+/// - A new sender gets a soft reset, and so the greeting that it waits for. The machine is at rest
+///   then, because nothing continues without a sender.
+/// - When a sender is lost, the safety door turns the beam off at once and stops the machine on its
+///   path. When the machine is at rest, a soft reset empties the planner and switches off spindle
+///   and coolant. The position stays known.
 class Session {
  public:
-  /// The settings are on top of what is stored. Throws as apply_settings(). The
-  /// store must outlive the session.
+  /// Applies the settings over the stored ones. Throws as apply_settings() does. The store must
+  /// outlive the session.
   Session(const MachineModel& machine,
           const std::vector<SettingChange>& settings,
           hal::RecordStore& store);
 
-  /// One turn of the controller's main loop, a millisecond of its time.
+  /// Runs one cycle of the controller's main loop, a millisecond of its time.
   void turn();
 
   /// @pre calm()
   void welcome_sender();
   void lose_sender();
-  /// A realtime byte beside the stream.
+  /// Makes a realtime byte act at once, apart from the stream.
   void act_at_once(std::byte byte);
-  /// From a bus, whoever is the sender.
+  /// Stops the machine on behalf of a node of a bus, whichever sender is connected.
   void emergency_stop();
 
-  /// The last sender's work has been brought to rest.
+  /// Returns whether the machine has been brought to rest after the last sender.
   [[nodiscard]] bool calm() const { return parting_ == Parting::kOver; }
-  /// The reset that welcomed the sender is over. It forgets what came before,
-  /// so bytes of the sender must not arrive earlier.
+  /// Returns whether the reset that greets a sender is over. The reset forgets all earlier bytes,
+  /// so the sender's bytes must not arrive before.
   [[nodiscard]] bool hears() const { return turns_since_welcome_ >= kTurnsOfReset; }
-  /// Nothing moves, nobody waits for anything: time may pass in larger strides.
+  /// Returns whether nothing moves and no work is pending, so that the loop may sleep longer.
   [[nodiscard]] bool resting() const;
 
   [[nodiscard]] LiveLink& link() { return link_; }

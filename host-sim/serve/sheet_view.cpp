@@ -20,15 +20,17 @@ namespace {
 
 using nlohmann::ordered_json;
 
-/// The page shows curves as chords within this, mm.
+/// Greatest distance between a curve and the chords by which the page shows it, mm.
 constexpr double kViewChordMm = 0.05;
 constexpr double kMaxPartDistanceMm = 100.0;
-/// Share of the work that `cut` may have for a drawing: the page asks after each change.
+/// Share of the work that `cut` may spend on a drawing. It is small because the page sends a
+/// request after each change.
 constexpr double kEffort = 0.1;
-/// A sheet is not nested more deeply, mistakes included: to write deep ones out takes stack.
+/// Greatest depth of nesting that is read. A sheet is not nested more deeply, even one with
+/// mistakes, and writing out a deeper one takes stack.
 constexpr int kDeepest = 16;
 
-/// Part and number of each copy that is placed, in the order of Entity::part.
+/// Part and copy number of each copy that is placed, in the order of Entity::part.
 struct PlacedCopy {
   std::size_t part = 0;
   std::size_t copy = 0;
@@ -78,7 +80,8 @@ class SheetView {
     return faults;
   }
 
-  /// As place_parts() numbers them: those whose drawing it cannot read are left out.
+  /// Returns the copies in the numbering of place_parts(), which leaves out those whose drawing it
+  /// cannot read.
   [[nodiscard]] std::vector<PlacedCopy> numbered_copies() const {
     std::vector<PlacedCopy> copies;
     for (std::size_t part = 0; part < sheet_.parts.size(); ++part) {

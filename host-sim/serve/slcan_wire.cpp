@@ -29,7 +29,8 @@ void SlcanWire::carry() {
 }
 
 void SlcanWire::add_to(std::vector<pollfd>& descriptors) const {
-  // Opening the port wakes nobody, and while nobody has it open it always seems to be readable.
+  // No event reports that the port is opened, and while no program has it open poll() always
+  // reports it as readable.
   if (used_ && slcan_.can_hear()) descriptors.push_back({master_.number(), POLLIN, 0});
 }
 

@@ -6,10 +6,10 @@
 
 namespace sim {
 
-/// A pseudo terminal that looks like a CAN adapter of the serial kind.
+/// A pseudo terminal that behaves like a CAN adapter on a serial port (slcan).
 class SlcanWire final : public CanWire {
  public:
-  /// Throws as PtyLink::point_to().
+  /// Throws as PtyLink::point_to() does.
   explicit SlcanWire(const std::string& link);
 
   [[nodiscard]] hal::CanPort& port() override { return slcan_; }

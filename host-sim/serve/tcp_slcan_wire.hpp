@@ -10,11 +10,11 @@
 
 namespace sim {
 
-/// A CAN adapter of the serial kind behind a TCP port, as python-can's `socket://` and socat know
-/// them. One host at a time: whoever comes meanwhile waits.
+/// A CAN adapter of the serial kind (slcan) at a TCP port, as python-can's `socket://` and socat
+/// use it. It serves one host at a time; a host that comes meanwhile waits.
 class TcpSlcanWire final : public CanWire {
  public:
-  /// Throws as TcpTransport.
+  /// Throws as the constructor of TcpTransport does.
   explicit TcpSlcanWire(const InternetAddress& address) : listener_{address} {}
 
   [[nodiscard]] hal::CanPort& port() override { return slcan_; }

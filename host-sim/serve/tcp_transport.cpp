@@ -27,7 +27,8 @@ class TcpConnection final : public Connection {
     return 0;
   }
 
-  /// Looks ahead as well: a sender that left without a word is seen before it is read.
+  /// Returns whether the connection is open. It peeks at the stream, so that the end of a sender
+  /// that left without a byte is noticed before a read.
   bool open() override {
     std::byte first{};
     if (open_ && ::recv(socket_.number(), &first, 1, MSG_PEEK | MSG_DONTWAIT) == 0) open_ = false;

@@ -11,11 +11,12 @@
 
 namespace sim {
 
-/// Raw TCP: the bytes as they are, no telnet commands, so 0xFF is a byte like
-/// others. Small answers leave at once (TCP_NODELAY).
+/// Raw TCP: bytes pass unchanged. There are no telnet commands, so 0xFF is a byte like any other.
+/// Small answers leave at once (TCP_NODELAY).
 class TcpTransport final : public Transport {
  public:
-  /// Port 0 is any free one. Throws std::system_error naming the address.
+  /// Throws std::system_error naming the address.
+  /// @param address address to listen at; port 0 stands for any free port
   explicit TcpTransport(const InternetAddress& address);
 
   [[nodiscard]] std::unique_ptr<Connection> accept() override;

@@ -11,14 +11,14 @@
 
 namespace sim {
 
-/// What a connection would like to be woken for.
+/// Events for which a connection is to wake the loop.
 struct Wishes {
   bool read = false;
   bool write = false;
 };
 
-/// One sender's connection, whichever way it came. No call blocks; destroying
-/// it hangs up.
+/// One sender's connection, over any transport. No call blocks. The destructor closes the
+/// connection.
 class Connection {
  public:
   Connection() = default;
@@ -26,26 +26,28 @@ class Connection {
   Connection& operator=(const Connection&) = delete;
   virtual ~Connection() = default;
 
-  /// Copies what has arrived; returns how many bytes.
+  /// Copies the bytes that have arrived, and returns their number.
   [[nodiscard]] virtual std::size_t read(std::span<std::byte> into) = 0;
-  /// A realtime byte that came beside the stream, and acts whatever the text is in the middle of.
+  /// Takes a realtime byte that came apart from the stream, and returns whether there was one. It
+  /// acts even in the middle of a line.
   [[nodiscard]] virtual bool take_realtime(std::byte& byte) {
     static_cast<void>(byte);
     return false;
   }
-  /// Sends what fits; returns how many bytes.
+  /// Sends the bytes that fit, and returns their number.
   [[nodiscard]] virtual std::size_t write(std::span<const std::byte> from) = 0;
-  /// False once the sender has gone and all that it sent has been read.
+  /// Returns false once the sender has gone and all its bytes have been read.
   [[nodiscard]] virtual bool open() = 0;
-  /// Sends nothing more; what was written still arrives.
+  /// Closes this direction. Bytes that were already written still arrive.
   virtual void end() = 0;
-  /// Adds what to wake up for.
+  /// Adds the descriptors and events for which poll() is to wake up.
   virtual void add_to(std::vector<pollfd>& descriptors, Wishes wishes) const = 0;
-  /// What it is, where the transport has more than one kind; else empty.
+  /// Returns the kind of this connection if the transport has more than one kind; otherwise an
+  /// empty text.
   [[nodiscard]] virtual std::string_view kind() const { return {}; }
 };
 
-/// A way in for senders.
+/// A kind of link over which senders connect.
 class Transport {
  public:
   Transport() = default;
@@ -53,15 +55,15 @@ class Transport {
   Transport& operator=(const Transport&) = delete;
   virtual ~Transport() = default;
 
-  /// The next sender who wants to talk; null when there is none now.
+  /// Returns the connection of the next sender; null if no sender waits.
   [[nodiscard]] virtual std::unique_ptr<Connection> accept() = 0;
-  /// True once after an emergency stop from there, whoever is the sender.
+  /// Returns true once after an emergency stop over this transport, whichever sender is connected.
   [[nodiscard]] virtual bool take_stop() { return false; }
-  /// Adds what to wake up for.
+  /// Adds the descriptors and events for which poll() is to wake up.
   virtual void add_to(std::vector<pollfd>& descriptors) const = 0;
-  /// `pty`, `tcp`, `ws`, `can` or `slcan`.
+  /// Returns `pty`, `tcp`, `ws`, `can` or `slcan`.
   [[nodiscard]] virtual std::string_view kind() const = 0;
-  /// Where senders find it, for people and scripts.
+  /// Returns the address at which senders find the transport, for people and scripts.
   [[nodiscard]] virtual std::string address() const = 0;
 };
 

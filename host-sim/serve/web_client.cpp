@@ -16,7 +16,8 @@ namespace {
 namespace http = boost::beast::http;
 
 constexpr std::size_t kRequestPart = std::size_t{64} << 10;
-// Nothing from elsewhere, nothing inline, in nobody's frame.
+// The page may load nothing from other servers, run no inline scripts, and be in no frame of
+// another page.
 constexpr const char* kPolicy =
     "default-src 'self'; img-src 'self' blob: data:; object-src 'none'; base-uri 'none'; "
     "frame-ancestors 'none'";
@@ -29,8 +30,8 @@ WebReply reply_of(const WebWork& make) {
   }
 }
 
-/// Nothing when it is malformed; a header that stands twice is, because two readers could take
-/// different ones.
+/// Returns the request; nothing if it is malformed. A request with a header twice is malformed,
+/// because two readers could use different ones.
 std::optional<HttpRequest> request_of(const http::request_parser<http::string_body>& parser) {
   const auto& head = parser.get();
   for (const auto& field : head) {
@@ -40,7 +41,7 @@ std::optional<HttpRequest> request_of(const http::request_parser<http::string_bo
   request.method = head.method_string();
   request.host = head[http::field::host];
   request.origin = head[http::field::origin];
-  // A server ignores what HTTP 1.0 says of an upgrade (RFC 9110, 7.8).
+  // A server ignores an upgrade in a request of HTTP 1.0 (RFC 9110, 7.8).
   constexpr unsigned kFirstWithUpgrades = 11;
   request.wants_web_socket = head.version() >= kFirstWithUpgrades &&
                              http::token_list{head[http::field::upgrade]}.exists("websocket");
@@ -96,7 +97,7 @@ void WebClient::attend(Clock::time_point now) {
   if (now < until_ || stage_ == Stage::kWorking || stage_ == Stage::kOver) return;
   if (stage_ != Stage::kBody) return hang_up();
   Fault ignored;
-  socket_.cancel(ignored);  // The body's reader is told, and answers.
+  socket_.cancel(ignored);  // The read of the body fails then, and its handler answers.
 }
 
 void WebClient::end_head(Fault fault) {
@@ -126,7 +127,7 @@ void WebClient::read_body(Fault fault) {
   http::async_read_some(socket_, buffer_, parser_, then(&WebClient::read_body));
 }
 
-/// Whoever is gone is told nothing.
+/// Answers a request that could not be read. A client that has gone gets no answer.
 void WebClient::refuse(Fault fault) {
   if (fault == boost::asio::error::operation_aborted) {
     return answer(web_refusal(http_status::kTimeout, "The program did not come in time."));
@@ -191,8 +192,8 @@ void WebClient::sent(Fault fault) {
   if (left_) hang_up();
 }
 
-/// A body that nobody wants is read meanwhile: closing over unread bytes would throw the answer
-/// away with a reset.
+/// Reads and drops the rest of the body while the answer is sent. If the connection were closed
+/// with unread bytes, a reset would discard the answer.
 void WebClient::drop_the_rest() {
   socket_.async_read_some(buffer_.prepare(kRequestPart), then(&WebClient::dropped));
 }

@@ -24,48 +24,48 @@
 
 namespace sim {
 
-/// A connection of HTTP, read and written by Boost.Beast, until its one request is answered or has
-/// become a WebSocket. No call blocks; a client that is slow or silent costs a descriptor until
-/// its time is over. Handlers run where the transport runs those of its `io_context`; each keeps
-/// the client alive.
+/// A connection of HTTP, read and written by Boost.Beast, until its one request is answered or it
+/// has become a WebSocket. No call blocks. A slow or silent client costs only a descriptor, until
+/// its time is over. Handlers run where the transport runs those of its `io_context`; each handler
+/// keeps the client alive.
 class WebClient : public std::enable_shared_from_this<WebClient> {
  public:
   using Clock = std::chrono::steady_clock;
   static constexpr std::size_t kMostHead = std::size_t{16} << 10;
   static constexpr std::size_t kMostBody = std::size_t{64} << 20;
-  /// For all of the head; for each part of a body or of an answer.
+  /// Time limit for the whole head, for each part of a body, and for each part of an answer.
   static constexpr std::chrono::seconds kPatience{10};
 
   enum class Stage {
     kHead,       ///< Reads the head.
-    kHasHead,    ///< The owner is to say what becomes of it.
+    kHasHead,    ///< The owner has to call want_body(), answer() or become_socket().
     kBody,       ///< Reads the body.
-    kHasAll,     ///< The owner is to answer.
-    kWorking,    ///< The answer is being made.
+    kHasAll,     ///< The owner has to call answer() or work().
+    kWorking,    ///< A thread makes the answer.
     kAnswering,  ///< Sends the answer.
     kOver,
   };
 
-  /// The context must outlive it.
+  /// @param context must outlive this object
   WebClient(boost::asio::io_context& context, hal::host::Descriptor socket, Clock::time_point now);
 
-  /// Reads the head. To be called once.
+  /// Starts to read the head. Must be called once.
   void begin();
-  /// Sees to its work and to its time.
+  /// Sends the answer when its thread has finished, and checks the time limit.
   void attend(Clock::time_point now);
   [[nodiscard]] Stage stage() const { return stage_; }
   void add_to(std::vector<pollfd>& descriptors);
 
-  /// @pre the head has come
+  /// Returns the request. @pre the head has been read
   [[nodiscard]] HttpRequest& request() { return request_; }
-  /// Reads the body, as long as it was announced. @pre kHasHead
+  /// Starts to read the body, to the length that the head announced. @pre kHasHead
   void want_body();
-  /// @pre kHasHead or kHasAll
+  /// Sends the answer. @pre kHasHead or kHasAll
   void answer(const WebReply& reply);
-  /// Has another thread make the answer. @pre kHasAll
+  /// Makes the answer in another thread. @pre kHasAll
   void work(WebWork make);
-  /// The connection as a WebSocket; null when the handshake is malformed, and is answered so.
-  /// @pre kHasHead
+  /// Turns the connection into a WebSocket. Returns null if the handshake is malformed; the client
+  /// has been answered in that case. @pre kHasHead
   [[nodiscard]] std::shared_ptr<WebSocket> become_socket();
   void hang_up();
 
@@ -75,7 +75,7 @@ class WebClient : public std::enable_shared_from_this<WebClient> {
 
   using Handler = std::function<void(Fault, std::size_t)>;
 
-  /// Goes on with this member when an operation is over.
+  /// Returns a handler that calls this member when an operation is over.
   [[nodiscard]] Handler then(void (WebClient::*next)(Fault));
   void end_head(Fault fault);
   void read_body(Fault fault);
@@ -86,7 +86,7 @@ class WebClient : public std::enable_shared_from_this<WebClient> {
   void dropped(Fault fault);
 
   boost::asio::ip::tcp::socket socket_;
-  boost::beast::flat_buffer buffer_;  ///< What was received and not parsed.
+  boost::beast::flat_buffer buffer_;  ///< Bytes that were received and not parsed yet.
   boost::beast::http::request_parser<boost::beast::http::string_body> parser_;
   HttpRequest request_{};
   std::future<WebReply> work_;
@@ -94,9 +94,9 @@ class WebClient : public std::enable_shared_from_this<WebClient> {
   std::optional<boost::beast::http::response_serializer<boost::beast::http::string_body>> sender_;
   Clock::time_point until_;
   Stage stage_ = Stage::kHead;
-  bool progressed_ = false;  ///< Since the last look at the clock.
+  bool progressed_ = false;  ///< A part was read or sent since attend() last checked the time.
   bool sent_all_ = false;
-  bool left_ = false;  ///< The client sends nothing more.
+  bool left_ = false;  ///< The client has closed its direction.
 };
 
 }  // namespace sim

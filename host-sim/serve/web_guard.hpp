@@ -6,17 +6,18 @@
 
 namespace sim {
 
-/// Whether a request that names this `Host`, in any case, was meant for us.
+/// Returns whether a request that names this `Host`, in upper or lower case, was meant for this
+/// server.
 ///
-/// A page from elsewhere can make a browser ask us under its own name (DNS
-/// rebinding), but not under `localhost` or a number. So those are served, and
-/// numbers other than loopback only where we listen beyond this machine. A
-/// missing header is an empty one.
+/// A page from another server can make a browser send a request here under that server's name (DNS
+/// rebinding), but not under `localhost` or a number. So `localhost` and numbers are accepted.
+/// Numbers other than loopback and the listening address are accepted only if the server listens
+/// beyond this machine. A missing header is passed as an empty `host`.
 [[nodiscard]] bool is_our_host(std::string_view host, const InternetAddress& listening);
 
-/// Whether a request may come from a page of this `Origin`: the very one that this `Host` serves,
-/// or none at all, as with senders that are no browsers. An empty origin is none. Any other page
-/// is foreign, at whatever address it lies.
+/// Returns whether a request may come from a page of this `Origin`. Allowed are the very origin
+/// that this `Host` serves, and an empty one, which programs other than browsers send. Any other
+/// page is foreign, whatever its address.
 [[nodiscard]] bool is_same_origin(std::string_view origin, std::string_view host);
 
 }  // namespace sim

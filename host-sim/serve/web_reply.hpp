@@ -6,17 +6,17 @@
 
 namespace sim {
 
-/// What a request is answered with.
+/// The answer to a request.
 struct WebReply {
   int status = 200;
   std::string type = "text/plain; charset=utf-8";
   std::string content;
 };
 
-/// Makes a reply, in a thread of its own: it must touch nothing but what it holds.
+/// Makes a reply in a thread of its own. It must use no data other than those that it holds.
 using WebWork = std::function<WebReply()>;
 
-/// A sentence for people.
+/// Returns a refusal with a sentence for people.
 [[nodiscard]] inline WebReply web_refusal(int status, std::string_view reason) {
   return {.status = status, .content = std::string{reason}};
 }

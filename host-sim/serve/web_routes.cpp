@@ -51,7 +51,7 @@ const char* type_of_file(std::string_view path) {
   return "text/html; charset=utf-8";
 }
 
-/// A word at fault may be any byte.
+/// Returns a reply with JSON. A quoted word of a program may contain any byte.
 WebReply json_reply(const ordered_json& json, int status = http_status::kFine) {
   return {.status = status,
           .type = kJsonType,
@@ -83,7 +83,8 @@ WebReply shown(const ServedProgram& program,
   ordered_json json = outline_json(program_outline_of(program.text, standpoint.reader));
   json["faults"] = program.barriers;
   for (std::string& text : judgement.texts()) json["faults"].push_back(std::move(text));
-  // The page shows the first note: that the program is stale matters more than what was left out.
+  // The page shows only the first note. That the program is stale matters more than the parts that
+  // were left out, so it comes first.
   std::vector<std::string> notes =
       stale_inputs(program.text, {}, DigestFiles::kBelowFolder, &standpoint.settings);
   notes.insert(notes.end(), program.notes.begin(), program.notes.end());
@@ -107,7 +108,7 @@ ordered_json words_json() {
   return json;
 }
 
-/// An order of a page; all empty where it is none.
+/// An order of a page. All members are empty if the request is not an order.
 struct Order {
   std::string id;
   std::string page;
@@ -131,7 +132,8 @@ Order order_in(const std::string& body) {
   return order;
 }
 
-/// As a page gets it back: a fault may quote any byte.
+/// Returns a text in the form in which a page sends it back after it has gone through JSON: a fault
+/// may quote any byte, and invalid ones are replaced.
 std::string as_json_has_it(const std::string& text) {
   return ordered_json::parse(
       ordered_json(text).dump(-1, ' ', false, ordered_json::error_handler_t::replace));
@@ -206,9 +208,10 @@ PageService::Answer WebRoutes::get(const std::string& path) const {
   }};
 }
 
-/// From copies of all that the loop may change meanwhile.
+/// Returns the work that prepares a program. It uses copies of all data that the loop may change
+/// meanwhile.
 PageService::Answer WebRoutes::load(HttpRequest request) const {
-  // It may have begun while the program came.
+  // A job may have begun while the program was being received.
   const bool keeps = request.path == "/job";
   if (keeps && job_.running()) return waits("the end of the job that runs");
   std::string name = keeps ? request.query["name"].substr(0, kLongestName) : std::string{};
@@ -248,7 +251,8 @@ WebReply WebRoutes::order(const std::string& path, const std::string& body) {
   return json_reply({{"stops", job_.program()->name}});
 }
 
-/// The judgement of the job as the machine stands now; null while it is being made.
+/// Returns the judgement of the job for the present state of the machine; null while it is being
+/// made.
 const Judgement* WebRoutes::judgement() {
   const Standpoint standpoint = standpoint_of(controller_.machine());
   const std::string key = judgement_key(*job_.program(), standpoint);

@@ -16,30 +16,31 @@ namespace sim {
 /// | | |
 /// |---|---|
 /// | GET | the files of the page; `/picture.svg`, the motion so far |
-/// | GET `/words` | alarms and errors in words |
+/// | GET `/words` | descriptions and remedies of alarms and errors |
 /// | GET `/job` | the job as below |
-/// | POST `/outline` | where a program would go if it ran now |
-/// | POST `/job?name=…` | the same, and keeps the program as the job |
-/// | POST `/job/run` | runs it, `{"id":"…","page":"…","accepted":["line 4: …"]}` |
-/// | POST `/job/resume` | resumes it where it was interrupted, `{"id":…,"page":…}` |
-/// | POST `/job/stop` | ends it, `{"id":…,"page":…}` |
-/// | POST `/sheet` | a sheet that is being edited: see placed_sheet() |
-/// | POST `/hold` | a feed hold: it is safe, so that any page that watches may ask for it |
+/// | POST `/outline` | the outline of a program: the path that it would take if it ran now |
+/// | POST `/job?name=…` | the outline of a program, which also becomes the job |
+/// | POST `/job/run` | runs the job, `{"id":"…","page":"…","accepted":["line 4: …"]}` |
+/// | POST `/job/resume` | resumes the job where it was interrupted, `{"id":…,"page":…}` |
+/// | POST `/job/stop` | ends the job, `{"id":…,"page":…}` |
+/// | POST `/sheet` | places the parts of a sheet that is being edited: see placed_sheet() |
+/// | POST `/hold` | holds the feed, which is safe, so any page that watches may request it |
 ///
-/// An outline is in machine coordinates, up to the refused line if there is one:
+/// An outline is in machine coordinates, and ends before the refused line if there is one:
 ///
 ///     {"name":"part.nc","id":"…","points":[x,y,move, …],
 ///      "faults":["line 5: …"],"notes":["line 9: …"],
 ///      "refused":{"line":3,"column":1,"number":20,"reason":"…"}}
 ///
-/// A job is ordered by the page that controls the machine, whose key `page` came in its first line,
-/// for the program `id` that it shows. A program with faults, or beyond the travel, is not run
-/// unless each of them was accepted: 409 and `{"faults":[…],"fault_count":1}`. Any other reason for
-/// which a job waits is 409 and `{"waits":"…"}`, with `"again":true` while its program is being
+/// Only the page that controls the machine can order a job. `page` is the key that the page
+/// received in the first line of its connection, and `id` names the program that it shows. A
+/// program with faults, or one that leaves the travel, is not run unless each fault was accepted:
+/// the answer is 409 and `{"faults":[…],"fault_count":1}`. If a job has to wait for any other
+/// reason, the answer is 409 and `{"waits":"…"}`, with `"again":true` while its program is being
 /// judged.
 class WebRoutes final : public PageService {
  public:
-  /// All of them must outlive it.
+  /// All arguments must outlive this object.
   WebRoutes(const VirtualController& controller,
             const LiveView& view,
             Reception& reception,
@@ -60,8 +61,8 @@ class WebRoutes final : public PageService {
   const LiveView& view_;
   Reception& reception_;
   ServedJob& job_;
-  BackgroundTask<Judged> judging_{};  ///< A judgement that is being made,
-  std::string judging_key_;           ///< and its key.
+  BackgroundTask<Judged> judging_{};  ///< The judgement that is being made.
+  std::string judging_key_;           ///< Key of that judgement.
 };
 
 }  // namespace sim

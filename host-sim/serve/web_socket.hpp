@@ -14,11 +14,11 @@ namespace sim {
 class WebSocket {
  public:
   using Clock = std::chrono::steady_clock;
-  /// Bytes that wait to be sent at most; what does not fit is not taken.
+  /// Greatest number of bytes that wait to be sent. Bytes beyond it are not taken.
   static constexpr std::size_t kMostUnsent = std::size_t{1} << 20;
-  /// A client that does not take a message in this time is gone.
+  /// A client that does not take a message within this time is disconnected.
   static constexpr std::chrono::seconds kPatience{30};
-  /// For the client's part in closing.
+  /// Time that the client has for its part of closing.
   static constexpr std::chrono::seconds kFarewell{2};
 
   WebSocket() = default;
@@ -26,24 +26,24 @@ class WebSocket {
   WebSocket& operator=(const WebSocket&) = delete;
   virtual ~WebSocket() = default;
 
-  /// Copies the payload of messages that have arrived, one after the other; returns how many
-  /// bytes.
+  /// Copies the payload of messages that have arrived, one after the other, and returns the number
+  /// of bytes.
   [[nodiscard]] virtual std::size_t read(std::span<std::byte> into) = 0;
-  /// Queues what fits as a message: text where every byte is ASCII, which a browser may read as
-  /// such, else binary. Returns how many bytes.
+  /// Queues the bytes that fit as one message, and returns their number. The message is text if
+  /// every byte is ASCII, as a browser can read that as text; otherwise it is binary.
   virtual std::size_t write(std::span<const std::byte> from) = 0;
   std::size_t write(std::string_view text) { return write(std::as_bytes(std::span{text})); }
-  /// Nothing more in either direction, once what was written has been sent: the client may try
-  /// again later.
+  /// Closes both directions once all queued bytes have been sent. The close code says that the
+  /// client may try again later.
   virtual void end() = 0;
-  /// The client is there, or something that it sent is unread.
+  /// Returns whether the client is connected or bytes from it are unread.
   [[nodiscard]] virtual bool open() const = 0;
-  /// The connection is closed.
+  /// Returns whether the connection is closed.
   [[nodiscard]] virtual bool gone() const = 0;
-  /// Bytes that wait to be sent.
+  /// Returns the number of bytes that wait to be sent.
   [[nodiscard]] virtual std::size_t unsent() const = 0;
 
-  /// Hangs up on a client whose time is over.
+  /// Disconnects a client whose time limit has passed.
   virtual void attend(Clock::time_point now) = 0;
   virtual void add_to(std::vector<pollfd>& descriptors) = 0;
 };

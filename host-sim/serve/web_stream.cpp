@@ -15,7 +15,7 @@ namespace websocket = boost::beast::websocket;
 using boost::beast::error_code;
 
 constexpr std::size_t kMostPayload = std::size_t{64} << 20;
-// A client is read no further until its last part was taken.
+// Bytes read at a time. No more are read from a client until its last part was taken.
 constexpr std::size_t kStreamPart = std::size_t{64} << 10;
 
 bool is_ascii(std::string_view text) {
@@ -23,20 +23,20 @@ bool is_ascii(std::string_view text) {
       text.begin(), text.end(), [](char byte) { return static_cast<signed char>(byte) >= 0; });
 }
 
-/// Boost.Beast's WebSocket, with a queue on either side. Its handlers run where the transport
-/// runs those of its `io_context`; each keeps the stream alive.
+/// Boost.Beast's WebSocket, with a queue in each direction. Its handlers run where the transport
+/// runs those of its `io_context`; each handler keeps the stream alive.
 class WebStream final : public WebSocket, public std::enable_shared_from_this<WebStream> {
  public:
   explicit WebStream(boost::asio::ip::tcp::socket socket) : stream_{std::move(socket)} {
     stream_.read_message_max(kMostPayload);
     stream_.auto_fragment(false);
-    // The sender is gone with its close frame, however long the rest takes.
+    // The sender counts as gone at its close frame, however long the rest of closing takes.
     stream_.control_callback([this](websocket::frame_type frame, auto) {
       left_ = left_ || frame == websocket::frame_type::close;
     });
   }
 
-  /// Sends the answer to the handshake, whose few bytes always fit into a new connection.
+  /// Sends the answer to the handshake. Its few bytes always fit into a new connection.
   template <typename Request>
   bool accept(const Request& request) {
     error_code fault;
@@ -91,10 +91,10 @@ class WebStream final : public WebSocket, public std::enable_shared_from_this<We
  private:
   using Stream = websocket::stream<boost::asio::ip::tcp::socket, false>;
 
-  /// Neither closed nor in the wrong.
+  /// Returns whether the connection is open and the client has not sent its close frame.
   [[nodiscard]] bool here() const { return !gone_ && !left_ && stream_.is_open(); }
 
-  /// Goes on with this member when an operation is over.
+  /// Returns a handler that calls this member when an operation is over.
   std::function<void(error_code, std::size_t)> then(void (WebStream::*next)(error_code,
                                                                             std::size_t)) {
     return [self = shared_from_this(), next](error_code fault, std::size_t count) {
@@ -115,7 +115,7 @@ class WebStream final : public WebSocket, public std::enable_shared_from_this<We
     receive();
   }
 
-  /// The oldest message, or the end.
+  /// Sends the oldest message, or closes the stream after the last one.
   void send() {
     if (gone_ || sends_) return;
     if (messages_.empty() && !ended_) return;
@@ -145,15 +145,15 @@ class WebStream final : public WebSocket, public std::enable_shared_from_this<We
 
   Stream stream_;
   std::array<char, kStreamPart> part_{};  ///< Payload that was received last.
-  std::span<const char> unread_;          ///< Of it.
-  std::deque<std::string> messages_;      ///< Not sent, the oldest maybe in part.
-  std::size_t unsent_ = 0;                ///< Their bytes.
+  std::span<const char> unread_;          ///< The part of part_ that has not been read.
+  std::deque<std::string> messages_;      ///< Unsent messages; the oldest may be sent in part.
+  std::size_t unsent_ = 0;                ///< Bytes of messages_.
   Clock::time_point until_;
   bool receives_ = false;
   bool sends_ = false;
-  bool sent_ = false;   ///< A message, since attend() was called last.
-  bool parts_ = false;  ///< It was ending then.
-  bool left_ = false;   ///< Its close frame came.
+  bool sent_ = false;   ///< A message was sent since the last call of attend().
+  bool parts_ = false;  ///< The stream was closing at the last call of attend().
+  bool left_ = false;   ///< The client's close frame has arrived.
   bool ended_ = false;
   bool gone_ = false;
 };

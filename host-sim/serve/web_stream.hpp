@@ -9,8 +9,8 @@
 
 namespace sim {
 
-/// Answers a request that asks for a WebSocket. Null when its handshake is malformed; the client
-/// has been told so then.
+/// Answers a request for a WebSocket. Returns null if the handshake is malformed; the client has
+/// been answered in that case.
 [[nodiscard]] std::shared_ptr<WebSocket> open_web_socket(
     boost::asio::ip::tcp::socket socket,
     const boost::beast::http::request<boost::beast::http::string_body>& request);

@@ -15,14 +15,14 @@ namespace sim {
 namespace {
 
 constexpr std::ptrdiff_t kMostAtWork = 2;
-// For handlers at a time: the machine's time goes on meanwhile.
+// Longest time for handlers in one go; the machine's time continues meanwhile.
 constexpr std::chrono::milliseconds kLongestRun{5};
-// To read a part takes a few; others' may be among them.
+// To read a part takes a few handlers; those of other connections may run among them.
 constexpr int kHandlersForAPart = 64;
 constexpr std::string_view kTooManyWatch =
     R"({"refused":"Sixteen pages watch this machine already. Close one of them, and reload."})";
 
-/// Of a sender; the transport keeps the socket until it is gone.
+/// A sender's connection. The transport keeps the socket until it is closed.
 class WebConnection final : public Connection {
  public:
   WebConnection(boost::asio::io_context& context,
@@ -33,9 +33,9 @@ class WebConnection final : public Connection {
   WebConnection& operator=(const WebConnection&) = delete;
   ~WebConnection() override { end(); }
 
-  /// All that has arrived can be read part by part: nothing waits for the next cycle.
+  /// Reads part by part all that has arrived, so that nothing waits for the next cycle.
   std::size_t read(std::span<std::byte> into) override {
-    context_.restart();  // It has stopped if nothing was going on.
+    context_.restart();  // The context stops when it has no work.
     for (int left = kHandlersForAPart; left > 0; --left) {
       if (const std::size_t count = socket_->read(into); count > 0) return count;
       if (context_.poll_one() == 0) return 0;
@@ -45,7 +45,7 @@ class WebConnection final : public Connection {
   std::size_t write(std::span<const std::byte> from) override { return socket_->write(from); }
   bool open() override { return socket_->open(); }
   void end() override { socket_->end(); }
-  void add_to(std::vector<pollfd>&, Wishes) const override {}  // The transport adds it.
+  void add_to(std::vector<pollfd>&, Wishes) const override {}  // The transport adds the socket.
   [[nodiscard]] std::string_view kind() const override { return kind_; }
 
  private:
@@ -98,8 +98,8 @@ void WebTransport::meet(hal::host::Descriptor socket) {
   clients_.back()->begin();
 }
 
-/// The oldest that has asked nothing yet goes, as it waits for nothing; else the oldest that no
-/// thread works for.
+/// Disconnects a client to make space for a new one: the oldest of which no request has been read,
+/// because it waits for no answer; otherwise the oldest for which no thread works.
 void WebTransport::make_place() {
   const auto oldest = [this](auto&& may_go) {
     return std::find_if(clients_.begin(), clients_.end(), [&](const auto& client) {
@@ -160,7 +160,7 @@ void WebTransport::add_watcher(std::shared_ptr<WebSocket> socket) {
   socket->end();
 }
 
-/// Two answers are being made at a time; others wait.
+/// Answers a request. At most kMostAtWork answers are made at a time; other requests wait.
 void WebTransport::answer(WebClient& client) {
   const auto at_work = std::count_if(clients_.begin(), clients_.end(), [](const auto& one) {
     return one->stage() == WebClient::Stage::kWorking;

@@ -22,14 +22,16 @@ namespace sim {
 
 class WebClient;
 
-/// The web server: what the service answers over HTTP, the byte stream of a sender as a WebSocket
-/// at `/` (text or binary frames), that of our page at `/operate`, and a WebSocket at `/observe`
-/// for those who only watch. Asked under a foreign name, it answers 403 (see web_guard.hpp).
+/// The web server. It serves the resources of the page service over HTTP, a sender's byte stream as
+/// a WebSocket at `/` (text or binary frames), the byte stream of the server's own page at
+/// `/operate`, and a WebSocket at `/observe` for watchers. A request under a foreign name is
+/// answered with 403 (see web_guard.hpp).
 ///
-/// HTTP and WebSocket are Boost.Beast's, on an `io_context` of Boost.Asio whose handlers run in the
-/// loop: it polls the sockets' descriptors, and accept() runs what is ready. Nothing blocks, and
-/// everything is bounded: a connection more than kMostClients takes the place of the oldest one
-/// that has asked nothing yet, and a watcher more than kMostWatchers is told so.
+/// HTTP and WebSocket are those of Boost.Beast, on an `io_context` of Boost.Asio whose handlers run
+/// in the loop: the loop polls the sockets' descriptors, and accept() runs the handlers that are
+/// ready. Nothing blocks, and everything is bounded. A client beyond kMostClients takes the place
+/// of the oldest one that has sent no request yet. A watcher beyond kMostWatchers is refused with a
+/// message.
 class WebTransport final : public Transport {
  public:
   static constexpr std::size_t kMostClients = 64;
@@ -37,8 +39,10 @@ class WebTransport final : public Transport {
   using Clock = std::chrono::steady_clock;
   using Now = std::function<Clock::time_point()>;
 
-  /// Port 0 is any free one; `service` must outlive it; clients' time is over by `now`. Throws
-  /// std::system_error naming the address.
+  /// Throws std::system_error naming the address.
+  /// @param address address to listen at; port 0 stands for any free port
+  /// @param service must outlive this object
+  /// @param now clock by which the clients' time limits pass
   WebTransport(const InternetAddress& address, PageService& service, Now now = &Clock::now);
   WebTransport(const WebTransport&) = delete;
   WebTransport& operator=(const WebTransport&) = delete;
@@ -49,9 +53,9 @@ class WebTransport final : public Transport {
   [[nodiscard]] std::string_view kind() const override { return "ws"; }
   [[nodiscard]] std::string address() const override { return to_string(address_); }
 
-  /// Takes in a client that is connected: those who come to the address, and a test's.
+  /// Takes in a connected client: one that came to the address, or one of a test.
   void meet(hal::host::Descriptor socket);
-  /// Those who watch.
+  /// Returns the connections that only watch.
   [[nodiscard]] const std::vector<std::shared_ptr<WebSocket>>& watchers() const {
     return watchers_;
   }
@@ -77,10 +81,10 @@ class WebTransport final : public Transport {
   PageService& service_;
   Now now_;
   hal::host::Descriptor listener_;
-  std::unique_ptr<boost::asio::io_context> context_;  ///< Outlives the sockets.
-  std::vector<std::shared_ptr<WebClient>> clients_;   ///< The oldest first.
-  std::deque<Arrival> arrivals_;                      ///< Senders not accepted yet.
-  std::vector<std::shared_ptr<WebSocket>> sockets_;   ///< All that are not gone.
+  std::unique_ptr<boost::asio::io_context> context_;  ///< Outlives the sockets, so declared first.
+  std::vector<std::shared_ptr<WebClient>> clients_;   ///< Connected clients, the oldest first.
+  std::deque<Arrival> arrivals_;                      ///< Senders that are not accepted yet.
+  std::vector<std::shared_ptr<WebSocket>> sockets_;   ///< All sockets that are not closed.
   std::vector<std::shared_ptr<WebSocket>> watchers_;
 };
 

@@ -45,7 +45,7 @@ void DepthImage::draw(const std::array<ShadedCorner, 3>& corners) {
   const int last_row = std::min(image_.height() - 1, static_cast<int>(std::ceil(bottom)));
   const int first_column = std::max(0, static_cast<int>(std::floor(left)));
   const int last_column = std::min(image_.width() - 1, static_cast<int>(std::ceil(right)));
-  constexpr double kSeam = -1.0e-9;  // Neighbours leave no pixel between them.
+  constexpr double kSeam = -1.0e-9;  // Neighbouring triangles leave no pixel uncovered.
   for (int row = first_row; row <= last_row; ++row) {
     for (int column = first_column; column <= last_column; ++column) {
       const double x = column + 0.5;

@@ -9,22 +9,25 @@
 
 namespace sim {
 
-/// A corner of a triangle of a picture: its place and its colour, red, green and blue from 0 to 1.
+/// A corner of a triangle of a picture: its point and its colour, as red, green and blue from 0 to
+/// 1.
 struct ShadedCorner {
   SeenPoint place;
   Eigen::Vector3f colour = Eigen::Vector3f::Zero();
 };
 
-/// An image of triangles, each pixel of which shows the nearest one: a depth buffer.
+/// An image of triangles with a depth buffer: each pixel shows the nearest triangle.
 class DepthImage {
  public:
-  /// @param box the part of the picture; @param scale pixels of the image for one of the picture
+  /// @param box the part of the picture that the image covers
+  /// @param scale pixels of the image per pixel of the picture
   DepthImage(const Box& box, double scale);
 
-  /// Draws a triangle where nothing nearer has been drawn.
+  /// Draws a triangle, except where a nearer one has been drawn.
   void draw(const std::array<ShadedCorner, 3>& corners);
-  /// Returns whether no triangle lies more than `slack_px` nearer to the viewer than a point. One
-  /// pixel around that shows the point, or nothing, is enough: edges lie between pixels.
+  /// Returns whether a point is visible: no triangle lies more than `slack_px` nearer to the
+  /// viewer. Edges lie between pixels, so it is enough if one of the pixels at and around the point
+  /// shows the point or no triangle. A point outside the image is visible.
   [[nodiscard]] bool shows(const SeenPoint& point, double slack_px) const;
 
   [[nodiscard]] const PixelImage& image() const { return image_; }

@@ -11,9 +11,10 @@ namespace {
 
 constexpr double kVisibilityPx = 2.0;
 constexpr double kThinPx = 0.1;
-/// Lines lie in surfaces, or a little beside them.
+/// Depth by which a surface may lie in front of a line: lines lie in surfaces, or slightly next to
+/// them.
 constexpr double kSlackPx = 4.0;
-/// Points of a part that one chord may replace; bounds the time.
+/// Greatest number of points of a part that one chord may replace; bounds the time.
 constexpr std::size_t kMostReplaced = 64;
 
 double distance_px(const SeenPoint& point, const SeenPoint& from, const SeenPoint& to) {
@@ -24,7 +25,7 @@ double distance_px(const SeenPoint& point, const SeenPoint& from, const SeenPoin
   return std::abs(x * (point.y_px - from.y_px) - y * (point.x_px - from.x_px)) / length;
 }
 
-/// Gathers the visible points of one part after the other.
+/// Collects the visible points of each part in turn, and writes the part as path data.
 class VisibleParts {
  public:
   explicit VisibleParts(const DepthImage& image) : image_{image} {}
@@ -51,7 +52,8 @@ class VisibleParts {
   [[nodiscard]] const std::string& data() const { return data_; }
 
  private:
-  /// Returns the last point to which a chord from a point stays within kThinPx of the part.
+  /// Returns the last point of the part to which a chord from point `from` stays within kThinPx of
+  /// the part.
   [[nodiscard]] std::size_t farthest_from(std::size_t from) const {
     const std::size_t end = std::min(part_.size(), from + kMostReplaced);
     std::size_t to = from + 1;

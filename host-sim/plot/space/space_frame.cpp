@@ -33,7 +33,8 @@ void add_line(std::string& out,
   svg::add_line(out, a.x_px, a.y_px, b.x_px, b.y_px, style);
 }
 
-/// Returns round numbers between the ends of an axis of the box, `wanted` of them or more.
+/// Returns round numbers between the ends of an axis of the box, at most `wanted` + 1 of them, and
+/// sets `step` to their distance.
 std::vector<double> ticks_of(const SpaceBox& box, Index axis, double wanted, double& step) {
   const double least = box.least[axis];
   const double most = box.most[axis];
@@ -60,7 +61,9 @@ unsigned near_corner(const Axonometry& axonometry, const SpaceBox& box) {
   return nearest;
 }
 
-/// Appends the grid of one side of the box: lines of two axes, the third one at a value.
+/// Appends the grid of one side of the box.
+/// @param normal the axis at right angles to the side
+/// @param value position of the side on that axis
 void add_side(std::string& out,
               const Axonometry& axonometry,
               const SpaceBox& box,
@@ -86,7 +89,8 @@ void add_side(std::string& out,
   }
 }
 
-/// An edge of the box with its numbers, and the way on the picture to which they stand.
+/// An edge of the box with its numbers, and the direction in the picture from the edge to the
+/// numbers.
 struct ScaledEdge {
   Index axis;
   Vector3d corner;  ///< A point of the edge.
@@ -145,7 +149,7 @@ void add_space_axes(std::string& out, const Axonometry& axonometry, const SpaceB
   const unsigned near = near_corner(axonometry, box);
   const Vector3d corner = box.corner(near);
   const SeenPoint middle = axonometry.seen(0.5 * (box.corner(0) + box.corner(3)));
-  // Numbers of X and Y stand away from the floor along the other axis.
+  // The numbers of X and Y lie outside the floor, in the direction of the other axis.
   for (const auto& [axis, name] : {std::pair{Index{0}, "X, mm"}, std::pair{Index{1}, "Y, mm"}}) {
     Vector3d inner = corner;
     inner[1 - axis] = 0.5 * (box.least[1 - axis] + box.most[1 - axis]);

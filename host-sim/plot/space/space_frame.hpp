@@ -6,11 +6,11 @@
 
 namespace sim {
 
-/// Appends the sides of a box that are behind everything, with light grid lines: the floor and the
+/// Appends the sides of a box that are behind all content, with light grid lines: the floor and the
 /// two walls far from the viewer.
 void add_back_sides(std::string& out, const Axonometry& axonometry, const SpaceBox& box);
 
-/// Appends the scales of X, Y and Z in mm along the edges of a box that stand free.
+/// Appends the scales of X, Y and Z in mm along outer edges of a box.
 void add_space_axes(std::string& out, const Axonometry& axonometry, const SpaceBox& box);
 
 }  // namespace sim

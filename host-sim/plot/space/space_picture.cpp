@@ -23,14 +23,15 @@ constexpr double kSpaceTopPx = 140.0;
 constexpr double kSpaceKeyPx = 300.0;
 constexpr double kSpaceBottomPx = 110.0;
 constexpr double kSpaceWidthPx = kPictureWidthPx - kSpaceLeftPx - kSpaceKeyPx - 80.0;
-constexpr double kLeastSpacePx = 560.0;  ///< High; a key with a scale and five samples.
+constexpr double kLeastSpacePx = 560.0;  ///< Smallest height: fits a scale and five samples.
 constexpr double kMostSpacePx = 1000.0;
 constexpr double kImageScale = 2.0;
 constexpr Colour kPlainSurface{0xd4, 0xd8, 0xde};
-/// Cosine of the angle between facets from which on their edge is sharp.
+/// A corner of a facet is shaded smoothly if the cosine of the angle between the facet's normal and
+/// the mean normal at the corner is above this. Otherwise the edges there look sharp.
 constexpr double kSharp = 0.8;
 
-/// Returns the factor by which heights are stretched: 1 unless they would hardly be seen.
+/// Returns the factor by which heights are stretched: 1 if they are visible without stretching.
 double stretch_for(const SpaceBox& box) {
   constexpr double kLeastHeightShare = 0.08;
   const Vector3d size = box.most - box.least;
@@ -41,7 +42,7 @@ double stretch_for(const SpaceBox& box) {
   return size.z() > 0.0 ? 100.0 : 1.0;
 }
 
-/// Returns the box of everything, with some height where all is level.
+/// Returns the box of all points, with some height if all of them are level.
 SpaceBox box_of(const SpaceScene& scene) {
   SpaceBox box;
   for (const Vector3d& point : scene.mesh.points) box.include(point);
@@ -102,7 +103,7 @@ class Shader {
            255.0F;
   }
 
-  /// Returns the light that a surface gives to the viewer, from either side.
+  /// Returns the light that a surface reflects to the viewer, from either side.
   [[nodiscard]] float shade(const Vector3d& normal) const {
     const Vector3d light = Vector3d{-0.5, 0.6, 0.62}.normalized();
     Vector3d turned = axonometry_.turned(normal);
@@ -141,7 +142,8 @@ Box inside(const Extent& extent) {
           extent.height_mm() + 2.0 * kRimPx};
 }
 
-/// Returns the part of the picture that a box in space takes when it is as wide as there is room.
+/// Returns the part of the picture that a box in space takes at the greatest width for which there
+/// is space.
 Box plot_for(const Viewpoint& viewpoint, const SpaceBox& box, double stretch) {
   constexpr double kSquarePx = 1000.0;
   const Extent seen =
@@ -195,7 +197,7 @@ std::vector<Colour> height_colours(const surface::Mesh& mesh, PictureKey& key) {
   }
   const double span = std::max(most - least, 1.0e-9);
   const auto colour_at = [](double share) {
-    constexpr double kWhite = 0.38;  // Lines over it stay visible.
+    constexpr double kWhite = 0.38;  // Share of white: lines over the surface stay visible.
     const Colour full = speed_colour(share);
     const auto lighter = [](std::uint8_t part) {
       return static_cast<std::uint8_t>(std::lround(part + kWhite * (255 - part)));
