@@ -13,7 +13,8 @@
 namespace sim {
 namespace {
 
-/// Of the axes from `first` to before `last`; empty where none of them moves.
+/// Returns the bounds of the axes from `first` to before `last`; an empty text if none of them
+/// moves.
 std::string bounds_text(const Report& report, std::size_t first, std::size_t last) {
   std::string text;
   for (std::size_t axis = first; axis < last; ++axis) {

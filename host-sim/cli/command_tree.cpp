@@ -13,7 +13,8 @@ bool names_file(const CLI::Option& option) {
   return file_role(option).has_value() || option.get_type_name() == "DEVICE";
 }
 
-/// Returns `a` and `b` of `{a,b}` and of `{a->0,b->1}`, which is how CLI11 describes a closed set.
+/// Returns `a` and `b` from `{a,b}` and from `{a->0,b->1}`, which is how CLI11 describes a closed
+/// set.
 std::vector<std::string> choices_of(const CLI::Option& option) {
   const std::string type = option.get_type_name();
   const std::size_t open = type.find('{');
@@ -46,7 +47,8 @@ void add_parameters(CommandText& text, const CLI::App& app) {
   }
 }
 
-/// Options in a group hang below a command without a name.
+/// Returns whether a command is a group: CLI11 puts the options of a group into a command without a
+/// name.
 bool is_group(const CLI::App* app) { return app->get_name().empty(); }
 bool is_command(const CLI::App* app) { return !is_group(app); }
 

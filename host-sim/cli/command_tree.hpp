@@ -12,23 +12,25 @@ namespace sim {
 
 /// An option, a flag or a positional argument, as `--help` prints it.
 struct ParameterText {
-  std::vector<std::string> names;  ///< `-o`, `--output`; of a positional its one name.
-  std::string value;               ///< ` FILE REQUIRED`, ` Z=-10`; empty for a flag.
+  /// All names, such as `-o` and `--output`; for a positional argument its only name.
+  std::vector<std::string> names;
+  /// Text of the value, such as ` FILE REQUIRED` or ` Z=-10`; empty for a flag.
+  std::string value;
   std::string description;
-  std::vector<std::string> choices;  ///< The only values that it takes; empty: any.
+  std::vector<std::string> choices;  ///< The only values that the parameter takes; empty for any.
   bool takes_value = false;
-  bool takes_file = false;  ///< The value is the name of a file, of a link or of a device.
+  bool takes_file = false;  ///< Whether the value is the name of a file, of a link or of a device.
   bool may_repeat = false;
 };
 
 /// One command with everything that `--help` prints about it.
 struct CommandText {
-  std::string path;  ///< With the names above it: `kerfline kerf advise`.
+  std::string path;  ///< Name of the command after the names above it: `kerfline kerf advise`.
   std::string description;
   std::string footer;
   std::vector<ParameterText> positionals;
   std::vector<ParameterText> options;
-  std::vector<std::string> subcommands;  ///< Their names, without this command's path.
+  std::vector<std::string> subcommands;  ///< Names of the subcommands, without this command's path.
 };
 
 /// Lists `app` and all commands below it, each in front of its subcommands.

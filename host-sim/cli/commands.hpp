@@ -1,19 +1,19 @@
 #pragma once
 
 namespace CLI {
-class App;  // All of its header would cost each reader seconds.
+class App;  // Forward declaration only, because CLI11's header takes seconds to compile.
 }
 
 namespace sim {
 
-/// What a command leaves to the shell.
+/// Exit status that a command returns to the shell.
 enum class ExitStatus : int {
   kFine = 0,
   kFaults = 1,  ///< The program has faults, or the run ended in an alarm.
   kUsage = 2,   ///< The call itself, a setting or a file name is wrong.
 };
 
-/// Each adds its subcommand; `status` is set when it runs.
+/// Each function adds its subcommand, which sets `status` when it runs.
 void add_sim_command(CLI::App& app, ExitStatus& status);
 void add_check_command(CLI::App& app, ExitStatus& status);
 void add_serve_command(CLI::App& app, ExitStatus& status);
@@ -29,7 +29,8 @@ void add_send_command(CLI::App& app, ExitStatus& status);
 void add_surface_command(CLI::App& app, ExitStatus& status);
 void add_wall_command(CLI::App& app, ExitStatus& status);
 
-/// Each adds a subcommand that prints a text about all commands of `app`, which must outlive it.
+/// Each function adds a subcommand that prints a text about all commands of `app`, which must
+/// outlive it.
 void add_completion_command(CLI::App& app);
 void add_manual_command(CLI::App& app);
 

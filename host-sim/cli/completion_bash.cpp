@@ -6,8 +6,8 @@
 namespace sim {
 namespace {
 
-// Plain bash: the helpers of the bash-completion package need not be there. Between `--option`
-// and its value bash may see a word `=`.
+// The script is plain bash, because the helpers of the bash-completion package may be missing.
+// Between `--option` and its value bash may see a word `=`.
 constexpr const char* kBashScript =
     R"(# Completion of kerfline for bash; written by `kerfline completion bash`.
 _kerfline() {{
@@ -39,7 +39,7 @@ _kerfline() {{
 complete -F _kerfline kerfline
 )";
 
-/// Returns the case of an option that takes a value: what may stand behind it.
+/// Returns the case of an option that takes a value: the words that may follow the option.
 std::string value_case(const CommandText& command, const ParameterText& option) {
   std::vector<std::string> patterns;
   for (const std::string& name : option.names) {

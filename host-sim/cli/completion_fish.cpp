@@ -32,7 +32,7 @@ std::string condition_of(const CommandText& command) {
       "{}not __fish_seen_subcommand_from {}", condition, fmt::join(command.subcommands, " "));
 }
 
-/// Returns what may stand behind an option.
+/// Returns the words that may follow an option.
 std::string fish_value_of(const ParameterText& option) {
   if (!option.takes_value) return "";
   if (!option.choices.empty()) {

@@ -23,13 +23,13 @@ std::string quoted_for_zsh(const std::string& text, std::string_view special) {
   return quoted;
 }
 
-/// Returns `_kerfline_kerf_advise` of `kerfline kerf advise`.
+/// Returns `_kerfline_kerf_advise` for `kerfline kerf advise`.
 std::string function_of(std::string path) {
   std::replace(path.begin(), path.end(), ' ', '_');
   return "_" + path;
 }
 
-/// Returns `:message:action` of a value.
+/// Returns `:message:action` for a value.
 std::string zsh_value_of(const ParameterText& parameter) {
   std::string action = parameter.takes_file ? "_files" : " ";
   if (!parameter.choices.empty()) action = fmt::format("({})", fmt::join(parameter.choices, " "));
@@ -62,7 +62,7 @@ std::string leaf_function(const CommandText& command) {
   return fmt::format("{}() {{\n{}\n}}\n", function_of(command.path), body);
 }
 
-/// Returns the function of a command that has subcommands: it calls theirs.
+/// Returns the function of a command that has subcommands: it calls their functions.
 std::string branch_function(std::span<const CommandText> commands, const CommandText& command) {
   std::string options;
   for (const ParameterText& option : command.options) options += option_specs(option);
@@ -103,7 +103,7 @@ std::string zsh_completion(std::span<const CommandText> commands) {
     script +=
         command.subcommands.empty() ? leaf_function(command) : branch_function(commands, command);
   }
-  // Loaded by compinit as a function, or sourced.
+  // The script is loaded by compinit as a function, or sourced.
   script +=
       "if [[ $funcstack[1] == _kerfline ]]; then\n"
       "  _kerfline \"$@\"\n"

@@ -15,7 +15,8 @@
 namespace sim {
 namespace {
 
-/// Throws std::invalid_argument for options without those that they need.
+/// Checks that each option comes with the options that it needs. Throws std::invalid_argument
+/// otherwise.
 void expect_whole_call(const CutCommandOptions& options) {
   const auto refuse = [](const char* reason) { throw std::invalid_argument(reason); };
   const bool has_material = !options.record.material.empty();
@@ -43,7 +44,7 @@ double greatest_watts(const std::vector<cut::LayerSettings>& wishes) {
   return greatest;
 }
 
-/// Chooses a full power where none is given.
+/// Chooses a full power if none is given.
 void guess_full_power(cut::Beam& beam,
                       const std::vector<cut::LayerSettings>& wishes,
                       std::vector<std::string>& notes) {
@@ -77,7 +78,8 @@ ProgramDigest CutKerf::digest() const {
 
 namespace {
 
-/// Makes the job's kerf of an entry of a record: its own, or the one that the call gives.
+/// Makes the job's kerf from an entry of a record: the kerf is the entry's own or the one that the
+/// call gives.
 void take_entry(CutKerf& kerf, const MaterialRecord& record, const CutCommandOptions& options) {
   if (options.kerf_table) {
     throw std::invalid_argument(fmt::format(

@@ -15,36 +15,38 @@
 
 namespace sim {
 
-/// Where a job has its kerf, powers and feeds from.
+/// Source of a job's kerf, powers and feeds.
 struct CutKerf {
-  std::optional<MaterialRecord> material{};  ///< Chooses what the call does not give.
-  std::optional<double> known_mm{};          ///< The kerf, as the call gives it.
-  MaterialRecord record{};                   ///< The job's; with the known kerf where there is one.
-  std::optional<OperationRecord> operation{};  ///< In place of a law of the kerf.
-  std::string origin{};  ///< Source of the settings, for people; empty: see `record`.
+  /// Material that supplies the values that the call does not give.
+  std::optional<MaterialRecord> material{};
+  std::optional<double> known_mm{};  ///< The kerf, if the call gives it.
+  MaterialRecord record{};           ///< Record of the job, with the known kerf if there is one.
+  std::optional<OperationRecord> operation{};  ///< Operation that replaces a law of the kerf.
+  /// Source of the settings, as text for people; if empty, the source is `record`.
+  std::string origin{};
 
   /// Returns the digest of the kerf for the heading of a program.
   [[nodiscard]] ProgramDigest digest() const;
 };
 
-/// Reads the record of the call's material, and its known kerf. Throws std::invalid_argument for
-/// options that need others, and as RecordOptions::record() does.
+/// Reads the record of the call's material, and its known kerf. Throws std::invalid_argument if an
+/// option lacks another option that it needs, and as RecordOptions::record() does.
 [[nodiscard]] CutKerf kerf_of(const CutCommandOptions& options);
 
-/// Returns what the material's entry says of power, feed and passes, as options of all cuts.
+/// Returns power, feed and passes of the material's entry, as options of all cuts.
 [[nodiscard]] std::vector<std::pair<std::string, std::string>> values_of_entry(const CutKerf& kerf);
 
-/// Adds where kerf and settings are from: to `lines` what was measured, to `notes` the rest, and
-/// what is to be known of the kerf of a record.
+/// Adds the sources of kerf and settings: measured ones to `lines`, all others to `notes`. Also
+/// adds notes about the kerf of a record.
 void tell_origin(const CutCommandOptions& options,
                  const CutKerf& kerf,
                  const std::vector<cut::LayerPlan>& layers,
                  std::vector<std::string>& lines,
                  std::vector<std::string>& notes);
 
-/// Returns the laser of a call. Its full power is the one that is given, else the greatest of the
-/// material's record, else the greatest that the call has in watts; where the call has shares only,
-/// watts are not known. What was guessed is added to `notes`.
+/// Returns the laser of a call. Its full power is the given one, else the greatest of the
+/// material's record, else the greatest that the call has in watts. If the call has only shares of
+/// power, the watts are not known. Guesses are added to `notes`.
 /// @param wishes settings of all cuts, and of layers
 [[nodiscard]] cut::Beam beam_of(const CutCommandOptions& options,
                                 const std::vector<SettingChange>& settings,

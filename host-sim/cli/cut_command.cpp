@@ -43,7 +43,7 @@ using cut::CutJob;
 using cut::CutPlan;
 using drawing::Drawing;
 
-/// What the importer found wrong, but what the settings of a layer make right.
+/// Returns the faults that the importer found, except those that the settings of a layer correct.
 std::vector<drawing::Fault> faults_of(const Drawing& drawn,
                                       const std::vector<cut::LayerPlan>& layers) {
   std::vector<drawing::Fault> faults = picture_faults(drawn, layers);
@@ -80,7 +80,7 @@ void print_all_faults(const std::vector<drawing::Fault>& faults, const Drawing& 
   if (drawn.more_faults != 0) terminal::print(stderr, "and {} more faults\n", drawn.more_faults);
 }
 
-/// Prints what was left out without a fault, except of layers that are skipped.
+/// Prints notes on what was left out without a fault, except in layers that are skipped.
 void print_notes(const Drawing& drawn,
                  const std::vector<cut::LayerPlan>& layers,
                  const std::vector<cut::LayerRule>& rules) {
@@ -108,7 +108,7 @@ void append(std::vector<drawing::Fault>& faults, const std::vector<drawing::Faul
   faults.insert(faults.end(), more.begin(), more.end());
 }
 
-/// Faults for which no cut is planned.
+/// Prints faults for which no cut is planned, and returns the status.
 ExitStatus refuse(const CutCommandOptions& options,
                   const std::vector<drawing::Fault>& faults,
                   const Drawing& drawn) {
@@ -118,7 +118,7 @@ ExitStatus refuse(const CutCommandOptions& options,
   return ExitStatus::kFaults;
 }
 
-/// A machine with a laser, and whatever else is said of it.
+/// Returns the settings of a machine with a laser: the machine's own, and those of the call.
 std::vector<SettingChange> machine_of(const CutCommandOptions& options) {
   std::vector<SettingChange> settings{parse_setting("$32=1", "laser mode")};
   settings.insert(settings.end(), options.machine_settings.begin(), options.machine_settings.end());
@@ -132,8 +132,8 @@ bool names_settings(const CutCommandOptions& options) {
          !options.machine_settings.empty();
 }
 
-/// The program, with the time that it takes in its heading; with faults where the machine
-/// refuses it.
+/// Returns the program, with its time in its heading. If the machine refuses it, the program has
+/// faults.
 std::string timed_program(const CutCommandOptions& options,
                           const CutJob& job,
                           const CutRun& run,
@@ -147,7 +147,7 @@ std::string timed_program(const CutCommandOptions& options,
       !check.faults.empty() && std::ranges::all_of(check.faults, [](const Fault& fault) {
         return fault.number == kTravelExceeded;
       });
-  // The call names no machine: the travel is the one of a new controller.
+  // If the call names no machine, the travel is that of a new controller.
   const bool is_unknown = is_of_travel && !names_settings(options);
   for (const Fault& fault : check.faults) {
     terminal::print(stderr, "{}{}\n", is_unknown ? "warning: " : "", to_string(fault));
@@ -172,7 +172,7 @@ const char* refusal_of(const CutPlan& plan) {
   return "no program is written; --anyway cuts what is sound";
 }
 
-/// The wishes of the call, with a progress line while the order is searched.
+/// Returns the wishes of the call, with a progress line while the order is searched.
 cut::OrderWish searched_order(const CutCommandOptions& options) {
   order::OrderProgress progress;
   if (is_terminal(stderr)) {
@@ -188,8 +188,8 @@ cut::OrderWish searched_order(const CutCommandOptions& options) {
   return wish;
 }
 
-/// Writes pictures, program, frame and reports of a job; no program of a job with faults, unless
-/// the call wants one of what is sound.
+/// Writes pictures, program, frame and reports of a job. If the job has faults, writes no program,
+/// unless the call requires one of the sound parts.
 ExitStatus write_job(const CutCommandOptions& options,
                      const CutJob& job,
                      const CutRun& run,
@@ -228,7 +228,8 @@ ExitStatus write_job(const CutCommandOptions& options,
   return status;
 }
 
-/// Faults that no wish of the call overrules: the head would run into the frame.
+/// Refuses a job that leaves the bed. No option of the call overrides this, because the head would
+/// run into the machine's frame.
 ExitStatus refuse_off_the_bed(const CutCommandOptions& options) {
   terminal::print(stderr,
                   "kerfline: no program is written; the job leaves the bed{}\n",
@@ -236,13 +237,13 @@ ExitStatus refuse_off_the_bed(const CutCommandOptions& options) {
   return ExitStatus::kFaults;
 }
 
-/// Takes from a machine what the call does not say.
+/// Takes from a machine the values that the call does not give.
 void take_machine(CutCommandOptions& options, const cut::MachineProfile& machine) {
   if (options.full_power_w == 0.0) options.full_power_w = machine.full_power_w;
   options.machine_settings = machine.settings;
 }
 
-/// Puts a drawing to its place. Returns a line about it, see place_drawing().
+/// Moves a drawing to its position. Returns a line about the position, see place_drawing().
 std::string put_to_place(const CutCommandOptions& options,
                          CutInput& input,
                          const std::optional<cut::MachineProfile>& machine) {
@@ -256,7 +257,7 @@ std::string put_to_place(const CutCommandOptions& options,
   return place_drawing(input.drawn, wishes, machine ? &*machine : nullptr, options.import.effort);
 }
 
-/// Returns the pictures and cuts of a call in their order, each pass of them.
+/// Returns the pictures and cuts of a call in their order, with each of their passes.
 CutPlan planned(const CutSource& source,
                 const Drawing& drawn,
                 const std::vector<cut::LayerPlan>& layers,

@@ -14,9 +14,9 @@
 namespace sim {
 namespace {
 
-/// Above this a beam that is meant to be seen begins to burn, %.
+/// Power in % above which a beam that is only to be seen begins to burn.
 constexpr double kMaxFramePercent = 5.0;
-constexpr double kMaxFrameFeed = 1.0e6;  ///< mm/min.
+constexpr double kMaxFrameFeed = 1.0e6;  ///< Greatest feed of a frame, mm/min.
 
 std::vector<std::string> frame_heading(const CutFrameOptions& options, const cut::CutJob& job) {
   const bool is_box = options.shape == cut::FrameShape::kBox;

@@ -13,9 +13,9 @@ class App;
 
 namespace sim {
 
-/// The frame of a job in a call of `kerfline cut`.
+/// Options of `kerfline cut` for the frame of a job.
 struct CutFrameOptions {
-  std::string file;  ///< To write; empty: none.
+  std::string file;  ///< File to write; empty for none.
   cut::FrameShape shape = cut::FrameShape::kHull;
   double power_percent = 0.0;
   double feed_mm_min = 3000.0;
@@ -24,8 +24,8 @@ struct CutFrameOptions {
 /// Adds `--frame`, `--frame-shape`, `--frame-power` and `--frame-feed`.
 void add_cut_frame_options(CLI::App& command, CutFrameOptions& options);
 
-/// Writes the frame program of a job, in the form of a post, if it is wanted. @pre the job has a
-/// cut
+/// Writes the frame program of a job, in the form of a post, if the options name a file.
+/// @pre the job has a cut
 void write_frame(const CutFrameOptions& options,
                  const cut::CutJob& job,
                  const CutRun& run,

@@ -5,10 +5,12 @@
 
 namespace sim {
 
-/// Returns the digest of a record of kerfs: of its image, as a controller would store it.
+/// Returns the digest of a record of kerfs, which is that of its image as a controller would store
+/// it.
 [[nodiscard]] ProgramDigest digest_of(const MaterialRecord& record);
 
-/// Returns the digest of a machine's settings. @param is_given whether the call names some
+/// Returns the digest of a machine's settings.
+/// @param is_given whether the call names some
 [[nodiscard]] ProgramDigest settings_digest(const cnc::Settings& settings, bool is_given);
 
 }  // namespace sim

@@ -9,15 +9,15 @@
 
 namespace sim {
 
-/// Holds all that the conditions of layers are chosen from.
+/// All inputs from which the conditions of layers are chosen.
 struct CutSource {
   const CutCommandOptions& options;
   const CutKerf& kerf;
   const cut::Beam& beam;
 };
 
-/// Reads the rules for layers of a call. Throws std::invalid_argument with their place, also for
-/// one that names no layer of the drawing.
+/// Reads the rules for layers of a call. Throws std::invalid_argument with the place of a wrong
+/// rule, also for a rule that names no layer of the drawing.
 [[nodiscard]] std::vector<cut::LayerRule> layer_rules_of(const CutCommandOptions& options,
                                                          const drawing::Drawing& drawn,
                                                          InputFiles& inputs);
@@ -27,14 +27,14 @@ struct CutSource {
 [[nodiscard]] cut::LayerSettings common_settings(const CutCommandOptions& options,
                                                  cut::LayerSettings base = {});
 
-/// Returns these, and those of each layer that is driven, whose power may be a share. Throws as
-/// settings_of_layer().
+/// Returns the settings of all cuts, and those of each layer that is driven. Their power may be a
+/// share. Throws as settings_of_layer().
 [[nodiscard]] std::vector<cut::LayerSettings> power_wishes(
     const CutCommandOptions& options,
     const drawing::Drawing& drawn,
     const std::vector<cut::LayerRule>& rules);
 
-/// Returns settings, power and feed of each layer of a drawing by the options of the call; layers
+/// Returns settings, power and feed of each layer of a drawing by the options of the call. Layers
 /// that are skipped need neither power nor feed. Throws std::invalid_argument that names the
 /// option, the file or the layer.
 [[nodiscard]] std::vector<cut::LayerPlan> layers_of(const CutSource& source,

@@ -15,11 +15,12 @@ namespace {
 using cut::LayerSettings;
 using cut::OfferedValues;
 
-/// Settings of a layer, and how they came about.
+/// Settings of a layer, and their sources.
 struct LayerChoice {
   LayerSettings settings{};
-  std::vector<std::string> taken{};      ///< `key=value`.
-  std::vector<std::string> not_taken{};  ///< Reasons, each a clause.
+  std::vector<std::string> taken{};  ///< Settings that were taken, as `key=value`.
+  /// Reasons why offered settings were not taken, each a clause.
+  std::vector<std::string> not_taken{};
 };
 
 LayerSettings with_values(LayerSettings settings,
@@ -28,7 +29,8 @@ LayerSettings with_values(LayerSettings settings,
   return settings;
 }
 
-/// Applies what is offered, then the options of all cuts, then the rules.
+/// Returns the settings after applying the offered ones, then the options of all cuts, then the
+/// rules.
 LayerSettings applied(const CutCommandOptions& options,
                       const drawing::Layer& layer,
                       const std::vector<cut::LayerRule>& rules,
@@ -37,7 +39,7 @@ LayerSettings applied(const CutCommandOptions& options,
   return settings_for(layer, common_settings(options, base), rules, base);
 }
 
-/// Returns whether the call gives a setting of a layer that goes along lines, or is filled.
+/// Returns whether the call gives a setting of a layer that is driven along lines, or is filled.
 bool is_said(const CutCommandOptions& options,
              const std::vector<const cut::LayerRule*>& own,
              bool engraved,
@@ -51,7 +53,7 @@ bool is_said(const CutCommandOptions& options,
   return std::ranges::any_of(own, [&](const cut::LayerRule* rule) { return gives(rule->values); });
 }
 
-/// Returns `key=value`, fit for the comment of a program, which has no percent signs.
+/// Returns `key=value`, suitable for the comment of a program, which cannot contain percent signs.
 std::string text_of_value(const std::pair<std::string, std::string>& value) {
   const bool is_percent = value.second.ends_with('%');
   return fmt::format("{}={}{}",
@@ -60,7 +62,7 @@ std::string text_of_value(const std::pair<std::string, std::string>& value) {
                      is_percent ? " percent" : "");
 }
 
-/// Keeps kind and rank alone.
+/// Drops all offered values except kind and rank.
 void drop_operation(OfferedValues& offered, LayerChoice& choice, const std::string& reason) {
   std::string dropped;
   std::erase_if(offered.values, [&dropped](const auto& value) {
@@ -71,7 +73,7 @@ void drop_operation(OfferedValues& offered, LayerChoice& choice, const std::stri
   if (!dropped.empty()) choice.not_taken.push_back(fmt::format("{} not, {}", dropped, reason));
 }
 
-/// Returns for what power and speed of a side are: `lines`, `filling` or `pictures`.
+/// Returns what the power and speed of a side are for: `lines`, `filling` or `pictures`.
 std::string_view use_of(cut::Side side) {
   if (side == cut::Side::kFill) return "filling";
   return side == cut::Side::kImage ? "pictures" : "lines";

@@ -24,30 +24,35 @@ class App;
 
 namespace sim {
 
-/// The call of `kerfline cut`.
+/// Options of `kerfline cut`.
 struct CutCommandOptions {
   std::string file;
   drawing::ImportOptions import;
-  /// With the 2 um of contours that cross (kFillToleranceMm) a cut is within 5 um of the drawing.
+  /// Together with the 2 um of contours that cross (kFillToleranceMm), a cut is within 5 um of the
+  /// drawing.
   OutlineOptions curves{.tolerance_mm = 0.003};
   RecordOptions record;
-  double thickness_mm = 0.0;                                ///< 0: not given.
-  std::optional<double> kerf_mm{};                          ///< Known, in place of the record's.
-  std::string entry;                                        ///< Of the material; empty: any.
-  std::vector<std::pair<std::string, std::string>> known;   ///< As the material's entry has it.
-  std::string laser;                                        ///< Of this machine; empty: not named.
-  std::vector<std::pair<std::string, std::string>> common;  ///< Keys of LayerSettings.
+  double thickness_mm = 0.0;        ///< Thickness of the material; 0 if not given.
+  std::optional<double> kerf_mm{};  ///< Known kerf, which replaces the record's.
+  std::string entry;                ///< Entry of the material; empty for any.
+  /// Keys and values of the material's entry.
+  std::vector<std::pair<std::string, std::string>> known;
+  std::string laser;  ///< Laser of this machine; empty if not named.
+  /// Keys and values of LayerSettings for all cuts.
+  std::vector<std::pair<std::string, std::string>> common;
   std::vector<std::string> layers;
   std::string layers_file;
-  std::vector<cut::LayerRule> recipe_layers;  ///< Before those of `layers`.
-  std::string recipe;                         ///< File to read; empty: none.
-  std::string save_recipe;                    ///< File to write; empty: none.
+  /// Rules of the recipe, which apply before those of `layers`.
+  std::vector<cut::LayerRule> recipe_layers;
+  std::string recipe;       ///< Recipe to read; empty for none.
+  std::string save_recipe;  ///< Recipe to write; empty for none.
   CutPlaceOptions place;
-  std::vector<SettingChange> machine_settings;  ///< Those of the machine that `place` names.
+  std::vector<SettingChange> machine_settings;  ///< Settings of the machine that `place` names.
   CutOrderOptions order;
-  double full_power_w = 0.0;  ///< 0: see beam_of().
+  double full_power_w = 0.0;  ///< Full power of the laser; if 0, see beam_of().
   bool constant_power = false;
-  std::optional<unsigned> kerf_table{};  ///< The controller finds the way beside parts.
+  /// Number of the kerf table, if the controller finds the path next to parts.
+  std::optional<unsigned> kerf_table{};
   cut::SafetyWishes safety{};
   bool anyway = false;
   bool check = false;

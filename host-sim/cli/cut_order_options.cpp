@@ -15,9 +15,9 @@
 namespace sim {
 namespace {
 
-constexpr double kFarthestMm = 1.0e5;  ///< Of the start and the end of a job.
+constexpr double kFarthestMm = 1.0e5;  ///< Greatest distance of the start and the end of a job.
 
-/// Reads `X,Y`, mm.
+/// Reads a position `X,Y`, mm.
 cut::Place place_from(const char* option, const std::string& text) {
   if (text.empty()) return {0.0, 0.0};
   const std::size_t comma = text.find(',');

@@ -13,7 +13,7 @@ class App;
 
 namespace sim {
 
-/// The part of a call of `kerfline cut` that says in which order cuts are made.
+/// Options of `kerfline cut` for the order of cuts.
 struct CutOrderOptions {
   order::OrderMethod method = order::OrderMethod::kOurs;
   cut::OrderCost cost = cut::OrderCost::kTime;
@@ -27,9 +27,9 @@ struct CutOrderOptions {
 /// Adds --order, --cost, --group, --from, --to, --seconds and --seed.
 void add_cut_order_options(CLI::App& command, CutOrderOptions& options);
 
-/// Returns how the cuts are to be ordered on a machine with these settings.
+/// Returns how the cuts are to be ordered on a machine with these settings. Throws
+/// std::invalid_argument naming the option, or the setting, that is wrong.
 /// @param progress called now and then while the order is searched; may be empty
-/// Throws std::invalid_argument naming the option, or the setting, that is wrong.
 [[nodiscard]] cut::OrderWish order_wish_of(const CutOrderOptions& options,
                                            const std::vector<SettingChange>& settings,
                                            order::OrderProgress progress);

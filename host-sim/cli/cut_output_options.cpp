@@ -16,7 +16,7 @@ constexpr double kMaxAnimationS = 3600.0;
 constexpr double kMaxMoney = 1.0e9;
 constexpr std::size_t kMaxCurrencyBytes = 12;
 
-/// Returns why a text cannot stand behind an amount on paper and in JSON; empty where it can.
+/// Returns the reason why a text cannot follow an amount on paper and in JSON; empty if it can.
 std::string refusal_of_currency(const std::string& text) {
   bool is_sound = !text.empty() && text.size() <= kMaxCurrencyBytes;
   for (std::string_view rest = text; is_sound && !rest.empty();) {

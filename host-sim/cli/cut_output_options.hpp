@@ -10,17 +10,18 @@ class App;
 
 namespace sim {
 
-/// Options of `kerfline cut` for what a user looks at, and for what a job costs.
+/// Options of `kerfline cut` for pictures of a job, and for its cost.
 struct CutOutputOptions {
   std::string svg;
   std::string png;
   std::string animation;
-  double animation_s = 30.0;  ///< Longer jobs are shown faster.
+  double animation_s = 30.0;  ///< Greatest duration of the animation; longer jobs are shown faster.
   std::string job_sheet;
   cut::PriceList prices{};
 };
 
-/// Adds the options to the command. @param options outlives the command
+/// Adds the options to the command.
+/// @param options outlives the command
 void add_cut_output_options(CLI::App& command, CutOutputOptions& options);
 
 }  // namespace sim

@@ -10,14 +10,15 @@
 
 namespace sim {
 
-/// Writes the picture where one is asked for. @param edges null where they were not measured
+/// Writes the picture if the options require one.
+/// @param edges null if they were not measured
 void write_pictures(const CutOutputOptions& options,
                     const cut::CutJob& job,
                     const cut::Timeline& timeline,
                     const cut::EdgeFigures* edges);
 
-/// Prints what time and money of the job go to, adds it to the report, and writes the files that
-/// show it where they are asked for.
+/// Prints the parts of the job's time and money, adds them to the report, and writes the files
+/// about them that the options require.
 /// @param job_time_s as account_of()
 void account_for(const CutOutputOptions& options,
                  const cut::CutJob& job,

@@ -7,15 +7,15 @@
 
 namespace sim {
 
-/// Leaves in a drawing the pictures that the rules of a call burn, and adds the digests of their
-/// files.
+/// Keeps in a drawing only the pictures that the rules of a call burn, and adds the digests of
+/// their files.
 void keep_burnt_pictures(const CutCommandOptions& options,
                          const std::vector<cut::LayerRule>& rules,
                          drawing::Drawing& drawn,
                          InputFiles& inputs);
 
-/// Returns the cuts of these pictures, see cut::picture_cuts(): plain where the program is for
-/// another controller.
+/// Returns the cuts of these pictures, see cut::picture_cuts(). They are plain if the program is
+/// for another controller.
 [[nodiscard]] std::vector<cut::Cut> picture_cuts_of(const CutCommandOptions& options,
                                                     const drawing::Drawing& drawn,
                                                     const std::vector<cut::LayerPlan>& layers,
@@ -23,16 +23,16 @@ void keep_burnt_pictures(const CutCommandOptions& options,
                                                     const cut::OrderWish& machine,
                                                     std::vector<drawing::Fault>& warnings);
 
-/// Returns power and feed of pictures. Throws std::invalid_argument where the layer lacks one.
+/// Returns power and feed of pictures. Throws std::invalid_argument if the layer lacks one of them.
 [[nodiscard]] cut::Condition picture_condition(const cut::LayerSettings& settings,
                                                std::uint32_t thickness_um);
 
-/// Returns faults of the layers that burn pictures: contours in them, and pictures that cannot be
-/// read.
+/// Returns faults of the layers that burn pictures: contours in these layers, and pictures that
+/// cannot be read.
 [[nodiscard]] std::vector<drawing::Fault> picture_faults(const drawing::Drawing& drawn,
                                                          const std::vector<cut::LayerPlan>& layers);
 
-/// Returns whether a note is about a picture that is burnt, or that a rule leaves out.
+/// Returns whether a note is about a picture that is burnt or that a rule leaves out.
 [[nodiscard]] bool is_known_picture(const drawing::Fault& note,
                                     const drawing::Drawing& drawn,
                                     const std::vector<cut::LayerPlan>& layers,

@@ -18,7 +18,7 @@ namespace {
 constexpr double kFarthestPlaceMm = 1.0e5;
 constexpr std::size_t kMaxColumns = 1000;
 
-/// Reads two numbers with a character between them.
+/// Reads two numbers with the character `between` between them.
 std::optional<cut::Place> two_numbers(const std::string& text, char between) {
   const std::size_t split = text.find(between);
   if (split == std::string::npos) return std::nullopt;

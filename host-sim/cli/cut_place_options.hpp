@@ -10,15 +10,15 @@ class App;
 
 namespace sim {
 
-/// The machine of a call of `kerfline cut`, and where the drawing is put on it.
+/// Options of `kerfline cut` for the machine and for the position of the drawing on it.
 struct CutPlaceOptions {
-  std::string machine;  ///< File, or name of a shipped profile; empty: none.
-  std::string place;    ///< `corner`, `centre` or `X,Y`; empty: as drawn.
-  std::string move;     ///< `DX,DY`.
+  std::string machine;  ///< File, or name of a shipped profile; empty for none.
+  std::string place;    ///< `corner`, `centre` or `X,Y`; empty for the position as drawn.
+  std::string move;     ///< Displacement `DX,DY`; empty for none.
   double turn_deg = 0.0;
-  std::string mirror;  ///< `x` or `y`.
+  std::string mirror;  ///< Direction of mirroring, `x` or `y`; empty for none.
   double scale = 1.0;
-  std::string copies;  ///< `NxM`.
+  std::string copies;  ///< Columns and rows of copies, `NxM`; empty for none.
   double gap_mm = 2.0;
   double margin_mm = 5.0;
 };
@@ -26,7 +26,8 @@ struct CutPlaceOptions {
 /// Adds `--machine`, `--place`, `--place-margin` and `--move`.
 void add_machine_options(CLI::App& command, CutPlaceOptions& options);
 
-/// Adds these, and `--turn`, `--mirror`, `--scale`, `--copies` and `--copy-gap`.
+/// Adds `--machine`, `--place`, `--place-margin`, `--move`, `--turn`, `--mirror`, `--scale`,
+/// `--copies` and `--copy-gap`.
 void add_cut_place_options(CLI::App& command, CutPlaceOptions& options);
 
 /// Returns the wishes of a call. Throws std::invalid_argument that names the option.

@@ -26,10 +26,11 @@ using Json = nlohmann::ordered_json;
 
 constexpr const char* kRecipeMark = "kerfline_recipe";
 constexpr const char* kLayersKey = "layers";
-/// The key of `--layers FILE`, whose own name is that of the list of layers.
+/// Key of `--layers FILE`. The option's own name is already the key of the list of layers.
 constexpr const char* kLayersFileKey = "layers-file";
 
-/// Returns whether an option is of the call alone: its files, and what is no setting of a job.
+/// Returns whether an option belongs to the call alone: its files, and options that are no setting
+/// of a job.
 bool is_of_the_call(const CLI::Option& option) {
   constexpr std::array<const char*, 4> kNames{"help", "recipe", "save-recipe", "layer"};
   if (option.get_positional() || option.get_lnames().empty()) return true;
@@ -52,7 +53,7 @@ std::vector<std::string> keys_of(const CLI::App& command) {
   return keys;
 }
 
-/// Returns a name of a file in another folder's words; names of shipped things stay.
+/// Returns the name of a file relative to another folder. Names of shipped files are unchanged.
 std::string from_folder(const std::string& name, const std::filesystem::path& folder) {
   const std::filesystem::path path{name};
   if (path.is_absolute() || !path.has_extension()) return name;
@@ -68,7 +69,7 @@ std::string to_folder(const std::string& name, const std::filesystem::path& fold
   return absolute(path).lexically_proximate(absolute(folder.empty() ? "." : folder)).string();
 }
 
-/// Gives a recipe to the options of a call.
+/// Applies a recipe to the options of a call.
 class RecipeReader {
  public:
   RecipeReader(CLI::App& command, CutCommandOptions& options)
@@ -82,7 +83,7 @@ class RecipeReader {
         cut::marked_json(read_text(file_), name_of_input(file_), kRecipeMark, "recipe");
     const std::vector<std::string> keys = keys_of(command_);
     const cut::JsonFields fields{document, name_of_input(file_), "", keys};
-    // The layers' file of the recipe comes later in it, or earlier, and is no conflict.
+    // The layers' file of the recipe may come later or earlier in the recipe, and is no conflict.
     if (document.contains(kLayersKey)) read_layers(document[kLayersKey]);
     for (const auto& [key, value] : document.items()) {
       if (key == kRecipeMark || key == kLayersKey) continue;
@@ -101,7 +102,7 @@ class RecipeReader {
     return *command_.get_option("--" + (key == kLayersFileKey ? kLayersKey : key));
   }
 
-  /// Returns the words that the value would be on the command line.
+  /// Returns the words that would give the value on the command line.
   std::vector<std::string> words_of(const CLI::Option& option,
                                     const std::string& pointer,
                                     const Json& value) const {
@@ -150,7 +151,7 @@ class RecipeReader {
     }
   }
 
-  /// Reads `{"NAME": {"key": value}}`, or a list of such with their "name".
+  /// Reads `{"NAME": {"key": value}}`, or a list of such objects with their "name".
   void read_layers(const Json& layers) {
     if (!options_.layers_file.empty()) {
       refuse("/layers", "does not go with --layers of the call; give --layer in place of that");
@@ -194,7 +195,7 @@ class RecipeReader {
     options_.recipe_layers.push_back(std::move(rule));
   }
 
-  /// Checks with the recipe again, as the parser has seen the call alone.
+  /// Checks the options again with those of the recipe, because the parser has seen only the call.
   void expect_needed() const {
     for (const CLI::Option* option : command_.get_options()) {
       if (option->count() == 0 || is_of_the_call(*option)) continue;
@@ -217,13 +218,14 @@ class RecipeReader {
   std::filesystem::path folder_;
 };
 
-/// Returns a number where its text is the same again, else the text.
+/// Returns a number if its text would be unchanged, else the text.
 Json value_of(const std::string& text) {
   const Json number = Json::parse(text, nullptr, false);
   return number.is_number() && number.dump() == text ? number : Json(text);
 }
 
-/// Returns the words of options whose results are the numbers of choices.
+/// Returns the words of an option. An option with choices stores the number of its choice, which
+/// becomes the word again.
 std::vector<std::string> words_of(const CLI::Option& option, const CutCommandOptions& options) {
   const std::string& name = option.get_lnames().front();
   if (name == "order") return {std::string{order::name_of(options.order.method)}};
@@ -247,7 +249,7 @@ Json values_of(const CLI::Option& option,
   return values.size() == 1 ? values.front() : Json(values);
 }
 
-/// Returns the rules for layers as an object, or as a list where a name comes twice.
+/// Returns the rules for layers as an object, or as a list if a name occurs twice.
 Json layers_json(const std::vector<cut::LayerRule>& rules) {
   std::set<std::string> names;
   for (const cut::LayerRule& rule : rules) names.insert(rule.name);

@@ -12,9 +12,9 @@ class App;
 
 namespace sim {
 
-/// The rules of the shop in a call of `kerfline cut`.
+/// Options of `kerfline cut` for the rules of the shop.
 struct CutRuleOptions {
-  std::vector<std::string> rules;  ///< Texts, which come after those of the file.
+  std::vector<std::string> rules;  ///< Texts of rules, which come after those of the file.
   std::string file;
   double mark_percent = 10.0;
 };
@@ -22,7 +22,7 @@ struct CutRuleOptions {
 /// Adds `--rules`, `--rule` and `--mark-power`.
 void add_cut_rule_options(CLI::App& command, CutRuleOptions& options);
 
-/// Reads the rules of a call. Throws std::invalid_argument with place and column.
+/// Reads the rules of a call. Throws std::invalid_argument with place and column of a wrong rule.
 [[nodiscard]] std::vector<cut::ShopRule> shop_rules(const CutRuleOptions& options,
                                                     InputFiles& inputs);
 

@@ -19,9 +19,9 @@ namespace {
 
 using cut::CutJob;
 
-/// A program for the simulated machine, and what that has to be told before.
+/// A program for the simulated machine, and the statements that the machine needs before it.
 struct SimulatedProgram {
-  std::string statements;  ///< Whole lines.
+  std::string statements;  ///< Whole lines of statements.
   std::string program;
   [[nodiscard]] std::string text() const { return statements + program; }
   [[nodiscard]] std::size_t lines_before() const {
@@ -29,8 +29,9 @@ struct SimulatedProgram {
   }
 };
 
-/// A controller that finds the way beside parts gets the table of the material, and the watts of
-/// its beam: this one has no others.
+/// Returns the program for the simulated machine. A controller that finds the path next to parts
+/// gets the table of the material, and the watts of its beam. The simulated controller has no other
+/// tables.
 SimulatedProgram simulated(CutJob job, const CutRun& run, const std::vector<std::string>& heading) {
   SimulatedProgram simulated;
   if (job.beam.kerf_table) {
@@ -58,7 +59,7 @@ constexpr std::array kBesideOnController{
     EdgeVariant{"path_follows_kerf", "path follows the kerf, M3 and $860=1", false, "$860=1"},
 };
 
-/// Longer jobs are not simulated.
+/// Greatest time of a job that is simulated.
 constexpr double kMostSimulatedS = 3.0 * 3600.0;
 
 ProgramCheck judge(const CutJob& job,

@@ -15,37 +15,37 @@ class App;
 
 namespace sim {
 
-/// What `kerfline cut` does about sheets of parts.
+/// Options of `kerfline cut` for sheets of parts.
 struct CutSheetOptions {
-  std::string save;         ///< File to write; empty: none.
-  double margin_mm = 10.0;  ///< Of a sheet that is made of a drawing.
+  std::string save;         ///< File to write; empty for none.
+  double margin_mm = 10.0;  ///< Margin of a sheet that is made from a drawing.
 };
 
 /// Adds `--save-sheet` and `--sheet-margin`.
 void add_cut_sheet_options(CLI::App& command, CutSheetOptions& options);
 
-/// The input of a job: a drawing, or a sheet and its parts as a drawing.
+/// Input of a job: a drawing, or a sheet and its parts as a drawing.
 struct CutInput {
   drawing::Drawing drawn;
   std::optional<sheet::Sheet> sheet{};
 
-  /// Returns whether a sheet is wrong in itself: something of it could not be read.
+  /// Returns whether the sheet itself is wrong, because a part of it could not be read.
   [[nodiscard]] bool is_broken_sheet() const;
 };
 
-/// Reads a drawing or a sheet, told by content, with the drawings of its parts. Throws as
-/// read_text() does for `file` itself.
+/// Reads a drawing or a sheet with the drawings of its parts; the content decides which of them it
+/// is. Throws as read_text() does for `file` itself.
 [[nodiscard]] CutInput read_cut_input(const std::string& file,
                                       const drawing::ImportOptions& options,
                                       InputFiles& files);
 
-/// Returns the faults of the places of a sheet's parts; none of other drawings.
+/// Returns the faults in the positions of a sheet's parts; empty for other drawings.
 [[nodiscard]] std::vector<drawing::Fault> place_faults(const CutInput& input,
                                                        const std::vector<cut::LayerPlan>& layers,
                                                        const cut::Recipes& recipes);
 
-/// Writes the sheet if it is wanted. Throws std::invalid_argument for a drawing that has no name,
-/// as from standard input.
+/// Writes the sheet if the options require it. Throws std::invalid_argument for a drawing without a
+/// name, as from standard input.
 void save_sheet(const CutSheetOptions& options, const CutInput& input);
 
 }  // namespace sim

@@ -20,7 +20,7 @@ std::vector<std::string_view> split(std::string_view text, char separator) {
   }
 }
 
-/// The words of a tool: kind, diameter and the rest, in this order.
+/// Words of a tool in this order: kind, diameter, other values.
 struct CutterWords {
   std::string_view kind = "flat";
   std::string_view diameter;

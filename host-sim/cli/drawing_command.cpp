@@ -26,7 +26,7 @@ namespace {
 using drawing::Drawing;
 using drawing::DrawnContour;
 
-// Chords of the outline in --json are within this of the curves, mm.
+// Greatest distance in mm of the outline's chords in --json from the curves.
 constexpr double kJsonChordMm = 0.01;
 
 constexpr const char* kDrawingFooter =

@@ -30,10 +30,10 @@ using engrave::BurnRaster;
 using engrave::EngraveProgram;
 using engrave::EngraveSettings;
 
-/// Longer jobs are not simulated; their time is estimated.
+/// Greatest time of a job that is simulated; the time of longer jobs is estimated.
 constexpr double kMaxSimulatedS = 1800.0;
 
-/// The settings of the machine, the profile's first.
+/// Returns the settings of the machine, the profile's first.
 std::vector<SettingChange> machine_settings(const EngraveOptions& options,
                                             const std::optional<cut::MachineProfile>& machine) {
   std::vector<SettingChange> settings{parse_setting("$32=1", "laser mode")};
@@ -53,7 +53,7 @@ double greatest_s(const std::vector<SettingChange>& settings) {
   return greatest;
 }
 
-/// Returns how an engraving leaves the bed; empty where it does not.
+/// Returns how an engraving leaves the bed; empty if it stays within the bed.
 std::string beyond_bed(const engrave::EngraveFigures& figures, const cut::MachineProfile& machine) {
   constexpr double kSlackMm = 1.0e-3;
   const cut::BedBox bed = machine.bed();
@@ -100,13 +100,14 @@ std::vector<std::string> heading_of(const EngraveOptions& options,
   return lines;
 }
 
-/// The time of a job and how it is known.
+/// Time of a job, and whether it is simulated.
 struct EngraveTime {
   double seconds = 0.0;
   bool is_simulated = false;
 };
 
-/// Looks the program over on the simulated machine. Faults are printed, and are the result.
+/// Checks the program on the simulated machine and returns its time. Faults are printed and set
+/// `status`.
 EngraveTime time_of(const EngraveProgram& program,
                     const std::vector<SettingChange>& settings,
                     ExitStatus& status) {

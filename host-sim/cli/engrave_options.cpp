@@ -98,7 +98,7 @@ void add_row_options(CLI::App& command, EngraveOptions& options) {
       ->capture_default_str();
 }
 
-/// Returns a power as a share of the full one.
+/// Returns a power as a share of the full power.
 double power_share(const char* option,
                    const std::string& text,
                    double full_power_w,

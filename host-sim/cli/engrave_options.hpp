@@ -17,14 +17,14 @@ class App;
 
 namespace sim {
 
-/// The call of `kerfline engrave`.
+/// Options of `kerfline engrave`.
 struct EngraveOptions {
   std::string file;
   std::optional<double> width_mm{};
   std::optional<double> height_mm{};
-  std::optional<double> image_dpi{};  ///< Pixels of the picture in an inch.
+  std::optional<double> image_dpi{};  ///< Pixels of the picture per inch.
   double interval_mm = 0.1;
-  std::optional<double> dpi{};  ///< Rows in an inch, in place of the interval.
+  std::optional<double> dpi{};  ///< Rows per inch, in place of the interval.
   std::optional<double> pixel_mm{};
   std::string power;      ///< Power of black.
   std::string min_power;  ///< Power of the lightest grey.
@@ -57,8 +57,8 @@ void add_engrave_options(CLI::App& command, const std::shared_ptr<EngraveOptions
     const std::optional<cut::MachineProfile>& machine,
     double full_power_s);
 
-/// Returns the raster of a picture in the size of the call. Throws std::invalid_argument where it
-/// is not given, and where it has too many pixels.
+/// Returns the raster of a picture in the size of the call. Throws std::invalid_argument if the
+/// size is not given, or if the raster has too many pixels.
 [[nodiscard]] engrave::BurnRaster raster_of(const EngraveOptions& options,
                                             const picture::GreyImage& image);
 

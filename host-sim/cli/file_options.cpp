@@ -27,7 +27,8 @@ std::string identity_of(const struct ::stat& file) {
   return fmt::format("{}:{}", file.st_dev, file.st_ino);
 }
 
-/// Equal for two names of one file. Empty for what several may write to, such as a device.
+/// Returns an identity, which is equal for two names of one file. It is empty for a target to which
+/// several outputs may be written, such as a device.
 std::string identity_of(const std::string& name) {
   struct ::stat found {};
   if (name == kStandardInput) {
@@ -45,7 +46,8 @@ std::string identity_of(const std::string& name) {
   return (folder / target.filename()).string();
 }
 
-/// Standard output, where it goes into a file; a conflict is one with any other file of the call.
+/// Returns the identity of standard output if it goes into a file. The file conflicts with any
+/// other file of the call.
 std::optional<std::string> identity_of_standard_output() {
   struct ::stat found {};
   const bool is_file = ::fstat(STDOUT_FILENO, &found) == 0 && S_ISREG(found.st_mode);

@@ -8,8 +8,8 @@ class FormatterBase;
 
 namespace sim {
 
-/// Prints `--help` with the examples of the command, from the text below it, before everything else
-/// but its description.
+/// Returns a formatter of `--help`. It prints the examples of the command, from the text below it,
+/// directly after its description.
 [[nodiscard]] std::shared_ptr<CLI::FormatterBase> help_formatter();
 
 }  // namespace sim

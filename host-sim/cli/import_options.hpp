@@ -8,7 +8,7 @@ class App;
 
 namespace sim {
 
-/// Adds `--gap` and `--drawing-unit`, which say how a drawing is read. `options` must outlive the
+/// Adds `--gap` and `--drawing-unit`, which set how a drawing is read. `options` must outlive the
 /// command.
 void add_import_options(CLI::App& command, drawing::ImportOptions& options);
 

@@ -8,7 +8,8 @@
 namespace sim {
 namespace {
 
-/// The name from the folder of the program; unchanged where the program is a stream.
+/// Returns the name of a file relative to the folder of the program; unchanged if the program is a
+/// stream.
 std::string named_from_program(const std::string& program, const std::string& file) {
   if (file == "-" || program.empty()) return file;
   const auto absolute = [](const std::string& name) {

@@ -11,8 +11,9 @@ namespace sim {
 /// Reads the input files of one job and keeps the digests of those that decide its program.
 class InputFiles {
  public:
-  /// @param program the file of the program, whose folder is where the names of digests begin;
-  /// empty where it goes to standard output
+  /// Begins without digests.
+  /// @param program the file of the program, to whose folder the names in digests are relative;
+  ///   empty if the program goes to standard output
   explicit InputFiles(std::string program) : program_{std::move(program)} {}
 
   /// Returns the text of a file. Throws as read_text() does.

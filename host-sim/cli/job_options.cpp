@@ -72,7 +72,7 @@ JobsDone for_each_job(const JobOptions& options, const std::function<Report(cons
 }
 
 ExitStatus finish(const JobsDone& done) {
-  std::set<std::string> printed;  // A wrong setting is wrong for every file.
+  std::set<std::string> printed;  // A wrong setting is wrong for every file, but printed once.
   for (const std::string& error : done.errors) {
     if (printed.insert(error).second) print_error(error.c_str());
   }

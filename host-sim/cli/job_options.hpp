@@ -14,10 +14,10 @@ class App;
 
 namespace sim {
 
-/// The options that every command on programs shares.
+/// Options that all commands on programs share.
 struct JobOptions {
   std::vector<std::string> files;
-  std::string machine;  ///< File, or name of a shipped profile; empty: none.
+  std::string machine;  ///< File, or name of a shipped profile; empty for none.
   std::string settings_file;
   std::vector<std::string> set;
   ProbeOptions probe;
@@ -27,30 +27,31 @@ struct JobOptions {
   void add_to(CLI::App& command);
 };
 
-/// Returns the settings of a call in the order in which they apply: those of the machine profile
-/// and of the settings file, where there are such, then `--set` in the order of the call. Throws
-/// std::invalid_argument and std::system_error.
+/// Returns the settings of a call in the order in which they apply: those of the machine profile,
+/// those of the settings file, then `--set` in the order of the call. Throws std::invalid_argument
+/// and std::system_error.
 /// @param machine file or name of a profile, empty for none
-/// @param file of `$N=value` lines, empty for none
+/// @param file file of `$N=value` lines, empty for none
 [[nodiscard]] std::vector<SettingChange> settings_of(const std::string& machine,
                                                      const std::string& file,
                                                      const std::vector<std::string>& set);
 
-/// Reports of the files of a call, and why others have none.
+/// Reports of the files of a call, and errors of the files that have no report.
 struct JobsDone {
   std::vector<Report> reports;
   std::vector<std::string> errors;
 };
 
-/// Runs `work` on every file with a progress bar on a terminal, or with lines if `progress` asks
-/// for them. A file that cannot be read costs the reports of others nothing; an only file throws.
+/// Runs `work` on every file, with a progress bar on a terminal, or with progress lines if
+/// `progress` requires them. A file that cannot be read does not prevent the reports of others; if
+/// it is the only file, the function throws.
 [[nodiscard]] JobsDone for_each_job(const JobOptions& options,
                                     const std::function<Report(const Job&)>& work);
 
-/// Prints the errors, behind the reports, and returns the status of the call.
+/// Prints the errors after the reports, and returns the status of the call.
 [[nodiscard]] ExitStatus finish(const JobsDone& done);
 
-/// Whether standard output may be coloured: a terminal, and NO_COLOR not set.
+/// Returns whether standard output may be coloured: it is a terminal, and NO_COLOR is not set.
 [[nodiscard]] bool may_colour();
 
 [[nodiscard]] bool any_faults(const std::vector<Report>& reports);

@@ -26,7 +26,7 @@ struct FitCommandOptions {
   RecordOptions record;
   FitOptions fit;
   std::string laser;
-  double gas_pressure_mpa = -1.0;  ///< Negative: any.
+  double gas_pressure_mpa = -1.0;  ///< Negative for any pressure.
 };
 
 struct AdviseOptions {
@@ -152,7 +152,8 @@ void add_show_command(CLI::App& kerf, ExitStatus&) {
   command->callback([options, with_cuts] { show(*options, *with_cuts); });
 }
 
-/// Which speeds each power permits at a thickness, or those around it. False where there is none.
+/// Prints the speeds that each power permits at a thickness, or those around the given speed.
+/// Returns false if there are none.
 bool print_region(const MaterialRecord& record,
                   std::uint32_t thickness_um,
                   std::optional<std::uint32_t> speed_um_min) {

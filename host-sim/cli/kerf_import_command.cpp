@@ -29,7 +29,7 @@ struct LibraryOptions {
 
 using OperationsByMaterial = std::map<std::string, std::vector<OperationRecord>>;
 
-/// Returns the day on which a file was last changed, in UTC; that of today for standard input.
+/// Returns the day on which a file was last changed, in UTC; today for standard input.
 std::string day_of(const std::string& file) {
   using Days = std::chrono::days;
   auto time = std::chrono::system_clock::now();
@@ -46,7 +46,7 @@ std::string day_of(const std::string& file) {
                      static_cast<unsigned>(day.day()));
 }
 
-/// Returns an entry as an operation; nothing for one whose mode is none here.
+/// Returns an entry as an operation; empty if its mode has no operation here.
 std::optional<OperationRecord> operation_of(const drawing::LibraryEntry& entry,
                                             const LibraryOptions& options,
                                             const Origin& origin) {
@@ -87,7 +87,7 @@ void print_left_out(const LibraryOptions& options,
                   reason);
 }
 
-/// Returns what can be taken of a library, and prints what cannot.
+/// Returns the operations of a library, and prints the entries that cannot be used.
 OperationsByMaterial operations_of(const drawing::MaterialLibrary& library,
                                    const LibraryOptions& options,
                                    const Origin& origin) {

@@ -13,60 +13,61 @@ class Validator;
 
 namespace sim {
 
-/// Which record a command is about: options that all commands of `kerfline kerf` share.
+/// The record that a command uses: options that all commands of `kerfline kerf` share.
 struct RecordOptions {
   std::string data_base;
   std::string material;
   std::string unit;
 
   void add_to(CLI::App& command);
-  /// The data base as it is, or the shipped records where none is named. Questions only read.
+  /// Opens the data base, or returns the shipped records if no data base is named. Queries only
+  /// read.
   [[nodiscard]] KnowledgeBase open(SqlFile::Mode mode = SqlFile::Mode::kRead) const;
   [[nodiscard]] std::optional<cnc::kerf::HeatUnit> heat_unit() const;
   [[nodiscard]] MaterialRecord record() const { return open().record_of(material, heat_unit()); }
-  /// All records of the data base.
+  /// Returns all records of the data base.
   [[nodiscard]] std::vector<MaterialRecord> records() const { return open().records(); }
 };
 
-/// The person who measured, and the day.
+/// Person who measured, and day of the measurement.
 struct PersonOptions {
-  std::string by{};  ///< Empty: not named.
-  std::string on{};  ///< YYYY-MM-DD; empty: not said.
+  std::string by{};  ///< Name of the person; empty if not named.
+  std::string on{};  ///< YYYY-MM-DD; empty if not given.
 
   /// Adds `--by` and `--on`.
   void add_to(CLI::App& command);
 };
 
-/// Where test cuts go: `add`, and `calibrate` with measured slots.
+/// Data base and laser of test cuts: options of `add`, and of `calibrate` with measured slots.
 struct CutOptions {
   std::string data_base;
   AcceptanceLimits limits;
-  std::string laser{};  ///< Of cuts whose file does not name it.
+  std::string laser{};  ///< Laser of cuts whose file does not name it.
   PersonOptions person{};
-  /// The cuts are to be fitted at once, so that it must be known whose they are.
+  /// Whether the cuts are to be fitted at once, so that their laser must be known.
   bool asks_for_laser = false;
 
   void add_to(CLI::App& command);
 };
 
-/// Reads, judges and adds a file of cuts, and prints what was rejected and why.
-/// Throws as read_experiments() and KnowledgeBase do.
+/// Reads, judges and adds a file of cuts, and prints the rejected cuts with the reasons. Throws as
+/// read_experiments() and KnowledgeBase do.
 [[nodiscard]] std::vector<Experiment> add_cuts(const std::string& file, const CutOptions& options);
 
-/// Adds `--unit`, as `printed` or `J/mm`.
+/// Adds `--unit`, whose value is `printed` or `J/mm`.
 void add_unit_option(CLI::App& command, std::string& unit);
 [[nodiscard]] std::optional<cnc::kerf::HeatUnit> unit_of(const std::string& option);
 
-/// A day of the calendar, YYYY-MM-DD, as a check of an option.
+/// Returns a check that an option's value is a day of the calendar, YYYY-MM-DD.
 [[nodiscard]] CLI::Validator day_of_calendar();
 
-/// The option's value in thousandths. Throws std::invalid_argument naming it, with range and unit,
-/// when it is not a number, negative, or more than `most`.
+/// Returns the option's value in thousandths. Throws std::invalid_argument naming the option, with
+/// range and unit, if the value is not a number, negative, or more than `most`.
 [[nodiscard]] std::uint32_t thousandths_of(const char* option,
                                            double value,
                                            double most,
                                            const char* unit);
-/// Checks of options with these values, for messages that name range and unit.
+/// Return checks of options with these values; messages name range and unit.
 [[nodiscard]] CLI::Validator thickness_range();
 [[nodiscard]] CLI::Validator power_range();
 [[nodiscard]] CLI::Validator speed_range();
@@ -75,7 +76,7 @@ void add_unit_option(CLI::App& command, std::string& unit);
 [[nodiscard]] std::uint32_t power_option(double watts);
 [[nodiscard]] std::uint32_t speed_option(double mm_min);
 
-/// The whole record: laws, how good they are, and the permissible region.
+/// Prints the whole record: laws, their accuracy, and the permissible region.
 void print_record(const MaterialRecord& record);
 
 }  // namespace sim

@@ -92,7 +92,7 @@ void add_plot_command(CLI::App& kerf) {
   command->callback([options] { plot(*options); });
 }
 
-/// Every power at every speed that were named.
+/// Returns a slot for every combination of the named powers and speeds.
 std::vector<cnc::kerf::Condition> named_slots(const CalibrateOptions& options) {
   if (options.powers_w.empty() || options.speeds_mm_min.empty()) {
     throw std::invalid_argument("--powers and --speeds belong together");
@@ -115,7 +115,7 @@ void write_coupon(const CalibrateOptions& options) {
   if (options.powers_w.empty() && options.speeds_mm_min.empty()) {
     const MaterialRecord record = options.record.record();
     plan.slots = default_slots(record, thickness_option(options.thickness_mm));
-    // The slots are cut by this machine; the laser of a record from elsewhere is another.
+    // This machine cuts the slots; a record from elsewhere has another laser.
     if (plan.laser.empty() && record.calibrated) plan.laser = record.laser;
     if (plan.gas_pressure_mpa <= 0.0) plan.gas_pressure_mpa = record.gas_pressure_mpa;
   } else {
@@ -135,7 +135,7 @@ void write_coupon(const CalibrateOptions& options) {
   terminal::print("{}: {} slots\n", options.program, plan.slots.size());
 }
 
-/// Cuts of the same material by the same laser with the same gas as some of `measured`.
+/// Returns the cuts of the same material by the same laser with the same gas as some of `measured`.
 std::vector<Experiment> cuts_like(const std::vector<Experiment>& measured,
                                   const KnowledgeBase& base,
                                   const std::string& material) {
@@ -149,7 +149,8 @@ std::vector<Experiment> cuts_like(const std::vector<Experiment>& measured,
   return cuts;
 }
 
-/// All that the data base knows of each material that was measured, by this laser, is fitted.
+/// Adds measured slots. Then fits all cuts that the data base has of each measured material by this
+/// laser.
 void take_measurements(const CalibrateOptions& options) {
   if (options.record.data_base.empty()) throw std::invalid_argument("--db is missing");
   if (!options.program.empty() || !options.form.empty()) {

@@ -99,7 +99,7 @@ double greatest_s_of(const cut::MachineProfile& machine) {
   return greatest;
 }
 
-/// Throws std::invalid_argument where a feed exceeds the machine's.
+/// Checks the feeds. Throws std::invalid_argument if one exceeds the machine's.
 void expect_reachable(const TestGrid& grid, const cut::MachineProfile& machine) {
   for (const SettingChange& change : machine.settings) {
     if (change.number != cnc::setting::kRate) continue;
@@ -113,7 +113,7 @@ void expect_reachable(const TestGrid& grid, const cut::MachineProfile& machine) 
   }
 }
 
-/// Returns where the grid lies. Throws std::invalid_argument where it leaves the bed.
+/// Returns the position of the grid. Throws std::invalid_argument if it leaves the bed.
 drawing::Place place_of(const TestGridOptions& options,
                         const drawing::Place& size,
                         const std::optional<cut::MachineProfile>& machine) {
@@ -137,7 +137,7 @@ drawing::Place place_of(const TestGridOptions& options,
                   beyond));
 }
 
-/// Completes the grid with what the call gives as text.
+/// Completes the grid with the values that the call gives as text.
 void complete(TestGridOptions& options) {
   TestGrid& grid = options.grid;
   if (options.powers.empty() || options.feeds.empty()) {

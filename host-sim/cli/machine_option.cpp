@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Returns the folder of the shipped profiles: beside the program, as it is installed.
+/// Returns the folder of the shipped profiles, which is next to the program, as it is installed.
 fs::path shipped_folder() {
   std::error_code is_none;
   const fs::path program = fs::read_symlink("/proc/self/exe", is_none);
@@ -36,7 +36,7 @@ std::vector<std::string> shipped_names() {
   return names;
 }
 
-/// Returns the file of a profile that is named by itself, or as shipped.
+/// Returns the file of a profile that is named by its file or by its shipped name.
 std::string profile_file(const std::string& name) {
   const fs::path path{name};
   if (path.has_parent_path() || path.has_extension()) return name;

@@ -14,8 +14,8 @@ namespace sim {
 /// Adds `--machine`: the file of a machine profile, or the name of a shipped one.
 void add_machine_option(CLI::App& command, std::string& machine);
 
-/// Returns the profile that `--machine` names, nothing where `machine` is empty. Throws
-/// std::invalid_argument with the shipped names where none has this name, and as
+/// Returns the profile that `--machine` names; empty if `machine` is empty. Throws
+/// std::invalid_argument with the shipped names if none has this name, and as
 /// read_machine_profile() does.
 [[nodiscard]] std::optional<cut::MachineProfile> machine_profile_of(const std::string& machine);
 

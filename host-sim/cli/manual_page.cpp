@@ -8,7 +8,7 @@
 namespace sim {
 namespace {
 
-/// Returns roff that prints every character of one line as it is.
+/// Returns roff that prints every character of one line unchanged.
 std::string escaped_roff(std::string_view line) {
   std::string roff;
   // A dot or an apostrophe at the start of a line would begin a request.
@@ -40,7 +40,8 @@ std::string escaped_roff(std::string_view line) {
   return roff;
 }
 
-/// Returns the lines of a text with their breaks and indents; blank ones separate paragraphs.
+/// Returns roff that prints the lines of a text with their breaks and indents; blank lines separate
+/// paragraphs.
 std::string as_printed(std::string_view text) {
   std::string roff = ".nf\n";
   while (!text.empty()) {
@@ -85,7 +86,7 @@ std::string synopsis_of(const CommandText& command) {
   return roff + "\n";
 }
 
-/// Returns `the controller …` of `Kerfline: the controller …`.
+/// Returns `the controller …` from `Kerfline: the controller …`.
 std::string purpose_of(const CommandText& program) {
   const std::string sentence = first_sentence(program.description);
   const std::size_t colon = sentence.find(": ");
@@ -105,7 +106,7 @@ std::string manual_page(std::span<const CommandText> commands, std::string_view 
                                  escaped_roff(title),
                                  name,
                                  escaped_roff(version));
-  page += ".ad l\n.nh\n";  // Ragged, and options are not hyphenated.
+  page += ".ad l\n.nh\n";  // Ragged right margin, and options are not hyphenated.
   page += fmt::format(".SH NAME\n{} \\- {}", name, paragraph(purpose_of(program)));
   page += ".SH SYNOPSIS\n" + synopsis_of(program);
   page += ".SH DESCRIPTION\n" + paragraph(program.description);

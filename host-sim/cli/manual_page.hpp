@@ -8,8 +8,8 @@
 
 namespace sim {
 
-/// Returns kerfline(1) as man's roff: what `--help` prints for each command, the program's own
-/// first.
+/// Returns kerfline(1) as man's roff. It has the `--help` of each command, beginning with the
+/// program itself.
 [[nodiscard]] std::string manual_page(std::span<const CommandText> commands,
                                       std::string_view version);
 

@@ -8,8 +8,8 @@
 namespace sim {
 namespace {
 
-constexpr double kGreatestFeed = 1.0e6;   // mm/min.
-constexpr double kGreatestSpeed = 1.0e6;  // rpm.
+constexpr double kGreatestFeed = 1.0e6;   // Greatest feed, mm/min.
+constexpr double kGreatestSpeed = 1.0e6;  // Greatest spindle speed, rpm.
 
 }  // namespace
 

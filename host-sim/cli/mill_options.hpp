@@ -11,8 +11,7 @@ class App;
 namespace sim {
 
 /// Adds --feed, --plunge-feed, --spindle, --spin-up and --coolant.
-/// @param otherwise the end of a help that names where a value comes from that the call does not
-/// give
+/// @param otherwise end of a help text; it names the source of a value that the call does not give
 void add_mill_options(CLI::App& command,
                       pocket::MillSettings& mill,
                       const std::string& otherwise = {});

@@ -53,7 +53,7 @@ void append(Contour& contour, const cnc::contour::ContourView<double>& more) {
   for (const std::uint32_t end : more.loop_ends) contour.loop_ends.push_back(before + end);
 }
 
-/// Prints what a distance leaves nothing of. True where there is any.
+/// Prints the parts of which nothing remains at a distance. Returns whether there are any.
 bool report_vanished(const std::string& file,
                      const std::vector<Vanished>& found,
                      double distance_mm) {

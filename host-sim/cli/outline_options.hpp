@@ -9,10 +9,10 @@ class App;
 
 namespace sim {
 
-/// Adds `--tolerance` and `--fit`: how curves of a drawing become arcs.
+/// Adds `--tolerance` and `--fit`, which set how curves of a drawing become arcs.
 void add_outline_options(CLI::App& command, OutlineOptions& outline);
 
-/// Adds `--text skip|outline|stroke`: what becomes of letters.
+/// Adds `--text skip|outline|stroke`, which sets how letters are treated.
 void add_text_option(CLI::App& command, drawing::TextMode& text);
 
 }  // namespace sim

@@ -53,12 +53,12 @@ constexpr const char* kPocketFooter =
     "\n"
     "Exit status: 0 fine, 1 the drawing has faults or the tool does not fit, 2 the call is wrong.";
 
-/// Prints the parts of pockets that the tool does not fit into. True where there is any.
+/// Prints the parts of pockets into which the tool does not fit. Returns whether there are any.
 bool report_unreached(const PocketCommandOptions& options, const std::vector<Contour>& areas) {
   constexpr std::size_t kMostListed = 20;
   ContourOffset offsetter;
   std::size_t count = 0;
-  std::set<std::string> told;  // Terraces may have a place in common.
+  std::set<std::string> told;  // Each text is printed once, because terraces may share a point.
   for (const Contour& area : areas) {
     const double fitting_mm = pocket::fitting_radius(area.view(), options.radius_mm(), offsetter);
     const double radius_mm = fitting_mm > 0.0 ? fitting_mm : options.radius_mm();
@@ -79,7 +79,8 @@ bool report_unreached(const PocketCommandOptions& options, const std::vector<Con
   return count != 0;
 }
 
-/// The connected areas of a terrace: where a stock is given, one of them is what is around it.
+/// Returns the connected areas of a terrace. If a stock is given, one of them is the area around
+/// the terrace.
 std::vector<Contour> areas_to_mill(const Terrace& terrace, const PocketCommandOptions& options) {
   const std::optional<pocket::StockBox> stock = options.stock_box();
   if (!stock) return pocket::areas_of(terrace.contours);
@@ -113,7 +114,8 @@ class PocketMiller {
   }
 
  private:
-  /// Appends the paths of a pocket: one for each area of a single terrace, else one of all.
+  /// Appends the paths of a pocket: for a single terrace one path for each area, otherwise one path
+  /// for all terraces.
   void mill_one(const Terraces& terraces, std::vector<PathRows>& paths) {
     PathRows all;
     std::uint32_t levels = 0;
@@ -130,7 +132,7 @@ class PocketMiller {
     milled_.levels = std::max(milled_.levels, levels);
   }
 
-  /// Mills the areas of a terrace that the tool fits into. Adds its levels.
+  /// Mills the areas of a terrace into which the tool fits. Adds its levels to `levels`.
   std::vector<PathRows> mill_areas(const Terrace& terrace, std::uint32_t& levels) {
     planner_.set_depth(terrace.to_mm - terrace.from_mm);
     std::vector<PathRows> paths;
@@ -158,7 +160,7 @@ class PocketMiller {
   ContourOffset offsetter_;
   std::set<double> floors_mm_;
   MilledDrawing milled_;
-  bool fits_ = false;  ///< The tool fits somewhere.
+  bool fits_ = false;  ///< Whether the tool fits into some area.
 };
 
 MilledDrawing carve(const PocketCommandOptions& options, const std::vector<Contour>& areas) {
@@ -224,7 +226,8 @@ std::vector<std::optional<double>> depths_of(const ContourPart& part,
   return depths;
 }
 
-/// Throws NoPocketPath where contours of one terrace touch: an island and its wall, say.
+/// Checks the contours. Throws NoPocketPath if contours of one terrace touch, such as an island and
+/// its wall.
 void refuse_contacts(const std::vector<Terraces>& pockets) {
   for (const Terraces& terraces : pockets) {
     for (const Terrace& terrace : terraces) {
@@ -239,7 +242,7 @@ void refuse_contacts(const std::vector<Terraces>& pockets) {
   }
 }
 
-/// Reads the drawing; appends all contours of it to `walls`.
+/// Reads the drawing; appends all its contours to `walls`.
 std::vector<Terraces> read_pockets(const PocketCommandOptions& options,
                                    InputFiles& inputs,
                                    Contour& walls) {

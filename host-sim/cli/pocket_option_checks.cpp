@@ -47,7 +47,7 @@ LayerDepth parse_layer_depth(const std::string& text) {
                   did_you_mean(depth.layer, names))};
 }
 
-/// Options that V carving does not have.
+/// Options that have no meaning for V carving.
 constexpr std::initializer_list<const char*> kOptionsOfClearing{"--depth-of",
                                                                 "--strategy",
                                                                 "--engagement",
@@ -65,12 +65,12 @@ constexpr std::initializer_list<const char*> kOptionsOfClearing{"--depth-of",
                                                                 "--rest-of",
                                                                 "--holes"};
 
-/// Refuses options of a call that do not go together with another one.
+/// Refuses options of a call that exclude another option.
 class Refusals {
  public:
   explicit Refusals(const CLI::App& command) : command_{command} {}
 
-  /// Throws std::invalid_argument if one of the options is in the call.
+  /// Checks that none of the options is in the call. Throws std::invalid_argument otherwise.
   void of(std::initializer_list<const char*> names, const char* mode, const char* remedy) const {
     for (const char* name : names) {
       if (command_.count(name) == 0) continue;
@@ -82,7 +82,7 @@ class Refusals {
   const CLI::App& command_;
 };
 
-/// Throws std::invalid_argument for sizes that do not go together with the tool.
+/// Checks the sizes. Throws std::invalid_argument if one does not suit the tool.
 void check_sizes(const PocketCommandOptions& options) {
   if (options.finish_mm > options.radius_mm()) {
     throw std::invalid_argument{fmt::format("--finish {:g}: must be at most half the tool, {:g} mm",

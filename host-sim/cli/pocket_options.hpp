@@ -21,51 +21,52 @@ inline constexpr double kGreatestDepthMm = 1'000.0;
 inline constexpr double kLeastToolMm = 0.01;
 inline constexpr double kGreatestToolMm = 500.0;
 
-/// The depth of the floor within the contours of a layer.
+/// Depth of the floor within the contours of a layer.
 struct LayerDepth {
   std::string layer;      ///< Name of a layer, or a colour as the drawing has it.
-  double depth_mm = 0.0;  ///< Below Z 0, at least 0.
+  double depth_mm = 0.0;  ///< Depth below Z 0, at least 0.
 
   [[nodiscard]] bool is_of(const drawing::Layer& other) const {
     return layer == other.name || layer == other.colour;
   }
 };
 
-/// The options of `kerfline pocket`.
+/// Options of `kerfline pocket`.
 struct PocketCommandOptions {
   std::string file;
   std::string output;
   std::string report;
   std::string svg;
-  std::string holes;  ///< Where the program of a drill is written; empty: it is not.
+  std::string holes;  ///< File for the program of a drill; empty for none.
   OutlineOptions outline;
-  std::string tool;        ///< A diameter in mm, or the name of one of `tools`.
-  std::string tools_file;  ///< Empty: none.
-  double tool_mm = 0.0;    ///< By apply_tool().
+  std::string tool;        ///< Diameter in mm, or the name of a tool in `tools_file`.
+  std::string tools_file;  ///< File of tools; empty for none.
+  double tool_mm = 0.0;    ///< Diameter of the tool, set by apply_tool().
   double depth_mm = 0.0;
-  std::vector<std::string> depths_of{};  ///< `LAYER=MM`.
-  double depth_step_mm = 0.0;            ///< 0: half the tool's diameter.
-  double stepover_mm = 0.0;              ///< 0: as far as nothing is left.
-  double corner_mm = -1.0;               ///< Negative: a tenth of the tool's radius.
+  std::vector<std::string> depths_of{};  ///< Texts `LAYER=MM`.
+  double depth_step_mm = 0.0;  ///< Greatest depth of a level; 0 for half the tool's diameter.
+  double stepover_mm = 0.0;    ///< Step-over; 0 for the greatest at which no stock is left.
+  double corner_mm = -1.0;     ///< Radius of corners; negative for a tenth of the tool's radius.
   double slope_deg = 3.0;
   cnc::pocket::EntryKind entry = cnc::pocket::EntryKind::kHelix;
   bool conventional = false;
   pocket::Strategy strategy = pocket::Strategy::kContour;
   double engagement_deg = 60.0;
-  bool keeps_feed = false;      ///< Where chips are thin, too.
-  double finish_mm = 0.0;       ///< 0: no passes of their own along the walls.
-  double floor_mm = 0.0;        ///< 0: no level of its own at the floor.
-  std::uint32_t wear_tool = 0;  ///< 0: passes along the walls are not compensated.
-  std::vector<double> stock{};  ///< Least X and Y, greatest X and Y, mm; empty: not given.
-  double rest_of_mm = 0.0;      ///< Diameter of the tool that went before; 0: there was none.
-  double v_angle_deg = 0.0;     ///< 0: no V carving.
+  bool keeps_feed = false;  ///< Whether the feed stays the same where chips are thin.
+  double finish_mm = 0.0;   ///< Stock for separate passes along the walls; 0 for no such passes.
+  double floor_mm = 0.0;    ///< Stock for a separate level at the floor; 0 for no such level.
+  /// Tool whose wear compensates the passes along the walls; 0 for no compensation.
+  std::uint32_t wear_tool = 0;
+  std::vector<double> stock{};  ///< Least X and Y, greatest X and Y, mm; empty if not given.
+  double rest_of_mm = 0.0;      ///< Diameter of the tool that milled before; 0 if there was none.
+  double v_angle_deg = 0.0;     ///< Angle of the V tool; 0 for no V carving.
   bool anyway = false;
   pocket::MillSettings mill;
   unsigned decimals = 4;
   PostOption post;
 
   [[nodiscard]] double radius_mm() const { return 0.5 * tool_mm; }
-  /// Greatest depth of one level.
+  /// Returns the greatest depth of one level.
   [[nodiscard]] double level_mm() const {
     return depth_step_mm > 0.0 ? depth_step_mm : radius_mm();
   }
@@ -79,28 +80,29 @@ struct PocketCommandOptions {
   [[nodiscard]] bool is_v_carving() const { return v_angle_deg > 0.0; }
 };
 
-/// Adds all of them, with their ranges, units and defaults.
+/// Adds all options, with their ranges, units and defaults.
 void add_pocket_options(CLI::App& command, PocketCommandOptions& options);
 
 /// Reads the tool, and takes from it the values that the call does not give. Throws
-/// std::invalid_argument for a tool that is none, and for values that neither gives.
+/// std::invalid_argument for a text that names no tool, and for values that neither the call nor
+/// the tool gives.
 void apply_tool(const CLI::App& command, PocketCommandOptions& options, InputFiles& inputs);
 
-/// Throws std::invalid_argument for options that the strategy does not have.
+/// Checks the options. Throws std::invalid_argument for options that the strategy does not have.
 void check_pocket_options(const CLI::App& command, const PocketCommandOptions& options);
 
-/// Returns the depths that the options give to layers. Throws std::invalid_argument for a text that
-/// is none, a depth out of range, and a layer that no part of the drawing has.
+/// Returns the depths that the options give to layers. Throws std::invalid_argument for a text of
+/// the wrong form, a depth out of range, and a layer that no part of the drawing has.
 [[nodiscard]] std::vector<LayerDepth> layer_depths_of(const PocketCommandOptions& options,
                                                       const std::vector<ContourPart>& parts);
 
-/// How they ask for pockets to be milled.
+/// Returns how the options require pockets to be milled.
 [[nodiscard]] pocket::StrategyOptions strategy_options_of(const PocketCommandOptions& options);
 
-/// How they ask for areas to be carved: as deep as they and the tool allow.
+/// Returns how the options require areas to be carved: as deep as the options and the tool allow.
 [[nodiscard]] pocket::VCarveOptions carve_options_of(const PocketCommandOptions& options);
 
-/// How they ask for the machine to be driven.
+/// Returns how the options require the machine to be driven.
 [[nodiscard]] pocket::MillSettings mill_settings_of(const PocketCommandOptions& options);
 
 }  // namespace sim

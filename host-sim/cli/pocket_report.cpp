@@ -20,9 +20,9 @@ using cnc::pocket::Use;
 struct PathLengths {
   double pass_mm = 0.0;
   double link_mm = 0.0;
-  double return_mm = 0.0;  ///< At depth, in rapids.
+  double return_mm = 0.0;  ///< Rapids at depth.
   double entry_mm = 0.0;
-  double between_rows_mm = 0.0;  ///< In the plane, in rapids.
+  double between_rows_mm = 0.0;  ///< Rapids in the plane.
 
   [[nodiscard]] double fed_mm() const { return pass_mm + link_mm + entry_mm; }
 
@@ -81,7 +81,7 @@ const char* name_of(pocket::Strategy strategy) {
   return "";
 }
 
-/// The word for the passes of a strategy.
+/// Returns the word for the passes of a strategy.
 const char* passes_of(pocket::Strategy strategy) {
   using pocket::Strategy;
   return strategy == Strategy::kZigzag  ? "lines"

@@ -12,15 +12,15 @@ class App;
 
 namespace sim {
 
-/// The form in which a command that makes programs writes them.
+/// Option for the form in which a command writes programs.
 class PostOption {
  public:
   /// Adds `--post`.
   void add_to(CLI::App& command);
 
-  /// Reads the file where there is one, and keeps its digest. Positions get no more decimals than
-  /// the post has. Throws as read_text() and read_post() do, and std::invalid_argument where
-  /// `--decimals` asks for more.
+  /// Reads the file of the post, if the call names one, and keeps its digest. Limits the decimals
+  /// of positions to those of the post. Throws as read_text() and read_post() do, and
+  /// std::invalid_argument if `--decimals` requires more decimals.
   void read(const CLI::App& command, InputFiles& inputs, unsigned& decimals);
 
   /// Returns whether the call names a file.
@@ -30,7 +30,7 @@ class PostOption {
   [[nodiscard]] bool knows_arcs(cnc::Plane plane) const {
     return !post_ || post_->knows_arcs(plane);
   }
-  /// Returns a program as the file wants it; without one as it is.
+  /// Returns a program in the form of the post; unchanged without a post.
   [[nodiscard]] std::string applied_to(std::string program) const;
 
  private:

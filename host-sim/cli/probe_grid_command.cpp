@@ -50,7 +50,7 @@ constexpr const char* kProbeGridFooter =
     "Exit status: 0 fine, 1 points lack, and nothing is written without --gaps, 2 the call is "
     "wrong.";
 
-/// Prints the first lines, and how many there are more.
+/// Prints the first lines, and the number of the others.
 void list(const std::vector<std::string>& lines) {
   for (std::size_t i = 0; i < std::min(lines.size(), kMaxListed); ++i) {
     terminal::print(stderr, "{}\n", lines[i]);
@@ -83,7 +83,7 @@ ExitStatus write_program(const ProbeGridOptions& options) {
   return ExitStatus::kFine;
 }
 
-/// Returns the plan of the probing by the program's heading or the options, and sets the tip.
+/// Returns the plan of the probing from the program's heading or the options, and sets the tip.
 surface::ProbePlan plan_of(const ProbeGridOptions& options, double& tip_mm) {
   if (options.program.empty()) {
     tip_mm = options.tip_mm.value_or(0.0);
@@ -140,7 +140,7 @@ std::vector<std::string> heading_of(const surface::ProbePlan& plan, double tip_m
                       plan.offset.z())};
 }
 
-/// Prints how many points there are, and their heights.
+/// Prints the number of points, and their heights.
 void print_summary(const std::vector<Eigen::Vector3d>& points, std::size_t faults) {
   double least = std::numeric_limits<double>::infinity();
   double most = -least;

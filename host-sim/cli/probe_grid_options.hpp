@@ -12,9 +12,9 @@ class App;
 
 namespace sim {
 
-/// The options of `kerfline surface probe-grid`.
+/// Options of `kerfline surface probe-grid`.
 struct ProbeGridOptions {
-  std::string x;  ///< `FROM:TO`.
+  std::string x;  ///< Range `FROM:TO`.
   std::string y;
   std::optional<double> pitch_mm;
   std::optional<std::size_t> columns;
@@ -27,20 +27,21 @@ struct ProbeGridOptions {
   double retract_mm = surface::ProbeProgram{}.retract_mm;
   double travel_feed = surface::ProbeProgram{}.travel_feed;
   std::optional<double> tip_mm;
-  std::string read;     ///< Log with answers; empty: a program is written.
-  std::string program;  ///< Whose heading says what was probed.
-  std::string offset;   ///< `X,Y,Z`.
+  std::string read;     ///< Log with answers to read; if empty, a program is written.
+  std::string program;  ///< Program whose heading describes what was probed.
+  std::string offset;   ///< Work zero `X,Y,Z`; empty for none.
   bool inches = false;
   bool gaps = false;
   std::string output;
 
   void add_to(CLI::App& command);
 
-  // Each throws std::invalid_argument, which names the option.
+  // Return the grid and the program that the options describe. Each function throws
+  // std::invalid_argument, which names the option.
 
   [[nodiscard]] surface::ProbeGrid grid() const;
   [[nodiscard]] surface::ProbeProgram probe_program() const;
-  /// Returns the work zero of `--offset`; nothing without one.
+  /// Returns the work zero of `--offset`; empty without that option.
   [[nodiscard]] std::optional<Eigen::Vector3d> work_zero() const;
 };
 

@@ -11,13 +11,13 @@ class App;
 
 namespace sim {
 
-/// The file of a surface to probe, as it was read.
+/// File of a surface to probe, as it was read.
 struct ProbeSurfaceFile {
   std::string bytes;
-  double tip_mm = 0.0;  ///< Diameter of the ball that probes it.
+  double tip_mm = 0.0;  ///< Diameter of the ball that probes the surface.
 };
 
-/// Options of the plate and the surface that close the probe circuit of the simulated machine.
+/// Options for the plate and the surface that close the probe circuit of the simulated machine.
 struct ProbeOptions {
   std::optional<double> plate_z_mm;
   std::string surface;  ///< Name of the file; empty for none.
@@ -25,9 +25,10 @@ struct ProbeOptions {
 
   void add_to(CLI::App& command);
 
-  /// Returns the height of the plate: where a surface is probed there is none unless it was given.
+  /// Returns the height of the plate. If a surface is probed, there is no plate unless its height
+  /// was given.
   [[nodiscard]] double plate_mm() const;
-  /// Returns the bytes of the surface; nothing without one. Throws std::system_error, and
+  /// Returns the bytes of the surface; empty without a surface. Throws std::system_error, and
   /// std::invalid_argument for a tip without a surface.
   [[nodiscard]] std::optional<ProbeSurfaceFile> read() const;
   /// Puts plate and surface into `machine`, and prints the notes of the surface's reader to

@@ -54,7 +54,7 @@ bool replay_one(const std::string& file, const ReplayOptions& options) {
   return false;
 }
 
-/// Files that are rewritten are outputs as well.
+/// Checks the files. Files that are rewritten count as outputs as well.
 void refuse_unwritable(const ReplayOptions& options) {
   std::vector<NamedFile> files;
   for (const std::string& file : options.files) {

@@ -103,7 +103,7 @@ void add_options(CLI::App& command, SendCommandOptions& options) {
       FileRole::kOutput);
 }
 
-/// Lines that would never be taken are found before anything moves.
+/// Finds lines that the controller would never take before anything moves.
 void check_lengths(const JobLines& job, const SendCommandOptions& options) {
   const bool numbered = options.numbered || options.resume || options.send.checked;
   const std::size_t most =
@@ -117,7 +117,7 @@ void check_lengths(const JobLines& job, const SendCommandOptions& options) {
                   most));
 }
 
-/// Sends lines plain, before those of the job.
+/// Sends plain lines before those of the job.
 ExitStatus say(const SendCommandOptions& options,
                Line& line,
                const std::vector<JobLine>& words,
@@ -147,7 +147,7 @@ std::vector<JobLine> questions_of(const SendCommandOptions& options) {
   return questions;
 }
 
-/// Puts the questions once, and believes each answer.
+/// Sends the queries once, and trusts each answer.
 ExitStatus ask_once(const SendCommandOptions& options, Line& line, Answers& answers) {
   const SendOptions send{.takes_up = options.resume, .rests_in_alarm = true};
   return say(options,
@@ -160,13 +160,14 @@ ExitStatus ask_once(const SendCommandOptions& options, Line& line, Answers& answ
              });
 }
 
-/// A question is checked, its answers are not: repeats the questions until all answers agree.
+/// Repeats the queries until all answers agree, because a query has a check but its answers have
+/// none.
 ExitStatus ask_until_agreed(const SendCommandOptions& options, Line& line, Answers& answers) {
   constexpr int kMaxRounds = 12;
   AgreedAnswers agreed{options.resume};
   const SendOptions send{.checked = true, .takes_up = options.resume, .rests_in_alarm = true};
   const auto count = [&agreed](Sender& sender, std::string_view answer) {
-    // Before, a job that is held may still be reset, which changes the state.
+    // Before this state, a held job may still be reset, which changes the state.
     if (sender.state() < Sender::State::kBeginning) return;
     agreed.read(answer);
     if (answer.starts_with("[GC:")) sender.ask_full_report();
@@ -201,15 +202,15 @@ std::size_t index_of(const JobLines& job, const SendCommandOptions& options) {
       fmt::format("{}: has no line {} to begin with", options.file, options.from_line));
 }
 
-/// Chooses numbers for the checked lines of an approach that the controller takes for none of the
-/// lines that the job is still to drive.
+/// Chooses numbers for the checked lines of an approach. The controller must not take them for
+/// lines of the job that are still to be driven.
 void number_approach(std::vector<JobLine>& lines, SendOptions& send) {
   constexpr std::uint32_t kFreeNumbers = 100;  // An approach has about ten lines.
   if (send.takes_up) {
-    // Each has number 1: a later number could be the line in which the beam comes on again.
+    // Each line has number 1: a later number could be the line in which the beam comes on again.
     send.most_number = 1;
   } else {
-    // After an interruption here the controller reports a line that no job has.
+    // After an interruption in the approach, the controller reports a line that no job has.
     lines.front().n = send.most_number - kFreeNumbers;
   }
 }
@@ -250,7 +251,7 @@ void warn_of_stale_inputs(const SendCommandOptions& options,
   }
 }
 
-/// The same judgement as the page's: lines that the controller would refuse, and the travel.
+/// Judges the program as the page does: lines that the controller would refuse, and the travel.
 ExitStatus judge(const SendCommandOptions& options,
                  const ProgramText& program,
                  const Standpoint& standpoint) {
@@ -264,7 +265,7 @@ ExitStatus judge(const SendCommandOptions& options,
   return refuse(options, ": correct these lines, or send all the same with --accept-faults");
 }
 
-/// Returns whether a controller in alarm takes all lines of a job, such as `$X` or settings.
+/// Returns whether a job has only lines that a controller in alarm takes, such as `$X` or settings.
 bool has_statements_only(const JobPart& job) {
   for (std::size_t i = 0; i < job.size(); ++i) {
     if (!job[i].text.starts_with('$')) return false;
@@ -304,7 +305,7 @@ ExitStatus send_job(const SendCommandOptions& options, Line& line, std::string f
   return status;
 }
 
-/// Faults for which no controller is needed are found before the port is opened.
+/// Finds faults for which no controller is needed, before the port is opened.
 ExitStatus send(const SendCommandOptions& options) {
   std::string file = read_text(options.file);
   {

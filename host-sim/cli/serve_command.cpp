@@ -49,7 +49,7 @@ constexpr const char* kServeFooter =
 
 constexpr int kLastNode = cnc::can::kLastNode;
 
-constexpr std::string_view kTcp = "tcp:";  ///< Begins where --slcan is a port, not a file.
+constexpr std::string_view kTcp = "tcp:";  ///< Prefix of --slcan for a port instead of a file.
 
 struct ServeOptions {
   std::string pty;
@@ -57,7 +57,7 @@ struct ServeOptions {
   std::string ws;
   std::string can;
   std::string slcan;
-  int node = 0;  ///< 0: as it is set.
+  int node = 0;  ///< Number of the node; 0 for the number in the settings.
   double speed = 1.0;
   std::string machine;
   std::string settings_file;
@@ -176,7 +176,8 @@ void announce(const Reception& reception) {
   }
 }
 
-/// A sender is no quicker because the machine's time is: it may be silent for as much longer.
+/// Returns all settings of the call. At a --speed above 1 the machine's time runs faster but the
+/// sender does not, so that the sender may be silent for longer by this factor.
 std::vector<SettingChange> all_settings(const ServeOptions& options) {
   std::vector<SettingChange> changes =
       settings_of(options.machine, options.settings_file, options.set);

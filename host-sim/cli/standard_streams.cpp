@@ -18,7 +18,8 @@ namespace sim {
 void prepare_standard_streams() {
   for (const int number : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
     if (hal::host::control_file(number, F_GETFD) >= 0) continue;
-    // The wrong way round, so that using it fails; it gets the lowest number that is free.
+    // The stream is opened in the opposite direction, so that its use fails. It gets the lowest
+    // free number.
     const int mode = number == STDIN_FILENO ? O_WRONLY : O_RDONLY;
     if (hal::host::open_file("/dev/null", mode) != number) ::_exit(2);
   }

@@ -60,7 +60,7 @@ stock::Ring ring_of(const std::vector<drawing::Shape>& shapes) {
   return ring;
 }
 
-/// The loops of contours as text, their arcs within 1 µm.
+/// Returns the loops of contours as text, with their arcs within 1 µm.
 std::vector<stock::Ring> rings_of_text(const std::string& text, const std::string& file) {
   try {
     const Contour contour = contour_from_text(text, file);
@@ -81,8 +81,8 @@ std::vector<stock::Ring> rings_of_text(const std::string& text, const std::strin
   }
 }
 
-/// The closed contours of a drawing, or of contours as text, their curves within 1 µm. Throws
-/// std::invalid_argument for the first fault.
+/// Returns the closed contours of a drawing, or of contours as text, with their curves within 1 µm.
+/// Throws std::invalid_argument for the first fault.
 std::vector<stock::Ring> rings_of(const std::string& file) {
   const std::string text = read_text(file);
   if (is_contour_text(text)) return rings_of_text(text, file);
@@ -101,7 +101,8 @@ std::vector<stock::Ring> rings_of(const std::string& file) {
   return rings;
 }
 
-/// Throws std::invalid_argument for options that need one that is not there.
+/// Checks that each option comes with the option that it needs. Throws std::invalid_argument
+/// otherwise.
 void refuse_lonely(const StockOptions& options) {
   if (options.target.empty() != !options.depth_mm) {
     throw std::invalid_argument(

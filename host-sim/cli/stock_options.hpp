@@ -13,7 +13,7 @@ class App;
 
 namespace sim {
 
-/// The stock of a call of `kerfline sim`.
+/// Options of `kerfline sim` for the stock.
 struct StockOptions {
   std::string box;
   std::string tool;
@@ -22,26 +22,28 @@ struct StockOptions {
   std::string stl;
   std::string ply;
   std::string map;
-  std::string target;                ///< A drawing to read.
+  std::string target;                ///< Drawing of the target pocket.
   std::optional<double> depth_mm{};  ///< Depth of the target pocket, mm.
-  std::string surface;               ///< A measured grid, a mesh or a height map to read.
+  std::string surface;  ///< File of the target surface: a measured grid, a mesh or a height map.
 };
 
 /// Adds `--stock`, `--tool` and the options that begin with `--stock-`.
 void add_stock_options(CLI::App& command, StockOptions& options);
 
-/// The stock as wanted; nothing without `--stock`. Throws std::invalid_argument naming the option.
+/// Returns the stock that the options describe; empty without `--stock`. Throws
+/// std::invalid_argument naming the option.
 [[nodiscard]] std::optional<StockWish> stock_wish_of(const StockOptions& options);
 
-/// Reads the drawing of the pocket that the stock is to become; nothing without one. Throws
-/// std::system_error if it cannot be read, std::invalid_argument naming it for its faults.
+/// Reads the drawing of the pocket that the stock is to become; empty without a drawing. Throws
+/// std::system_error if the drawing cannot be read, and std::invalid_argument naming it for its
+/// faults.
 [[nodiscard]] std::optional<stock::PocketTarget> stock_target_of(const StockOptions& options);
 
-/// Reads the surface that the stock is to become; null without one. Prints the notes of its reader
-/// to standard error. Throws as read_bytes() and read_surface() do.
+/// Reads the surface that the stock is to become; null without a surface. Prints the notes of its
+/// reader to standard error. Throws as read_bytes() and read_surface() do.
 [[nodiscard]] std::shared_ptr<const surface::Mesh> stock_surface_of(const StockOptions& options);
 
-/// Options and names of the files to write.
+/// Returns options and names of the files to write.
 [[nodiscard]] std::vector<std::pair<const char*, std::string>> stock_files(
     const StockOptions& options);
 

@@ -69,7 +69,7 @@ void place(std::vector<Eigen::Vector3d>& points, const SurfaceCommandOptions& op
   for (Eigen::Vector3d& point : points) point += way;
 }
 
-/// Returns the height of rapids. Throws std::invalid_argument for one within path or surface.
+/// Returns the height of rapids. Throws std::invalid_argument for a height within path or surface.
 double safe_height_of(const SurfaceCommandOptions& options, double top_mm) {
   constexpr double kAboveAll = 5.0;
   if (!options.safe_mm) return std::ceil(top_mm) + kAboveAll;
@@ -88,7 +88,7 @@ PatchOptions patches_of(const SurfaceCommandOptions& options) {
   return patches;
 }
 
-/// Returns how the surface is milled.
+/// Returns a text on how the surface is milled.
 std::string manner_of(const SurfaceCommandOptions& options) {
   if (options.pencil) {
     return fmt::format("along valleys sharper than {:g} degrees", options.pencil_angle_deg);
@@ -146,7 +146,8 @@ std::string report_of(const SurfaceCommandOptions& options,
   return dumped(report) + "\n";
 }
 
-/// Returns the path of a surface along lines or in levels. @param rough the border of levels
+/// Returns the path of a surface along lines or in levels.
+/// @param rough the border of levels
 surface::SurfacePath path_with_progress(const surface::Mesh& mesh,
                                         surface::RowOptions rows,
                                         const surface::RoughOptions& rough,
@@ -160,7 +161,7 @@ surface::SurfacePath path_with_progress(const surface::Mesh& mesh,
   return row_path(mesh, rows);
 }
 
-/// Returns the path along valleys, and prints how many were too short for one.
+/// Returns the path along valleys, and prints the number of valleys that were too short for a path.
 surface::SurfacePath valleys_of(const SurfaceCommandOptions& options,
                                 const surface::Mesh& mesh,
                                 const stock::Cutter& cutter,
@@ -239,7 +240,8 @@ void write_heights(const SurfaceCommandOptions& options,
   }
 }
 
-/// Returns the grid of an input where it is moved to. Throws std::invalid_argument for a mesh.
+/// Returns the grid of an input at the position to which it is moved. Throws std::invalid_argument
+/// for a mesh.
 surface::PointGrid grid_of(const surface::SurfaceInput& input,
                            const SurfaceCommandOptions& options) {
   if (!input.grid) {
@@ -252,8 +254,8 @@ surface::PointGrid grid_of(const surface::SurfaceInput& input,
   return grid;
 }
 
-/// Returns whether the controller has arcs in all planes of the path: rows and the links between
-/// them turn in both upright ones, lines of one height in the level one.
+/// Returns whether the controller has arcs in all planes of the path. Rows and the links between
+/// them have arcs in both upright planes, lines of one height in the level plane.
 bool knows_arcs_of_path(const SurfaceCommandOptions& options) {
   const bool is_level =
       options.paths == SurfacePaths::kWaterline || options.paths == SurfacePaths::kRough;
@@ -270,7 +272,7 @@ ExitStatus run_surface(const SurfaceCommandOptions& options, InputFiles& inputs)
     terminal::print(stderr, "{}\n", note);
   }
   place(input.mesh.points, options);
-  // All that may be refused comes first, so that nothing is written then.
+  // All checks that may refuse the call come first, so that nothing is written if it is refused.
   const std::string places = options.wants_heights() ? InputFiles::read(options.at) : "";
   surface::PointGrid grid;
   if (options.wants_patches()) grid = grid_of(input, options);

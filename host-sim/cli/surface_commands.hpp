@@ -4,7 +4,7 @@
 
 namespace sim {
 
-/// Adds `probe-grid` to `kerfline surface`; `status` is set when it runs.
+/// Adds `probe-grid` to `kerfline surface`; the command sets `status` when it runs.
 void add_probe_grid_command(CLI::App& surface_command, ExitStatus& status);
 
 }  // namespace sim

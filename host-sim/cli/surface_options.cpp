@@ -21,7 +21,7 @@ namespace {
 constexpr double kLeastMm = 1.0e-6;
 constexpr double kLeastSurfaceToleranceMm = 1.0e-4;
 constexpr double kGreatestSurfaceToleranceMm = 5.0;
-/// Half of it would be left for the rows.
+/// Least scallop in tolerances. At this scallop, half of its height is left for the rows.
 constexpr double kLeastScallopTolerances = 2.0;
 
 void add_reading_options(CLI::App& command, SurfaceCommandOptions& options) {
@@ -209,7 +209,8 @@ void check_approach(const SurfaceCommandOptions& options) {
   }
 }
 
-/// Throws std::invalid_argument for options that do not go with a path along patches.
+/// Checks the options of a path along patches. Throws std::invalid_argument for options that such a
+/// path cannot have.
 void check_smooth(const SurfaceCommandOptions& options) {
   if (!options.patches.smooth) return;
   for (const auto& [name, is_given, reason] :
@@ -221,7 +222,8 @@ void check_smooth(const SurfaceCommandOptions& options) {
   }
 }
 
-/// Throws std::invalid_argument for options that do not go with the kind of lines.
+/// Checks the options of the kind of lines. Throws std::invalid_argument for options that this kind
+/// cannot have.
 void check_line_options(const SurfaceCommandOptions& options) {
   const bool are_rows = options.paths == SurfacePaths::kRows;
   const auto refuse = [](const char* option, const char* remedy) {

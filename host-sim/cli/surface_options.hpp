@@ -21,38 +21,41 @@ class App;
 
 namespace sim {
 
-/// The lines along which a tool goes over a surface.
+/// Lines along which a tool moves over a surface.
 enum class SurfacePaths : std::uint8_t {
-  kRows,       ///< Straight in plan.
-  kWaterline,  ///< At one height each.
-  kContour,    ///< At one distance each from the border, over the surface.
+  kRows,       ///< Lines that are straight in plan.
+  kWaterline,  ///< Lines at one height each.
+  kContour,    ///< Lines at one distance each from the border, over the surface.
   kRough,      ///< Areas of levels, cleared as pockets are.
 };
 
-/// The options of `kerfline surface`.
+/// Options of `kerfline surface`.
 struct SurfaceCommandOptions {
   std::string file;
   surface::ReadOptions reading;
-  std::vector<double> approach{};  ///< The tool's direction, X, Y and Z; empty: down.
-  std::vector<double> move_mm{};   ///< X, Y and Z; empty: not moved.
+  std::vector<double> approach{};  ///< The tool's direction, X, Y and Z; empty for down.
+  std::vector<double> move_mm{};   ///< Displacement in X, Y and Z; empty for none.
   std::string tool;
   double tolerance_mm = 0.01;
-  double step_mm = 0.0;             ///< 0: as the scallop asks, or a tenth of the tool's diameter.
-  double scallop_mm = 0.0;          ///< 0: any.
-  std::optional<double> angle_deg;  ///< None: along X.
+  /// Step-over; 0 for that of the scallop, or a tenth of the tool's diameter.
+  double step_mm = 0.0;
+  double scallop_mm = 0.0;          ///< Greatest height of scallops; 0 for any.
+  std::optional<double> angle_deg;  ///< Angle of the rows; empty for along X.
   double allowance_mm = 0.0;
   double margin_mm = 0.0;
   std::optional<double> floor_mm;
-  std::optional<double> stock_top_mm;  ///< None: the surface's highest point.
-  double layer_mm = 0.0;               ///< 0: no layers.
-  double ramp_deg = 0.0;               ///< 0: straight down.
-  std::optional<double> safe_mm;       ///< None: 5 mm above path and surface.
+  std::optional<double> stock_top_mm;  ///< Top of the stock; empty for the surface's highest point.
+  double layer_mm = 0.0;               ///< Depth of a layer; 0 for no layers.
+  double ramp_deg = 0.0;               ///< Angle of the ramp into the stock; 0 for straight down.
+  std::optional<double> safe_mm;       ///< Height of rapids; empty for 5 mm above path and surface.
   SurfacePaths paths = SurfacePaths::kRows;
-  std::optional<double> stock_margin_mm;   ///< None: nothing is known of the stock's end.
-  std::optional<surface::RowOrder> order;  ///< None: zigzag, or one way with a direction.
+  /// Stock around the surface; empty if its end is not known.
+  std::optional<double> stock_margin_mm;
+  /// Order of the rows. If empty: zigzag, or one way if a direction is given.
+  std::optional<surface::RowOrder> order;
   std::optional<cnc::pocket::Milling> direction;
   RegionOptions regions;
-  bool pencil = false;  ///< Valleys in place of rows.
+  bool pencil = false;  ///< Whether the tool follows valleys in place of rows.
   double pencil_angle_deg = 20.0;
   bool lines_only = false;
   pocket::MillSettings mill;
@@ -62,9 +65,9 @@ struct SurfaceCommandOptions {
   SurfacePictures pictures;
   std::string output;
   std::string report;
-  std::string mesh;     ///< Where the surface is written as it counts; empty: it is not.
-  std::string at;       ///< Places whose heights are wanted.
-  std::string heights;  ///< Where they are written.
+  std::string mesh;     ///< File for the surface as it is used; empty for none.
+  std::string at;       ///< File of points whose heights are required.
+  std::string heights;  ///< File for these heights.
 
   [[nodiscard]] bool wants_heights() const { return !at.empty(); }
   [[nodiscard]] bool wants_patches() const {
@@ -74,36 +77,37 @@ struct SurfaceCommandOptions {
   [[nodiscard]] bool wants_program() const { return !wants_heights() && !patches.like_paper; }
 };
 
-/// Adds all of them, with their ranges, units and defaults.
+/// Adds all options, with their ranges, units and defaults.
 void add_surface_options(CLI::App& command, SurfaceCommandOptions& options);
 
-/// Throws std::invalid_argument for options that do not go together, and for those that are
-/// missing.
+/// Checks the options. Throws std::invalid_argument for options that exclude each other, and if an
+/// option is missing.
 void check_surface_options(const SurfaceCommandOptions& options);
 
-/// Adds those of roughing in levels.
+/// Adds the options of roughing in levels.
 void add_rough_options(CLI::App& command, SurfaceCommandOptions& options);
 
-/// Throws std::invalid_argument for options that do not go with roughing in levels, and for those
-/// that are missing.
+/// Checks the options of roughing in levels. Throws std::invalid_argument for options that it
+/// cannot have, and if an option is missing.
 void check_rough_options(const SurfaceCommandOptions& options);
 
-/// Returns the step of roughing in levels, mm: as it is asked for, or what suits the tool.
-/// Throws std::invalid_argument for one that would leave stock between passes.
+/// Returns the step-over of roughing in levels, mm: that of the options, or a step-over that suits
+/// the tool. Throws std::invalid_argument if it would leave stock between passes.
 [[nodiscard]] double rough_step_of(const SurfaceCommandOptions& options,
                                    const stock::Cutter& cutter);
 
-/// Returns how they ask for paths.
+/// Returns how the options require paths to be made.
 [[nodiscard]] surface::RowOptions row_options_of(const SurfaceCommandOptions& options,
                                                  const stock::Cutter& cutter);
 
-/// Adds those of paths along valleys.
+/// Adds the options of paths along valleys.
 void add_pencil_options(CLI::App& command, SurfaceCommandOptions& options);
 
-/// Throws std::invalid_argument for options of rows, of which a path along valleys has none.
+/// Checks the options of a path along valleys. Throws std::invalid_argument for options of rows,
+/// because such a path has no rows.
 void check_pencil_options(const SurfaceCommandOptions& options);
 
-/// How they ask for valleys.
+/// Returns how the options require valleys to be followed.
 [[nodiscard]] surface::PencilOptions pencil_options_of(const SurfaceCommandOptions& options,
                                                        const stock::Cutter& cutter);
 

@@ -13,7 +13,7 @@
 namespace sim {
 namespace {
 
-/// Returns the places of the tip over all points: something is under the tool at each.
+/// Returns the positions of the tip over all points; at each point some surface is under the tool.
 surface::PointGrid tips_over(const surface::PointGrid& grid, const stock::Cutter& cutter) {
   const surface::DropCutter dropped{triangulated(grid), profile_of(cutter)};
   surface::DropCutter::Hint hint;

@@ -11,29 +11,31 @@
 
 namespace sim {
 
-/// How `kerfline surface` fits patches to the places of a tool's tip.
+/// Options of `kerfline surface` for fitting patches to the positions of a tool's tip.
 struct PatchOptions {
-  std::string file;          ///< Where they are written; empty: they are not.
-  bool smooth = false;       ///< The path follows them.
-  bool like_paper = false;   ///< Count flat pieces as paper 4 does, in place of a program.
-  double fit_mm = 0.0;       ///< Tolerance of the fit; 0: 1 mm for the paper, else the path's.
+  std::string file;     ///< File for the patches; empty for none.
+  bool smooth = false;  ///< Whether the path follows the patches.
+  /// Whether to count flat pieces as paper 4 does, in place of a program.
+  bool like_paper = false;
+  /// Tolerance of the fit; 0 for 1 mm with the paper, else for the path's tolerance.
+  double fit_mm = 0.0;
   double flatness_mm = 0.5;  ///< Greatest thickness of a flat piece.
 };
 
-/// Fits smooth patches to a grid, for the path that options of rows ask for.
-/// Throws std::invalid_argument for patches that fold.
-/// @pre the fit's tolerance is above 0; the grid has two rows and columns at least
+/// Fits smooth patches to a grid, for the path that options of rows require. Throws
+/// std::invalid_argument for patches that fold.
+/// @pre the fit's tolerance is above 0; the grid has at least two rows and columns
 [[nodiscard]] std::shared_ptr<const surface::SmoothTips> smooth_tips(
     const surface::PointGrid& grid, const surface::RowOptions& rows, const PatchOptions& options);
 
-/// Prints how well patches of a path fit, writes them where the options ask for it, and returns
+/// Prints how well the patches of a path fit, writes them if the options require it, and returns
 /// them.
 const surface::patch::PatchSurface& reported_patches(const surface::SmoothTips& smooth,
                                                      const PatchOptions& options);
 
-/// Fits a smooth composite Bezier surface to the places of a tool's tip over each point of a grid,
-/// tells how well it fits, writes and counts what the options ask for, and returns it.
-/// @pre the fit's tolerance is above 0; the grid has two rows and columns at least
+/// Fits a smooth composite Bezier surface to the positions of a tool's tip over each point of a
+/// grid. Prints how well it fits, writes and counts what the options require, and returns it.
+/// @pre the fit's tolerance is above 0; the grid has at least two rows and columns
 surface::patch::PatchSurface fit_patches(const surface::PointGrid& grid,
                                          const stock::Cutter& cutter,
                                          const PatchOptions& options);

@@ -18,7 +18,7 @@ void add_pencil_options(CLI::App& command, SurfaceCommandOptions& options) {
   command
       .add_option("--pencil-angle",
                   options.pencil_angle_deg,
-                  "Between the normals of both sides at least, degrees")
+                  "Least angle between the normals of the two sides of a valley, degrees")
       ->check(in_range(1.0, 170.0, "degrees"))
       ->type_name("DEG")
       ->capture_default_str();

@@ -21,7 +21,7 @@
 namespace sim {
 namespace {
 
-/// A picture's option, where its file stands, and whether it needs a path.
+/// Option of a picture, the member that holds its file, and whether it needs a path.
 struct PictureOption {
   const char* name;
   std::string SurfacePictures::*file;
@@ -102,7 +102,7 @@ void draw_surface(const SurfacePictures& pictures,
                   const surface::SurfaceInput& input,
                   const stock::Cutter& cutter) {
   std::optional<surface::PointGrid> grid = input.grid;
-  if (grid) grid->points = input.mesh.points;  // Moved.
+  if (grid) grid->points = input.mesh.points;  // The points of the mesh are moved already.
   if (!pictures.data.empty()) draw(pictures, pictures.data, data_scene(input.mesh, grid));
   if (pictures.offset.empty()) return;
   SpaceScene scene = offset_scene(input.mesh, grid, profile_of(cutter));

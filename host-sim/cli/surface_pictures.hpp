@@ -24,8 +24,9 @@ struct SurfacePictures {
   std::string paths;
   std::string carved;
   std::string map;
-  std::optional<double> cell_mm{};  ///< Cells of the carved stock; none: as fits its size.
-  std::vector<double> view_deg{};   ///< Azimuth and elevation; empty: the usual ones.
+  /// Size of the cells of the carved stock; empty for a size that suits the stock.
+  std::optional<double> cell_mm{};
+  std::vector<double> view_deg{};  ///< Azimuth and elevation; empty for the usual ones.
 
   [[nodiscard]] bool need_path() const { return !paths.empty() || !carved.empty() || !map.empty(); }
 };
@@ -40,18 +41,19 @@ struct PicturedPath {
 /// Adds the options that begin with `--picture-`.
 void add_surface_picture_options(CLI::App& command, SurfacePictures& pictures);
 
-/// Throws std::invalid_argument for a name that is no picture's, and for pictures of a path where
-/// there is none. @param instead the option for which there is no path; null where there is one
+/// Checks the options. Throws std::invalid_argument for a name that no picture can have, and for
+/// pictures of a path if the job has no path.
+/// @param instead the option that replaces the path; null if there is a path
 void check_surface_pictures(const SurfacePictures& pictures, const char* instead);
 
-/// Draws the surface as it was read, and the places of the tip.
+/// Draws the surface as it was read, and the positions of the tip.
 void draw_surface(const SurfacePictures& pictures,
                   const surface::SurfaceInput& input,
                   const stock::Cutter& cutter);
 /// Draws patches.
 void draw_patches(const SurfacePictures& pictures, const surface::patch::PatchSurface& patches);
-/// Draws a path and the stock that it carves, compares that with the surface, and prints how far it
-/// is off.
+/// Draws a path and the stock that it carves, compares the stock with the surface, and prints their
+/// distance.
 void draw_path(const SurfacePictures& pictures,
                const surface::Mesh& mesh,
                const PicturedPath& pictured,

@@ -87,7 +87,7 @@ surface::SlopeRange slopes_of(const std::string& text) {
       "--slope {}: is not LOW:HIGH in degrees from the level, 0 to 90, such as 0:35", text));
 }
 
-/// Returns the first fault of a drawing, and that there are more.
+/// Returns the first fault of a drawing, and a remark if there are more.
 std::string first_of(std::string_view faults) {
   const std::size_t end = faults.find('\n');
   if (end == std::string_view::npos) return std::string{faults};
@@ -111,18 +111,20 @@ std::vector<Contour> drawn_in(const std::string& file, double tolerance_mm, Inpu
   return areas;
 }
 
-/// Prints what of an area an offset leaves nothing of.
+/// Prints the parts of an area of which an offset leaves nothing.
 void print_vanished(const std::string& file, const std::vector<Vanished>& found) {
   constexpr std::size_t kMostListed = 20;
   for (std::size_t i = 0; i < std::min(found.size(), kMostListed); ++i) {
     terminal::print(stderr, "{}: {} for the tool\n", file, found[i].text());
   }
   if (found.size() > kMostListed) {
-    terminal::print(stderr, "{}: and {} more vanish\n", file, found.size() - kMostListed);
+    terminal::print(
+        stderr, "{}: {} more places vanish under the tool\n", file, found.size() - kMostListed);
   }
 }
 
-/// Returns an area for the tool's centre whose rim reaches the boundary from one side.
+/// Returns an area for the tool's centre, such that the tool's rim reaches the boundary from one
+/// side.
 Contour moved(const std::string& file, const Contour& area, double distance_mm) {
   ContourOffset offsetter;
   try {

@@ -14,42 +14,45 @@ class App;
 
 namespace sim {
 
-/// Where the tool is in relation to a boundary that it reaches.
+/// Position of the tool in relation to a boundary that it reaches.
 enum class BoundarySide : std::uint8_t {
-  kInside,   ///< Its rim stays inside.
-  kOn,       ///< Its tip ends on the line.
-  kOutside,  ///< Its rim goes just beyond.
+  kInside,   ///< The tool's rim stays inside.
+  kOn,       ///< The tool's tip ends on the line.
+  kOutside,  ///< The tool's rim is just beyond the line.
 };
 
-/// The options of `kerfline surface` that say where rows go.
+/// Options of `kerfline surface` for the region of the rows.
 struct RegionOptions {
-  std::string boundary;  ///< A drawing; empty: none.
+  std::string boundary;  ///< Drawing of the boundary; empty for none.
   BoundarySide side = BoundarySide::kOn;
-  std::string slope;    ///< `LOW:HIGH` in degrees; empty: any.
-  std::string rest_of;  ///< The larger tool; empty: none.
+  std::string slope;    ///< Range of slopes, `LOW:HIGH` in degrees; empty for any.
+  std::string rest_of;  ///< The larger tool that milled before; empty for none.
   double rest_allowance_mm = 0.0;
-  double rest_depth_mm = 0.0;  ///< 0: three tolerances, at least 0.02 mm.
+  /// Least depth of the rest; 0 for three tolerances, at least 0.02 mm.
+  double rest_depth_mm = 0.0;
 
   [[nodiscard]] bool any() const { return !boundary.empty() || !slope.empty() || !rest_of.empty(); }
 };
 
-/// Adds all of them, with their ranges, units and defaults.
+/// Adds all options, with their ranges, units and defaults.
 void add_region_options(CLI::App& command, RegionOptions& options);
 
-/// Throws std::invalid_argument for options that do not go together or say nothing.
+/// Checks the options. Throws std::invalid_argument for options that exclude each other or have no
+/// effect.
 /// @param surface the file of the surface
 void check_region_options(const RegionOptions& options, const std::string& surface);
 
-/// Returns the areas of the boundary for the tool's tip; none without a boundary. Prints what of it
-/// the tool does not fit into. Throws std::invalid_argument for a drawing with faults, by place and
-/// remedy. @param rows tool and tolerance of the path
+/// Returns the areas of the boundary for the tool's tip; empty without a boundary. Prints the parts
+/// of the boundary into which the tool does not fit. Throws std::invalid_argument for a drawing
+/// with faults, with place and remedy.
+/// @param rows tool and tolerance of the path
 [[nodiscard]] std::vector<Contour> boundary_areas_of(const RegionOptions& options,
                                                      const surface::RowOptions& rows,
                                                      InputFiles& inputs);
 
-/// Returns the regions that options ask for. Prints what of a boundary the tool does not fit into.
-/// Throws std::invalid_argument for a drawing with faults, by place and remedy, and for a larger
-/// tool that is none.
+/// Returns the regions that the options describe. Prints the parts of a boundary into which the
+/// tool does not fit. Throws std::invalid_argument for a drawing with faults, with place and
+/// remedy, and for a text that names no larger tool.
 /// @param rows tool, allowance, tolerance and floor of the path
 [[nodiscard]] surface::MilledRegions regions_of(const RegionOptions& options,
                                                 const surface::Mesh& mesh,

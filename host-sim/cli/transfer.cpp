@@ -133,7 +133,7 @@ void Transfer::carry_in() {
   }
 }
 
-/// Sleeps until bytes come, and not longer than a serial line takes to run dry.
+/// Sleeps until bytes come, but not longer than a serial line takes to become empty.
 void Transfer::sleep() {
   constexpr int kPeriodMs = 2;
   waited_.clear();
@@ -150,7 +150,7 @@ void Transfer::attend_operator() {
   if (*key == 'q') sender_.abort();
 }
 
-/// An operator at a terminal sees the state, and has keys.
+/// Shows the state to an operator at a terminal, and reads the keys.
 void Transfer::attend_wait() {
   if (sender_.state() == Sender::State::kStopping) return;
   const std::string words = wait_.attend(sender_.machine_state(), sender_.file_line(), line_.now());

@@ -24,7 +24,7 @@
 
 namespace sim {
 
-/// The options of `kerfline send`.
+/// Options of `kerfline send`.
 struct SendCommandOptions {
   std::string file;
   std::string port;
@@ -45,8 +45,8 @@ struct SendCommandOptions {
 };
 
 /// The link, and the log of all lines on it. Throws as the open functions of ports do, and
-/// std::system_error for a log that cannot be written. A log that cannot be written any more, as on
-/// a full disk, ends with a message and does not stop the job.
+/// std::system_error for a log that cannot be written. If a log can no longer be written, as on a
+/// full disk, it ends with a message and does not stop the job.
 struct Line {
   using Clock = std::chrono::steady_clock;
 
@@ -60,7 +60,7 @@ struct Line {
     return std::chrono::duration_cast<Sender::Time>(Clock::now() - begun);
   }
   void log(char way, std::string_view words);
-  /// Puts the log in its place. False where it could not be written.
+  /// Moves the log to its final name. Returns false if the log could not be written.
   [[nodiscard]] bool close_log();
 
   Clock::time_point begun = Clock::now();
@@ -73,17 +73,17 @@ struct Line {
   void drop_log(const std::system_error& error);
 };
 
-/// One job over a line, at a terminal or not.
+/// Transfer of one job over a line, with or without a terminal.
 class Transfer {
  public:
   Transfer(const SendCommandOptions& options, Line& line, JobPart job, const SendOptions& send);
 
-  /// Gets every line that comes.
+  /// Called for every line that arrives.
   std::function<void(std::string_view)> on_answer;
 
-  /// Runs until the transfer is over; prints the reason of a failure at once.
+  /// Runs until the transfer is over. Prints the reason of a failure at once.
   ExitStatus run();
-  /// Prints the sum.
+  /// Prints the summary of the transfer.
   void tell() const;
   [[nodiscard]] Sender& sender() { return sender_; }
 

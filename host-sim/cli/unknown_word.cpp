@@ -19,7 +19,7 @@ std::vector<std::string> commands_of(const CLI::App& command) {
   return names;
 }
 
-/// Of the command and of its groups of options.
+/// Returns the options of the command and of its groups.
 std::vector<const CLI::Option*> options_of(const CLI::App& command) {
   std::vector<const CLI::Option*> options = command.get_options();
   for (const CLI::App* group : command.get_subcommands([](const CLI::App*) { return true; })) {
@@ -36,7 +36,8 @@ const CLI::Option* option_named(const CLI::App& command, const std::string& name
   return nullptr;
 }
 
-/// A word that names no command below may be the file of one that takes a file itself.
+/// Returns whether a command takes words: a word that names no subcommand may be a file of such a
+/// command.
 bool takes_words(const CLI::App& command) {
   return std::ranges::any_of(options_of(command),
                              [](const CLI::Option* option) { return option->get_positional(); });
@@ -48,7 +49,8 @@ bool is_option(const std::string& word) {
   return word.size() > 1 && word[0] == '-' && !is_number;
 }
 
-/// `path` is that of the command, with `kerfline`.
+/// Returns the message for an unknown option.
+/// @param path path of the command, with `kerfline`
 std::string unknown_option(const CLI::App& command,
                            const std::string& path,
                            const std::string& name) {
@@ -76,7 +78,7 @@ std::optional<std::string> unknown_word(const CLI::App& app,
     if (is_option(word)) {
       const std::string name = word.substr(0, word.find('='));
       const CLI::Option* option = option_named(*command, name);
-      // Letters of short options, or an option and its value, may stand together.
+      // Letters of short options, or an option and its value, may be one word.
       const bool begins_with_known =
           !name.starts_with("--") && option_named(*command, name.substr(0, 2)) != nullptr;
       if (option == nullptr && !begins_with_known) return unknown_option(*command, path, name);

@@ -11,7 +11,7 @@ class App;
 namespace sim {
 
 /// Finds the first word of a call that is no command and the first option that its command does not
-/// have, and says so with the nearest one. None where all words are known.
+/// have. Returns a message with the nearest known word; empty if all words are known.
 [[nodiscard]] std::optional<std::string> unknown_word(const CLI::App& app,
                                                       const std::vector<std::string>& words);
 

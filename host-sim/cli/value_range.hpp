@@ -8,17 +8,17 @@ class Validator;
 
 namespace sim {
 
-/// A number from `least` to `most`, both included; what is no number is refused, too. Messages and
-/// `--help` name the range and the unit.
+/// Returns a check for a number from `least` to `most`, both included. It also refuses text that is
+/// no number. Messages and `--help` name the range and the unit.
 /// @param unit may be empty
 [[nodiscard]] CLI::Validator in_range(double least, double most, const char* unit);
 
-/// A number without a fraction.
+/// Returns the same check for a number without a fraction.
 [[nodiscard]] CLI::Validator in_whole_range(std::int64_t least,
                                             std::int64_t most,
                                             const char* unit = "");
 
-/// PORT or ADDRESS:PORT of a socket; a wrong one is refused with the range.
+/// Returns a check for PORT or ADDRESS:PORT of a socket; a wrong one is refused with the range.
 [[nodiscard]] CLI::Validator port_address();
 
 }  // namespace sim

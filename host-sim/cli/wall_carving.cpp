@@ -35,7 +35,7 @@ namespace sim {
 namespace {
 
 constexpr double kRadiansPerDegree = std::numbers::pi / 180.0;
-/// A carved wall that leans that much more than the cone explains is measured, degrees.
+/// Angle in degrees by which a carved wall must lean more than the cone explains to be measured.
 constexpr double kBurnReserveDeg = 5.0;
 
 constexpr const char* kTaperFooter =
@@ -45,7 +45,7 @@ constexpr const char* kTaperFooter =
     "Example:\n"
     "  kerfline wall taper cuts.txt --half-angle 7";
 
-/// Beams for one block.
+/// Strokes of the beam for one block, with its name.
 struct NamedStrokes {
   std::string name;
   std::vector<wall::BeamStroke> strokes;

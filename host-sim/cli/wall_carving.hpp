@@ -4,7 +4,7 @@
 
 namespace sim {
 
-/// Adds `carve` and `taper` to `kerfline wall`; `status` is set when one runs.
+/// Adds `carve` and `taper` to `kerfline wall`; each sets `status` when it runs.
 void add_wall_carving_commands(CLI::App& wall_command, ExitStatus& status);
 
 }  // namespace sim

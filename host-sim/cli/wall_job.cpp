@@ -24,16 +24,16 @@ namespace sim {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180.0;
-/// Overhangs that hide less than that are rounding, mm².
+/// Area in mm² that an overhang must hide to count; a smaller area is rounding.
 constexpr double kLeastUndercutMm2 = 1.0e-3;
 /// S word of the full power.
 constexpr double kFullS = 1000.0;
 
-/// The layers of a job, and what came of them.
+/// Layers of a job, and their results.
 struct WallJob {
   wall::LayerOptions layers;
   std::size_t layer_count = 0;
-  std::size_t cut_layers = 0;  ///< Layers in which something is removed.
+  std::size_t cut_layers = 0;  ///< Number of layers in which material is removed.
   wall::Undercut undercut;
   wall::BurnFigures figures;
   std::string program;
@@ -105,7 +105,7 @@ WallJob job_of(const WallOptions& options, const surface::Mesh& part, InputFiles
   WallJob job;
   job.layers = layers_of(options, part, inputs);
   const wall::Obstacles obstacles{part};
-  // The tip is off a wall by the waist, and the waist touches the wall.
+  // The tip is at the waist's distance from a wall, so that the waist touches the wall.
   const wall::Obstacles touched{part, wall::kTouchMm + asked.strokes.waist_mm};
   const wall::BeamFinder finder{obstacles,
                                 touched,

@@ -73,7 +73,7 @@ void add_layer_options(CLI::App& command, WallJobOptions& job) {
              job.layers.margin_mm,
              margin,
              "MM",
-             "By which the stock is larger than the part to all sides, mm")
+             "Distance by which the stock goes beyond the part on every side, mm")
       ->capture_default_str();
   command.add_option("--stock-top", job.stock_top_mm, "Z of the stock's top, mm; else the part's")
       ->check(in_range(-1.0e4, 1.0e4, "mm"))
@@ -188,7 +188,7 @@ void add_burn_options(CLI::App& command, WallJobOptions& job) {
       FileRole::kOutput);
 }
 
-/// Throws std::invalid_argument where a program lacks an option.
+/// Checks the options of a program. Throws std::invalid_argument if one is missing.
 void check_job_options(const WallOptions& options) {
   const WallJobOptions& job = options.job;
   if (!options.at.empty()) {

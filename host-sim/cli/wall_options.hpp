@@ -14,10 +14,10 @@ class App;
 
 namespace sim {
 
-/// How `kerfline wall` makes a program of layers.
+/// Options of `kerfline wall` for a program of layers.
 struct WallJobOptions {
   wall::LayerOptions layers;
-  std::optional<double> stock_top_mm;  ///< Z; none: the part's top.
+  std::optional<double> stock_top_mm;  ///< Z of the stock's top; empty for the part's top.
   wall::StrokeOptions strokes;
   bool without_contour = false;
   wall::RotaryAxes axes = wall::RotaryAxes::kAC;
@@ -28,7 +28,7 @@ struct WallJobOptions {
   bool allows_lean = false;
   std::string record;
   double power_w = 0.0;
-  double full_power_w = 0.0;  ///< 0: the power.
+  double full_power_w = 0.0;  ///< Full power of the laser; 0 for `power_w`.
   double feed_mm_min = 0.0;
   bool constant_power = false;
   double safe_above_mm = 5.0;
@@ -39,7 +39,7 @@ struct WallJobOptions {
   [[nodiscard]] bool wants_layers() const { return layers.layer_mm > 0.0 || !record.empty(); }
 };
 
-/// The options of `kerfline wall`.
+/// Options of `kerfline wall`.
 struct WallOptions {
   std::string file;
   surface::ReadOptions reading;
@@ -60,8 +60,8 @@ struct WallOptions {
 
 void add_wall_options(CLI::App& command, WallOptions& options);
 
-/// Throws std::invalid_argument for options that are missing or exclude each other.
-/// @pre --cones is not among them
+/// Checks the options. Throws std::invalid_argument if options are missing or exclude each other.
+/// @pre --cones is not among the options
 void check_wall_options(const WallOptions& options);
 
 }  // namespace sim

@@ -26,23 +26,23 @@ std::vector<std::string> lines_of(const EdgeFigures& figures) {
   const double corners = figures.greatest_corner_ratio;
   const std::string at_corners =
       corners > 0.0 ? fmt::format(", at corners {:.3f} at most", corners) : std::string{};
-  return {
-      fmt::format("off the part at most {}, left on it at most {}, mean {:.1f} um",
-                  text_of(figures.most_off),
-                  text_of(figures.most_left),
-                  kMicrometres * figures.mean_mm),
-      fmt::format("beside the edge of the planned kerf at most {}; {:.2f} mm of edges in inner "
-                  "corners, slots and tabs are not reached",
-                  text_of(figures.most_off_model),
-                  figures.untouched_mm),
-      fmt::format("where power and speed are within those of test cuts at most {}; {:.2f} mm of edges are cut "
-                  "otherwise, by the same law",
-                  text_of(figures.most_off_known),
-                  figures.unknown_mm),
-      fmt::format("power over speed {:.3f} to {:.3f} of what was planned{}",
-                  figures.least_heat_ratio,
-                  figures.greatest_heat_ratio,
-                  at_corners)};
+  return {fmt::format("off the part at most {}, left on it at most {}, mean {:.1f} um",
+                      text_of(figures.most_off),
+                      text_of(figures.most_left),
+                      kMicrometres * figures.mean_mm),
+          fmt::format("beside the edge of the planned kerf at most {}; {:.2f} mm of edges in inner "
+                      "corners, slots and tabs are not reached",
+                      text_of(figures.most_off_model),
+                      figures.untouched_mm),
+          fmt::format("where power and speed are within those of test cuts at most {}; {:.2f} mm "
+                      "of edges are cut "
+                      "otherwise, by the same law",
+                      text_of(figures.most_off_known),
+                      figures.unknown_mm),
+          fmt::format("power over speed {:.3f} to {:.3f} of what was planned{}",
+                      figures.least_heat_ratio,
+                      figures.greatest_heat_ratio,
+                      at_corners)};
 }
 
 nlohmann::ordered_json json_of(const EdgeFigures& figures) {

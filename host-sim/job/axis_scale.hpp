@@ -7,7 +7,7 @@
 
 namespace sim {
 
-/// Steps per mm of X Y Z, per degree of A B C.
+/// Returns steps per mm for X Y Z and steps per degree for A B C.
 template <typename Number>
 cnc::AxisArray<Number> steps_per_mm(const cnc::Settings& settings) {
   cnc::AxisArray<Number> steps{};

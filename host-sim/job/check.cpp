@@ -14,8 +14,8 @@
 namespace sim {
 namespace {
 
-/// Reads along with the controller: what it refuses has no part in the figures, and of the path
-/// nothing is kept.
+/// Reads the program along with the controller. Lines that the controller refuses have no part in
+/// the figures, and the path is not kept.
 class CheckedPath {
  public:
   explicit CheckedPath(const cnc::Settings& settings)
@@ -28,7 +28,7 @@ class CheckedPath {
     path_.take(line, text);
   }
 
-  /// There are no more lines.
+  /// Ends the program: no more lines follow.
   void end() {
     path_.end();
     watch_.end();
@@ -60,13 +60,14 @@ class CheckedPath {
   }
 
   double length_ = 0.0;
-  double turned_ = 0.0;  ///< Of motions of A, B and C alone, degrees.
+  double turned_ = 0.0;  ///< Angle turned in motions of A, B and C alone, degrees.
   double cut_length_ = 0.0;
   ProgramWatch watch_;
   JudgedPath path_;
 };
 
-/// Settings count where the call names some: else those of the simulated machine are nobody's.
+/// The settings are compared only if the call names some. Otherwise the simulated machine has
+/// default settings, which no real machine need have.
 void warn_of_stale_inputs(const Job& job, const Simulator& simulator, Report& report) {
   const cnc::Settings* const settings = job.settings.empty() ? nullptr : &simulator.settings();
   for (const std::string& text :
@@ -91,7 +92,7 @@ Report check(const Job& job) {
   path.emplace(simulator.settings());
   RunResult result = simulator.run();
   path->end();
-  // Of light at rest the controller tells once, and the watch of each, in more words.
+  // The controller reports light at rest once, but the watch reports each occurrence in more words.
   if (path->notes_light_at_rest()) {
     std::erase_if(result.notes,
                   [](const auto& note) { return note.second == cnc::RestLight::kRefusalText; });

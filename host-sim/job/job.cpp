@@ -36,9 +36,10 @@
 namespace sim {
 namespace {
 
-/// How far shapers can take the tool from where it is planned, and the play that it
-/// may have to cross, mm: of a plan within the accelerations the shaped place of an axis is off by
-/// at most half of them by the mean square of its impulses' distance from their mean.
+/// Returns the greatest distance in mm by which the tool may be off its planned position: by
+/// shapers, and by the play that it may have to cross. For a plan within the accelerations, the
+/// shaped position of an axis is off by at most half the acceleration times the mean square of its
+/// impulses' distance from their mean.
 double allowed_for_motors(const cnc::Settings& settings) {
   const cnc::motion::MotorStageSetting stage = cnc::motor_stage_from(settings);
   double sum = 0.0;
@@ -57,7 +58,7 @@ double allowed_for_motors(const cnc::Settings& settings) {
   return std::sqrt(sum);
 }
 
-/// Tells the picture whether the machine is on a rapid, which pulses do not show.
+/// Reports to the picture whether the machine is on a rapid, which pulses do not show.
 class MotionKindTeller final : public TraceSink {
  public:
   MotionKindTeller(const PathDeviation& follower, PathRecorder& recorder)
@@ -73,7 +74,7 @@ class MotionKindTeller final : public TraceSink {
   PathRecorder& recorder_;
 };
 
-/// Of what comes before the line at which sending ended.
+/// Returns the cut length of the path before the line at which sending ended.
 double cut_length(const ProgrammedPath& path, const RunResult& result) {
   const int end = result.refusals.empty() ? std::numeric_limits<int>::max()
                                           : static_cast<int>(result.refusals.front().line);
@@ -95,7 +96,7 @@ void add_measured(const MotionMeter& meter, Report& report) {
   }
 }
 
-/// Of the tool: motors go further where they have play.
+/// Adds the bounds of the tool. The motors move farther than the tool where they have play.
 void add_bounds(const ToolTrace& tool, const cnc::Settings& settings, Report& report) {
   const auto steps = steps_per_mm<double>(settings);
   for (std::size_t axis = 0; axis < cnc::kAxisCount; ++axis) {
@@ -110,7 +111,7 @@ void add_deviation(const PathDeviation& deviation, Report& report) {
       static_cast<double>(deviation.greatest_distance().time_ns) * 1.0e-9;
 }
 
-/// As it is at the moment: a program may begin with its power table.
+/// Returns the options for the beam at the moment: a program may begin with its power table.
 EnergyMeter::Options beam_of(Simulator& simulator) {
   const cnc::Settings& settings = simulator.settings();
   const cnc::Machine& machine = simulator.machine();
@@ -121,9 +122,9 @@ EnergyMeter::Options beam_of(Simulator& simulator) {
           }};
 }
 
-/// A beam whose output is its light. With delays set the light is elsewhere, and
-/// how the machine really reacts is not known here; with shapers or backlash the way between
-/// two places takes other times than the plan's.
+/// Returns whether the output of the beam equals its light. With delays set, the light is
+/// elsewhere, and the real reaction of the machine is not known here. With shapers or backlash, the
+/// path between two positions takes other times than in the plan.
 bool lights_at_once(const cnc::Settings& settings) {
   const auto zero = [&settings](std::uint16_t number) { return settings.get(number) == 0.0F; };
   return !zero(cnc::setting::kLaserMode) && zero(cnc::setting::kBeamOnDelay) &&
@@ -131,8 +132,8 @@ bool lights_at_once(const cnc::Settings& settings) {
          zero(cnc::setting::kRotaryAxes) && allowed_for_motors(settings) <= 0.0;
 }
 
-/// Measures the light of each millimetre that is driven: round a corner that is less
-/// than was programmed.
+/// Measures the light on each millimetre that is driven. A rounded corner has fewer millimetres
+/// than the programmed one.
 class BeamMeter {
  public:
   BeamMeter(const ProgrammedPath& programmed, Simulator& simulator)
@@ -152,7 +153,7 @@ class BeamMeter {
   }
 
  private:
-  /// mm; nothing is looked for.
+  /// Threshold in mm for axis excess: none is searched for.
   static constexpr double kNoExcess = std::numeric_limits<double>::infinity();
 
   ProgrammedPath path_;
@@ -160,7 +161,7 @@ class BeamMeter {
   EnergyMeter energy_;
 };
 
-/// The files of every step that are asked for.
+/// The requested files that are written at every step.
 class StepFiles {
  public:
   StepFiles(const JobOutputs& outputs, Simulator& simulator) {
@@ -213,9 +214,10 @@ class AnswerFile {
   std::optional<OutputFile> file_;
 };
 
-/// Measures and writes the plan where cells of time divide it.
+/// Measures and writes the plan at the positions where cells of time divide it.
 class CellWatch {
  public:
+  /// Begins the observation.
   /// @param knots file of knots; empty for none
   CellWatch(const std::string& knots, Simulator& simulator)
       : name_{knots}, shaping_{steps_per_mm<double>(simulator.settings())} {
@@ -224,7 +226,7 @@ class CellWatch {
     knots_.emplace(knots, steps_per_mm<double>(simulator.settings()), shaping_);
     simulator.machine().observe(&*knots_);
   }
-  // The machine knows of its parts.
+  // Not copyable: the machine refers to its parts.
   CellWatch(const CellWatch&) = delete;
   CellWatch& operator=(const CellWatch&) = delete;
   ~CellWatch() = default;
@@ -245,14 +247,15 @@ class CellWatch {
   std::optional<KnotFile> knots_;
 };
 
-/// The path that a program describes, with what the motors of the machine may deviate from it.
+/// Returns the path that a program describes, with the distance by which the motors of the machine
+/// may deviate from it.
 ProgrammedPath path_for_machine(const std::string& text, const cnc::Settings& settings) {
   ProgrammedPath path = read_for_machine(text, settings);
   for (PathPiece& piece : path.pieces) piece.tolerance.motors = allowed_for_motors(settings);
   return path;
 }
 
-/// Warns of words that the reader has left out, or tells where a refusal ends all figures.
+/// Warns of words that the reader has left out, or states where a refusal ends all figures.
 void warn_of_reading(const Job& job,
                      const ProgrammedPath& path,
                      const RunResult& result,

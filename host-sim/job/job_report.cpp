@@ -15,13 +15,13 @@
 namespace sim {
 namespace {
 
-/// Grbl's number for what is no G-code.
+/// Grbl's number for text that is no G-code.
 constexpr int kUnreadable = 1;
 
-/// A rate that is a thousandth above what is reached is a rate that is reached.
+/// A rate that exceeds the reached rate by at most a thousandth counts as reached.
 constexpr double kNoLess = 1.001;
 
-/// Blanks and control bytes, behind a byte order mark.
+/// Returns whether a text has only blanks and control bytes after a byte order mark.
 bool has_no_text(std::string_view text) {
   return std::ranges::all_of(cnc::gcode::without_mark(text), [](char letter) {
     return static_cast<unsigned char>(letter) <= ' ' || letter == 0x7F;
@@ -40,7 +40,7 @@ ProgramText prepared(const Job& job) {
     if (change.number == cnc::setting::kBlockDelete) block_delete = change.value != 0.0F;
   }
   std::string text = job.text ? *job.text : read_text(job.file);
-  // An export that failed leaves an empty file; that it took no time would be no answer.
+  // A failed export leaves an empty file. A report that it takes no time would be useless.
   if (text.empty() && !job.text) {
     throw std::invalid_argument(fmt::format("{}: is empty; it has no program", job.file));
   }

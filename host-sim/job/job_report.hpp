@@ -13,18 +13,20 @@
 
 namespace sim {
 
-/// The name of a file without its folders; `-` is standard input.
+/// Returns the name of a file without its folders; `-` is standard input.
 [[nodiscard]] std::string job_name(const std::string& file);
 
-/// The program of a job as it is driven. Throws std::system_error for the file.
+/// Returns the program of a job as it is driven. Throws std::system_error for the file.
 [[nodiscard]] ProgramText prepared(const Job& job);
 
-/// Of a piece that is driven with beam or spindle on, mm; else 0.
+/// Returns the length in mm of a piece that is driven with beam or spindle on; 0 for any other
+/// piece.
 [[nodiscard]] double cut_length(const PathPiece& piece);
 
-/// Begins the report of a run by name, time, lines, faults and the warnings of text and controller.
+/// Begins the report of a run with name, time, lines, faults and the warnings of text and
+/// controller.
 /// @param beside see beside_path()
-/// @param text the program as the controller was sent it
+/// @param text the program as it was sent to the controller
 [[nodiscard]] Report report_on(const Job& job,
                                const ProgramText& program,
                                const RunResult& result,
@@ -32,7 +34,8 @@ namespace sim {
                                std::string_view text);
 
 /// Warns of each axis whose rate ($110 to $115) its motor does not reach, because the pulses ($0)
-/// and the step interrupt leave no time for as many steps, where the job names settings.
+/// and the step interrupt leave too little time for so many steps. Warns only if the job names
+/// settings.
 void warn_of_step_rates(const Job& job, const cnc::Settings& settings, Report& report);
 
 void warn(const Job& job, const std::vector<LineNote>& notes, Report& report);

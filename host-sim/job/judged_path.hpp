@@ -11,19 +11,21 @@
 
 namespace sim {
 
-/// The path of a program line by line, against the travel: splines and arcs by their curves, offset
-/// where G41 and G42 require it, with the program's own homing cycles and changes of $130…. Bounded
-/// memory; the lines are those that a controller takes.
+/// Reads the path of a program line by line, to check it against the travel. Splines and arcs count
+/// by their curves, offset where G41 and G42 require it. The program's own homing cycles and
+/// changes of $130… are followed. The memory is bounded. The lines must be those that a controller
+/// takes.
 class JudgedPath {
  public:
+  /// Begins at a standpoint.
   /// @param sink gets the pieces of the path
   JudgedPath(const Standpoint& standpoint, PieceSink sink);
 
   void take(std::size_t line, std::string_view text);
-  /// There are no more lines.
+  /// Ends the program: no more lines follow.
   void end() { reading_.end(); }
 
-  /// Whether the last line was a homing cycle, which ends at position().
+  /// Returns whether the last line was a homing cycle, which ends at position().
   [[nodiscard]] bool homed_now() const { return homed_now_; }
   [[nodiscard]] const Point& position() const { return position_; }
   [[nodiscard]] const TravelCheck& travel() const { return travel_; }
@@ -35,7 +37,7 @@ class JudgedPath {
   void home(std::string_view letters);
 
   cnc::Settings settings_;
-  Point position_;  ///< After the last piece.
+  Point position_;  ///< Position after the last piece.
   bool homed_now_ = false;
   TravelCheck travel_;
   PieceSink sink_;

@@ -9,12 +9,13 @@
 
 namespace sim {
 
-/// Writes the places of the axes that the plan goes through where cells of time divide it, as under
-/// G43.4: a line `time_s x y z a b c` for each below a heading, mm and degrees with 17 digits. Time
-/// is that of the motions; rests between them do not count.
+/// Writes the positions of the axes at which cells of time divide the plan, as under G43.4. Below a
+/// heading, each position is one line `time_s x y z a b c`, in mm and degrees with 17 digits. The
+/// time is that of the motions; rests between them do not count.
 class KnotFile final : public cnc::motion::ShapingObserver {
  public:
-  /// @param next is told the same; it outlives this
+  /// Creates the file.
+  /// @param next gets the same cells; it must outlive this object
   KnotFile(const std::string& file,
            const cnc::AxisArray<double>& steps_per_mm,
            cnc::motion::ShapingObserver& next);

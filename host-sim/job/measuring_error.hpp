@@ -5,8 +5,8 @@
 
 namespace sim {
 
-/// Fills in by how much each axis's greatest speed, acceleration and jerk, and its bounds, may be
-/// off because they are measured on steps.
+/// Fills in the errors that measuring on steps may cause, for each axis's greatest speed,
+/// acceleration and jerk and for its bounds.
 void add_measuring_errors(const cnc::Settings& settings, Report& report);
 
 }  // namespace sim

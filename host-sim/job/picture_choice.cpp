@@ -11,7 +11,8 @@ bool is_mill(const cnc::Settings& settings) {
 }
 
 Shown shown_of(const ProgrammedPath& path, const cnc::Settings& settings) {
-  constexpr std::size_t kPowersOfARelief = 8;  // A sheet with cut, score and engrave has three.
+  // A sheet with cut, score and engrave has three powers.
+  constexpr std::size_t kPowersOfARelief = 8;
   constexpr std::size_t kZ = 2;
   std::set<double> powers;
   double low = std::numeric_limits<double>::infinity();

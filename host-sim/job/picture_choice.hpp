@@ -6,11 +6,12 @@
 
 namespace sim {
 
-/// What a picture of the program is to show: of a mill that goes up and down the depth, of a laser
-/// whose power changes throughout, as in a relief, the power, else the speed.
+/// Returns the quantity that a picture of the program is to show: the depth for a mill that moves
+/// up and down, the power for a laser whose power changes throughout, as in a relief, and otherwise
+/// the speed.
 [[nodiscard]] Shown shown_of(const ProgrammedPath& path, const cnc::Settings& settings);
 
-/// Whether the machine is a mill, which has no kerf.
+/// Returns whether the machine is a mill, which has no kerf.
 [[nodiscard]] bool is_mill(const cnc::Settings& settings);
 
 }  // namespace sim

@@ -12,10 +12,10 @@
 namespace sim {
 namespace {
 
-/// Grbl's number of a target that cannot be driven.
+/// Grbl's number for a target that cannot be driven.
 constexpr int kTargetNotDriven = 33;
 
-/// Only the controller has the kerf tables.
+/// Returns whether a fault depends on the kerf tables, which only the controller has.
 bool depends_on_kerf_tables(cnc::gcode::FaultDetail detail) {
   using enum cnc::gcode::FaultDetail;
   constexpr std::array kOfTables{kNoSuchMaterial,

@@ -17,19 +17,19 @@ struct Judgement {
   /// Axes beyond the travel, paths of G41 and G42 that cannot be driven, and the first
   /// ProgramJudge::kMostRefused refused lines.
   std::vector<Fault> faults;
-  std::size_t more = 0;  ///< Refused lines beyond these.
+  std::size_t more = 0;  ///< Number of refused lines that `faults` does not list.
 
   [[nodiscard]] bool fine() const { return faults.empty(); }
-  /// For the operator: `line 4: Y needs …`, the travel first, and at the end `and 35 more lines
-  /// that are refused`.
+  /// Returns the faults as text for the operator: `line 4: Y needs …`, the travel first, and at the
+  /// end `and 35 more lines that are refused`.
   [[nodiscard]] std::vector<std::string> texts() const;
 };
 
-/// Judges a program before it is run, for the page of `kerfline serve` and for `kerfline send`:
-/// every line that the controller would refuse, and the whole path against the travel. `kerfline
-/// check` asks a simulated controller about the lines, and takes the same JudgedPath.
+/// Judges a program before it is run, for the page of `kerfline serve` and for `kerfline send`. It
+/// finds every line that the controller would refuse, and checks the whole path against the travel.
+/// `kerfline check` queries a simulated controller about the lines, and uses the same JudgedPath.
 ///
-/// A G41 without a width, which goes by the kerf tables of the controller, is left to the
+/// A G41 without a width, which depends on the kerf tables of the controller, is left to the
 /// controller.
 class ProgramJudge {
  public:
@@ -37,9 +37,10 @@ class ProgramJudge {
 
   explicit ProgramJudge(const Standpoint& standpoint);
 
-  /// The next line of the program, the first is 1.
+  /// Takes the next line of the program; the first is 1.
   void take(std::size_t line, std::string_view text);
-  /// There are no more lines. @param program the whole text, for columns
+  /// Ends the program and returns its faults.
+  /// @param program the whole text, for columns
   [[nodiscard]] Judgement end(const std::string& file, std::string_view program);
 
  private:
@@ -50,7 +51,8 @@ class ProgramJudge {
   Judgement judgement_{};
 };
 
-/// Judges a whole program. Gives up, with what it has found, when `cancelled` becomes true.
+/// Judges a whole program. When `cancelled` becomes true, stops and returns the faults found so
+/// far.
 /// @param program as prepare_program() leaves it
 [[nodiscard]] Judgement judge_program(const std::string& file,
                                       std::string_view program,

@@ -16,10 +16,10 @@
 namespace sim {
 namespace {
 
-/// Of a file full of wrong checks the first are enough.
+/// Greatest number of wrong checks that are listed of one file.
 constexpr std::size_t kMostWrongChecks = 1000;
 
-/// How often something of a kind was left out, and where first.
+/// Number of parts of one kind that were left out, and the place of the first.
 struct Finding {
   LineNote first{};
   std::size_t count = 0;
@@ -29,7 +29,8 @@ struct Finding {
   }
 };
 
-/// Bytes that follow this one in its character; a controller counts them in the same way.
+/// Returns the number of bytes that follow `lead` in its character; a controller counts them in the
+/// same way.
 unsigned continuations_after(unsigned char lead) {
   if (lead >= 0xF0) return lead < 0xF8 ? 3 : 0;
   if (lead >= 0xE0) return 2;
@@ -97,7 +98,7 @@ class Preparation {
     std::ranges::fill(line.subspan(from, count), ' ');
   }
 
-  /// Outside comments, where a controller acts on them or drops them.
+  /// Replaces bytes by blanks outside comments, where a controller acts on them or drops them.
   void blank_bytes(std::span<char> line) {
     char closing = ' ';
     for (std::size_t i = 0; i < line.size(); ++i) {
@@ -127,7 +128,7 @@ class Preparation {
     return shown + " is a command that acts at once: it is left out of the program";
   }
 
-  /// Returns how many more bytes its character has.
+  /// Returns how many more bytes the character at `at` has.
   std::size_t pass_high(std::span<char> line, std::size_t at) {
     const auto byte = static_cast<unsigned char>(line[at]);
     if (is_continuation(byte)) {
@@ -140,7 +141,8 @@ class Preparation {
            is_continuation(static_cast<unsigned char>(line[at + more + 1]))) {
       ++more;
     }
-    if (byte != 0xC2 || more != 1) return more;  // The controller refuses it by its column.
+    // The controller refuses such a character by its column.
+    if (byte != 0xC2 || more != 1) return more;
     const auto code = static_cast<unsigned char>(line[at + 1]);
     const char* const name = code == 0xA0 ? "a no-break space" : "a character";
     found_[kForeign].add(
@@ -169,7 +171,8 @@ class Preparation {
     blank(line, 0, line.size());
   }
 
-  /// `N5 $G`: with a check a controller takes it, without one a statement has no number.
+  /// Blanks the N word of `N5 $G`. With a check, a controller takes such a line; without a check, a
+  /// statement has no number.
   static void blank_number_of_statement(std::span<char> line) {
     const std::string_view text{line.data(), line.size()};
     const std::size_t dollar = text.find('$');
@@ -179,7 +182,7 @@ class Preparation {
     if (number) blank(line, 0, dollar);
   }
 
-  /// M110, with or without a number before and behind it.
+  /// Returns whether a line is M110, with or without a number before and after it.
   static bool counts_anew(std::string_view text) {
     constexpr std::uint32_t kCountAnew = 110;
     if (text.find("110") == std::string_view::npos) return false;
@@ -250,10 +253,10 @@ class Preparation {
   }
 
   std::string text_;
-  bool block_delete_;  ///< The program may change it.
+  bool block_delete_;  ///< The program may change this value.
   ProgramMarks marks_;
   std::size_t line_ = 0;
-  std::size_t end_line_ = 0;  ///< With M2 or M30.
+  std::size_t end_line_ = 0;  ///< Line of M2 or M30.
   std::array<Finding, kKinds> found_{};
   std::vector<LineNote> faults_;
 };

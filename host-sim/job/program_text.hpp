@@ -7,34 +7,36 @@
 
 namespace sim {
 
-/// Something about a line of a program that its user should know.
+/// A fact about a line of a program that its user should know.
 struct LineNote {
-  std::size_t line = 0;    ///< From 1.
-  std::size_t column = 0;  ///< From 1; 0 when the whole line is meant.
+  std::size_t line = 0;    ///< Number of the line, from 1.
+  std::size_t column = 0;  ///< Column, from 1; 0 when the note concerns the whole line.
   std::string text;
 };
 
-/// A program of a file as every tool drives it: line for line and column
-/// for column the file, with blanks in the place of everything that a file may hold and a
-/// controller must not get, or must not be left to understand in its own way.
+/// The program of a file as every tool drives it. It equals the file line for line and column for
+/// column. Blanks replace everything that a file may contain but a controller must not get, or must
+/// not interpret in its own way.
 struct ProgramText {
   std::string text;
-  std::vector<LineNote> notes;  ///< What was left out; one note for all of a kind.
-  /// Lines whose check is wrong, or what keeps the file from being read: no sender may begin with
-  /// this program.
+  std::vector<LineNote> notes;  ///< Text that was left out, with one note for each kind.
+  /// Lines whose check is wrong, or the reason why the file cannot be read. No sender may begin
+  /// with a program that has faults.
   std::vector<LineNote> faults;
-  bool readable = true;  ///< Else there is no text.
+  bool readable = true;  ///< If false, there is no text.
 };
 
-/// Leaves out a byte order mark, control bytes, characters that act at once where a controller
-/// reads them (`!`, `?`, `~`, a no-break space), good checks of lines and M110, and all that
-/// follows M2 or M30: a program in a file ends there. Comments stay as they are.
+/// Prepares the program of a file. Leaves out a byte order mark, control bytes, and characters that
+/// act at once where a controller reads them (`!`, `?`, `~`, a no-break space). Also leaves out
+/// correct checks of lines, M110, and everything after M2 or M30, with which a program in a file
+/// ends. Comments are unchanged.
 ///
 /// A wrong check stays in its line, so that the controller refuses it as well.
-/// @param block_delete lines with / are skipped ($890): an end in one of them ends nothing
+/// @param block_delete lines with / are skipped ($890): an end in such a line ends nothing
 [[nodiscard]] ProgramText prepare_program(std::string file, bool block_delete = true);
 
-/// `FILE:LINE:COLUMN: text` of a note, as compilers say it; no column when it is 0.
+/// Returns `FILE:LINE:COLUMN: text` of a note, in the format of compilers, without a column if it
+/// is 0.
 [[nodiscard]] std::string place_and_text(const std::string& file, const LineNote& note);
 
 }  // namespace sim

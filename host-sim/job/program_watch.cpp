@@ -10,10 +10,10 @@
 namespace sim {
 namespace {
 
-/// Feeds that are equal but for rounding are one.
+/// Feeds that differ by no more than this share are equal except for rounding.
 constexpr double kRounding = 1.0e-6;
 
-/// Whole, and with three decimals at most.
+/// Returns a number as text, with at most three decimals and without trailing zeros.
 std::string plain(double value) {
   std::string text = fmt::format("{:.3f}", value);
   text.erase(text.find_last_not_of('0') + 1);
@@ -25,7 +25,7 @@ bool has_m(const ProgramLine& words, int number) {
   return std::ranges::find(words.m, number) != words.m.end();
 }
 
-/// False where it is listed already, or the list is full.
+/// Adds a value to the list. Returns false if the value is listed already or the list is full.
 bool is_news(std::vector<double>& listed, double value) {
   if (listed.size() >= ProgramWatch::kMostNotes) return false;
   const bool known = std::ranges::any_of(
@@ -49,7 +49,7 @@ ProgramWatch::ProgramWatch(const cnc::Settings& settings)
   }
 }
 
-/// Most lines have nothing but axis words, and are not taken apart for this.
+/// Most lines have only axis words, and this check does not take them apart.
 void ProgramWatch::take(std::size_t line, std::string_view text) {
   const std::size_t front = text.find_first_not_of(" \t");
   if (front == std::string_view::npos) return;
@@ -62,7 +62,7 @@ void ProgramWatch::take(std::size_t line, std::string_view text) {
   take_words(line, take_apart(text, block_delete_));
 }
 
-/// In the order in which a controller does it: S, M3 to M5, dwell, motion, stop.
+/// Takes words in the order in which a controller executes them: S, M3 to M5, dwell, motion, stop.
 void ProgramWatch::take_words(std::size_t line, const ProgramLine& words) {
   if (const auto power = words.value('S')) {
     check_power(line, *power);
@@ -115,7 +115,8 @@ void ProgramWatch::put(const PathPiece& piece) {
   check_feed(piece);
 }
 
-/// The word as the program has it. In inches (G20) and times (G93) the feed is another number.
+/// Returns the F word as the program has it. In inches (G20) and times (G93) the feed is another
+/// number.
 std::string ProgramWatch::feed_text(const PathPiece& piece, std::size_t axis) const {
   const double feed = piece.feed * static_cast<double>(cnc::kSecondsPerMinute);
   const auto line = static_cast<std::size_t>(std::max(piece.line, 0));
@@ -128,7 +129,8 @@ std::string ProgramWatch::feed_text(const PathPiece& piece, std::size_t axis) co
   return fmt::format("F{} asks for {} {} here,", plain(found->word), plain(feed), unit);
 }
 
-/// The first axis that is asked for more than its rate; arcs turn through all directions of theirs.
+/// Notes the first axis of which the piece requires more than its rate. An arc turns through all
+/// directions of its plane.
 void ProgramWatch::check_feed(const PathPiece& piece) {
   const Point run = piece.curve.end() - piece.curve.start();
   const double length = piece.curve.linear_length();
@@ -152,7 +154,7 @@ void ProgramWatch::check_feed(const PathPiece& piece) {
   }
 }
 
-/// Notes light that never moved, as of a focus dot.
+/// Notes light that ended without a motion, as that of a focus dot.
 void ProgramWatch::go_dark() {
   if (lit_line_ != 0) {
     note(lit_line_, "M3 is on here and off again without a motion: nothing burns at rest");

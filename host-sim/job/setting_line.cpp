@@ -26,7 +26,7 @@ bool read_all(std::string_view text, Number& number) {
   return result.ec == std::errc{} && result.ptr == text.data() + text.size();
 }
 
-/// ` 0 to 30000 mm/min` of a value that is out of range; else nothing.
+/// Returns ` 0 to 30000 mm/min` for a value that is out of range; otherwise an empty text.
 std::string range_of(std::uint16_t number, cnc::SettingError error) {
   const bool is_range =
       error == cnc::SettingError::kBelowRange || error == cnc::SettingError::kAboveRange;

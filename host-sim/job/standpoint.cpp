@@ -33,7 +33,7 @@ Standpoint standpoint_of(const cnc::Machine& machine) {
   Standpoint standpoint{
       .settings = machine.settings(), .reader = machine.interpreter(), .homed = machine.homed()};
   cnc::gcode::Options options = standpoint.reader.options();
-  options.kerf = nullptr;  // The machine's own, which changes.
+  options.kerf = nullptr;  // The kerf tables are the machine's own and may change.
   standpoint.reader.set_options(options);
   static_cast<void>(
       standpoint.settings.set(cnc::setting::kBlockDelete, options.block_delete ? 1.0F : 0.0F));

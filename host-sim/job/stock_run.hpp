@@ -16,32 +16,32 @@
 
 namespace sim {
 
-/// A stock that a job is to carve, and the files to write of its rest.
+/// A stock that a job is to carve, and the files to write about the stock that remains.
 struct StockWish {
   stock::StockBox box;
-  bool has_bottom = true;  ///< Else the stock ends below every cut.
+  bool has_bottom = true;  ///< If false, the stock ends below every cut.
   double cell_mm = 0.05;
   stock::Cutter cutter;
   std::string png;
   std::string stl;
   std::string ply;
-  std::string map;                              ///< A picture of the distances from `surface`.
-  std::optional<stock::PocketTarget> target{};  ///< The pocket that it is to become.
-  /// The surface that it is to become, in machine coordinates; null for none.
+  std::string map;  ///< File for a picture of the distances from `surface`.
+  std::optional<stock::PocketTarget> target{};  ///< The pocket that the stock is to become.
+  /// The surface that the stock is to become, in machine coordinates; null for none.
   std::shared_ptr<const surface::Mesh> surface{};
 };
 
 /// Carves a stock along the steps of a tool.
 ///
-/// The line of a step is that of the piece of the program on which the follower is. It may be a few
-/// steps behind, and corners may be rounded: the ends of rapids at feeds are joints.
+/// A step counts to the line of the piece of the program on which the follower is. The follower may
+/// be a few steps late, and corners may be rounded: the ends of rapids at feeds are joints.
 class StockRun final : public TraceSink {
  public:
-  /// How far the gathered stretches may be off the steps, in cells.
+  /// Greatest distance of the gathered stretches from the steps, in cells.
   static constexpr double kToleranceCells = 0.25;
 
-  /// The path and the follower must outlive this; the follower sees each row before it.
-  /// Throws std::invalid_argument for a stock or a tool that there is not.
+  /// Begins a run. The path and the follower must outlive it, and the follower must see each row
+  /// before it. Throws std::invalid_argument for a stock or a tool that does not exist.
   StockRun(const StockWish& wish,
            const ProgrammedPath& path,
            const PathDeviation& follower,
@@ -53,9 +53,10 @@ class StockRun final : public TraceSink {
   void on_row(const TraceRow& row) override;
   void on_end(std::uint64_t time_ns) override;
 
-  /// Adds figures and warnings. @pre on_end was called
+  /// Adds figures and warnings to a report.
+  /// @pre on_end was called
   void add_to(Report& report, const std::string& file) const;
-  /// Writes the files that are wanted. Throws std::system_error naming the file.
+  /// Writes the requested files. Throws std::system_error naming the file.
   /// @pre on_end was called
   void write_files(const std::string& title) const;
 
@@ -71,7 +72,7 @@ class StockRun final : public TraceSink {
   stock::Stock stock_;
   stock::Carving carving_;
   stock::StepStretches stretches_;
-  std::optional<stock::SurfaceComparison> comparison_;  ///< After the end.
+  std::optional<stock::SurfaceComparison> comparison_;  ///< Present after the end.
 };
 
 }  // namespace sim

@@ -11,16 +11,17 @@
 
 namespace sim {
 
-/// The trace of the tip as the part sees it, where rotary axes lean the tool under G43.4; elsewhere
-/// that of the axes as it is. Hands its rows to sinks of its own, in whole steps, and exact places
-/// to a meter of the path.
+/// Computes the trace of the tip as the part sees it, where rotary axes lean the tool under G43.4.
+/// Elsewhere it passes the trace of the axes on unchanged. It hands rows in whole steps to sinks of
+/// its own, and exact positions to a meter of the path.
 class TipTrace final : public TraceSink {
  public:
-  /// @param machine whose axes these are; it says whether G43.4 holds and how long the tool is
+  /// Begins a trace.
+  /// @param machine owner of the axes; it states whether G43.4 holds and how long the tool is
   TipTrace(const cnc::Machine& machine, PathDeviation& deviation)
       : machine_{machine}, deviation_{deviation} {}
 
-  /// It must outlive this.
+  /// Adds a sink, which must outlive this object.
   void add_sink(TraceSink& sink) { sinks_.push_back(&sink); }
 
   void on_row(const TraceRow& row) override;
@@ -28,7 +29,7 @@ class TipTrace final : public TraceSink {
     for (TraceSink* sink : sinks_) sink->on_end(time_ns);
   }
 
-  /// Returns where the tip was under G43.4; nothing without it.
+  /// Returns the positions of the tip under G43.4; empty if G43.4 was not in use.
   [[nodiscard]] const std::optional<TipReport>& tip() const { return tip_; }
 
  private:
@@ -38,7 +39,7 @@ class TipTrace final : public TraceSink {
   PathDeviation& deviation_;
   std::vector<TraceSink*> sinks_;
   std::optional<FiveAxisModel> model_{};
-  cnc::Coordinate tool_length_{};        ///< That the model has.
+  cnc::Coordinate tool_length_{};        ///< Tool length of the model.
   cnc::AxisArray<std::int32_t> last_{};  ///< Steps of the last row that the model saw.
   std::optional<TipReport> tip_{};
 };

@@ -15,7 +15,7 @@ namespace {
 /// A job as large as the travel may exceed it by the rounding of its decimals.
 constexpr double kSlackMm = 1.0e-6;
 
-/// The controller lets a rounded circle exceed the ends of a homed axis by this much.
+/// Distance by which the controller lets a rounded circle exceed the ends of a homed axis.
 constexpr double kSlackOfEndsMm = 1.0e-3;
 
 const char* unit_of(std::size_t axis) { return axis < cnc::kLinearAxisCount ? "mm" : "degrees"; }
@@ -72,7 +72,8 @@ void TravelCheck::put(const PathPiece& piece) {
   }
 }
 
-/// The overrun has the farthest position, and the line that first went too far.
+/// Checks one axis. An overrun is reported with the farthest position and the line that first went
+/// too far.
 void TravelCheck::check(std::size_t number, int line) {
   Axis& axis = axes_[number];
   if (axis.travel <= 0.0) return;

@@ -17,12 +17,13 @@ inline constexpr int kTravelExceeded = 15;
 /// Checks the path of a program against the travel of each axis ($130…$135; 0 is endless), whether
 /// or not soft limits ($20) are on.
 ///
-/// The ends of a homed axis are known: the path has to stay between them. Of any other axis only
-/// the extent counts: a job that is no larger than the travel fits somewhere. Each axis has one
-/// fault at most, at the line that first goes too far, with the column of the axis word where there
-/// is one.
+/// The ends of a homed axis are known, and the path has to stay between them. Of any other axis
+/// only the extent counts: a job that is no larger than the travel fits somewhere. Each axis has at
+/// most one fault. It is at the line that first goes too far, with the column of the axis word if
+/// the line has one.
 class TravelCheck {
  public:
+  /// Begins a check.
   /// @param homed bit i for axis i
   /// @param start position before the program, machine coordinates
   explicit TravelCheck(const cnc::Settings& settings,
@@ -30,28 +31,31 @@ class TravelCheck {
                        const Point& start = {});
 
   void put(const PathPiece& piece);
-  /// The program homes these axes, which ends at these positions.
+  /// Takes a homing cycle of the program: it homes these axes and ends at these positions.
   void home(std::uint8_t axes, const Point& at);
-  /// The program changes settings: the travel is another from here on.
+  /// Takes a change of settings by the program, after which the travel may be another one.
   void configure(const cnc::Settings& settings);
 
   [[nodiscard]] const Bounds& bounds() const { return bounds_; }
-  /// @param file its name @param text the program itself, for the columns
+  /// Returns the faults.
+  /// @param file name of the program's file
+  /// @param text the program itself, for the columns
   [[nodiscard]] std::vector<Fault> faults(const std::string& file, std::string_view text) const;
 
  private:
   struct Overrun {
-    int line = 0;          ///< 0 for none.
-    bool of_ends = false;  ///< Of a homed axis; else of the extent.
-    double value = 0.0;    ///< Position or extent.
+    int line = 0;  ///< Line that first goes too far; 0 for none.
+    /// Whether the limit is an end of a homed axis; otherwise it is the extent.
+    bool of_ends = false;
+    double value = 0.0;  ///< The position or the extent that goes too far.
     double least = 0.0;
-    double most = 0.0;  ///< End or travel.
+    double most = 0.0;  ///< The end or the travel that it exceeds.
   };
   struct Axis {
-    double travel = 0.0;  ///< mm or degrees; 0 for an endless one.
-    double least = 0.0;   ///< Its ends, machine coordinates.
+    double travel = 0.0;  ///< Travel in mm or degrees; 0 for an endless axis.
+    double least = 0.0;   ///< Lower end of the axis, machine coordinates.
     double most = 0.0;
-    double low = 0.0;  ///< Of the path since the axis was homed, or since the start.
+    double low = 0.0;  ///< Least position of the path since the axis was homed, or since the start.
     double high = 0.0;
     bool homed = false;
     Overrun overrun{};
@@ -64,9 +68,9 @@ class TravelCheck {
   Bounds bounds_{};
 };
 
-/// Axes that `$H` homes ($44…$49), bit i for axis i.
+/// Returns the axes that `$H` homes ($44…$49), bit i for axis i.
 [[nodiscard]] std::uint8_t homed_by_cycle(const cnc::Settings& settings);
-/// The position of an axis after it was homed, mm or degrees in machine coordinates.
+/// Returns the position of an axis after it was homed, in mm or degrees, machine coordinates.
 [[nodiscard]] double homed_position(const cnc::Settings& settings, std::size_t axis);
 
 }  // namespace sim

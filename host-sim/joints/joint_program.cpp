@@ -118,7 +118,9 @@ class JointWriter {
 
   [[nodiscard]] JointProgram take_program() {
     if (!has_centre_) {
-      throw std::invalid_argument("there is no G43.4; its places are those of the axes already");
+      throw std::invalid_argument(
+          "the program has no G43.4: its places are those of the axes already, nothing is to "
+          "convert");
     }
     return std::move(program_);
   }

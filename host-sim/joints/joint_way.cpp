@@ -58,7 +58,7 @@ JointWay joint_way(const FiveAxisModel& model, const Curve& curve, double tolera
     const double wanted = static_cast<double>(count) * std::sqrt(way.error_mm / tolerance_mm);
     if (!(wanted < static_cast<double>(kMostMoves))) {
       throw std::invalid_argument(
-          fmt::format("more than {} moves would keep the tip within {} mm; divide the line, or "
+          fmt::format("a line needs more than {} moves to keep the tip within {} mm; divide it, or "
                       "take a larger --tip-tolerance",
                       kMostMoves,
                       tolerance_mm));

@@ -8,7 +8,7 @@
 
 namespace sim {
 
-/// One test cut with its measurements. Its reader has checked the ranges.
+/// One test cut with its measurements. The reader has checked their ranges.
 struct Experiment {
   std::string material{};
   std::string laser{};
@@ -16,16 +16,18 @@ struct Experiment {
   cnc::kerf::Condition condition{};
   double kerf_top_mm = 0.0;
   double kerf_bottom_mm = 0.0;
-  /// Mean of the cut's faces, at the bottom; none where it was not measured, and so not judged.
+  /// Mean of the cut's faces, at the bottom; empty if it was not measured, in which case it is not
+  /// judged.
   std::optional<double> dross_area_mm2{};
-  std::optional<double> straightness_mm{};  ///< At the bottom; none as above.
+  /// Straightness at the bottom; empty if it was not measured, in which case it is not judged.
+  std::optional<double> straightness_mm{};
   std::string file{};
   std::size_t line = 0;
-  std::string measured_by{};  ///< Name of the person; empty: not known.
-  std::string measured_on{};  ///< YYYY-MM-DD; empty: not known.
-  std::string rejection{};    ///< Why it does not count; empty when it does.
+  std::string measured_by{};  ///< Name of the person; empty if not known.
+  std::string measured_on{};  ///< YYYY-MM-DD; empty if not known.
+  std::string rejection{};    ///< Reason why the cut is rejected; empty if it is accepted.
 
-  /// The width that counts: mean of top and bottom.
+  /// Returns the width that counts: the mean of top and bottom.
   [[nodiscard]] double kerf_mm() const { return 0.5 * (kerf_top_mm + kerf_bottom_mm); }
   [[nodiscard]] bool accepted() const { return rejection.empty(); }
 };
@@ -36,15 +38,16 @@ struct AcceptanceLimits {
   double straightness_mm = 0.01;
 };
 
-/// Why a cut is not good enough, with the numbers; empty when it is.
+/// Returns the reason why a cut is not good enough, with the numbers; empty if it is good enough.
 [[nodiscard]] std::string rejection_of(const Experiment& cut, const AcceptanceLimits& limits);
 
-// Between the units of files and of tables; rounded to the nearest µm, mW and µm/min.
+// Convert between the units of files and of tables; to_thousandths() rounds to the nearest µm, mW
+// and µm/min.
 // @pre 0 ≤ value ≤ 4e6
 [[nodiscard]] std::uint32_t to_thousandths(double value);
 [[nodiscard]] constexpr double from_thousandths(std::uint32_t value) { return value / 1000.0; }
 
-/// `W/(mm/min)` or `J/mm`.
+/// Returns `W/(mm/min)` or `J/mm`.
 [[nodiscard]] const char* name_of(cnc::kerf::HeatUnit unit);
 
 }  // namespace sim

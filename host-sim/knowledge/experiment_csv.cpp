@@ -25,7 +25,7 @@ enum Column : std::size_t {
   kColumnCount,
 };
 
-/// What a number in a column may be.
+/// Range of the numbers in a column.
 struct ColumnRange {
   std::string_view name;
   double least;
@@ -53,7 +53,8 @@ std::string_view trimmed_field(std::string_view text) {
   return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
 }
 
-/// A line keeps its tabs, which may separate fields.
+/// Returns a line without its CR; empty if it is blank. Tabs remain, because they may separate
+/// fields.
 std::string_view without_return(std::string_view line) {
   if (line.ends_with('\r')) line.remove_suffix(1);
   return trimmed_field(line).empty() ? std::string_view{} : line;
@@ -101,12 +102,12 @@ class CsvReader {
     fail(fmt::format("column {}: {}", column, reason));
   }
 
-  /// `sep=;`, which some spreadsheets write first.
+  /// Returns whether a line is `sep=;` or the like, which some spreadsheets write first.
   bool is_separator_line(std::string_view line) const {
     return !has_header_ && line.size() == 5 && line.starts_with("sep=");
   }
 
-  /// Spreadsheets write semicolons where the decimal mark is a comma.
+  /// Chooses the separator. Spreadsheets write semicolons where the decimal mark is a comma.
   void choose_separator(std::string_view header) {
     for (const char candidate : {';', '\t'}) {
       if (std::ranges::count(header, candidate) > std::ranges::count(header, separator_)) {
@@ -115,7 +116,8 @@ class CsvReader {
     }
   }
 
-  /// Spreadsheets end lines with a separator for each column that they once had.
+  /// Removes empty fields at the end of a line: spreadsheets write a separator for each column that
+  /// they once had.
   static Fields without_empty_end(Fields fields, std::size_t width) {
     while (fields.size() > std::max<std::size_t>(width, 1) && fields.back().empty()) {
       fields.pop_back();
@@ -123,7 +125,7 @@ class CsvReader {
     return fields;
   }
 
-  /// Quotes keep separators together; two of them within stand for one.
+  /// Splits a line. A separator within quotes is text, and two quotes within quotes stand for one.
   Fields split(std::string_view line) const {
     Fields fields{""};
     bool quoted = false;

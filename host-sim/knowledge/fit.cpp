@@ -45,7 +45,8 @@ std::map<std::uint32_t, Powers> cells_of(std::span<const Experiment> cuts) {
   return cells;
 }
 
-/// The longest run of speeds with nothing but accepted cuts; the slower of two equal ones.
+/// Returns the longest run of speeds with only accepted cuts; of two equally long runs, the slower
+/// one.
 Speeds longest_run(const Speeds& speeds) {
   Speeds best;
   Speeds run;
@@ -78,7 +79,7 @@ void for_each_cell(const Powers& region, kerf::HeatUnit unit, Visit visit) {
   }
 }
 
-/// A line through all cuts, if there are enough of them.
+/// Adds a line through all cuts, if there are enough cuts.
 bool add_law(const Powers& region, kerf::HeatUnit unit, ThicknessRecord& row) {
   std::vector<Sample> samples;
   std::set<double> heats;
@@ -109,7 +110,8 @@ bool holds(const ThicknessRecord& row, const LawCriterion& criterion) {
          row.greatest_residual_mm <= criterion.far_mm;
 }
 
-/// How far cuts are from the mean of their own condition; of single cuts nothing is known.
+/// Adds the deviation of cuts from the mean of their own condition. Conditions with a single cut
+/// show none.
 void add_repeatability(const Powers& region, ThicknessRecord& row) {
   double squares = 0.0;
   std::size_t cells = 0;
@@ -160,7 +162,7 @@ void require_one_kind(std::span<const Experiment> cuts) {
   require_one_of(gases, "gas pressures");
 }
 
-/// Returns `, measured by NAME on DATE and …`; empty where nobody is named.
+/// Returns `, measured by NAME on DATE and …`; empty if no person is named.
 std::string persons_of(std::span<const Experiment> cuts) {
   std::set<std::string> persons;
   for (const Experiment& cut : cuts) {

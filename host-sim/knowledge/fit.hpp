@@ -9,13 +9,16 @@
 
 namespace sim {
 
-/// When the linear law holds for a thickness. Means are of the cuts under one condition.
+/// Criterion by which the linear law holds for a thickness. Means are over the cuts under one
+/// condition.
 struct LawCriterion {
-  /// No mean is farther from the law: twice the measuring error. Enough by itself…
+  /// The law holds if no mean is farther from it than this: twice the measuring error.
   double close_mm = 2.0 * kMeasuringErrorMm;
-  /// …else the correlation is at least the least that the paper calls strong, and…
+  /// The law also holds if the correlation is at least this, the least that the paper calls strong,
+  /// and no mean is farther from the law than far_mm.
   double least_correlation = 0.9;
-  /// …no mean is farther from the law than its least processing tolerance.
+  /// Greatest distance of a mean from the law in this second case. It is the least processing
+  /// tolerance of the paper.
   double far_mm = 0.05;
 };
 
@@ -24,13 +27,14 @@ struct FitOptions {
   LawCriterion criterion{};
 };
 
-/// Makes the record of one material from its cuts, those that were rejected included: per
-/// thickness and power the permissible speeds, which are the longest run of tried ones at which
-/// every cut was accepted, and of the cuts in it a line over Q; or their means as points,
-/// where the line does not hold or fewer than three values of Q were cut.
+/// Makes the record of one material from its cuts, with the rejected ones. For each thickness and
+/// power it has the permissible speeds, which are the longest run of tried speeds at which every
+/// cut was accepted. For each thickness it has a line over Q through the cuts of these runs. If the
+/// line does not hold or fewer than three values of Q were cut, it has their means as points
+/// instead.
 ///
-/// Throws std::invalid_argument where the cuts are of several materials, lasers or gas pressures,
-/// or none was accepted.
+/// Throws std::invalid_argument if the cuts are of several materials, lasers or gas pressures, or
+/// if none was accepted.
 [[nodiscard]] MaterialRecord fit_record(std::span<const Experiment> cuts,
                                         const FitOptions& options);
 

@@ -19,14 +19,14 @@ namespace kerf = cnc::kerf;
 constexpr int kLineParts = 60;
 constexpr const char* kKerfLabel = "kerf in mm, bands hold 95 % of cuts";
 
-/// From `least` to `most`, both included.
+/// Returns a value from `least` to `most`, both included.
 std::uint32_t part_of(const kerf::Window& window, int part) {
   const auto span = static_cast<std::uint64_t>(window.most - window.least);
   return window.least +
          static_cast<std::uint32_t>(span * static_cast<std::uint64_t>(part) / kLineParts);
 }
 
-/// Powers that were cut at the thickness, or at its neighbours.
+/// Returns the powers that were cut at the thickness, or at its neighbours.
 std::set<std::uint32_t> powers_around(const OwnedKerfTable<double>& table,
                                       std::uint32_t thickness_um) {
   const auto permissible = kerf::permissible_powers(table.view(), thickness_um);
@@ -45,7 +45,7 @@ std::set<std::uint32_t> powers_around(const OwnedKerfTable<double>& table,
   return powers;
 }
 
-/// Adds a place of the law, with the interval of single cuts around it.
+/// Adds a point of the law, with the interval of single cuts around it.
 void add_point(ChartSeries& series,
                const MaterialRecord& record,
                const kerf::Condition& at,
@@ -90,7 +90,7 @@ ChartPanel over_speed(const MaterialRecord& record,
   return panel;
 }
 
-/// Speeds at round numbers, a handful from the least to the greatest of the thickness.
+/// Returns a handful of speeds at round numbers, from the least to the greatest of the thickness.
 std::set<std::uint32_t> sample_speeds(const OwnedKerfTable<double>& table,
                                       std::uint32_t thickness_um) {
   kerf::Window all{kerf::kMostSpeedUmMin, 0};

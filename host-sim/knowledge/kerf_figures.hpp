@@ -8,15 +8,17 @@
 
 namespace sim {
 
-/// Kerf over speed for each power, and over power for each of some speeds, at one thickness, as far
-/// as permissible; accepted cuts of it as dots, the interval of 95 % of cuts as bands. An SVG
-/// document. Source: Park and Ahn 2007, Fig. 7. Throws std::invalid_argument where the thickness is
-/// not permissible.
+/// Returns an SVG document of the kerf at one thickness: over speed for each power, and over power
+/// for some speeds, within the permissible region. Accepted cuts are dots, and the interval of 95 %
+/// of cuts is a band. Source: Park and Ahn 2007, Fig. 7. Throws std::invalid_argument if the
+/// thickness is not permissible.
 [[nodiscard]] std::string draw_kerf_over_speed(const MaterialRecord& record,
                                                std::uint32_t thickness_um,
                                                std::span<const Experiment> cuts);
 
-/// Kerf over effective heat input for each thickness, in the record's unit. As above, Fig. 8.
+/// Returns an SVG document of the kerf over effective heat input for each thickness, in the
+/// record's unit, with dots and bands as in draw_kerf_over_speed(). Source: Park and Ahn 2007, Fig.
+/// 8.
 [[nodiscard]] std::string draw_kerf_over_heat(const MaterialRecord& record,
                                               std::span<const Experiment> cuts);
 

@@ -23,7 +23,7 @@ kerf::HeatUnit unit_named(const std::string& name) {
              : kerf::HeatUnit::kWattMinutesPerMillimetre;
 }
 
-/// Stands in a column of what was not measured.
+/// Value in a column for a quantity that was not measured.
 constexpr double kNotMeasured = -1.0;
 
 std::optional<double> measured(double value) {
@@ -54,7 +54,7 @@ KnowledgeBase::KnowledgeBase(const std::string& file, SqlFile::Mode mode)
   try {
     prepare_file(mode);
   } catch (...) {
-    // Half a data base is no data base; what a full disk left of a new one goes.
+    // An incomplete data base is useless: remove the part of a new file that a full disk left.
     if (is_new_ && mode == SqlFile::Mode::kCreate) std::remove(file.c_str());
     throw;
   }
@@ -258,7 +258,7 @@ std::vector<MaterialRecord> KnowledgeBase::records() const {
       record.provenance = origins_of(record.operations);
       continue;
     }
-    // Whoever edits the file by hand is told here, before anything is looked up.
+    // Faults of a file that was edited by hand are reported here, before any lookup.
     require_sound(record);
   }
   return records;

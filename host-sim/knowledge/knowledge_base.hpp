@@ -12,39 +12,40 @@
 
 namespace sim {
 
-/// Test cuts, accepted and rejected, and the records fitted to them: one SQLite file, whose tables
-/// README.md beside this file describes. A new one holds the shipped records.
-/// Every member throws std::runtime_error naming the file when SQLite fails.
+/// Test cuts, accepted and rejected, and the records fitted to them. They are in one SQLite file,
+/// whose tables README.md in this folder describes. A new file holds the shipped records. Every
+/// member throws std::runtime_error naming the file when SQLite fails.
 class KnowledgeBase {
  public:
-  /// Throws also when the file is no such data base, is empty, or one of another version, and
-  /// unless `mode` creates it when there is none. With kRead nothing is ever written.
+  /// Opens the file. Throws also if the file is no such data base, is empty, or has another
+  /// version, and if it does not exist and `mode` does not create it. With kRead nothing is ever
+  /// written.
   KnowledgeBase(const std::string& file, SqlFile::Mode mode);
 
-  /// The shipped records and nothing else.
+  /// Returns a data base with only the shipped records.
   [[nodiscard]] static KnowledgeBase shipped() { return {":memory:", SqlFile::Mode::kCreate}; }
 
-  /// Adds all cuts of a file or none. Throws std::invalid_argument when the same bytes
-  /// were added before: cuts that count twice would look surer than they are.
+  /// Adds all cuts of a file or none. Throws std::invalid_argument if a file with the same bytes
+  /// was added before, because cuts that count twice would seem more certain than they are.
   void add(const std::vector<Experiment>& cuts, const std::string& file, std::string_view text);
 
-  /// In the order in which they were added.
+  /// Returns the cuts of a material in the order in which they were added.
   [[nodiscard]] std::vector<Experiment> cuts_of(std::string_view material) const;
 
-  /// Takes the place of the record with the same name and unit; operations stay.
+  /// Saves a record. It replaces the record with the same name and unit; the operations remain.
   void save(const MaterialRecord& record);
 
-  /// Adds operations of a material, and a record without a kerf where it has none. Those that were
-  /// not measured here take the place of others from the same source; measured ones that of others
-  /// of the same kind, laser and thickness.
+  /// Adds operations of a material, and a record without a kerf if the material has no record.
+  /// Operations that were not measured here replace those from the same source. Measured operations
+  /// replace those of the same kind, laser and thickness.
   /// @pre all have the same origin
   void save_operations(const std::string& material, const std::vector<OperationRecord>& operations);
 
-  /// In the order in which they were first saved.
+  /// Returns the records in the order in which they were first saved.
   [[nodiscard]] std::vector<MaterialRecord> records() const;
 
-  /// The record of a material: that with the unit, else the first.
-  /// Throws std::invalid_argument naming what there is when there is none.
+  /// Returns the record of a material: if a unit is given, the record with this unit, otherwise the
+  /// first record. Throws std::invalid_argument with the existing names if there is no such record.
   [[nodiscard]] MaterialRecord record_of(std::string_view material,
                                          std::optional<cnc::kerf::HeatUnit> unit) const;
 
@@ -61,9 +62,9 @@ class KnowledgeBase {
   void create();
   void upgrade();
 
-  bool is_new_;  ///< No file had the name before.
+  bool is_new_;  ///< Whether no file had the name before.
   SqlFile file_;
-  bool knows_origins_ = true;  ///< Else the file is of version 1.
+  bool knows_origins_ = true;  ///< Whether the tables have origins; a file of version 1 has none.
 };
 
 }  // namespace sim

@@ -15,9 +15,9 @@ namespace {
 
 namespace kerf = cnc::kerf;
 
-/// Half the interval that holds 95 % of single cuts.
+/// Returns half the interval that contains 95 % of single cuts.
 double half_interval(const ThicknessRecord& row, double heat) {
-  double variance = 2.0;  // A measured width is itself the mean of one cut at least.
+  double variance = 2.0;  // A measured width is itself the mean of at least one cut.
   if (!row.measured) {
     variance = 1.0;
     if (row.samples > 0) variance += 1.0 / static_cast<double>(row.samples);

@@ -10,26 +10,28 @@
 
 namespace sim {
 
-/// What a power cuts at one thickness.
+/// Facts about one power at one thickness.
 struct PowerRecord {
   std::uint32_t power_mw = 0;
   cnc::kerf::Window speeds_um_min{};
-  std::vector<cnc::kerf::Point> points{};  ///< Where the law does not hold.
+  std::vector<cnc::kerf::Point> points{};  ///< Measured points, used where the law does not hold.
 };
 
-/// What is known of one thickness, and how well.
+/// Facts about one thickness, with their uncertainty.
 struct ThicknessRecord {
   std::uint32_t thickness_um = 0;
-  bool measured = false;  ///< The points count, not the law.
+  bool measured = false;  ///< Whether the points count instead of the law.
   double slope = 0.0;     ///< λ1, mm per unit of Q.
   double intercept = 0.0;
   double correlation = 0.0;
-  double residual_sd_mm = 0.0;        ///< Of one cut; of a measured row, from its own mean.
-  double greatest_residual_mm = 0.0;  ///< Of the mean of the cuts under one condition.
-  std::size_t samples = 0;            ///< 0: not known.
-  std::size_t degrees = 0;            ///< Of freedom of residual_sd_mm; 0: not known.
+  /// Standard deviation of one cut from the law; for a measured row, from its own mean.
+  double residual_sd_mm = 0.0;
+  /// Greatest distance of a mean of the cuts under one condition from the law.
+  double greatest_residual_mm = 0.0;
+  std::size_t samples = 0;  ///< Number of samples; 0 if not known.
+  std::size_t degrees = 0;  ///< Degrees of freedom of residual_sd_mm; 0 if not known.
   double mean_heat = 0.0;
-  double heat_squares = 0.0;  ///< Sum of (Q − mean)²; 0: not known.
+  double heat_squares = 0.0;  ///< Sum of (Q − mean)²; 0 if not known.
   std::vector<PowerRecord> powers{};
 };
 
@@ -39,16 +41,19 @@ struct MaterialRecord {
   std::string laser{};
   double gas_pressure_mpa = 0.0;
   cnc::kerf::HeatUnit unit = cnc::kerf::HeatUnit::kWattMinutesPerMillimetre;
-  bool calibrated = false;  ///< By test cuts; else the provenance says what it is worth.
+  /// Whether the record was calibrated by test cuts; if not, the provenance states how reliable it
+  /// is.
+  bool calibrated = false;
   std::string provenance{};
   std::vector<ThicknessRecord> thicknesses{};
-  std::vector<OperationRecord> operations{};  ///< Of the material, whatever the unit.
+  /// Operations of the material; they do not depend on the unit of the record.
+  std::vector<OperationRecord> operations{};
 
   /// Returns whether a law or points of the kerf are known.
   [[nodiscard]] bool has_kerf() const { return !thicknesses.empty(); }
 };
 
-/// A record as a table that owns its parts, for lookups in either precision.
+/// A record as a table that owns its parts, for lookups in single or double precision.
 template <typename Real>
 struct OwnedKerfTable {
   std::string name;
@@ -62,29 +67,34 @@ struct OwnedKerfTable {
   }
 };
 
+/// Returns the table of a record.
 /// @pre at most 65,535 bands and points
 template <typename Real>
 [[nodiscard]] OwnedKerfTable<Real> table_of(const MaterialRecord& record);
 
 struct KerfPrediction {
   double kerf_mm = 0.0;
-  /// 95 % of single cuts are within so much of it; never below the measuring error.
+  /// Half the width of the interval around the kerf that contains 95 % of single cuts; never below
+  /// the measuring error.
   double half_interval_mm = 0.0;
   double heat = 0.0;  ///< Q, in the record's unit.
 };
 
-/// Error of a kerf's measurement, mm. Source: Park and Ahn 2007, section 3.3.
+/// Error of measuring a kerf, mm. Source: Park and Ahn 2007, section 3.3.
 inline constexpr double kMeasuringErrorMm = 0.01;
 
-/// The kerf, and how sure it is. @pre the record's table is sound
+/// Returns the kerf with its uncertainty, or the refusal of the condition.
+/// @pre the record's table is sound
 [[nodiscard]] cnc::Result<KerfPrediction, cnc::kerf::Refusal> predict(
     const MaterialRecord& record, const cnc::kerf::Condition& condition);
 
-/// What a refusal means, with what is permissible: `speed 6000 mm/min is …; permissible are …`.
+/// Returns the meaning of a refusal, with the permissible values: `speed 6000 mm/min is …;
+/// permissible are …`.
 [[nodiscard]] std::string describe(const cnc::kerf::Refusal& refusal,
                                    const cnc::kerf::Condition& condition);
 
-/// Throws std::invalid_argument naming the thickness where the record cannot be looked up.
+/// Checks the record. Throws std::invalid_argument naming the thickness at which it cannot be
+/// looked up.
 void require_sound(const MaterialRecord& record);
 
 }  // namespace sim

@@ -17,7 +17,7 @@ namespace {
 
 using Operations = std::vector<OperationRecord>;
 
-/// Returns digits as a number, -1 for everything else.
+/// Returns digits as a number; -1 for any other text.
 int digits_in(std::string_view text) {
   int value = -1;
   const char* const end = text.data() + text.size();
@@ -36,7 +36,7 @@ std::string thickness_text(const OperationRecord& operation) {
   return fmt::format("{:g} mm", from_thousandths(*operation.thickness_um));
 }
 
-/// Returns those of the wished kind and description.
+/// Returns the operations of the wished kind and description.
 Operations like(const Operations& operations, const OperationWish& wish) {
   Operations found;
   std::ranges::copy_if(operations, std::back_inserter(found), [&](const OperationRecord& one) {
@@ -155,7 +155,7 @@ std::optional<OperationRecord> choose_operation(const std::vector<OperationRecor
     return one.origin.is_measured_here;
   });
   if (!measured.empty()) {
-    // Slower passes first, then more power, so that the best is the last.
+    // Order by slower passes first, then by more power, so that the best operation is the last.
     return *std::ranges::max_element(measured, {}, [](const OperationRecord& one) {
       return std::tuple{one.speed_um_min.value_or(0) / one.passes.value_or(1),
                         -one.power_percent.value_or(0.0)};

@@ -8,34 +8,36 @@
 
 namespace sim {
 
-/// Who found something out, where and when.
+/// Origin of a fact: the person, the day and the file.
 struct Origin {
-  bool is_measured_here = false;  ///< By a person on this machine; else taken over from elsewhere.
-  std::string by{};               ///< Name of the person; empty: not known.
-  std::string on{};               ///< YYYY-MM-DD; empty: not known.
-  std::string source{};           ///< The file that it is from.
+  /// Whether a person measured it on this machine; otherwise it was imported.
+  bool is_measured_here = false;
+  std::string by{};      ///< Name of the person; empty if not known.
+  std::string on{};      ///< YYYY-MM-DD; empty if not known.
+  std::string source{};  ///< The file from which the fact was read.
   bool operator==(const Origin&) const = default;
 };
 
-/// Power and speed at which an operation is done, without a law of the kerf. What is not known is
-/// empty.
+/// Power and speed at which an operation is done, without a law of the kerf. Values that are not
+/// known are empty.
 struct OperationRecord {
-  std::string kind{};         ///< cut, fill or engrave.
-  std::string description{};  ///< As the source has it.
-  std::string laser{};        ///< Its name; empty: not named.
+  std::string kind{};         ///< Kind of the operation: cut, fill or engrave.
+  std::string description{};  ///< The description as the source has it.
+  std::string laser{};        ///< Name of the laser; empty if not named.
   std::optional<std::uint32_t> thickness_um{};
-  std::optional<double> power_percent{};  ///< Of full power, above 0 to 100.
+  std::optional<double> power_percent{};  ///< Percent of full power, above 0 to 100.
   std::optional<std::uint32_t> speed_um_min{};
   std::optional<std::uint32_t> passes{};
-  std::optional<double> interval_mm{};  ///< From line to line of what is filled.
+  std::optional<double> interval_mm{};  ///< Distance between the lines of a fill.
   std::optional<double> kerf_mm{};
   Origin origin{};
 };
 
-/// Returns `not measured here: from FILE of DATE`, or `measured by NAME on DATE, FILE`.
+/// Returns a text such as `not measured here: from FILE of DATE` or `measured by NAME on DATE,
+/// FILE`.
 [[nodiscard]] std::string text_of(const Origin& origin);
 
-/// Returns `cut, 3 mm: 65 percent, 600 mm/min, 2 passes, kerf not known`.
+/// Returns a text such as `cut, 3 mm: 65 percent, 600 mm/min, 2 passes, kerf not known`.
 [[nodiscard]] std::string text_of(const OperationRecord& operation);
 
 /// Returns the origins of operations, each once, as one text.
@@ -44,18 +46,19 @@ struct OperationRecord {
 /// Returns whether a text is a day of the calendar, YYYY-MM-DD.
 [[nodiscard]] bool is_date(std::string_view text);
 
-/// Asks for an operation of a material.
+/// The operation of a material that a caller needs.
 struct OperationWish {
   std::string material{};
   std::string kind{};
   std::uint32_t thickness_um = 0;
-  std::string description{};  ///< Empty: any.
+  std::string description{};  ///< Description of the operation; empty for any.
 };
 
-/// Returns the operation of that kind at that thickness, or of no known thickness where none is: of
-/// those that were measured here the fastest with the least power, else the only one of the
-/// description. Nothing where there is none. Throws std::invalid_argument naming the descriptions
-/// where there are several, and the thicknesses where none fits.
+/// Returns the operation of that kind at that thickness, or, if none has that thickness, one of no
+/// known thickness. Operations that were measured here go first: of these, the fastest with the
+/// least power. Otherwise it is the only one of the description. Empty if there is none. Throws
+/// std::invalid_argument naming the descriptions if there are several, and the thicknesses if none
+/// fits.
 [[nodiscard]] std::optional<OperationRecord> choose_operation(
     const std::vector<OperationRecord>& operations, const OperationWish& wish);
 

@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kNormal95 = 1.959963984540054;
 
-/// Probability that |T| is below t. Source: Abramowitz and Stegun 26.7.3 and 26.7.4.
+/// Returns the probability that |T| is below t. Source: Abramowitz and Stegun 26.7.3 and 26.7.4.
 double within(double t, std::size_t degrees) {
   const double angle = std::atan(t / std::sqrt(static_cast<double>(degrees)));
   const double cosine = std::cos(angle);
@@ -59,7 +59,7 @@ Regression fit_line(std::span<const Sample> samples) {
 double student_t95(std::size_t degrees) {
   if (degrees == 0) return kNormal95;
   constexpr std::size_t kAlmostNormal = 200;
-  if (degrees > kAlmostNormal) {  // Abramowitz and Stegun 26.7.5, its first two terms.
+  if (degrees > kAlmostNormal) {  // The first two terms of Abramowitz and Stegun 26.7.5.
     const double z = kNormal95;
     const auto n = static_cast<double>(degrees);
     const double cube = z * z * z;

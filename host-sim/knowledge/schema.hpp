@@ -2,12 +2,12 @@
 
 namespace sim {
 
-/// Version of the tables below, in PRAGMA user_version. Version 1 is read, too, and becomes 2 when
-/// something is written.
+/// Version of the tables below, in PRAGMA user_version. Version 1 can be read, too, and becomes
+/// version 2 at the first write.
 inline constexpr int kSchemaVersion = 2;
 
-/// What README.md describes. Integers are µm, mW, µm/min and nm, exact; numbers that were measured
-/// or fitted are REAL, in mm, W, mm/min and MPa as their names say.
+/// The tables, which README.md describes. Integers are µm, mW, µm/min and nm, exact. Measured or
+/// fitted numbers are REAL, in mm, W, mm/min and MPa as their names say.
 inline constexpr const char* kSchema = R"sql(
 CREATE TABLE import (
   id INTEGER PRIMARY KEY,
@@ -70,8 +70,8 @@ CREATE TABLE point (
   UNIQUE (power, speed_um_min));
 )sql";
 
-/// What version 2 has besides; read by name of the material, so that a fit leaves it alone. NULL is
-/// not known.
+/// The table that version 2 adds. It is read by the name of the material, so that a fit leaves it
+/// unchanged. NULL means not known.
 inline constexpr const char* kOperationSchema = R"sql(
 CREATE TABLE operation (
   id INTEGER PRIMARY KEY,
@@ -92,7 +92,7 @@ CREATE TABLE operation (
 PRAGMA user_version = 2;
 )sql";
 
-/// Makes version 2 of version 1.
+/// Converts version 1 to version 2.
 inline constexpr const char* kImportOfVersion2 = R"sql(
 ALTER TABLE import ADD COLUMN measured_by TEXT NOT NULL DEFAULT '';
 ALTER TABLE import ADD COLUMN measured_on TEXT NOT NULL DEFAULT '';

@@ -11,11 +11,12 @@ namespace {
 
 namespace kerf = cnc::kerf;
 
-/// Park and Ahn 2007, Table 3, last column.
+/// Correlations of Park and Ahn 2007, Table 3, last column.
 constexpr std::array<double, 4> kCorrelations{0.93, 0.94, 0.91, 0.90};
 
-/// The paper prints neither how many cuts it fitted nor their residuals. A correlation and a slope
-/// over known heat inputs imply them: those of Table 2 at every full m/min, once each.
+/// Adds the implied residual. The paper prints neither how many cuts it fitted nor their residuals.
+/// A correlation and a slope over known heat inputs imply them. The heat inputs are those of Table
+/// 2 at every full m/min, once each.
 void add_implied_residual(ThicknessRecord& row, kerf::HeatUnit unit) {
   std::vector<double> heats;
   for (const PowerRecord& power : row.powers) {
@@ -62,8 +63,8 @@ PowerRecord example_power(double watts, double least_mm_min, double most_mm_min)
   return {to_thousandths(watts), {to_thousandths(least_mm_min), to_thousandths(most_mm_min)}, {}};
 }
 
-/// Not measured by anybody: round numbers of the size that makers of 40 to 80 W tubes name, to
-/// begin a calibration with. The doubt in them is that of a guess, ± 0.1 mm.
+/// Returns an example without measurements. It has round numbers of the size that makers of 40 to
+/// 80 W tubes name, to begin a calibration with. Its uncertainty is that of a guess, ± 0.1 mm.
 MaterialRecord example_acrylic() {
   constexpr double kDoubtMm = 0.05;
   MaterialRecord record{

@@ -6,7 +6,7 @@
 
 namespace sim {
 
-/// What was tried: least and greatest of each quantity.
+/// Least and greatest value of each quantity that was tried.
 struct ExperimentRange {
   double least_power_w, most_power_w;
   double least_speed_mm_min, most_speed_mm_min;
@@ -14,11 +14,11 @@ struct ExperimentRange {
   double gas_pressure_mpa;
 };
 
-/// Park and Ahn 2007, Table 1.
+/// The ranges of Park and Ahn 2007, Table 1.
 inline constexpr ExperimentRange kCsp1nRange{1200, 1800, 2000, 10'000, 0.5, 2.0, 0.1};
 
-/// What a new data base begins with: CSP 1N with both units of Q, as printed first, and an
-/// acrylic of which nothing was measured.
+/// Returns the records of a new data base: CSP 1N with both units of Q, the printed unit first, and
+/// an acrylic without any measurement.
 [[nodiscard]] std::vector<MaterialRecord> shipped_records();
 
 }  // namespace sim

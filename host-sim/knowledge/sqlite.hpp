@@ -11,10 +11,10 @@ struct sqlite3_stmt;
 
 namespace sim {
 
-/// One statement of SQL being run. Failures throw std::runtime_error naming the file.
+/// One statement of SQL while it runs. Failures throw std::runtime_error naming the file.
 class SqlStatement {
  public:
-  /// Binds the next parameter, from the first on.
+  /// Binds the next parameter, beginning with the first.
   SqlStatement& bind(std::string_view text);
   SqlStatement& bind(double value);
   SqlStatement& bind(std::int64_t value);
@@ -22,15 +22,15 @@ class SqlStatement {
   SqlStatement& bind(std::uint32_t value) { return bind(static_cast<std::int64_t>(value)); }
 
   SqlStatement& bind_null();
-  /// Binds the value, or NULL where there is none.
+  /// Binds the value, or NULL if the value is empty.
   template <typename Value>
   SqlStatement& bind_optional(const std::optional<Value>& value) {
     return value ? bind(*value) : bind_null();
   }
 
-  /// True while there is a row; its columns count from 0.
+  /// Reads the next row. Returns whether there is one; its columns count from 0.
   [[nodiscard]] bool next();
-  /// For statements without rows.
+  /// Runs a statement without rows.
   void run() { static_cast<void>(next()); }
 
   [[nodiscard]] std::string text(int column) const;
@@ -56,20 +56,21 @@ class SqlStatement {
   int bound_ = 0;
 };
 
-/// A data base of SQLite. Failures throw std::runtime_error naming the file.
+/// An SQLite data base. Failures throw std::runtime_error naming the file.
 class SqlFile {
  public:
   enum class Mode { kRead, kWrite, kCreate };
 
-  /// `:memory:` lives as long as the object. kRead changes nothing, but a file that a process left
-  /// in the middle of a change, which is brought back to its state before that.
+  /// Opens the file. A data base `:memory:` exists as long as the object. kRead changes nothing,
+  /// with one exception: a file that a process left in the middle of a change is restored to its
+  /// state before the change.
   SqlFile(std::string file, Mode mode);
 
   [[nodiscard]] const std::string& name() const { return file_; }
   [[nodiscard]] SqlStatement prepare(std::string_view sql) const {
     return {file_, connection_.get(), sql};
   }
-  /// Several statements without parameters or rows.
+  /// Runs several statements without parameters or rows.
   void run(const char* sql) const;
   [[nodiscard]] std::int64_t last_row() const;
 
@@ -84,7 +85,7 @@ class SqlFile {
   std::unique_ptr<sqlite3, Closer> connection_;
 };
 
-/// All of it or nothing: what was done since is undone unless commit() was called.
+/// A transaction: all statements since its begin are undone unless commit() was called.
 class SqlTransaction {
  public:
   explicit SqlTransaction(const SqlFile& file) : file_{file} { file_.run("BEGIN IMMEDIATE"); }

@@ -17,9 +17,10 @@ namespace {
 
 using drawing::Place;
 
-constexpr double kLeastLabelMm = 1.2;    ///< Lower ones cannot be read on wood.
-constexpr double kLabelSpaceMm = 1.5;    ///< Free around labels.
-constexpr double kLetterFaultMm = 0.01;  ///< Of lines in place of a letter's curves.
+constexpr double kLeastLabelMm = 1.2;  ///< Lower labels cannot be read on wood.
+constexpr double kLabelSpaceMm = 1.5;  ///< Free space around labels.
+/// Greatest distance of lines from the curves of a letter that they replace.
+constexpr double kLetterFaultMm = 0.01;
 constexpr const char* kAxesText = "% right, mm/min up";
 
 std::string grid_number(double value) {
@@ -41,13 +42,13 @@ double widest_label(const std::vector<double>& values) {
   return widest;
 }
 
-/// Places of a grid's parts, from its lower left corner.
+/// Positions of a grid's parts, relative to its lower left corner.
 struct GridLayout {
   double label_mm = 0.0;
   Place squares{0.0, 0.0};  ///< Lower left corner of the first square.
   double pitch_mm = 0.0;
-  double axes_y = 0.0;         ///< Base line of the text about the axes.
-  double slot_labels_y = 0.0;  ///< Base line of the slots' widths.
+  double axes_y = 0.0;         ///< Base line of the axes' titles.
+  double slot_labels_y = 0.0;  ///< Base line of the labels with the slots' widths.
   double slots_y = 0.0;
   std::vector<double> slots_x{};
   Place size{0.0, 0.0};
@@ -77,7 +78,7 @@ GridLayout layout_of(const TestGrid& grid) {
   return layout;
 }
 
-/// Writes the motions of a grid. The beam is on from place to place of a path.
+/// Writes the motions of a grid. The beam is on between the points of a path.
 class GridWriter {
  public:
   GridWriter(const TestGrid& grid, const GridProgram& program)
@@ -122,7 +123,8 @@ class GridWriter {
     label(grid_number(value), at, anchor);
   }
 
-  /// Writes words at a base line; `anchor` is the share of their width before `at`.
+  /// Writes words at a base line.
+  /// @param anchor share of the words' width that is left of `at`
   void label(const std::string& words, Place at, double anchor) {
     const double em = layout_.label_mm * text::kStrokeUnitsPerEm / text::kStrokeCapital;
     at.x() -= anchor * width_of_label(words) * layout_.label_mm;

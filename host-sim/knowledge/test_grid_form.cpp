@@ -66,7 +66,7 @@ class FormReader {
   }
 
  private:
-  /// A field that is null or an empty text is not filled in.
+  /// Removes fields that are not filled in: null or an empty text.
   static void drop_empty(Json& object) {
     for (auto field = object.begin(); field != object.end();) {
       const bool is_empty = field->is_null() || (field->is_string() && field->empty()) ||
@@ -114,7 +114,7 @@ class FormReader {
     throw std::invalid_argument(fmt::format("{}: {}: {}", file_, pointer, reason));
   }
 
-  /// Returns a row without what is empty.
+  /// Returns a row without its empty fields.
   Json row_of(const Json& rows, std::size_t index, const std::string& pointer) const {
     Json row = rows[index];
     if (!row.is_object()) refuse(pointer, "wants an object");
@@ -131,7 +131,7 @@ class FormReader {
     return *number;
   }
 
-  /// Returns the mean of measured minus path width; nothing where nothing was measured.
+  /// Returns the mean of the measured width minus the path width; empty if no slot was measured.
   std::optional<double> kerf(std::vector<std::string>& notes) const {
     if (!form_.contains("slots")) return std::nullopt;
     if (!form_["slots"].is_object()) refuse("/slots", "wants an object");

@@ -8,28 +8,28 @@
 
 namespace sim {
 
-/// Returns the form of a grid, JSON: a row for each square and each slot, what is to be measured
-/// still empty.
+/// Returns the form of a grid as JSON: a row for each square and each slot, with the values to be
+/// measured still empty.
 [[nodiscard]] std::string form_of(const TestGrid& grid);
 
-/// What a form that was filled in says.
+/// Content of a form that was filled in.
 struct MeasuredGrid {
   std::string material{};
   std::vector<OperationRecord> operations{};  ///< A row for each square that is good.
-  std::vector<std::string> notes{};           ///< What lacks, or is assumed.
+  std::vector<std::string> notes{};           ///< Notes on values that are missing or assumed.
 };
 
-/// Who filled in a form, where the form does not say so itself.
+/// Person and day of a form, used if the form does not name them.
 struct FormPerson {
   std::string by{};
-  std::string on{};  ///< YYYY-MM-DD.
+  std::string on{};  ///< Day of the measurement, YYYY-MM-DD.
 };
 
-/// Reads a form. Squares of result `good` become operations; the kerf is the mean of measured minus
-/// path width over the slots, and not known where none was measured. Throws std::invalid_argument
-/// `FILE: /pointer: reason; remedy` for what is no such form, numbers out of range, slots whose
-/// kerfs differ by more than 0.3 mm, a form without a good square, and one that names neither
-/// person nor day.
+/// Reads a form. Squares with the result `good` become operations. The kerf is the mean over the
+/// slots of the measured width minus the path width, and is not known if no slot was measured.
+/// Throws std::invalid_argument `FILE: /pointer: reason; remedy` for: a text that is no such form,
+/// numbers out of range, slots whose kerfs differ by more than 0.3 mm, a form without a good
+/// square, and a form that names neither person nor day.
 [[nodiscard]] MeasuredGrid read_form(const std::string& text,
                                      const std::string& file,
                                      const FormPerson& person);

@@ -4,23 +4,26 @@
 
 namespace sim {
 
-/// What goes wrong within a controller.
+/// A kind of failure within a controller.
 enum class Breakdown : std::uint8_t {
-  /// A processor exception, a broken contract, a full stack, a supply too low, a crystal that
-  /// stops, an image that changed: all of them end the program in one way, the beam first.
+  /// The program ends and switches the beam off first. Causes: a processor exception, a broken
+  /// contract, a full stack, a supply too low, a crystal that stops, an image that changed.
   kProgramEnds,
-  kMainLoopHangs,     ///< The step interrupt goes on; the watchdog restarts the controller.
-  kSettingTurnsOver,  ///< A bit of the settings in memory.
+  kMainLoopHangs,  ///< The step interrupt continues to run; the watchdog restarts the controller.
+  kSettingTurnsOver,  ///< A bit of the settings in memory flips.
 };
 
-/// To happen once.
+/// A breakdown that is to happen once.
 struct PlantedBreakdown {
   Breakdown kind = Breakdown::kProgramEnds;
-  std::uint64_t tick = 0;  ///< Of the step clock, since the beginning.
-  std::uint32_t bit = 0;   ///< Of kSettingTurnsOver: counted from the first one, all round.
+  /// Tick of the step clock at which it happens, counted from the beginning.
+  std::uint64_t tick = 0;
+  /// For kSettingTurnsOver: number of the bit, counted from the first bit of the settings and
+  /// wrapped at their end.
+  std::uint32_t bit = 0;
 };
 
-/// The watchdog restarts a controller whose main loop was not heard of for so long.
+/// Time in ms without a sign of the main loop after which the watchdog restarts the controller.
 inline constexpr std::uint32_t kWatchdogMs = 128;
 
 }  // namespace sim

@@ -45,7 +45,7 @@ Isometry3d FiveAxisModel::turn(double degrees) const {
   return about(turn_point_, Vector3d::UnitZ(), turn_reversed_ ? -degrees : degrees);
 }
 
-// A table that the part lies on turns the other way round than the tool does as the part sees it.
+// Seen from the part, the tool turns in the opposite direction to a table that carries the part.
 // The points of a head move along with the axes X Y Z that carry it.
 FiveAxisModel::Turned FiveAxisModel::turned_to(const Point& axes) const {
   const double tilted = axes[tilting_];

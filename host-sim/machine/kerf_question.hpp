@@ -9,17 +9,18 @@
 
 namespace sim {
 
-/// Asks a controller how wide its G41 cuts: one of its own, with the same power table and kerf
-/// tables, so that nobody else has to know them.
+/// Computes how wide a controller's G41 cuts. It queries a controller of its own with the same
+/// power table and kerf tables, so that no other code has to know the tables.
 class KerfQuestion {
  public:
-  /// @param settings $30 is what is asked of them
+  /// Starts the controller that is queried.
+  /// @param settings only $30 is used
   explicit KerfQuestion(const cnc::Settings& settings);
 
-  /// A statement of a program: `$PC` and those on kerf tables count, the others do not.
+  /// Takes a statement of a program. Only `$PC` and the statements on kerf tables have an effect.
   void hear(std::string_view statement);
 
-  /// mm; nothing where the controller refuses.
+  /// Returns the width of the cut in mm; empty where the controller refuses the condition.
   [[nodiscard]] std::optional<double> width(const CutCondition& condition) const;
 
  private:

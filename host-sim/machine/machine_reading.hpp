@@ -14,18 +14,18 @@
 
 namespace sim {
 
-/// What a machine with these settings makes of a program's words: the programmed path and, where
-/// G41 and G42 ask for it, the way beside it, by tools, widths, and the kerf tables that a
-/// controller has or is sent.
+/// Reads a program as a machine with these settings does. Returns the programmed path and, under
+/// G41 and G42, the path offset from it. The offset follows from tools, widths and the kerf tables
+/// that the controller has or that the program sends.
 [[nodiscard]] ProgrammedPath read_for_machine(const std::string& text,
                                               const cnc::Settings& settings);
 
-/// The same line by line, for a program of which the lines are read as the controller takes them:
-/// refused ones are no part of the path, and no path is kept.
+/// Reads a program line by line, as the controller takes the lines; read_for_machine() reads a
+/// whole program at once. Refused lines are no part of the path, and no path is kept.
 class MachineReading {
  public:
   MachineReading(const cnc::Settings& settings, PieceSink sink);
-  // Its parts know of each other.
+  // Not copyable: its parts refer to each other.
   MachineReading(const MachineReading&) = delete;
   MachineReading& operator=(const MachineReading&) = delete;
   ~MachineReading() = default;
@@ -33,12 +33,12 @@ class MachineReading {
   void take(std::size_t line, std::string_view text) {
     reader_.read_line(text, static_cast<int>(line));
   }
-  /// The machine has moved without the program, as by homing.
+  /// Sets the position after a motion that the program did not command, such as homing.
   void set_position(const Point& position) { reader_.set_position(position); }
-  /// There are no more lines.
+  /// Ends the program: no more lines follow.
   void end() { beside_.end(); }
   [[nodiscard]] const std::vector<ReadNote>& notes() const { return reader_.path().notes; }
-  /// See beside_path().
+  /// Returns the first refusal of the offset path; see beside_path().
   [[nodiscard]] const std::optional<RefusedBeside>& refused() const { return beside_.refused(); }
 
  private:

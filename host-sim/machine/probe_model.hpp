@@ -10,17 +10,18 @@
 
 namespace sim {
 
-/// The probe circuit of the model machine, which the plate and the surface close: the tool touches
-/// them, or is inside.
+/// The probe circuit of the model machine. The tool closes it when it touches the plate or the
+/// surface, or is inside.
 class ProbeModel {
  public:
   explicit ProbeModel(const MachineModel& model) : model_{model} {}
 
-  /// Takes the steps per mm of the machine of these settings.
+  /// Takes the steps per mm from the settings.
   void place(const cnc::Settings& settings);
-  /// Returns whether the circuit is closed with the axes there, in steps.
+  /// Returns whether the circuit is closed with the axes at `axes`, in steps.
   [[nodiscard]] bool is_closed(const PlayModel::Steps& axes);
-  /// Returns how many steps each motor may go from there before the circuit can change.
+  /// Returns the number of steps that each motor may make from `axes` before the circuit can
+  /// change.
   [[nodiscard]] std::uint64_t steps_undisturbed(const PlayModel::Steps& axes) const;
 
  private:
@@ -28,7 +29,8 @@ class ProbeModel {
 
   const MachineModel& model_;
   std::array<float, 3> steps_per_mm_{1.0F, 1.0F, 1.0F};
-  // The height of the surface where the axes were last: Z moves alone while a probe comes down.
+  // Whether the height of the surface at the last X and Y is known. It is kept because Z moves
+  // alone while a probe comes down.
   bool has_height_ = false;
   std::int32_t x_step_ = 0;
   std::int32_t y_step_ = 0;

@@ -66,7 +66,7 @@ void ProgramLink::take_answer(std::string_view answer) {
     return;
   }
   const bool refused = answer.starts_with(kError);
-  if (!refused && answer != kAccepted) return;  // A greeting, an alarm, a report.
+  if (!refused && answer != kAccepted) return;  // The line is a greeting, an alarm or a report.
   awaits_answer_ = false;
   if (!refused) {
     take_message();
@@ -84,7 +84,8 @@ void ProgramLink::take_answer(std::string_view answer) {
   message_.clear();
 }
 
-/// Statements are answered by messages as well, and the end of a program by one.
+/// A message before the answer belongs to a line of G-code only: statements are answered by
+/// messages as well, and the end of a program gives one.
 void ProgramLink::take_message() {
   if (message_.empty()) return;
   const bool statement = line_text().find_first_not_of(" \t") == line_text().find('$');

@@ -11,24 +11,24 @@
 
 namespace sim {
 
-/// What the controller answered to a line it refused.
+/// The controller's answer to a line that it refused.
 struct Refusal {
-  std::size_t line = 0;    ///< From 1.
-  std::size_t column = 0;  ///< From 1; 0 when the whole line is meant.
+  std::size_t line = 0;    ///< Number of the line, from 1.
+  std::size_t column = 0;  ///< Column, from 1; 0 when the answer concerns the whole line.
   int number = 0;          ///< Grbl's error number.
   std::string reason;
 };
 
 enum class AfterRefusal {
-  kStop,  ///< As a sender does: send nothing more.
-  kGoOn,  ///< Look at every line, as a checker does.
+  kStop,  ///< Sends nothing more, as a sender does.
+  kGoOn,  ///< Continues and checks every line, as a checker does.
 };
 
-/// A sender at the other end of the serial line: sends a program line by line,
-/// each when the one before has been answered, and keeps what was refused.
+/// A sender at the other end of the serial line. It sends a program line by line, each line when
+/// the one before has been answered, and keeps the refusals.
 class ProgramLink final : public KnownLink {
  public:
-  /// A last line without a line end gets one.
+  /// Takes a program. A last line without a line end gets one.
   ProgramLink(std::string program, AfterRefusal after_refusal);
 
   [[nodiscard]] std::size_t read(std::span<std::byte> into) override;
@@ -37,34 +37,35 @@ class ProgramLink final : public KnownLink {
     return status_due_ || !(awaits_answer_ || nothing_to_send());
   }
 
-  /// Nothing left to send and no answer outstanding.
+  /// Returns whether nothing is left to send and no answer is outstanding.
   [[nodiscard]] bool finished() const { return !awaits_answer_ && nothing_to_send(); }
   [[nodiscard]] bool awaits_answer() const { return awaits_answer_; }
-  /// Asks for a status report when no line is being sent, as a sender does now and then to be
-  /// known to be there.
+  /// Requests a status report at a time when no line is being sent, as a sender does now and then
+  /// to show that it is present.
   void ask_status() { status_due_ = true; }
   /// Sends nothing more.
   void stop() { stopped_ = true; }
 
-  /// The line sent last, from 1.
+  /// Returns the number of the line sent last, from 1.
   [[nodiscard]] std::size_t line() const { return line_; }
-  /// Share of the program sent, 0…1.
+  /// Returns the share of the program that was sent, 0…1.
   [[nodiscard]] double progress() const;
-  /// The first kMostRefusals.
+  /// Returns the refusals, at most the first kMostRefusals.
   [[nodiscard]] const std::vector<Refusal>& refusals() const { return refusals_; }
   [[nodiscard]] std::size_t refused() const { return refused_; }
-  /// What the controller says to a line of G-code that it takes, by line; the first kMostRefusals.
+  /// Returns the controller's messages about lines of G-code that it takes, each with the line's
+  /// number; at most the first kMostRefusals.
   [[nodiscard]] const std::vector<std::pair<std::size_t, std::string>>& messages() const {
     return messages_;
   }
   [[nodiscard]] std::string_view program() const { return program_; }
 
-  /// What a report lists of a program that is full of faults.
+  /// Greatest number of faults that a report lists of one program.
   static constexpr std::size_t kMostRefusals = 1000;
 
-  /// Told of every line that the controller takes, in their order.
+  /// Called for every line that the controller takes, in their order.
   std::function<void(std::size_t line, std::string_view text)> on_taken{};
-  /// Told of every line of the controller, without its end.
+  /// Called for every line that the controller sends, without its line end.
   std::function<void(std::string_view text)> on_answer{};
 
  private:

@@ -6,13 +6,14 @@ namespace sim {
 namespace {
 
 constexpr unsigned kTurnsPerProgress = 256;
-/// Pauses that are listed.
+/// Greatest number of pauses that a result lists.
 constexpr std::size_t kMostPauses = 1000;
-/// So often does the sender show that it is there.
+/// Cycles between two status requests, by which the sender shows that it is present.
 constexpr unsigned kTurnsPerStatus = 100;
-/// So long may motors stand still before motions that nothing will set free are given up.
+/// Cycles for which the motors may be at rest before motions that nothing will release are given
+/// up.
 constexpr unsigned kTurnsOfWaiting = 100;
-/// A line whose motion raised an alarm is answered within so many turns.
+/// Cycles within which a line is answered if its motion raised an alarm.
 constexpr unsigned kTurnsToAnswer = 100;
 
 }  // namespace
@@ -52,13 +53,13 @@ void Simulator::turn() {
     link_.ask_status();
   }
   controller_.turn();
-  // There is nobody to home the machine, and where it stands is its zero.
+  // No operator homes the machine, so its position counts as zero.
   if (machine().alarm() == cnc::Alarm::kHomingRequired) machine().unlock();
   count_turns();
   if (!controller_.step_timer_runs() && done()) controller_.take_back_idle_time();
 }
 
-/// Turns in which nothing moves although the program has not come to its end.
+/// Counts the cycles in which nothing moves although the program has not ended.
 void Simulator::count_turns() {
   const bool waits = in_alarm() || (link_.finished() && machine().waits_for_g40());
   waiting_turns_ = waits && !controller_.step_timer_runs() ? waiting_turns_ + 1 : 0;
@@ -66,7 +67,8 @@ void Simulator::count_turns() {
 
 bool Simulator::in_alarm() const { return controller_.machine().alarm() != cnc::Alarm::kNone; }
 
-/// The answer to the line that raised an alarm has its reason.
+/// Returns whether the run is over. After an alarm it waits for the answer to the line, which has
+/// the reason.
 bool Simulator::done() const {
   const cnc::Machine& machine = controller_.machine();
   if (in_alarm()) {
@@ -76,7 +78,7 @@ bool Simulator::done() const {
   return link_.finished() && (machine.idle() || waiting_turns_ > kTurnsOfWaiting);
 }
 
-/// An operator who presses cycle start at once.
+/// Acts as an operator who presses cycle start at once.
 void Simulator::attend_pause() {
   switch (machine().state()) {
     case cnc::MachineState::kHold:
@@ -105,7 +107,7 @@ RunResult Simulator::result() const {
   const auto is_known = [this](std::size_t line) {
     return std::ranges::any_of(notes_, [line](const auto& note) { return note.first == line; });
   };
-  // A change of tools is noted already, with what becomes of it here.
+  // Skips the message of a tool change: the change is noted already, with its consequence here.
   for (const auto& [line, message] : link_.messages()) {
     if (!is_known(line)) notes.emplace_back(line, message);
   }

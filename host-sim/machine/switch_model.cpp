@@ -8,14 +8,14 @@ namespace sim {
 namespace {
 
 constexpr double kBeyondTravelMm = 1.0;
-/// A bouncing contact changes its mind this often.
+/// Ticks after which a bouncing contact may change.
 constexpr std::uint64_t kBounceSlot = 400;
 
 bool in_mask(float mask, std::size_t axis) {
   return (static_cast<unsigned>(mask) >> axis & 1U) != 0;
 }
 
-/// A bit that looks random, of a number.
+/// Returns a bit of a number that looks random.
 bool noise(std::uint64_t number) {
   number *= 0x9E37'79B9'7F4A'7C15U;
   return ((number >> 40) & 1U) != 0;
@@ -64,7 +64,7 @@ hal::SwitchMask SwitchModel::read(const PlayModel::Steps& first,
 std::uint64_t SwitchModel::steps_undisturbed(const PlayModel::Steps& first,
                                              const PlayModel::Steps& second) const {
   std::uint64_t steps = std::numeric_limits<std::uint64_t>::max();
-  // From the last step on either side of the change the next one makes it.
+  // On the last step on either side of the change, the next step makes the change.
   const auto stay_off = [&](std::int64_t distance) {
     const auto beyond = static_cast<std::uint64_t>(std::abs(distance));
     steps = std::min(steps, beyond > 0 ? beyond - 1 : 0);
@@ -79,7 +79,8 @@ std::uint64_t SwitchModel::steps_undisturbed(const PlayModel::Steps& first,
   return steps;
 }
 
-/// The first contact is a sure one; what comes in the time after it is not.
+/// The first reading after a change is certain; while the contact bounces, the readings after it
+/// are not.
 bool SwitchModel::reads_closed(Contact& contact, bool pressed, std::uint64_t tick) const {
   if (pressed != contact.closed) {
     contact = {.closed = pressed, .bounces = true, .changed = tick};

@@ -10,36 +10,40 @@
 
 namespace sim {
 
-/// The limit switches of the model machine: one per motor, closed from a place
-/// on, with contacts that bounce. Deterministic: the same steps at the same
-/// ticks read the same.
+/// The limit switches of the model machine: one for each motor, closed from a position onwards,
+/// with contacts that bounce. The model is deterministic: the same steps at the same ticks give the
+/// same readings.
 class SwitchModel {
  public:
   explicit SwitchModel(const MachineModel& model) : model_{model} {}
 
-  /// Puts them where the machine of these settings has them.
+  /// Places the switches as the machine with these settings has them.
   void place(const cnc::Settings& settings);
-  /// What they read at this tick, with the axes where their motors have taken them, in
-  /// steps. Call with ticks that never go back.
+  /// Returns what the switches read at a tick.
+  /// @param first, second positions of the axes in steps, as their first and second motors have
+  ///   moved them
+  /// @pre the tick is not before that of the call before
   [[nodiscard]] hal::SwitchMask read(const PlayModel::Steps& first,
                                      const PlayModel::Steps& second,
                                      std::uint64_t tick);
-  /// So many steps may each motor go from there, and they read the same; 0 while one bounces.
+  /// Returns the number of steps that each motor may make from these positions before a reading can
+  /// change; 0 while a contact bounces.
   [[nodiscard]] std::uint64_t steps_undisturbed(const PlayModel::Steps& first,
                                                 const PlayModel::Steps& second) const;
 
  private:
   struct Switch {
     bool present = false;
-    bool low = false;               ///< At the lower end.
-    bool second = false;            ///< The axis has two motors, and a switch for each.
-    std::int64_t step = 0;          ///< Closed from here on.
-    std::int64_t second_ahead = 0;  ///< Steps that the second motor stands nearer to it.
+    bool low = false;       ///< Whether the switch is at the lower end.
+    bool second = false;    ///< Whether the axis has two motors, with a switch for each.
+    std::int64_t step = 0;  ///< Step from which on the switch is closed.
+    /// Number of steps by which the second motor is nearer to its switch.
+    std::int64_t second_ahead = 0;
   };
   struct Contact {
     bool closed = false;
     bool bounces = false;
-    std::uint64_t changed = 0;  ///< Tick.
+    std::uint64_t changed = 0;  ///< Tick of the last change.
   };
 
   [[nodiscard]] bool reads_closed(Contact& contact, bool pressed, std::uint64_t tick) const;

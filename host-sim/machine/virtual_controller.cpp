@@ -86,14 +86,15 @@ void VirtualController::happen(const PlantedBreakdown& breakdown) {
     case Breakdown::kSettingTurnsOver: {
       const auto settings = std::as_bytes(std::span{&machine().settings(), 1});
       const std::size_t place = breakdown.bit / 8 % settings.size();
-      // What turns over in memory asks nobody.
+      // A bit that flips in memory does not respect const.
       // NOLINTNEXTLINE(cppcoreguidelines-pro-type-const-cast)
       const_cast<std::byte&>(settings[place]) ^= std::byte{1} << breakdown.bit % 8;
     }
   }
 }
 
-/// As the chip does: the outputs go low where the program ends, and it begins anew.
+/// Restarts the controller as the chip does: the outputs go low when the program ends, and the
+/// program begins again.
 void VirtualController::restart() {
   port_.reset();
   report_change();
@@ -122,11 +123,12 @@ void VirtualController::play_until(std::uint64_t tick) {
     next_interrupt_ += wait;
   }
   now_ = tick;
-  // Nothing else happens at its instant, and sinks may look at what the machine is about.
+  // Nothing else happens at this tick, and sinks may read the state of the machine.
   if (row_waits_ && row_.time_ns < now_ * kNanosecondsPerTick) hand_out_row();
 }
 
-/// An interrupt moves a motor by one step at most, so most of them touch nothing.
+/// Updates plays and contacts. An interrupt moves a motor by at most one step, so that most
+/// interrupts cannot change a contact.
 inline void VirtualController::feel_machine() {
   if (undisturbed_ == 0) return touch_machine();
   --undisturbed_;
@@ -134,7 +136,8 @@ inline void VirtualController::feel_machine() {
   if (second_play_.any()) second_play_.follow(port_.second_position);
 }
 
-/// What probe and switches read where the motors have taken their axes.
+/// Updates the readings of probe and switches at the positions to which the motors have taken their
+/// axes.
 void VirtualController::touch_machine() {
   const PlayModel::Steps& axes = play_.follow(port_.position);
   const PlayModel::Steps& second = second_play_.follow(port_.second_position);
@@ -157,7 +160,7 @@ void VirtualController::keep_row() {
   const TraceRow row{.time_ns = now_ * kNanosecondsPerTick,
                      .position = port_.position,
                      .duty = static_cast<float>(port_.power) / cnc::motion::kFullOutput};
-  // Changes of the same instant are one row.
+  // All changes at one tick make one row.
   if (row_waits_ && row_.time_ns != row.time_ns) hand_out_row();
   row_ = row;
   row_waits_ = true;

@@ -10,7 +10,7 @@ void BesideWay::put(const PathPiece& piece) {
   if (!piece.beside) return leave(piece);
   const cnc::path::PathItem item = item_of(piece);
   if (!compensator_->active()) {
-    // The entry moves in the plane; other axes may be moved before.
+    // The entry moves in the plane; a motion of other axes may precede it.
     if (!cnc::compensation::moves_in(piece.beside->plane, item.request.element)) {
       return pass_on(piece);
     }
@@ -34,8 +34,8 @@ void BesideWay::end() {
   drops_ = false;
 }
 
-/// The first piece after G40 that moves in the plane leads back from beside the path. Pieces
-/// before it move other axes beside the path.
+/// Ends the compensation. The first piece after G40 that moves in the plane leads back to the
+/// programmed path. Pieces before it move other axes and stay offset.
 void BesideWay::leave(const PathPiece& piece) {
   const bool follows = compensator_->active() || compensator_->beside();
   end();
@@ -69,7 +69,8 @@ void BesideWay::go_back(const PathPiece& piece, const cnc::Position& to) {
   compensator_->clear();
 }
 
-/// @param line of the piece that is refused, where the fault has none
+/// Keeps a refusal, if there is a fault.
+/// @param line line of the refused piece, for a fault without a line
 void BesideWay::refuse(const std::optional<cnc::compensation::Fault>& fault, int line) {
   if (!fault) return;
   drops_ = true;

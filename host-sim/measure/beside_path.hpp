@@ -8,16 +8,16 @@
 
 namespace sim {
 
-/// Passes the pieces of a path on one by one, those between G41 or G42 and G40 through the
-/// product's compensator; see beside_path().
+/// Passes the pieces of a path on one by one. Pieces between G41 or G42 and G40 go through the
+/// product's compensator first; see beside_path().
 class BesideWay {
  public:
   explicit BesideWay(PieceSink sink) : sink_{std::move(sink)} {}
 
   void put(const PathPiece& piece);
-  /// There are no more.
+  /// Ends the path: no more pieces follow.
   void end();
-  /// The first motion that could not be driven beside the programmed path.
+  /// Returns the first motion that could not be driven offset from the programmed path.
   [[nodiscard]] const std::optional<RefusedBeside>& refused() const { return refused_; }
 
  private:
@@ -30,16 +30,18 @@ class BesideWay {
   PieceSink sink_;
   std::unique_ptr<cnc::compensation::Compensator> compensator_ =
       std::make_unique<cnc::compensation::Compensator>();
-  std::optional<Point> last_end_{};  ///< Of the last piece that was passed on.
+  std::optional<Point> last_end_{};  ///< End of the last piece that was passed on.
   bool stops_ = false;
-  bool drops_ = false;  ///< What was refused is left out until the path ends.
+  /// Whether pieces are left out until the path ends, because one was refused.
+  bool drops_ = false;
   std::optional<RefusedBeside> refused_{};
 };
 
-/// Where a program's path leads when G41 and G42 are done: half the width beside what is
-/// programmed, as the product's compensator has it (planner/compensation), with entry and exit.
-/// A path without them stays as it is. What cannot be driven the machine refuses; here the path
-/// goes on straight from the last element that can, and `refused` has the lines.
+/// Returns the path of a program with G41 and G42 applied: half the width offset from the
+/// programmed path, as the product's compensator computes it (planner/compensation), with entry and
+/// exit. A path without G41 and G42 stays unchanged. The machine refuses elements that cannot be
+/// driven. Here the path continues straight from the last element that can be driven, and `refused`
+/// has the lines.
 [[nodiscard]] ProgrammedPath beside_path(ProgrammedPath programmed);
 
 }  // namespace sim

@@ -10,24 +10,26 @@
 
 namespace sim {
 
-/// The light on each millimetre by the motors' own course in X and Y, whatever path they are on:
-/// the output over the speed, which is the way from a millisecond before to a millisecond after.
-/// For motors that leave their path, where the EnergyMeter has no places; it sees nothing
-/// shorter than its two milliseconds, and nothing slower than 2.5 mm/s.
+/// Measures the light on each millimetre along the motors' own path in X and Y, on or off the
+/// programmed path. It is the output divided by the speed, which is measured from a millisecond
+/// before to a millisecond after. It serves for motors that leave their path, where the EnergyMeter
+/// has no positions. It resolves nothing shorter than its two milliseconds, and no speed below 2.5
+/// mm/s.
 class CourseHeat final : public TraceSink {
  public:
-  /// mm, and seconds of full output per mm there.
+  /// Takes a position in mm, and the seconds of full output per mm there.
   using OnPlace = std::function<void(const std::array<double, 2>&, double)>;
 
-  /// @param on_place told of every row of which the output is lit, some 0.2 s later
+  /// Begins the measurement.
+  /// @param on_place called for every row whose output is lit, some 0.2 s later
   CourseHeat(const cnc::AxisArray<double>& steps_per_mm, OnPlace on_place);
 
   void on_row(const TraceRow& row) override;
   void on_end(std::uint64_t time_ns) override;
 
  private:
-  static constexpr double kWindow = 0.002;  ///< s, of the courses.
-  static constexpr double kHalf = 0.001;    ///< s.
+  static constexpr double kWindow = 0.002;  ///< Window of the courses, s.
+  static constexpr double kHalf = 0.001;  ///< Half of the time over which the speed is measured, s.
 
   struct Lit {
     double time_s = 0.0;

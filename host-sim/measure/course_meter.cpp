@@ -6,8 +6,8 @@
 namespace sim {
 namespace {
 
-/// After this many windows without an edge every axis has come to rest and every
-/// sample that is remembered is the same.
+/// After this many windows without an edge every axis is at rest, and all samples in memory are
+/// equal.
 constexpr double kQuietWindows = EdgeTrack::kLongestSettling + 4.0;
 
 }  // namespace
@@ -26,7 +26,7 @@ void CourseMeter::advance(double time_s) {
   const double quiet = last_edge_s_ + kQuietWindows * window_s_;
   sample_until(std::min(certain, quiet));
   if (certain <= quiet) return;
-  // Nothing to be seen in a long pause: go on at its end, with a new memory.
+  // A long pause shows nothing: continue at its end with an empty memory.
   count_ = 0;
   next_sample_s_ = certain;
 }
@@ -54,7 +54,7 @@ void CourseMeter::take(const Vector& sample) {
   if (count_ >= kSamples) measure();
 }
 
-/// Window 0 is the oldest.
+/// Returns the mean over a window; window 0 is the oldest.
 CourseMeter::Vector CourseMeter::mean(std::size_t window) const {
   Vector sum{};
   for (std::size_t i = 0; i < kSamplesPerWindow; ++i) {

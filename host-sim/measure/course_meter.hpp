@@ -9,27 +9,29 @@
 
 namespace sim {
 
-/// Speed, acceleration and length of the way in X Y Z, from samples of the three
-/// courses (EdgeTrack) ten times a window.
+/// Speed, acceleration and length of the path in X Y Z, from ten samples per window of the three
+/// courses (EdgeTrack).
 ///
-/// Speed is the norm of the difference of two means over neighbouring windows,
-/// acceleration of the second difference of three. Both are weighted means with weights ≥ 0
-/// of the true vector, so they do not exceed its greatest norm but for errors of
-/// the course: an error e adds at most 4 e / window² to the acceleration. On a circle
-/// at angular speed ω the acceleration is low by the factor 1 − (ω window)² / 8.
+/// Speed is the norm of the difference of two means over neighbouring windows, acceleration that of
+/// the second difference of three means. Both are weighted means with weights ≥ 0 of the true
+/// vector, so that they do not exceed its greatest norm except by errors of the course: an error e
+/// adds at most 4 e / window² to the acceleration. On a circle at angular speed ω the acceleration
+/// is low by the factor 1 − (ω window)² / 8.
 class CourseMeter {
  public:
   explicit CourseMeter(double window_s, const std::array<double, cnc::kLinearAxisCount>& start);
 
   void add_edge(std::size_t axis, const AxisEdge& edge);
-  /// All edges before this time have been added.
+  /// Takes all samples before this time.
+  /// @pre all edges before it were added
   void advance(double time_s);
-  /// No more edges.
+  /// Takes the remaining samples: no more edges follow.
   void finish();
 
   [[nodiscard]] double greatest_speed() const { return speed_; }
   [[nodiscard]] double greatest_acceleration() const { return acceleration_; }
-  /// From sample to sample; short of a circle's length by the factor 1 − (ω window)² / 2400.
+  /// Returns the length from sample to sample. For a circle it is low by the factor 1 − (ω window)²
+  /// / 2400.
   [[nodiscard]] double length() const { return length_; }
 
  private:

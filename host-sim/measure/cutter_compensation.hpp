@@ -9,41 +9,44 @@
 
 namespace sim {
 
-/// What G41 and G42 ask the width for, where it is the kerf of a material: M190, S and F as they
-/// are.
+/// Condition for which G41 and G42 look up the width, where it is the kerf of a material: M190, S
+/// and F at that line.
 struct CutCondition {
-  int table = 0;  ///< P of M190, as `$K` counts them.
+  int table = 0;  ///< Number of the kerf table: P of M190, as `$K` counts the tables.
   double thickness_mm = 0.0;
   double spindle_speed = 0.0;
   double feed_mm_min = 0.0;
 };
 
-/// mm; nothing where it is not known.
+/// Returns the width in mm; empty where it is not known.
 using CutWidth = std::function<std::optional<double>(const CutCondition&)>;
 
-/// G40, G41, G42, G41.1 and G42.1 as the simulator reads them, with what they go by: tools (G10 L1,
-/// T, M6) and the material (M190).
+/// Reads G40, G41, G42, G41.1 and G42.1 as the simulator does, with the data that they use: tools
+/// (G10 L1, T, M6) and the material (M190).
 class CutterCompensation {
  public:
-  /// @param width by the kerf, where a laser's G41 has no D
+  /// Begins without compensation.
+  /// @param width returns the kerf for a laser's G41 without D
   CutterCompensation(bool laser, CutWidth width) : laser_{laser}, width_{std::move(width)} {}
 
-  /// The words of a line. @param scale mm to its unit of length @param feed_mm_min F as it is
-  /// @return what is left out, for people; empty where nothing is
+  /// Applies the words of a line.
+  /// @param scale mm per unit of length of the line
+  /// @param feed_mm_min F in mm/min
+  /// @return text for people on what is left out; empty if nothing is left out
   [[nodiscard]] std::string apply(const ProgramLine& line,
                                   double scale,
                                   double spindle_speed,
                                   double feed_mm_min);
-  /// G10 L1; false for any other G10.
+  /// Applies G10 L1. Returns false for any other G10.
   [[nodiscard]] bool set_tool(const ProgramLine& line, double scale);
-  void end_program();  ///< M2 and M30.
+  void end_program();  ///< Applies M2 and M30.
 
-  /// Half the width, positive to the right of the path; 0 for G40.
+  /// Returns half the width, positive to the right of the path; 0 for G40.
   [[nodiscard]] double offset_mm() const { return offset_mm_; }
-  /// The width is the kerf of a material.
+  /// Returns whether the width is the kerf of a material.
   [[nodiscard]] bool by_kerf() const { return by_kerf_; }
 
-  /// M numbers and G numbers, in tenths, that apply() understands.
+  /// Return whether apply() understands an M number, or a G number in tenths.
   [[nodiscard]] static bool knows_m(int m) { return m == 190; }
   [[nodiscard]] static bool knows_g(int g);
 
@@ -57,7 +60,7 @@ class CutterCompensation {
 
   bool laser_;
   CutWidth width_;
-  std::array<double, kTools + 1> radii_{};  ///< mm, by the tool's number.
+  std::array<double, kTools + 1> radii_{};  ///< Radii in mm, by the tool's number.
   double tool_ = 0.0;
   CutCondition condition_{};
   double offset_mm_ = 0.0;

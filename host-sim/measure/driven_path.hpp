@@ -6,13 +6,13 @@
 
 namespace sim {
 
-/// How a machine with these settings understands a program.
+/// Returns the options with which a machine with these settings reads a program.
 [[nodiscard]] ReadOptions read_options_for(const cnc::Settings& settings);
 
-/// What the product's path stage makes of a programmed path within its tolerances when the
-/// elements come one by one without a pause: rounded, welded, with its exact stops.
-/// For what is asked of each millimetre driven; how far that is from the program is
-/// measured on the programmed path.
+/// Returns the path that the product's path stage makes of a programmed path within its tolerances,
+/// if the elements come one by one without a pause: rounded, welded, with its exact stops. It
+/// serves for figures about each millimetre driven. The distance from the program is measured on
+/// the programmed path instead.
 [[nodiscard]] ProgrammedPath driven_path(const ProgrammedPath& programmed,
                                          const cnc::motion::Limits& limits);
 

@@ -4,40 +4,42 @@
 
 namespace sim {
 
-/// An axis crosses a half step, mm.
+/// Instant at which an axis crosses a half step; lengths in mm.
 struct AxisEdge {
   double time_s = 0.0;
-  double position = 0.0;  ///< Half way between the motor's places before and after.
-  double rest = 0.0;      ///< The motor's place from now on.
+  double position = 0.0;  ///< Half way between the motor's positions before and after.
+  double rest = 0.0;      ///< The motor's position from now on.
 };
 
-/// The likely course of one axis between its edges, for measures that need all
-/// axes at the same instant.
+/// Estimates the course of one axis between its edges, for measures that need all axes at the same
+/// instant.
 ///
-/// Between two edges it takes the parabola through them with the acceleration
-/// that the neighbouring edges show, so a uniform acceleration is met exactly, also
-/// where the axis turns round. Where the axis pauses it comes to rest on the motor's
-/// place, and leaves it, as a uniform acceleration would have it. The course never
-/// leaves the step that the motor stands on: the error is at most half a step
-/// at a pause, a whole one at a reversal, and usually a small part of that.
+/// Between two edges it takes the parabola through them with the acceleration that the neighbouring
+/// edges show. Thus a uniform acceleration is reproduced exactly, also where the axis reverses.
+/// Where the axis pauses, the course comes to rest on the motor's position and leaves it with
+/// uniform acceleration. The course never leaves the step on which the motor rests. The error is at
+/// most half a step at a pause and a whole step at a reversal, and usually a small part of that.
 class EdgeTrack {
  public:
-  /// `window_s`: what is shorter than this need not be resolved. `start`: the
-  /// place before the first edge.
+  /// Begins a track.
+  /// @param window_s motions shorter than this need not be resolved
+  /// @param start position before the first edge
   EdgeTrack(double window_s, double start) : window_s_{window_s}, start_{start} {}
 
-  /// The half step to a rest takes at most this many windows: slower axes show as
-  /// pauses, with an acceleration of at most step / (16 windows)².
+  /// Greatest duration of the half step to a rest, in windows. Slower axes appear as pauses, with
+  /// an acceleration of at most step / (16 windows)².
   static constexpr double kLongestSettling = 16.0;
 
-  /// Edges this near in the past may still change the course.
+  /// Returns the age in s up to which a new edge may still change the course.
   [[nodiscard]] double lag_s() const { return 6.0 * kLongestSettling * window_s_; }
 
-  /// Times increase.
+  /// Adds an edge.
+  /// @pre times increase
   void add(const AxisEdge& edge);
 
-  /// The course at a time at least lag_s() before whatever may still be added.
-  /// Times never decrease; edges that are no longer needed are dropped.
+  /// Returns the course at a time that is at least lag_s() before every edge that may still be
+  /// added. Drops edges that are no longer needed.
+  /// @pre times never decrease
   [[nodiscard]] double position_at(double time_s);
 
  private:
@@ -50,7 +52,7 @@ class EdgeTrack {
 
   double window_s_;
   double start_;
-  std::deque<AxisEdge> edges_;  ///< At most three before the time last asked for.
+  std::deque<AxisEdge> edges_;  ///< At most three edges are before the time of the last query.
 };
 
 }  // namespace sim

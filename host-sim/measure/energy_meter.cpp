@@ -8,7 +8,7 @@ namespace {
 
 constexpr double kSecondsPerNs = 1.0e-9;
 
-/// Edges of axes that go at less than this part of the path's speed are left out.
+/// Edges of an axis are left out if its speed is below this share of the path's speed.
 constexpr double kLeastShare = 0.5;
 
 }  // namespace
@@ -50,7 +50,8 @@ void EnergyMeter::pass_to(std::uint64_t time_ns) {
   light_ += light * seconds;
 }
 
-/// Of steps that went out together all but the last came early.
+/// Returns the fraction of the piece for this row. Of several steps that went out together, the one
+/// that was due first counts, because the others came early.
 std::optional<double> EnergyMeter::fraction_at(const PathFollower::Match& match,
                                                const cnc::AxisArray<std::int32_t>& position) const {
   std::optional<double> earliest;
@@ -73,7 +74,7 @@ void EnergyMeter::look(const cnc::AxisArray<std::int32_t>& position) {
   if (!fraction) return;
   const bool has_run = run_end_ > run_first_;
   if (has_run && piece >= run_end_) end_run();
-  // Near a corner the nearest piece may be the one before again.
+  // Near a corner the nearest piece may be the piece before once more.
   if (!lit(piece) || piece < run_first_) return;
   if (piece >= run_end_) begin_run(piece);
   if (samples_.empty()) return;
@@ -84,8 +85,8 @@ void EnergyMeter::look(const cnc::AxisArray<std::int32_t>& position) {
   add(sample);
 }
 
-/// The fraction at which the edge is due; negative when that is not to be told. At a
-/// sharp corner the direction tells whether the piece is the one driven.
+/// Returns the fraction at which the edge is due; negative if it cannot be determined. At a sharp
+/// corner the direction shows whether the piece is the one being driven.
 double EnergyMeter::crossing(const Curve& curve, double near, const Edge& edge) {
   constexpr int kIterations = 4;
   double fraction = near;
@@ -115,7 +116,7 @@ void EnergyMeter::begin_run(std::size_t piece) {
   sum_programmed_ -= start.programmed;
 }
 
-/// The beam has gone off by now, or goes on at a place of its own.
+/// Ends a run: the beam is off by now, or stays on at a single point.
 void EnergyMeter::end_run() {
   const Sample end = at_start_of(run_end_);
   add(end);

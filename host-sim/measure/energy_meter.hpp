@@ -11,38 +11,42 @@
 
 namespace sim {
 
-/// Energy per length over what S and F ask for: 1 where the beam does as programmed.
+/// Energy per length divided by the energy that S and F require: 1 where the beam works as
+/// programmed.
 struct EnergyFigures {
   double least = 0.0;
-  double mean = 0.0;  ///< Of all light over all that was programmed.
+  double mean = 0.0;  ///< All light divided by all programmed light.
   double greatest = 0.0;
-  double greatest_at_mm = 0.0;  ///< Along the programmed path, end of the window.
+  /// Position along the programmed path of the greatest value: the end of its window.
+  double greatest_at_mm = 0.0;
   double least_at_mm = 0.0;
-  std::size_t windows = 0;  ///< 0: nothing was measured.
+  std::size_t windows = 0;  ///< Number of windows; 0 if nothing was measured.
 };
 
 /// Integrates the beam along the programmed path, in windows of 0.05 mm.
 ///
-/// A step is due where its axis crosses half a step, so each edge says to the tick when
-/// the machine was at one place of the curve; between them it goes evenly. Edges of
-/// axes that the path crosses flatly are left out: their time says little. A run of
-/// lit pieces is measured by itself, from its start to its end; one shorter than
-/// a window is not. Light that falls outside a run counts to its ends.
+/// A step is due where its axis crosses half a step. Each edge thus shows to the tick when the
+/// machine was at one point of the curve; between edges the speed counts as constant. Edges of axes
+/// that the path crosses at a flat angle are left out, because their time shows little. A run of
+/// lit pieces is measured by itself, from its start to its end; a run shorter than a window is not
+/// measured. Light that falls outside a run counts to its ends.
 class EnergyMeter final : public TraceSink {
  public:
-  static constexpr double kWindow = 0.05;  ///< mm.
+  static constexpr double kWindow = 0.05;  ///< Length of a window, mm.
 
   struct Options {
     double most_speed = 1000.0;  ///< $30: S of full power.
-    double least_speed = 0.0;    ///< $31.
-    /// Light of an output duty, 0…1 of the greatest; the duty itself when empty.
+    double least_speed = 0.0;    ///< $31: S of the least power.
+    /// Returns the light of an output duty, as a share 0…1 of the greatest. If empty, the light is
+    /// the duty itself.
     std::function<double(float)> light{};
-    /// Told of each window that ends now: seconds of full power per mm.
+    /// Called for each window as it ends, with its seconds of full power per mm.
     std::function<void(double)> on_window{};
   };
 
-  /// `deviation` follows the same trace on `path` and sees each row first; both must
-  /// outlive the meter.
+  /// Begins the measurement.
+  /// @param deviation follows the same trace on `path` and sees each row first. It and `path` must
+  ///   outlive the meter.
   EnergyMeter(const ProgrammedPath& path,
               const PathDeviation& deviation,
               const cnc::AxisArray<double>& steps_per_mm,
@@ -51,22 +55,22 @@ class EnergyMeter final : public TraceSink {
   void on_row(const TraceRow& row) override;
   void on_end(std::uint64_t time_ns) override;
 
-  /// Complete after on_end.
+  /// Returns the figures, which are complete after on_end.
   [[nodiscard]] EnergyFigures figures() const;
 
  private:
-  /// A place on the path, the light up to it, and what was programmed up to it.
+  /// A point on the path, with the light and the programmed light up to it.
   struct Sample {
     double place = 0.0;
     double light = 0.0;
     double programmed = 0.0;
   };
 
-  /// A motor's step: the axis crosses a place.
+  /// A motor's step: the axis crosses a position.
   struct Edge {
     std::size_t axis = 0;
-    double place = 0.0;      ///< mm.
-    double direction = 1.0;  ///< Or −1.
+    double place = 0.0;      ///< The position, mm.
+    double direction = 1.0;  ///< 1 or −1.
   };
 
   void pass_to(std::uint64_t time_ns);
@@ -84,17 +88,19 @@ class EnergyMeter final : public TraceSink {
   const PathDeviation* deviation_;
   Point step_{};
   Options options_;
-  std::vector<double> density_;       ///< Of each piece, s of full power per mm.
-  std::vector<double> place_before_;  ///< Of each piece and of the end, mm.
+  std::vector<double> density_;  ///< Programmed light of each piece, s of full power per mm.
+  /// Position on the path of each piece's start and of the end, mm.
+  std::vector<double> place_before_;
   std::vector<double> programmed_before_;
 
   std::uint64_t time_ns_ = 0;
   float duty_ = 0.0F;
-  double light_ = 0.0;       ///< s of full power.
-  double light_dark_ = 0.0;  ///< When the output was last off.
+  double light_ = 0.0;       ///< Light so far, s of full power.
+  double light_dark_ = 0.0;  ///< Value of light_ when the output was last off.
   cnc::AxisArray<std::int32_t> position_{};
   std::size_t run_first_ = 0;
-  std::size_t run_end_ = 0;  ///< Behind its last piece; no run while both are the same.
+  /// Index after the last piece of the run; there is no run while it equals run_first_.
+  std::size_t run_end_ = 0;
   std::deque<Sample> samples_;
   EnergyFigures figures_{};
   double sum_light_ = 0.0;

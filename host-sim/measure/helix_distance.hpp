@@ -11,22 +11,22 @@ namespace sim {
 /// The first line is the distance in the plane of the circle, the second the
 /// distance on all other axes, which move straight.
 struct HelixDistance {
-  double radius = 0.0;          ///< mm.
-  double sweep = 0.0;           ///< Radians, positive.
-  double point_radius = 0.0;    ///< The point's distance from the axis, mm.
-  double point_angle = 0.0;     ///< The point's angle in the direction of travel from the start.
+  double radius = 0.0;          ///< Radius of the helix, mm.
+  double sweep = 0.0;           ///< Angle that the helix turns, radians, positive.
+  double point_radius = 0.0;    ///< The point's distance from the axis of the helix, mm.
+  double point_angle = 0.0;     ///< The point's angle from the start, in the direction of travel.
   double run_squared = 0.0;     ///< |run|² of the straight axes.
   double run_offset = 0.0;      ///< run · (start − point) on the straight axes.
   double offset_squared = 0.0;  ///< |start − point|² on the straight axes.
 
   [[nodiscard]] double squared(double fraction) const;
 
-  /// Where in from…1 the distance is least.
+  /// Returns the fraction in from…1 at which the distance is least.
   ///
-  /// Newton's method from the guess of the linearised curve. A stationary point
-  /// nearer than the radius is the nearest of all, because the reach of a helix
-  /// of up to half a turn is at least its radius (Federer, Curvature Measures, 4.8);
-  /// for points farther away and for longer helices the whole curve is searched.
+  /// Uses Newton's method from the guess of the linearised curve. A stationary point nearer than
+  /// the radius is the nearest of all, because the reach of a helix of up to half a turn is at
+  /// least its radius (Federer, Curvature Measures, 4.8). For points farther away and for longer
+  /// helices the whole curve is searched.
   [[nodiscard]] double nearest_fraction(double from) const;
 
  private:

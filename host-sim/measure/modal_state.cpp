@@ -8,7 +8,8 @@
 namespace sim {
 namespace {
 
-/// Units, feed mode and path control, and what is always so: no compensation (G40).
+/// Returns whether a G number is units, feed mode or path control, which are applied before, or
+/// G40, because compensation is always off here.
 bool is_applied_before(int g) {
   constexpr std::array kNumbers{200, 210, 930, 940, 400, 610, 611, 640};
   return std::ranges::find(kNumbers, g) != kNumbers.end();
@@ -29,7 +30,7 @@ double ModalState::offset(std::size_t axis) const {
 }
 
 std::vector<int> ModalState::apply_modes(const ProgramLine& line) {
-  // Units first, because every other number of the line is in them.
+  // The units come first, because every other number of the line is in them.
   if (line.has_g(200)) inches_ = true;
   if (line.has_g(210)) inches_ = false;
   if (line.has_g(930)) inverse_time_ = true;
@@ -115,7 +116,7 @@ bool ModalState::apply_motion(int g, const ProgramLine& line) {
   } else if (g >= 382 && g <= 385) {
     motion_ = Motion::kProbe;
   } else if (g == 800) {
-    // Beside a motion it ends cycles only.
+    // On a line with a motion, G80 only ends cycles.
     const bool beside = std::ranges::any_of(line.g, is_motion);
     if (!beside) motion_ = Motion::kNone;
   } else {

@@ -7,16 +7,16 @@
 namespace sim {
 namespace {
 
-/// Looking ahead ends where the path is this many step diagonals, and the tolerance by which a
-/// corner, or the tip of a curve, may be cut, farther away than the nearest point: more than the
-/// two that the place may trail by.
+/// Excess distance, in step diagonals, at which looking ahead ends. The tolerance by which a corner
+/// or the tip of a curve may be cut is added to it. The excess is greater than the two steps by
+/// which the place may trail.
 constexpr double kWindowSteps = 3.0;
 
-/// Points this much farther away than the nearest count as equally near: a little more
-/// than the half diagonal by which the motors of an ideal machine are off.
+/// Excess distance, in step diagonals, up to which a point counts as equally near as the nearest.
+/// It is a little more than the half diagonal by which the motors of an ideal machine are off.
 constexpr double kTieSteps = 0.55;
 
-/// The place stays this far behind the nearest point of its piece.
+/// Distance in step diagonals by which the place stays before the nearest point of its piece.
 constexpr double kTrailSteps = 1.0;
 
 double moved_step_diagonal(const ProgrammedPath& path, const Point& step) {
@@ -58,7 +58,7 @@ PathFollower::Match PathFollower::look_ahead(const Point& position) {
       window_.push_back({index, curve(index).nearest(position, from(index))});
       if (window_.back().nearest.distance < best.nearest.distance) best = window_.back();
     }
-    // The place may trail behind the tip of a bend, which the machine has left.
+    // The place may still be before the tip of a bend that the machine has passed.
     const bool trails = index <= latest_ && arcs_of(piece_) > 0.0;
     if (!trails && to_end > best.nearest.distance + window(index)) break;
     to_start = to_end;
@@ -83,8 +83,8 @@ void PathFollower::move_to(const Match& match, const Point& position, double nea
   piece_ = match.piece;
 }
 
-/// The earliest place of a curve that is near. Arcs in place of a curve may be nearer to the leg
-/// behind the tip of a narrow bend than to the one before it: the tip must stay ahead.
+/// Returns the earliest point of a curve that is near. Arcs that replace a curve may be nearer to
+/// the leg after the tip of a narrow bend than to the leg before it; the tip must stay ahead.
 double PathFollower::earliest_near(const Match& match, const Point& position, double near) const {
   constexpr double kStride = 0.25;
   const Curve& curve = this->curve(match.piece);
@@ -106,7 +106,7 @@ double PathFollower::excess_at(const Point& position, const Point& place) const 
 
 double PathFollower::excess_between(
     const Point& position, const Curve& curve, double low, double high, double enough) const {
-  constexpr int kThirds = 24;  // 6e-5 of half a step.
+  constexpr int kThirds = 24;  // The result is exact to 6e-5 of half a step.
   double least = excess_at(position, curve.point_at((low + high) / 2.0));
   for (int i = 0; i < kThirds && least > enough; ++i) {
     const double third = (high - low) / 3.0;
@@ -118,10 +118,11 @@ double PathFollower::excess_between(
   return least;
 }
 
-// Along a line the excess is convex. Where an arc just touches the edge of a step it
-// has more than one minimum, hence the search in parts.
+// Returns the excess on one piece. Along a line the excess is convex. Where an arc just touches the
+// edge of a step, the excess has more than one minimum, so that the search is done in parts.
 double PathFollower::piece_excess(const Point& position, const Match& match, double enough) const {
-  // Of the four steps around the nearest point, from there outwards: "enough" is near.
+  // Parts of the four steps around the nearest point, in order outwards from it: a point with an
+  // excess of at most `enough` is likely to be near.
   constexpr std::array kParts{3, 4, 2, 5, 1, 6, 0, 7};
   const Curve& curve = this->curve(match.piece);
   const double reach = 2.0 * step_size_ / curve.length();

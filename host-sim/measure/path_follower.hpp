@@ -10,22 +10,21 @@ namespace sim {
 
 /// Follows a machine along its programmed path, position by position.
 ///
-/// It holds the earliest place on the path where the machine may be and looks
-/// ahead from there, piece by piece, until the path has gone farther away than
-/// the nearest point found so far plus a few steps and the path's tolerance, by which
-/// the corner of a rounded hairpin is farther than its legs. The place only advances. So
-/// a path that crosses itself or returns over itself is not mistaken for a
-/// later or an earlier part of itself, and a piece is looked at only while the
-/// machine is as near as that to it: constant work per position, unless many
-/// pieces lie within a few steps.
+/// It keeps the earliest point of the path at which the machine may be, called the place. From
+/// there it looks ahead, piece by piece. It stops where the path is farther away than the nearest
+/// point found so far plus a few steps and plus the path's tolerance. The tolerance counts because
+/// the corner of a rounded hairpin is farther away than its legs by this much. The place only
+/// advances, so that a path that crosses itself or returns over itself is not mistaken for a later
+/// or an earlier part of itself. A piece is examined only while the machine is within that distance
+/// of it: constant work for each position, unless many pieces lie within a few steps.
 ///
-/// The place may trail the machine by a step or two: of points nearly as near
-/// as the nearest, the earliest is taken, because a place once passed is
-/// never looked at again. On a curve it trails by as much more as the arcs in
-/// place of the curve may be off.
+/// The place may trail the machine by a step or two: of all points nearly as near as the nearest,
+/// the earliest is taken, because the path before the place is never examined again. On a curve the
+/// place trails farther, by the possible error of the arcs that replace the curve.
 class PathFollower {
  public:
-  /// `path` must outlive the follower. `step` is one step of each axis, mm or degrees.
+  /// Begins at the start of the path, which must outlive the follower.
+  /// @param step one step of each axis, mm or degrees
   PathFollower(const ProgrammedPath& path, const Point& step);
   PathFollower(ProgrammedPath&& path, const Point& step) = delete;
 
@@ -34,17 +33,17 @@ class PathFollower {
     Nearest nearest{};
   };
 
-  /// The nearest point of the path ahead; moves the place on. On a path without
-  /// pieces it is the start.
+  /// Returns the nearest point of the path ahead, and advances the place. On a path without pieces
+  /// the point is the start.
   Match advance(const Point& position);
 
-  /// For the position last given to `advance`: the least over the points ahead of the
-  /// greatest |position − point| − half a step of any axis, mm or degrees. Stops
-  /// at a point that is no more than `enough` off.
+  /// Returns the axis excess of the position that was last given to `advance`: the minimum over the
+  /// points ahead of the greatest |position − point| − half a step of any axis, mm or degrees.
+  /// @param enough the search stops at a point whose excess is at most this
   [[nodiscard]] double axis_excess(const Point& position,
                                    double enough = -std::numeric_limits<double>::infinity()) const;
 
-  /// The first piece on which the machine may still be.
+  /// Returns the first piece on which the machine may still be.
   [[nodiscard]] std::size_t piece() const { return piece_; }
 
  private:
@@ -52,12 +51,13 @@ class PathFollower {
   [[nodiscard]] double excess_between(
       const Point& position, const Curve& curve, double low, double high, double enough) const;
   [[nodiscard]] double piece_excess(const Point& position, const Match& match, double enough) const;
-  /// Fills the window; returns its nearest point.
+  /// Fills the window and returns its nearest point.
   [[nodiscard]] Match look_ahead(const Point& position);
   [[nodiscard]] double window(std::size_t index) const;
   [[nodiscard]] double from(std::size_t index) const { return index == piece_ ? fraction_ : 0.0; }
   [[nodiscard]] const Curve& curve(std::size_t index) const { return path_->pieces[index].curve; }
-  /// By how much the arcs of a controller may be off a curve; 0 for lines and arcs.
+  /// Returns the distance by which the arcs of a controller may be off a curve; 0 for lines and
+  /// arcs.
   [[nodiscard]] double arcs_of(std::size_t index) const {
     return path_->pieces[index].tolerance.spline;
   }
@@ -69,8 +69,8 @@ class PathFollower {
   double step_size_ = 0.0;  ///< Diagonal of one step of all axes that the path moves.
   std::size_t piece_ = 0;
   double fraction_ = 0.0;
-  std::size_t latest_ = 0;     ///< The last piece that had the nearest point.
-  std::vector<Match> window_;  ///< The near pieces ahead of the place, in order.
+  std::size_t latest_ = 0;     ///< The last piece that contained the nearest point.
+  std::vector<Match> window_;  ///< The near pieces from the place onwards, in order.
 };
 
 }  // namespace sim

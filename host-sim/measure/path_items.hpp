@@ -5,14 +5,14 @@
 
 namespace sim {
 
-/// An element of the product's in double precision.
+/// Returns a path element of the product as a piece in double precision.
 [[nodiscard]] PathPiece piece_of(const cnc::PathElement& element,
                                  float feed_mm_s,
                                  bool stop_before);
-/// The beam that goes with it, as item_of() gave it.
+/// Sets the beam of a piece, as item_of() gave it.
 void set_beam(PathPiece& piece, const cnc::motion::BeamCommand& beam);
 
-/// A piece as the product takes it: element, feed, beam, tolerance, line.
+/// Returns a piece as the product takes it: element, feed, beam, tolerance, line.
 [[nodiscard]] cnc::path::PathItem item_of(const PathPiece& piece);
 
 }  // namespace sim

@@ -15,13 +15,13 @@ double rotary_distance(const Point& from, const Point& to) {
   return norm(run);
 }
 
-/// P of an arc, as the controller takes it.
+/// Greatest P of an arc that the controller takes.
 constexpr double kMostArcTurns = 65'535.0;
 
-/// What notes cost memory for.
+/// Greatest number of notes that are kept in memory.
 constexpr std::size_t kMostReadNotes = 1000;
 
-/// Radius below which a circle is none (mm): half a nanometre.
+/// Radius in mm below which a circle counts as a point: half a nanometre.
 constexpr double kNoCircle = 0.5e-6;
 
 constexpr std::array kStopWords{0, 1, 2, 30};
@@ -55,7 +55,7 @@ void ProgramReader::note(std::string text) {
   path_.notes.push_back({line_number_, std::move(text)});
 }
 
-// The order of RS274/NGC (NISTIR 6556, table 8).
+// Reads a line in the order of RS274/NGC (NISTIR 6556, table 8).
 void ProgramReader::read_line(std::string_view text, int number) {
   line_number_ = number;
   if (text.starts_with('$')) {
@@ -116,7 +116,8 @@ void ProgramReader::apply_compensation(const ProgramLine& line) {
   is_beside_ = true;
 }
 
-/// G43.4 and what ends it. The machine stands still, and its place gets another name.
+/// Applies G43.4 and the words that end it. The machine is at rest, and its position gets other
+/// numbers.
 void ProgramReader::apply_tool_centre(const ProgramLine& line) {
   const bool begins = line.has_g(434);
   if (begins && !options_.tool_centre) note("G43.4 left out");
@@ -153,7 +154,7 @@ bool ProgramReader::apply_single(const ProgramLine& line, const std::vector<int>
   bool taken = line.has_g(431) || line.has_g(434);
   for (const int g : numbers) {
     if (g == 40) stop_pending_ = true;
-    // G53 is for ModalState::target.
+    // G53 is handled by ModalState::target.
     if (g == 40 || g == 530 || CutterCompensation::knows_g(g)) continue;
     taken = true;
     if (!apply_home(line, g) && !apply_offset(line, g)) {
@@ -236,7 +237,7 @@ void ProgramReader::move_straight(const Point& to, Travel travel) {
   if (travel == Travel::kProbe) stop_pending_ = true;
 }
 
-/// As many equal parts as there are powers; G93 counts for the whole way.
+/// Adds as many equal parts as there are powers; an F of G93 applies to the whole path.
 void ProgramReader::move_in_parts(const ProgramLine& line, const Point& to) {
   const Point from = position_;
   const Curve whole = Curve::line(from, to);
@@ -268,7 +269,8 @@ void ProgramReader::move_round(const ProgramLine& line, const Point& to, bool cl
   for (const Curve& piece : pieces) add_piece(piece, Travel::kFeed, feed);
 }
 
-/// Taken, as Grbl takes it; elsewhere it may be the pitch of a helix.
+/// Notes a third offset. It is accepted, as Grbl accepts it; elsewhere it may be the pitch of a
+/// helix.
 void ProgramReader::note_third_offset(const ProgramLine& line) {
   constexpr std::array<char, 3> kOffsets{'I', 'J', 'K'};
   const char letter = kOffsets[cnc::axes_of(modes_.plane()).normal];
@@ -278,7 +280,7 @@ void ProgramReader::note_third_offset(const ProgramLine& line) {
 
 void ProgramReader::add_piece(const Curve& curve, Travel travel, double feed) {
   path_.end = position_ = curve.end();
-  // From beside the path a motion to where the program is already leads back, too.
+  // From an offset position, a motion to where the program already is leads back to the path, too.
   const bool nowhere = curve.length() <= 0.0;
   if (nowhere && !is_beside_) return;
   const cnc::PlaneAxes axes = cnc::axes_of(modes_.plane());

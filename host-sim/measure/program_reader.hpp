@@ -8,22 +8,22 @@
 
 namespace sim {
 
-/// Reads programs one after the other, as a machine does: offsets, position
-/// and most modes live on from one to the next. See read_program for one alone.
+/// Reads programs one after the other, as a machine does: offsets, position and most modes remain
+/// from one program to the next. See read_program for a single program.
 class ProgramReader {
  public:
   explicit ProgramReader(const ReadOptions& options = {});
 
-  /// One program: up to M2, M30 or the end of the text. Lines count from 1.
+  /// Reads one program, up to M2, M30 or the end of the text. Lines count from 1.
   void read(std::string_view text);
-  /// One line of it; the first is line 1.
+  /// Reads one line of a program; the first is line 1.
   void read_line(std::string_view text, int number);
-  /// The machine has moved without the program, as by homing.
+  /// Sets the position after a motion that the program did not command, such as homing.
   void set_position(const Point& position) { path_.end = position_ = position; }
-  /// The line read last had M2 or M30.
+  /// Returns whether the line read last had M2 or M30.
   [[nodiscard]] bool ended() const { return ended_; }
 
-  /// Everything read so far.
+  /// Returns the path of all lines read so far.
   [[nodiscard]] const ProgrammedPath& path() const { return path_; }
 
  private:
@@ -33,7 +33,7 @@ class ProgramReader {
   void apply_tool_centre(const ProgramLine& line);
   void switch_tool_centre(bool begins, double tool_length_mm);
   void stop_or_end(const ProgramLine& line);
-  /// The G numbers that are no modes; true when one of them took the axis words.
+  /// Applies the G numbers that are no modes. Returns whether one of them took the axis words.
   [[nodiscard]] bool apply_single(const ProgramLine& line, const std::vector<int>& numbers);
   [[nodiscard]] bool apply_home(const ProgramLine& line, int g);
   [[nodiscard]] bool apply_offset(const ProgramLine& line, int g);
@@ -42,7 +42,7 @@ class ProgramReader {
   void move_in_parts(const ProgramLine& line, const Point& to);
   void move_straight(const Point& to, Travel travel);
   void move_round(const ProgramLine& line, const Point& to, bool clockwise);
-  // Splines, in program_reader_spline.cpp.
+  // The functions for splines are in program_reader_spline.cpp.
   void move_cubic(const ProgramLine& line, const Point& to);
   void move_quadratic(const ProgramLine& line, const Point& to);
   void take_control_point(const ProgramLine& line, const Point& to);
@@ -57,8 +57,8 @@ class ProgramReader {
   ModalState modes_;
   CutterCompensation compensation_;
   Point position_{};
-  Point first_home_{};                ///< G28.
-  Point second_home_{};               ///< G30.
+  Point first_home_{};                ///< Position of G28.
+  Point second_home_{};               ///< Position of G30.
   std::array<double, 2> last_arm_{};  ///< P and Q of the last G5.
   std::optional<ProgrammedSpline> nurbs_{};
   double spline_tolerance_ = 0.0;  ///< Tolerance of the pieces that are added for a spline, mm.
@@ -66,10 +66,13 @@ class ProgramReader {
   SpindleState spindle_ = SpindleState::kOff;
   int line_number_ = 0;
   bool stop_pending_ = true;
-  std::optional<double> centre_length_{};  ///< Under G43.4: length of the tool, mm.
+  /// Length of the tool under G43.4, mm; empty without G43.4.
+  std::optional<double> centre_length_{};
   bool ended_ = false;
-  bool is_beside_ = false;    ///< After G40, until a motion in the plane.
-  bool leaves_edge_ = false;  ///< The next motion is the exit from an edge by its kerf.
+  /// Whether the tool is still offset from the path: after G40, until a motion in the plane.
+  bool is_beside_ = false;
+  /// Whether the next motion is the exit from an edge that was compensated by its kerf.
+  bool leaves_edge_ = false;
 };
 
 }  // namespace sim

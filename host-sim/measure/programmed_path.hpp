@@ -14,94 +14,98 @@
 namespace sim {
 
 enum class Travel : std::uint8_t { kFeed, kRapid, kProbe };
-enum class SpindleState : std::uint8_t { kOff, kConstant, kDynamic };  ///< M5, M3, M4.
+/// State after M5, M3 and M4.
+enum class SpindleState : std::uint8_t { kOff, kConstant, kDynamic };
 
-/// How far from the programmed path the machine may go, mm.
+/// Distances by which the machine may leave the programmed path, mm.
 struct ProgramTolerance {
-  double corner = 0.0;  ///< To round a corner: P of G64, or of $11.
-  double weld = 0.0;    ///< To join short lines: Q of G64, or $12.
-  double spline = 0.0;  ///< To replace a spline by arcs: Q of G64, or $12.
-  double motors = 0.0;  ///< By input shaping and until backlash is taken up.
+  double corner = 0.0;  ///< Tolerance for rounding a corner: P of G64, or $11.
+  double weld = 0.0;    ///< Tolerance for joining short lines: Q of G64, or $12.
+  double spline = 0.0;  ///< Tolerance for replacing a spline by arcs: Q of G64, or $12.
+  double motors = 0.0;  ///< Deviation by input shaping and until backlash is taken up.
 };
 
-/// Where a piece is driven that is not driven where it is programmed (G41, G42).
+/// How a piece is offset from its programmed path (G41, G42).
 struct BesidePath {
-  double offset_mm = 0.0;  ///< Positive to the right of the path.
+  double offset_mm = 0.0;  ///< Offset in mm, positive to the right of the path.
   cnc::Plane plane = cnc::Plane::kXY;
 };
 
-/// One line or one arc of at most half a turn, with what rides along.
+/// One line, or one arc of at most half a turn, with its process values.
 struct PathPiece {
   Curve curve;
   Travel travel = Travel::kRapid;
-  /// mm/s along X Y Z; degrees/s where only A B C move. Meaningless for rapids.
+  /// Feed in mm/s along X Y Z, or degrees/s where only A B C move. Meaningless for rapids.
   double feed = 0.0;
-  double spindle_speed = 0.0;  ///< S as programmed.
+  double spindle_speed = 0.0;  ///< S of the program, unchanged.
   SpindleState spindle = SpindleState::kOff;
-  int line = 0;              ///< Of the program, the first is 1.
-  bool stop_before = false;  ///< The machine stands still before this piece.
+  int line = 0;              ///< Line of the program; the first is 1.
+  bool stop_before = false;  ///< Whether the machine is at rest before this piece.
   ProgramTolerance tolerance{};
-  std::optional<BesidePath> beside{};  ///< See beside_path().
-  bool continues = false;              ///< Part of one curve with the piece before it.
+  std::optional<BesidePath> beside{};  ///< The offset from the programmed path; see beside_path().
+  bool continues = false;  ///< Whether the piece is part of one curve with the piece before it.
 
-  /// The wanted speed in the six-axis length of the curve; infinite for rapids.
+  /// Returns the programmed speed along the six-axis length of the curve; infinite for rapids.
   [[nodiscard]] double path_feed() const;
 };
 
 using PieceSink = std::function<void(const PathPiece&)>;
 
-/// Something in the program that the reader left out.
+/// A part of the program that the reader left out.
 struct ReadNote {
   int line = 0;
   std::string text;
 };
 
-/// Lines of the program whose motions G41 and G42 cannot drive beside what is programmed.
+/// Lines of the program whose motions G41 and G42 cannot drive offset from the programmed path.
 struct RefusedBeside {
   int line = 0;
-  int other_line = 0;  ///< Of the motion that is in the way; 0 for none.
+  int other_line = 0;  ///< Line of the motion that is in conflict; 0 for none.
 };
 
-/// What a program asks for, in machine coordinates and double precision.
+/// The path that a program describes, in machine coordinates and double precision.
 struct ProgrammedPath {
   Point start{};
   Point end{};
-  std::vector<PathPiece> pieces;  ///< Each begins where the former ends.
+  std::vector<PathPiece> pieces;  ///< Each piece begins where the one before ends.
   std::vector<ReadNote> notes;
-  std::optional<RefusedBeside> refused{};  ///< See beside_path().
+  std::optional<RefusedBeside> refused{};  ///< The first refusal of G41 and G42; see beside_path().
 
   [[nodiscard]] double length() const;  ///< Six-axis length, mm.
   [[nodiscard]] Bounds bounds() const;
 };
 
 struct ReadOptions {
-  /// A change of S needs no stop; one of M3, M4 and M5 always does.
+  /// Whether a change of S needs no stop; a change of M3, M4 and M5 always needs one.
   bool laser_mode = false;
-  bool stop_at_coolant = false;  ///< M7, M8, M9.
-  bool stop_at_output = false;   ///< M62…M65, M67, M68.
-  bool optional_stop = false;    ///< M1 stops.
-  double path_tolerance = 0.0;   ///< mm, $11: where the program says no other.
-  double arc_tolerance = 0.0;    ///< mm, $12: of it for short lines.
-  Point start{};                 ///< Where the machine stands, machine coordinates.
-  CutWidth kerf_width{};         ///< Of a material; without it G41 by the kerf is left out.
-  bool power_keeps_kerf = true;  ///< $860=0: beside an edge by its kerf M3 follows the speed.
-  bool block_delete = true;      ///< $890: lines with / are left out.
-  /// Returns the place of the tip for one of the axes, as G43.4 takes it, or of the axes for one of
-  /// the tip, as G49 does; the tool's length in mm. Without it G43.4 is left out.
+  bool stop_at_coolant = false;  ///< Whether M7, M8 and M9 stop.
+  bool stop_at_output = false;   ///< Whether M62…M65, M67 and M68 stop.
+  bool optional_stop = false;    ///< Whether M1 stops.
+  double path_tolerance = 0.0;   ///< $11 in mm: the tolerance where the program gives none.
+  double arc_tolerance = 0.0;    ///< $12 in mm: the part of the tolerance for short lines.
+  Point start{};                 ///< Position of the machine at the start, machine coordinates.
+  /// Returns the kerf of a material. If empty, G41 by the kerf is left out.
+  CutWidth kerf_width{};
+  /// $860=0: along an edge offset by its kerf, M3 follows the speed.
+  bool power_keeps_kerf = true;
+  bool block_delete = true;  ///< Whether lines with / are left out ($890).
+  /// Converts a position. When G43.4 `begins`, returns the position of the tip for a position of
+  /// the axes; when it ends (G49), returns the position of the axes for one of the tip. If the
+  /// function is empty, G43.4 is left out.
   std::function<Point(const Point& place, double tool_length_mm, bool begins)> tool_centre{};
-  /// Told every line that begins with $, which is no G-code.
+  /// Called for every line that begins with $, which is no G-code.
   std::function<void(std::string_view)> on_statement{};
-  /// Gets the pieces one by one instead of the path, which stays empty.
+  /// Takes the pieces one by one. The path then stays empty.
   PieceSink on_piece{};
 };
 
-/// The simulator's own reading of a program. It shares no code with the
+/// Returns the path of a program by the simulator's own reading. It shares no code with the
 /// product's parser and geometry, so that one checks the other.
 ///
-/// Reads valid programs, up to M2, M30 or the end of the text. What it does not
-/// understand it leaves out and notes. Its limits are the controller's: nine digits before a point,
-/// 65,535 turns. Places that the machine alone can know
-/// (the contact of a probe) are taken as programmed.
+/// Reads valid programs, up to M2, M30 or the end of the text. It leaves out words that it does not
+/// understand, and notes them. Its limits are the controller's: nine digits before a point, 65,535
+/// turns. Positions that only the machine can know (the contact of a probe) are taken as
+/// programmed.
 [[nodiscard]] ProgrammedPath read_program(std::string_view text, const ReadOptions& options = {});
 [[nodiscard]] ProgrammedPath read_program(std::istream& text, const ReadOptions& options = {});
 

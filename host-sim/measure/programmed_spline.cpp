@@ -12,8 +12,8 @@ double knot_of(const ProgrammedSpline& spline, std::size_t index) {
   return std::clamp(inner, 0.0, static_cast<double>(spline.points.size() - spline.order + 1));
 }
 
-/// The order's many basis functions that are not null at a parameter within the
-/// span of knots, the first that of control point `span`.
+/// Returns the basis functions that are not null at a parameter within the span of knots. Their
+/// number is the order; the first belongs to control point `span`.
 std::vector<double> basis(const ProgrammedSpline& spline, std::size_t span, double parameter) {
   std::vector<double> values{1.0};
   for (std::size_t order = 2; order <= spline.order; ++order) {
@@ -36,7 +36,7 @@ struct Circle3 {
   bool clockwise;
 };
 
-/// The circle through three places; none where they lie on a line.
+/// Returns the circle through three points; empty if they lie on a line.
 std::optional<Circle3> circle_through(const Point& a, const Point& b, const Point& c) {
   const double bx = b[0] - a[0];
   const double by = b[1] - a[1];
@@ -52,13 +52,13 @@ std::optional<Circle3> circle_through(const Point& a, const Point& b, const Poin
   return Circle3{{a[0] + x, a[1] + y}, std::hypot(x, y), cross < 0.0};
 }
 
-/// Divides parameter ranges until a piece is as close as it must be.
+/// Divides parameter ranges until each piece is as close to the curve as required.
 class Divider {
  public:
   explicit Divider(const ProgrammedSpline& spline) : spline_{spline} {}
 
   void divide(double from, double to) {
-    std::vector<double> ends{to};  // Of the pieces to come, the nearest last.
+    std::vector<double> ends{to};  // Ends of the pieces still to come, the nearest last.
     while (!ends.empty()) {
       const double end = ends.back();
       const Curve piece = piece_between(from, end);
@@ -128,7 +128,7 @@ Point point_of(const ProgrammedSpline& spline, double parameter) {
 }
 
 std::vector<Curve> pieces_of(const ProgrammedSpline& spline) {
-  constexpr int kParts = 8;  // No shape hides between the looks of so short a part.
+  constexpr int kParts = 8;  // In so short a part no shape can hide between the samples.
   Divider divider{spline};
   const std::size_t spans = spline.points.size() - spline.order + 1;
   for (std::size_t span = 0; span < spans; ++span) {

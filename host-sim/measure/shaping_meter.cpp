@@ -6,7 +6,7 @@
 namespace sim {
 namespace {
 
-/// From a point to the straight way between two others.
+/// Returns the distance from a point to the straight line between two others.
 double distance_to_chord(const Point& point, const Point& from, const Point& to) {
   double along = 0.0;
   double square = 0.0;

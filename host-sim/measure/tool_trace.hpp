@@ -8,14 +8,15 @@
 
 namespace sim {
 
-/// The trace of the tool: what the motors do, less the play of their axes. Hands its rows
-/// to sinks of its own.
+/// Computes the trace of the tool: the motion of the motors minus the play of their axes. It hands
+/// its rows to sinks of its own.
 class ToolTrace final : public TraceSink {
  public:
-  /// @param play of the machine, placed
+  /// Begins at step 0.
+  /// @param play play of the machine, already placed
   explicit ToolTrace(const PlayModel& play) : play_{play} {}
 
-  /// It must outlive this.
+  /// Adds a sink, which must outlive this object.
   void add_sink(TraceSink& sink) { sinks_.push_back(&sink); }
 
   void on_row(const TraceRow& row) override {
@@ -31,7 +32,7 @@ class ToolTrace final : public TraceSink {
     for (TraceSink* sink : sinks_) sink->on_end(time_ns);
   }
 
-  /// Of the tool, in steps; 0 is where it was at first.
+  /// Returns the lowest position of the tool in steps; 0 is its first position.
   [[nodiscard]] const PlayModel::Steps& lowest() const { return lowest_; }
   [[nodiscard]] const PlayModel::Steps& highest() const { return highest_; }
 

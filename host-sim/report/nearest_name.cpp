@@ -6,7 +6,8 @@
 namespace sim {
 namespace {
 
-/// Words are the same in any case; of two, that with the same case is nearer.
+/// Returns the text in lower case, to compare words without regard to case. Of two near names, the
+/// name in the same case is nearer.
 std::string lower(std::string text) {
   for (char& letter : text) {
     letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
@@ -14,7 +15,7 @@ std::string lower(std::string text) {
   return text;
 }
 
-/// Optimal string alignment distance.
+/// Returns the optimal string alignment distance.
 std::size_t slips_between(const std::string& a, const std::string& b) {
   std::vector<std::size_t> before(b.size() + 1);
   std::vector<std::size_t> last(b.size() + 1);

@@ -6,14 +6,14 @@
 
 namespace sim {
 
-/// The name that a slip of the keyboard turns into `word`: with the fewest letters that are wrong,
-/// missing, too many or exchanged with their neighbour, but at most a third of them; or the only
-/// name that begins with it. All letters of the other case are one slip. None where nothing is
-/// near.
+/// Returns the name that the user may have meant by `word`. If exactly one name begins with `word`,
+/// it is that name. Otherwise it is the name with the fewest slips: letters that are wrong,
+/// missing, surplus or exchanged with their neighbour. At most a third of the letters may be slips;
+/// a word in the other case counts as one slip. Returns an empty value if no name is near.
 [[nodiscard]] std::optional<std::string> nearest_name(const std::string& word,
                                                       const std::vector<std::string>& names);
 
-/// `; did you mean NAME?`, or nothing, for the end of a message.
+/// Returns `; did you mean NAME?` for the end of a message, or an empty text if no name is near.
 [[nodiscard]] std::string did_you_mean(const std::string& word,
                                        const std::vector<std::string>& names);
 

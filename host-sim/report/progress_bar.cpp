@@ -16,7 +16,7 @@
 namespace sim {
 namespace {
 
-/// Of the terminal; of anything else as many as are wanted.
+/// Returns the columns of the terminal; the greatest number if the stream is no terminal.
 std::size_t columns_of(std::FILE* stream) {
   winsize size{};
   // NOLINTNEXTLINE(cppcoreguidelines-pro-type-vararg): that is how ioctl is declared.
@@ -24,7 +24,7 @@ std::size_t columns_of(std::FILE* stream) {
   return is_known ? size.ws_col : std::numeric_limits<std::size_t>::max();
 }
 
-/// The longest beginning of the text that fits, with a mark where it is cut off.
+/// Returns the longest beginning of the text that fits, with a mark where it is cut off.
 std::string shortened(std::string_view text, std::size_t columns) {
   if (display_width(text) <= columns) return std::string{text};
   std::string start;
@@ -37,11 +37,13 @@ std::string shortened(std::string_view text, std::size_t columns) {
   return columns == 0 ? "" : start + "\u2026";
 }
 
-/// The bar, percent and the label, without the last column of the terminal, which may wrap.
+/// Returns the line of bar, percent and label. It leaves out the last column of the terminal, which
+/// may wrap.
 std::string line_of(double done, std::string_view label, std::size_t columns) {
   constexpr std::size_t kMostCells = 30;
   constexpr std::size_t kFewestCells = 10;
-  constexpr std::size_t kBesides = 10;  // `[`, `] 100 % `, and the last column.
+  // Columns of `[`, of `] 100 % ` and of the terminal's last column.
+  constexpr std::size_t kBesides = 10;
   const double percent = 100.0 * done;
   if (columns < kBesides) {
     return shortened(fmt::format("{:.0f} %", percent), std::max<std::size_t>(columns, 1) - 1);

@@ -8,14 +8,16 @@
 
 namespace sim {
 
-/// A line on the terminal that says how far a long job is. Appears only after
-/// half a second, is drawn ten times a second at most, and leaves no trace.
+/// A line on the terminal that shows the progress of a long job. It appears only after half a
+/// second, is drawn at most ten times a second, and is removed at the end.
 class ProgressBar {
  public:
   using Time = std::chrono::steady_clock::time_point;
 
-  /// `is_shown`: usually `is_terminal(stream)`; otherwise nothing is ever written.
-  /// `columns` of the terminal; without a number the terminal is asked each time, as it may change.
+  /// Prepares a bar, which is not shown yet.
+  /// @param is_shown usually `is_terminal(stream)`; if false, nothing is ever written
+  /// @param columns width of the terminal; if empty, the terminal is queried at each update, as its
+  ///   width may change
   ProgressBar(std::FILE* stream,
               bool is_shown,
               Time now,
@@ -25,16 +27,19 @@ class ProgressBar {
   ProgressBar(const ProgressBar&) = delete;
   ProgressBar& operator=(const ProgressBar&) = delete;
 
-  /// `fraction` done, 0…1 (clamped); `label` is what is being done. The line is never longer than
-  /// the terminal is wide: first the bar, then the label gets shorter.
+  /// Draws the bar. The line is never longer than the terminal is wide: first the bar, then the
+  /// label gets shorter.
+  /// @param fraction share done, 0…1 (clamped)
+  /// @param label the work in progress
   void update(double fraction, std::string_view label, Time now);
 
-  /// Removes the bar, before something else is written. It comes back by itself.
+  /// Removes the bar, before other text is written. The next update() draws it again.
   void clear();
 
  private:
-  static constexpr std::chrono::milliseconds kDelay{500};   ///< Short work shows nothing.
-  static constexpr std::chrono::milliseconds kPeriod{100};  ///< Faster than anybody reads.
+  /// Work shorter than this shows nothing.
+  static constexpr std::chrono::milliseconds kDelay{500};
+  static constexpr std::chrono::milliseconds kPeriod{100};  ///< People cannot read faster updates.
 
   std::FILE* stream_;
   bool is_shown_;

@@ -6,21 +6,24 @@
 
 namespace sim {
 
-/// Prints how far a long job is where no terminal shows a ProgressBar: one line every five
-/// seconds, none for a job that ends earlier.
+/// Prints the progress of a long job where no terminal shows a ProgressBar: one line every five
+/// seconds, and none for a job that ends earlier.
 class ProgressLines {
  public:
   using Time = std::chrono::steady_clock::time_point;
 
-  /// `is_shown`: without it nothing is ever written. `start`: of the job.
+  /// Prepares the lines.
+  /// @param is_shown if false, nothing is ever written
+  /// @param start time at which the job began
   ProgressLines(std::FILE* stream, bool is_shown, Time start)
       : stream_{stream}, is_shown_{is_shown}, start_{start}, next_{start + kPeriod} {}
 
-  /// Prints `label`, `fraction` as percent, 0…1 (clamped), and the time since the start.
+  /// Prints `label`, the share done in percent, and the time since the start.
+  /// @param fraction share done, 0…1 (clamped)
   void update(double fraction, std::string_view label, Time now);
 
  private:
-  static constexpr std::chrono::seconds kPeriod{5};  ///< A log stays short.
+  static constexpr std::chrono::seconds kPeriod{5};  ///< Long enough to keep a log short.
 
   std::FILE* stream_;
   bool is_shown_;

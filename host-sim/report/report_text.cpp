@@ -23,7 +23,8 @@ std::string styled(std::string_view text, std::string_view style, bool colour) {
   return colour ? fmt::format("{}{}\033[0m", style, text) : std::string{text};
 }
 
-/// Jerk and acceleration span decades: whole numbers above 100, else a decimal.
+/// Returns jerk or acceleration as text. They span decades, so that values from 100 on are whole
+/// numbers and smaller ones have one decimal.
 std::string rate_text(double value) { return fmt::format("{:.{}f}", value, value < 100.0 ? 1 : 0); }
 
 void add_fact(std::string& out, std::string_view name, std::string_view value) {
@@ -88,7 +89,8 @@ void add_axis_row(TextTable& table, char letter, const AxisReport& axis) {
 
 bool is_rotary(std::size_t axis) { return axis >= cnc::kLinearAxisCount; }
 
-/// What reading steps may add to the figures of a table: the greatest of its axes.
+/// Returns the errors that reading from steps may add to the figures of a table: the greatest of
+/// all its axes.
 std::string errors_text(const Report& report, bool rotary, const char* unit) {
   AxisReport most;
   for (std::size_t i = 0; i < cnc::kAxisCount; ++i) {
@@ -114,7 +116,8 @@ std::string errors_text(const Report& report, bool rotary, const char* unit) {
       unit);
 }
 
-/// A table of the linear or of the rotary axes that moved; nothing when none did.
+/// Returns a table of the linear or of the rotary axes that moved; an empty text if none of them
+/// moved.
 std::string axes_text(const Report& report, bool rotary, bool colour) {
   const char* unit = rotary ? "deg" : "mm";
   TextTable table{{{"axis", TextTable::Align::kLeft},

@@ -96,7 +96,7 @@ StockJson surface_json(const stock::SurfaceFigures& figures) {
           {"worst_rests", worst_json(figures.worst_rests)}};
 }
 
-/// `+0.0120 mm at X1.000 Y2.000, where the tool leaves 0.0100`.
+/// Returns a text such as `+0.0120 mm at X1.000 Y2.000, where the tool leaves 0.0100`.
 std::string worst_text(const stock::WorstPlace& place) {
   std::string text =
       fmt::format("{:+.4f} mm at X{:.3f} Y{:.3f}", place.off_mm, place.x_mm, place.y_mm);
@@ -106,7 +106,8 @@ std::string worst_text(const stock::WorstPlace& place) {
   return text;
 }
 
-/// `1.2 to 3.4 mm³, surely 0.500 mm at X1.000 Y2.000`; the place only if something is sure.
+/// Returns a text such as `1.2 to 3.4 mm³, surely 0.500 mm at X1.000 Y2.000`; the point is given
+/// only if a difference is certain.
 std::string difference_text(const stock::VolumeBounds& volume, const stock::HeightPeak& peak) {
   std::string text = fmt::format("{:.2f} to {:.2f} mm³", volume.least_mm3, volume.most_mm3);
   if (peak.least_mm > 0.0) {
@@ -116,7 +117,7 @@ std::string difference_text(const stock::VolumeBounds& volume, const stock::Heig
   return text;
 }
 
-/// `lines 3, 5 and 12 more`.
+/// Returns a text such as `lines 3, 5 and 12 more`.
 std::string lines_text(const stock::LineCuts& cuts) {
   constexpr std::size_t kMostShown = 8;
   std::string text = cuts.count == 1 ? "line" : "lines";

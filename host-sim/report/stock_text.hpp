@@ -9,22 +9,23 @@
 
 namespace sim {
 
-/// `flat 6 mm`, `bull nose 6 mm with corners of 1 mm`.
+/// Returns a description such as `flat 6 mm` or `bull nose 6 mm with corners of 1 mm`.
 [[nodiscard]] std::string to_string(const stock::Cutter& cutter);
 
-/// The element `stock` of a report. Bounds of a figure are `least` and `most`.
+/// Returns the element `stock` of a report. The bounds of a figure are called `least` and `most`.
 [[nodiscard]] nlohmann::ordered_json to_json(const stock::StockReport& report);
 
-/// Name and value of each fact for people.
+/// Returns name and value of each fact, as text for people.
 [[nodiscard]] std::vector<std::pair<std::string, std::string>> stock_facts(
     const stock::StockReport& report);
 
-/// Returns the same of a comparison with a surface: gouge, rest, and the worst places.
+/// Returns name and value of each fact of a comparison with a surface: gouge, rest, and the worst
+/// points.
 [[nodiscard]] std::vector<std::pair<std::string, std::string>> surface_facts(
     const stock::SurfaceFigures& figures);
 
-/// A warning for each of the first lines whose rapids cut stock, one for the others, and one for a
-/// pocket or a surface that is gouged.
+/// Returns the warnings of a report: one for each of the first lines whose rapids cut stock, one
+/// for all other such lines, and one for a pocket or a surface that is gouged.
 [[nodiscard]] std::vector<std::string> warnings_of(const stock::StockReport& report,
                                                    const std::string& file);
 

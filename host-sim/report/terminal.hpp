@@ -10,19 +10,20 @@
 
 #include "host-sim/report/printable.hpp"
 
-/// Standard output and standard error as people read them.
+/// Writes standard output and standard error for people.
 ///
-/// All output goes through these functions; `tests/static/terminal.py` keeps other ways out of
-/// `host-sim`. So no byte that a terminal obeys comes from the name of a file, a program, a
-/// drawing, a data base or a controller. Each function throws std::system_error where the stream
-/// takes no more.
+/// All output goes through these functions; `tests/static/terminal.py` keeps other output out of
+/// `host-sim`. Thus no byte that a terminal obeys reaches it from the name of a file, a program, a
+/// drawing, a data base or a controller. Each function throws std::system_error if the stream
+/// refuses the text.
 namespace sim::terminal {
 
-/// A text that is a value within a line.
+/// A type whose values are text within a line.
 template <typename Value>
 concept Text = std::convertible_to<const Value&, std::string_view>;
 
-/// How a value is printed: a text escaped, its line ends too, and all else as it is.
+/// The printed form of a value: text is escaped, its line ends too; all other values are printed
+/// unchanged.
 template <typename Value>
 using Shown = std::conditional_t<Text<Value>, std::string, const Value&>;
 
@@ -35,11 +36,11 @@ template <typename Value>
   }
 }
 
-/// Prints whole lines composed of texts: their line ends stay, all else that a
-/// terminal obeys is escaped.
+/// Prints whole lines that are composed of texts. Line ends are unchanged; all other bytes that a
+/// terminal obeys are escaped.
 void print_lines(std::FILE* stream, std::string_view lines);
 
-/// Prints by `format`, of which the texts among `values` are one line each.
+/// Prints `values` by `format`. Each text among `values` stays on one line.
 template <typename... Values>
 void print(std::FILE* stream,
            fmt::format_string<std::type_identity_t<Shown<Values>>...> format,
@@ -53,11 +54,11 @@ void print(fmt::format_string<std::type_identity_t<Shown<Values>>...> format,
   print_lines(stdout, fmt::format(format, shown(values)...));
 }
 
-/// Prints lines whose parts are escaped already, with colours between them.
+/// Prints lines whose parts are escaped already, with colours between the parts.
 void print_styled(std::FILE* stream, std::string_view lines);
 
-/// Writes a program, JSON or another file to standard output, byte for byte; to a terminal as
-/// print_lines() does.
+/// Writes a program, JSON or another file to standard output, byte for byte. If standard output is
+/// a terminal, writes it as print_lines() does.
 void write_data(std::string_view data);
 
 }  // namespace sim::terminal

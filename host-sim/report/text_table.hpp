@@ -7,7 +7,7 @@
 
 namespace sim {
 
-/// Columns of text that line up on a terminal, whatever the script.
+/// Columns of text that are aligned on a terminal, in any script.
 class TextTable {
  public:
   enum class Align { kLeft, kRight };
@@ -19,12 +19,14 @@ class TextTable {
 
   explicit TextTable(std::vector<Column> columns) : columns_{std::move(columns)} {}
 
-  /// One text for each column. @pre cells.size() == number of columns
+  /// Adds a row with one text for each column.
+  /// @pre cells.size() == number of columns
   void add_row(std::vector<std::string> cells);
 
-  /// Heading and rows, `indent` spaces before each, two spaces between columns,
-  /// none at the end of a line. `heading_style` is a terminal sequence such as
-  /// "\033[1m", reset at the end of the heading; empty for none.
+  /// Returns heading and rows, with two spaces between columns and none at the end of a line.
+  /// @param indent number of spaces before each line
+  /// @param heading_style a terminal sequence such as "\033[1m", reset at the end of the heading;
+  ///   empty for plain text
   [[nodiscard]] std::string text(std::size_t indent = 0, std::string_view heading_style = "") const;
 
  private:

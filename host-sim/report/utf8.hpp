@@ -6,21 +6,23 @@
 
 namespace sim {
 
-/// The character at the front of a text.
+/// The first character of a text.
 struct Utf8Character {
-  std::size_t bytes;    ///< At least 1, so that a loop over the text ends.
-  char32_t code_point;  ///< U+FFFD when not valid.
-  bool is_valid;        ///< Well-formed UTF-8 (no overlong form, no surrogate).
+  std::size_t bytes;    ///< Number of its bytes, at least 1, so that a loop over the text ends.
+  char32_t code_point;  ///< U+FFFD if the bytes are not valid.
+  bool is_valid;  ///< Whether the bytes are well-formed UTF-8 (no overlong form, no surrogate).
 };
 
+/// Returns the first character of a text.
 /// @pre !text.empty()
 [[nodiscard]] Utf8Character first_character(std::string_view text);
 
-/// Columns that a terminal needs for the text: 0 for combining marks, 2 for
-/// East Asian wide characters and emoji, 1 for all else.
+/// Returns the number of columns that a terminal needs for the text: 0 for combining marks, 2 for
+/// East Asian wide characters and emoji, 1 for all other characters.
 [[nodiscard]] std::size_t display_width(std::string_view text);
 
-/// The text filled with spaces up to `width` columns, at its end or its front.
+/// Return the text filled with spaces up to `width` columns: pad_right() adds them at its end,
+/// pad_left() at its front.
 [[nodiscard]] std::string pad_right(std::string_view text, std::size_t width);
 [[nodiscard]] std::string pad_left(std::string_view text, std::size_t width);
 

@@ -16,7 +16,7 @@
 namespace sim {
 namespace {
 
-/// A file of the system that is closed at the end of its scope; standard input stays open.
+/// An input that is closed at the end of its scope if it is a file; standard input stays open.
 class OpenInput {
  public:
   explicit OpenInput(const std::string& file)
@@ -52,15 +52,16 @@ class OpenInput {
   int descriptor_;
 };
 
-/// A few stray control bytes are for the reader of the text to judge; a picture, an archive or text
-/// of two bytes a letter has one in every few bytes from its start on.
+/// Returns whether a text is binary data. The reader of the text judges a few stray control bytes;
+/// a picture, an archive or text of two bytes per letter has one in every few bytes from its start
+/// on.
 bool is_binary(std::string_view text) {
   constexpr std::size_t kLookedAt = 4096;
   constexpr std::ptrdiff_t kFewest = 8;
   constexpr std::ptrdiff_t kOneIn = 32;
   const std::string_view start = text.substr(0, kLookedAt);
   const auto strange = std::ranges::count_if(start, [](char letter) {
-    constexpr std::string_view kBlanks = "\t\n\v\f\r\x1A\x1B";  // 0x1A ends files of DOS.
+    constexpr std::string_view kBlanks = "\t\n\v\f\r\x1A\x1B";  // DOS ends text files with 0x1A.
     return static_cast<unsigned char>(letter) < ' ' &&
            kBlanks.find(letter) == std::string_view::npos;
   });
@@ -81,7 +82,7 @@ std::string read_bytes(const std::string& file) {
 
 std::string read_text(const std::string& file, bool may_be_packed) {
   std::string text = read_bytes(file);
-  // The importer of drawings reads them.
+  // These formats are binary, but the importer of drawings reads them.
   constexpr std::string_view kGzip = "\x1F\x8B";
   const bool is_drawing = text.starts_with("AutoCAD Binary DXF") || text.starts_with("%PDF") ||
                           (may_be_packed && text.starts_with(kGzip));

@@ -10,30 +10,34 @@
 
 namespace sim {
 
-/// A file being written through one large buffer, beside its target until `close()`.
+/// A file that is written through one large buffer. Until `close()` the text goes to a temporary
+/// file next to the target.
 ///
-/// Every failure of the file system is a std::system_error whose text names the
-/// file. Text reaches the disk when the buffer is full, at `drain()` and at `close()`;
-/// destroyed without `close()` (an exception is under way), the target stays as it was.
+/// Every failure of the file system is a std::system_error whose text names the file. Text reaches
+/// the disk when the buffer is full, at `drain()` and at `close()`. If the object is destroyed
+/// without `close()` (by an exception), the target stays unchanged.
 class OutputFile {
  public:
-  /// Throws where no file can be written there; an existing one is not touched.
+  /// Opens the temporary file. Throws if no file can be written at `path`; does not touch an
+  /// existing file.
   explicit OutputFile(std::string path);
 
-  /// Where the owner formats to; call `drain_when_full()` now and then.
+  /// Returns the buffer to which the caller formats; the caller calls `drain_when_full()` now and
+  /// then.
   [[nodiscard]] fmt::memory_buffer& buffer() { return buffer_; }
 
   void drain_when_full() {
     if (buffer_.size() >= kDrainAt) drain();
   }
 
-  /// Writes what is in the buffer to the file beside the target: a killed process leaves that much.
+  /// Writes the buffer to the temporary file next to the target; that file remains if the process
+  /// is killed.
   void drain();
-  /// Writes what is left and takes the place of the target; a second call does nothing.
+  /// Writes the rest and replaces the target; a second call does nothing.
   void close();
 
  private:
-  /// Large enough that the calls of the system do not show in a profile.
+  /// Size of the buffer in bytes, so large that system calls do not show in a profile.
   static constexpr std::size_t kDrainAt = std::size_t{1} << 18;
 
   hal::host::ReplacingFile file_;

@@ -11,21 +11,20 @@
 
 namespace sim {
 
-/// Reads a step trace row by row; gives back exactly what TraceWriter was given.
+/// Reads a step trace row by row and returns exactly the rows that TraceWriter was given.
 ///
-/// A file that cannot be opened or that breaks the format (a missing scale, a
-/// wrong column, a time that does not increase) throws std::runtime_error
-/// with `file:line: message`.
+/// A file that cannot be opened or that breaks the format (a missing scale, a wrong column, a time
+/// that does not increase) throws std::runtime_error with `file:line: message`.
 class TraceReader {
  public:
   explicit TraceReader(const std::string& path);
 
-  /// The comment lines without `# ` and without the scale.
+  /// Returns the comment lines, except the scale, without their leading `# `.
   [[nodiscard]] const std::vector<std::string>& comments() const { return comments_; }
-  /// Steps per mm for X, Y and Z; steps per degree for A, B and C.
+  /// Returns the scale: steps per mm for X, Y and Z; steps per degree for A, B and C.
   [[nodiscard]] const cnc::AxisArray<float>& steps_per_mm() const { return steps_per_mm_; }
 
-  /// False at the end of the file; `row` is then untouched.
+  /// Reads the next row. Returns false at the end of the file, and leaves `row` unchanged there.
   [[nodiscard]] bool next(TraceRow& row);
 
  private:
@@ -44,7 +43,7 @@ class TraceReader {
   cnc::AxisArray<float> steps_per_mm_{};
 };
 
-/// All rows of a trace, for tests and short jobs. Throws as TraceReader does.
+/// Returns all rows of a trace, for tests and short jobs. Throws as TraceReader does.
 [[nodiscard]] std::vector<TraceRow> read_trace_rows(const std::string& path);
 
 }  // namespace sim

@@ -20,14 +20,15 @@ inline constexpr std::string_view kTraceColumns = "time_ns,x,y,z,a,b,c,s";
 ///     time_ns,x,y,z,a,b,c,s
 ///     1000,1,0,0,0,0,0,0.5
 ///
-/// Times in ns, positions in motor steps, duty 0…1. Floats have the fewest
-/// digits that read back to the same float, so equal runs give equal bytes.
-/// File-system errors throw std::system_error naming the file, from the
-/// constructor, `on_row` or `on_end`; the file is complete after `on_end`.
+/// Times are in ns, positions in motor steps, duties 0…1. Floats have the fewest digits that read
+/// back to the same float, so that equal runs give equal bytes. File-system errors throw
+/// std::system_error naming the file, from the constructor, `on_row` or `on_end`. The file is
+/// complete after `on_end`.
 class TraceWriter final : public TraceSink {
  public:
-  /// `steps_per_mm` is steps per degree for A, B and C. A line break inside a
-  /// comment is written as a space.
+  /// Creates the file and writes its heading.
+  /// @param steps_per_mm steps per degree for A, B and C
+  /// @param comments a line break inside a comment is written as a space
   TraceWriter(const std::string& path,
               const cnc::AxisArray<float>& steps_per_mm,
               std::span<const std::string> comments = {});
@@ -37,7 +38,7 @@ class TraceWriter final : public TraceSink {
 
  private:
   OutputFile file_;
-  float duty_ = 0.0F;           ///< What `duty_text_` says; the output changes
+  float duty_ = 0.0F;           ///< Value whose text is duty_text_; the output changes
   std::string duty_text_{"0"};  ///< far more rarely than the motors step.
 };
 

@@ -13,8 +13,8 @@
 namespace sim {
 
 struct VcdOptions {
-  /// How long a step pulse stays high. The rows do not carry it; 2 µs is what
-  /// common drivers ask for and still falls before the next pulse at 200 kHz.
+  /// Time for which a step pulse stays high. The rows do not contain it. Common drivers require 2
+  /// µs, and such a pulse still falls before the next one at 200 kHz.
   std::uint64_t pulse_width_ns = 2'000;
   /// Motor positions before the first row, in steps.
   cnc::AxisArray<std::int32_t> start_position{};
@@ -30,10 +30,9 @@ struct VcdOptions {
 /// | `X.position` …  | integer, 32 | motor position in steps                     |
 /// | `duty`          | real        | beam or spindle output, 0…1                 |
 ///
-/// A pulse that would still be high at the next step of its axis falls half way
-/// between that step and the instant written before it. Direction changes are
-/// written with the step they belong to; the set-up time is not shown. Errors
-/// as in TraceWriter.
+/// If a pulse would still be high at the next step of its axis, it falls half way between that
+/// step and the last time written before it. A change of direction is written with the step to
+/// which it belongs, without its set-up time. Throws as TraceWriter does.
 class VcdWriter final : public TraceSink {
  public:
   explicit VcdWriter(const std::string& path, const VcdOptions& options = {});
@@ -45,7 +44,8 @@ class VcdWriter final : public TraceSink {
   struct AxisState {
     std::int32_t position = 0;
     bool negative = false;
-    std::optional<std::uint64_t> falls_at_ns;  ///< Set while `step` is high.
+    /// Time at which `step` falls; empty while `step` is low.
+    std::optional<std::uint64_t> falls_at_ns;
   };
 
   void write_declarations();
@@ -53,7 +53,7 @@ class VcdWriter final : public TraceSink {
   /// Lowers every pulse that ends at or before this time, in order of time.
   void lower_pulses_until(std::uint64_t time_ns);
   void lower(std::size_t axis, std::uint64_t time_ns);
-  /// Lowers the pulses that the row at this time would find still high.
+  /// Lowers the pulses that are still high at the time of this row and whose axis steps in it.
   void shorten_pulses_of(const TraceRow& row);
   void write_step(std::size_t axis, std::int32_t position);
   void write_duty(float duty);

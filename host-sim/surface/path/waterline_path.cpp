@@ -57,8 +57,8 @@ class WaterlinePlanner {
  private:
   [[noreturn]] static void refuse_all() {
     throw std::invalid_argument{
-        "no level has a line along the surface within its box and its regions; a --margin of more "
-        "than the tool's radius with a --floor goes around it"};
+        "no level has a line along the surface within the box and the regions; to go around the "
+        "surface, give --floor and a --margin greater than the tool's radius"};
   }
 
   void report(double share) const {

@@ -51,7 +51,7 @@ SpaceLines wire_of(const PointGrid& grid, const char* label, PictureKey& key) {
     if (!is_drawn(column, grid.columns)) continue;
     add(grid.rows, [&](std::size_t i) -> const Vector3d& { return grid.at(i, column); });
   }
-  if (stride > 1) key.notes.push_back(fmt::format("1 of {} lines is drawn", stride));
+  if (stride > 1) key.notes.push_back(fmt::format("only one of every {} lines is drawn", stride));
   return wire;
 }
 
