@@ -2,8 +2,8 @@
 
 namespace cnc {
 
-/// Where places are changed, they are trusted anew as they are; so is what follows
-/// from settings, after a look at what they were before.
+/// Selects the memory to watch. Positions are trusted anew with each change. Memory that follows
+/// from settings is trusted anew after a check of its old content.
 void Machine::watch_memory() {
   memory_.watch_settings_in(settings_);
   memory_.watch_settings_in(power_table_);
