@@ -28,7 +28,7 @@ struct OrderOptions {
   /// Number of steps in place of seconds: the result is then the same on every machine.
   std::optional<std::uint64_t> steps;
   std::uint64_t seed = 1;
-  std::size_t memory_bytes = 1'000'000'000;  ///< Of the proof's states.
+  std::size_t memory_bytes = 1'000'000'000;  ///< Greatest memory for the states of a proof.
   /// Whether a search for the cheapest order also tries to prove it where a proof is possible.
   bool may_prove = true;
   /// A tour with which a search begins if it is cheaper than the tour of nearest candidates: the
