@@ -2,8 +2,8 @@
 
 namespace cnc {
 
-/// Selects the memory to watch. Positions are trusted anew with each change. Memory that follows
-/// from settings is trusted anew after a check of its old content.
+/// Selects the memory to watch. Each change of the positions makes them trusted again. Memory that
+/// follows from settings is trusted again after a check of its old content.
 void Machine::watch_memory() {
   memory_.watch_settings_in(settings_);
   memory_.watch_settings_in(power_table_);

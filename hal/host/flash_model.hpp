@@ -26,7 +26,7 @@ enum class CutKind : std::uint8_t {
   kMarginal  ///< Some bits changed, some unchanged, and some unsteady.
 };
 
-/// When an unsteady bit is decided anew: at each read, or at each power-up.
+/// Time at which an unsteady bit is decided again: each read, or each power-up.
 enum class Unsteadiness : std::uint8_t { kEachRead, kEachPowerUp };
 
 /// Model of NOR flash. Programming clears bits, and erasing a sector sets all of its bits. The

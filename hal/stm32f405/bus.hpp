@@ -23,7 +23,7 @@ concept RegisterBus = requires(Address address, Word value) {
 struct MemoryBus {
   static Word read(Address address) noexcept { return *at(address); }
   static void write(Address address, Word value) noexcept { *at(address) = value; }
-  /// Completes all earlier accesses before the next instruction, which is fetched anew.
+  /// Completes all earlier accesses before the next instruction, which is fetched again.
   static void barrier() noexcept { asm volatile("dsb \n isb" ::: "memory"); }
 
  private:

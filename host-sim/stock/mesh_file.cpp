@@ -13,7 +13,7 @@ namespace {
 
 constexpr const char* kMeshTitle = "kerfline sim: carved stock, mm";
 
-/// What is left of a stock, as points and triangles. The upper points form rows from the first side
+/// The rest of a stock, as points and triangles. The upper points form rows from the first side
 /// of the box to the last. Each point of the rim has a point below it at the bottom, in the order
 /// of rim_. One more point is in the middle of the bottom.
 class BodyMesh {

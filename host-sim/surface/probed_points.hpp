@@ -38,10 +38,10 @@ inline constexpr double kPlaceToleranceMm = 0.1;
 
 /// Finds the answer of each point by its place, so that a lost answer does not shift the others.
 ///
-/// Of successive answers at a point the last one counts. If there are fewer answers than touches,
-/// the point is not measured, because only the slow touch is exact. A point that is probed again
-/// later has its later height. A failed answer above the depth belongs to a guarded path or to a
-/// listing and is ignored. `name` is the name of the log, for messages. Throws
+/// If several answers follow each other at a point, the last one counts. If there are fewer answers
+/// than touches, the point is not measured, because only the slow touch is exact. A point that is
+/// probed again later has its later height. A failed answer above the depth belongs to a guarded
+/// path or to a listing and is ignored. `name` is the name of the log, for messages. Throws
 /// std::invalid_argument if no answer is at a point of the grid.
 [[nodiscard]] ProbedPoints probed_points(const ProbeLog& log,
                                          const ProbePlan& plan,

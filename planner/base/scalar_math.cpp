@@ -79,7 +79,8 @@ float atan2_f(float y, float x) {
 float cube_root(float value) {
   // Dividing the exponent by three gives the root within 10 %. Each step of Halley's method triples
   // the number of correct digits.
-  constexpr std::uint32_t kBias = 0x2A51'4067U;  // (1 - 1/3) of the bits of 1.0, minus a term that balances the error.
+  constexpr std::uint32_t kBias =
+      0x2A51'4067U;  // (1 - 1/3) of the bits of 1.0, minus a term that balances the error.
   float root = std::bit_cast<float>(std::bit_cast<std::uint32_t>(value) / 3U + kBias);
   for (int step = 0; step < 3; ++step) {
     const float cube = root * root * root;
