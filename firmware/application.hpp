@@ -16,24 +16,27 @@
 
 namespace cnc {
 
-/// The controller on one port, beside its step generator and the powers of its rows of pixels,
-/// which a chip may keep in a memory of its own: owns every other object, allocates nothing.
+/// The controller on one port. It owns every object except its step generator and the powers of its
+/// rows of pixels, which a chip may keep in separate memory. Allocates nothing.
 template <hal::StepPort Port>
 class Controller {
  public:
   /// 64 segments of at most a millisecond.
   static constexpr std::uint32_t kSegmentQueue = 64;
   using Steps = StepGenerator<Port, kSegmentQueue>;
-  /// One is being played. The others last until the next come in, a turn that is late considered.
+  /// One segment is being played. The others must last until the next ones come in, even if a cycle
+  /// is late.
   static_assert((kSegmentQueue - 1) * motion::SegmentRate::kShortest >=
                 (kTurnsToMotion + 2) * kTurnTicks + motion::SegmentRate::kMostSpare);
-  /// So do the levels of the output, of which a segment and the end of motion add some at once.
+  /// The levels of the output must last as long. A segment and the end of motion add several levels
+  /// at once.
   static_assert((Steps::kPieces - PowerShift::kMostAtOnce - motion::LevelRate::kMostShort) *
                     motion::LevelRate::kShortest >=
                 (kTurnsToMotion + 2) * kTurnTicks * motion::kNsPerTick);
 
-  /// @param board what `$I+` tells about and `$DFU` leaves for; none on a desk.
-  /// @param kept memory that a restart leaves alone; null for none
+  /// @param board object that describes the board for `$I+` and restarts it for `$DFU`; null on a
+  ///   desk
+  /// @param kept memory that survives a restart; null for none
   Controller(Steps& steps,
              motion::Pixels& pixels,
              hal::AuxiliaryOutputs& outputs,
@@ -46,20 +49,21 @@ class Controller {
         machine_{steps_, pixels, outputs, inputs, kept},
         protocol_{link, machine_, store, board} {}
 
-  /// Step interrupt, every kTurnTicks, after what was due before and before what is due then:
-  /// the boundary of a turn, whose number is returned. What the turn reads has come by now.
+  /// Begins a cycle at its boundary and returns its number. To be called in the step interrupt,
+  /// every kTurnTicks, after steps that are due before the boundary and before steps that are due
+  /// at it. The cycle reads only bytes that have arrived by now.
   std::uint32_t begin_turn() noexcept { return steps_.begin_turn(); }
 
-  /// Main loop: begins the next turn whose boundary has passed; false when there is none. A turn
-  /// may be run late, and several one after the other: nothing it does depends on when, as long
-  /// as it ends within kTurnsToMotion.
+  /// Takes the next cycle whose boundary has passed. Returns false if there is none. A cycle may
+  /// run late, and several may run one after the other: the result does not depend on the time, as
+  /// long as each ends within kTurnsToMotion. Main loop.
   [[nodiscard]] bool take_turn() { return steps_.take_turn(); }
-  /// The number of the turn taken; runs freely.
+  /// Returns the number of the cycle that was taken last (wraps).
   [[nodiscard]] std::uint32_t turn() const { return steps_.turn(); }
 
-  /// The turn that was taken. Lines are read before segments are cut, so that a
-  /// burst is planned as one.
-  /// @param now microseconds.
+  /// Runs the cycle that was taken. Lines are read before segments are cut, so that a burst of
+  /// lines is planned as one.
+  /// @param now microseconds
   void run_turn(hal::TickCount now) {
     protocol_.poll(now);
     machine_.poll(now);
@@ -67,7 +71,7 @@ class Controller {
     steps_.end_turn();
   }
 
-  /// The same turn for a host that knows its link: polls that would do nothing are left out.
+  /// Runs a cycle for a host that knows its link: polls that would do nothing are left out.
   /// @param link_waits returns whether the link has a byte
   template <typename LinkWaits>
   void run_turn(hal::TickCount now, const LinkWaits& link_waits) {
@@ -77,15 +81,16 @@ class Controller {
     steps_.end_turn();
   }
 
-  /// A boundary and its turn, for whoever has both in one thread.
-  /// @param now microseconds.
+  /// Begins and runs a cycle, for programs that have both in one thread.
+  /// @param now microseconds
   void poll(hal::TickCount now) {
     begin_turn();
     if (take_turn()) run_turn(now);
   }
 
-  /// Main loop, before each turn: what came over CAN beside the text, and what is told there.
-  /// @param now microseconds.
+  /// Handles CAN frames apart from the text: takes those that have arrived and reports the state.
+  /// Main loop, before each cycle.
+  /// @param now microseconds
   void attend(CanLink& can, hal::TickCount now) {
     const Alarm alarm = machine_.alarm();
     can.tell({.stopped = alarm != Alarm::kNone, .alarm = static_cast<std::uint8_t>(alarm)});
@@ -96,35 +101,38 @@ class Controller {
     for (std::byte byte{}; can.take_realtime(byte);) protocol_.act_at_once(byte);
   }
 
-  /// The number that this controller is to have on a CAN bus.
+  /// Returns the node number that is set for this controller on a CAN bus.
   [[nodiscard]] std::uint8_t can_node() const {
     return static_cast<std::uint8_t>(machine_.settings().get(setting::kCanNode));
   }
-  /// Main loop: keeps another one; false where the machine is at work, or the store fails.
+  /// Stores another node number. Returns false if the machine is at work, or if the store fails.
+  /// Main loop.
   [[nodiscard]] bool store_can_node(std::uint8_t node) {
     return protocol_.store_setting(setting::kCanNode, static_cast<float>(node));
   }
 
-  /// Main loop: a realtime byte that came apart from the text, see LineProtocol.
+  /// Handles a realtime byte that came apart from the text, see LineProtocol. Main loop.
   void act_at_once(std::byte byte) { protocol_.act_at_once(byte); }
-  /// Main loop: bytes of text that can be received now.
+  /// Returns the number of bytes of text that can be received now. Main loop.
   [[nodiscard]] std::uint32_t text_room() const { return protocol_.room(); }
 
-  /// Every line must carry a number and a check.
+  /// Returns whether every line must carry a number and a check.
   [[nodiscard]] bool checks_lines() const { return protocol_.checks_lines(); }
 
-  /// Main loop: another sender is at the link, or the one that was there is gone.
+  /// Reports that another sender is at the link (begin_sender), or that the sender is gone
+  /// (lose_sender). Main loop.
   void begin_sender() { protocol_.begin_sender(); }
   void lose_sender() { protocol_.lose_sender(); }
 
-  /// Main loop, once a millisecond: a piece of what nobody changes at work, such that settings that
-  /// turned over in memory are found within 0.2 s. False from then on: the program is to end.
+  /// Checks a part of the memory that does not change at work, so that a flipped bit in settings is
+  /// found within 0.2 s. Returns false from the first difference on; the program must then end.
+  /// Main loop, once a millisecond.
   [[nodiscard]] bool check_memory() {
     constexpr std::size_t kBytes = 32;
     return machine_.memory().check(kBytes);
   }
 
-  /// The step interrupt. Returns the ticks until the next one; 0 stops the timer.
+  /// Runs the step interrupt. Returns the ticks until the next one; 0 stops the timer.
   std::uint32_t on_step_interrupt() noexcept { return steps_.on_interrupt(); }
 
   [[nodiscard]] Machine& machine() { return machine_; }
@@ -137,7 +145,7 @@ class Controller {
   LineProtocol protocol_;
 };
 
-/// A base that is there before the controller.
+/// Base class that is constructed before the controller.
 template <hal::StepPort Port>
 class StepsOfApplication {
  protected:
@@ -147,11 +155,11 @@ class StepsOfApplication {
   motion::Pixels pixels_{};
 };
 
-/// The whole controller on one port. The simulator makes one of these for each run.
+/// The whole controller on one port. The simulator makes one for each run.
 template <hal::StepPort Port>
 class Application : private StepsOfApplication<Port>, public Controller<Port> {
  public:
-  /// As Controller has them.
+  /// Parameters as in Controller.
   Application(Port& port,
               hal::AuxiliaryOutputs& outputs,
               hal::MachineInputs& inputs,

@@ -8,38 +8,39 @@
 
 namespace cnc {
 
-/// Collects bytes into lines. A line ends with CR, LF or CR LF, and the pair
-/// counts once, so that every line gets one answer.
+/// Collects bytes into lines. A line ends with CR, LF or CR LF. The pair counts once, so that every
+/// line gets one answer.
 ///
-/// Of a line that does not fit, the text of its comments is dropped, however long they are. If that
-/// is not enough it keeps its first Capacity bytes; `too_long` then says so, and the rest up to
-/// the line end is dropped.
+/// If a line does not fit, the text of its comments is dropped, however long they are. If it still
+/// does not fit, its first Capacity bytes are kept, the rest up to the line end is dropped, and
+/// `too_long` returns true.
 template <std::size_t Capacity>
 class LineAssembler {
  public:
-  /// True when the byte completes a line; read it before the next byte.
+  /// Adds a byte. Returns true if it completes a line; line() is then valid until the next byte.
   bool add(char byte) {
     if (size_ >= plain_to_ || byte == '\r' || byte == '\n') return add_other(byte);
     bytes_[size_++] = byte;
     return false;
   }
 
-  /// Without its line end. @pre add() returned true last
+  /// Returns the line without its line end.
+  /// @pre add() returned true last
   [[nodiscard]] std::string_view line() const { return {bytes_.data(), size_}; }
   [[nodiscard]] bool too_long() const { return too_long_; }
-  /// All bytes that came are there.
+  /// Returns whether the line has all bytes that were added.
   [[nodiscard]] bool whole() const { return !too_long_ && !shortened_; }
-  /// Returns the check of a line that is not whole(), else null.
+  /// Returns the check of a line that is not whole(); null if the line is whole.
   [[nodiscard]] const LongLineCheck* long_line() const { return whole() ? nullptr : &check_; }
-  /// The line that is there ended with CR: an LF next belongs to it.
+  /// Returns whether the complete line ended with CR: an LF as the next byte belongs to it.
   [[nodiscard]] bool ends_with_return() const { return ended_by_ == '\r'; }
-  /// In the middle of a line.
+  /// Returns whether a line has begun and not ended.
   [[nodiscard]] bool has_begun() const { return ended_by_ == kNothing && size_ > 0; }
 
  private:
   static constexpr char kNothing = 0;
 
-  /// Takes a byte that ends a line, comes after one, or is of a long one.
+  /// Adds a byte that ends a line, follows a line end, or belongs to a line that does not fit.
   [[gnu::noinline]] bool add_other(char byte) {
     if (ended_by_ != kNothing) {
       const bool pair = ended_by_ == '\r' && byte == '\n';
@@ -79,7 +80,7 @@ class LineAssembler {
     for (const char byte : bytes_) check_.add(byte);
   }
 
-  /// Keeps the brackets of comments, nested ones too, and the semicolon.
+  /// Drops the text of comments. Keeps their brackets, nested ones too, and the semicolon.
   void drop_comments() {
     std::size_t kept = 0;
     char comment = kNothing;
@@ -98,12 +99,12 @@ class LineAssembler {
 
   std::array<char, Capacity> bytes_{};
   std::size_t size_ = 0;
-  std::size_t plain_to_ = Capacity;  ///< Up to here bytes are only kept; 0 behind a line's end.
-  bool shortened_ = false;           ///< By text of comments.
+  std::size_t plain_to_ = Capacity;  ///< Below this size bytes are only appended; 0 after the end.
+  bool shortened_ = false;           ///< The text of comments was dropped.
   bool too_long_ = false;
-  bool long_ = false;  ///< More bytes came than there is space for.
+  bool long_ = false;  ///< More bytes came than fit.
   LongLineCheck check_{};
-  char ended_by_ = kNothing;  ///< The line that is there, which the next byte begins anew.
+  char ended_by_ = kNothing;  ///< End of the complete line; kNothing while the line is open.
 };
 
 }  // namespace cnc

@@ -7,15 +7,15 @@
 
 namespace cnc {
 
-/// A line whose check is right.
+/// A line whose check is correct.
 struct LineCheck::Checked {
-  std::string_view covered;  ///< All before the `*`.
+  std::string_view covered;  ///< Text before the `*`.
   Form form = Form::kNone;
 };
 
 namespace {
 
-constexpr std::uint32_t kMostNumber = 9'999'999;  // What G-code's N takes.
+constexpr std::uint32_t kMostNumber = 9'999'999;  // Limit of G-code's N.
 constexpr std::uint32_t kMinusOne = ~std::uint32_t{0};
 constexpr std::uint32_t kRestart = 110;
 
@@ -24,7 +24,7 @@ std::string_view without_blanks(std::string_view text) {
   return text;
 }
 
-// string_view::substr throws, which nothing here may.
+// Replaces string_view::substr, which may throw; exceptions are not available here.
 std::string_view from(std::size_t place, std::string_view text) {
   text.remove_prefix(place);
   return text;
@@ -34,7 +34,7 @@ bool begins_with_number(std::string_view text) {
   return !text.empty() && (text.front() == 'N' || text.front() == 'n');
 }
 
-/// −1 is a number for M110: the next line is N0.
+/// Returns a line number. −1 is allowed for M110: the next line is then N0.
 std::optional<std::uint32_t> whole_number(const gcode::Decimal& value) {
   constexpr gcode::Decimal kBeforeZero{.whole = 1, .minus = true};
   if (value == kBeforeZero) return kMinusOne;
@@ -42,7 +42,7 @@ std::optional<std::uint32_t> whole_number(const gcode::Decimal& value) {
   return value.whole;
 }
 
-/// M110, and the N after it in place of `number`.
+/// Returns whether the line is M110. An N after it replaces `number`.
 bool says_restart(std::string_view text, std::uint32_t& number) {
   if (text.empty() || (text.front() != 'M' && text.front() != 'm')) return false;
   gcode::LineReader reader{text};
@@ -68,7 +68,7 @@ LineCheck::Judgement LineCheck::judge(std::string_view line,
   const bool statement = !text.empty() && text.front() == '$';
   if (statement && !strict()) return judge_plain(line, text, now);
   const auto mark = strict() ? mark_at_end(line) : find_mark(line);
-  // Of a line that has lost bytes its `*` may be among them.
+  // If a line has lost bytes, its `*` may be among them.
   const bool found = long_line != nullptr ? long_line->found(strict()) : mark.has_value();
   if (!found) return judge_plain(line, text, now);
   const Checked checked{.covered = mark ? mark->covered : line,
@@ -130,8 +130,8 @@ LineCheck::Judgement LineCheck::take(const Checked& checked, hal::TickCount now)
   return good;
 }
 
-/// With the CRC a missing line is asked for once. Numbers that do not rise any more say that the
-/// sender repeats lines, and that the one that it was asked for was lost again.
+/// Decides whether to request a line. With the CRC a missing line is requested once. If the numbers
+/// then stop rising, the sender is repeating lines, and the requested line was lost again.
 LineCheck::Verdict LineCheck::ask(std::uint32_t number, hal::TickCount now) {
   const Verdict verdict = number < wanted_ ? Verdict::kRepeated : Verdict::kMissing;
   if (form_ == Form::kSum) return verdict;

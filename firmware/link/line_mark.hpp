@@ -10,38 +10,39 @@
 
 namespace cnc {
 
-/// What ends a line that carries a check: `*` and its digits, behind them nothing but blanks and
-/// comments.
+/// The check at the end of a line: `*` and its digits, followed only by blanks and comments.
 struct LineMark {
   enum class Form : std::uint8_t { kNone, kSum, kCrc };
 
-  std::string_view covered;  ///< All before the `*`.
-  std::string_view digits;   ///< One to three decimal ones, or eight hexadecimal ones.
+  std::string_view covered;  ///< Text before the `*`.
+  std::string_view digits;   ///< One to three decimal digits, or eight hexadecimal digits.
 
-  /// What the check is of the bytes that it covers; kNone where it is wrong.
+  /// Returns the form of the check, compared with the bytes that it covers; kNone if it is wrong.
   [[nodiscard]] Form form() const;
 };
 
-/// Finds the check of a line. A `*` within brackets or comments, and one that other digits or
-/// anything else follow, is none.
+/// Finds the check of a line. A `*` within brackets or comments does not count, and neither does
+/// one that other characters follow.
 [[nodiscard]] std::optional<LineMark> find_mark(std::string_view line);
 
-/// Finds the eight digits of a CRC that end a line, whatever stands before them.
+/// Finds a CRC of eight digits at the end of a line, whatever precedes it.
 [[nodiscard]] std::optional<LineMark> mark_at_end(std::string_view line);
 
-/// The CRC-32 of a line as its eight digits, for the other end of the link and for answers.
-/// @param digits eight of them
+/// Writes the CRC-32 of a line as eight digits, for the other end of the link and for answers.
+/// @param digits space for eight digits
 void put_line_crc(std::string_view covered, char* digits);
 
-/// Follows the bytes of a line to the `*` of its check.
+/// Reads the bytes of a line one by one to find the `*` of its check.
 class MarkFinder {
  public:
   enum class Part : std::uint8_t { kOther, kStar, kDigit };
 
-  /// Returns whether the byte is the `*`, or one of its digits, as far as is known.
+  /// Takes the next byte. Returns whether it is the `*`, or one of its digits, as far as the bytes
+  /// so far show.
   Part add(char byte);
   [[nodiscard]] bool found() const { return star_ != kNowhere; }
-  /// Where the `*` is, and where its digits end. @pre found()
+  /// Returns the positions of the `*` and of the end of its digits.
+  /// @pre found()
   [[nodiscard]] std::size_t star() const { return star_; }
   [[nodiscard]] std::size_t end() const { return end_; }
 
@@ -51,24 +52,26 @@ class MarkFinder {
   std::size_t place_ = 0;
   std::size_t star_ = kNowhere;
   std::size_t end_ = 0;
-  char closing_ = ' ';  ///< Of the comment or expression that is open.
+  char closing_ = ' ';  ///< End of the open comment or expression.
 };
 
-/// The check of a line that is too long to be kept whole, over all of its bytes.
+/// The check of a line that is too long to be stored whole, computed over all of its bytes.
 class LongLineCheck {
  public:
   void add(char byte);
-  /// Returns whether there is a check. @param at_end as mark_at_end(), else as find_mark()
+  /// Returns whether there is a check.
+  /// @param at_end searches as mark_at_end(), otherwise as find_mark()
   [[nodiscard]] bool found(bool at_end) const;
-  /// Returns the form of the check; kNone where it is wrong. @pre found(at_end)
+  /// Returns the form of the check; kNone if it is wrong.
+  /// @pre found(at_end)
   [[nodiscard]] LineMark::Form form(bool at_end) const;
 
  private:
-  /// The bytes before a `*`, and the digits after it.
+  /// Check values of the bytes before a `*`, and the digits after it.
   struct Star {
     std::uint32_t crc = 0;
     std::uint8_t sum = 0;
-    std::uint8_t count = 0;  ///< Of digits; more than there is space for are none.
+    std::uint8_t count = 0;  ///< Number of digits; those that do not fit are not stored.
     std::array<char, 8> digits{};
 
     void put(char digit);
@@ -78,8 +81,8 @@ class LongLineCheck {
   MarkFinder finder_{};
   Crc32 crc_{};
   std::uint8_t sum_ = 0;
-  Star mark_{};  ///< The one that finder_ knows.
-  Star last_{};  ///< The last of all.
+  Star mark_{};  ///< The `*` that finder_ found.
+  Star last_{};  ///< The last `*` of the line.
 };
 
 }  // namespace cnc

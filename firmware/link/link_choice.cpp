@@ -10,7 +10,7 @@ namespace {
 constexpr std::byte kLineFeed{'\n'};
 constexpr std::byte kReturn{'\r'};
 
-/// Acts by itself, in a line or between two: no line begins with it.
+/// Returns whether a byte acts by itself, within a line or between two; no line begins with it.
 constexpr bool is_realtime(std::byte byte) {
   const auto code = std::to_integer<std::uint8_t>(byte);
   return code >= 0x80 || is_ascii_realtime(code);
@@ -24,12 +24,12 @@ LinkChoice::Change LinkChoice::attend() {
   if (now == session_) return Change::kNone;
   session_ = now;
   skipping_ = within_line_;
-  // What nobody reads any more would keep its place, and the next sender waiting.
+  // Unread bytes of the closed session would keep the space, and make the next sender wait.
   if (now == 0) static_cast<void>(first_.read({}));
   return now != 0 ? Change::kCame : Change::kWent;
 }
 
-/// A bounded part of what is there; the rest next time.
+/// Drops bytes of the second link, a bounded number each time.
 void LinkChoice::drop_second() {
   constexpr int kChunks = 16;
   std::array<std::byte, 64> dropped{};

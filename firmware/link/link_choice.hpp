@@ -9,29 +9,31 @@
 
 namespace cnc {
 
-/// Two links, of which one at a time has the word: the first while somebody has it
-/// open, else the second, which is always there. Main loop.
+/// Chooses the active one of two links: the first while a sender has it open, otherwise the second,
+/// which is always there. Main loop.
 ///
-/// Answers go to whoever has the word. What comes over the second meanwhile is dropped,
-/// and so is the rest of a line of which a part was: no line is put together from what
-/// two senders sent, or from the end of one.
+/// Answers go to the active link. Bytes that arrive over the second link while the first is active
+/// are dropped. If they ended within a line, the rest of that line is dropped, too. So no line is
+/// composed of bytes from two senders, and none is the end of a longer line.
 class LinkChoice final : public hal::ByteStream {
  public:
   enum class Change : std::uint8_t {
     kNone,
     kCame,  ///< A sender opened the first link.
-    kWent,  ///< It is gone, and no other came.
+    kWent,  ///< The sender is gone, and no other came.
   };
 
-  /// Both outlive this.
+  /// @pre both links outlive this object
   LinkChoice(hal::SessionStream& first, hal::ByteStream& second) : first_{first}, second_{second} {}
 
-  /// Looks who is there; until the next look nothing changes hands. Before each turn.
+  /// Checks which link is active; the choice holds until the next call. To be called before each
+  /// cycle.
   [[nodiscard]] Change attend();
 
   [[nodiscard]] bool first_has_word() const { return session_ != 0; }
 
-  /// Nothing from and to a sender who came after the last look.
+  /// Reads from and writes to the active link. Nothing passes from or to a sender that came after
+  /// the last attend().
   [[nodiscard]] std::size_t read(std::span<std::byte> into) override;
   [[nodiscard]] std::size_t write(std::span<const std::byte> from) override;
   [[nodiscard]] bool may_wait() const override {
@@ -44,9 +46,9 @@ class LinkChoice final : public hal::ByteStream {
 
   hal::SessionStream& first_;
   hal::ByteStream& second_;
-  std::uint32_t session_ = 0;  ///< 0: the second has the word.
-  bool within_line_ = false;   ///< The second is in the middle of a line,
-  bool skipping_ = false;      ///< of which the beginning was dropped.
+  std::uint32_t session_ = 0;  ///< Session of the first link; 0: the second is active.
+  bool within_line_ = false;   ///< The second link is within a line.
+  bool skipping_ = false;      ///< The beginning of that line was dropped.
 };
 
 }  // namespace cnc

@@ -9,14 +9,15 @@
 
 namespace cnc {
 
-/// Answers on their way to a link that may take only part of them at a time.
+/// Answers that wait for a link, which may take only part of them at a time.
 template <std::size_t Capacity>
 class Outbox {
  public:
   [[nodiscard]] bool empty() const { return sent_ == size_; }
 
-  /// Room for the next answer, behind what is still unsent; tell with `wrote` how much of
-  /// it was. @pre there is as much
+  /// Returns space for the next answer, after the unsent bytes. The caller then reports by `wrote`
+  /// how many bytes it has filled.
+  /// @pre Count bytes are free
   template <std::size_t Count>
   [[nodiscard]] std::span<char, Count> room() {
     if (empty()) sent_ = size_ = 0;
@@ -25,7 +26,7 @@ class Outbox {
   }
   void wrote(std::size_t count) { size_ += count; }
 
-  /// Sends what the link takes now.
+  /// Sends as many bytes as the link takes now.
   void send(hal::ByteStream& link) {
     if (empty()) return;
     const std::span<const char> unsent{bytes_.data() + sent_, size_ - sent_};

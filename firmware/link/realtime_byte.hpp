@@ -4,15 +4,15 @@
 
 namespace cnc {
 
-/// Bytes that act at once, wherever they arrive outside a comment. The values
-/// are those on the wire: Grbl 1.1's, and those that grblHAL added.
+/// Bytes that act at once, wherever they arrive outside a comment. The values are those on the
+/// wire: Grbl 1.1's, and additions by grblHAL.
 enum class RealtimeByte : std::uint8_t {
   kReset = 0x18,
-  kStop = 0x19,  ///< grblHAL: a stop; here the same as a reset.
+  kStop = 0x19,  ///< grblHAL's stop; here the same as a reset.
   kCycleStart = '~',
   kFeedHold = '!',
   kStatus = '?',
-  kStatusRaw = 0x80,  ///< grblHAL's names of the four above that no text contains.
+  kStatusRaw = 0x80,  ///< grblHAL's forms of ?, ~ and ! that are not ASCII.
   kCycleStartRaw = 0x81,
   kFeedHoldRaw = 0x82,
   kParserState = 0x83,
@@ -21,7 +21,7 @@ enum class RealtimeByte : std::uint8_t {
   kFullStatus = 0x87,
   kOptionalStop = 0x88,
   kSingleBlock = 0x89,
-  kAutoReport = 0x8C,  ///< Reports by themselves from now on, or no more ($481).
+  kAutoReport = 0x8C,  ///< Switches automatic reports on or off ($481).
   kFeedReset = 0x90,
   kFeedUp10 = 0x91,
   kFeedDown10 = 0x92,
@@ -41,7 +41,8 @@ enum class RealtimeByte : std::uint8_t {
   kToolAcknowledge = 0xA3,
 };
 
-/// Those that are characters of ASCII; the others stand where UTF-8 goes on.
+/// Returns whether a realtime byte is an ASCII character. All others have values that occur within
+/// multi-byte characters of UTF-8.
 [[nodiscard]] constexpr bool is_ascii_realtime(std::uint8_t byte) {
   switch (static_cast<RealtimeByte>(byte)) {
     case RealtimeByte::kReset:

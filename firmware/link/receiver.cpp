@@ -6,11 +6,11 @@
 namespace cnc {
 namespace {
 
-constexpr std::uint8_t kLatinLead = 0xC2;  ///< Leads the UTF-8 form of 0x80…0xBF.
+constexpr std::uint8_t kLatinLead = 0xC2;  ///< First byte of the UTF-8 form of 0x80…0xBF.
 
 constexpr bool is_continuation(std::uint8_t byte) { return (byte & 0xC0U) == 0x80U; }
 
-/// How many bytes follow this one in its character.
+/// Returns the number of bytes that follow `lead` in its UTF-8 character.
 constexpr std::uint8_t continuations_after(std::uint8_t lead) {
   if (lead >= 0xF0) return lead < 0xF8 ? 3 : 0;
   if (lead >= 0xE0) return 2;
@@ -54,14 +54,15 @@ void Receiver::receive_all(std::span<const char> received) {
     received = received.subspan(receive(received));
     if (received.empty()) return;
     overrun_ = true;
-    // What was begun before the byte is lost; the byte itself may still act.
+    // A character that had begun before this byte is lost; the byte itself may still act.
     if (std::exchange(lead_waits_, false)) continue;
     lose(received.front());
     received = received.subspan(1);
   }
 }
 
-/// What acts within lines that are lost follows the comments in them. CR, LF and CR LF end one.
+/// Drops a byte of a lost line. Comments are still followed, because they decide which bytes act.
+/// CR, LF and CR LF end a line.
 void Receiver::lose(char byte) {
   const auto code = static_cast<std::uint8_t>(byte);
   if (!is_continuation(code)) {
@@ -101,7 +102,7 @@ bool Receiver::receive_low(std::uint8_t byte) {
     reset();
     return true;
   }
-  // A character that was cut short stays in its line, for the reader to refuse.
+  // An incomplete character stays in its line, where the reader refuses it.
   if (lead_waits_ && !store(kLatinLead)) return false;
   lead_waits_ = false;
   continuation_ = 0;
@@ -178,11 +179,12 @@ void Receiver::act(std::uint8_t code) {
     default:
       break;
   }
-  // Overrides beyond the room are dropped, as by a knob turned too fast; stops are not.
+  // Overrides for which there is no free space are dropped, as if a knob turns too fast; stops are
+  // not.
   if (!commands_.try_push(command) && is_stop(command)) late_hold_.store(true);
 }
 
-/// Nothing was begun: neither a comment nor a character of several bytes, nor a pair.
+/// Forgets the state within a line: comment, character of several bytes, pair of bytes.
 void Receiver::end_text() {
   comment_ = Comment::kNone;
   lead_waits_ = false;
@@ -221,7 +223,8 @@ void Receiver::keep_back() {
   keeps_back_ = true;
 }
 
-/// A byte that acts may have come in the middle of a line, or of the pair that ends it.
+/// Extends the kept bytes to the end of their last line, because kToolAcknowledge may have come in
+/// the middle of a line, or between its CR and LF. Returns false if that end has not arrived.
 bool Receiver::has_whole_kept() {
   if (kept_ == 0 || lines_.taken() != kept_at_) return true;
   while (lines_.at(kept_ - 1) != '\n' && lines_.at(kept_ - 1) != '\r') {

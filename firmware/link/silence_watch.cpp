@@ -3,17 +3,18 @@
 namespace cnc {
 namespace {
 
-/// A poll may be lost, and the next be late by half an interval.
+/// Allows for one lost poll and half an interval of lateness of the next.
 constexpr float kIntervals = 2.5F;
 
-/// @param most microseconds; older times become as old as that.
+/// Limits the age of `time` to `most` microseconds.
 void keep_near(hal::TickCount& time, hal::TickCount now, std::int32_t most) {
   if (now.since(time) > most) time = now.plus(-static_cast<std::uint32_t>(most));
 }
 
 }  // namespace
 
-/// A sender that speaks, and has not asked for so long, does not poll while it streams.
+/// Notes that bytes came. A sender that sends bytes without a poll for kLongestIntervalUs does not
+/// poll while it streams.
 void SilenceWatch::hear(hal::TickCount now) {
   heard_ = now;
   spoken_to_ = true;
@@ -22,7 +23,7 @@ void SilenceWatch::hear(hal::TickCount now) {
 
 void SilenceWatch::poll(hal::TickCount now) {
   const std::int32_t interval_us = now.since(polled_);
-  if (has_polled_ && interval_us <= 0) return;  // Twice in a turn.
+  if (has_polled_ && interval_us <= 0) return;  // A second poll within one cycle.
   if (has_polled_) {
     std::copy_backward(intervals_us_.begin(), intervals_us_.end() - 1, intervals_us_.end());
     intervals_us_.front() = interval_us;

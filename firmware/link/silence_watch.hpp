@@ -8,47 +8,50 @@
 
 namespace cnc {
 
-/// Tells a sender that is gone from one that has nothing to say, by what it has shown itself.
+/// Decides whether a silent sender is gone or only has nothing to send, by the sender's earlier
+/// behaviour.
 ///
-/// Whoever polls (`?`) goes on polling: it is gone when no byte came for the time allowed and a
-/// fifth more, or for 2.5 times the longest of its last intervals where that is longer, at most
-/// kMostUs. Whoever does not poll owes a byte only when everything it sent has been answered:
-/// then it is gone so long after its last byte, or the last answer if that was later.
+/// A sender that polls (`?`) continues to poll. It is gone if no byte came for 1.2 times the
+/// allowed time, or for 2.5 times the longest of its last intervals if that is longer, but at most
+/// kMostUs. A sender that does not poll owes a byte only after everything it sent has been
+/// answered. It is gone if the allowed time has passed since its last byte and since the last
+/// answer.
 ///
-/// Times are those of turns, so that the same bytes in the same turns are judged the same. Main
-/// loop.
+/// Times are those of cycles, so that the same bytes in the same cycles give the same decision.
+/// Main loop.
 class SilenceWatch {
  public:
-  /// CNCjs and gSender poll four times a second by a timer, and are a little late now and then.
+  /// CNCjs and gSender poll four times a second by a timer, and are at times a little late.
   static constexpr float kGrace = 1.2F;
-  /// As long as any interval is waited for.
+  /// Longest time to wait after an interval, in microseconds.
   static constexpr std::int32_t kMostUs = 2'000'000;
-  /// Polls that are further apart are somebody who looks now and then; a quarter below kMostUs.
+  /// Longest interval that counts as regular polling; longer ones come from a user who checks now
+  /// and then. A fifth below kMostUs.
   static constexpr std::int32_t kLongestIntervalUs = 1'600'000;
 
-  /// Bytes came, whatever they are; before poll().
+  /// Notes that bytes of any kind came. To be called before poll().
   void hear(hal::TickCount now);
-  /// A status report was asked for.
+  /// Notes that a status report was requested.
   void poll(hal::TickCount now);
-  /// A line was answered.
+  /// Notes that a line was answered.
   void answer(hal::TickCount now) { answered_ = now; }
-  /// Another sender, which has shown nothing yet.
+  /// Restarts for another sender, whose behaviour is still unknown.
   void begin_sender() { forget_polls(); }
 
-  /// True when the sender is gone. At least once in kLongSilenceUs.
+  /// Returns whether the sender is gone. To be called at least once in kLongSilenceUs.
   /// @param allowed_ms above 0
-  /// @param owes nothing is left to be answered, and its program has not ended
+  /// @param owes all lines have been answered, and the sender's program has not ended
   [[nodiscard]] bool gone(hal::TickCount now, float allowed_ms, bool owes);
   /// Returns whether gone() is false whatever the sender owes, as a byte came within the time
   /// allowed. @param allowed_ms above 0
   [[nodiscard]] bool heard_within(hal::TickCount now, float allowed_ms) const {
     return static_cast<float>(now.since(heard_)) <= 1000.0F * allowed_ms;
   }
-  /// In the middle of its polls.
+  /// Returns whether the sender polls regularly.
   [[nodiscard]] bool polls() const { return longest_interval() > 0; }
 
  private:
-  /// So long no byte at all: another second changes nothing. Ticks wrap.
+  /// Greatest age of a stored time: a longer silence changes no decision, and ticks wrap.
   static constexpr std::int32_t kLongSilenceUs = 1'000'000'000;
 
   void forget_polls();
@@ -56,11 +59,11 @@ class SilenceWatch {
     return *std::max_element(intervals_us_.begin(), intervals_us_.end());
   }
 
-  std::array<std::int32_t, 3> intervals_us_{};  ///< Between the last polls, the latest first.
+  std::array<std::int32_t, 3> intervals_us_{};  ///< Last intervals between polls, the latest first.
   hal::TickCount heard_{};
   hal::TickCount answered_{};
   hal::TickCount polled_{};
-  bool spoken_to_ = false;  ///< At all.
+  bool spoken_to_ = false;  ///< A byte has come from the sender.
   bool has_polled_ = false;
 };
 

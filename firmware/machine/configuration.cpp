@@ -12,19 +12,18 @@ namespace {
 
 constexpr float kTicksPerMicrosecond = static_cast<float>(motion::kTicksPerSecond) * 1.0e-6F;
 
-/// Combined limit of all motors: what the step interrupt is budgeted for.
+/// Limit of all motors' steps together, for which the step interrupt is budgeted.
 constexpr float kMostStepsPerSecond = 200'000.0F;
 
-/// Pulse and pause are counted from their edges, and on a processor the interrupt takes most
-/// of a microsecond to each of the two.
+/// Time from a due tick to its edges, in ticks. Pulse and pause count from their real edges, and on
+/// a processor the interrupt takes most of a microsecond to reach each of the two.
 constexpr float kTicksToEdges = 8.0F;
 
-/// Of the slots that so long a way leaves, a motor gets at most 97 of 100, so that lateness
-/// never adds up.
+/// Share of the resulting slots that a motor may use, so that lateness never adds up.
 constexpr float kSlotUse = 0.97F;
 
-/// Half of what AxisScale holds, so that the way from one end to the other
-/// still fits, and a tool beside it; linear axes have the same reserve in nanometres for their
+/// Farthest step of an axis: half of what AxisScale holds, so that the distance between both ends
+/// still fits, with the offset of a tool. Linear axes have the same reserve in nanometres for their
 /// arcs.
 constexpr std::int32_t kFarthestStep = AxisScale::kMostSteps / 2 - (1 << 24);
 constexpr Coordinate farthest_on(std::size_t axis) {
@@ -32,8 +31,9 @@ constexpr Coordinate farthest_on(std::size_t axis) {
   return Coordinate{axis < kLinearAxisCount ? kMost / 2 : kMost};
 }
 
-/// How far from machine zero an axis may go. All linear axes go as far as the one with the finest
-/// steps: the chord of an arc is also counted turned by 90 degrees, in steps of the other axis.
+/// Returns the greatest distance of an axis from machine zero. All linear axes have the distance of
+/// the axis with the finest steps. The reason is that the chord of an arc is also counted turned by
+/// 90 degrees, in steps of the other axis.
 Coordinate reach_on(const Settings& settings, std::size_t axis) {
   const bool is_linear = axis < kLinearAxisCount;
   const std::size_t begin = is_linear ? 0 : axis;
@@ -46,14 +46,14 @@ Coordinate reach_on(const Settings& settings, std::size_t axis) {
   return reach;
 }
 
-/// The backlash of an axis in whole steps of its motor.
+/// Returns the backlash of an axis in whole steps of its motor.
 std::int32_t backlash_steps(const Settings& settings, std::size_t axis) {
   const float steps =
       settings.get(setting::kBacklash, axis) * settings.get(setting::kStepsPerMm, axis);
   return static_cast<std::int32_t>(steps + 0.5F);
 }
 
-/// What any motor may be stepped at, steps/s.
+/// Returns the greatest step rate of a single motor, in steps/s.
 float most_of_one_motor(const Settings& settings) {
   const float slot = static_cast<float>(2U * step_timing_from(settings).pulse) + kTicksToEdges;
   return kSlotUse * static_cast<float>(motion::kTicksPerSecond) / slot;
@@ -80,7 +80,7 @@ motion::BacklashSetting backlash_from(const Settings& settings, std::size_t axis
           .rate = BacklashSetting::kRateShare * rate,
           .acceleration = share * settings.get(setting::kAcceleration, axis),
           .jerk = share * settings.get(setting::kJerk, axis),
-          // As homing leaves the axis: pulled off its switch.
+          // Homing leaves the axis so, pulled off its switch.
           .starts_towards_plus = (homes_low >> axis & 1U) != 0};
 }
 
@@ -153,7 +153,7 @@ kinematics::RotaryMachine rotary_machine_from(const Settings& settings) {
     RotaryKind kind;
     Axis tilting;
   };
-  // In the order of $900's values.
+  // Choices in the order of $900's values.
   constexpr std::array<Choice, 7> kChoices{{{RotaryKind::kNone, Axis::kA},
                                             {RotaryKind::kTables, Axis::kA},
                                             {RotaryKind::kTables, Axis::kB},

@@ -10,17 +10,18 @@
 
 namespace cnc {
 
-/// The settings as each room wants them, in its own units.
-/// Of an axis with backlash the planner has what taking it up leaves (BacklashSetting).
+/// Conversions of the settings into the types and units of each module. For an axis with backlash
+/// the planner gets the limits that taking up the backlash leaves (BacklashSetting).
 [[nodiscard]] motion::Limits limits_from(const Settings& settings);
 [[nodiscard]] motion::MotorStageSetting motor_stage_from(const Settings& settings);
-/// A beam's; a spindle's output is what S asks for.
+/// Returns the response of a beam. For a spindle returns the neutral response: the output then
+/// follows S directly.
 [[nodiscard]] motion::BeamResponse beam_response_from(const Settings& settings,
                                                       const motion::PowerTable& table);
 [[nodiscard]] gcode::Options gcode_options_from(const Settings& settings);
 [[nodiscard]] BeamTiming beam_timing_from(const Settings& settings);
 [[nodiscard]] RestLight::Allowance rest_light_from(const Settings& settings);
-/// The five-axis machine that $900 and those after it describe.
+/// Returns the five-axis machine that $900 and the following settings describe.
 [[nodiscard]] kinematics::RotaryMachine rotary_machine_from(const Settings& settings);
 [[nodiscard]] StepTiming step_timing_from(const Settings& settings);
 

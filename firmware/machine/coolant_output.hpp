@@ -5,8 +5,8 @@
 
 namespace cnc {
 
-/// Mist and flood: what the program or the operator wants, and whether it is
-/// interrupted (a door is open) meanwhile.
+/// Mist and flood: the state that the program or the operator has set, and whether it is suspended
+/// (because a door is open).
 class CoolantOutput {
  public:
   explicit CoolantOutput(hal::AuxiliaryOutputs& outputs) : outputs_{outputs} {}
@@ -19,14 +19,14 @@ class CoolantOutput {
     suspended_ = suspended;
     apply();
   }
-  /// Off and not interrupted, as after power-up.
+  /// Switches both off and ends the suspension, as after power-up.
   void reset() {
     suspended_ = false;
     set({});
   }
 
   [[nodiscard]] gcode::Coolant wanted() const { return wanted_; }
-  /// What really flows.
+  /// Returns the coolant that really flows.
   [[nodiscard]] gcode::Coolant now() const { return suspended_ ? gcode::Coolant{} : wanted_; }
 
  private:

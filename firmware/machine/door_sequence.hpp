@@ -6,44 +6,45 @@
 
 namespace cnc {
 
-/// Stages of an opened door, in their order. After kStopped the way back begins.
+/// Stages of an opened door, in order. The stages after kStopped lead back to the work.
 enum class DoorStage : std::uint8_t {
-  kStopping,  ///< The motors brake on their path.
-  kPullOut,   ///< The parking axis leaves the work, with the spindle turning.
+  kStopping,  ///< The motors brake along their path.
+  kPullOut,   ///< The parking axis leaves the work while the spindle still turns.
   kPark,
-  kStopped,  ///< All waits for the door to close, and for `~`.
+  kStopped,  ///< The machine waits for the door to close, and for `~`.
   kUnpark,
   kSpindle,
   kCoolant,
   kPlunge,
 };
 
-/// Steps of the parking axis along its trip.
+/// Positions of the parking axis along its trip, in steps.
 struct ParkingPlaces {
-  StepPosition from{};        ///< In the work.
-  StepPosition pulled_out{};  ///< Just outside of it.
+  StepPosition from{};        ///< Position in the work.
+  StepPosition pulled_out{};  ///< Position just outside of the work.
   StepPosition parked{};
 };
 
-/// The stage of an opened door, and the places of the parking axis while it is away.
+/// The stage of an opened door, and the positions of the parking axis while it is away.
 class DoorSequence {
  public:
   [[nodiscard]] DoorStage stage() const { return stage_; }
   void go_to(DoorStage stage) { stage_ = stage; }
 
-  /// Begins with the motors braking.
-  /// @param ends_jog whether it was a jog that the door stopped
+  /// Begins the stages; the first is braking of the motors.
+  /// @param ends_jog the door stopped a jog
   void open(bool ends_jog) {
     stage_ = DoorStage::kStopping;
     ends_jog_ = ends_jog;
   }
-  /// Returns whether the way back has begun: a door that opens then begins the stages anew.
+  /// Returns whether the way back has begun. If the door opens then, the stages restart.
   [[nodiscard]] bool is_on_way_back() const { return stage_ > DoorStage::kStopped; }
   [[nodiscard]] bool ends_jog() const { return ends_jog_; }
 
-  /// Returns whether the parking axis is away from the work, or on its way.
+  /// Returns whether the parking axis is away from the work, or moving there or back.
   [[nodiscard]] bool is_away() const { return is_away_; }
-  /// Returns the places of the trip. @pre is_away()
+  /// Returns the positions of the trip.
+  /// @pre is_away()
   [[nodiscard]] const ParkingPlaces& places() const { return places_; }
   void leave(const ParkingPlaces& places) {
     places_ = places;
@@ -51,7 +52,7 @@ class DoorSequence {
   }
   void come_back() { is_away_ = false; }
 
-  /// Returns the digit behind `Door:` in a status report.
+  /// Returns the digit after `Door:` in a status report.
   [[nodiscard]] std::uint8_t substate(bool is_door_open) const {
     if (stage_ < DoorStage::kStopped) return 2;
     if (stage_ > DoorStage::kStopped) return 3;

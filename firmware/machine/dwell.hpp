@@ -6,7 +6,7 @@
 
 namespace cnc {
 
-/// A stretch of time to be waited for, counted in turns of the main loop.
+/// A time to wait, counted in cycles of the main loop.
 class Dwell {
  public:
   void start(float seconds) {
@@ -15,8 +15,8 @@ class Dwell {
   }
   void cancel() { left_us_ = 0; }
 
-  /// The time since the last turn began before a dwell started in that turn
-  /// did, so the first call after start() counts nothing.
+  /// Counts `elapsed_us`, the time since the last cycle began. The first call after start() counts
+  /// nothing, because its time began before the dwell.
   void pass(std::int32_t elapsed_us) {
     if (!begins_ && left_us_ > 0) left_us_ -= elapsed_us;
     begins_ = false;

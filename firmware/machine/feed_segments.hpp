@@ -6,9 +6,10 @@
 
 namespace cnc {
 
-/// Hands segments to the drive until it has enough of them, until there are no more, or until they
-/// last three cycles: so planning a start takes no longer than planning the rest.
-/// @param next makes the next segment; false if there is none
+/// Hands segments to the drive until it has enough of them, or no more exist, or the segments of
+/// this call last three cycles. The last bound keeps the planning of a start as short as the
+/// planning of later cycles.
+/// @param next makes the next segment; returns false if there is none
 template <typename Source>
 void feed_segments(StepDrive& drive, Source&& next) {
   constexpr std::uint32_t kTicksInCycle = 3 * kTurnTicks;

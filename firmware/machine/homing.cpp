@@ -11,12 +11,12 @@ namespace {
 
 constexpr std::uint32_t kPasses = 6;
 constexpr float kSeekTravels = 1.5F;
-/// A slow approach may be longer than the pull-off was, but not by much.
+/// Length of a slow approach in pull-off distances: longer than the pull-off, but limited.
 constexpr float kLocatePullOffs = 5.0F;
-/// Farther, and the steps of the search would not fit the counters.
+/// The steps of a longer search would not fit the counters.
 constexpr float kLongestSearchMm = 400'000.0F;
 constexpr float kFullTurnDegrees = 360.0F;
-/// How far two motors may be apart, of the travel: as Grbl delivers it.
+/// Greatest distance between two motors of an axis, as a share of the travel; Grbl's default.
 constexpr float kSkewShare = 0.05F;
 constexpr float kLeastSkewMm = 2.5F;
 constexpr float kMostSkewMm = 25.0F;
@@ -37,8 +37,8 @@ void Homing::start(std::uint8_t axes, const motion::BeamCommand& beam) {
   settle(Step::kPulledOff);
 }
 
-/// The axes of the next pass with any; those asked for that have no pass come
-/// last. False when there are none left.
+/// Selects the axes of the next pass that has any. Requested axes without a pass come last. Returns
+/// false if no axes are left.
 bool Homing::next_pass() {
   axes_ = 0;
   while (axes_ == 0 && pass_ < kPasses) {
@@ -73,13 +73,13 @@ Homing::Outcome Homing::poll(const hal::InputState& read, std::int32_t elapsed_u
 Homing::Outcome Homing::begin_approach() {
   left_ = axes_;
   from_ = motion_.target();
-  // Seeking, the first switch of either motor will do.
+  // While seeking, the first switch of either motor suffices.
   drive_.watch_switches(axes_, locates_ > 0 ? squared() : std::uint8_t{0});
   return go_on_approaching();
 }
 
-/// All axes that are left by the same distance, so that each has the full rate,
-/// until the first has searched far enough.
+/// Moves all remaining axes by the same distance, so that each has the full rate, until the first
+/// has searched far enough.
 Homing::Outcome Homing::go_on_approaching() {
   const Position here = motion_.target();
   Coordinate distance{Coordinate::kFarthestNanometres};
@@ -158,8 +158,8 @@ Homing::Outcome Homing::after_pull_off(const hal::InputState& read) {
   return next_pass() ? begin_approach() : Outcome::kDone;
 }
 
-/// The motors stay where they are; their counters and the machine's coordinates
-/// are told where the tool is.
+/// Sets the motors' counters and the machine's coordinates by the position of the switches. The
+/// motors do not move.
 Homing::Outcome Homing::finish_pass() {
   const AxisArray<std::int32_t> steps = motion_.tool_steps();
   for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
@@ -210,7 +210,8 @@ Coordinate Homing::pull_off_distance() const {
   return from_mm(settings_.get(setting::kHomingPullOff));
 }
 
-/// At an end of the travel; or such that the pulled-off place is zero.
+/// Returns the position of an axis's switch: at an end of the travel, or such that the position
+/// after the pull-off is zero.
 Coordinate Homing::switch_place(std::size_t axis) const {
   if (has_homing_option(settings_, homing_option::kSetOrigin)) {
     return homes_low(axis) ? -pull_off_distance() : pull_off_distance();
@@ -223,7 +224,8 @@ Homing::Outcome Homing::not_found() const {
   return drive_.switches_half_found() != 0 ? Outcome::kSecondSwitch : Outcome::kNoSwitch;
 }
 
-/// @param feed_mm_min along the path
+/// Moves to `end`.
+/// @param feed_mm_min speed along the path
 Homing::Outcome Homing::move_to(const Position& end, float feed_mm_min) {
   const auto appended =
       motion_.append({.request = {.element = {.start = motion_.target(), .end = end},

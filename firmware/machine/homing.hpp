@@ -10,37 +10,39 @@
 
 namespace cnc {
 
-/// Finds machine zero: each axis seeks its switch, backs off by $27, and finds
-/// it again slowly, $43 times; the axes in the passes of $44…$49.
+/// Finds machine zero. Each axis seeks its switch, backs off by $27, and finds the switch again
+/// slowly, $43 times. The axes are homed in the passes of $44…$49.
 ///
-/// The step interrupt latches the step at which a switch closed, and the motors
-/// then brake within their limits: nothing is lost, and how far they overrun
-/// does not matter. When axes of one pass find theirs at different times, the
-/// others go on after the stop. Of an axis with two motors ($852) each motor
-/// waits at its own switch for the other, which squares the axis.
+/// The step interrupt latches the step at which a switch closed, and the motors then brake within
+/// their limits. So no step is lost, and the length of the overrun does not matter. If the axes of
+/// one pass reach their switches at different times, all stop at each switch, and the remaining
+/// axes then continue. On an axis with two motors ($852) each motor waits at its own switch for the
+/// other, which squares the axis.
 class Homing {
  public:
   enum class Outcome : std::uint8_t {
     kGoingOn,
     kDone,
-    kNoSwitch,      ///< Not within one and a half times the travel.
-    kStillClosed,   ///< After the pull-off.
-    kSecondSwitch,  ///< One motor of two did not come to its switch in time.
+    kNoSwitch,      ///< No switch within one and a half times the travel.
+    kStillClosed,   ///< A switch is still closed after the pull-off.
+    kSecondSwitch,  ///< One of two motors did not reach its switch in time.
   };
 
   Homing(StepDrive& drive, MotionControl& motion, const Settings& settings)
       : drive_{drive}, motion_{motion}, settings_{settings} {}
 
-  /// @param axes bit i for axis i, 0 for all that have a pass.
+  /// Begins homing.
+  /// @param axes bit i for axis i; 0 for all axes that have a pass
   /// @pre nothing is planned and nothing moves
   void start(std::uint8_t axes, const motion::BeamCommand& beam);
 
-  /// @param read the inputs now, with their bounce: $26 is waited before they count.
+  /// Continues homing; to be called in each cycle.
+  /// @param read the inputs now, with their bounce: homing waits $26 before it uses them
   [[nodiscard]] Outcome poll(const hal::InputState& read, std::int32_t elapsed_us);
-  /// Gives up; the motion is somebody else's to stop.
+  /// Gives up homing. The caller must stop the motion.
   void cancel() { drive_.unwatch_switches(); }
 
-  /// Axes whose place is known by the passes so far.
+  /// Returns the axes whose positions are known from the passes so far.
   [[nodiscard]] std::uint8_t found() const { return done_; }
 
  private:
@@ -74,14 +76,14 @@ class Homing {
   motion::BeamCommand beam_{};
   Dwell dwell_{};
   Step step_ = Step::kApproach;
-  std::uint8_t wanted_ = 0;  ///< Axes asked for and not homed yet.
+  std::uint8_t wanted_ = 0;  ///< Requested axes that are not homed yet.
   std::uint8_t done_ = 0;
-  std::uint8_t axes_ = 0;                ///< Of this pass.
-  std::uint8_t left_ = 0;                ///< Those that have not found their switch.
-  std::uint32_t pass_ = 0;               ///< The next one.
+  std::uint8_t axes_ = 0;                ///< Axes of this pass.
+  std::uint8_t left_ = 0;                ///< Axes of this pass that have not found their switch.
+  std::uint32_t pass_ = 0;               ///< Index of the next pass.
   std::uint32_t locates_ = 0;            ///< Slow approaches begun; 0 while seeking.
-  Position from_{};                      ///< Where this approach began.
-  AxisArray<std::int32_t> closed_at_{};  ///< The tool's steps at which the switches closed.
+  Position from_{};                      ///< Start of this approach.
+  AxisArray<std::int32_t> closed_at_{};  ///< Tool steps at which the switches closed.
 };
 
 }  // namespace cnc

@@ -6,15 +6,16 @@
 
 namespace cnc {
 
-/// Takes the bounce out of the machine's switches: a change of an input counts
-/// when three looks at it, a millisecond apart, agree. Each input for itself,
-/// so that one that chatters never hides another.
+/// Removes the bounce of the machine's switches: a change of an input counts after three equal
+/// samples, a millisecond apart. Each input is filtered separately, so that an input that chatters
+/// never hides another.
 class InputFilter {
  public:
-  /// Contacts bounce for up to 2 ms; noise from a spindle is far shorter.
+  /// Time between samples. Contacts bounce for up to 2 ms; noise from a spindle is far shorter.
   static constexpr std::int32_t kBetweenLooksUs = 1000;
 
-  /// Call at each turn of the main loop. True when the settled state changed.
+  /// Takes the inputs; to be called in each cycle of the main loop. Returns whether the settled
+  /// state changed.
   bool poll(const hal::InputState& read, std::int32_t elapsed_us) {
     raw_ = read;
     since_look_us_ += elapsed_us;
@@ -31,9 +32,9 @@ class InputFilter {
   }
 
   [[nodiscard]] const hal::InputState& settled() const { return settled_; }
-  /// As settled before the last change, to tell what it was.
+  /// Returns the settled state before its last change, so that the caller can see what changed.
   [[nodiscard]] const hal::InputState& before() const { return before_; }
-  /// As read last, with all bounce.
+  /// Returns the last read state, with its bounce.
   [[nodiscard]] const hal::InputState& raw() const { return raw_; }
 
  private:

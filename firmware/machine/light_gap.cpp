@@ -13,7 +13,7 @@ void LightGap::begin() {
   motion_.keep_path(true);
 }
 
-/// By chords, whose sum is shorter than an arc by less than a hundredth.
+/// Adds the distance by chords; their sum is shorter than an arc by less than a hundredth.
 void LightGap::follow(float least_mm) {
   const AxisArray<std::int32_t> here = motion_.tool_steps();
   const Position to = motion_.place_of(here);
@@ -28,7 +28,8 @@ void LightGap::follow(float least_mm) {
   followed_ = here;
 }
 
-/// While the place is not known exactly, the one of the cycle in which the beam was blocked counts.
+/// If the point where the light ended is not known exactly, the position in the cycle that blocked
+/// the beam is used.
 void LightGap::find() {
   opens_ = false;
   const std::uint32_t tick = drive_.light_ended();

@@ -4,52 +4,56 @@
 
 namespace cnc {
 
-/// Part of the path that stays uncut, from a place on.
+/// Part of the path that stays uncut.
 struct Uncut {
   motion::PathUnits distance = 0;
-  AxisArray<std::int32_t> from{};  ///< Motor steps.
+  AxisArray<std::int32_t> from{};  ///< Start of the part, in motor steps.
 };
 
-/// The gap between where a blocked beam went dark and where the motors came to rest after it.
+/// The gap between the point where a blocked beam went off and the point where the motors then came
+/// to rest.
 ///
-/// The path is kept from when the beam is blocked. At rest the motion is taken back to where the
-/// light ended, if any is missing since, so that it goes on from there; until then the motors have
-/// to be brought to the place of the motion. Main loop only.
+/// The path is kept from the moment when the beam is blocked. At rest, the motion is taken back to
+/// the point where the light ended, if any path after that point is uncut. Before the motion
+/// continues, the motors must be brought to that point. Main loop only.
 class LightGap {
  public:
-  /// Shorter parts that are not known any more are no reason to stop for.
+  /// Longest unknown part for which the machine does not stop.
   static constexpr auto kNegligible = static_cast<motion::PathUnits>(0.1F * motion::kUnitsPerMm);
 
   LightGap(StepDrive& drive, MotionControl& motion) : drive_{drive}, motion_{motion} {}
 
-  /// The beam is blocked, and the motion slows down.
+  /// Begins: the beam is blocked, and the motion slows down.
   void begin();
-  /// Call in each cycle: follows the motion from begin() to find().
+  /// Follows the motion from begin() to find(); to be called in each cycle.
   void follow() {
     if (opens_) follow(kChordMm);
   }
-  /// Takes the motion back, if there is a gap. @pre begin() was called, and all stands still
+  /// Takes the motion back if there is a gap.
+  /// @pre begin() was called, and all axes are at rest
   void find();
-  /// Returns whether the motion was taken back and has not gone on.
+  /// Returns whether the motion was taken back and has not continued since.
   [[nodiscard]] bool any() const { return found_; }
   /// Returns whether begin() was called, and find() was not.
   [[nodiscard]] bool opens() const { return opens_; }
-  /// The motion is dropped: reports all of the gap as uncut, before find() as far as the motors
-  /// have come. @pre the drive is not running
+  /// Reports the whole gap as uncut, because its motion is dropped. Before find(), the gap ends at
+  /// the present position of the motors.
+  /// @pre the drive is not running
   void leave();
-  /// The motion goes on. Returns whether a part of the gap that matters is not known any more, and
-  /// reports that as uncut.
+  /// Ends the gap: the motion continues. Returns whether a relevant part of the gap is unknown, and
+  /// reports that part as uncut.
   [[nodiscard]] bool end();
 
-  /// Returns where the motion goes on, to the step where that is known. @pre any()
+  /// Returns the position from which the motion continues, exact to the step if it is known.
+  /// @pre any()
   [[nodiscard]] const AxisArray<std::int32_t>& place() const { return gap_.from; }
   /// Returns whether take_uncut() has something to return.
   [[nodiscard]] bool has_uncut() const { return reported_; }
-  /// Returns once what was reported last, else null.
+  /// Returns, once, the part that was reported last; null if there is none.
   [[nodiscard]] const Uncut* take_uncut();
 
  private:
-  /// Shorter distances are mostly rounding to steps.
+  /// Shortest chord to add; shorter ones are mostly rounding to steps.
   static constexpr float kChordMm = 0.05F;
 
   void follow(float least_mm);
@@ -61,7 +65,7 @@ class LightGap {
   bool found_ = false;
   motion::PathUnits unknown_ = 0;
   Uncut gap_{};
-  AxisArray<std::int32_t> followed_{};  ///< gap_.distance is that up to here, before find().
+  AxisArray<std::int32_t> followed_{};  ///< Point up to which gap_.distance counts, before find().
   bool reported_ = false;
 };
 

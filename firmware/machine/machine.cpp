@@ -3,7 +3,7 @@
 namespace cnc {
 namespace {
 
-/// G1, G2, G3: modes in which M3 means light.
+/// Returns whether the mode is G1, G2 or G3, in which M3 switches the beam on.
 bool cuts_by_mode(gcode::MotionMode mode) {
   return mode >= gcode::MotionMode::kLine && mode <= gcode::MotionMode::kArcCounterClockwise;
 }
@@ -70,7 +70,7 @@ gcode::Refusal Machine::accept(std::string_view line) {
 gcode::Refusal Machine::take_line(std::string_view line) {
   CNC_ASSERT(!busy() && !locked());
   const Position from = interpreter_.position();
-  // Both have followed the same lines, else one of them has changed in memory.
+  // Both follow the same lines, so a difference means that one of them has changed in memory.
   CNC_ASSERT(state_.in(Mode::kCheck) || from == target());
   news_.path_fault.reset();
   const auto actions = interpreter_.interpret(line);
@@ -88,7 +88,8 @@ gcode::Refusal Machine::take_line(std::string_view line) {
   return {};
 }
 
-/// A program is stopped. In a tool change the line is refused, and the program waits.
+/// Handles a line that would leave the travel. A program is stopped. In a tool change only the line
+/// is refused, and the program waits.
 gcode::Refusal Machine::leave_travel(const Position& from) {
   if (!tool_change_.open()) {
     stop_for(Alarm::kSoftLimit);
@@ -129,7 +130,7 @@ void Machine::poll(hal::TickCount now) {
   if (rested && drive_.running()) memory_.check_settings();
 }
 
-/// What goes on by itself in the present mode.
+/// Advances the activity of the present mode.
 void Machine::attend_mode(std::int32_t elapsed_us) {
   if (stopping_for_ != Alarm::kNone && at_rest()) {
     find_gap();
@@ -144,7 +145,7 @@ void Machine::attend_mode(std::int32_t elapsed_us) {
     case Mode::kDoor:
       return attend_door();
     case Mode::kFree:
-      // They may have been so since before a reset.
+      // Both may have been so since before a reset.
       if (inputs().emergency_stop) return emergency_stop();
       if (inputs().door) safety_door();
       return;
@@ -158,7 +159,7 @@ void Machine::attend_mode(std::int32_t elapsed_us) {
   }
 }
 
-/// The lines before a hold go on being planned; nothing is switched while the
+/// Runs the waiting actions. Lines before a hold are still planned; nothing is switched while the
 /// door is open.
 void Machine::run_actions() {
   if (cutting_off_ || state_.in(Mode::kDoor)) return;
@@ -178,14 +179,14 @@ bool Machine::may_light_at_rest() const {
          (!dot || cuts_by_mode(interpreter_.state().motion));
 }
 
-/// What S means, by the power table.
+/// Returns the duty for S, by the power table.
 std::uint16_t Machine::duty_at_rest() const {
   const float share = tool_.share_now();
   return share > 0.0F ? to_full_scale(limits_.beam.table.duty_for(share)) : std::uint16_t{0};
 }
 
-/// Keeps the beam on where nothing moves, as M3 means it: in a dwell, or for a dot in G1 to G3.
-/// The beam is off before the motion that was planned in this cycle begins.
+/// Keeps the beam on at rest where M3 requires it: in a dwell, or for a dot in G1 to G3. The beam
+/// is off before the motion that was planned in this cycle begins.
 void Machine::attend_rest_light(std::int32_t elapsed_us) {
   if (!motion_.drained()) rest_light_.renew();
   const std::uint16_t light =

@@ -36,190 +36,207 @@
 
 namespace cnc {
 
-/// The controller without its link: takes lines of G-code, does their actions
-/// one after the other, and lets an operator hold, resume, override and abort.
+/// The controller without its link: takes lines of G-code, carries out their actions one after the
+/// other, and lets an operator hold, resume, override and abort.
 ///
-/// Main loop only; no call blocks. `poll` keeps everything going.
+/// Main loop only; no call blocks. `poll` advances all activities.
 class Machine {
  public:
-  /// @param kept outlives restarts; null where nothing does
+  /// @param kept memory that survives restarts; null if there is none
   Machine(StepDrive& drive,
           motion::Pixels& pixels,
           hal::AuxiliaryOutputs& outputs,
           hal::MachineInputs& inputs,
           KeptProgress* kept = nullptr);
 
-  // A line at a time.
+  // Lines of G-code.
 
-  /// No line of G-code is taken: alarm, sleep, or a jog or homing cycle in
-  /// progress.
+  /// Returns whether no line of G-code is accepted: in an alarm, asleep, or during a jog or a
+  /// homing cycle.
   [[nodiscard]] bool locked() const;
-  /// Takes a line when the one before is done. A refused line changes nothing.
-  /// In check mode it is judged and moves nothing.
+  /// Takes a line after the line before it is done. A refused line changes nothing. In check mode
+  /// the line is checked and moves nothing.
   /// @pre !busy() && !locked()
   [[nodiscard]] gcode::Refusal accept(std::string_view line);
-  /// What was asked for last is still waiting: for room in the planner, for
-  /// standstill, or for time to pass; or homing or a reset is not over yet.
+  /// Returns whether the last line is still waiting for free space in the planner, for standstill
+  /// or for time to pass, or whether homing or a reset is not complete.
   [[nodiscard]] bool busy() const;
 
-  /// Does what can be done now. Call at least every few milliseconds.
-  /// @param now microseconds.
+  /// Advances all activities. To be called at least every few milliseconds.
+  /// @param now microseconds
   void poll(hal::TickCount now);
 
-  /// Takes the body of `$J=`: a move of its own, while idle or jogging. Faster
-  /// than the axes can is as fast as they can. Modes do not change.
+  /// Takes the body of `$J=`: a separate motion, while idle or jogging. A feed above the axes'
+  /// limits is reduced to them. Modes do not change.
   /// @pre !busy()
   [[nodiscard]] std::optional<JogRefusal> jog(std::string_view words);
 
-  /// Returns why `axes` cannot be homed now, as home() takes them.
+  /// Returns the reason why `axes` cannot be homed now; `axes` as in home().
   [[nodiscard]] HomingRefusal why_not_home(std::uint8_t axes) const;
-  /// Searches the switches of these axes, bit i for axis i; 0 is all, in the
-  /// passes of $44…$49. busy() until over. @pre why_not_home(axes) is kNone
+  /// Homes these axes: bit i for axis i, 0 for all axes in the passes of $44…$49. busy() is true
+  /// until homing is complete.
+  /// @pre why_not_home(axes) is kNone
   void home(std::uint8_t axes);
 
-  // The operator, at any time.
+  // Commands of the operator, allowed at any time.
 
   void feed_hold();
   void resume();
   void safety_door();
   void jog_cancel();
-  /// Nobody is at the link any more: a beam is dark at once, and when all stands still on
-  /// its path an alarm follows.
+  /// Stops because no sender is at the link any more: a beam goes off at once, and an alarm follows
+  /// when all axes have come to rest on their path.
   void lose_link();
-  /// Stops at once, output off, modes forgotten. At rest the position stays
-  /// known; else an alarm.
+  /// Stops at once, with the output off, and resets the modes. If the machine was at rest its
+  /// position stays known; otherwise an alarm follows.
   void reset();
   void emergency_stop();
-  /// All off until a reset. False where that is not allowed: only in idle or alarm.
+  /// Switches everything off until a reset. Returns false if the machine is neither idle nor in an
+  /// alarm.
   bool sleep();
-  /// Into check mode from idle, and out of it by a reset. False where neither is.
+  /// Enters check mode if the machine is idle, or leaves it by a reset. Returns false if neither is
+  /// possible.
   bool toggle_check_mode();
-  /// False while the door is open or the emergency stop is pressed, and after
-  /// an alarm that asks for a reset first.
+  /// Ends an alarm. Returns false while the door is open or the emergency stop is pressed, and
+  /// after an alarm that requires a reset first.
   bool unlock();
-  /// At power-up: what was stored could not all be read. Nothing moves before a reset and an
-  /// unlock.
+  /// Locks the machine at power-up because stored data could not all be read. Nothing moves before
+  /// a reset and an unlock.
   void lock_for_damage() { raise_alarm(Alarm::kStoreDamaged); }
-  /// The alarm is one that only a reset makes fit to be unlocked.
+  /// Returns whether the alarm can be unlocked only after a reset.
   [[nodiscard]] bool needs_reset() const { return needs_reset_; }
 
   void set_overrides(const OverridePercent& percent);
   [[nodiscard]] const OverridePercent& overrides() const { return percent_; }
-  /// Only while held at rest; resume() brings the spindle back first.
+  /// Stops or restarts the spindle, only while held at rest. If it is stopped, resume() restarts it
+  /// first.
   void toggle_spindle_stop();
   void toggle_flood();
   void toggle_mist();
-  /// The sender takes part in the tool change that M6 asked for: from now on its lines and jogs are
-  /// taken, as long as changes_tool(), and resume() goes on. False where no tool is asked for, or
-  /// that was said before.
+  /// Lets the sender take part in the tool change that M6 requested. From now on its lines and jogs
+  /// are accepted while changes_tool() is true, and resume() continues the program. Returns false
+  /// if no tool change is pending, or if the sender takes part already.
   bool acknowledge_tool();
   [[nodiscard]] bool changes_tool() const { return tool_change_.open(); }
   [[nodiscard]] OperatorSwitches& switches() { return switches_; }
-  /// Until the setting is written again; whether lines with / are skipped from now on.
+  /// Toggles block delete until the setting is written again. Returns whether lines with / are
+  /// skipped from now on.
   bool toggle_block_delete();
-  /// Lines with / are skipped: $890, or the opposite where it was toggled.
+  /// Returns whether lines with / are skipped: $890, or the opposite after a toggle.
   [[nodiscard]] bool block_delete() const { return interpreter_.options().block_delete; }
 
-  // A program that was interrupted, in machine_reentry.cpp.
+  // An interrupted program, in machine_reentry.cpp.
 
-  /// How far the last program with numbered lines has come; none when it has ended.
+  /// Returns how far the last program with numbered lines has come; empty after the program has
+  /// ended.
   [[nodiscard]] const Progress& progress() const { return progress_; }
-  /// What was stored of one before power-down.
+  /// Sets the progress of a program that was stored before power-down.
   void set_progress(const Progress& progress);
-  /// Where that is, machine coordinates. @pre progress().any()
+  /// Returns the position of the progress in machine coordinates.
+  /// @pre progress().any()
   [[nodiscard]] Position progress_place() const { return motion_.place_of(progress_.steps); }
-  /// It has been interrupted, and all stands still.
+  /// Returns whether a program has been interrupted and all axes are at rest.
   [[nodiscard]] bool interrupted() const;
-  /// The motors' counters still mean what they did, or the axes have been homed since.
+  /// Returns whether the motors' counters are still valid for the progress, or axes have been homed
+  /// since.
   [[nodiscard]] bool can_reenter() const { return place_is_kept_ || homed_ != 0; }
-  /// What is driven from now on is dark until it passes that place, on the line that was driven
-  /// or behind it. A reset ends that. @pre idle(), progress().any(), can_reenter()
+  /// Begins re-entry: all further motion has the beam off until it passes the position of the
+  /// progress, on the line that was driven or a later one. A reset ends re-entry.
+  /// @pre idle(), progress().any(), can_reenter()
   void reenter();
   void stop_reentry() { reentry_.cancel(); }
   [[nodiscard]] bool reenters() const { return reentry_.active(); }
 
   // Settings.
 
+  /// Changes a setting. Returns the stored value or an error.
   /// @pre idle()
   Result<float, SettingError> change_setting(std::uint16_t number, float value);
   [[nodiscard]] const Settings& settings() const { return settings_; }
-  /// Ends G43.4, before the axes are moved by themselves or all settings change. @pre idle()
+  /// Ends G43.4, before the axes are moved separately or all settings change.
+  /// @pre idle()
   void end_tool_centre();
-  /// How much light the beam gives at which duty. @pre idle()
+  /// Sets the light that the beam gives at each duty.
+  /// @pre idle()
   void set_power_table(const motion::PowerTable& table);
   [[nodiscard]] const motion::PowerTable& power_table() const { return power_table_; }
-  /// What M190, G41 and G42 know of kerfs from now on. @param table its view outlives its use
+  /// Sets the kerf table that M190, G41 and G42 use from now on.
+  /// @param table its view must outlive its use
   void use_kerf(const kerf::SelectedTable& table) { kerf_ = table; }
   [[nodiscard]] const kerf::SelectedTable& kerf() const { return kerf_; }
-  /// What was stored at the last power-down. @pre idle()
+  /// Sets the positions that were stored at the last power-down.
+  /// @pre idle()
   void set_places(const gcode::StoredPlaces& places);
 
   // Memory, in machine_memory.cpp.
 
-  /// Watches settings, memory that follows from them, and places.
+  /// Returns the guard of settings, of memory that is computed from them, and of positions.
   [[nodiscard]] MemoryGuard& memory() { return memory_; }
-  /// Any context: the output goes with the motion, and is dark while nothing moves, but for what
-  /// rest_light() allows.
+  /// Returns whether the output follows the motion and the beam is off at rest, except for light
+  /// that rest_light() allows. Any context.
   [[nodiscard]] bool rests_dark() const { return tool_.is_dark_at_rest(); }
-  /// Any context: for RestLight::allowed().
+  /// Returns the light at rest, for RestLight::allowed(). Any context.
   [[nodiscard]] RestLight& rest_light() { return rest_light_; }
 
-  // What there is to report.
+  // State for reports.
 
   [[nodiscard]] MachineStatus status() const;
   [[nodiscard]] MachineState state() const { return status().state; }
   [[nodiscard]] Alarm alarm() const { return alarm_; }
-  /// Nothing to do and nothing moving.
+  /// Returns whether no action waits and nothing moves.
   [[nodiscard]] bool idle() const;
-  /// Nothing is moving; there may be more to do.
+  /// Returns whether nothing moves; actions may wait.
   [[nodiscard]] bool at_rest() const { return motion_.drained() || motion_.halted(); }
-  /// A spindle turns; or a beam is lit that does not go with the motion.
+  /// Returns whether a spindle turns, or a beam that does not follow the motion is on.
   [[nodiscard]] bool tool_runs() const;
-  /// A beam is on and goes with a motion that is not held.
+  /// Returns whether a beam is on and follows a motion that is not held.
   [[nodiscard]] bool beam_works() const;
-  /// Without their bounce.
+  /// Returns the inputs without their bounce.
   [[nodiscard]] const hal::InputState& inputs() const { return inputs_.settled(); }
-  /// Axes whose machine coordinates are known, bit i for axis i.
+  /// Returns the axes whose machine coordinates are known, bit i for axis i.
   [[nodiscard]] std::uint8_t homed() const { return homed_; }
-  /// Where the tool is, machine coordinates.
+  /// Returns the position of the tool in machine coordinates.
   [[nodiscard]] Position position() const { return motion_.tool_place(); }
   [[nodiscard]] float feed_now_mm_min() const;
-  /// S as the output really is: overridden, and for a beam that of the moment.
+  /// Returns the real S of the output, with override; for a beam, the value of this moment.
   [[nodiscard]] float spindle_now() const;
   [[nodiscard]] gcode::SpindleMode spindle() const { return tool_.mode_now(); }
   [[nodiscard]] gcode::Coolant coolant() const { return coolant_.now(); }
   [[nodiscard]] std::size_t blocks_free() const { return motion_.blocks_free(); }
-  /// N of the block being executed; 0 for none.
+  /// Returns the N of the block being executed; 0 for none.
   [[nodiscard]] std::uint32_t line_number() const { return motion_.line_in_execution(); }
-  /// Place 0 and no success before the first.
+  /// Returns the result of the last probe; position 0 and no success before the first.
   [[nodiscard]] const Probe& last_probe() const { return last_probe_; }
-  /// Events that are reported once.
+  /// Returns the events that are reported once.
   [[nodiscard]] MachineNews& news() { return news_; }
-  /// The tool that M6 waits for.
+  /// Returns the tool for which M6 waits, if any.
   [[nodiscard]] std::optional<std::uint32_t> pending_tool() const;
-  /// Returns once what a door, a lost link or a reset after it leave uncut.
+  /// Returns, once, the part of the path that a door, a lost link or a following reset leaves
+  /// uncut; null if there is none.
   [[nodiscard]] const Uncut* take_uncut() { return gap_.take_uncut(); }
-  /// The last motions of a path are held, and only another motion, G40 or M2 sets them free.
+  /// Returns whether the last motions of a compensated path are held until another motion, G40 or
+  /// M2 comes.
   [[nodiscard]] bool waits_for_g40() const;
   /// Returns whether news(), take_uncut() or the rest light's take_refusal() have something that a
   /// poll reports by itself.
   [[nodiscard]] bool has_news() const {
     return news_.reset_pressed.is_raised() || gap_.has_uncut() || rest_light_.has_refusal();
   }
-  /// The last line was M2 or M30.
+  /// Returns whether the last line was M2 or M30.
   [[nodiscard]] bool program_ended() const { return program_ended_; }
 
   [[nodiscard]] const gcode::Interpreter& interpreter() const { return interpreter_; }
   [[nodiscard]] const MotionControl& motion() const { return motion_; }
-  /// Turns of the main loop that took too long for motion to begin in time.
+  /// Returns the number of cycles that took too long for motion to begin in time.
   [[nodiscard]] std::uint32_t late_turns() const { return drive_.late_turns(); }
-  /// For whoever wants to see the plan itself; null for nobody.
+  /// Sets an observer of the plan; null for none.
   void observe(motion::SliceObserver* observer) { motion_.observe(observer); }
   void observe(motion::ShapingObserver* observer) { motion_.motors().observe(observer); }
 
  private:
   enum class Probing : std::uint8_t { kNo, kMoving, kStopping };
-  /// Of splines, in a turn: 0.4 ms on the emulated chip, and as much again for the last step of it.
+  /// Points of splines in a cycle: 0.4 ms on the emulated chip; the last step of a spline may take
+  /// as long again.
   static constexpr std::uint32_t kSplinePoints = 300;
 
   struct JogMove {
@@ -228,7 +245,7 @@ class Machine {
     std::uint32_t line = 0;
   };
 
-  // One turn, in machine.cpp.
+  // One cycle, in machine.cpp.
   void attend_inputs();
   void attend_mode(std::int32_t elapsed_us);
   void run_actions();
@@ -237,7 +254,8 @@ class Machine {
   void attend_rest_light(std::int32_t elapsed_us);
   [[nodiscard]] MotorEnable::Need motor_need() const;
 
-  // Actions, in machine_actions.cpp; probing in machine_probe.cpp. True when done.
+  // Actions, in machine_actions.cpp; probing in machine_probe.cpp. A bool result says whether the
+  // action is done.
   [[nodiscard]] bool run(const gcode::Action& action);
   [[nodiscard]] bool move(const gcode::Action& action);
   [[nodiscard]] bool probe(const gcode::Action& action);
@@ -259,7 +277,7 @@ class Machine {
   [[nodiscard]] UsualTolerance usual_tolerance() const;
   [[nodiscard]] path::Tolerance tolerance() const;
 
-  // A program that was interrupted, in machine_reentry.cpp.
+  // An interrupted program, in machine_reentry.cpp.
   void note_progress();
   void place_progress(const AxisArray<std::int32_t>& steps);
   void forget_progress();
@@ -307,7 +325,7 @@ class Machine {
   [[nodiscard]] std::size_t parking_axis() const;
   void trip_to(StepPosition place, std::uint16_t rate, const motion::BeamCommand& beam);
 
-  // Beside the programmed path, in machine_compensation.cpp.
+  // The compensated path, in machine_compensation.cpp.
   [[nodiscard]] bool compensates() const;
   [[nodiscard]] bool has_room();
   [[nodiscard]] const Position& target() const;
@@ -330,7 +348,7 @@ class Machine {
   void hit_limit();
   void set_homed(std::uint8_t axes);
 
-  // Ends of all kinds, in machine_reset.cpp.
+  // Alarms, resets and cut-offs, in machine_reset.cpp.
   void raise_alarm(Alarm alarm);
   void cut_off();
   void drop_everything();
@@ -367,27 +385,27 @@ class Machine {
   StateMachine state_{};
   Alarm alarm_ = Alarm::kNone;
   bool needs_reset_ = false;
-  bool cutting_off_ = false;  ///< Motion was cut off; the rest goes at the next turn.
+  bool cutting_off_ = false;  ///< Motion was cut off; the rest is dropped in the next cycle.
   std::uint8_t homed_ = 0;
-  Alarm stopping_for_ = Alarm::kNone;  ///< Holding, for this alarm at standstill.
+  Alarm stopping_for_ = Alarm::kNone;  ///< Alarm that follows when the hold is at rest.
   DoorSequence door_{};
   Travel travel_{};
-  kinematics::ToolCentre tool_centre_{};  ///< As lines have it, in check mode, too.
+  kinematics::ToolCentre tool_centre_{};  ///< G43.4 as lines use it, also in check mode.
 
   gcode::Actions waiting_{};
-  ActionElements elements_{};  ///< Of the action that is being driven.
+  ActionElements elements_{};  ///< Elements of the action being driven.
   compensation::Compensator compensator_{};
-  gcode::CutterCompensation compensation_{};     ///< What G41 or G42 said.
-  Plane compensation_plane_ = Plane::kXY;        ///< Of G41 or G42.
-  kerf::KerfCourse kerf_course_{};               ///< While the path follows the kerf.
-  std::uint32_t spline_points_ = kSplinePoints;  ///< Budget of this cycle.
+  gcode::CutterCompensation compensation_{};     ///< State that G41 or G42 has set.
+  Plane compensation_plane_ = Plane::kXY;        ///< Plane of G41 or G42.
+  kerf::KerfCourse kerf_course_{};               ///< Kerf course while the motors follow the kerf.
+  std::uint32_t spline_points_ = kSplinePoints;  ///< Points left in this cycle's budget.
   motion::OutputChanges with_next_motion_{};
-  std::optional<JogMove> jog_{};  ///< Waits for room in the planner.
-  Dwell dwell_{};                 ///< Of an action.
-  Dwell restart_dwell_{};         ///< Until spindle or coolant are back.
+  std::optional<JogMove> jog_{};  ///< Jog that waits for free space in the planner.
+  Dwell dwell_{};                 ///< Dwell of an action.
+  Dwell restart_dwell_{};         ///< Time until the spindle or the coolant runs again.
   bool dwelling_ = false;
   bool pause_seen_ = false;
-  bool step_pause_ = false;  ///< The line is done; single block holds before the next.
+  bool step_pause_ = false;  ///< The line is done; single block pauses before the next.
   bool restarting_ = false;  ///< resume() waits for the spindle.
   OperatorSwitches switches_{};
   std::optional<std::uint32_t> tool_wanted_{};
@@ -398,7 +416,7 @@ class Machine {
   bool program_ended_ = false;
 
   bool seen_suspended_ = false;
-  bool place_is_kept_ = false;  ///< Since progress_ was noted the motors have lost no step.
+  bool place_is_kept_ = false;  ///< No motor has lost a step since progress_ was noted.
   Progress progress_{};
   KeptProgress* kept_progress_;
   Reentry reentry_{};

@@ -7,17 +7,17 @@ using gcode::ActionKind;
 
 namespace {
 
-/// Motion along a path, or beside it from now on.
+/// Returns whether an action is a motion along a path, or a change of compensation.
 bool is_path(const Action& action) {
   return action.kind <= ActionKind::kProbe || action.kind == ActionKind::kCompensation;
 }
 
 }  // namespace
 
-/// True when the action is done; false to be asked again at the next poll.
+/// Runs an action. Returns whether it is done; otherwise it is run again in the next poll.
 bool Machine::run(const Action& action) {
   if (state_.in(Mode::kCheck) && !is_path(action)) return true;
-  // G40 itself goes on over several turns while there is no room for all that was held.
+  // G40 itself may take several cycles, while there is no free space for all held motion.
   const bool leads_back = action.kind == ActionKind::kCompensation &&
                           action.compensation.side == gcode::CutterSide::kOn;
   if (compensator_.beside() && is_path(action) && !leads_back && !leave_path(action)) return false;
@@ -60,7 +60,8 @@ bool Machine::run(const Action& action) {
   return true;
 }
 
-/// Whoever waits for it says that nothing comes before.
+/// Returns whether the motion has ended. Flushes the plan first, because a caller that waits for
+/// standstill adds no motion before.
 bool Machine::standstill() {
   motion_.flush();
   return motion_.drained();
@@ -71,8 +72,8 @@ UsualTolerance Machine::usual_tolerance() const {
           .arc_mm = settings_.get(setting::kArcTolerance)};
 }
 
-/// Short lines stay what they are where rotary axes turn the part or the tool: each part of a line
-/// has limits of its own.
+/// Returns the tolerances of the path. Short lines are not welded while rotary axes turn the part
+/// or the tool, because each part of a line then has its own limits.
 path::Tolerance Machine::tolerance() const {
   path::Tolerance tolerance = path_tolerance(interpreter_.state().path, usual_tolerance());
   if (tool_centre_.active()) tolerance.weld_mm = 0.0F;
@@ -91,12 +92,12 @@ void Machine::append(const ActionPart& part) {
   if (!part.row.empty()) return append_row(item, part.row);
   if (compensates() || state_.in(Mode::kCheck)) return append_beside(item);
   if (compensator_.beside()) return drive_apart(item);
-  compensation_.by_kerf = false;  // The exit was the last that has to keep it.
+  compensation_.by_kerf = false;  // The exit was the last motion that had to keep by_kerf.
   if (drive(item)) with_next_motion_ = {};
 }
 
-/// Returns whether a line with several powers is one element: nothing has to know its pixels one by
-/// one, and the beam works.
+/// Returns whether a line with several powers becomes one element: the beam works, and no other
+/// part of the machine needs its pixels one by one.
 bool Machine::takes_rows() const {
   return tool_.mode() != gcode::SpindleMode::kOff && !tool_change_.open() && !compensates() &&
          !compensator_.beside() && !state_.in(Mode::kCheck) && !reentry_.active() &&
@@ -105,22 +106,22 @@ bool Machine::takes_rows() const {
 
 void Machine::append_row(path::PathItem& item, std::span<const float> speeds) {
   const auto appended = motion_.append_row(item, tool_.powers_of(speeds));
-  CNC_ASSERT(appended.ok());  // As in drive().
+  CNC_ASSERT(appended.ok());  // Holds for the reason given in drive().
   if (appended.value()) with_next_motion_ = {};
   tool_.set_speed(speeds.back());
 }
 
-/// True when there is anything to move.
+/// Appends an item. Returns whether there is anything to move.
 bool Machine::drive(path::PathItem& item) {
   if (reentry_.active() && !tool_change_.open()) darken_until_place(item);
   const auto appended = motion_.append(item);
-  // The interpreter keeps targets inside the motors' range, and arcs are divided.
+  // The interpreter keeps targets within the motors' range, and arcs are divided.
   CNC_ASSERT(appended.ok());
   return appended.value();
 }
 
-/// Appends the elements of the action as the planner has capacity, and computes as many points of a
-/// spline as a cycle may.
+/// Appends elements of the action while the planner has free space, and computes as many points of
+/// a spline as a cycle allows.
 bool Machine::move(const Action& action) {
   if (!elements_.active()) {
     elements_.begin(action,
@@ -152,7 +153,7 @@ bool Machine::dwell(float seconds) {
   return true;
 }
 
-/// G4, in which M3 may light the beam.
+/// Runs G4, in which M3 may switch the beam on.
 bool Machine::wait(float seconds) {
   const bool begins = !dwelling_;
   const bool over = dwell(seconds);
@@ -164,7 +165,7 @@ bool Machine::wait(float seconds) {
   return over;
 }
 
-/// A spindle that starts or turns round is given its time ($394).
+/// Sets the spindle's mode. A spindle that starts or reverses is given its time ($394).
 bool Machine::set_spindle(gcode::SpindleMode mode) {
   if (!standstill()) return false;
   if (!dwelling_) {
@@ -204,7 +205,7 @@ bool Machine::switch_output(const gcode::OutputChange& change) {
   return true;
 }
 
-/// Holds when all before is done; over when the operator has gone on.
+/// Pauses when all earlier motion is done. Returns true after the operator has resumed.
 bool Machine::pause() {
   if (!standstill()) return false;
   if (!pause_seen_) {
@@ -216,13 +217,13 @@ bool Machine::pause() {
   return true;
 }
 
-/// Waits, tool and coolant off, for whoever puts the tool in. $341 may say that
-/// there is nobody.
+/// Waits, with tool and coolant off, for the operator to change the tool. $341 may say that there
+/// is no operator.
 bool Machine::change_tool(std::uint32_t tool) {
   if (settings_.get(setting::kToolChange) != 0.0F) return true;
   if (!standstill()) return false;
   if (!pause_seen_) {
-    if (!state_.take(Event::kTool)) return false;  // Held: when that is over.
+    if (!state_.take(Event::kTool)) return false;  // In a hold the change waits for its end.
     pause_seen_ = true;
     tool_wanted_ = tool;
     tool_.suspend(true);

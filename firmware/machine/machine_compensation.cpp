@@ -2,21 +2,21 @@
 #include "planner/base/contract.hpp"
 #include "planner/gcode/kerf_condition.hpp"
 
-/// The way beside the programmed path: elements go through the compensator before they are planned.
+/// Compensated motion: elements go through the compensator before they are planned.
 namespace cnc {
 
 using gcode::CutterSide;
 
-/// From G41 or G42 until all up to G40 is planned.
+/// Returns whether compensation is active, from G41 or G42 until all motion up to G40 is planned.
 bool Machine::compensates() const {
   return compensation_.side != CutterSide::kOn || compensator_.active();
 }
 
-/// For another element of the programmed path.
+/// Returns whether there is free space for another element of the programmed path.
 bool Machine::has_room() {
   if (!drive_rest()) return false;
   if (!compensates()) return state_.in(Mode::kCheck) || motion_.has_room();
-  if (news_.path_fault) return false;  // What is left of the line is dropped with all that is held.
+  if (news_.path_fault) return false;  // The rest of the line is dropped with all held motion.
   give_out();
   if (!compensator_.active()) return state_.in(Mode::kCheck) || motion_.has_room();
   return compensator_.has_room();
@@ -26,7 +26,7 @@ bool Machine::waits_for_g40() const {
   return compensator_.active() && waiting_.empty() && compensator_.has_room();
 }
 
-/// Where the programmed path ends.
+/// Returns the end of the programmed path.
 const Position& Machine::target() const {
   const bool apart = compensator_.active() || compensator_.beside() || state_.in(Mode::kCheck);
   return apart ? compensator_.programmed() : motion_.target();
@@ -34,7 +34,8 @@ const Position& Machine::target() const {
 
 bool Machine::follows_kerf() const { return settings_.get(setting::kKerfControl) != 0.0F; }
 
-/// Whether the motors are to follow the kerf from here on. It changes at standstill.
+/// Sets whether the motors follow the kerf from here on. Returns false while that must wait for
+/// standstill.
 bool Machine::set_kerf_control(const gcode::CutterCompensation& wanted) {
   const bool follows = wanted.by_kerf && follows_kerf() && !state_.in(Mode::kCheck);
   if (!follows && !motion_.follows_kerf()) return true;
@@ -44,15 +45,16 @@ bool Machine::set_kerf_control(const gcode::CutterCompensation& wanted) {
   const gcode::ModalState& modal = interpreter_.state();
   const auto refusal =
       kerf_course_.begin(kerf_.view, gcode::kerf_condition(modal, interpreter_.options()));
-  CNC_ASSERT(!refusal);  // As for the line.
+  CNC_ASSERT(!refusal);  // A refusal was excluded when the line was read.
   motion_.follow_kerf(&kerf_course_);
   return true;
 }
 
-/// Beside an edge by its kerf, and on the exit, which begins there, the power goes with the speed,
-/// under M3, too: else where the speed is another the kerf would be.
+/// Returns the beam command for a motion. On a path compensated by kerf, and on its exit, which
+/// begins at that kerf, the power follows the speed, also under M3. Otherwise the kerf would change
+/// wherever the speed changes.
 motion::BeamCommand Machine::beam_for(bool rapid) const {
-  if (tool_change_.open()) return {};  // A spindle's output is off, too.
+  if (tool_change_.open()) return {};  // The output of a spindle is off, too.
   motion::BeamCommand beam = tool_.command_for(rapid);
   if (!rapid && compensation_.by_kerf && !follows_kerf()) beam.follows_speed = true;
   return beam;
@@ -60,7 +62,7 @@ motion::BeamCommand Machine::beam_for(bool rapid) const {
 
 bool Machine::set_compensation(const gcode::Action& action) {
   if (action.compensation.side != CutterSide::kOn) {
-    // A width of 0 (D0 without a tool) is the programmed path itself.
+    // With a width of 0 (D0 without a tool) the path is the programmed one.
     if (action.compensation.width_mm <= 0.0F) return true;
     if (!set_kerf_control(action.compensation)) return false;
     compensation_ = action.compensation;
@@ -79,9 +81,10 @@ bool Machine::set_compensation(const gcode::Action& action) {
   return !compensator_.active();
 }
 
-/// The first motion after G40 in the plane leads from beside the path to its own end, first round
-/// the corner there if it would cut it. So does one to where the program is already. Before it
-/// other axes may move, as to lift a tool.
+/// Drives the exit. The first motion after G40 in the plane leads from the compensated path to its
+/// own end. It first goes about the corner there if it would cut the corner. A motion to the
+/// present programmed position does so, too. Other axes may move before, for example to lift a
+/// tool.
 bool Machine::leave_path(const gcode::Action& action) {
   const auto refuse = [this](compensation::Fault fault) {
     fault.line = interpreter_.state().line_number;
@@ -103,13 +106,14 @@ bool Machine::leave_path(const gcode::Action& action) {
   return true;
 }
 
-/// The entry, what lies beside, or the exit; in check mode also what is not compensated.
+/// Passes an item to the compensator: the entry, the compensated path or the exit; in check mode
+/// also motions without compensation.
 void Machine::append_beside(path::PathItem& item) {
   const PathElement& element = item.request.element;
   if (element.start == element.end) return;
   const bool wanted = compensation_.side != CutterSide::kOn;
   if (wanted && !compensator_.active()) {
-    // The entry moves in the plane; other axes may be moved before.
+    // The entry moves in the plane. Other axes may move before it.
     if (!compensation::moves_in(compensation_plane_, element)) return drive_apart(item);
     const bool left = compensation_.side == CutterSide::kLeft;
     const float offset_mm = 0.5F * compensation_.width_mm;
@@ -117,12 +121,12 @@ void Machine::append_beside(path::PathItem& item) {
   }
   if (!compensator_.active()) return compensator_.stand_at(element.end);
   with_next_motion_ = {};
-  // It is given out when the next is asked for, or in the next cycle.
+  // The element is passed on when free space for the next is checked, or in the next cycle.
   if (const auto fault = compensator_.put(item)) refuse_path(*fault);
 }
 
-/// Drives an item without an offset. Where the machine is beside the path, only other axes than
-/// those of the plane move.
+/// Drives an item without an offset. While the machine is off the programmed path, only axes
+/// outside the plane move.
 void Machine::drive_apart(path::PathItem& item) {
   PathElement& element = item.request.element;
   const Position end = element.end;
@@ -136,7 +140,8 @@ void Machine::drive_apart(path::PathItem& item) {
   if (!state_.in(Mode::kCheck) && drive(item)) with_next_motion_ = {};
 }
 
-/// To be planned, as there is room; nowhere in check mode.
+/// Takes elements from the compensator and plans them while there is free space; drops them in
+/// check mode.
 void Machine::give_out() {
   path::PathItem item;
   const auto room = [this] { return drive_rest() && motion_.has_room(); };
@@ -148,15 +153,16 @@ void Machine::give_out() {
   }
 }
 
-/// The line that is being done is refused, and with it all that is held: what was given out stops
-/// on its way, as at the end of the travel.
+/// Refuses the present line and all held motion. Motion that was already planned stops on its path,
+/// as at the end of the travel.
 void Machine::refuse_path(const compensation::Fault& fault) {
   news_.path_fault = fault;
   if (state_.in(Mode::kCheck)) return raise_alarm(Alarm::kCompensation);
   stop_for(Alarm::kCompensation);
 }
 
-/// The machine goes on from where it is, and not from where the program was.
+/// Forgets an exit that is not driven: the machine continues from its position, not from the end of
+/// the programmed path.
 void Machine::forget_exit() {
   if (!compensator_.beside()) return;
   interpreter_.set_position(motion_.target());

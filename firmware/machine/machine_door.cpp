@@ -3,8 +3,8 @@
 
 namespace cnc {
 
-/// Motion is held, a beam is dark at once; the rest follows when all stands
-/// still. A door that is opened again while resuming starts this again.
+/// Holds the motion and switches a beam off at once; the other stages follow at rest. A door that
+/// is opened again during resumption restarts the stages.
 void Machine::safety_door() {
   if (tool_change_.open()) return stop_in_tool_change();
   if (state_.in(Mode::kHome)) return raise_alarm(Alarm::kHomingDoor);
@@ -22,12 +22,13 @@ void Machine::safety_door() {
   if (!reopened) gap_.begin();
 }
 
-/// Until it stands still nobody knows where the next line begins.
+/// Returns whether the door is stopping a jog: the next line's start is unknown until the axes are
+/// at rest.
 bool Machine::door_stops_jog() const {
   return state_.in(Mode::kDoor) && door_.stage() == DoorStage::kStopping && door_.ends_jog();
 }
 
-/// Each stage waits for its motion or its time, and then begins the next.
+/// Runs the stages of the door. Each waits for its motion or its time, and then begins the next.
 void Machine::attend_door() {
   if (door_.stage() == DoorStage::kStopped) return;
   if (!at_rest() || !side_.at_rest() || !restart_dwell_.over()) return;
@@ -58,20 +59,22 @@ void Machine::attend_door() {
   }
 }
 
-/// The operator confirms that a part of the path stays uncut.
+/// Ends the door stage and resumes. If a part of the path stays uncut, the machine stays held until
+/// the operator confirms that.
 void Machine::end_door() {
   if (!gap_.end()) return restart();
   static_cast<void>(state_.take(Event::kStay));
 }
 
-/// Goes back to where a beam went dark; a program that is interrupted now goes on from there, too.
+/// Takes the motion back to the point where a beam went off. The noted progress of the program
+/// moves there, too.
 void Machine::find_gap() {
   if (!gap_.opens()) return;
   gap_.find();
   if (gap_.any()) place_progress(gap_.place());
 }
 
-/// Out of the work with the spindle still turning.
+/// Moves the parking axis out of the work while the spindle still turns.
 void Machine::pull_out() {
   door_.go_to(DoorStage::kPullOut);
   side_.begin(door_.is_away() || gap_.any() ? side_.place() : motion_.motor_place());
@@ -121,7 +124,8 @@ std::size_t Machine::parking_axis() const {
   return static_cast<std::size_t>(settings_.get(setting::kParkingAxis));
 }
 
-/// Only where it is known where the axis is, and a beam has nothing to get out of.
+/// Returns whether the parking axis moves: its position must be known, and the tool must not be a
+/// laser, whose beam needs no way out of the work.
 bool Machine::parks() const {
   const bool known = (homed_ >> parking_axis() & 1U) != 0;
   return settings_.get(setting::kParking) != 0.0F && known && !tool_.is_laser();

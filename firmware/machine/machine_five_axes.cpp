@@ -2,13 +2,13 @@
 
 namespace cnc {
 
-/// Returns what the modes ask for: G43.4 with the present tool length, or nothing.
+/// Returns G43.4 with the present tool length if the mode is set; otherwise an inactive one.
 kinematics::ToolCentre Machine::wanted_tool_centre() const {
   if (!kinematics::kHasFiveAxes || !interpreter_.state().tool_centre) return {};
   return {rotary_machine_from(settings_), interpreter_.shift().tool_length};
 }
 
-/// Begins or ends G43.4. The axes stay where they are; the place that lines name is another one.
+/// Begins or ends G43.4. The axes do not move; the programmed position changes its meaning.
 bool Machine::switch_tool_centre() {
   if (!standstill()) return false;
   tool_centre_ = wanted_tool_centre();
@@ -17,14 +17,15 @@ bool Machine::switch_tool_centre() {
   return true;
 }
 
-/// Ends G43.4 before the axes are moved by themselves. @pre nothing moves
+/// Ends G43.4 before the axes are moved separately.
+/// @pre nothing moves
 void Machine::end_tool_centre() {
   if (!tool_centre_.active()) return;
   interpreter_.end_tool_centre();
   static_cast<void>(switch_tool_centre());
 }
 
-/// In check mode only the places of the lines change their meaning.
+/// Begins or ends G43.4 in check mode, where only the programmed position changes its meaning.
 void Machine::judge_tool_centre() {
   if (!kinematics::kHasFiveAxes) return;
   const Position axes = tool_centre_.axes_for(interpreter_.position());
@@ -32,6 +33,7 @@ void Machine::judge_tool_centre() {
   interpreter_.set_position(tool_centre_.program_for(axes));
 }
 
+/// Returns whether actions leave the travel.
 /// @pre no action is being driven
 bool Machine::leaves_travel(gcode::Actions actions, const Position& from) {
   if (!tool_centre_.active()) return travel_.left_by(actions, from);

@@ -2,7 +2,7 @@
 
 namespace cnc {
 
-/// The settled inputs have changed. What stops comes before what starts.
+/// Reacts to a change of the settled inputs. Inputs that stop come before inputs that start.
 void Machine::attend_inputs() {
   const hal::InputState& before = inputs_.before();
   const hal::InputState& now = inputs_.settled();

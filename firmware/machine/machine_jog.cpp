@@ -21,7 +21,7 @@ std::optional<JogRefusal> Machine::jog(std::string_view words) {
   const gcode::Action& action = actions.value().front();
   Position end = action.end;
   if (leaves_travel(actions.value(), here)) {
-    // Where rotary axes move the tip there is no nearest place for each axis.
+    // If rotary axes move the tip, there is no nearest position for each axis.
     if (settings_.get(setting::kJogLimited) == 0.0F || tool_centre_.active()) {
       interpreter_.set_position(here);
       return JogRefusal{.number = kBeyondTravel};
@@ -40,7 +40,7 @@ void Machine::append_jog() {
   jog_.reset();
 }
 
-/// Overrides do not touch a jog, and a beam is off during it. Without a feed it is rapid.
+/// Drives a straight motion without overrides and with the beam off. Without a feed it is rapid.
 void Machine::drive_straight(const Position& end, float feed_mm_s, std::uint32_t line) {
   const auto appended =
       motion_.append({.request = {.element = {.start = motion_.target(), .end = end},
@@ -63,7 +63,8 @@ void Machine::attend_jog() {
   static_cast<void>(state_.take(Event::kOver));
 }
 
-/// The rest of a cancelled jog. @pre at_rest()
+/// Drops the rest of a cancelled jog.
+/// @pre at_rest()
 void Machine::drop_jog() {
   jog_.reset();
   motion_.drop_rest();

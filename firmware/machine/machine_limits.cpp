@@ -2,15 +2,15 @@
 
 namespace cnc {
 
-/// A line that would leave the travel, or damage the part, moves nothing: what was planned
-/// before is held, and when all stands still the alarm follows, with the place known.
+/// Stops for a line that would leave the travel or damage the part. The line moves nothing, earlier
+/// motion is held, and the alarm follows at rest, with the position known.
 void Machine::stop_for(Alarm alarm) {
   stopping_for_ = alarm;
   static_cast<void>(state_.take(Event::kHold));
   motion_.halt();
 }
 
-/// In check mode a line does nothing but be found fault with, beside its path, too.
+/// Checks a line in check mode, including its compensated path; the line does nothing else.
 void Machine::judge(gcode::Actions actions, const Position& from) {
   if (leaves_travel(actions, from)) return raise_alarm(Alarm::kSoftLimit);
   for (const gcode::Action& action : actions) {
@@ -26,14 +26,14 @@ void Machine::judge(gcode::Actions actions, const Position& from) {
   waiting_ = actions;
 }
 
-/// While homing, switches are what is looked for; in alarm or asleep nothing
-/// can be moving any more.
+/// Raises the alarm of a limit switch. While homing, switches are sought; in an alarm or asleep
+/// nothing can be moving.
 void Machine::hit_limit() {
   if (state_.in(Mode::kHome) || state_.in(Mode::kAlarm) || state_.in(Mode::kSleep)) return;
   raise_alarm(Alarm::kHardLimit);
 }
 
-/// Axes whose place has become known, or has been lost.
+/// Sets the axes whose position is known.
 void Machine::set_homed(std::uint8_t axes) {
   homed_ = axes;
   if (axes == 0) place_is_kept_ = false;

@@ -2,8 +2,8 @@
 
 namespace cnc {
 
-/// Where places are changed, they are trusted anew as they are; so is what follows
-/// from settings, after a look at what they were before.
+/// Selects the memory to watch. Each change of the positions makes them trusted again. Memory that
+/// follows from settings is trusted again after a check of its old content.
 void Machine::watch_memory() {
   memory_.watch_settings_in(settings_);
   memory_.watch_settings_in(power_table_);

@@ -20,14 +20,14 @@ class OnceFlag {
   bool is_raised_ = false;
 };
 
-/// Events of the machine that the protocol reports once, each when it takes it.
+/// Events of the machine. The protocol takes each once and reports it.
 struct MachineNews {
-  OnceFlag reset_pressed;  ///< The reset button: lines that wait for the machine are dropped.
-  OnceFlag probe_ended;    ///< A G38 came to its end; its report goes before its answer.
-  OnceFlag program_ended;  ///< M2 or M30; its message goes before its answer.
-  OnceFlag line_failed;    ///< A line of a tool change was stopped, or probed in vain.
-  /// A path that cannot be driven beside the programmed one; its line, or one before it, is
-  /// refused.
+  OnceFlag reset_pressed;  ///< The reset button was pressed: waiting lines are dropped.
+  OnceFlag probe_ended;    ///< A G38 has ended; its report goes before its answer.
+  OnceFlag program_ended;  ///< M2 or M30 was done; its message goes before its answer.
+  OnceFlag line_failed;    ///< A line of a tool change was stopped, or its probe failed.
+  /// Fault of a compensated path that cannot be driven. The present line is refused; the fault may
+  /// be in an earlier one.
   std::optional<compensation::Fault> path_fault{};
 
   /// Returns the fault, once.

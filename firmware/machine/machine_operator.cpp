@@ -21,7 +21,7 @@ void Machine::jog_cancel() {
   if (state_.take(Event::kJogCancel)) motion_.halt();
 }
 
-/// Goes on at once, or when the spindle turns again.
+/// Resumes at once, or after a spindle has restarted.
 void Machine::resume() {
   if (state_.in(Mode::kDoor)) return resume_from_door();
   if (!state_.in(Mode::kHold) && !state_.in(Mode::kTool)) return;
@@ -42,14 +42,14 @@ void Machine::restart() {
   if (probing_ != Probing::kStopping) motion_.go_on();
 }
 
-/// A hold again before the spindle is up to speed: as it was.
+/// Cancels a resumption, because a hold came again before the spindle was up to speed.
 void Machine::cancel_restart() {
   restarting_ = false;
   restart_dwell_.cancel();
   tool_.suspend(true);
 }
 
-/// A spindle that takes time to come up to speed.
+/// Returns whether the tool is a spindle that is on, and so takes time to come up to speed.
 bool Machine::tool_turns() const {
   return tool_.mode() != gcode::SpindleMode::kOff && !tool_.is_laser();
 }

@@ -4,8 +4,8 @@ namespace cnc {
 
 using gcode::Action;
 
-/// Straight towards the target until the probe input changes, then as short a
-/// way further as the limits allow; what is left of the way is dropped.
+/// Runs a probe: moves straight towards the target until the probe input changes, then brakes
+/// within the limits. The rest of the motion is dropped.
 bool Machine::probe(const Action& action) {
   switch (probing_) {
     case Probing::kNo:
@@ -32,7 +32,8 @@ bool Machine::probe(const Action& action) {
   return true;
 }
 
-/// A program cannot go on; in a tool change the line alone has failed. True when it is done with.
+/// Handles a failed probe. A program stops with an alarm; in a tool change only the line fails.
+/// Returns whether the action is done.
 bool Machine::fail_probe(Alarm alarm) {
   if (!tool_change_.open()) {
     raise_alarm(alarm);

@@ -4,8 +4,8 @@
 
 namespace cnc {
 
-/// While the tool works on a numbered line. A beam that is kept dark, by the door or because
-/// nobody is at the link, works no more, although the motors have a way to go until they stand.
+/// Notes the progress while the tool works on a numbered line. A beam that is blocked, by the door
+/// or because the link is lost, no longer works, although the motors still move until they rest.
 void Machine::note_progress() {
   const bool was_dark = std::exchange(seen_suspended_, tool_.suspended());
   if (reentry_.active() || !drive_.running() || was_dark) return;
@@ -16,7 +16,7 @@ void Machine::note_progress() {
   place_progress(motion_.tool_steps());
 }
 
-/// The tool worked there last, on the line that is known or behind it.
+/// Notes the position at which the tool worked last, on the known line or a later one.
 void Machine::place_progress(const AxisArray<std::int32_t>& steps) {
   if (!progress_.any()) return;
   progress_.steps = steps;
@@ -31,7 +31,7 @@ void Machine::set_progress(const Progress& progress) {
   if (kept_progress_ != nullptr) kept_progress_->keep(progress_);
 }
 
-/// What was noted before a restart is of a program that the restart interrupted.
+/// Progress that was noted before a restart belongs to a program that the restart interrupted.
 bool Machine::interrupted() const {
   const bool stopped = state_.in(Mode::kHold) || state_.in(Mode::kDoor) ||
                        state_.in(Mode::kAlarm) || !place_is_kept_;
@@ -43,8 +43,9 @@ void Machine::reenter() {
   reentry_.begin(progress_.line, progress_place());
 }
 
-/// The path may round corners and weld lines within its tolerances, and shapers let it
-/// leave them; so much more is allowed.
+/// Switches the beam of an item off until the position of the progress is passed. The path may be
+/// off that position by the tolerances of corners and welded lines, and by kMoreMm, which shapers
+/// may add.
 void Machine::darken_until_place(path::PathItem& item) {
   constexpr float kMoreMm = 0.1F;
   const float beside = item.tolerance.corner_mm + item.tolerance.weld_mm + kMoreMm;
@@ -54,7 +55,8 @@ void Machine::darken_until_place(path::PathItem& item) {
   if (verdict == Reentry::Verdict::kLost) stop_for(Alarm::kPlaceNotMet);
 }
 
-/// What is left of an element that was split goes before all else. False while there is no room.
+/// Appends the rest of an element that was split, before all other motion. Returns false if there
+/// is no free space.
 bool Machine::drive_rest() {
   if (!reentry_.has_rest()) return true;
   if (!motion_.has_room()) return false;

@@ -2,7 +2,7 @@
 
 namespace cnc {
 
-/// Where motion is cut off the motors may lose steps, so the place is in doubt.
+/// Resets the machine. If motion is cut off, motors may lose steps, so the position is in doubt.
 void Machine::reset() {
   const bool homing = state_.in(Mode::kHome);
   const bool slept = state_.in(Mode::kSleep);
@@ -31,8 +31,8 @@ void Machine::raise_alarm(Alarm alarm) {
   cut_off();
 }
 
-/// The beam or spindle goes off now, the motors stop within one interrupt; what
-/// is left of the work is dropped at a later turn, when they have.
+/// Switches beam or spindle off at once; the motors stop within one interrupt. The rest of the work
+/// is dropped in a later cycle, when the motors have stopped.
 void Machine::cut_off() {
   cutting_off_ = true;
   tool_.off();
@@ -76,7 +76,7 @@ void Machine::drop_everything() {
   lock_until_homed();
 }
 
-/// $22 may ask for a homing cycle before anything else is done.
+/// Raises the alarm by which $22 requires a homing cycle before any other motion.
 void Machine::lock_until_homed() {
   const bool required = has_homing_option(settings_, homing_option::kEnabled) &&
                         has_homing_option(settings_, homing_option::kRequired);

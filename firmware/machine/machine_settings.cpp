@@ -19,7 +19,7 @@ Result<float, SettingError> Machine::change_setting(std::uint16_t number, float 
   }
   apply_settings();
   if (other_scale) {
-    // The motors stand where they are; that is another place now.
+    // The motors do not move, but their steps now mean another position.
     const std::size_t axis = number - setting::kStepsPerMm;
     set_homed(static_cast<std::uint8_t>(homed_ & ~(1U << axis)));
     forget_progress();
@@ -29,8 +29,8 @@ Result<float, SettingError> Machine::change_setting(std::uint16_t number, float 
   return stored;
 }
 
-/// Whether the tool's present steps are within reach at the resolutions stored. That of one axis
-/// bounds the others, too.
+/// Returns whether the tool's present steps are within reach at the stored resolutions. The
+/// resolution of one linear axis bounds the others, too.
 bool Machine::place_fits() const {
   const Position reach = gcode_options_from(settings_).reach;
   for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
@@ -48,8 +48,8 @@ void Machine::set_power_table(const motion::PowerTable& table) {
   apply_settings();
 }
 
-/// A setting that turned over before all was trusted is in the checksum, so settings answer for
-/// themselves.
+/// Recomputes all values that follow from the settings. A setting whose bit flipped before is part
+/// of the new checksum, so settings are checked by a checksum of their own.
 void Machine::apply_settings() {
   apply_limits();
   travel_.configure(settings_, homed_);

@@ -26,7 +26,7 @@ bool Machine::acknowledge_tool() {
   return true;
 }
 
-/// The program's own lines and modes again, with the offsets as they are now.
+/// Returns to the program's own lines and modes, with the offsets of this moment.
 void Machine::close_tool_change() {
   memory_.check_settings();
   ToolChange::Job& job = tool_change_.job();
@@ -39,7 +39,8 @@ void Machine::close_tool_change() {
   tool_change_.go_to(Stage::kClosed);
 }
 
-/// What stops a program ends here what moves: nothing of it goes on, and the change stays open.
+/// Handles a stop within a tool change: the motion of the present line or jog ends and is dropped,
+/// and the tool change stays open.
 void Machine::stop_in_tool_change() {
   if (!waiting_.empty() || jog_) news_.line_failed.raise();
   motion_.halt();
@@ -78,7 +79,7 @@ void Machine::attend_tool_change() {
   }
 }
 
-/// Rapid: up, across, down.
+/// Moves rapidly back to `place`: up, across, down.
 void Machine::go_back_to(const Position& place) {
   constexpr std::size_t kZ = index_of(Axis::kZ);
   Position way = motion_.target();

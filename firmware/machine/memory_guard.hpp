@@ -7,39 +7,39 @@
 
 namespace cnc {
 
-/// Keeps the checksums of settings and of stored places, and remembers whether a bit of either has
-/// turned over since it was trusted. Main loop only.
+/// Keeps the checksums of settings and of stored positions, and remembers whether a bit of either
+/// has flipped since they were trusted. Main loop only.
 class MemoryGuard {
  public:
-  /// Watches settings, or memory that follows from them. The memory stays where it is.
+  /// Adds settings, or memory that is computed from them, to the watched memory. It must not move.
   void watch_settings(MemoryWatch::Part part) { settings_.add(part); }
   template <typename Object>
   void watch_settings_in(const Object& object) {
     settings_.add_object(object);
   }
-  /// Watches stored places. The object stays where it is.
+  /// Adds stored positions to the watched memory. The object must not move.
   template <typename Object>
   void watch_places_in(const Object& object) {
     places_.add_object(object);
   }
 
-  /// Trusts settings as they are, after a change of them.
-  /// @param are_sound whether the settings agree with their own sum, which the change did not make
+  /// Trusts the settings as they are, after a change.
+  /// @param are_sound the settings agree with their own checksum, which the change did not compute
   void trust_settings(bool are_sound);
-  /// Trusts places as they are.
-  /// @param revision of the places, which changes with each change of them
+  /// Trusts the positions as they are.
+  /// @param revision number that changes with each change of the positions
   void trust_places(std::uint32_t revision);
-  /// Returns the revision that was trusted last.
+  /// Returns the last trusted revision.
   [[nodiscard]] std::uint32_t trusted_places() const { return places_revision_; }
 
-  /// Reads all settings, before motion is planned by them or a change of them is trusted: an
-  /// acceleration or jerk that turned over might leave the beam lit on one place until a round has
-  /// found it.
+  /// Checks all settings. To be called before motion is planned by them, or a change of them is
+  /// trusted. Otherwise a flipped bit of an acceleration or jerk might leave the beam on at one
+  /// point until the running check has found it.
   void check_settings();
-  /// Reads at most this many bytes more of settings, and of places. Returns false from then on when
-  /// one of them has turned over.
+  /// Checks at most `bytes` further bytes of settings, and of positions. Returns false from the
+  /// first flipped bit on.
   [[nodiscard]] bool check(std::size_t bytes);
-  /// Reads all places, before they are stored. Returns as check() does.
+  /// Checks all positions, before they are stored. Returns the same as check().
   [[nodiscard]] bool check_places();
 
  private:

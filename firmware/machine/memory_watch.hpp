@@ -9,33 +9,34 @@
 
 namespace cnc {
 
-/// Finds bits that turned over in memory which nobody writes meanwhile: goes
-/// round its parts piece by piece and compares their checksum with the one that
-/// was right. Main loop only.
+/// Finds bits that flipped in memory that no code writes meanwhile. It reads the parts of the
+/// memory piece by piece in repeated passes, and compares their checksum with the one of the
+/// correct content. Main loop only.
 class MemoryWatch {
  public:
   static constexpr std::size_t kMostParts = 8;
   using Part = std::span<const std::byte>;
 
-  /// One part more. It stays where it is. @pre fewer than kMostParts
+  /// Adds a part, which must not move.
+  /// @pre fewer than kMostParts parts were added
   void add(Part part);
   template <typename Object>
   void add_object(const Object& object) {
     add(std::as_bytes(std::span{&object, 1}));
   }
 
-  /// What the parts hold now is right. Reads all of them: after each change.
+  /// Accepts the present content as correct. Reads all parts; to be called after each change.
   void accept() { expect(checksum()); }
-  /// The same, where the CRC-32 of the parts, one after the other, is known already.
+  /// Accepts the content whose CRC-32, over all parts in order, is `checksum`.
   void expect(std::uint32_t checksum);
 
-  /// The CRC-32 of the parts when they were right.
+  /// Returns the CRC-32 of the correct content.
   [[nodiscard]] std::uint32_t expected() const { return expected_; }
 
-  /// Whether all parts still hold what is right. Reads all of them.
+  /// Returns whether all parts still have the correct content. Reads all of them.
   [[nodiscard]] bool sound() const { return checksum() == expected_; }
-  /// Reads at most this many bytes more. False when they end a round that found a
-  /// difference. What turned over in a part behind is found in the next round.
+  /// Reads at most `bytes` further bytes. Returns false if they end a pass that found a difference.
+  /// A bit that flips in a part that was already read is found in the next pass.
   [[nodiscard]] bool check(std::size_t bytes);
 
  private:
@@ -44,11 +45,11 @@ class MemoryWatch {
 
   std::array<Part, kMostParts> parts_{};
   std::size_t count_ = 0;
-  std::uint32_t expected_ = 0;  ///< Of no parts.
-  // The present round.
+  std::uint32_t expected_ = 0;  ///< Initially the CRC-32 of no parts.
+  // State of the present pass.
   Crc32 sum_{};
   std::size_t part_ = 0;
-  std::size_t place_ = 0;  ///< Within the part.
+  std::size_t place_ = 0;  ///< Offset within the part, in bytes.
 };
 
 }  // namespace cnc

@@ -16,7 +16,8 @@ void MotionControl::feed_drive() {
   });
 }
 
-/// The motor stage gives out a cell later by ticks_ahead(), and all of it was laid down before.
+/// Notes the present distance with its tick. The motor stage outputs a cell ticks_ahead() later,
+/// and all motion up to this tick is in its cells.
 void MotionControl::note_place() {
   const std::uint32_t tick = drive_.ticks_handed_over();
   if (lit_) trail_.note_light(tick);
@@ -58,8 +59,8 @@ void MotionControl::set_tool_centre(const kinematics::ToolCentre& centre) {
   drop_rest();
 }
 
-/// Between two calls an axis may have reversed unseen. At rest, where everything is certain, the
-/// place is corrected.
+/// Updates the position of the axes. An axis may have reversed between two calls. At rest, where
+/// the position is certain, it is corrected.
 void MotionControl::follow_tool() {
   axes_ = axis_steps();
   if (drive_.running() || !motors().at_rest() || !motors().settled()) return;

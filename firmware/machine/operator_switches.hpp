@@ -2,7 +2,7 @@
 
 namespace cnc {
 
-/// Switches that the operator turns by realtime bytes and `$B`; they hold until turned back.
+/// Switches that the operator toggles by realtime bytes and `$B`; they stay until toggled back.
 struct OperatorSwitches {
   bool optional_stop = false;        ///< M1 pauses.
   bool single_block = false;         ///< The machine pauses after each line.

@@ -8,22 +8,22 @@
 
 namespace cnc {
 
-/// How far a program had come when it was interrupted: the line that was driven, or one
-/// before it, and where the motors were while the tool worked last, in steps of the machine.
+/// Progress of a program that was interrupted: the line that was driven, or an earlier one, and the
+/// motors' position when the tool worked last, in steps of the machine.
 struct Progress {
-  motion::SourceLine line{};  ///< Number 0: of no program.
+  motion::SourceLine line{};  ///< Number 0: no program.
   AxisArray<std::int32_t> steps{};
 
   [[nodiscard]] bool any() const { return line.number != 0; }
   bool operator==(const Progress&) const = default;
 };
 
-/// The same in memory that a restart leaves alone, where anything may stand after power-up: so it
-/// has no constructor.
+/// A Progress in memory that survives a restart. After power-up its content is arbitrary, so it has
+/// no constructor.
 class KeptProgress {
  public:
   void keep(const Progress& progress);
-  /// None where what stands here was not kept.
+  /// Returns the kept progress; an empty one if the content is not valid.
   [[nodiscard]] Progress progress() const;
 
  private:

@@ -7,12 +7,12 @@ namespace cnc {
 
 namespace {
 
-/// So near to its end, in mm, an element is done with: a step or two.
+/// Distance in mm from an element's end at which the element counts as complete: a step or two.
 constexpr float kAtEndMm = 0.02F;
 
 }  // namespace
 
-/// Whether it is the part of the line that was driven, or comes after it.
+/// Returns whether `line` is the part of the line that was driven, or a later one.
 bool Reentry::may_hold(motion::SourceLine line) const {
   if (line.number != line_.number) return line.number > line_.number;
   return line.part >= line_.part;

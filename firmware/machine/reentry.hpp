@@ -6,20 +6,20 @@
 
 namespace cnc {
 
-/// Takes a program up again where it was interrupted: its path is driven dark from the line on
-/// that was driven then, and lit from the place on that the tool had come to. So the beam
-/// comes on at speed, and no more than a step or two is burnt twice.
+/// Continues a program from where it was interrupted. From the line that was driven then, its path
+/// is driven with the beam off; from the point that the tool had reached, with the beam on. So the
+/// beam comes on at speed, and no more than a step or two is burnt twice.
 class Reentry {
  public:
-  /// How many lines may lie between the one that is known and the place: those of a weld, or of
-  /// what shapers delay.
+  /// Greatest number of lines between the known line and the point: lines of a weld, or lines that
+  /// shapers delay.
   static constexpr std::uint32_t kMostLines = 4096;
 
   enum class Verdict : std::uint8_t {
-    kDark,   ///< The whole element; who has come to its end need not look at the next.
-    kSplit,  ///< Dark to its new end; what is left of it is lit.
-    kLit,    ///< The place is behind: nothing more to do.
-    kLost,   ///< The path does not pass the place.
+    kDark,   ///< Beam off for the whole element, which may end at the point.
+    kSplit,  ///< Beam off up to the element's new end; the rest of the element has the beam on.
+    kLit,    ///< The point has been passed: the beam is on.
+    kLost,   ///< The path does not pass the point.
   };
 
   void begin(motion::SourceLine line, const Position& place) {
@@ -33,12 +33,14 @@ class Reentry {
   }
   [[nodiscard]] bool active() const { return active_; }
 
-  /// What becomes of the next element of the path. @pre active()
-  /// @param beside_mm how far from it the place may be
+  /// Decides about the beam on the next element of the path, and splits the element if necessary.
+  /// @pre active()
+  /// @param beside_mm greatest distance of the point from the element
   [[nodiscard]] Verdict judge(path::PathItem& item, float beside_mm);
 
-  /// What is left of the element that was split, as it came.
+  /// Returns whether an element was split and its rest waits.
   [[nodiscard]] bool has_rest() const { return has_rest_; }
+  /// Returns the rest of the split element, otherwise unchanged.
   /// @pre has_rest()
   [[nodiscard]] const path::PathItem& rest() const { return rest_; }
   void drop_rest() { has_rest_ = false; }

@@ -6,73 +6,77 @@
 
 namespace cnc {
 
-/// The light that a beam gives where nothing moves, such as a pierce or a focus dot: within the
-/// duty and the time that the settings allow, which as delivered is none.
+/// The light that a beam gives at rest, such as a pierce or a focus dot, within the duty and the
+/// time that the settings allow. The default allows none.
 ///
-/// The time counts from the last motion, or from when the beam was switched off. So dwells in a row
-/// burn no longer than one does.
+/// The time counts from the last motion, or from the moment when the beam was switched off. So
+/// several dwells in a row burn no longer than one.
 ///
-/// Main loop but for allowed(), which bounds duty and time once more for the watch that stops the
-/// chip: it believes the allowance, whose memory is checked, and counts by itself.
+/// Main loop, except allowed(), by which the watch that stops the chip bounds duty and time once
+/// more. The watch relies on the allowance, whose memory is checked, and has its own count of the
+/// time.
 class RestLight {
  public:
-  /// What a sender is told of a refusal.
+  /// Text of a refusal, for the sender.
   static constexpr std::string_view kRefusalText = "Dark at rest: $870, $871";
   /// Periods of the watch in a millisecond.
   static constexpr std::uint32_t kPeriodsPerMs = 4;
 
-  /// $870 and $871. Light needs both.
+  /// Limits by $870 and $871; light requires both to be above 0.
   struct Allowance {
-    std::uint16_t greatest_duty = 0;  ///< 65535 is full.
+    std::uint16_t greatest_duty = 0;  ///< 65535 is full power.
     std::int32_t longest_us = 0;
   };
 
   enum class Wish : std::uint8_t {
     kNone,
-    kDwell,  ///< At once, until end().
-    kDot,    ///< When nothing has moved for kDotDelayUs.
+    kDwell,  ///< Light at once, until end().
+    kDot,    ///< Light after kDotDelayUs without motion.
   };
-  /// Longer than a sender needs from M3 to the motion after it, which must not begin with a burn.
+  /// Delay before a dot: longer than a sender needs from M3 to the next motion, which must not
+  /// begin with a burn.
   static constexpr std::int32_t kDotDelayUs = 200'000;
 
+  /// Sets the allowance.
   /// @pre not lit
   void configure(const Allowance& allowance);
   [[nodiscard]] const Allowance& allowance() const { return allowance_; }
 
   void ask(Wish wish);
   void end() { wish_ = Wish::kNone; }
-  /// Something moves, or the beam was switched off: the next light may be as long as any.
+  /// Restarts the allowed time, because the machine moves or the beam was switched off.
   void renew();
-  /// The program is over: the next one is told of a refusal again.
+  /// Restarts after the end of a program: a refusal in the next program is reported again.
   void forget_program() { refusal_ = Refusal::kNone; }
   [[nodiscard]] Wish wish() const { return wish_; }
 
   /// Returns the duty from now on.
-  /// @param elapsed_us since the last call
-  /// @param duty what the program means; 0 where nothing may be lit
+  /// @param elapsed_us time since the last call
+  /// @param duty duty that the program requires; 0 if no light is allowed
   [[nodiscard]] std::uint16_t pass(std::int32_t elapsed_us, std::uint16_t duty);
   [[nodiscard]] bool lit() const { return lit_; }
-  /// Before light that pass() returned, and after the output is dark again.
+  /// Starts and ends the watch's count. arm() is called before light that pass() returned, disarm()
+  /// after the output is off again.
   void arm();
   void disarm() { periods_.store(0, std::memory_order_release); }
 
   /// Returns whether take_refusal() will be true.
   [[nodiscard]] bool has_refusal() const { return refusal_ == Refusal::kUntold; }
-  /// True once in a program that asked for light and gets none, or none any more.
+  /// Returns true once in a program that required light and gets none, or gets none any longer.
   [[nodiscard]] bool take_refusal();
 
-  /// Any context, once in each of the watch's periods in which the beam is lit without motion.
-  /// Returns the greatest duty that it may have; 0 where it must be dark.
+  /// Returns the greatest duty that the beam may have; 0 if it must be off. Any context; to be
+  /// called once in each period of the watch in which the beam is on without motion.
   [[nodiscard]] std::uint16_t allowed() noexcept;
 
  private:
   enum class Refusal : std::uint8_t { kNone, kUntold, kTold };
-  /// Of the main loop, which may be late by that when it ends the light.
+  /// Greatest lateness of the main loop in ending the light, in periods.
   static constexpr std::uint32_t kLatePeriods = 3 * kPeriodsPerMs;
 
   Allowance allowance_{};
   std::int32_t left_us_ = 0;
-  std::int32_t waiting_us_ = 0;  ///< Since the wish.
+  std::int32_t waiting_us_ = 0;  ///< Time since the wish.
   Wish wish_ = Wish::kNone;
   Refusal refusal_ = Refusal::kNone;
   bool lit_ = false;

@@ -5,7 +5,7 @@
 namespace cnc {
 namespace {
 
-// In the order of SettingGroup.
+// Order of SettingGroup.
 constexpr std::array<SettingGroupInfo, kSettingGroupCount> kGroups{{
     {0, "General"}, {0, "Control signals"}, {0, "Limits"},  {0, "Homing"},
     {0, "Probing"}, {0, "Jogging"},         {0, "Spindle"}, {0, "Coolant"},

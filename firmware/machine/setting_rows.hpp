@@ -6,9 +6,9 @@
 #include "planner/kinematics/rotary_machine.hpp"
 #include "planner/motion/motors/shaper_impulses.hpp"
 
-/// The rows of the table of settings. Axes that differ in nothing but their letter share a row,
-/// which has the number and the group of the first of them and is for all axes up to the next row
-/// of its ten numbers, or up to C.
+/// Rows of the table of settings. Axes whose settings differ only in the letter share a row. The
+/// row has the number and the group of its first axis. It holds for all axes up to the next row of
+/// the same ten numbers, or up to C.
 namespace cnc::setting_rows {
 
 using Group = SettingGroup;

@@ -9,7 +9,7 @@ namespace {
 
 using setting_rows::kRows;
 
-/// Returns how many settings a row has: one, or one for each axis that shares it.
+/// Returns the number of settings in a row: one, or one for each axis that shares it.
 constexpr std::size_t settings_of(std::size_t row) {
   const SettingInfo& first = kRows[row];
   if (first.group < SettingGroup::kX) return 1;
@@ -26,7 +26,7 @@ constexpr std::size_t kCount = [] {
 }();
 static_assert(kCount <= Settings::kMostSettings);
 
-/// The row of each setting.
+/// Row of each setting.
 constexpr std::array<std::uint8_t, kCount> kRowOf = [] {
   std::array<std::uint8_t, kCount> row_of{};
   std::size_t index = 0;
@@ -38,7 +38,7 @@ constexpr std::array<std::uint8_t, kCount> kRowOf = [] {
   return row_of;
 }();
 
-/// Returns how many settings of the same row come before this one.
+/// Returns the number of settings before this one in the same row.
 constexpr std::size_t place_in_row(std::size_t index) {
   std::size_t place = 0;
   while (place < index && kRowOf[index - place - 1] == kRowOf[index]) ++place;
@@ -57,8 +57,8 @@ constexpr bool are_sorted() {
 }
 static_assert(are_sorted());
 
-/// Settings are looked up for every line, so a lookup takes two steps and no search: the number's
-/// page of eight numbers, then its index there. Pages without settings are all one.
+/// Settings are read for every line, so a lookup takes two steps and no search: first the page of
+/// eight numbers, then the index within the page. All pages without settings are one shared page.
 constexpr std::size_t kPageBits = 3;
 constexpr std::size_t kPageSize = std::size_t{1} << kPageBits;
 constexpr std::size_t kPages = (number_of(kCount - 1) >> kPageBits) + 1U;
@@ -74,7 +74,7 @@ constexpr std::size_t kUsedPages = [] {
 }();
 
 struct PageTable {
-  std::array<std::uint8_t, kPages> pages{};  ///< The first is the one without settings.
+  std::array<std::uint8_t, kPages> pages{};  ///< The first page is the one without settings.
   std::array<std::array<std::uint8_t, kPageSize>, kUsedPages> indices{};
 };
 

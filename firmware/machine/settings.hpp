@@ -13,7 +13,7 @@
 
 namespace cnc {
 
-/// Where a sender shows a setting; the numbers are those of `$EG`.
+/// Group in which a sender shows a setting; the numbers are those of `$EG`.
 enum class SettingGroup : std::uint8_t {
   kGeneral = 1,
   kControlSignals,
@@ -38,11 +38,11 @@ enum class SettingGroup : std::uint8_t {
 inline constexpr std::size_t kSettingGroupCount = 19;
 
 struct SettingGroupInfo {
-  std::uint8_t parent;  ///< A group's number; 0 is the root.
+  std::uint8_t parent;  ///< Number of a group; 0 is the root.
   const char* name;
 };
 
-/// How a sender lets its user edit a value; grblHAL's numbers.
+/// Kind of control with which a sender lets its user edit a value; grblHAL's numbers.
 enum class SettingType : std::uint8_t {
   kSwitch = 0,
   kBits = 1,    ///< The format names the bits, from bit 0 on.
@@ -52,8 +52,8 @@ enum class SettingType : std::uint8_t {
   kDecimal = 6,
 };
 
-/// One or two sentences that tell a user the purpose of a setting. Images compiled for size give
-/// the same text for all settings, which leaves room for the functions that the other images have.
+/// One or two sentences that tell a user the purpose of a setting. Images compiled for size have
+/// one text for all settings; that saves the space that the functions of the other images need.
 template <bool kIsKept>
 class SettingHelp {
  public:
@@ -82,18 +82,19 @@ struct SettingInfo {
   std::uint16_t number;
   SettingGroup group;
   SettingType type;
-  const char* name;  ///< Its axis_letter() and a blank go before it.
+  const char* name;  ///< Shown after axis_letter() and a blank.
   const char* unit;
   float least;
   float most;
-  float standard;      ///< As delivered.
-  const char* format;  ///< Of grblHAL's `$ES`; the type determines its meaning.
+  float standard;      ///< Default value.
+  const char* format;  ///< Format of grblHAL's `$ES`; `type` determines its meaning.
   [[no_unique_address]] SettingHelp<KERFLINE_SETTING_HELP != 0> help;
 
-  /// Returns whether only whole numbers are values.
+  /// Returns whether the setting takes whole numbers only.
   [[nodiscard]] constexpr bool is_whole() const { return type != SettingType::kDecimal; }
 
-  /// Returns the letter that its name begins with, or 0 where it is not a setting of one axis.
+  /// Returns the letter of the setting's axis, with which its name begins; 0 if it is not a setting
+  /// of one axis.
   [[nodiscard]] constexpr char axis_letter() const {
     if (group < SettingGroup::kX) return 0;
     return kAxisLetters[static_cast<std::size_t>(group) -
@@ -103,19 +104,19 @@ struct SettingInfo {
 
 enum class SettingError : std::uint8_t {
   kUnknown,     ///< No setting has this number.
-  kBelowRange,  ///< Its least value is in the table.
+  kBelowRange,  ///< The least value is in the table.
   kAboveRange,
   kNotWhole,
-  kPlaceLost,  ///< At this resolution the present place would be out of reach.
-  kInUse,      ///< G43.4 goes by it.
+  kPlaceLost,  ///< At this resolution the present position would be out of reach.
+  kInUse,      ///< G43.4 is active and uses the setting.
 };
 
-/// The reason in words, for a message.
+/// Returns the reason in words, for a message.
 [[nodiscard]] std::string_view describe(SettingError error);
 
-/// All settings, in the order of their numbers. Names are those Grbl 1.1 and
-/// grblHAL documents use; 810 and above are our own. Rows are made as they are asked for: settings
-/// that each axis has share one in flash.
+/// All settings, in the order of their numbers. Names are those of the Grbl 1.1 and grblHAL
+/// documents; 810 and above are our own. Rows are made on access, because settings that exist for
+/// each axis share one row in flash.
 class SettingTable {
  public:
   class Iterator {
@@ -141,6 +142,7 @@ class SettingTable {
   };
 
   [[nodiscard]] static std::size_t size();
+  /// Returns the setting.
   /// @param index below size()
   [[nodiscard]] SettingInfo operator[](std::size_t index) const;
   [[nodiscard]] static Iterator begin() { return Iterator{0}; }
@@ -148,11 +150,11 @@ class SettingTable {
 };
 
 [[nodiscard]] inline SettingTable setting_table() { return {}; }
-/// Index in the table, or its size when no setting has this number.
+/// Returns the index in the table; its size if no setting has this number.
 [[nodiscard]] std::size_t setting_index(std::uint16_t number);
-/// Nothing when no setting has this number.
+/// Returns the setting; nothing if no setting has this number.
 [[nodiscard]] std::optional<SettingInfo> find_setting(std::uint16_t number);
-/// In the order of SettingGroup, from 1 on.
+/// Returns the groups in the order of SettingGroup, from 1 on.
 [[nodiscard]] std::span<const SettingGroupInfo> setting_groups();
 
 /// The values of all settings.
@@ -162,23 +164,25 @@ class Settings {
 
   Settings();
 
-  /// The value as stored; the number must be in the table.
+  /// Returns the stored value.
+  /// @pre the number is in the table
   [[nodiscard]] float get(std::uint16_t number) const;
-  /// The value of a setting that exists for each axis, such as $100 + axis.
+  /// Returns the value of a setting that exists for each axis, such as $100 + axis.
   [[nodiscard]] float get(std::uint16_t first_number, std::size_t axis) const {
     return get(static_cast<std::uint16_t>(first_number + axis));
   }
-  /// Refused values change nothing. The value returned is the one stored.
+  /// Sets a value and returns the stored one. A refused value changes nothing.
   Result<float, SettingError> set(std::uint16_t number, float value);
-  /// Another number after each change, for whoever keeps what follows from them.
+  /// Returns a number that changes with each change of the settings. Code that keeps derived values
+  /// compares it.
   [[nodiscard]] std::uint32_t revision() const { return revision_; }
-  /// Whether the values are those that were set: false where one turned over in memory, also
+  /// Returns whether the values are those that were set; false if a bit has flipped in memory, also
   /// between two changes.
   [[nodiscard]] bool sound() const;
 
  private:
   std::array<float, kMostSettings> values_{};
-  std::uint32_t sum_ = 0;  ///< Of the values' bits, kept by what they are set to.
+  std::uint32_t sum_ = 0;  ///< Checksum of the values' bits, updated by each set().
   std::uint32_t revision_ = 1;
 };
 

@@ -18,8 +18,8 @@ void SideTrip::go(std::size_t axis,
   go(end, feed_mm_s, beam);
 }
 
-/// The block is built between the nearest steps, for its limits, and then given
-/// the exact places.
+/// Moves all axes. The block is built between the nearest steps, for its limits, and then given the
+/// exact positions.
 void SideTrip::go(const AxisArray<StepPosition>& to,
                   float feed_mm_s,
                   const motion::BeamCommand& beam) {
@@ -37,7 +37,7 @@ void SideTrip::go(const AxisArray<StepPosition>& to,
 }
 
 void SideTrip::feed_drive() {
-  if (segmenter_.idle() && motors_.at_rest()) return;  // Most of the time.
+  if (segmenter_.idle() && motors_.at_rest()) return;  // The usual case: there is no trip.
   feed_segments(drive_, [this](motion::Segment& segment) {
     return motion::next_segment(segmenter_, motors_, segment);
   });

@@ -6,26 +6,27 @@
 
 namespace cnc {
 
-/// Takes one axis away and back while the planned motion is held, or all axes to where that motion
-/// goes on, and leaves the tool there exactly: to the fraction of a step.
+/// Moves one axis away and back while the planned motion is held, or moves all axes to the point
+/// where that motion continues. The final position is exact to the fraction of a step.
 ///
-/// It has a queue and a segmenter of its own, because the ones that are held know where they
-/// stopped; the motors are lent. Main loop only.
+/// It has its own queue and segmenter, because those of the held motion know where that motion
+/// stopped. It borrows the motors. Main loop only.
 class SideTrip {
  public:
-  /// @param held motion that goes on where it stopped.
+  /// @param held motion that later continues where it stopped
   SideTrip(StepDrive& drive, MotionControl& held, const motion::Limits& limits)
       : drive_{drive}, motors_{held.motors()}, limits_{limits}, segmenter_{queue_, limits} {}
 
-  /// The tool stands here. @pre at_rest()
+  /// Begins at the tool's present position.
+  /// @pre at_rest()
   void begin(const AxisArray<StepPosition>& place);
 
-  /// Moves one axis. Nowhere, or out of reach, is done at once.
-  /// @pre at_rest(), and begin() since a halt: there is room for one way only
+  /// Moves one axis. A motion that has no length, or is out of reach, is complete at once.
+  /// @pre at_rest(), and begin() since a halt: the queue holds one motion only
   void go(std::size_t axis, StepPosition to, float feed_mm_s, const motion::BeamCommand& beam);
-  /// The same for all axes, along a straight line.
+  /// Moves all axes along a straight line, like go() for one axis.
   void go(const AxisArray<StepPosition>& to, float feed_mm_s, const motion::BeamCommand& beam);
-  /// Slows down; at rest, begin(place()) forgets the way that was left.
+  /// Slows down to rest; begin(place()) then drops the rest of the motion.
   void halt() { segmenter_.halt(); }
 
   void feed_drive();

@@ -22,7 +22,7 @@ struct Transition {
   Mode to;
 };
 
-/// The first row that fits counts.
+/// The first row that fits applies.
 constexpr std::array<Transition, 19> kTransitions{{
     {from({kFree}), Event::kHold, kHold},
     {from({kHold, kDoor, kTool}), Event::kResume, kFree},

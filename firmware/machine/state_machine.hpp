@@ -4,12 +4,12 @@
 
 namespace cnc {
 
-/// What the machine is engaged in. Idle and Run are one mode: which of them it
-/// is follows from whether anything is left to do.
+/// Present task of the machine. Idle and Run are one mode: the state is Run if any action or motion
+/// is left.
 enum class Mode : std::uint8_t {
   kFree,
   kJog,
-  kJogEnding,  ///< Cancelled, still slowing down.
+  kJogEnding,  ///< Cancelled jog that is still slowing down.
   kHome,
   kCheck,
   kHold,
@@ -19,32 +19,32 @@ enum class Mode : std::uint8_t {
   kAlarm,
 };
 
-/// What makes it change.
+/// Event that may change the mode.
 enum class Event : std::uint8_t {
   kHold,
-  kResume,  ///< Cycle start; after a door it comes when all is restored.
+  kResume,  ///< Cycle start; after a door, the moment when all is restored.
   kDoor,
-  kStay,  ///< After a door all is restored, but the operator is to confirm.
+  kStay,  ///< After a door all is restored, but the operator must confirm.
   kJog,
   kJogCancel,
   kHome,
   kCheck,
   kTool,
   kSleep,
-  kOver,  ///< The jog or the homing cycle came to its end.
+  kOver,  ///< The jog or the homing cycle has ended.
   kAlarm,
   kReset,
   kUnlock,
 };
 
-/// The drawing of ARCHITECTURE.md as a table: where an event leads, and where
-/// it means nothing.
+/// The drawing of ARCHITECTURE.md as a table: the mode to which each event leads, and the events
+/// without a meaning.
 class StateMachine {
  public:
   [[nodiscard]] Mode mode() const { return mode_; }
   [[nodiscard]] bool in(Mode mode) const { return mode_ == mode; }
   [[nodiscard]] bool allows(Event event) const;
-  /// False where the event means nothing in this mode; it then changes nothing.
+  /// Takes an event. Returns false, and changes nothing, if the event has no meaning in this mode.
   bool take(Event event);
 
  private:

@@ -10,40 +10,40 @@
 
 namespace cnc {
 
-/// A tool that is changed by hand (M6) while its sender takes part (0xA3): what the program leaves
-/// behind meanwhile, and how far the way back to it has come.
+/// A tool change by hand (M6) in which the sender takes part (0xA3): the program's state that waits
+/// meanwhile, and the stage of the return to it.
 ///
-/// Lines and jogs of the change move the machine and set offsets. At its end the tool goes back to
-/// where the program stood, up first, then across and down, and the spindle turns there, as it does
-/// after a change without lines. Of the modes nothing stays, of the offsets all.
+/// Lines and jogs of the change move the machine and set offsets. At its end the tool returns to
+/// the program's position: up first, then across and down. The spindle starts there, as after a
+/// change without lines. The modes are restored; the offsets stay as the change has set them.
 class ToolChange {
  public:
   enum class Stage : std::uint8_t {
     kClosed,
-    kOpen,      ///< Lines and jogs are taken.
-    kStopping,  ///< What moves is stopped and dropped; kOpen follows.
-    kEnding,    ///< The operator goes on; what was taken before is done first.
+    kOpen,      ///< Lines and jogs are accepted.
+    kStopping,  ///< Motion is stopped and dropped; kOpen follows.
+    kEnding,    ///< The operator resumes; lines accepted before are done first.
     kReturning,
   };
 
-  /// What waits of the program.
+  /// The waiting state of the program.
   struct Job {
-    std::optional<gcode::Interpreter> interpreter{};  ///< The program goes on with it.
-    gcode::Actions waiting{};  ///< Views the machine's interpreter, as it will be again.
+    std::optional<gcode::Interpreter> interpreter{};  ///< The program continues with it.
+    gcode::Actions waiting{};  ///< Views into the machine's interpreter, valid after its return.
     motion::OutputChanges with_next_motion{};
-    Position place{};  ///< Of the tool, machine coordinates.
+    Position place{};  ///< Position of the tool in machine coordinates.
     bool step_pause = false;
   };
 
   [[nodiscard]] Stage stage() const { return stage_; }
   void go_to(Stage stage) { stage_ = stage; }
-  /// The operator goes on. No effect but while lines are taken.
+  /// Ends the change because the operator resumes. Has an effect only while lines are accepted.
   void end() {
     if (stage_ == Stage::kOpen) stage_ = Stage::kEnding;
   }
-  /// Since 0xA3, until the program goes on.
+  /// Returns whether a change is open, from 0xA3 until the program continues.
   [[nodiscard]] bool open() const { return stage_ != Stage::kClosed; }
-  /// No line is taken.
+  /// Returns whether no line is accepted.
   [[nodiscard]] bool busy() const { return stage_ > Stage::kOpen; }
 
   [[nodiscard]] Job& job() { return job_; }

@@ -42,7 +42,7 @@ void ToolOutput::set_override(float factor) {
   apply();
 }
 
-/// 0…1 of full output: S over $30; below $31 a running tool turns at $31.
+/// Returns the share of full output, 0…1: S divided by $30. Below $31 a running tool uses $31.
 float ToolOutput::duty() const {
   if (mode_ == gcode::SpindleMode::kOff || speed_ <= 0.0F) return 0.0F;
   return std::clamp(speed_, least_speed(), settings_.most_speed) / settings_.most_speed;

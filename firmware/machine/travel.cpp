@@ -10,7 +10,7 @@
 namespace cnc {
 namespace {
 
-/// A circle that touches the end of the travel may be this much beyond it by
+/// Distance in nanometres by which a circle that touches the end of the travel may exceed it by
 /// rounding: its radius is a float.
 constexpr Coordinate kSlack{1000};
 

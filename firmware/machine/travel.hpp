@@ -11,37 +11,37 @@
 
 namespace cnc {
 
-/// The room that the axes have between their ends, machine coordinates: what
-/// the soft limits ($20) keep every motion inside.
+/// The range of the axes between their ends, in machine coordinates, which the soft limits ($20)
+/// let no motion leave.
 ///
-/// Only axes that have been homed are judged, as of the others nobody knows
-/// where the ends are; endless ones (travel 0) never.
+/// Only homed axes are checked, because the ends of the others are unknown. Endless axes (travel 0)
+/// are never checked.
 class Travel {
  public:
-  /// The machine by which a tip under G43.4 moves the axes.
+  /// The five-axis machine whose axes move a tip under G43.4.
   struct FiveAxes {
     const kinematics::ToolCentre& centre;
     const motion::Limits& limits;
   };
 
-  /// @param homed bit i for axis i.
+  /// @param homed bit i for axis i
   void configure(const Settings& settings, std::uint8_t homed);
 
-  /// Whether a motion of these actions, begun at `from`, would leave it; of an
-  /// arc or a spline its true extremes count.
+  /// Returns whether a motion of these actions from `from` would leave the travel. For an arc or a
+  /// spline its true extremes count.
   [[nodiscard]] bool left_by(gcode::Actions actions, const Position& from) const;
-  /// Returns whether motions of a tip would take the axes out of it, or the tilting axis out of its
-  /// limits, which hold without homing, too. Axes may be taken for outside at less than 0.2 mm from
-  /// the end of the travel on lines of 100 mm and arcs.
+  /// Returns whether motions of a tip would take an axis out of the travel, or the tilting axis out
+  /// of its limits, which hold without homing, too. Axes may be reported outside if they are less
+  /// than 0.2 mm inside the end of the travel on lines of 100 mm and arcs.
   /// @param elements is used to divide the actions, and cleared
   /// @pre centre.active(); the actions are lines and arcs; elements are not active
   [[nodiscard]] bool left_by(gcode::Actions actions,
                              const Position& from,
                              const FiveAxes& machine,
                              ActionElements& elements) const;
-  /// Whether a place is inside.
+  /// Returns whether a position is inside.
   [[nodiscard]] bool holds(const Position& place) const { return contains(place); }
-  /// The place inside that is nearest, axis by axis.
+  /// Returns the nearest position inside, axis by axis.
   [[nodiscard]] Position clamped(const Position& place) const;
 
  private:
@@ -55,9 +55,8 @@ class Travel {
   Position most_{};
 };
 
-/// From here to there lies the travel of an axis, machine coordinates: as in
-/// Grbl the machine lies on the negative side of zero; where homing sets the
-/// origin ($22 bit 3) at the lower end ($23), on the positive side.
+/// Travel of an axis in machine coordinates. As in Grbl, it is on the negative side of zero. If
+/// homing sets the origin ($22 bit 3) at the lower end ($23), it is on the positive side.
 struct AxisTravel {
   Coordinate least{};
   Coordinate most{};

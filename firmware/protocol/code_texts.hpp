@@ -6,23 +6,23 @@
 
 namespace cnc {
 
-/// A number that senders know, in words.
+/// A number that senders know, and its text.
 struct CodeText {
   std::uint8_t number;
-  const char* text;  ///< Without the two words that only an acknowledgement may hold.
+  const char* text;  ///< Has neither "ok" nor "error", which only an acknowledgement may hold.
 };
 
-/// Every number after `error:`, in their order (`$EE`). Grbl's 12 and 17 are
-/// missing: no value of a setting asks for too many steps, and there always is
-/// a power output.
+/// Returns every number after `error:`, in order (`$EE`). Grbl's 12 and 17 are missing: no value of
+/// a setting can require too many steps, and there is always a power output.
 [[nodiscard]] std::span<const CodeText> error_texts();
-/// The text of an error number; it must be in the table.
+/// Returns the text of an error number.
+/// @pre the number is in the table
 [[nodiscard]] std::string_view error_text(std::uint8_t number);
-/// Every number after `ALARM:`, in their order (`$EA`).
+/// Returns every number after `ALARM:`, in order (`$EA`).
 [[nodiscard]] std::span<const CodeText> alarm_texts();
 
-/// The numbers that the protocol itself gives; those of G-code are gcode::ErrorCode.
-/// Source: gnea/grbl, doc/csv/error_codes_en_US.csv, and grblHAL's 79.
+/// Errors of the protocol itself; those of G-code are gcode::ErrorCode. Source: gnea/grbl,
+/// doc/csv/error_codes_en_US.csv, and grblHAL's 79.
 namespace error_number {
 inline constexpr std::uint8_t kWrongCheck = 1;
 inline constexpr std::uint8_t kBadNumber = 2;
@@ -39,7 +39,7 @@ inline constexpr std::uint8_t kTextTooLong = 14;
 inline constexpr std::uint8_t kJogBeyondTravel = 15;
 inline constexpr std::uint8_t kNotAJog = 16;
 inline constexpr std::uint8_t kEmergencyStop = 79;
-inline constexpr std::uint8_t kNotDone = 200;  ///< Our own, beyond all that grblHAL uses.
+inline constexpr std::uint8_t kNotDone = 200;  ///< Our own number, beyond those of grblHAL.
 }  // namespace error_number
 
 }  // namespace cnc

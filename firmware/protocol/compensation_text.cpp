@@ -41,7 +41,7 @@ void put_compensation_fault(Reply& reply, const compensation::Fault& fault) {
   if (two) put_element(reply.letter(' '), fault.other, fault.other_line);
 }
 
-/// An invalid target: of the line that is answered, or of one before.
+/// Refuses a line with "invalid target", for a fault of this line or of an earlier one.
 void LineProtocol::refuse(const compensation::Fault& fault) {
   Reply reason = begin_reason(0);
   put_compensation_fault(reason.text("since G41 or G42, "), fault);

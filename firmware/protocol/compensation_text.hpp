@@ -5,7 +5,8 @@
 
 namespace cnc {
 
-/// As words, with elements and line numbers: "element 5 (N120) would come too near to element 2".
+/// Writes the fault in words, with elements and line numbers: "element 5 (N120) would come too near
+/// to element 2".
 void put_compensation_fault(Reply& reply, const compensation::Fault& fault);
 
 }  // namespace cnc

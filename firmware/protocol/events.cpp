@@ -7,7 +7,8 @@
 
 namespace cnc {
 
-/// The interval of $481 has passed since the last; from 0x8C to the next.
+/// Returns whether an automatic report is due: reports are on (0x8C) and the interval of $481 has
+/// passed since the last.
 bool LineProtocol::report_is_due() const {
   if (!auto_report_) return false;
   const float interval_ms = machine_.settings().get(setting::kReportInterval);
@@ -15,7 +16,7 @@ bool LineProtocol::report_is_due() const {
   return now_.since(reported_) >= static_cast<std::int32_t>(1000.0F * interval_ms);
 }
 
-/// Answers `?` and its kin, whatever else is going on.
+/// Answers `?` and the other requests for reports, whatever else is going on.
 bool LineProtocol::report() {
   form_.inches = inches();
   const bool due = report_is_due();
@@ -30,7 +31,7 @@ bool LineProtocol::report() {
   return true;
 }
 
-/// Tells what has happened to the machine, each thing once.
+/// Reports one event of the machine. Returns false if there is none.
 bool LineProtocol::tell_news() {
   if (greeting_due_) {
     greet();
@@ -74,8 +75,8 @@ bool LineProtocol::tell_news() {
   return attend_startup_trial();
 }
 
-/// `[MSG:17.204 mm are uncut from 12.000,3.500,0.000 on; ~ goes on without them]`, in machine
-/// coordinates.
+/// Writes `[MSG:17.204 mm are uncut from 12.000,3.500,0.000 on; ~ goes on without them]`, in
+/// machine coordinates.
 void LineProtocol::tell_uncut(const Uncut& uncut) {
   Reply reply = begin_answer();
   reply.text("[MSG:")
@@ -86,7 +87,7 @@ void LineProtocol::tell_uncut(const Uncut& uncut) {
   answer(reply.text(held ? " on; ~ goes on without them]" : " on]").end());
 }
 
-/// What senders want to read before the acknowledgement of the line that did it.
+/// Reports results that senders require before the acknowledgement of the line that caused them.
 bool LineProtocol::tell_result() {
   if (machine_.news().probe_ended.take()) {
     Reply reply = begin_answer();
@@ -99,7 +100,7 @@ bool LineProtocol::tell_result() {
   return true;
 }
 
-/// The first words after power-up and after each reset.
+/// Writes the first lines after power-up and after each reset.
 void LineProtocol::welcome() {
   beginning_ = false;
   form_.axes = static_cast<std::size_t>(machine_.settings().get(setting::kReportedAxes));
@@ -112,7 +113,7 @@ void LineProtocol::welcome() {
   tell_trouble();
 }
 
-/// A sender that has come needs no more than this to know what it talks to.
+/// Writes all lines that a new sender needs to recognise the controller.
 void LineProtocol::greet() {
   greeting_due_ = false;
   status_.begin_anew();
@@ -130,9 +131,9 @@ void LineProtocol::tell_trouble() {
   answer(reply.letter(']').end());
 }
 
-/// G10, G28.1 and G30.1 change places while a program runs; they are kept as
-/// soon as nothing moves and beam and spindle are off: flash stops the processor for
-/// longer than a fault may leave them on.
+/// Saves positions that G10, G28.1 and G30.1 have changed. Saving waits until nothing moves and
+/// beam and spindle are off, because flash stops the processor for longer than a fault may leave
+/// them on.
 void LineProtocol::save_places() {
   const gcode::StoredPlaces& places = machine_.interpreter().places();
   if (!machine_.idle() || machine_.tool_runs() || saving_failed_ || stored_.has_saved(places))

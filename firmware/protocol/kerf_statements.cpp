@@ -3,7 +3,8 @@
 #include "firmware/protocol/line_protocol.hpp"
 #include "firmware/protocol/sender_words.hpp"
 
-/// `$K…`: the kerf tables. All of it at rest only, as all that reads or writes flash at length.
+/// Carries out `$K…`, the statements about kerf tables. They are allowed at rest only, because they
+/// read or write flash at length.
 namespace cnc {
 
 void LineProtocol::take_kerf_statement(const Statement& statement) {
@@ -59,7 +60,7 @@ void LineProtocol::keep_kerf_table() {
   acknowledge();
 }
 
-/// `*` forgets all, also what is damaged so that it has no name any more.
+/// Erases a kerf table. `*` erases all, including damaged tables, which have no readable name.
 void LineProtocol::erase_kerf_table(const Statement& statement) {
   if (statement.text == "*") {
     if (!kerf_.forget_all()) return refuse(error_number::kStoreFailed);
@@ -105,7 +106,7 @@ void LineProtocol::ask_kerf(const Statement& statement) {
   acknowledge();
 }
 
-/// As it is now; of one that is damaged or forgotten, nothing.
+/// Gives the machine the table as it is now; none if it is damaged or erased.
 void LineProtocol::select_kerf(std::uint32_t index) {
   kerf::SelectedTable selected{.count = static_cast<std::uint32_t>(kerf_.count()), .index = index};
   if (index < selected.count) {

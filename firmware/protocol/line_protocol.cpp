@@ -10,19 +10,20 @@
 namespace cnc {
 namespace {
 
-/// Rows of a listing in one turn, so that `$ES` does not keep the planner waiting.
+/// Rows of a listing in one cycle, so that `$ES` does not delay the planner.
 constexpr int kRowsInATurn = 8;
 
-/// Lines at a look, of which a turn has two: a burst is planned in the time that a turn has.
+/// Lines in one poll, of which a cycle has two. So a burst of lines is planned within the time of a
+/// cycle.
 constexpr int kLinesInATurn = 4;
 
-/// Nothing but blanks and comments.
+/// Returns whether a line has only blanks and comments.
 bool is_empty(std::string_view line) {
   gcode::LineReader reader{line};
   return !reader.begin(false) && reader.at_end();
 }
 
-/// Of all that it says so far.
+/// Appends the CRC of the reply so far.
 Reply& put_crc(Reply& reply) {
   std::array<char, 8> digits{};
   put_line_crc(reply.view(), digits.data());
@@ -84,9 +85,10 @@ void LineProtocol::poll(hal::TickCount now) {
       }
       std::string_view line = assembler_.line();
       if (passes_check(line)) handle(line);
-      // Most lines are answered at once: nothing else is to be said before.
+      // Most lines are answered at once: no other line is to be sent before the answer.
       const bool silent = outbox_.empty() && !listing_.active() && !tell_news();
-      // A sender that waits for each answer has it now, and its next line is read in this turn.
+      // A sender that waits for each answer gets it now, so its next line can be read in this
+      // cycle.
       if (silent && !machine_.busy() && finish_line()) outbox_.send(link_);
     }
   }
@@ -94,7 +96,7 @@ void LineProtocol::poll(hal::TickCount now) {
 
 void LineProtocol::receive() {
   const bool may_wait = link_.may_wait();
-  // At most what there is room for.
+  // Reads no more than the receiver can hold.
   for (std::size_t chunk = 0; chunk < Receiver::kRealBytes / incoming_.size(); ++chunk) {
     const std::size_t room =
         may_wait ? std::min<std::size_t>(incoming_.size(), receiver_.room()) : incoming_.size();
@@ -109,7 +111,7 @@ void LineProtocol::act_at_once(std::byte byte) {
   silence_.hear(now_);
   const auto code = std::to_integer<std::uint8_t>(byte);
   if (code == static_cast<std::uint8_t>(RealtimeByte::kToolAcknowledge)) return refuse_tool();
-  if (machine_.changes_tool()) receive();  // Lines that `~` comes behind.
+  if (machine_.changes_tool()) receive();  // Lines that came before `~`.
   receiver_.act_at_once(code);
 }
 
@@ -136,20 +138,22 @@ void LineProtocol::attend_realtime() {
   }
 }
 
-/// Who is gone while the beam is on cannot be asked what it is to do.
+/// Stops the machine if the sender is gone while the beam is on.
 void LineProtocol::watch_link() {
   const float allowed_ms = machine_.settings().get(setting::kLinkWatchdog);
   const bool gone = silence_.gone(now_, allowed_ms, sender_owes());
   if (gone && allowed_ms > 0.0F && machine_.beam_works()) machine_.lose_link();
 }
 
-/// All lines are answered, and more must come: the program has not switched the beam off.
+/// Returns whether the sender must send more: all lines are answered, and the program has not
+/// switched the beam off.
 bool LineProtocol::sender_owes() const {
   const bool lit = machine_.interpreter().state().spindle != gcode::SpindleMode::kOff;
   return lit && owed_ == Owed::kNothing && !machine_.busy();
 }
 
-/// While a line waits for the machine, or for whoever reads the answers, none can be expected.
+/// Checks for silence of a sender that checks its lines. While a line waits for the machine, or its
+/// answer for the link, no further line can be expected.
 void LineProtocol::watch_checks() {
   if (!check_.active()) return;
   if (owed_ != Owed::kNothing || machine_.busy()) check_.keep(now_);
@@ -191,7 +195,7 @@ void LineProtocol::lose_sender() {
   if (!machine_.idle() || machine_.tool_runs()) machine_.safety_door();
 }
 
-/// True when there was something left to say about the line before.
+/// Finishes the last line. Returns whether a line was written.
 bool LineProtocol::finish_line() {
   if (owed_ == Owed::kNothing) return false;
   if (tell_result()) return true;
@@ -226,7 +230,8 @@ bool LineProtocol::read_line() {
   return receiver_.take_until([this](char byte) { return assembler_.add(byte); });
 }
 
-/// What was kept of the first of them is dropped: it has no end.
+/// Refuses a lost line. The beginning that was kept of the first lost line is dropped, because it
+/// has no end.
 bool LineProtocol::refuse_lost_line() {
   if (!receiver_.take_lost_line()) return false;
   assembler_ = {};
@@ -234,7 +239,7 @@ bool LineProtocol::refuse_lost_line() {
   return true;
 }
 
-/// True when the line is to be done: as it came, or what is left of it without its check.
+/// Returns whether the line is to be carried out. Removes its number and check.
 bool LineProtocol::passes_check(std::string_view& line) {
   const LineCheck::Judgement judged = check_.judge(line, assembler_.long_line(), now_);
   line = judged.text;
@@ -259,7 +264,8 @@ bool LineProtocol::passes_check(std::string_view& line) {
   return false;
 }
 
-/// Senders that sum up expect an acknowledgement behind it, as Marlin gives one.
+/// Requests a line. Senders that use the sum expect an acknowledgement after the request, as from
+/// Marlin.
 void LineProtocol::ask_again(LineCheck::Verdict verdict) {
   Reply reply = begin_answer();
   reply.text(verdict == LineCheck::Verdict::kDrop ? "Dropped: " : "Resend: ");
@@ -287,7 +293,8 @@ void LineProtocol::handle(std::string_view line) {
   refuse(error_number::kLocked);
 }
 
-/// Whatever has changed of the kerf tables, the line finds the one that is selected.
+/// Gives a line of G-code to the machine, first with the selected kerf table if the tables have
+/// changed.
 gcode::Refusal LineProtocol::accept(std::string_view line) {
   const gcode::Material& material = machine_.interpreter().state().material;
   const bool wanted = material.thickness_um != 0 && !machine_.kerf().holds(material.table);
@@ -306,7 +313,7 @@ void LineProtocol::take_gcode(std::string_view line) {
 void LineProtocol::refuse(const gcode::Fault& fault,
                           std::uint32_t first_column,
                           std::uint8_t number) {
-  // Columns of a line that has lost text of its comments are not those that came.
+  // If the text of comments was dropped, columns differ from those of the line that was sent.
   const bool known = fault.column != 0 && assembler_.whole();
   Reply reason = begin_reason(known ? fault.column + first_column - 1 : 0);
   reason.wrote(gcode::describe(fault, reason.room()));

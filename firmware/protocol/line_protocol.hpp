@@ -25,76 +25,77 @@
 
 namespace cnc {
 
-/// The conversation over one link, as Grbl 1.1 has it: a line in, one answer
-/// out, in order; realtime bytes in between.
+/// The conversation over one link, as in Grbl 1.1: one line in, one answer out, in order; realtime
+/// bytes act in between.
 ///
-/// `ok` when all that the line asks for is planned (a dwell, a probe, homing:
-/// over), so a sender that waits for it never overruns the planner. No line is
-/// read before the answer to the one before is on its way. A refused line is
-/// answered by `[MSG:column: reason]` and `error:N` with Grbl's number.
+/// `ok` is sent when the whole line is planned, or complete if it is a dwell, a probe or homing. So
+/// a sender that waits for it never overruns the planner. No line is read before the answer to the
+/// line before is on its way. A refused line is answered by `[MSG:column: reason]` and `error:N`
+/// with Grbl's number.
 ///
-/// A sender that checks its lines (LineCheck) has those that are missing asked for by `Resend: N`;
-/// with the CRC the answers say which line they are for, and carry one as well: `ok N12*8D1F03A2`.
+/// If a sender checks its lines (LineCheck), missing lines are requested by `Resend: N`. With the
+/// CRC the answers name their line, and carry a CRC as well: `ok N12*8D1F03A2`.
 ///
-/// Never waits for the link: what is to be said is made line by line as the
-/// link takes it, a status report before anything else. No line but an
-/// acknowledgement contains "ok" or "error", in any case: senders would count it.
+/// The protocol never waits for the link: answers are made line by line as the link takes them, a
+/// status report before all others. No line except an acknowledgement contains "ok" or "error", in
+/// any case, because senders would count it.
 class LineProtocol {
  public:
   static constexpr std::size_t kLongestLine = gcode::kLongestLine;
 
-  /// Gives the machine what the store holds. @param board may be null.
+  /// Gives the machine the content of the store.
+  /// @param board may be null
   LineProtocol(hal::ByteStream& link,
                Machine& machine,
                hal::RecordStore& store,
                hal::ControlBoard* board);
 
-  /// Reads and answers what it can without waiting.
-  /// @param now microseconds.
+  /// Reads and answers lines as far as that is possible without waiting.
+  /// @param now microseconds
   void poll(hal::TickCount now);
 
-  /// Returns whether poll() would say nothing and change nothing, if the link has no byte. A host
-  /// that knows its link leaves out such polls, but for one in kMostQuietUs.
+  /// Returns whether poll() would send nothing and change nothing, if the link has no byte. A host
+  /// that knows its link leaves out such polls, except one in each kMostQuietUs.
   [[nodiscard]] bool is_quiet(hal::TickCount now) const;
 
-  /// A realtime byte that came apart from the stream. Of lines nobody knows whether they were sent
-  /// before it, so 0xA3, which has to know, is answered by a message.
+  /// Handles a realtime byte that came apart from the stream. Its order relative to lines is
+  /// unknown, so 0xA3, which depends on that order, is answered by a message.
   void act_at_once(std::byte byte);
-  /// Bytes of lines that can be received now.
+  /// Returns the number of bytes of lines that can be received now.
   [[nodiscard]] std::uint32_t room() const { return receiver_.room(); }
 
-  /// Every line must carry a number and a check.
+  /// Returns whether every line must carry a number and a check.
   [[nodiscard]] bool checks_lines() const { return check_.strict(); }
 
-  /// Another sender is at the link from now on: it is greeted, and gets no answer to lines
-  /// of the one before, which are forgotten where they have not been read yet.
+  /// Begins another sender, which is greeted. It gets no answers to lines of the sender before, and
+  /// those of them that are still unread are dropped.
   void begin_sender();
 
-  /// What came beside the stream and is no byte: changes a setting and keeps it, as a line would.
-  /// False where the machine is at work, the value out of range or the store fails.
+  /// Changes a setting and stores it, as a line would, for requests that come apart from the
+  /// stream. Returns false if the machine is at work, the value is out of range or the store fails.
   [[nodiscard]] bool store_setting(std::uint16_t number, float value);
 
-  /// The sender is gone, and nobody else is there: what moves or turns stops as by the
-  /// safety door. The place stays known, and whoever comes next may resume or reset.
+  /// Handles the loss of the sender when no other is there: motion and spindle stop as by the
+  /// safety door. The position stays known, and the next sender may resume or reset.
   void lose_sender();
 
  private:
-  /// Behind the last start-up line there is one to report its fault.
+  /// End of the start-up lines. One more position follows the last line, to report its fault.
   static constexpr std::size_t kStartupDone = StoredState::kStartupLines + 1;
   /// Times that are measured from now_ and the last bytes wrap far later.
   static constexpr std::int32_t kMostQuietUs = 1'000'000;
 
-  /// What the line before still waits for.
+  /// Answer that the last line still waits for.
   enum class Owed : std::uint8_t { kNothing, kAck, kHoming };
 
-  /// A start-up line that is stored and is done for the first time.
+  /// A start-up line that was stored and runs for the first time.
   struct StartupTrial {
     std::size_t index;
-    StoredText before;    ///< The one that it replaces.
-    bool failed = false;  ///< It was refused, raised an alarm or was cut short by a reset.
+    StoredText before;    ///< The line that it replaces.
+    bool failed = false;  ///< The line was refused, raised an alarm or was cut short by a reset.
   };
 
-  // The order of things, in line_protocol.cpp.
+  // Main sequence, in line_protocol.cpp.
   void receive();
   void attend_realtime();
   void begin_anew();
@@ -121,7 +122,7 @@ class LineProtocol {
   [[nodiscard]] bool ends_tool_change(RealtimeByte command);
   void attend_tool_change();
 
-  // What is said without being asked, in events.cpp.
+  // Lines that no line requested, in events.cpp.
   [[nodiscard]] bool report();
   [[nodiscard]] bool report_is_due() const;
   [[nodiscard]] bool tell_news();
@@ -175,13 +176,13 @@ class LineProtocol {
   void refuse(std::uint8_t number, Reply& reason);
   void refuse(std::uint8_t number);
   void refuse(const compensation::Fault& fault);
-  /// @param number 0: the fault's own.
+  /// @param number 0 for the fault's own number
   void refuse(const gcode::Fault& fault, std::uint32_t first_column, std::uint8_t number = 0);
   void acknowledge() { owed_ = Owed::kAck; }
   void message(std::string_view words);
-  /// The next line to be said; goes out with answer(). One at a time.
+  /// Returns space for the next line; answer() sends it. One line at a time.
   [[nodiscard]] Reply begin_answer() { return Reply{outbox_.room<Reply::kCapacity>()}; }
-  /// An acknowledgement; says which line it is for, where lines are numbered.
+  /// Sends an acknowledgement, which names its line if lines are numbered.
   void answer_line(Reply& reply);
   void say_ok();
   void answer(const Reply& reply) { outbox_.wrote(reply.view().size()); }
@@ -192,32 +193,32 @@ class LineProtocol {
   hal::ControlBoard* board_;
   StoredState stored_;
   KerfTables kerf_;
-  std::uint32_t kerf_seen_ = 0;      ///< When the machine was told of them.
-  std::array<char, 64> incoming_{};  ///< What the link hands over at a time.
+  std::uint32_t kerf_seen_ = 0;      ///< Revision when the machine was given a table.
+  std::array<char, 64> incoming_{};  ///< Bytes of one read from the link.
   Receiver receiver_{};
   LineAssembler<kLongestLine> assembler_{};
   LineCheck check_{};
   SilenceWatch silence_{};
-  Outbox<3 * Reply::kCapacity> outbox_{};  ///< A message, a reason and its number.
+  Outbox<3 * Reply::kCapacity> outbox_{};  ///< Holds a message, a reason and its number.
   Listing listing_;
   StatusReport status_{};
   ReportForm form_{};
   Owed owed_ = Owed::kNothing;
   Alarm told_alarm_ = Alarm::kNone;
   bool tool_told_ = false;
-  bool takes_part_ = false;          ///< The sender has said 0xA3 in a tool change.
-  bool tool_change_ends_ = false;    ///< `~` has come; lines before it are done first.
-  std::string_view tool_refusal_{};  ///< Why 0xA3 was not taken, until it is reported.
+  bool takes_part_ = false;          ///< The sender takes part in a tool change by 0xA3.
+  bool tool_change_ends_ = false;    ///< `~` has come; earlier lines are done first.
+  std::string_view tool_refusal_{};  ///< Reason why 0xA3 was refused, until reported.
   hal::TickCount now_{};
-  hal::TickCount reported_{};  ///< The last report that nobody asked for.
+  hal::TickCount reported_{};  ///< Time of the last automatic report.
   bool auto_report_ = false;
-  bool modes_wanted_ = false;  ///< 0x83: a parser state between other lines.
+  bool modes_wanted_ = false;  ///< 0x83: the parser state is to be sent between lines.
   bool beginning_ = true;      ///< After power-up or a reset: the banner is due.
-  bool greeting_due_ = false;  ///< A sender came; nothing else has happened.
-  bool unheard_ = false;       ///< Who sent the line that is owed an answer is gone.
+  bool greeting_due_ = false;  ///< A new sender is to be greeted; nothing else changes.
+  bool unheard_ = false;       ///< The sender of the line being done is gone.
   bool saving_failed_ = false;
-  std::size_t startup_line_ = kStartupDone;  ///< The next to be run.
-  bool starts_ = false;                      ///< Start-up lines were the last that were done.
+  std::size_t startup_line_ = kStartupDone;  ///< Next start-up line to run.
+  bool starts_ = false;                      ///< The lines done last were start-up lines.
   std::optional<StartupTrial> startup_trial_{};
 };
 

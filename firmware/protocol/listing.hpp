@@ -11,7 +11,7 @@
 
 namespace cnc {
 
-/// Answers of one or many lines.
+/// Kinds of listings, which are answers of one or many lines.
 enum class ListingKind : std::uint8_t {
   kNone,
   kHelp,            ///< `$`
@@ -29,14 +29,14 @@ enum class ListingKind : std::uint8_t {
   kErrors,          ///< `$EE`
   kPowerTable,      ///< `$PC`
   kKerfTables,      ///< `$K`
-  kKerfImage,       ///< `$KR=`; the argument is the table's place in the list.
+  kKerfImage,       ///< `$KR=`; the argument is the table's index.
 };
 
-/// Makes an answer line by line, as the link takes them: `$ES` has more bytes
-/// than there is memory for, and a status report must not wait for its end.
+/// Makes an answer line by line, as the link takes them: `$ES` has more bytes than the memory can
+/// hold, and a status report must not wait for its end.
 class Listing {
  public:
-  /// @param board may be null.
+  /// @param board may be null
   Listing(const Machine& machine, StoredState& stored, KerfTables& kerf, hal::ControlBoard* board)
       : machine_{machine}, stored_{stored}, kerf_{kerf}, board_{board} {}
 
@@ -44,7 +44,7 @@ class Listing {
   void stop() { kind_ = ListingKind::kNone; }
   [[nodiscard]] bool active() const { return kind_ != ListingKind::kNone; }
 
-  /// Writes the next line. False, and nothing written, after the last.
+  /// Writes the next line. Returns false, with nothing written, after the last line.
   [[nodiscard]] bool next(Reply& reply, const ReportForm& form);
 
  private:

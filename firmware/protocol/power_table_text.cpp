@@ -31,7 +31,7 @@ std::string_view describe(PowerTableError error) {
   return {};
 }
 
-/// Takes a number off the front of the text, as a whole number of 1 / `parts`.
+/// Takes a number from the front of the text, as a whole number of 1 / `parts`.
 std::optional<std::uint32_t> take_number(std::string_view& text, std::uint32_t parts) {
   const auto reading = gcode::read_decimal(text);
   if (!reading.ok()) return std::nullopt;
@@ -76,7 +76,7 @@ Result<PowerTable, PowerTableRefusal> read_power_table(std::string_view text) {
     if (!point)
       return PowerTableRefusal{here(), "not a list of the form percent:watts,percent:watts"};
     points[count++] = *point;
-    // Point by point, so that the refusal names the first that is wrong.
+    // Checks after each point, so that the refusal names the first wrong point.
     const auto so_far = PowerTable::make(std::span{points}.first(count));
     const bool threshold = count == 1 && point->milliwatts == 0 && !rest.empty();
     if (!so_far.ok() && !threshold) return PowerTableRefusal{column, describe(so_far.error())};

@@ -4,8 +4,8 @@
 
 namespace cnc {
 
-/// `[RESUME:120|12.000,3.500,0.000|can]`: the line, machine coordinates, and whether they still
-/// hold; `[RESUME:0]` where no program was interrupted.
+/// Writes `[RESUME:120|12.000,3.500,0.000|can]`: the line, its position in machine coordinates, and
+/// whether the position is still valid. Writes `[RESUME:0]` if no program was interrupted.
 void LineProtocol::tell_progress() {
   const Progress& progress = machine_.progress();
   Reply reply = begin_answer();
@@ -19,7 +19,8 @@ void LineProtocol::tell_progress() {
   acknowledge();
 }
 
-/// The line is said again, so that nobody takes up another program than he means; 0 ends it.
+/// Begins re-entry. The sender must name the line, so that the operator does not continue another
+/// program than intended; 0 ends re-entry.
 void LineProtocol::reenter(const Statement& statement) {
   const auto line = gcode::read_decimal(statement.text);
   const bool whole = line.ok() && line.value().length == statement.text.size() &&
@@ -44,9 +45,9 @@ void LineProtocol::reenter(const Statement& statement) {
   acknowledge();
 }
 
-/// At rest: what a hold or an alarm has left of a program outlives power; when the program ends
-/// it is forgotten. A save would end what tells of damage in the store, which the operator has not
-/// acknowledged yet.
+/// Saves the progress at rest, so that the state of a program in a hold or an alarm outlives power.
+/// When the program ends, its progress is erased. With a damaged store it saves nothing: a save
+/// would erase the sign of damage, which the operator has not acknowledged yet.
 void LineProtocol::save_progress() {
   if (machine_.alarm() == Alarm::kStoreDamaged) return;
   const Progress& progress = machine_.progress();

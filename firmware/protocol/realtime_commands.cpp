@@ -8,10 +8,11 @@ namespace {
 constexpr int kLeastFeed = 10;
 constexpr int kMostFeed = 200;
 
-/// A step that would leave the range goes to its end, as in Grbl.
+/// Returns the percentage after a step. A step that would leave the range goes to the end of the
+/// range, as in Grbl.
 int stepped(int percent, int step) { return std::clamp(percent + step, kLeastFeed, kMostFeed); }
 
-/// True when the byte is an override.
+/// Changes an override. Returns whether the byte is an override.
 bool change(RealtimeByte command, OverridePercent& percent) {
   switch (command) {
     case RealtimeByte::kFeedReset:

@@ -5,8 +5,8 @@
 
 namespace cnc {
 
-/// Does what a realtime byte asks of the machine, in any state. Bytes without
-/// a meaning, and those that ask for a report or a reset, do nothing here.
+/// Applies a realtime byte to the machine, in any state. Bytes without a meaning, and those that
+/// request a report or a reset, have no effect here.
 void apply(RealtimeByte command, Machine& machine);
 
 }  // namespace cnc

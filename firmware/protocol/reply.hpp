@@ -9,8 +9,8 @@
 
 namespace cnc {
 
-/// One line being put together for the link, its end included, in memory of
-/// whoever sends it. What does not fit is cut off, but never the end.
+/// Builds one line for the link, including its end, in memory of the caller. Text that does not fit
+/// is cut off, but never the end.
 class Reply {
  public:
   static constexpr std::size_t kCapacity = 320;
@@ -21,18 +21,21 @@ class Reply {
   Reply& text(std::string_view words);
   Reply& letter(char one) { return text({&one, 1}); }
   Reply& number(std::uint32_t value);
-  /// As few decimals as show the value to seven digits, at least `least`, at most six.
+  /// Appends the value with the fewest decimals that show seven digits, at least `least` and at
+  /// most six.
   /// @pre |value| < 2^31
   Reply& value(float value, std::uint32_t least);
-  /// The nearest whole number. @pre |value| < 2^31
+  /// Appends the nearest whole number.
+  /// @pre |value| < 2^31
   Reply& whole(float value);
-  /// A place in mm (degrees) with three decimals, or in inches with four.
+  /// Appends a position in mm (degrees) with three decimals, or in inches with four.
   Reply& place(Coordinate place, bool inches);
   void clear() { size_ = 0; }
-  /// Adds the line end; the last call.
+  /// Appends the line end; the last call.
   Reply& end();
 
-  /// Room for somebody who writes by himself; tell with `wrote` how much it was.
+  /// Returns the free space for a caller that writes directly. The caller then reports by `wrote`
+  /// how many bytes it has filled.
   [[nodiscard]] std::span<char> room() {
     return bytes_.subspan(size_, kCapacity - kEnd.size() - size_);
   }

@@ -67,7 +67,7 @@ std::string_view coolant_words(const gcode::Coolant& coolant) {
   return coolant.flood ? " M8" : " M9";
 }
 
-/// Nothing for G40, which senders do not ask for.
+/// Writes the compensation. Writes nothing for G40, which senders do not require.
 void put_compensation(Reply& reply, const gcode::CutterCompensation& wanted, bool inches) {
   if (wanted.side == gcode::CutterSide::kOn) return;
   const bool left = wanted.side == gcode::CutterSide::kLeft;
@@ -79,7 +79,7 @@ void put_compensation(Reply& reply, const gcode::CutterCompensation& wanted, boo
   reply.value(wanted.width_mm / (inches ? kMillimetresPerInch : 1.0F), 0);
 }
 
-/// With the tolerances, as G64 means others without them.
+/// Writes the path mode with its tolerances, because G64 without them means others.
 void put_path_control(Reply& reply, const gcode::PathControl& path, bool inches) {
   switch (path.mode) {
     case gcode::PathMode::kPath:
@@ -138,7 +138,7 @@ void put_places(Reply& reply, const Position& place, const ReportForm& form) {
   }
 }
 
-/// F is shown in the units in use, because that is how it will be read back.
+/// Writes the modes. F is in the units in use, because it will be read back in them.
 void put_parser_state(Reply& reply, const Machine& machine) {
   const gcode::ModalState& state = machine.interpreter().state();
   const bool inches = state.units == gcode::Units::kInches;

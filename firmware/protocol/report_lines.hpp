@@ -8,21 +8,21 @@
 
 namespace cnc {
 
-/// How reports show places: `$13` and `$853`.
+/// Form of positions in reports: `$13` and `$853`.
 struct ReportForm {
   bool inches = false;
-  std::size_t axes = kLinearAxisCount;  ///< From X on.
+  std::size_t axes = kLinearAxisCount;  ///< Number of axes, from X on.
 };
 
-/// Places of all axes shown, with commas between.
+/// Writes the positions of all reported axes, separated by commas.
 void put_places(Reply& reply, const Position& place, const ReportForm& form);
-/// `[GC:…]`: the modes, as words that are accepted back in one line.
+/// Writes `[GC:…]`: the modes, as words that are accepted back in one line.
 void put_parser_state(Reply& reply, const Machine& machine);
-/// `[PRB:x,y,z:1]`: where the probe changed last, and whether it did.
+/// Writes `[PRB:x,y,z:1]`: the position at which the probe changed last, and whether it did.
 void put_probe(Reply& reply, const Probe& probe, const ReportForm& form);
-/// The name in a status report.
+/// Returns the name of a state for a status report.
 [[nodiscard]] std::string_view name_of(MachineState state);
-/// `G54`…`G59.3`
+/// Returns `G54`…`G59.3`.
 [[nodiscard]] std::string_view name_of_system(std::size_t index);
 
 }  // namespace cnc

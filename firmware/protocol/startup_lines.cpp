@@ -4,9 +4,9 @@
 
 namespace cnc {
 
-/// As in Grbl the line is done once, which shows whether it can be. It is stored before that,
-/// because storing must not wait for what it moves or switches on; attend_startup_trial() takes it
-/// back where it fails later.
+/// Stores a start-up line and runs it once, as Grbl does, to show whether it can run. It is stored
+/// before it runs, because storing must not wait for the motion or outputs that it starts. If it
+/// fails later, attend_startup_trial() restores the line before.
 void LineProtocol::set_startup_line(const Statement& statement) {
   if (machine_.locked()) return refuse(error_number::kLocked);
   if (statement.text.size() > StoredText::kLongest) return refuse(error_number::kTextTooLong);
@@ -25,9 +25,9 @@ void LineProtocol::set_startup_line(const Statement& statement) {
   refuse(*refusal, statement.column);
 }
 
-/// Ends the trial of a stored line as soon as all that it asked for is done. A line that fails
-/// would stop the machine at every start, so the one before it is stored again.
-/// True when that was said.
+/// Ends the trial of a stored line as soon as the line is complete. A line that fails would stop
+/// the machine at every start, so the previous line is stored again. Returns whether a line was
+/// written.
 bool LineProtocol::attend_startup_trial() {
   if (!startup_trial_) return false;
   if (machine_.alarm() != Alarm::kNone) startup_trial_->failed = true;
@@ -46,7 +46,7 @@ bool LineProtocol::attend_startup_trial() {
   return true;
 }
 
-/// Reports a path that the start-up line before could not drive.
+/// Reports a path that the last start-up line could not drive.
 void LineProtocol::tell_startup_fault() {
   const auto fault = machine_.news().take_path_fault();
   if (!fault) return;
@@ -55,7 +55,8 @@ void LineProtocol::tell_startup_fault() {
   answer(reply.letter(']').end());
 }
 
-/// Shown as Grbl does, but without an answer that a sender would count.
+/// Runs the next start-up line. It is shown as in Grbl, but without an answer that a sender would
+/// count.
 void LineProtocol::run_startup_line() {
   tell_startup_fault();
   if (startup_line_ == StoredState::kStartupLines) {

@@ -7,7 +7,7 @@
 namespace cnc {
 namespace {
 
-/// The name of a statement as it is compared: upper case, without blanks.
+/// The name of a statement in the form for comparison: upper case, without blanks.
 class Name {
  public:
   static constexpr std::size_t kLongest = 8;
@@ -19,7 +19,7 @@ class Name {
       ++size_;
     }
   }
-  /// One that is too long is no name at all.
+  /// Returns whether the name fits; one that is too long matches no statement.
   [[nodiscard]] bool fits() const { return size_ <= kLongest; }
   [[nodiscard]] std::string_view view() const { return {letters_.data(), size_}; }
 
@@ -49,7 +49,7 @@ constexpr std::array<NamedListing, 13> kListings{{
     {"PC", ListingKind::kPowerTable},
 }};
 
-/// The whole number that the name is; nothing when it is none.
+/// Returns the whole number that the name is; nothing if it is not one.
 std::optional<std::uint16_t> number_in(std::string_view name) {
   std::uint32_t number = 0;
   for (const char c : name) {
@@ -60,7 +60,7 @@ std::optional<std::uint16_t> number_in(std::string_view name) {
   return static_cast<std::uint16_t>(number);
 }
 
-/// The axes after `H`, as bits; nothing when one is no axis.
+/// Returns the axes after `H` as bits; nothing if a letter is not an axis.
 std::optional<std::uint8_t> axes_in(std::string_view letters) {
   std::uint32_t axes = 0;
   for (const char letter : letters) {
@@ -115,7 +115,7 @@ std::optional<Statement> read_assignment(std::string_view name) {
   return Statement{.kind = StatementKind::kChangeSetting, .number = *number};
 }
 
-/// Without the blanks and the comment at its end.
+/// Returns the text without the comment and the blanks at its end.
 std::string_view without_comment(std::string_view text) {
   const std::size_t comment = text.find_first_of("(;");
   if (comment != std::string_view::npos) text.remove_suffix(text.size() - comment);
@@ -141,7 +141,7 @@ std::optional<Statement> read_statement(std::string_view line) {
   while (begin < line.size() && gcode::is_blank(line[begin])) ++begin;
   statement->text = line;
   statement->text.remove_prefix(begin);
-  // A jog reads its own comments.
+  // The jog's reader handles comments itself.
   if (statement->kind != StatementKind::kJog) statement->text = without_comment(statement->text);
   statement->column = static_cast<std::uint16_t>(begin + 1);
   return statement;

@@ -9,7 +9,7 @@
 namespace cnc {
 
 enum class StatementKind : std::uint8_t {
-  kListing,         ///< `listing`, and its `number`.
+  kListing,         ///< Kind in `listing`, argument in `number`.
   kChangeSetting,   ///< `$110=`
   kSetUserText,     ///< `$I=`
   kSetStartupLine,  ///< `$N0=`; `number` is 0 or 1.
@@ -32,18 +32,18 @@ enum class StatementKind : std::uint8_t {
   kReenter,         ///< `$RESUME=`
 };
 
-/// A line that begins with `$`.
+/// The parts of a line that begins with `$`.
 struct Statement {
   StatementKind kind = StatementKind::kListing;
   ListingKind listing = ListingKind::kNone;
   std::uint16_t number = 0;
   std::uint8_t axes = 0;
-  std::string_view text{};   ///< After the `=`, blanks and comment at its ends dropped.
-  std::uint16_t column = 0;  ///< Where `text` begins, from 1.
+  std::string_view text{};   ///< Text after the `=`, without blanks and comment at its ends.
+  std::uint16_t column = 0;  ///< Start of `text` in the line, from 1.
 };
 
-/// Reads a line that begins with `$`; nothing when there is no such statement.
-/// Names may be written in lower case and with blanks.
+/// Reads a line that begins with `$`. Returns nothing if there is no such statement. Names may be
+/// written in lower case and with blanks.
 [[nodiscard]] std::optional<Statement> read_statement(std::string_view line);
 
 }  // namespace cnc

@@ -7,7 +7,7 @@
 namespace cnc {
 namespace {
 
-/// False when the text is anything but a number.
+/// Reads a value. Returns false if the text is not exactly one number.
 bool read_value(std::string_view text, float& value) {
   const auto reading = gcode::read_decimal(text);
   if (!reading.ok() || reading.value().length != text.size()) return false;
@@ -17,7 +17,8 @@ bool read_value(std::string_view text, float& value) {
 
 }  // namespace
 
-/// Nothing moves and nothing is under way: settings may change, texts be stored.
+/// Returns whether the machine is at rest and no action waits, so that settings may change and
+/// texts may be stored.
 bool LineProtocol::rests() const {
   const MachineState state = machine_.state();
   return machine_.idle() && (state == MachineState::kIdle || state == MachineState::kAlarm ||
@@ -27,7 +28,7 @@ bool LineProtocol::rests() const {
 void LineProtocol::load_settings() {
   for (const SettingInfo& info : setting_table()) {
     const auto value = stored_.load_setting(info);
-    // A value that fits its range but not the others' is left as delivered.
+    // A value that is within its range but does not fit the other settings is left at its default.
     if (value) static_cast<void>(machine_.change_setting(info.number, *value).ok());
   }
 }
@@ -53,7 +54,7 @@ void LineProtocol::take_statement(std::string_view line) {
     default:
       break;
   }
-  // The rest stores something, or takes the machine away from all else.
+  // The remaining statements store data, or occupy the machine alone.
   if (!rests()) return refuse(error_number::kNotIdle);
   const bool stores =
       statement->kind != StatementKind::kHome && statement->kind != StatementKind::kSleep;
@@ -115,8 +116,8 @@ void LineProtocol::change_setting(const Statement& statement) {
   acknowledge();
 }
 
-/// $20 and $22 keep their values whatever the other is, so that a backup may be restored in any
-/// order. Axes that were homed keep their limits.
+/// Reports that soft limits do not act yet. $20 and $22 keep their values independently, so that a
+/// backup may be restored in any order. Axes that were homed keep their limits.
 void LineProtocol::tell_waiting_limits() {
   const Settings& settings = machine_.settings();
   const bool waiting = settings.get(setting::kSoftLimits) != 0.0F && machine_.homed() == 0 &&
@@ -196,7 +197,7 @@ void LineProtocol::toggle_check_mode() {
   if (!machine_.toggle_check_mode()) return refuse(error_number::kNotIdle);
   message(was_on ? "Disabled" : "Enabled");
   say_ok();
-  beginning_ = was_on;  // Leaving it is a reset.
+  beginning_ = was_on;  // Leaving check mode is a reset.
 }
 
 void LineProtocol::restore(const Statement& statement) {

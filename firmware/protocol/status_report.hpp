@@ -8,21 +8,22 @@
 
 namespace cnc {
 
-/// `<Idle|MPos:…|Bf:…|FS:…>`: the answer to `?`.
+/// The answer to `?`: `<Idle|MPos:…|Bf:…|FS:…>`.
 ///
-/// `$10` chooses the fields. 0…3 are Grbl's two bits: machine or work position,
-/// and the buffers; all other fields are on. From 4 on every bit adds its field
-/// as in grblHAL. WCO and Ov (with A) are slow fields, as in Grbl: in the report
-/// after a change, after a reset, and now and then.
+/// `$10` selects the fields. The values 0…3 are Grbl's two bits (machine or work position, and the
+/// buffers); all other fields are then on. From 4 on every bit adds its field, as in grblHAL. WCO
+/// and Ov (with A) are slow fields, as in Grbl: they are in the report after a change or a reset,
+/// and otherwise once in 10 to 30 reports.
 class StatusReport {
  public:
-  /// @param full everything there is, whatever `$10` says (0x87).
+  /// Writes a report.
+  /// @param full all fields, whatever `$10` selects (0x87)
   void write(Reply& reply,
              const Machine& machine,
              std::uint32_t receive_room,
              const ReportForm& form,
              bool full);
-  /// As after a reset: the next report has WCO, and the one after it Ov.
+  /// Restarts as after a reset: the next report has WCO, and the one after it Ov.
   void begin_anew() { offset_wait_ = override_wait_ = 0; }
 
  private:

@@ -7,22 +7,23 @@
 
 namespace cnc {
 
-/// `$110=12000.000`
+/// Writes `$110=12000.000`.
 void put_setting(Reply& reply, const SettingInfo& info, float value);
-/// `: 1.000 to 1000.000 mm`
+/// Writes `: 1.000 to 1000.000 mm`.
 void put_range(Reply& reply, const SettingInfo& info);
 
-// Rows of grblHAL's listings, from 0 on. False, and nothing written, after the last.
+// Each function writes a row of a listing of grblHAL's, from 0 on. It returns false, with nothing
+// written, after the last row.
 
-/// `[SETTING:number|group|name|unit|type|format|least|most|reboot|null]`
+/// Writes `[SETTING:number|group|name|unit|type|format|least|most|reboot|null]`.
 [[nodiscard]] bool put_setting_details(Reply& reply, std::size_t row);
-/// `[SETTINGGROUP:number|parent|name]`
+/// Writes `[SETTINGGROUP:number|parent|name]`.
 [[nodiscard]] bool put_setting_group(Reply& reply, std::size_t row);
-/// `[SETTINGDESCR:number|help]`
+/// Writes `[SETTINGDESCR:number|help]`.
 [[nodiscard]] bool put_setting_help(Reply& reply, std::size_t row);
-/// `[ALARMCODE:number||text]`
+/// Writes `[ALARMCODE:number||text]`.
 [[nodiscard]] bool put_alarm_text(Reply& reply, std::size_t row);
-/// `[ERRORCODE:number||text]`
+/// Writes `[ERRORCODE:number||text]`.
 [[nodiscard]] bool put_error_text(Reply& reply, std::size_t row);
 
 }  // namespace cnc

@@ -2,13 +2,13 @@
 
 #include "firmware/protocol/line_protocol.hpp"
 
-/// A tool change in which the sender takes part: 0xA3, then lines of its own before those that it
-/// had sent ahead, until `~`.
+/// A tool change in which the sender takes part: the sender sends 0xA3, then lines for the change.
+/// These lines are carried out before the program lines that it had already sent, until `~`.
 namespace cnc {
 
-/// The sender takes part where it is certain which lines came before 0xA3: they wait in the
-/// receiver, all of them, and leave space for a line. Numbered lines can be judged in their order
-/// only, so none may wait.
+/// Lets the sender take part if it is certain which lines came before 0xA3: all of them must wait
+/// in the receiver and leave space for a line. Numbered lines can be checked only in their order,
+/// so none may wait.
 void LineProtocol::acknowledge_tool() {
   if (machine_.state() != MachineState::kTool || takes_part_) return;
   take_line_feed();
@@ -27,24 +27,27 @@ void LineProtocol::refuse_tool() {
   tool_refusal_ = "Tool change: too many lines came before 0xA3, ~ goes on";
 }
 
-/// Takes the LF of a pair whose first half ended a line: alone it would end another.
+/// Takes the LF after a CR that ended a line; by itself it would end another line.
 void LineProtocol::take_line_feed() {
   if (assembler_.ends_with_return() && receiver_.take_line_feed()) {
     static_cast<void>(assembler_.add('\n'));
   }
 }
 
-/// Of the sender: a change that it takes part in stays open, and waits for `~` or another 0xA3.
+/// Forgets that the sender takes part. The change itself stays open, and waits for `~` or another
+/// 0xA3.
 void LineProtocol::forget_tool_change() {
   takes_part_ = false;
   tool_change_ends_ = false;
   tool_refusal_ = {};
 }
 
-/// A tool is being changed, and the sender at the link has not said that it takes part.
+/// Returns whether a tool is being changed and the sender at the link has not yet said that it
+/// takes part.
 bool LineProtocol::awaits_tool() const { return machine_.changes_tool() && !takes_part_; }
 
-/// True where `~` belongs to a tool change: lines that came before it are done first.
+/// Returns whether a command is the `~` that ends a tool change; lines that came before it are done
+/// first.
 bool LineProtocol::ends_tool_change(RealtimeByte command) {
   const bool start =
       command == RealtimeByte::kCycleStart || command == RealtimeByte::kCycleStartRaw;
@@ -63,7 +66,7 @@ void LineProtocol::attend_tool_change() {
     return machine_.resume();
   }
   if (!takes_part_) return;
-  if (assembler_.has_begun()) return;  // Its end lies behind the lines that were kept back.
+  if (assembler_.has_begun()) return;  // This line ends after the lines that were kept back.
   take_line_feed();
   receiver_.release();
   takes_part_ = false;

@@ -11,24 +11,25 @@
 
 namespace cnc {
 
-/// The output of the beam or spindle: follows the course that goes with the
-/// motion, rests at a duty of its own, and is dark at once where it must be.
+/// The output of the beam or spindle. It follows the profile of the motion, has a separate duty at
+/// rest, and goes off at once when it is blocked.
 template <hal::StepPort Port, std::uint32_t Capacity>
 class PowerOutput {
  public:
   explicit PowerOutput(Port& port) : port_{port} {}
 
-  // Main loop.
+  // Functions for the main loop.
 
-  /// Returns whether there may be no room for the pieces of a segment, once the interrupt has taken
-  /// a number of pieces.
+  /// Returns whether there may be no free space for the pieces of a segment after the interrupt has
+  /// taken `taken` pieces.
   [[nodiscard]] bool full(std::uint32_t taken) const {
     return stream_.room(taken) < shift_.room_needed();
   }
   [[nodiscard]] std::uint32_t pushed() const { return stream_.pushed(); }
   [[nodiscard]] PowerShift& shift() { return shift_; }
   [[nodiscard]] const PowerShift& shift() const { return shift_; }
-  /// Adds the output that a segment asks for. @pre !full()
+  /// Adds the output of a segment.
+  /// @pre !full()
   void add(const motion::Segment& segment) {
     PowerPiece piece{.course = segment.power};
     std::uint32_t from = 0;
@@ -48,24 +49,26 @@ class PowerOutput {
   [[nodiscard]] bool blocked() const { return blocked_.load(std::memory_order_relaxed); }
   [[nodiscard]] std::uint16_t now() const { return now_.load(std::memory_order_relaxed); }
 
-  // Step interrupt; set_rest() and drive_rest() from the main loop, too, while that does not run.
+  // Functions for the step interrupt. set_rest() and drive_rest() may be called by the main loop,
+  // too, while the step interrupt does not run.
 
   void publish(std::uint32_t count) noexcept { stream_.publish(count); }
   [[nodiscard]] std::uint32_t taken() const noexcept { return stream_.taken(); }
   void set_rest(std::uint16_t duty) noexcept { rest_.store(duty, std::memory_order_relaxed); }
   void pass(std::uint32_t ticks) noexcept { stream_.pass(ticks); }
   [[nodiscard]] bool due() const noexcept { return stream_.due(); }
-  /// It is due, and there is something to follow.
+  /// Returns whether a change is due and there is a piece to follow.
   [[nodiscard]] bool waits() const noexcept { return stream_.due() && !stream_.empty(); }
-  /// @pre due(). Out of line, where registers are few.
+  /// Makes the due change. Not inlined, because the caller has few free registers.
+  /// @pre due()
   [[gnu::noinline]] void follow() noexcept {
     drive(stream_.follow(rest_.load(std::memory_order_relaxed)));
   }
-  /// Returns whether a change is due, or will be in less than `ticks`.
+  /// Returns whether a change is due now or within fewer than `ticks` ticks.
   [[nodiscard]] bool comes_within(std::uint32_t ticks) const noexcept {
     return stream_.ticks_left() < static_cast<std::int32_t>(ticks);
   }
-  /// The earlier of this and the next change.
+  /// Returns `ticks`, or the ticks until the next change if they are fewer.
   [[nodiscard]] std::int32_t sooner(std::int32_t ticks) const noexcept {
     return stream_.due() ? ticks : std::min(ticks, stream_.ticks_left());
   }
@@ -73,7 +76,8 @@ class PowerOutput {
     if (blocked_.load(std::memory_order_relaxed)) drive(0);
   }
   void drop() noexcept { stream_.drop(); }
-  /// The steps are at rest; what is added next begins with theirs.
+  /// Sets the output's duty at rest, because the steps are at rest. The next pieces begin with the
+  /// next steps.
   void rest() noexcept {
     stream_.rest();
     drive(rest_.load(std::memory_order_relaxed));

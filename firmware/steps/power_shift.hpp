@@ -9,17 +9,18 @@
 
 namespace cnc {
 
-/// How the light follows the output, in ticks of the step clock.
+/// Delays between the output and the light, in ticks of the step clock.
 struct BeamTiming {
-  static constexpr std::int32_t kLongest = motion::kTicksPerSecond / 200;  ///< 5 ms, of each.
+  /// 5 ms, for each delay.
+  static constexpr std::int32_t kLongest = motion::kTicksPerSecond / 200;
 
-  std::int32_t lag = 0;         ///< Light behind motors; negative: motors behind light.
-  std::uint32_t on_delay = 0;   ///< More of it when the beam goes on…
-  std::uint32_t off_delay = 0;  ///< …and when it goes off.
+  std::int32_t lag = 0;         ///< Light after the motors; negative: motors after the light.
+  std::uint32_t on_delay = 0;   ///< Further delay when the beam goes on.
+  std::uint32_t off_delay = 0;  ///< Further delay when the beam goes off.
   constexpr bool operator==(const BeamTiming&) const = default;
 };
 
-/// Makes the steps of a segment later by `ticks`, at most BeamTiming::kLongest.
+/// Delays the steps of a segment by `ticks`, at most BeamTiming::kLongest.
 inline void delay(motion::Segment& segment, std::uint32_t ticks) {
   segment.ticks += ticks;
   for (motion::StepTrain& train : segment.trains) {
@@ -27,47 +28,50 @@ inline void delay(motion::Segment& segment, std::uint32_t ticks) {
   }
 }
 
-/// Commands the output earlier or later than the motion, so that the light falls
-/// where it belongs: the main loop's end of a PowerStream.
+/// Commands the output earlier or later than the motion, so that the light falls on its part of the
+/// path. This is the main loop's end of a PowerStream.
 ///
-/// From one planned standstill to the next both streams have the same length. With a
-/// positive lag the output begins with the motion's first piece, its steps wait, and
-/// the output ends before them. With a negative one it begins dark, and what
-/// would outlast the motion is cut off. An edge from dark to lit or back is moved
-/// forward by its delay, at the cost of the piece before it: a gap or a flash
-/// that is shorter than the delays allow vanishes. The beam is never lit by a
-/// delay before its motion, nor after it.
+/// From one planned standstill to the next both streams have the same length. With a positive lag
+/// the output begins with the motion's first piece, the steps wait, and the output ends before
+/// them. With a negative lag the output begins with the beam off, and its part after the end of the
+/// motion is cut off. An edge of the beam, on or off, is moved forward by its delay, which shortens
+/// the piece before it. So a gap or a flash that is shorter than the delays allow vanishes. A delay
+/// never switches the beam on before its motion, nor after it.
 ///
-/// Keeps back the last pieces, as long as an edge may still move into them.
+/// The last pieces are kept back as long as an edge may still move into them.
 class PowerShift {
  public:
-  /// Those of 5 ms at 20,000 pixels per second, and of a segment.
+  /// Capacity for the pieces of 5 ms at 20,000 pixels per second, and of a segment.
   static constexpr std::size_t kMostHeld = 128;
 
-  /// Places in the stream for a segment, each of whose levels may move an edge, and for its end.
+  /// Places in the stream for a segment and for its end. Each level of the segment may move an
+  /// edge.
   static constexpr std::uint32_t kMostAtOnce = 5 + 2 * motion::Segment::kMostLevels;
 
+  /// Sets the delays.
   /// @pre settled()
   void configure(const BeamTiming& timing) { timing_ = timing; }
 
-  /// Nothing kept back: whatever is added next begins a motion.
+  /// Returns whether no piece is kept back: the next piece begins a motion.
   [[nodiscard]] bool settled() const { return settled_; }
-  /// How long the steps of a motion that begins have to wait.
+  /// Returns how long the steps must wait at the beginning of a motion, in ticks.
   [[nodiscard]] std::uint32_t wait() const {
     return static_cast<std::uint32_t>(std::max<std::int32_t>(0, timing_.lag));
   }
-  /// By how much further ahead motion has to be known.
+  /// Returns by how many ticks further ahead motion must be known.
   [[nodiscard]] std::uint32_t look_ahead() const { return wait() + held_ticks(); }
-  /// How long after its command the light ends, as the motors see it.
+  /// Returns the time from the command to the end of the light, relative to the motors, in ticks.
   [[nodiscard]] std::int32_t light_behind() const {
     return timing_.lag + static_cast<std::int32_t>(timing_.off_delay);
   }
-  /// Places in the stream that add() of all pieces of a segment and settle() may need together.
+  /// Returns the number of places in the stream that add() of all pieces of a segment and settle()
+  /// may need together.
   [[nodiscard]] std::uint32_t room_needed() const {
     return static_cast<std::uint32_t>(count_) + kMostAtOnce;
   }
 
-  /// What the output is to do next. @pre the stream has room_needed()
+  /// Adds the next piece of the output.
+  /// @pre the stream has room_needed() places free
   template <typename Stream>
   void add(const PowerPiece& piece, Stream& stream) {
     if (settled_ && timing_.lag < 0) append({.ticks = delay()});
@@ -80,7 +84,7 @@ class PowerShift {
     release(held_ticks(), stream);
   }
 
-  /// The motion ends in a standstill, and nothing more is known.
+  /// Ends the output, because the motion ends at rest and no further motion is known.
   template <typename Stream>
   [[gnu::cold]] void settle(Stream& stream) {
     cut(delay(), [](const PowerPiece&) { return true; });
@@ -90,7 +94,7 @@ class PowerShift {
     settled_ = true;
   }
 
-  /// The motion was cut off.
+  /// Drops all pieces, because the motion was cut off.
   void clear() {
     count_ = 0;
     ticks_ = 0;
@@ -113,7 +117,8 @@ class PowerShift {
     ticks_ += piece.ticks;
   }
 
-  /// Takes time off the end, as far as `may_go`; returns how much.
+  /// Removes up to `ticks` from the end, from pieces for which `may_go` returns true; returns the
+  /// ticks removed.
   template <typename Condition>
   std::uint32_t cut(std::uint32_t ticks, Condition may_go) {
     std::uint32_t left = ticks;
@@ -127,8 +132,8 @@ class PowerShift {
     return ticks - left;
   }
 
-  /// Lets the next piece begin `ticks` earlier, with this level. Out of line: only edges of light
-  /// move, and it is long.
+  /// Makes the next piece begin `ticks` earlier, with this level. Not inlined, because it is long
+  /// and only edges of light move.
   [[gnu::noinline, gnu::cold]] void move_edge(std::uint32_t ticks, std::uint16_t level) {
     const bool dark = level != 0;
     const std::uint32_t moved =
@@ -136,7 +141,8 @@ class PowerShift {
     if (moved > 0) append({.ticks = moved, .course = {.first = level}});
   }
 
-  /// Hands out what is older than `keep`, and what there is no place for.
+  /// Passes on the pieces that are older than `keep` ticks, and pieces for which there is no free
+  /// space.
   template <typename Stream>
   void release(std::uint32_t keep, Stream& stream) {
     constexpr std::size_t kMostAppended = 3;
@@ -151,10 +157,10 @@ class PowerShift {
   }
 
   BeamTiming timing_{};
-  std::array<PowerPiece, kMostHeld> pieces_{};  ///< A ring.
+  std::array<PowerPiece, kMostHeld> pieces_{};  ///< Ring of kept pieces.
   std::size_t first_ = 0;
   std::size_t count_ = 0;
-  std::uint32_t ticks_ = 0;  ///< Of all of them.
+  std::uint32_t ticks_ = 0;  ///< Length of all kept pieces.
   bool settled_ = true;
 };
 

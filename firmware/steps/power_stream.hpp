@@ -8,40 +8,42 @@
 
 namespace cnc {
 
-/// A part of the output's course, with its length.
+/// A part of the output's profile, with its length.
 struct PowerPiece {
   std::uint32_t ticks = 0;
   motion::PowerCourse course{};
 };
 
-/// What the output does, beside the steps and on the same clock: pieces from the
-/// main loop, played by the step interrupt from when they are published.
+/// The output over time, parallel to the steps and on the same clock. The main loop makes pieces,
+/// and the step interrupt plays them after they are published.
 ///
-/// Time passes whether there is a piece or not. A piece that comes too late is
-/// entered where it should be by then, so it never lags behind the motion.
+/// Time passes whether there is a piece or not. A piece that comes late is played from the point
+/// that its time has reached, so the output never lags after the motion.
 template <std::uint32_t Capacity>
 class PowerStream {
  public:
-  // Main loop.
+  // Functions for the main loop.
 
-  /// Pieces since the beginning.
+  /// Returns the number of pieces since the beginning (wraps).
   [[nodiscard]] std::uint32_t pushed() const { return pieces_.staged(); }
-  /// Places that are free when so many pieces have been taken.
+  /// Returns the number of places that are free after `taken` pieces have been taken.
   [[nodiscard]] std::uint32_t room(std::uint32_t taken) const { return pieces_.room(taken); }
-  /// @pre there is room, and the piece lasts
+  /// Appends a piece.
+  /// @pre there is free space, and piece.ticks > 0
   void push(const PowerPiece& piece) { pieces_.stage(piece); }
 
-  // Step interrupt. Integers only.
+  // Functions for the step interrupt. Integers only.
 
   void publish(std::uint32_t count) noexcept { pieces_.publish(count); }
   [[nodiscard]] std::uint32_t taken() const noexcept { return pieces_.taken(); }
   void pass(std::uint32_t ticks) noexcept { left_ -= static_cast<std::int32_t>(ticks); }
   [[nodiscard]] bool due() const noexcept { return left_ <= 0; }
   [[nodiscard]] bool empty() const noexcept { return piece_.ticks == 0 && pieces_.empty(); }
-  /// Until the output changes next; meaningless while due().
+  /// Returns the ticks until the output's next change; meaningless while due().
   [[nodiscard]] std::int32_t ticks_left() const noexcept { return left_; }
 
-  /// The duty from now on; `otherwise` while there is no piece. @pre due()
+  /// Returns the duty from now on; `otherwise` if there is no piece.
+  /// @pre due()
   [[nodiscard]] std::uint16_t follow(std::uint16_t otherwise) noexcept {
     while (left_ <= 0) {
       if (piece_.ticks > 0) {
@@ -58,11 +60,12 @@ class PowerStream {
       piece_.ticks -= stair;
       left_ += static_cast<std::int32_t>(stair);
     }
-    // Rounding may end a slope to 0 a little below it.
+    // Rounding may end a slope to 0 slightly below 0.
     return static_cast<std::uint16_t>(std::max<std::int32_t>(0, level_q8_) >> 8);
   }
 
-  /// The steps came to rest, and so did the output: what is pushed next begins with them.
+  /// Ends the present piece, because steps and output have come to rest: the next piece begins with
+  /// the next steps.
   void rest() noexcept {
     piece_ = {};
     left_ = 0;
@@ -73,9 +76,9 @@ class PowerStream {
   }
 
  private:
-  std::int32_t left_ = 0;  ///< Of the present stair; from 0 down: for how long it has been over.
+  std::int32_t left_ = 0;  ///< Ticks left of the present stair; negative after its end.
   std::int32_t level_q8_ = 0;
-  PowerPiece piece_{};  ///< Its ticks count from the end of the present stair.
+  PowerPiece piece_{};  ///< Rest of the present piece; its ticks begin after the present stair.
   hal::StagedRing<PowerPiece, Capacity> pieces_{};
 };
 

@@ -4,22 +4,25 @@
 
 namespace cnc {
 
-/// State of the pulse pins. A pulse and the pause after it are equally long; where the output
-/// changes within either, this class also counts the ticks that are left of it.
+/// State of the pulse pins. A pulse and the pause after it have equal lengths. If the output
+/// changes within either, this class also counts the remaining ticks.
 class PulsePins {
  public:
   void set(bool is_high) noexcept { state_ = is_high ? State::kHigh : State::kLow; }
   [[nodiscard]] bool are_low() const noexcept { return state_ == State::kLow; }
   [[nodiscard]] bool are_high() const noexcept { return state_ == State::kHigh; }
 
-  /// Keeps the pins as they are for `ticks`, after which they may change. @pre ticks > 0
+  /// Keeps the pins unchanged for `ticks`; then they may change.
+  /// @pre ticks > 0
   void stay(std::int32_t ticks) noexcept {
     left_ = ticks;
     state_ = are_high() ? State::kStayHigh : State::kStayLow;
   }
-  /// Returns the ticks for which the pins still have to stay. @pre stay() was called
+  /// Returns the ticks for which the pins must still be unchanged.
+  /// @pre stay() was called
   [[nodiscard]] std::int32_t left() const noexcept { return left_; }
-  /// Takes `ticks`, which are waited for next, off left(), and returns them. @pre ticks ≤ left()
+  /// Subtracts `ticks`, which are waited for next, from left(), and returns them.
+  /// @pre ticks ≤ left()
   [[nodiscard]] std::uint32_t wait(std::int32_t ticks) noexcept {
     left_ -= ticks;
     if (left_ == 0) set(state_ == State::kStayHigh);

@@ -12,94 +12,109 @@ namespace cnc {
 
 /// Electrical timing of the motor drivers, in ticks of the step clock.
 struct StepTiming {
-  std::uint32_t pulse = 20;            ///< A step input is high this long, and then low as long.
-  std::uint32_t direction_set_up = 8;  ///< From a direction change to the next leading edge.
+  std::uint32_t pulse = 20;            ///< Length of the high level, and of the low one after it.
+  std::uint32_t direction_set_up = 8;  ///< Time from a direction change to the next leading edge.
 };
 
-/// How far ahead of the motors segments are cut: long enough for the main loop
-/// to be away, short enough that a hold is felt at once.
+/// Length of the motion that is cut into segments ahead of the motors: long enough for delays of
+/// the main loop, short enough that a hold acts without noticeable delay.
 inline constexpr std::uint32_t kTicksAhead = motion::kTicksPerSecond / 50;
 
-/// The step generator as the main loop sees it: somewhere to put segments.
-/// Main loop context; nothing here blocks. What it tells is as it was when the turn began.
+/// The step generator's interface for the main loop, which pushes segments to it. Main loop
+/// context; no function blocks. Results are those at the beginning of the cycle.
 class StepDrive {
  public:
   [[nodiscard]] virtual bool full() const = 0;
+  /// Appends a segment.
   /// @pre !full()
   virtual void push(const motion::Segment& segment) = 0;
-  /// Motion handed over and not yet begun, in ticks of the step clock.
+  /// Returns the length of the motion that was handed over and has not begun, in ticks of the step
+  /// clock.
   [[nodiscard]] virtual std::uint32_t ticks_waiting() const = 0;
-  /// How much of it there should be: kTicksAhead, and what the beam's delays need.
+  /// Returns the length of waiting motion that is wanted, in ticks: kTicksAhead, and the length
+  /// that the beam's delays need.
   [[nodiscard]] virtual std::uint32_t ticks_ahead() const = 0;
-  /// There is room for a segment, and less motion waits than there should be.
+  /// Returns whether a segment fits and less motion waits than ticks_ahead().
   [[nodiscard]] bool wants_more() const { return !full() && ticks_waiting() < ticks_ahead(); }
-  /// Call when all that is to be pushed in this turn has been.
+  /// Ends the pushes of this cycle; to be called after the last.
   virtual void settle() = 0;
-  /// Something moves, or waits to be driven.
+  /// Returns whether motion is in progress or waits.
   [[nodiscard]] virtual bool running() const = 0;
-  /// At once, without waiting for a boundary: ends motion at once, where it is, and drops what
-  /// waits. The motors may lose steps when they were fast.
+  /// Ends all motion at once, without waiting for a boundary, and drops waiting motion. The motors
+  /// may lose steps if they were fast.
   virtual void abort() = 0;
-  /// True once after motion was cut off because no segment came in time. Nothing moves from then on
-  /// until abort() has dropped what waits.
+  /// Returns true once after motion was cut off because no segment came in time. From then on
+  /// nothing moves until abort() has dropped the waiting motion.
   [[nodiscard]] virtual bool take_starved() = 0;
 
-  /// Turns that took so long that motion may have begun later than it should.
+  /// Returns the number of cycles that took so long that motion may have begun too late.
   [[nodiscard]] virtual std::uint32_t late_turns() const = 0;
-  /// Returns whether older turns were due and not over when this one began: it does no more than
-  /// the motion under way needs, so that the main loop is in time again before motion is cut off.
+  /// Returns whether older cycles were due and not complete when this one began. This cycle then
+  /// does only the work that the present motion needs, so that the main loop is in time again
+  /// before motion is cut off.
   [[nodiscard]] virtual bool catches_up() const = 0;
 
-  /// Motor positions in steps.
+  /// Returns the motor positions in steps.
   [[nodiscard]] virtual AxisArray<std::int32_t> position() const = 0;
-  /// Where in the program what the motors do comes from, or did last.
+  /// Returns the program line of the motors' present motion, or of their last one.
   [[nodiscard]] virtual motion::SourceLine line() const = 0;
-  /// Duty of the output when nothing moves, 65535 is full: 0 for a beam. At once
-  /// at rest, and where it is 0.
+  /// Sets the duty of the output at rest; 65535 is full. It is 0 for a beam. It takes effect at
+  /// once if the machine is at rest, or if it is 0.
   virtual void set_rest_power(std::uint16_t power) = 0;
-  /// Keeps the output at 0 from the next interrupt on, within a millisecond,
-  /// whatever segments and the rest power say; or no longer.
+  /// Keeps the output at 0 from the next interrupt on, within a millisecond, regardless of segments
+  /// and the duty at rest. `false` ends that.
   virtual void block_power(bool blocked) = 0;
-  /// Running count of the ticks of motion that were handed over.
+  /// Returns the running count of ticks of motion that were handed over.
   [[nodiscard]] virtual std::uint32_t ticks_handed_over() const = 0;
-  /// Tick of the motion, as ticks_handed_over() counts, at which the light ended when the output
-  /// was blocked last. @pre it was blocked, !running()
+  /// Returns the tick of the motion, as ticks_handed_over() counts, at which the light ended when
+  /// the output was blocked last.
+  /// @pre the output was blocked, !running()
   [[nodiscard]] virtual std::uint32_t light_ended() const = 0;
-  /// Duty of the output.
+  /// Returns the duty of the output.
   [[nodiscard]] virtual std::uint16_t power() const = 0;
-  /// @pre !running(), and nothing waits
+  /// Sets the delays of the beam.
+  /// @pre !running(), and no motion waits
   virtual void set_beam_timing(const BeamTiming& timing) = 0;
+  /// Sets the timing of the drivers.
   /// @pre !running()
   virtual void set_timing(const StepTiming& timing) = 0;
 
-  /// Axes with a second motor that steps with the first. @pre !running()
+  /// Sets the axes with a second motor that steps with the first.
+  /// @pre !running()
   virtual void set_second_motors(std::uint8_t axes) = 0;
-  /// The memory of timing and second motors: nobody but these two functions changes it.
+  /// Returns the memory of timing and second motors, which only set_timing() and
+  /// set_second_motors() change.
   [[nodiscard]] virtual std::span<const std::byte> set_up_memory() const = 0;
-  /// The motor stands where it is; that is this many steps now. @pre !running()
+  /// Sets the step count of a motor without moving it.
+  /// @pre !running()
   virtual void set_position(std::size_t axis, std::int32_t steps) = 0;
 
-  /// Latches the position of each of these axes at the first step after which
-  /// its limit switch reads closed. On `squared` ones both motors have to reach
-  /// their own switch: the one that is there first gets no more steps until the
-  /// other is, too. Axes watched before stay so. @pre !running()
+  /// Begins to watch limit switches: latches the position of each of these axes at the first step
+  /// after which its limit switch reads closed. On axes in `squared` both motors must reach their
+  /// own switches: the first to reach its switch gets no more steps until the other has reached its
+  /// own. Axes watched before stay watched.
+  /// @pre !running()
   virtual void watch_switches(std::uint8_t axes, std::uint8_t squared) = 0;
   virtual void unwatch_switches() = 0;
-  /// Watched axes that found their switch.
+  /// Returns the watched axes that have found their switch.
   [[nodiscard]] virtual std::uint8_t switches_found() const = 0;
-  /// Watched axes of which one motor waits for the other.
+  /// Returns the watched axes of which one motor waits for the other.
   [[nodiscard]] virtual std::uint8_t switches_half_found() const = 0;
-  /// Where it closed, and how many steps one motor waited. @pre it was found
+  /// Return the position at which the switch closed, and the number of steps for which one motor
+  /// waited.
+  /// @pre the switch was found
   [[nodiscard]] virtual std::int32_t switch_position(std::size_t axis) const = 0;
   [[nodiscard]] virtual std::int32_t switch_skew(std::size_t axis) const = 0;
 
-  /// Whether the probe input reports contact now.
+  /// Returns whether the probe input reports contact now.
   [[nodiscard]] virtual bool probe_contact() const = 0;
-  /// Latches the position at the first step after which the probe input reads
-  /// `contact`. @pre !running()
+  /// Arms the probe: latches the position at the first step after which the probe input reads
+  /// `contact`.
+  /// @pre !running()
   virtual void arm_probe(bool contact) = 0;
   virtual void disarm_probe() = 0;
   [[nodiscard]] virtual bool probe_hit() const = 0;
+  /// Returns the latched position.
   /// @pre probe_hit()
   [[nodiscard]] virtual AxisArray<std::int32_t> probe_position() const = 0;
 

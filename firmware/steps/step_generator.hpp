@@ -24,39 +24,38 @@ namespace cnc {
 
 /// Turns queued segments into pin edges: the body of the step interrupt.
 ///
-/// Runs only when something is due. Each motor follows its own step train; a
-/// step starts a slot of one pulse up and one pulse down, and steps of other
-/// motors that fall into the slot go out with it. So an edge is early by less
-/// than a slot, or late by at most one, when segments last at least two slots
-/// and no motor is asked for more than one step per slot.
+/// Runs only when an edge or a change is due. Each motor follows its own step train. A step starts
+/// a slot of one pulse high and one pulse low, and steps of other motors that fall into the slot go
+/// out with it. So an edge is early by less than a slot, or late by at most one. This holds if
+/// segments last at least two slots and no motor has more than one step per slot.
 ///
-/// A segment ends when its time is over and its last step is out: no step is
-/// ever lost. The beam has a stream of its own on the same clock; it changes at
-/// its time, in the course of a slot, too. Integers only; work per interrupt is
-/// one pass over the axes.
+/// A segment ends when its time is over and its last step is out: no step is ever lost. The beam
+/// has a separate stream on the same clock and changes at its own times, also within a slot.
+/// Integers only; the work of an interrupt is one pass over the axes.
 ///
-/// The main loop works in turns. It sees the interrupt as it was at its turn's boundary, and what
-/// it hands over in a turn comes in at a boundary, too (TurnGate); only what ends motion or power
-/// acts at once. Motion begins at a boundary, so every step's tick follows from those turns.
+/// The main loop works in cycles. It sees the state of the interrupt at its cycle's boundary. Its
+/// handover becomes active at a boundary, too (TurnGate). Only functions that end motion or power
+/// act at once. Motion begins at a boundary, so the tick of every step follows from the content of
+/// those cycles.
 ///
-/// Functions that are called once or seldom are cold: they are compiled for size, beside the others
-/// that are compiled for speed.
+/// Functions that are called once or seldom are cold: they are compiled for size, while the others
+/// are compiled for speed.
 template <hal::StepPort Port, std::uint32_t QueueCapacity>
 class StepGenerator final : public StepDrive {
  public:
-  /// Pieces of the output that wait at most.
+  /// Greatest number of waiting pieces of the output.
   static constexpr std::uint32_t kPieces = 4 * QueueCapacity;
 
   [[gnu::cold]] explicit StepGenerator(Port& port) : port_{port}, beam_{port} {}
 
   [[nodiscard]] bool full() const override {
-    // One more is being played where it lies.
+    // One place more holds the segment being played.
     return queue_.room(view_.segments_taken) <= 1 || beam_.full(view_.pieces_taken);
   }
 
   void push(const motion::Segment& segment) override {
     const std::uint32_t wait = beam_.shift().settled() ? beam_.shift().wait() : 0;
-    // The output first: a segment that is there is played with its beam.
+    // The output comes first, so that a segment is never played without its beam.
     beam_.add(segment);
     ends_at_rest_ = segment.comes_to_rest;
     pushed_ticks_ += segment.ticks + wait;
@@ -80,7 +79,7 @@ class StepGenerator final : public StepDrive {
     if (ends_at_rest_ && wants_more() && !beam_.shift().settled()) beam_.settle();
   }
 
-  /// What waits will be driven.
+  /// Returns whether motion is in progress; waiting segments count.
   [[nodiscard]] bool running() const override {
     return view_.running || queue_.staged() != view_.segments_taken ||
            abort_.load(std::memory_order_acquire);
@@ -172,24 +171,24 @@ class StepGenerator final : public StepDrive {
   [[nodiscard]] bool probe_hit() const override { return view_.probe_hit; }
   [[nodiscard]] AxisArray<std::int32_t> probe_position() const override { return probe_position_; }
 
-  /// Any context: ticks that an interrupt may ask for at most while something moves.
+  /// Returns the longest wait between two interrupts during motion, in ticks. Any context.
   [[nodiscard]] std::uint32_t longest_wait() const noexcept {
     return longest_wait_.load(std::memory_order_relaxed);
   }
 
-  // Main loop, around each turn.
+  // Functions for the main loop, before and after each cycle.
 
-  /// Begins the next turn whose boundary has passed; false when there is none.
+  /// Begins the next cycle whose boundary has passed. Returns false if there is none.
   [[nodiscard]] bool take_turn() {
     StepView next{};
     if (!gate_.take(next)) return false;
-    // Seen before what the main loop has changed at rest since then: nothing else has changed.
+    // A view from before the last change at rest is out of date; nothing else has changed.
     if (next.epoch == epoch_.load(std::memory_order_relaxed)) view_ = next;
     view_.turn = next.turn;
     view_.late = next.late;
     return true;
   }
-  /// The number of the turn under way; runs freely.
+  /// Returns the number of the present cycle (wraps).
   [[nodiscard]] std::uint32_t turn() const { return view_.turn; }
   void end_turn() {
     gate_.hand_over({.turn = view_.turn,
@@ -199,14 +198,14 @@ class StepGenerator final : public StepDrive {
   }
   [[nodiscard]] std::uint32_t late_turns() const override { return gate_.late(); }
   [[nodiscard]] bool catches_up() const override { return view_.late; }
-  /// At the last boundary: turns that were due and not over.
+  /// Returns the number of cycles that were due and not complete at the last boundary.
   [[nodiscard]] std::uint32_t turns_behind() const { return gate_.behind(); }
 
-  // Step interrupt.
+  // Functions for the step interrupt.
 
-  /// The boundary of a turn, after all that was due before it: lets in what is to come in now,
-  /// starts the timer when there is something to be driven, and looks around for the main loop.
-  /// Returns the turn's number.
+  /// Handles the boundary of a cycle, after all steps that are due before it. Admits the content
+  /// that is due, starts the timer if there is motion to drive, and shows the main loop the present
+  /// state. Returns the cycle's number.
   [[gnu::noinline]] std::uint32_t begin_turn() noexcept {
     if (const Handover* const content = gate_.due()) {
       beam_.publish(content->pieces);
@@ -217,8 +216,8 @@ class StepGenerator final : public StepDrive {
     return gate_.show(look());
   }
 
-  /// Does what is due. Returns the ticks after which to come again; 0: stop the timer.
-  /// Kept out of line so that its instructions can be counted.
+  /// Makes the due edges and changes. Returns the ticks until the next call; 0 stops the timer. Not
+  /// inlined, so that its instructions can be counted.
   [[gnu::noinline]] std::uint32_t on_interrupt() noexcept {
     now_ += static_cast<std::int32_t>(waited_);
     beam_.pass(waited_);
@@ -231,14 +230,14 @@ class StepGenerator final : public StepDrive {
   }
 
  private:
-  /// What settings say about the motors' drivers.
+  /// Settings of the motors' drivers.
   struct SetUp {
     StepTiming timing{};
     std::uint8_t second_motors = 0;
   };
 
   static constexpr std::uint32_t kAtOnce = 1;
-  /// A slice of motion, and the pulse and the direction's set-up time that may be added.
+  /// A slice of motion, with the pulse and the direction's set-up time that may be added.
   static constexpr std::uint32_t kLongestWait = motion::kTicksPerSecond / 1000 + 100;
 
   [[gnu::cold]] void begin_turn_at_rest() noexcept {
@@ -249,7 +248,7 @@ class StepGenerator final : public StepDrive {
     port_.start_timer();
   }
 
-  /// Also from the main loop, while the interrupt rests.
+  /// Returns the state of the interrupt. At rest the main loop may call it, too.
   [[nodiscard]] StepView look() const noexcept {
     return {.epoch = epoch_.load(std::memory_order_relaxed),
             .begun_ticks = begun_ticks_.load(std::memory_order_relaxed),
@@ -267,7 +266,7 @@ class StepGenerator final : public StepDrive {
             .probe_hit = probe_hit_.load(std::memory_order_relaxed)};
   }
 
-  // Main loop: one look tells the interrupt that there is nothing of either.
+  // For the main loop: each flag lets the interrupt skip two conditions by one check.
   void note_urgency() {
     urgent_.store(abort_.load(std::memory_order_relaxed) || beam_.blocked(),
                   std::memory_order_release);
@@ -277,7 +276,7 @@ class StepGenerator final : public StepDrive {
                     std::memory_order_release);
   }
 
-  /// Main loop: views from before this are out of date. Out of line: asked for seldom, and long.
+  /// Makes earlier views out of date. Main loop. Not inlined: it is long and seldom called.
   /// @pre !running()
   [[gnu::noinline, gnu::cold]] void change_at_rest() {
     const std::uint32_t turn = view_.turn;
@@ -302,14 +301,14 @@ class StepGenerator final : public StepDrive {
     return pins_.wait(beam_.due() ? 1 : beam_.sooner(pins_.left()));
   }
 
-  /// Changes the output while the pins stay as they are.
+  /// Changes the output while the pins are unchanged.
   [[gnu::noinline, gnu::cold]] std::uint32_t change_between_edges() noexcept {
     CNC_ASSERT(pins_.left() <= static_cast<std::int32_t>(set_up_.timing.pulse));
     if (beam_.due()) beam_.follow();
     return pins_.wait(beam_.sooner(pins_.left()));
   }
 
-  /// Raises due steps before all else: a change of the output at the same time follows a tick
+  /// Raises due steps first; a change of the output that is due at the same time follows a tick
   /// later.
   std::uint32_t begin_pulse() noexcept {
     if (urgent_.load(std::memory_order_relaxed)) {
@@ -324,14 +323,15 @@ class StepGenerator final : public StepDrive {
     return ticks_until(due);
   }
 
-  /// The output was blocked at this tick of the motion.
+  /// Notes the present tick of the motion, at which the output was blocked.
   [[gnu::noinline]] void note_dark() noexcept {
     dark_tick_ =
         begun_ticks_.load(std::memory_order_relaxed) + static_cast<std::uint32_t>(now_ - ticks_);
     dark_noted_.store(true, std::memory_order_release);
   }
 
-  /// To the next segment, in an interrupt of its own, so that none is long. @pre no steps are left
+  /// Goes on to the next segment. That takes a separate interrupt, so that no interrupt is long.
+  /// @pre no steps are left
   [[gnu::noinline]] std::uint32_t go_on() noexcept {
     PlayableSegment* const next = queue_.front();
     if (now_ < ticks_) {
@@ -343,7 +343,7 @@ class StepGenerator final : public StepDrive {
       return ticks_until(trains_.empty() ? ticks_ : trains_.next_due());
     }
     if (next == nullptr) return come_to_rest();
-    // The light is there before the steps.
+    // The output changes before the steps.
     if (beam_.waits()) {
       beam_.follow();
       return kAtOnce;
@@ -358,12 +358,12 @@ class StepGenerator final : public StepDrive {
     return set_up_.timing.direction_set_up;
   }
 
-  /// Nothing acts at its very beginning.
+  /// Returns whether a segment changes neither direction nor outputs, so that it may begin early.
   [[nodiscard]] bool may_begin_early(const PlayableSegment& next) const noexcept {
     return direction_in(next) == direction_ && !next.segment.outputs.any();
   }
 
-  /// Out of line: it is long, and called from two places.
+  /// Begins a segment. Not inlined, because it is long and called from two places.
   [[gnu::noinline]] void play(PlayableSegment& next) noexcept {
     CNC_ASSERT(next.segment.ticks <= longest_wait());
     now_ -= ticks_;
@@ -375,7 +375,7 @@ class StepGenerator final : public StepDrive {
     queue_.drop_front();
   }
 
-  /// Motors that do not move stay as they are.
+  /// Returns the directions for a segment; motors that do not move keep theirs.
   [[nodiscard]] std::uint8_t direction_in(const PlayableSegment& next) const noexcept {
     return static_cast<std::uint8_t>((direction_ & ~next.moving) |
                                      (next.segment.negative & next.moving));
@@ -386,8 +386,9 @@ class StepGenerator final : public StepDrive {
                        std::memory_order_relaxed);
   }
 
-  /// Until this tick of the segment, or the next change of the output. A way beyond the segment's
-  /// end means that memory has changed: the beam would stay on without a step.
+  /// Returns the ticks until this tick of the segment, or until the next change of the output if
+  /// that is earlier. A tick far beyond the segment's end means that memory has changed: the beam
+  /// would stay on without a step.
   [[nodiscard]] std::uint32_t ticks_until(std::int32_t tick) const noexcept {
     constexpr std::int32_t kRounding = 100;
     const std::int32_t way = tick - now_;
@@ -406,7 +407,7 @@ class StepGenerator final : public StepDrive {
     return beam_.comes_within(pulse) ? keep_pins() : pulse;
   }
 
-  /// After each pulse, while a probe or switches are watched.
+  /// Checks probe and switches, after each pulse while they are watched.
   [[gnu::noinline]] void look_around() noexcept {
     std::atomic_signal_fence(std::memory_order_acquire);
     const AxisArray<std::int32_t> position = trains_.position();
@@ -418,7 +419,8 @@ class StepGenerator final : public StepDrive {
     if (switches_.active()) switches_.look(port_.switches(), position);
   }
 
-  /// Cut off in motion, it stays where it is: the main loop may be handing over the rest.
+  /// Stops the interrupt. After a cut-off in motion the queue stays as it is, because the main loop
+  /// may be handing over further segments.
   [[gnu::noinline, gnu::cold]] std::uint32_t come_to_rest() noexcept {
     if (!comes_to_rest_) {
       starved_.store(starved_.load(std::memory_order_relaxed) + 1, std::memory_order_relaxed);
@@ -456,17 +458,17 @@ class StepGenerator final : public StepDrive {
     port_.set_analog(changes.analog_channel, changes.analog_value);
   }
 
-  // What each interrupt looks at comes first: within a short reach of the object's start.
+  // Members that each interrupt reads come first, because short offsets reach them.
   Port& port_;
   StepTrains trains_{};
-  std::int32_t ticks_ = 0;  ///< Of the segment being played.
-  std::int32_t now_ = 0;    ///< Ticks since it was due to start; negative before.
+  std::int32_t ticks_ = 0;  ///< Length of the segment being played.
+  std::int32_t now_ = 0;    ///< Ticks since the segment was due to start; negative before.
   std::uint32_t waited_ = 0;
   SetUp set_up_{};
   PulsePins pins_{};
-  bool comes_to_rest_ = false;  ///< After the segment being played.
+  bool comes_to_rest_ = false;  ///< The machine rests after this segment.
   std::uint8_t direction_ = 0;
-  motion::SourceLine line_{};          ///< Of the segment being played, or played last.
+  motion::SourceLine line_{};          ///< Line of the last segment begun.
   std::atomic<bool> urgent_{false};    ///< abort_, or the output is blocked.
   std::atomic<bool> watching_{false};  ///< A probe is armed, or switches are watched.
   std::atomic<bool> abort_{false};
@@ -474,25 +476,25 @@ class StepGenerator final : public StepDrive {
   std::atomic<bool> probe_hit_{false};
   bool probe_contact_ = true;
   std::atomic<bool> running_{false};
-  std::atomic<std::uint32_t> starved_{0};  ///< Times.
-  std::atomic<bool> ran_dry_{false};       ///< Starved, and not aborted since then.
+  std::atomic<std::uint32_t> starved_{0};  ///< Number of times that motion starved.
+  std::atomic<bool> ran_dry_{false};       ///< Starved, and not aborted since.
   SwitchWatch switches_{};
   AxisArray<std::int32_t> probe_position_{};
   std::atomic<std::uint32_t> begun_ticks_{0};
-  std::uint32_t dark_tick_ = 0;         ///< Of the motion, as begun_ticks_ counts.
-  std::atomic<bool> dark_noted_{true};  ///< dark_tick_ is of the last time the output was blocked.
+  std::uint32_t dark_tick_ = 0;         ///< Tick of the motion, as begun_ticks_ counts.
+  std::atomic<bool> dark_noted_{true};  ///< dark_tick_ is that of the latest blocking.
   std::atomic<std::uint32_t> longest_wait_{kLongestWait};
   PowerOutput<Port, kPieces> beam_;
   hal::StagedRing<PlayableSegment, QueueCapacity> queue_{};
   TurnGate gate_{};
-  std::atomic<std::uint32_t> epoch_{0};  ///< Written by the main loop.
+  std::atomic<std::uint32_t> epoch_{0};  ///< Changes at rest, counted by the main loop.
 
-  // Main loop only.
+  // Used by the main loop only.
   StepView view_{};
   std::uint32_t starved_seen_ = 0;
   std::uint16_t rest_power_ = 0;
-  std::uint32_t pushed_ticks_ = 0;  ///< Runs freely.
-  bool ends_at_rest_ = true;        ///< The segment pushed last.
+  std::uint32_t pushed_ticks_ = 0;  ///< Count of ticks pushed (wraps).
+  bool ends_at_rest_ = true;        ///< The last segment pushed ends at rest.
 };
 
 }  // namespace cnc

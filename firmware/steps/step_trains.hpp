@@ -11,11 +11,11 @@
 
 namespace cnc {
 
-/// A segment with what the step interrupt need not find out by itself.
+/// A segment with values that the main loop computes ahead for the step interrupt.
 struct PlayableSegment {
   motion::Segment segment{};
   std::uint32_t moving = 0;       ///< Bit i: axis i has steps.
-  std::int32_t earliest_q16 = 0;  ///< The first step of any.
+  std::int32_t earliest_q16 = 0;  ///< Time of the first step of any axis.
 
   void prepare() {
     moving = 0;
@@ -31,12 +31,12 @@ struct PlayableSegment {
   static constexpr std::int32_t kNoStep = 0x7FFF'FFFF;
 };
 
-/// The step trains of the segment being played. They are driven where they lie, so that
-/// a segment begins at little cost: `first_q16` is where its next step is due, `count` how many
-/// are left. Step interrupt only; integers.
+/// The step trains of the segment being played. They are changed in place, so that a segment begins
+/// at little cost: `first_q16` is the time of the next step, and `count` the number of steps left.
+/// Step interrupt only; integers.
 class StepTrains {
  public:
-  /// Goes over to the trains of a segment, which stays where it is until they are empty().
+  /// Begins the trains of a segment, which must stay in its place until empty().
   /// @pre empty()
   void begin(PlayableSegment& next) noexcept {
     trains_ = next.segment.trains.data();
@@ -48,23 +48,24 @@ class StepTrains {
       ends_[axis] += way(axis, trains_[axis].count);
     }
   }
-  /// Forgets the steps that are left.
+  /// Drops the remaining steps.
   void clear() noexcept {
     for (std::size_t axis = 0; axis < kAxisCount; ++axis) ends_[axis] = position(axis);
     moving_ = 0;
   }
 
   [[nodiscard]] bool empty() const noexcept { return moving_ == 0; }
-  /// Tick of the segment in which the next step of any motor is due. @pre !empty()
+  /// Returns the tick of the segment at which the next step of any motor is due.
+  /// @pre !empty()
   [[nodiscard]] std::int32_t next_due() const noexcept { return earliest_q16_ >> 16; }
 
-  /// Takes the steps that are due before this tick, one of each motor at most.
-  /// @return their axes.
+  /// Takes the steps that are due before `tick`, at most one of each motor.
+  /// @return axes of the steps
   std::uint8_t take_before(std::int32_t tick) noexcept {
     unsigned due = 0;
     unsigned moving = moving_;
     std::int32_t earliest = PlayableSegment::kNoStep;
-    // Unrolled, each motor's train is at a constant place.
+    // When the loop is unrolled, each motor's train is at a constant address.
 #pragma GCC unroll 6
     for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
       const unsigned bit = 1U << axis;
@@ -79,7 +80,7 @@ class StepTrains {
         train.first_q16 = next;
         train.interval_q16 += train.growth_q16;
         if (steps_left <= 0) {
-          CNC_ASSERT(steps_left == 0);  // Else memory has changed.
+          CNC_ASSERT(steps_left == 0);  // A difference means that memory has changed.
           moving ^= bit;
           continue;
         }
@@ -91,7 +92,7 @@ class StepTrains {
     return static_cast<std::uint8_t>(due);
   }
 
-  /// Where a motor is, in steps.
+  /// Returns the position of a motor in steps.
   [[nodiscard]] std::int32_t position(std::size_t axis) const noexcept {
     if ((moving_ >> axis & 1U) == 0) return ends_[axis];
     return ends_[axis] - way(axis, trains_[axis].count);
@@ -101,7 +102,8 @@ class StepTrains {
     for (std::size_t axis = 0; axis < kAxisCount; ++axis) steps[axis] = position(axis);
     return steps;
   }
-  /// Calls the place where a motor is so. @pre empty()
+  /// Sets the position of a motor without moving it.
+  /// @pre empty()
   void set_position(std::size_t axis, std::int32_t steps) noexcept { ends_[axis] = steps; }
 
  private:
@@ -113,7 +115,7 @@ class StepTrains {
   unsigned moving_ = 0;  ///< Axes that still have steps.
   std::int32_t earliest_q16_ = PlayableSegment::kNoStep;
   std::uint32_t negative_ = 0;
-  AxisArray<std::int32_t> ends_{};  ///< Where the motors are after the last of them.
+  AxisArray<std::int32_t> ends_{};  ///< Motor positions after the last step of the trains.
 };
 
 }  // namespace cnc

@@ -9,13 +9,13 @@
 
 namespace cnc {
 
-/// Limit switches as the step interrupt sees them while homing: where each axis
-/// found its own, and which motors wait at theirs for the other motor.
+/// State of the limit switches during homing: the position at which each axis found its switch, and
+/// the motors that wait at their switches for the other motor.
 ///
-/// A switch counts from its first contact on, so its bounce changes nothing.
+/// A switch counts from its first contact on, so its bounce has no effect.
 class SwitchWatch {
  public:
-  // Main loop, while the interrupt does not run.
+  // Functions for the main loop while the interrupt does not run.
 
   void add(std::uint8_t axes, std::uint8_t squared) {
     const auto others = static_cast<std::uint8_t>(~axes);
@@ -31,7 +31,7 @@ class SwitchWatch {
     watched_.store(0, std::memory_order_release);
   }
 
-  // Main loop, at any time.
+  // Functions for the main loop at any time.
 
   [[nodiscard]] std::uint8_t found() const { return found_.load(std::memory_order_acquire); }
   [[nodiscard]] std::int32_t position(std::size_t axis) const { return found_at_[axis]; }
@@ -39,15 +39,15 @@ class SwitchWatch {
     return found_at_[axis] - first_found_at_[axis];
   }
 
-  // Step interrupt; the gates at rest from the main loop, too.
+  // Functions for the step interrupt. At rest the main loop may call gates(), too.
 
   [[nodiscard]] bool active() const noexcept {
     return watched_.load(std::memory_order_relaxed) != 0;
   }
-  /// Motors that get no steps.
+  /// Returns the motors that get no steps.
   [[nodiscard]] const hal::SwitchMask& gates() const noexcept { return gates_; }
 
-  /// After each step of any motor.
+  /// Checks the switches; to be called after each step of any motor.
   void look(const hal::SwitchMask& closed, const AxisArray<std::int32_t>& position) noexcept {
     const std::uint8_t watched = watched_.load(std::memory_order_relaxed);
     const unsigned either = closed.first | closed.second | gates_.first | gates_.second;

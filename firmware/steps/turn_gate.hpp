@@ -11,53 +11,56 @@
 
 namespace cnc {
 
-/// The main loop turns once in so many ticks of the step clock.
+/// Length of a cycle of the main loop, in ticks of the step clock and in microseconds.
 inline constexpr std::uint32_t kTurnTicks = motion::kTicksPerSecond / 1000;
 inline constexpr std::uint32_t kTurnUs = 1000;
 
-/// What a turn hands to the step interrupt is let in at the boundary so many turns later. So
-/// long may its planning take without a step being anywhere else.
+/// Number of cycles after which the content that a cycle hands over becomes active in the step
+/// interrupt, at a boundary. Within that time the planning of a cycle may end at any moment without
+/// changing the time of a step.
 inline constexpr std::uint32_t kTurnsToMotion = 3;
 
-/// The step interrupt as it was at the boundary of a turn: all that the main loop knows of it.
+/// State of the step interrupt at the boundary of a cycle. The main loop knows no other state of
+/// it.
 struct StepView {
-  std::uint32_t turn = 0;   ///< Boundaries before this one; runs freely.
-  std::uint32_t epoch = 0;  ///< Changes that the main loop had made at rest.
+  std::uint32_t turn = 0;   ///< Number of boundaries before this one (wraps).
+  std::uint32_t epoch = 0;  ///< Number of changes that the main loop had made at rest.
   std::uint32_t begun_ticks = 0;
   std::uint32_t segments_taken = 0;
   std::uint32_t pieces_taken = 0;
-  std::uint32_t starved = 0;  ///< Times.
+  std::uint32_t starved = 0;  ///< Number of times that motion starved.
   AxisArray<std::int32_t> position{};
-  motion::SourceLine line{};  ///< Of the segment begun last.
+  motion::SourceLine line{};  ///< Line of the last segment begun.
   std::uint16_t power = 0;
   std::uint8_t switches_found = 0;
   std::uint8_t switches_half_found = 0;
   bool running = false;
   bool probe_hit = false;
-  bool late = false;  ///< The turn that was due at this boundary was not over.
+  bool late = false;  ///< The cycle due at this boundary was not complete.
 };
 
-/// All that the main loop had handed over when a turn was over.
+/// Running totals that the main loop had handed over at the end of a cycle.
 struct Handover {
   std::uint32_t turn = 0;
-  std::uint32_t segments = 0;  ///< Since the beginning, as are…
-  std::uint32_t pieces = 0;    ///< …pieces of the output.
+  std::uint32_t segments = 0;  ///< Segments since the beginning.
+  std::uint32_t pieces = 0;    ///< Pieces of the output since the beginning.
   std::uint16_t rest_power = 0;
 };
 
-/// Keeps main loop and step interrupt apart but at boundaries: views go one way, what is handed
-/// over the other, both with the number of their turn.
+/// Separates the main loop from the step interrupt. Only at boundaries do views pass from the
+/// interrupt to the main loop, and handovers in the other direction, both with the number of their
+/// cycle.
 ///
-/// So what the machine does follows from what was there at each boundary, and not from how long
-/// the processor took in between. A turn that is not over kTurnsToMotion boundaries after its own
-/// is late: that is counted, what older turns have handed over comes in without it, and it comes in
-/// at the first boundary after its end.
+/// So the machine's behaviour follows from the state at each boundary, and not from the time that
+/// the processor took in between. A cycle that is not complete kTurnsToMotion boundaries after its
+/// own is late. Then the late boundary is counted, the handovers of older cycles become active
+/// without it, and its own becomes active at the first boundary after its end.
 class TurnGate {
  public:
-  // Step interrupt, once at each boundary, in this order.
+  // Functions for the step interrupt, to be called once at each boundary, in this order.
 
-  /// The newest that was handed over by a turn whose boundary was kTurnsToMotion ago or more; null
-  /// before there can be one.
+  /// Returns the newest handover of a cycle whose boundary was at least kTurnsToMotion boundaries
+  /// ago; null if there is none yet.
   [[nodiscard]] const Handover* due() noexcept {
     const std::uint32_t due = begun_ - kTurnsToMotion;
     const std::uint32_t count = handed_over_.load(std::memory_order_acquire);
@@ -70,7 +73,8 @@ class TurnGate {
     }
     return nullptr;
   }
-  /// A view that finds no room is lost, and its turn is not run. Returns the turn's number.
+  /// Passes a view to the main loop and returns the cycle's number. A view for which there is no
+  /// free space is lost, and its cycle is not run.
   std::uint32_t show(StepView view) noexcept {
     view.turn = begun_++;
     view.late = behind() > 0;
@@ -78,34 +82,37 @@ class TurnGate {
     return view.turn;
   }
 
-  // Main loop.
+  // Functions for the main loop.
 
-  /// The next turn to be run; false when it has not begun.
+  /// Takes the view of the next cycle to be run. Returns false if that cycle has not begun.
   [[nodiscard]] bool take(StepView& view) { return views_.try_pop(view); }
-  /// @param content of a later turn than all before
+  /// Hands over the totals of a cycle.
+  /// @param content its cycle is later than all before
   void hand_over(const Handover& content) {
     const std::uint32_t count = handed_over_.load(std::memory_order_relaxed);
     handovers_[count % kHandovers] = content;
     handed_over_.store(count + 1, std::memory_order_release);
   }
-  /// Also of what was handed over before.
+  /// Sets the duty at rest in all handovers, including earlier ones.
   void replace_rest_power(std::uint16_t power) {
     for (Handover& content : handovers_) content.rest_power = power;
   }
 
-  // Any context.
+  // Functions for any context.
 
-  /// Boundaries at which the turn that was due was not over.
+  /// Returns the number of boundaries at which the due cycle was not complete.
   [[nodiscard]] std::uint32_t late() const { return late_.load(std::memory_order_relaxed); }
-  /// At the last boundary: turns that were due and not over; 0 when none was late.
+  /// Returns the number of cycles that were due and not complete at the last boundary; 0 if none
+  /// was late.
   [[nodiscard]] std::uint32_t behind() const { return behind_.load(std::memory_order_relaxed); }
 
  private:
-  static constexpr std::uint32_t kViews = 16;  ///< Turns that may wait to be run.
-  /// One is written while the interrupt looks past those of the turns after the one that is due.
+  static constexpr std::uint32_t kViews = 16;  ///< Greatest number of cycles that may wait.
+  /// Handovers kept. One may be written while the interrupt reads those of the cycles after the due
+  /// one.
   static constexpr std::uint32_t kHandovers = 4;
   static_assert(kHandovers > kTurnsToMotion && std::has_single_bit(kHandovers));
-  /// Handover of the turn before the first one: it is empty.
+  /// Handover of the cycle before the first; it is empty.
   static constexpr Handover kNothing{.turn = ~0U};
 
   void note_late(std::uint32_t behind) noexcept {
@@ -115,7 +122,7 @@ class TurnGate {
   }
 
   std::array<Handover, kHandovers> handovers_{kNothing, kNothing, kNothing, kNothing};
-  std::atomic<std::uint32_t> handed_over_{0};  ///< Runs freely.
+  std::atomic<std::uint32_t> handed_over_{0};  ///< Number of handovers (wraps).
   hal::SpscRing<StepView, kViews> views_{};
   std::atomic<std::uint32_t> late_{0};
   std::atomic<std::uint32_t> behind_{0};

@@ -49,12 +49,12 @@ std::optional<std::uint16_t> FlashLog::number_after(std::optional<std::uint16_t>
       if ((!number || candidate > *number) && (!next || candidate < *next)) next = candidate;
     }
     if (!next || find(*next, found)) return next;
-    number = next;  // It was forgotten.
+    number = next;  // The record was erased.
   }
   return std::nullopt;
 }
 
-/// The record saved last under the number; false when there is none, or it was forgotten.
+/// Finds the last record of the number. Returns false if there is none, or if it was erased.
 bool FlashLog::find(std::uint16_t number, FoundRecord& found) const {
   if (!exists_) return false;
   bool any = false;
@@ -70,7 +70,7 @@ bool FlashLog::find(std::uint16_t number, FoundRecord& found) const {
   return any && found.head.size != 0;
 }
 
-/// No later record has its number, and it is whole.
+/// Returns whether the record is whole and no later record has its number.
 bool FlashLog::is_last(const FoundRecord& record) const {
   FoundRecord last;
   return find(record.head.number, last) && last.place == record.place;
@@ -80,7 +80,7 @@ bool FlashLog::append(std::uint16_t number, std::span<const std::byte> record) {
   const std::size_t begin = tail_is_fresh_ ? tail_ : tail_ + 1;
   const std::size_t end = begin + extent_of(record);
   if (!has_room_ || end >= sector_.words()) return false;
-  // A word that looks erased may have been begun in a life that ended just then.
+  // A word that looks erased may have been begun just before an earlier power cut.
   if ((tail_is_fresh_ || sector_.program(tail_, 0)) &&
       sector_.write_record(begin, number, record)) {
     has_room_ = sector_.mark(end);
@@ -88,7 +88,7 @@ bool FlashLog::append(std::uint16_t number, std::span<const std::byte> record) {
     tail_ = end + 1;
     return true;
   }
-  // What was written must not count later; where that fails too, nothing can be done about it.
+  // The failed record must not count later. If this fails, too, nothing more can be done.
   static_cast<void>(sector_.blot_out(begin, end));
   has_room_ = false;
   return false;

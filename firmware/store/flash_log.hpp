@@ -11,25 +11,27 @@
 
 namespace cnc {
 
-/// Records as a log in flash sectors that take turns. A new value is appended; when the sector is
-/// full, the last value of each number goes into the next one, which counts from its last word on.
+/// Records in a log over several flash sectors, which are used in turn. A new value is appended.
+/// When the sector is full, the last value of each number is copied into the next sector, which
+/// becomes valid with its last word.
 ///
-/// Power may go at any flash operation, again and again: what a save has said true to is there
-/// afterwards, what it has not is there as a whole or not at all, and what one power-up has
-/// loaded the next one loads, too. For that the constructor makes firm, before it believes it, what
-/// a cut may have left half done; it writes nothing where nothing was saved since the last time.
-/// Flash that holds no log, or another's, is an empty one, and is erased by the first save.
+/// Power may fail at any flash operation, repeatedly. Three properties hold nevertheless. A record
+/// whose save returned true is there afterwards. A record whose save did not is there as a whole or
+/// not at all. A value that one power-up has loaded is loaded at the next power-up, too. For that
+/// the constructor makes words firm that a cut may have left half done, before it trusts them. It
+/// writes nothing if nothing was saved since the last power-up. Flash that holds no log, or another
+/// program's data, counts as an empty log and is erased by the first save.
 ///
-/// What had been saved and cannot be read any more is damage, and is told apart from a save that
-/// was cut off: each bit of a log that turns over is harmless or noticed. Damage stays as it is
-/// until the next save, so every power-up before that notices it.
+/// Damage means that a saved record cannot be read any more, and it is distinguished from a save
+/// that was cut off. Each bit of a log that flips is either harmless or detected. Damage stays
+/// until the next save, so every power-up before that save detects it.
 ///
-/// Main loop context. Costs, with w words in a sector: the constructor reads at most 28 w words
-/// where the sector holds garbage and 2 w elsewhere; load at most 2 w; save at most w²/4 and once
-/// an erase, when the sector is full, else 4 w. RAM: this object, no buffer.
+/// Main loop context. Costs, with w words in a sector: the constructor reads at most 28 w words of
+/// a sector that holds garbage, and 2 w of others. load reads at most 2 w. save reads at most w²/4,
+/// with one erase, when the sector is full, otherwise 4 w. RAM: this object, no buffer.
 class FlashLog final : public hal::RecordStore {
  public:
-  /// @pre at least two sectors of 64 words; they outlive the log
+  /// @pre the flash has at least two sectors of 64 words; it outlives the log
   explicit FlashLog(hal::FlashSectors& flash);
 
   [[nodiscard]] std::size_t load(std::uint16_t number, std::span<std::byte> into) override;
@@ -37,22 +39,22 @@ class FlashLog final : public hal::RecordStore {
   [[nodiscard]] hal::StoreWear wear() const override;
   [[nodiscard]] bool damaged() const override { return damaged_; }
 
-  /// The next higher number that has a record; nothing begins.
+  /// Returns the next higher number that has a record; without `number`, the lowest.
   [[nodiscard]] std::optional<std::uint16_t> number_after(
       std::optional<std::uint16_t> number) const;
 
  private:
-  /// Where the records of a sector end, and how sure that is.
+  /// End of a sector's records, and how certain it is.
   struct Tail {
-    std::size_t end = log_format::kFirstRecord;      ///< After the last record or seal.
-    std::size_t touched = log_format::kFirstRecord;  ///< After the last word that is not erased.
-    std::optional<FoundRecord> last{};               ///< The last record, if no seal is after it.
-    bool sealed = false;                             ///< A seal, and nothing after it.
-    bool lost = false;  ///< Something that was whole once is no record any more.
-    bool clean = true;  ///< Up to the last record, seal or mark nothing but these and zeros.
+    std::size_t end = log_format::kFirstRecord;      ///< Place after the last record or seal.
+    std::size_t touched = log_format::kFirstRecord;  ///< Place after the last non-erased word.
+    std::optional<FoundRecord> last{};               ///< Last record, if no seal follows.
+    bool sealed = false;                             ///< The tail ends with a seal.
+    bool lost = false;  ///< A record that was whole once is unreadable.
+    bool clean = true;  ///< Up to the last record, seal or mark there are only these and zeros.
   };
 
-  // Powering up, in log_recovery.cpp.
+  // Power-up, in log_recovery.cpp.
   void choose_sector();
   [[nodiscard]] bool holds_later_log(std::size_t sector) const;
   [[nodiscard]] Tail find_tail() const;
@@ -65,7 +67,7 @@ class FlashLog final : public hal::RecordStore {
   [[nodiscard]] bool is_last(const FoundRecord& record) const;
   [[nodiscard]] bool append(std::uint16_t number, std::span<const std::byte> record);
 
-  // Into the next sector, in log_compaction.cpp.
+  // Copying into the next sector, in log_compaction.cpp.
   [[nodiscard]] bool compact(std::optional<std::uint16_t> number,
                              std::span<const std::byte> record);
   [[nodiscard]] std::size_t words_without(std::optional<std::uint16_t> number) const;
@@ -76,9 +78,9 @@ class FlashLog final : public hal::RecordStore {
   LogSector sector_;
   bool exists_ = false;    ///< sector_ holds a log.
   bool damaged_ = false;   ///< See damaged().
-  bool clean_ = true;      ///< Each record's head in it is that of a whole record.
-  bool has_room_ = false;  ///< What follows the tail is erased, as far as can be seen.
-  /// The word at the tail was never begun: it was reached in this life.
+  bool clean_ = true;      ///< Each record head in sector_ belongs to a whole record.
+  bool has_room_ = false;  ///< All words after the tail look erased.
+  /// The word at the tail was never begun, because this program's run reached it.
   bool tail_is_fresh_ = false;
   std::size_t tail_ = log_format::kFirstRecord;
   std::uint32_t erases_ = 0;

@@ -15,24 +15,26 @@ namespace cnc {
 
 enum class KerfTablesError : std::uint8_t {
   kNoSuchTable,
-  kBuiltIn,     ///< It can neither be replaced nor forgotten.
-  kNoRoom,      ///< All places are taken.
-  kDamaged,     ///< What is stored is no whole table.
-  kOutOfOrder,  ///< A part that does not follow the one before; part 0 begins anew.
+  kBuiltIn,     ///< A built-in table can be neither replaced nor erased.
+  kNoRoom,      ///< All places for tables are taken.
+  kDamaged,     ///< The stored data are not a whole table.
+  kOutOfOrder,  ///< A part does not follow the part before; part 0 restarts.
   kNothing,     ///< No part has been taken.
   kStoreFailed,
 };
 
 [[nodiscard]] std::string_view describe(KerfTablesError error);
 
-/// The controller's kerf tables by name: those built in, and up to four that outlive power.
+/// The controller's kerf tables by name: the built-in ones, and up to four stored ones, which
+/// outlive power.
 ///
-/// A table comes as an image (planner/kerf/table_image.hpp) in parts of 96 bytes, which are records
-/// of a bank that nobody reads yet; when it is whole, the directory, one record, names the bank. So
-/// power may go at any moment: what was kept before is there, or what came after.
+/// A table arrives as an image (planner/kerf/table_image.hpp) in parts of 96 bytes. The parts are
+/// saved as records of a bank that the directory does not name yet. When the table is whole, the
+/// directory, which is one record, is saved with the name of the bank. So after a power cut either
+/// the earlier table is there or the new one.
 ///
 /// One table at a time is in memory. Saving may take most of a second: take_part(), keep(),
-/// forget() and forget_all() only while nothing moves. Main loop context.
+/// forget() and forget_all() are allowed only while nothing moves. Main loop context.
 class KerfTables {
  public:
   static constexpr std::size_t kMostStored = 4;
@@ -42,34 +44,39 @@ class KerfTables {
 
   explicit KerfTables(hal::RecordStore& store) : store_{store} {}
 
-  /// Takes the next part of an image; 0 begins anew. Only the last is shorter than kPartBytes.
-  /// @return what is wrong with the order, or with a table that can be seen not to fit
+  /// Reason of a refusal: an error of the tables, or a fault in the content of one.
   struct Trouble {
     std::optional<KerfTablesError> tables{};
     std::optional<kerf::TableFault> table{};
     [[nodiscard]] explicit operator bool() const { return tables || table; }
   };
+  /// Takes the next part of an image; part 0 restarts. Only the last part may be shorter than
+  /// kPartBytes. Returns an error of the order, or of a table that already proves not to fit.
   [[nodiscard]] Trouble take_part(std::size_t part, std::span<const std::byte> bytes);
-  /// Whether the parts taken are a table; its name is then in candidate().
+  /// Checks whether the parts taken are a whole table; its name is then in candidate().
   [[nodiscard]] Trouble check();
   [[nodiscard]] std::string_view candidate() const { return table_.view().name; }
-  /// Keeps what check() has just found whole, in place of the table of the same name.
+  /// Stores the table that check() has just accepted, in place of the table of the same name.
   [[nodiscard]] std::optional<KerfTablesError> keep();
 
   [[nodiscard]] std::optional<KerfTablesError> forget(std::string_view name);
-  /// Forgets all that are stored. False when the store failed.
+  /// Erases all stored tables. Returns false if the store failed.
   [[nodiscard]] bool forget_all();
 
-  /// Tables there are, built-in ones first; stored ones that are damaged count.
+  /// Returns the number of tables, built-in ones first. Damaged stored tables count.
   [[nodiscard]] std::size_t count() const;
   [[nodiscard]] std::size_t stored() const;
   [[nodiscard]] static std::size_t built_in();
-  /// Another number whenever a stored table, the list or what is in memory of it has changed.
+  /// Returns a number that changes with each change of a stored table, of the list, or of the table
+  /// in memory.
   [[nodiscard]] std::uint32_t revision() const { return revision_; }
-  /// One of them; a stored one is valid until the next call of a member. @pre index < count()
+  /// Returns a table. A stored one is valid until the next call of a member.
+  /// @pre index < count()
   [[nodiscard]] Result<kerf::TableView<float>, KerfTablesError> table(std::size_t index);
   [[nodiscard]] Result<std::size_t, KerfTablesError> find(std::string_view name) const;
-  /// A part of a stored one's image. @return its bytes, 0 after the last. @pre index < count()
+  /// Reads a part of a stored table's image.
+  /// @return length of the part in bytes, 0 after the last
+  /// @pre index < count()
   [[nodiscard]] std::size_t read_part(std::size_t index,
                                       std::size_t part,
                                       std::span<std::byte, kPartBytes> into) const;
@@ -77,7 +84,7 @@ class KerfTables {
  private:
   struct Entry {
     std::uint8_t bank = 0;
-    std::uint16_t bytes = 0;  ///< Of the image; 0: the place is free.
+    std::uint16_t bytes = 0;  ///< Length of the image; 0: free entry.
   };
   using Directory = std::array<Entry, kMostStored>;
 
@@ -90,10 +97,10 @@ class KerfTables {
   void forget_parts(std::size_t bank);
 
   hal::RecordStore& store_;
-  std::size_t size_ = 0;  ///< Bytes of the parts taken, in the spare bank.
+  std::size_t size_ = 0;  ///< Bytes of the parts taken so far, in the spare bank.
   bool checked_ = false;
   std::uint32_t revision_ = 1;
-  kerf::StoredTable table_{};  ///< What was looked at last.
+  kerf::StoredTable table_{};  ///< The table in memory.
 };
 
 }  // namespace cnc

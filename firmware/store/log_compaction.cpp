@@ -10,7 +10,7 @@ std::size_t words_of(std::span<const std::byte> record) {
 
 }  // namespace
 
-/// Words that the last records take, of all numbers but one.
+/// Returns the number of words in the last records of all numbers except `number`.
 std::size_t FlashLog::words_without(std::optional<std::uint16_t> number) const {
   std::size_t words = 0;
   FoundRecord found;
@@ -22,7 +22,8 @@ std::size_t FlashLog::words_without(std::optional<std::uint16_t> number) const {
   return words;
 }
 
-/// @return where the copies end; 0 when flash did not take one or they do not fit.
+/// Copies the last records of all numbers except `number`.
+/// @return end of the copies; 0 if flash refused one or they do not fit
 std::size_t FlashLog::copy_all_but(std::optional<std::uint16_t> number, LogSector& next) const {
   std::size_t tail = log_format::kFirstRecord;
   FoundRecord found;
@@ -37,10 +38,10 @@ std::size_t FlashLog::copy_all_but(std::optional<std::uint16_t> number, LogSecto
   return tail;
 }
 
-/// Copies what counts, with the record in the place of the number's last one. Up to the commit
-/// word the old sector counts, from then on the new one; the old one is erased by the next
-/// compaction and not before. False when that is too much for a sector, before anything is
-/// erased, or when flash refuses.
+/// Copies the valid records into the next sector, with `record` as the number's new one. Until the
+/// commit word is written the old sector is valid, from then on the new one. The old sector is
+/// erased by the next compaction and not before. Returns false if the records do not fit into a
+/// sector (before anything is erased), or if flash refuses.
 bool FlashLog::compact(std::optional<std::uint16_t> number, std::span<const std::byte> record) {
   const std::size_t extent = words_of(record);
   const std::size_t words = log_format::kFirstRecord + words_without(number) + extent + 1;

@@ -12,30 +12,30 @@ namespace cnc::log_format {
 
 /// First word of a sector: "KFL" and the version. A log of another version counts as none.
 constexpr std::uint32_t kMagic = 0x4B46'4C01;
-/// The sector is complete and counts.
+/// Commit word: the sector is complete and valid.
 constexpr std::uint32_t kCommitted = 0x600D'5EC7;
-/// Whether a word says so, or would but for one bit. A commit that was cut off just before its end
-/// is made firm by the power-up that takes it for one.
+/// Returns whether a word is the commit word, or differs from it in one bit. If a commit was cut
+/// off just before its end, the power-up that accepts it makes it firm.
 constexpr bool is_commit(std::uint32_t word) {
   const std::uint32_t wrong = word ^ kCommitted;
   return (wrong & (wrong - 1)) == 0;
 }
 
-// Words of a sector's head.
+// Word indices of a sector's head.
 constexpr std::size_t kMagicAt = 0;
 constexpr std::size_t kSequenceAt = 1;
 constexpr std::size_t kErasesAt = 2;
 constexpr std::size_t kHeadCrcAt = 3;
 constexpr std::size_t kCommitAt = 4;
-/// The same again, written by who believed the first: that one may be half written, and half
-/// undone by who did not.
+/// A second commit word, written by the power-up that accepted the first one. The first may be half
+/// written, and half erased by a power-up that did not accept it.
 constexpr std::size_t kConfirmAt = 5;
-constexpr std::size_t kBarredAt = 6;  ///< Zero once both of them are zero for good.
+constexpr std::size_t kBarredAt = 6;  ///< Zero once both commit words are zero for good.
 constexpr std::size_t kFirstRecord = 7;
 
 struct SectorHead {
-  std::uint32_t sequence = 0;  ///< One more than that of the sector it was copied from.
-  std::uint32_t erases = 0;    ///< Of all sectors of the log together.
+  std::uint32_t sequence = 0;  ///< One more than the sequence of the sector it was copied from.
+  std::uint32_t erases = 0;    ///< Erases of all sectors of the log together.
 };
 
 inline std::uint32_t head_crc(const SectorHead& head, std::uint32_t magic = kMagic) {
@@ -46,23 +46,24 @@ inline std::uint32_t head_crc(const SectorHead& head, std::uint32_t magic = kMag
   return crc.value();
 }
 
-/// First word of a record: bit 31 is zero, then ten bits of size (room for longer records than
-/// there are), five of check, the number.
+/// First word of a record: bit 31 is zero, then ten bits of size (enough for records longer than
+/// the longest), five bits of check, and the number.
 struct RecordHead {
   static constexpr unsigned kSizeShift = 21;
   static constexpr unsigned kCheckShift = 16;
   static constexpr std::uint32_t kMostBytes = 1023;
 
   std::uint16_t number = 0;
-  std::uint16_t size = 0;  ///< Bytes; none forgets the number.
+  std::uint16_t size = 0;  ///< Length in bytes; 0 erases the number's record.
 
-  /// Words of the record: head, bytes, CRC.
+  /// Returns the number of words of the record: head, bytes, CRC.
   [[nodiscard]] constexpr std::size_t extent() const { return 2 + (size + 3U) / 4U; }
   [[nodiscard]] constexpr std::uint32_t word() const {
     const std::uint32_t plain = (static_cast<std::uint32_t>(size) << kSizeShift) | number;
     return plain | (check_of(plain) << kCheckShift);
   }
-  /// False when the word is no record's first: neither zero nor an erased word is one.
+  /// Reads a record's first word. Returns false if the word is not one; zero and an erased word are
+  /// not.
   [[nodiscard]] static constexpr bool read(std::uint32_t word, RecordHead& head) {
     head.number = static_cast<std::uint16_t>(word);
     head.size = static_cast<std::uint16_t>((word >> kSizeShift) & kMostBytes);
@@ -79,8 +80,9 @@ struct RecordHead {
 
 static_assert(hal::RecordStore::kLongestRecord <= RecordHead::kMostBytes);
 
-/// Sequence and place are part of it: bytes that only look like a record, such as those of
-/// another record that was cut off, or of the sector's life before, are none.
+/// Returns the CRC with which a record, seal or mark at `place` begins. It covers sequence and
+/// place, so that bytes that only look like a record do not count. Examples are bytes of a record
+/// that was cut off, or from the sector's earlier use.
 inline Crc32 crc_at(std::uint32_t sequence, std::size_t place) {
   Crc32 crc;
   crc.add(sequence);
@@ -88,14 +90,15 @@ inline Crc32 crc_at(std::uint32_t sequence, std::size_t place) {
   return crc;
 }
 
-/// The word that says: all before it is firm. With bit 31 set no part of it is a record's head.
+/// Returns the seal, the word that declares all words before it firm. Bit 31 is set, so no seal is
+/// a record's head.
 inline std::uint32_t seal_at(std::uint32_t sequence, std::size_t place) {
   return crc_at(sequence, place).value() | 0x8000'0000U;
 }
 
-/// The word behind each save: the record before it was written to its end. A record that is not
-/// whole and has one behind it is damaged; without one a power cut may have interrupted it. It
-/// shares no more bits with a seal than any two words do.
+/// Returns the mark, the word after each save: it shows that the record before it was written
+/// completely. A record that is not whole is damaged if a mark follows; without a mark, a power cut
+/// may have interrupted it. A mark and a seal have no more bits in common than any two words.
 inline std::uint32_t mark_at(std::uint32_t sequence, std::size_t place) {
   Crc32 crc = crc_at(sequence, place);
   crc.add(kMagic);

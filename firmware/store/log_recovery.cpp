@@ -5,8 +5,8 @@
 
 namespace cnc {
 
-/// The sector with the highest sequence of those that are complete. One that is nearly complete
-/// may read as complete the next time, when later values are in another: it is barred.
+/// Selects, of all complete sectors, the one with the highest sequence. A nearly complete sector is
+/// barred: it may read as complete at the next power-up, when later values are in another sector.
 void FlashLog::choose_sector() {
   unsigned headless = 0;
   for (std::size_t i = 0; i < flash_.sector_count(); ++i) {
@@ -29,8 +29,8 @@ void FlashLog::choose_sector() {
   }
 }
 
-/// Whether a sector without its head holds what was saved after all that the chosen one has. One
-/// whose erasing was cut off is the older of the two.
+/// Returns whether a sector without its head holds records that are later than all in the chosen
+/// sector. A sector whose erasing was cut off is the older of the two.
 bool FlashLog::holds_later_log(std::size_t sector) const {
   const LogSector later{flash_, sector, sector_.sequence() + 1};
   FoundRecord found;
@@ -39,9 +39,10 @@ bool FlashLog::holds_later_log(std::size_t sector) const {
 
 FlashLog::Tail FlashLog::find_tail() const {
   Tail tail;
-  bool debris = false;  // Since the last record, seal or mark.
-  // Directly before the next one. Before a zero it is the record that a power-up has copied behind
-  // the zeros, because it may read otherwise at any time.
+  bool debris = false;  // Unexplained words since the last record, seal or mark.
+  // An unexplained word directly before the present one. A zero clears it: before zeros there is a
+  // record that a power-up has copied to a place after them, because it may read differently at any
+  // time.
   bool torn = false;
   for (std::size_t place = log_format::kFirstRecord; place < sector_.words();) {
     const std::uint32_t word = sector_.word(place);
@@ -76,13 +77,13 @@ void FlashLog::settle_tail() {
   tail_ = tail.end;
   clean_ = tail.clean;
   damaged_ = damaged_ || tail.lost;
-  if (damaged_) return;  // A seal would hide it. The next save takes what is whole along.
+  if (damaged_) return;  // A seal would hide the damage. The next save copies all whole records.
   has_room_ = tail.sealed || (sector_.confirm() && seal(tail));
   if (!has_room_) start_anew(tail);
 }
 
-/// Without room for a seal all that counts goes into the next sector. The last record is taken as
-/// it was read first: its CRC may read otherwise at any time.
+/// Copies all valid records into the next sector, because there is no free space for a seal. The
+/// last record is copied as it was read first: its CRC may read differently at any time.
 void FlashLog::start_anew(const Tail& tail) {
   if (!tail.last) {
     static_cast<void>(compact(std::nullopt, {}));
@@ -93,20 +94,21 @@ void FlashLog::start_anew(const Tail& tail) {
   static_cast<void>(compact(tail.last->head.number, std::span{bytes}.first(size)));
 }
 
-/// One past the last word that may have been begun after the last record or seal.
+/// Returns the place after the last word that may have been begun after the last record or seal.
 std::size_t FlashLog::end_of_begun(const Tail& tail) const {
   std::size_t end = tail.touched;
   FoundRecord begun;
   for (std::size_t place = tail.end; place < tail.touched; ++place) {
-    // Words of it that look erased may have been begun as well.
+    // Words of this record that look erased may have been begun as well.
     if (sector_.read_record_head(place, begun)) end = std::max(end, begun.end());
   }
-  // And so may the word after that.
+  // The following word may have been begun as well.
   return end + 1;
 }
 
-/// Blots out what was cut off after the last record, writes that record again, as its CRC may have
-/// been cut off, too, and puts a seal under it. False where there is no room for that.
+/// Makes all words zero that a power cut left after the last record. Then writes that record again,
+/// because its CRC may have been cut off, too, and a seal after it. Returns false if there is no
+/// free space for that.
 bool FlashLog::seal(const Tail& tail) {
   std::size_t place = end_of_begun(tail);
   const std::size_t extent = tail.last ? tail.last->head.extent() : 0;

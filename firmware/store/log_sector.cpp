@@ -10,7 +10,7 @@ using log_format::SectorHead;
 
 constexpr std::size_t kWordBytes = 4;
 
-/// Up to four bytes, the first lowest; the rest is zero.
+/// Returns a word of up to four bytes, the first in the lowest bits; missing bytes are zero.
 std::uint32_t word_of(std::span<const std::byte> bytes, std::size_t index) {
   std::uint32_t word = 0;
   const std::size_t first = index * kWordBytes;

@@ -11,14 +11,14 @@ namespace cnc {
 
 /// A record that was found in a sector.
 struct FoundRecord {
-  std::size_t place = 0;  ///< Word of the sector.
+  std::size_t place = 0;  ///< Word index in the sector.
   log_format::RecordHead head{};
 
   [[nodiscard]] std::size_t end() const { return place + head.extent(); }
 };
 
-/// One sector of the log: reads and writes what log_format.hpp describes, and decides nothing.
-/// Writers are false at the first word that flash did not take. Main loop context.
+/// One sector of the log: reads and writes the format of log_format.hpp, and makes no decisions.
+/// Functions that write return false at the first word that flash refuses. Main loop context.
 class LogSector {
  public:
   LogSector(hal::FlashSectors& flash, std::size_t sector, std::uint32_t sequence = 0)
@@ -33,54 +33,60 @@ class LogSector {
   }
   [[nodiscard]] bool erase() { return flash_->erase(sector_); }
 
-  /// False when there is no head, or one that is not whole.
+  /// Reads the head. Returns false if there is no head, or if it is not whole.
   [[nodiscard]] bool read_head(log_format::SectorHead& head) const;
-  /// Takes the head's sequence, too; not the commit.
+  /// Writes the head without the commit, and adopts its sequence.
   [[nodiscard]] bool write_head(const log_format::SectorHead& head);
   [[nodiscard]] bool committed() const {
     return log_format::is_commit(word(log_format::kCommitAt)) ||
            log_format::is_commit(word(log_format::kConfirmAt));
   }
-  /// A sector that was complete and has lost its head. One of another version has its own.
+  /// Returns whether the sector was complete and has lost its head. A log of another version has
+  /// its own head.
   [[nodiscard]] bool is_headless() const;
   [[nodiscard]] bool commit() { return program(log_format::kCommitAt, log_format::kCommitted); }
   /// Makes a commit firm that may have been cut off.
   [[nodiscard]] bool confirm() { return program(log_format::kConfirmAt, log_format::kCommitted); }
-  /// Makes sure that the commit word, which may have been begun, never reads as one.
+  /// Makes sure that the commit word, which may have been begun, never reads as a commit.
   [[nodiscard]] bool bar();
   [[nodiscard]] bool barred() const { return word(log_format::kBarredAt) == 0; }
 
-  /// False when no whole record begins there.
+  /// Reads the record at `place`. Returns false if no whole record begins there.
   [[nodiscard]] bool read_record(std::size_t place, FoundRecord& found) const;
   [[nodiscard]] bool has_mark(std::size_t place) const {
     return word(place) == log_format::mark_at(sequence_, place);
   }
-  /// See log_format::mark_at.
+  /// Writes a mark, see log_format::mark_at.
   [[nodiscard]] bool mark(std::size_t place) {
     return program(place, log_format::mark_at(sequence_, place));
   }
-  /// False when no record's head that fits into the sector is there.
+  /// Reads the head of a record at `place`. Returns false if there is no head, or if its record
+  /// exceeds the sector.
   [[nodiscard]] bool read_record_head(std::size_t place, FoundRecord& found) const;
-  /// The first record at `place` or after it and before `end`. @param trusting takes every
-  /// head for a whole record's, which is so in a sector that is known to hold nothing else.
+  /// Finds the first record that begins at `place` or later, and before `end`.
+  /// @param trusting takes every head for that of a whole record; true for a sector that is known
+  ///   to hold whole records only
   [[nodiscard]] bool next_record(std::size_t place,
                                  std::size_t end,
                                  bool trusting,
                                  FoundRecord& found) const;
-  /// @return bytes copied: the record's, or as many as there is room for.
+  /// Copies the bytes of a record.
+  /// @return bytes copied: all of the record, or as many as `into` can hold
   std::size_t copy_bytes(const FoundRecord& record, std::span<std::byte> into) const;
   [[nodiscard]] bool holds(const FoundRecord& record, std::span<const std::byte> bytes) const;
 
-  /// @pre the place and what follows are erased and were never begun; the record fits.
+  /// Writes a record.
+  /// @pre the words from `place` on are erased and were never begun; the record fits
   [[nodiscard]] bool write_record(std::size_t place,
                                   std::uint16_t number,
                                   std::span<const std::byte> bytes);
-  /// Copies a record of another sector. @pre as above
+  /// Copies a record of another sector.
+  /// @pre as for write_record()
   [[nodiscard]] bool copy_record(std::size_t place,
                                  const LogSector& from,
                                  const FoundRecord& record);
-  /// Makes words zero for good, the last first: the head of a record that was cut off tells
-  /// how far it may have been written, so it goes last.
+  /// Makes words zero for good, from the last to the first. The head of a record that was cut off
+  /// tells how far the record may have been written, so it is erased last.
   [[nodiscard]] bool blot_out(std::size_t begin, std::size_t end);
 
  private:

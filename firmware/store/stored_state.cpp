@@ -8,7 +8,7 @@
 namespace cnc {
 namespace {
 
-// Numbers of records. A setting's is its own.
+// Numbers of records. The record of a setting has the setting's number.
 constexpr std::uint16_t kSystems = 0x4000;    ///< + 0…8 for G54…G59.3.
 constexpr std::uint16_t kG28 = 0x4100;        ///< + 1 for G30.
 constexpr std::uint16_t kToolRadii = 0x4200;  ///< + 0…1, six tools each.
@@ -24,7 +24,8 @@ using Record = std::array<std::byte, hal::RecordStore::kLongestRecord>;
 static_assert(motion::PowerTable::kMostPoints * kPointBytes <= hal::RecordStore::kLongestRecord);
 static_assert(kPlaceBytes <= hal::RecordStore::kLongestRecord);
 
-/// Little-endian whatever the machine is, so that a store can change machines.
+/// Writes a word in little-endian order on every machine, so that a store can be moved to another
+/// machine.
 template <typename Word>
 void put(std::span<std::byte> to, Word word) {
   for (std::size_t i = 0; i < sizeof(Word); ++i) to[i] = static_cast<std::byte>(word >> (8 * i));
@@ -39,7 +40,7 @@ Word get(std::span<const std::byte> from) {
   return word;
 }
 
-/// Of the places in their order.
+/// Returns the record number of a position by its index.
 constexpr std::uint16_t place_record(std::size_t index) {
   constexpr std::size_t kHomes = gcode::kCoordinateSystemCount;
   constexpr std::size_t kTools = kHomes + 2;

@@ -13,28 +13,28 @@
 
 namespace cnc {
 
-/// What outlives power, as typed records over a RecordStore: settings, places,
-/// start-up lines, the user's text, the beam's power table. Only what differs from the delivered
-/// state is a record, so that an empty store is a new controller.
+/// The state that outlives power, as typed records over a RecordStore: settings, positions,
+/// start-up lines, the user's text, the beam's power table. Only values that differ from the
+/// defaults have a record, so an empty store is that of a new controller.
 ///
-/// Saving may take milliseconds: call it only while nothing moves.
+/// Saving may take milliseconds, so it is allowed only while nothing moves.
 class StoredState {
  public:
   static constexpr std::size_t kStartupLines = 2;
 
   explicit StoredState(hal::RecordStore& store) : store_{store} {}
 
-  /// Nothing where the delivered value holds. A damaged record counts as none
-  /// and is noticed.
+  /// Returns the stored value; nothing if the default applies. A damaged record counts as none and
+  /// sets damaged().
   [[nodiscard]] std::optional<float> load_setting(const SettingInfo& info);
   [[nodiscard]] bool save_setting(const SettingInfo& info, float value);
 
-  /// @return origins and G28/G30 places; zero where none is kept.
+  /// Loads origins, tool radii and the G28/G30 positions; zero for those that are not stored.
   [[nodiscard]] const gcode::StoredPlaces& load_places();
-  /// Saves those that differ from what was loaded or saved last.
+  /// Saves the positions that differ from those loaded or saved last.
   [[nodiscard]] bool save_places(const gcode::StoredPlaces& places);
   [[nodiscard]] bool forget_places();
-  /// As loaded or saved last.
+  /// Returns the positions as loaded or saved last.
   [[nodiscard]] const gcode::StoredPlaces& places() const { return saved_; }
   [[nodiscard]] bool has_saved(const gcode::StoredPlaces& places) const { return places == saved_; }
 
@@ -43,18 +43,19 @@ class StoredState {
   [[nodiscard]] StoredText load_user_text();
   [[nodiscard]] bool save_user_text(std::string_view text);
 
-  /// Without points where none is kept.
+  /// Returns the stored table; a table without points if none is stored.
   [[nodiscard]] motion::PowerTable load_power_table();
   [[nodiscard]] bool save_power_table(const motion::PowerTable& table);
 
-  /// Of a program that was interrupted; none where none was.
+  /// Returns the progress of an interrupted program; an empty one if none was interrupted.
   [[nodiscard]] const Progress& load_progress();
   [[nodiscard]] bool save_progress(const Progress& progress);
   [[nodiscard]] bool has_saved(const Progress& progress) const { return progress == progress_; }
   [[nodiscard]] bool has_progress() const { return progress_.any(); }
 
   [[nodiscard]] hal::StoreWear wear() const { return store_.wear(); }
-  /// A record that had been saved could not be read, or held no value of its kind, since power-up.
+  /// Returns whether, since power-up, a saved record could not be read, or held no value of its
+  /// kind.
   [[nodiscard]] bool damaged() const { return found_damage_ || store_.damaged(); }
 
  private:

@@ -13,7 +13,7 @@ class StoredText {
  public:
   static constexpr std::size_t kLongest = hal::RecordStore::kLongestRecord;
 
-  /// False when there is no room; the text is then unchanged.
+  /// Appends a letter. Returns false if there is no free space; the text is then unchanged.
   [[nodiscard]] bool add(char letter) {
     if (size_ == kLongest) return false;
     bytes_[size_++] = letter;

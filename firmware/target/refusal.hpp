@@ -11,17 +11,17 @@
 
 namespace target {
 
-/// Speaks for a controller on one link while its image must not run: a greeting, then the reason
+/// Answers for a controller on one link while its image must not run: a greeting, then the reason
 /// and an error for every line. It needs no clock, no store and no other part of the firmware. Main
 /// loop context.
 class RefusalTalk {
  public:
-  /// @param reason a line `[MSG:…]` with its end; it outlives this, as the stream does.
+  /// @param reason a line `[MSG:…]` with its end; it and the stream outlive this object
   RefusalTalk(hal::ByteStream& stream, std::string_view reason)
       : stream_{stream}, reason_{reason} {}
 
-  /// Begins with the banner and the reason, as senders expect when they connect; what was owed to
-  /// an earlier sender is dropped.
+  /// Begins with the banner and the reason, as senders expect on connection. Answers to an earlier
+  /// sender are dropped.
   void greet() {
     owed_.fill(0);
     rest_ = {};
@@ -30,8 +30,8 @@ class RefusalTalk {
     owe(kReason);
   }
 
-  /// Takes the bytes that have come and sends what fits; never waits. @return whether the line
-  /// `$DFU` has come, by which a user leaves for the boot loader.
+  /// Takes the bytes that have come and sends as many as fit; never waits.
+  /// @return whether the line `$DFU` has come, by which a user leaves for the boot loader
   [[nodiscard]] bool attend() {
     std::array<std::byte, 32> bytes{};
     bool wants_loader = false;
@@ -43,15 +43,16 @@ class RefusalTalk {
     return wants_loader;
   }
 
-  /// Checks that everything owed is written.
+  /// Returns whether all answers are written.
   [[nodiscard]] bool idle() const { return rest_.empty() && next_owed() == kParts; }
 
  private:
-  /// In the order in which they are sent.
+  /// Answers, in the order in which they are sent.
   enum Part : std::size_t { kGreeting, kStatus, kReason, kError, kOk, kParts };
   static constexpr std::string_view kLeave = "$DFU";
 
-  /// @return whether the line `$DFU` ends with this byte.
+  /// Takes a byte.
+  /// @return whether it ends the line `$DFU`
   bool take(char byte) {
     constexpr char kReset = 0x18;
     if (byte == '?') {
@@ -67,7 +68,7 @@ class RefusalTalk {
     return false;
   }
 
-  /// An empty line is the second half of a line's end, and is owed nothing.
+  /// Ends a line. An empty line gets no answer, because it is the second half of a line end.
   bool end_line() {
     if (length_ == 0) return false;
     const bool leaves = std::string_view{line_.data(), std::min(length_, line_.size())} == kLeave &&
@@ -113,7 +114,7 @@ class RefusalTalk {
       case kReason:
         return reason_;
       case kError:
-        return "error:9\r\n";  // Locked.
+        return "error:9\r\n";  // G-code is locked.
       default:
         return "ok\r\n";
     }
@@ -121,10 +122,10 @@ class RefusalTalk {
 
   hal::ByteStream& stream_;
   std::string_view reason_;
-  std::string_view rest_{};                     ///< Of what is being sent.
-  std::array<std::uint32_t, kParts> owed_{};    ///< How often each part is still to be sent.
+  std::string_view rest_{};                     ///< Unsent rest of the present part.
+  std::array<std::uint32_t, kParts> owed_{};    ///< How often each part must still be sent.
   std::array<char, kLeave.size() + 1> line_{};  ///< Beginning of the line that is coming in.
-  std::size_t length_ = 0;                      ///< Bytes of that line so far.
+  std::size_t length_ = 0;                      ///< Length of that line so far, in bytes.
 };
 
 }  // namespace target

@@ -13,36 +13,38 @@
 
 namespace target {
 
-/// CAN on a board that has it: somebody there has the word before anybody on the other links.
+/// The CAN link of a board that has CAN: it is the active link while a sender uses it, before all
+/// other links.
 template <const hal::stm32f405::Board& kBoard, bool kHasIt = kBoard.can_transmit.exists()>
 class CanSide {
  public:
   using Bus = hal::stm32f405::MemoryBus;
   using Change = cnc::LinkChoice::Change;
 
-  /// @param others outlive this
+  /// @param others outlives this object
   explicit CanSide(hal::ByteStream& others) : choice_{link_, others} {}
 
-  /// Interrupts off, before any object of this is constructed. Without the crystal, whose rate a
-  /// bus relies on, the node stays out of it.
+  /// Sets up CAN, with interrupts off, before any object of this class is constructed. Without the
+  /// crystal, on whose accuracy a bus relies, the node does not join the bus.
   static void set_up(const hal::stm32f405::Clocks& clocks) {
     using Line = hal::stm32f405::CanLine<kBoard>;
     if (line_.set_up(clocks, {})) static_cast<void>(line_.speak(Line::Voice::kSpeaking));
   }
   static void on_interrupt() noexcept { line_.on_interrupt(); }
-  /// Boundary of a turn.
+  /// Marks the boundary of a cycle.
   static void note_turn(std::uint32_t turn) noexcept { line_.note_turn(turn); }
 
-  /// What the application talks to.
+  /// Returns the link for the application.
   [[nodiscard]] hal::ByteStream& link() { return choice_; }
 
-  /// Main loop: frames that had come when this turn began.
+  /// Handles the frames that had arrived by the boundary of this cycle. Main loop.
   template <typename Application>
   void attend(Application& application, std::uint32_t turn, hal::TickCount now) {
     line_.begin_turn(turn);
     application.attend(link_, now);
   }
-  /// Whether a sender came or went, here or there; of the others only while nobody is here.
+  /// Returns whether a sender came or went, on CAN or on the other links. Changes on the other
+  /// links count only while no sender uses CAN.
   [[nodiscard]] Change follow(Change others) {
     const Change here = choice_.attend();
     if (here != Change::kNone || choice_.first_has_word()) return here;
@@ -63,7 +65,7 @@ class CanSide {
   cnc::LinkChoice choice_;
 };
 
-/// A board without: the other links are all there are.
+/// A board without CAN: only the other links exist.
 template <const hal::stm32f405::Board& kBoard>
 class CanSide<kBoard, false> {
  public:

@@ -28,9 +28,10 @@ extern Application application;
 
 }  // namespace target
 
-/// For a debugger: boundaries so far at which what was due to come in was not there yet.
+/// For a debugger: number of boundaries so far at which the due handover was missing.
 extern "C" std::uint32_t late_turns;
-/// For a debugger, written before that: how many turns were due and not over at the last boundary.
+/// For a debugger: number of cycles that were due and not complete at the last boundary. Written
+/// before late_turns.
 extern "C" std::uint32_t turns_behind;
 
 /// Instantiated in stm32f405_steps.cpp, which is compiled for speed on every board.

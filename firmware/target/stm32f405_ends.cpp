@@ -45,7 +45,8 @@ void enter_boot_loader() {
 }
 
 void stand_still() {
-  // Word by word: the image may end before the library's function that fills memory.
+  // Clears memory word by word: the image may be truncated before the library function that fills
+  // memory.
   kept.wanted = 0;
   kept.fault.mark = 0;
   for (;;) asm volatile("wfi");
@@ -61,12 +62,13 @@ using namespace target;
 
 extern "C" {
 
-/// Called through the table of an abstract class that is not finished: never.
+/// Called for a virtual function of an abstract class under construction, which never happens.
 [[noreturn]] void __cxa_pure_virtual() {
   stop(chip::Fault::kContract, 0, address_of(__builtin_return_address(0)));
 }
 
-/// @param frame what the core pushed: r0 to r3, r12, lr, pc, status.
+/// Handles a fault.
+/// @param frame registers that the core pushed: r0 to r3, r12, lr, pc, status
 [[noreturn, gnu::used]] void fault_taken(const std::uint32_t* frame, std::uint32_t exception) {
   Power::darken();
   constexpr std::uint32_t kNmi = 2;
@@ -78,7 +80,8 @@ extern "C" {
   stop(chip::Fault::kException, exception, readable ? frame[kProgramCounter] : 0);
 }
 
-/// A stack that has run over is of no use to its fault: a new one first.
+/// Switches to a new stack first, because a stack that has overflowed cannot be used to handle its
+/// fault.
 [[gnu::naked, noreturn]] void fault_entry() {
   asm volatile(
       "mrs   r0, msp      \n"

@@ -1,5 +1,6 @@
-/// The controller on an STM32F405: start-up, main loop, vectors. stm32f405_start.cpp has what
-/// precedes the program, stm32f405_ends.cpp what ends it, stm32f405_steps.cpp the step interrupt.
+/// The controller on an STM32F405: start-up, main loop, vectors. The code before the program is in
+/// stm32f405_start.cpp, the code that ends it in stm32f405_ends.cpp, and the step interrupt in
+/// stm32f405_steps.cpp.
 
 #include <array>
 #include <cstddef>
@@ -41,7 +42,7 @@ namespace {
 [[gnu::section(".ccm")]] constinit chip::UsbRings usb_rings{};
 }  // namespace
 
-// Start-up sets these up before it constructs the application.
+// Start-up sets up these objects before it constructs the application.
 constinit Port port{};
 constinit SerialLine line{line_rings};
 constinit UsbLine usb_line{usb_rings};
@@ -56,7 +57,7 @@ cnc::FlashLog log{flash};
 constinit chip::PatientStore<cnc::FlashLog> store{log};
 constinit chip::ChipBoard<kBoard> board{};
 constinit cnc::MemoryWatch image_watch{};
-/// Keeps its content over a restart, as the objects after the application do.
+/// Keeps its content over a restart.
 [[gnu::section(".noinit")]] cnc::KeptProgress kept_progress;
 
 }  // namespace
@@ -108,7 +109,7 @@ chip::Polarity polarity_of(const cnc::Settings& settings) {
           .spindle = mask(cnc::setting::kSpindleInvert)};
 }
 
-/// Turns the pins over that settings have changed, which happens at rest only.
+/// Applies changed settings of the pins' polarity, which can change at rest only.
 void follow_settings(chip::Polarity& followed) {
   const chip::Polarity wanted = polarity_of(application.machine().settings());
   if (wanted == followed) return;
@@ -116,8 +117,8 @@ void follow_settings(chip::Polarity& followed) {
   port.configure(wanted);
 }
 
-/// Stops when a bit has turned over in settings or image. Each cycle reads a piece, so that a
-/// change is found within two rounds: 0.2 s for the settings, 2.1 s for the image.
+/// Stops the program if a bit has flipped in settings or image. Each cycle reads a piece, so that a
+/// change is found within two passes: 0.2 s for the settings, 2.1 s for the image.
 void look_for_damage() {
   constexpr std::size_t kCyclesOfRound = 800;
   const std::size_t piece = image_header.bytes / kCyclesOfRound + 1;
@@ -146,7 +147,8 @@ void follow_senders() {
   }
 }
 
-/// One turn; its time is that of its boundary, so that nothing depends on when it is run.
+/// Runs one cycle. Its time is that of its boundary, so that the result does not depend on when it
+/// runs.
 void run_turn() {
   const std::uint32_t turn = application.turn();
   line.begin_turn(turn);
@@ -163,13 +165,13 @@ void run_turn() {
   chip::Watchdog<>::begin();
   for (;;) {
     if (!application.take_turn()) {
-      asm volatile("wfi");  // An interrupt that came in between is followed by the clock's.
+      asm volatile("wfi");  // If an interrupt came just before, the clock's next one ends the wait.
       continue;
     }
     follow_settings(polarity);
     run_turn();
     look_for_damage();
-    // Fed by the loop, and only while the step interrupt comes, too.
+    // The loop feeds the watchdog only if the step interrupt has come, too.
     if (port.timer().take_alive()) chip::Watchdog<>::feed();
     if (board.wants_boot_loader() && line.sent() && usb_line.sent()) leave_for_boot_loader();
   }
@@ -186,7 +188,7 @@ using namespace target;
 
 extern "C" {
 
-/// For a debugger: where the tick stands to which the edge being driven belongs.
+/// For a debugger: address of the tick to which the edge being driven belongs.
 extern const hal::TickCount* const step_tick;
 [[gnu::section(".places"), gnu::used]] constinit const hal::TickCount* const step_tick =
     &port.timer().due();
@@ -194,7 +196,7 @@ extern const hal::TickCount* const step_tick;
 [[noreturn]] void start_up() {
   Power::darken();
   if (kept.wanted == Kept::kBootLoader) enter_boot_loader();
-  // In a damaged image the check itself may be damaged and restart the chip for ever.
+  // In a damaged image the check itself may be damaged, and would restart the chip for ever.
   if (kept.wanted == Kept::kUnfit && kept.fault.mark == chip::FaultRecord::kValid) stand_still();
   kept.wanted = Kept::kUnfit;
   chip::forget_boot_loader<Bus>();
@@ -207,15 +209,15 @@ extern const hal::TickCount* const step_tick;
   kept.wanted = 0;
   begin_chip(clocks, fitness.store);
   for (const Routine* routine = init_begin; routine != init_end; ++routine) (*routine)();
-  // The store is ready now. A host that saw the board before would ask it in vain: making a store
-  // sound may take seconds of erasing.
+  // The store is ready now. USB starts only here, because a host that saw the board earlier would
+  // get no answer: repairing a store may take seconds of erasing.
   usb_line.set_up(clocks);
   asm volatile("cpsie i" ::: "memory");
   run();
 }
 
-/// Also entered from boot loaders, whose stack is anywhere and whose masks may be set: BASEPRI
-/// would hold the interrupts back, and with CONTROL.SPSEL the stack would be another one.
+/// Entry after reset. Boot loaders may also jump here, with their stack anywhere and their masks
+/// set: BASEPRI would hold interrupts back, and CONTROL.SPSEL would select another stack.
 [[gnu::naked, noreturn]] void reset_entry() {
   asm volatile(
       "cpsid i              \n"
@@ -233,7 +235,7 @@ void step_interrupt();
 void line_interrupt() { line.on_interrupt(); }
 void usb_interrupt() { usb_line.on_interrupt(); }
 void can_interrupt() { Can::on_interrupt(); }
-/// Above the step interrupt, which it supervises.
+/// Runs above the step interrupt, which it supervises.
 void clock_interrupt() {
   clock_of_the_loop.on_interrupt();
   port.timer().make_up();

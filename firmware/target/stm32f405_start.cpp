@@ -41,7 +41,7 @@ bool image_is_whole() {
 
 namespace {
 
-/// From a refusal to the boot loader, when the last two bytes of the serial line are out.
+/// Leaves a refusal for the boot loader after the last two bytes of the serial line have gone out.
 [[noreturn]] void leave_refusal() {
   constexpr std::uint32_t kLooks = 200'000;
   for (std::uint32_t look = 0; look < kLooks; ++look) asm volatile("nop");

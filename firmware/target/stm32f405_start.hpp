@@ -12,16 +12,16 @@
 
 namespace target {
 
-/// Sets memory up as C++ wants it, and paints the stack below the caller.
+/// Sets up memory as C++ requires, and fills the stack below the caller with kPaint.
 void begin_memory();
 
-/// Returns the image but for the four bytes of its checksum.
+/// Returns the image without the four bytes of its checksum.
 std::array<std::span<const std::byte>, 2> checked_parts();
 
-/// Checks that the flash holds what was built. Needs no memory that is set up.
+/// Checks that the flash holds the image as it was built. Needs no memory to be set up.
 bool image_is_whole();
 
-/// Tells on every link why nothing runs, until a reset or the way into the boot loader.
+/// Reports on every link why nothing runs, until a reset or the way into the boot loader.
 [[noreturn]] void refuse(const hal::stm32f405::Clocks& clocks,
                          const hal::stm32f405::Fitness& fitness);
 

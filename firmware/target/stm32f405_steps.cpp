@@ -1,5 +1,5 @@
-/// The step interrupt of an STM32F405 and all that it calls. The file is compiled for speed, on
-/// boards whose image is compiled for size, too.
+/// The step interrupt of an STM32F405 and all code that it calls. The file is compiled for speed,
+/// also on boards whose image is compiled for size.
 
 #include "firmware/target/stm32f405_controller.hpp"
 
@@ -7,7 +7,7 @@ template class cnc::StepGenerator<target::Port, target::Application::kSegmentQue
 
 namespace {
 
-/// A turn begins, with what has come by now.
+/// Begins a cycle, which reads only bytes that have arrived by now.
 void begin_turn() {
   const std::uint32_t turn = target::steps.begin_turn();
   turns_behind = target::steps.turns_behind();

@@ -8,14 +8,15 @@ namespace {
 
 constexpr unsigned kAfterTheData =
     1 + 1 + 1 + 7 + 3;                      ///< Delimiters, acknowledgement, end, silence.
-constexpr unsigned kErrorBits = 6 + 8 + 3;  ///< Flag, delimiter, silence.
+constexpr unsigned kErrorBits = 6 + 8 + 3;  ///< Error flag, delimiter, silence.
 constexpr unsigned kErrorOfSender = 8;
 constexpr unsigned kPassive = 128;
 constexpr unsigned kWarning = 96;
 constexpr unsigned kBusOff = 256;
 constexpr double kBitsOfSilence = 128.0 * 11.0;
 
-/// The bits that are stuffed: one of the other kind after five that are alike.
+/// Counts the bits of a frame as sent: after five equal bits the sender inserts (stuffs) one of the
+/// opposite value.
 class StuffedBits {
  public:
   void add(unsigned value, unsigned width) {
@@ -120,7 +121,7 @@ void CanBus::advance_to(std::uint64_t now_ns) {
     come_back();
     Node* const sender = winner();
     if (sender == nullptr) {
-      // Until somebody has something to say, or comes back.
+      // No node is ready to send: time advances until a node sends or returns from bus-off.
       double next_ns = end_ns;
       for (const auto& node : nodes_) {
         if (node->off_) next_ns = std::min(next_ns, static_cast<double>(node->off_until_ns_));
@@ -145,7 +146,8 @@ void CanBus::come_back() {
   }
 }
 
-/// Of all that want to send, the one whose frame has the smallest identifier.
+/// Returns, of all nodes that have a frame to send, the one whose frame has the smallest
+/// identifier; null if no node has a frame.
 CanBus::Node* CanBus::winner() {
   Node* best = nullptr;
   for (const auto& node : nodes_) {
@@ -177,7 +179,8 @@ void CanBus::pass(Node& sender) {
 void CanBus::fail(Node& sender, bool acknowledged) {
   spend(chance() * can_bits(sender.to_send_.front()) + kErrorBits);
   ++disturbed_;
-  // A node that is alone counts to passive, and no further (ISO 11898-1, 12.1.4.2).
+  // The errors of a node that is alone count up to error passive and no further (ISO 11898-1,
+  // 12.1.4.2).
   if (acknowledged || sender.transmit_errors_ < kPassive) {
     sender.be_disturbed(kErrorOfSender, true);
   }

@@ -11,16 +11,19 @@
 
 namespace hal::host {
 
-/// Bits of a frame on the wire as the standard stuffs it, from its start to the silence after it
-/// (ISO 11898-1). @pre the frame is one of 11 bits
+/// Returns the length of a standard frame on the wire in bits, including stuffed bits, from its
+/// start to the end of the silence after it (ISO 11898-1).
+/// @pre `frame` has an identifier of 11 bits
 [[nodiscard]] unsigned can_bits(const CanFrame& frame);
 
-/// A CAN bus in virtual time: the smallest identifier wins, a frame that is disturbed is repeated,
-/// whoever disturbs too much leaves the bus and comes back. Without anybody else on the bus nothing
-/// is acknowledged and the first frame is repeated for ever.
+/// A CAN bus in virtual time. The frame with the smallest identifier is sent first. A disturbed
+/// frame is repeated. A node with too many errors leaves the bus (bus-off) and returns later. If a
+/// node is alone on the bus, no other node acknowledges its frames, and it repeats its first frame
+/// for ever.
 class CanBus {
  public:
-  /// A node's place. As the controller's driver: sends in order, 32 frames each way.
+  /// A node on the bus. It behaves as the controller's driver does: it sends frames in order and
+  /// queues up to 32 frames in each direction.
   class Node final : public CanPort {
    public:
     explicit Node(CanBus& bus) : bus_{bus} {}
@@ -31,7 +34,7 @@ class CanBus {
     [[nodiscard]] CanHealth health() const override;
     void hear_only(std::span<const std::uint32_t> /*heard*/, std::size_t /*urgent*/) override {}
 
-    /// Pulled out, or plugged in again: neither hears nor speaks.
+    /// Plugs the node in or pulls it out. A node that is pulled out neither receives nor sends.
     void plug(bool in) { plugged_ = in; }
 
    private:
@@ -46,7 +49,7 @@ class CanBus {
     std::deque<CanFrame> received_;
     unsigned transmit_errors_ = 0;
     unsigned receive_errors_ = 0;
-    std::uint64_t off_until_ns_ = 0;  ///< Bus-off.
+    std::uint64_t off_until_ns_ = 0;  ///< Time at which bus-off ends.
     bool off_ = false;
     bool plugged_ = true;
     CanHealth counts_{};
@@ -54,15 +57,18 @@ class CanBus {
 
   CanBus(std::uint32_t bit_rate, std::uint64_t seed) : bit_ns_{1e9 / bit_rate}, random_{seed} {}
 
-  /// Another node; it stays as long as the bus.
+  /// Adds a node, which exists as long as the bus.
   [[nodiscard]] Node& join();
-  /// Of the frames from now on this share is disturbed, anywhere within.
+  /// Sets the share of later frames that are disturbed, each at a random bit.
   void disturb(double share) { disturbed_share_ = share; }
-  /// What the nodes have to send passes, up to this time; a frame that has begun ends.
+  /// Passes the frames that the nodes have queued, until `now_ns`. A frame that has begun by then
+  /// is completed.
   void advance_to(std::uint64_t now_ns);
 
-  [[nodiscard]] std::uint64_t frames() const { return frames_; }        ///< Passed.
-  [[nodiscard]] std::uint64_t disturbed() const { return disturbed_; }  ///< Not passed.
+  /// Returns the number of frames that passed on the bus.
+  [[nodiscard]] std::uint64_t frames() const { return frames_; }
+  /// Returns the number of frames that were disturbed.
+  [[nodiscard]] std::uint64_t disturbed() const { return disturbed_; }
 
  private:
   void come_back();
@@ -70,7 +76,7 @@ class CanBus {
   [[nodiscard]] bool anybody_else(const Node& sender) const;
   void pass(Node& sender);
   void fail(Node& sender, bool acknowledged);
-  /// In [0, 1), the same with every library.
+  /// Returns a random number in [0, 1), the same with every standard library.
   [[nodiscard]] double chance() { return static_cast<double>(random_() >> 11) * 0x1.0p-53; }
   void spend(double bits) { now_ns_ += bits * bit_ns_; }
 

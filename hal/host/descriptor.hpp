@@ -8,7 +8,7 @@
 
 namespace hal::host {
 
-/// Owns a file descriptor; -1 is none.
+/// Owns a file descriptor; -1 means that it owns none.
 class Descriptor {
  public:
   Descriptor() = default;
@@ -25,15 +25,15 @@ class Descriptor {
   }
 
   [[nodiscard]] int number() const { return number_; }
-  /// Leaves it to another owner.
+  /// Returns the descriptor and gives up its ownership; the caller closes it.
   [[nodiscard]] int release() { return std::exchange(number_, -1); }
 
  private:
   int number_ = -1;
 };
 
-/// The result of a system call, or its failure as an exception that says of
-/// what. Throws std::system_error.
+/// Returns the result of a system call. Throws std::system_error with `what` in its text if the
+/// call failed.
 inline int checked(int result, const std::string& what) {
   if (result < 0) throw std::system_error(errno, std::generic_category(), what);
   return result;

@@ -25,14 +25,14 @@ namespace {
 constexpr std::string_view kHead = "kerfline store 2\n";
 constexpr std::string_view kEnd = "end ";
 
-/// Reads `number` in the base; false when the text holds anything else.
+/// Reads `number` in the given base. Returns false if the text is not exactly one number.
 template <typename Number>
 bool read_number(std::string_view text, int base, Number& number) {
   const auto read = std::from_chars(text.data(), text.data() + text.size(), number, base);
   return read.ec == std::errc{} && read.ptr == text.data() + text.size();
 }
 
-/// One line of the file; false when it is none.
+/// Reads one record from a line of the file. Returns false if the line is not a record.
 bool read_record(std::string_view line, unsigned& number, std::vector<std::byte>& record) {
   const std::size_t colon = line.find(':');
   if (colon == std::string_view::npos) return false;
@@ -48,7 +48,7 @@ bool read_record(std::string_view line, unsigned& number, std::vector<std::byte>
   return true;
 }
 
-/// CRC-32 of IEEE 802.3, as in zlib.
+/// Returns the CRC-32 of IEEE 802.3, as zlib computes it.
 std::uint32_t crc_of(std::string_view text) {
   constexpr std::uint32_t kPolynomial = 0xEDB8'8320;
   std::uint32_t crc = 0xFFFF'FFFF;
@@ -59,7 +59,7 @@ std::uint32_t crc_of(std::string_view text) {
   return ~crc;
 }
 
-/// The last line of a file with these lines before it.
+/// Returns the last line of a file whose earlier lines are `text`.
 std::string end_of(std::string_view text) {
   const auto records = std::count(text.begin(), text.end(), '\n') - 1;
   std::ostringstream line;
@@ -90,7 +90,8 @@ std::string read_whole(int file) {
   }
 }
 
-/// Splits the records off a file of the second format, or says what is wrong with its last line.
+/// Removes the last line of a file of the second format from `text`. If that line is wrong, returns
+/// the reason.
 std::optional<std::string> wrong_end(std::string_view& text) {
   const std::size_t last = text.substr(0, text.size() - 1).rfind('\n') + 1;
   const std::string_view line = text.substr(last);
@@ -110,7 +111,7 @@ FileStore::FileStore(std::string path) : path_{std::move(path)} {
     if (open_and_lock()) read();
   } catch (const std::exception& error) {
     release();
-    // A line of the file begins with its colon.
+    // A reason that concerns a line of the file begins with a colon already.
     const std::string reason = error.what();
     throw std::runtime_error(path_ + (reason.starts_with(':') ? "" : ": ") + reason);
   }
@@ -124,7 +125,7 @@ void FileStore::release() {
 }
 
 bool FileStore::open_and_lock() {
-  constexpr int kMostTries = 100;  // Another process replaces the file once in a while.
+  constexpr int kMostTries = 100;  // Another process may replace the file at times.
   const std::string target = without_links(path_);
   for (int i = 0; i < kMostTries; ++i) {
     release();
@@ -148,7 +149,8 @@ bool FileStore::open_and_lock() {
   throw std::runtime_error("it is replaced again and again by another process");
 }
 
-/// Locked and whole before it has the name, so that a kill leaves no file that is empty.
+/// Locks and completes the file before it gets its name, so that a killed process leaves no empty
+/// file.
 bool FileStore::create() {
   ReplacingFile fresh{path_};
   fresh.write(text_of(records_));
@@ -189,7 +191,7 @@ bool FileStore::save(std::uint16_t number, std::span<const std::byte> record) {
   return false;
 }
 
-/// The new file is locked before it has the name.
+/// Locks the new file before it gets its name.
 bool FileStore::write() {
   try {
     ReplacingFile fresh{path_};

@@ -9,34 +9,35 @@
 
 namespace hal::host {
 
-/// One thing asked of flash that changes it.
+/// One operation that changes flash.
 struct FlashOperation {
   enum class Kind : std::uint8_t { kProgram, kErase };
   Kind kind = Kind::kProgram;
   std::size_t sector = 0;
-  std::size_t word = 0;        ///< Of kProgram.
-  std::uint32_t value = 0xFF;  ///< Of kProgram.
+  std::size_t word = 0;        ///< Word to program; unused by kErase.
+  std::uint32_t value = 0xFF;  ///< Value to program; unused by kErase.
 };
 
-/// How a power cut leaves what was being changed.
+/// State in which a power cut leaves the word or sector that was being changed.
 enum class CutKind : std::uint8_t {
-  kBefore,   ///< As it was.
-  kAfter,    ///< As it should be; only nobody heard of it.
-  kTorn,     ///< Some bits changed, some unchanged, for good.
-  kMarginal  ///< Some bits changed, some unchanged, some that read as either.
+  kBefore,   ///< Unchanged.
+  kAfter,    ///< Changed completely, although the caller never learns that.
+  kTorn,     ///< Some bits changed and some unchanged; all are firm.
+  kMarginal  ///< Some bits changed, some unchanged, and some unsteady.
 };
 
-/// When a bit that is neither 0 nor 1 makes up its mind.
+/// Time at which an unsteady bit is decided again: each read, or each power-up.
 enum class Unsteadiness : std::uint8_t { kEachRead, kEachPowerUp };
 
-/// NOR flash: programming clears bits, erasing a sector sets them all; it remembers what a power
-/// cut left half done, and how often it was erased. A copy is the same flash in another future.
+/// Model of NOR flash. Programming clears bits, and erasing a sector sets all of its bits. The
+/// model remembers which changes a power cut left half done, and how often each sector was erased.
+/// A copy is an independent flash with the same content.
 ///
-/// Bits that read unsteadily become firm when they are programmed to 0, or erased. Unlike a chip
-/// it ends nobody's run at a cut: whoever plays the cut goes on with a copy.
+/// Unsteady bits become firm when they are programmed to 0, or erased. Unlike on a real chip, a cut
+/// does not end the running program: the test that simulates the cut continues with a copy.
 class FlashModel final : public FlashSectors {
  public:
-  /// Two sectors of 16 KiB, as a controller's smallest are.
+  /// Two sectors of 16 KiB, the smallest sectors of a controller.
   static constexpr std::size_t kSectors = 2;
   static constexpr std::size_t kWords = 4096;
 
@@ -49,22 +50,24 @@ class FlashModel final : public FlashSectors {
   [[nodiscard]] bool erase(std::size_t sector) override;
 
   using Watcher = std::function<void(const FlashModel& before, const FlashOperation& next)>;
-  /// Shows each operation just before it is done; null for nobody.
+  /// Calls `watcher` just before each operation; a null watcher ends that.
   void watch(Watcher watcher) { watcher_ = std::move(watcher); }
-  /// From the n-th operation from now on flash refuses all, as worn or locked flash does.
+  /// Makes the flash refuse every operation after the next `operations`, as worn or locked flash
+  /// does.
   void refuse_after(std::uint64_t operations) { left_ = operations; }
-  /// Cuts the power at an operation, at random by the seed. Nobody watches afterwards.
+  /// Cuts the power during an operation, at a random state given by the seed. The watcher is not
+  /// called afterwards.
   void cut_at(const FlashOperation& operation, CutKind kind, std::uint64_t seed);
-  /// Unsteady bits read by other chances from now on.
+  /// Simulates a power-up: from now on unsteady bits read by the chances of `seed`.
   void power_up(std::uint64_t seed, Unsteadiness unsteadiness);
 
   [[nodiscard]] std::uint64_t operations() const { return operations_; }
   [[nodiscard]] std::uint32_t erases(std::size_t sector) const { return erases_[sector]; }
-  /// What a programmer's probe would write: any bits, no operation.
+  /// Writes a word as a programmer's probe would: any bits may change, and no operation counts.
   void set_word(std::size_t sector, std::size_t word, std::uint32_t value);
 
  private:
-  /// What a word holds: bits that are 1 in `unsteady` read as either.
+  /// Content of a word. Bits that are 1 in `unsteady` may read as either value.
   struct Word {
     std::uint32_t bits = kErased;
     std::uint32_t unsteady = 0;

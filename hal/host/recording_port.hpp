@@ -9,13 +9,13 @@
 
 namespace hal::host {
 
-/// The pins of a controller that has none: remembers their state for whoever
-/// simulates the machine behind them. One thread.
+/// Pins of a controller without hardware. Remembers their state for the program that simulates the
+/// machine at these pins. To be used by one thread.
 class RecordingPort final : public AuxiliaryOutputs, public MachineInputs {
  public:
   static constexpr std::size_t kMotors = 6;
 
-  // StepPort
+  // Functions of StepPort.
   void set_direction(AxisMask negative) noexcept { negative_ = negative; }
   void raise_steps(AxisMask axes, AxisMask second) noexcept {
     count_steps(axes, position);
@@ -37,7 +37,7 @@ class RecordingPort final : public AuxiliaryOutputs, public MachineInputs {
   [[nodiscard]] bool probe_contact() const noexcept { return probe; }
   [[nodiscard]] SwitchMask switches() const noexcept { return limits; }
 
-  // AuxiliaryOutputs
+  // Functions of AuxiliaryOutputs.
   void set_spindle(bool enabled, bool counter_clockwise) override {
     spindle_enabled = enabled;
     spindle_reversed = counter_clockwise;
@@ -56,7 +56,7 @@ class RecordingPort final : public AuxiliaryOutputs, public MachineInputs {
 
   void set_motors_enabled(std::uint8_t axes) override { motors_enabled = axes; }
 
-  // MachineInputs
+  // Function of MachineInputs.
   [[nodiscard]] InputState read_inputs() override {
     InputState state = panel;
     state.probe = probe;
@@ -65,8 +65,8 @@ class RecordingPort final : public AuxiliaryOutputs, public MachineInputs {
     return state;
   }
 
-  /// As reset leaves the pins of a chip: all outputs low, the motors without current. Where they
-  /// stand, and what contacts there are, stays.
+  /// Sets the pins as a chip's reset leaves them: all outputs low, the motors without current. The
+  /// motor positions and the states of the switches stay.
   void reset() {
     negative_ = {};
     analog = {};
@@ -79,9 +79,9 @@ class RecordingPort final : public AuxiliaryOutputs, public MachineInputs {
     changed = true;
   }
 
-  // What the machine sees and feeds back.
+  // State of the machine: outputs that it sees, and inputs that it feeds back.
   std::array<std::int32_t, kMotors> position{};         ///< Steps since power-up.
-  std::array<std::int32_t, kMotors> second_position{};  ///< Of second motors, likewise.
+  std::array<std::int32_t, kMotors> second_position{};  ///< Steps of second motors since power-up.
   std::array<std::uint16_t, 4> analog{};
   std::uint16_t power = 0;
   std::uint8_t digital = 0;
@@ -90,16 +90,16 @@ class RecordingPort final : public AuxiliaryOutputs, public MachineInputs {
   bool mist = false;
   bool flood = false;
   bool changed = false;        ///< A motor stepped or the power changed; cleared by the reader.
-  bool timer_started = false;  ///< Cleared by the reader.
+  bool timer_started = false;  ///< Start of the timer was requested; cleared by the reader.
   bool probe = false;
   SwitchMask limits{};
-  std::uint8_t motors_enabled = 0;  ///< By axes.
-  InputState panel{};               ///< Door and buttons; whoever simulates the operator sets them.
+  std::uint8_t motors_enabled = 0;  ///< Bit i: motor of axis i has current.
+  InputState panel{};               ///< Door and buttons; the simulation of the operator sets them.
 
  private:
   using Steps = std::array<std::int32_t, kMotors>;
 
-  /// One for each motor of a mask, by masks.
+  /// For each mask of motors: 1 for each motor of the mask, 0 for the others.
   static constexpr auto kOnes = [] {
     std::array<Steps, 1U << kMotors> ones{};
     for (std::size_t mask = 0; mask < ones.size(); ++mask) {
@@ -110,8 +110,9 @@ class RecordingPort final : public AuxiliaryOutputs, public MachineInputs {
     return ones;
   }();
 
-  /// Without a branch for each motor: which of them step next nobody can predict. Looked up, as
-  /// with shifts for each motor a fifth of the step generator's time went here.
+  /// Counts the steps of all motors without a branch for each motor, because the pattern of steps
+  /// cannot be predicted. Uses a lookup table, because shifts for each motor took a fifth of the
+  /// step generator's time.
   void count_steps(AxisMask axes, Steps& steps) const noexcept {
     const Steps& forward = kOnes[axes.bits & ~negative_.bits & (kOnes.size() - 1)];
     const Steps& backward = kOnes[axes.bits & negative_.bits & (kOnes.size() - 1)];

@@ -22,13 +22,14 @@
 namespace hal::host {
 namespace {
 
-/// Names of the files that are being written, where a signal handler can read them.
+/// Name of a file that is being written, stored so that a signal handler can read it.
 struct Unfinished {
   std::atomic<bool> taken{false};
   std::atomic<bool> named{false};
   std::array<char, 4096> name{};
 };
-// More than a command writes at a time; beyond them only the removal on signals is lost.
+// More files than a command writes at a time. A file without a free entry is still written, but not
+// removed on a signal.
 std::array<Unfinished, 16> unfinished;
 
 void keep_name(const std::string& name) {
@@ -48,11 +49,11 @@ void forget_name(const std::string& name) {
   }
 }
 
-/// The signals that a user ends a command with.
+/// Signals by which a user ends a command.
 constexpr std::array kEndingSignals{SIGINT, SIGTERM, SIGHUP};
 
-/// Keeps this thread from being interrupted by them: a file that has been created has its name kept
-/// before a handler looks for it.
+/// Blocks kEndingSignals in this thread for the lifetime of the object. So the name of a created
+/// file is registered before a signal handler reads the names.
 class SignalsHeldBack {
  public:
   SignalsHeldBack() {
@@ -77,7 +78,8 @@ void remove_and_end(int signal) {
   static_cast<void>(::raise(signal));
 }
 
-/// The number of the process's own open file that a name stands for.
+/// Returns the number of the process's own open file that `path` stands for; nothing if it stands
+/// for none.
 std::optional<int> own_stream(std::string_view path) {
   if (path == "/dev/stdout") return STDOUT_FILENO;
   if (path == "/dev/stderr") return STDERR_FILENO;
@@ -91,8 +93,9 @@ std::optional<int> own_stream(std::string_view path) {
   return std::nullopt;
 }
 
-/// Opens a device, or a pipe, whose reader may come a little later; an endless wait for it would
-/// look like a program that hangs. -1 and errno where that fails, ENXIO without a reader.
+/// Opens a device or a pipe for writing. Waits a limited time for the reader of a pipe, because an
+/// endless wait would look like a program that hangs. On failure returns -1 and sets errno, to
+/// ENXIO if there is no reader.
 int open_with_reader(const std::string& target) {
   constexpr int kPeriodMs = 20;
   constexpr int kMostTries = 5000 / kPeriodMs;
@@ -112,13 +115,13 @@ int open_with_reader(const std::string& target) {
 }  // namespace
 
 std::string without_links(const std::string& path) {
-  constexpr int kMostLinks = 40;  // As Linux follows.
+  constexpr int kMostLinks = 40;  // The limit of Linux.
   std::filesystem::path followed{path};
   for (int links = 0; links < kMostLinks; ++links) {
     std::error_code is_none;
     const std::filesystem::path next = std::filesystem::read_symlink(followed, is_none);
     if (is_none) return followed.string();
-    followed = followed.parent_path() / next;  // An absolute one takes the place of all.
+    followed = followed.parent_path() / next;  // If `next` is absolute, it replaces the whole path.
   }
   throw std::system_error{ELOOP, std::generic_category(), path};
 }
@@ -157,7 +160,7 @@ void ReplacingFile::open_in_place() {
 
 void ReplacingFile::open_beside() {
   static std::atomic<unsigned> count{0};
-  constexpr int kMostNames = 1000;  // Files of killed processes of the same number may be left.
+  constexpr int kMostNames = 1000;  // Killed processes with the same number may have left files.
   const std::string folder = std::filesystem::path{target_}.parent_path().string();
   const SignalsHeldBack held_back;
   for (int i = 0; i < kMostNames; ++i) {
@@ -179,7 +182,8 @@ void ReplacingFile::open_beside() {
 void ReplacingFile::take_mode_of_target() {
   struct ::stat old {};
   if (::stat(target_.c_str(), &old) != 0) return;
-  // Only root may give a file away; then the mode, as a new owner clears bits of it.
+  // Only root may change the owner. The mode comes after the owner, because a change of owner
+  // clears bits of the mode.
   if (::fchown(descriptor_, old.st_uid, old.st_gid) != 0) errno = 0;
   if (::fchmod(descriptor_, old.st_mode & 0777) != 0) errno = 0;
 }
@@ -209,7 +213,8 @@ bool ReplacingFile::commit_as_new() {
   if (::renameat2(AT_FDCWD, beside_.c_str(), AT_FDCWD, target_.c_str(), RENAME_NOREPLACE) != 0) {
     if (errno == EEXIST) return false;
     if (errno != EINVAL && errno != ENOSYS) fail("cannot create");
-    // The file system cannot: it has no way to refuse a name that came in between.
+    // This file system cannot refuse to rename over an existing file, so a file that was created in
+    // between is replaced.
     if (std::rename(beside_.c_str(), target_.c_str()) != 0) fail("cannot create");
   }
   forget_name(beside_);

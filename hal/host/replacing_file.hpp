@@ -8,38 +8,39 @@
 
 namespace hal::host {
 
-/// A file that is written beside its target and takes the target's place once it is whole.
+/// A file that is written next to its target and replaces the target once it is whole.
 ///
-/// Until commit() the target stays as it was: a full disk, an error, a signal or a kill cost the
-/// new file only. A symbolic link stays a link, and the file behind it is replaced. Devices, pipes
-/// and the process's own streams (`/dev/stdout`) have no place that another file could take: these
-/// are written directly.
-/// Every failure of the file system is a std::system_error whose text names the target.
+/// Until commit() the target stays unchanged: a full disk, an error, a signal or a kill loses the
+/// new file only. If the path is a symbolic link, the link stays and the file that it leads to is
+/// replaced. Devices, pipes and the process's own streams (`/dev/stdout`) cannot be replaced by a
+/// file: they are written directly.
+/// Every failure of the file system is reported as a std::system_error whose text names the target.
 class ReplacingFile {
  public:
-  /// Creates the file beside `path`. Throws where no file can be there: a folder, a file that is
-  /// write-protected, a folder that does not exist.
+  /// Creates the new file next to `path`. Throws if no file can be written at `path`: it is a
+  /// folder, it is write-protected, or its folder does not exist.
   explicit ReplacingFile(std::string path);
-  /// Removes what was not committed.
+  /// Removes the new file unless it was committed.
   ~ReplacingFile();
   ReplacingFile(const ReplacingFile&) = delete;
   ReplacingFile& operator=(const ReplacingFile&) = delete;
 
   void write(std::string_view bytes);
 
-  /// Waits until the disk has the bytes if a file is to be replaced, and takes its place. A second
-  /// call does nothing.
+  /// Completes the file. If a file is to be replaced, first waits until the disk has the bytes,
+  /// then renames the new file to the target. A second call does nothing.
   void commit();
 
-  /// The same where nothing has the name yet. False where something has got it since: the target
-  /// stays as it is.
+  /// Like commit(), for a target that does not exist yet. Returns false if the target has come into
+  /// existence meanwhile; the target then stays unchanged.
   [[nodiscard]] bool commit_as_new();
 
-  /// The open file, also after commit(); for locks.
+  /// Returns the descriptor of the open file, for locks. It is valid after commit(), too.
   [[nodiscard]] int descriptor() const { return descriptor_; }
 
-  /// Removes the files of this process that are not whole when SIGINT, SIGTERM or SIGHUP ends it,
-  /// unless it handles or ignores these itself. To be called once, at its start.
+  /// From now on removes this process's unfinished files when SIGINT, SIGTERM or SIGHUP ends it,
+  /// unless the process handles or ignores these signals itself. To be called once, at the start of
+  /// the process.
   static void remove_unfinished_on_signals();
 
  private:
@@ -49,15 +50,15 @@ class ReplacingFile {
   [[noreturn]] void fail(const char* action) const;
 
   std::string path_;
-  std::string target_;  ///< `path_` with its links followed.
-  std::string beside_;  ///< Empty where the target is written directly.
+  std::string target_;  ///< `path_` with its symbolic links followed.
+  std::string beside_;  ///< Path of the new file; empty if the target is written directly.
   int descriptor_ = -1;
-  bool replaces_ = false;  ///< There is a file already.
+  bool replaces_ = false;  ///< The target exists already.
   bool committed_ = false;
 };
 
-/// `path` with the symbolic links of its last part followed, also where they lead to no file.
-/// Throws std::system_error for links without end.
+/// Returns `path` with the symbolic links of its last part followed, even if they lead to no file.
+/// Throws std::system_error if the links never end.
 [[nodiscard]] std::string without_links(const std::string& path);
 
 }  // namespace hal::host

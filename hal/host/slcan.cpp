@@ -9,8 +9,8 @@ bool Slcan::receive(CanFrame& frame) {
   return true;
 }
 
-/// As on a bus without anybody else nothing goes out while the channel is closed; it is not kept
-/// either, because nobody waits for what was said before.
+/// Drops the frame while the channel is closed. It is not kept for later, because a host that opens
+/// the channel does not expect earlier frames.
 bool Slcan::send(const CanFrame& frame) {
   if (frame.length > frame.data.size() || room() == 0) return false;
   if (!open_) return true;
@@ -38,7 +38,7 @@ bool Slcan::obey(std::string_view line) {
   if (line.size() > kLongestSlcanLine) return false;
   switch (line[0]) {
     case 'O':
-    case 'L':  // Listens only; here the same, as nobody else is there.
+    case 'L':  // "Listen only" is the same as "open" here, because the bus has no other node.
       open_ = true;
       return true;
     case 'C':
@@ -62,7 +62,7 @@ bool Slcan::obey(std::string_view line) {
       to_say_ += "NKERF";
       return true;
     case 'Z':
-      return line == "Z0";  // Frames have no times.
+      return line == "Z0";  // Time stamps of frames can only be off.
     default:
       return false;
   }

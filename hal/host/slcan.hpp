@@ -11,18 +11,19 @@
 
 namespace hal::host {
 
-/// The adapter's side of the serial-line protocol for CAN (Lawicel's, as slcand and python-can
-/// speak it): a node on a bus that consists of it and the host.
+/// The adapter's side of the serial-line protocol for CAN (Lawicel's, as slcand and python-can use
+/// it): a node on a bus that consists of the adapter and the host.
 ///
-/// `t12320A0B` CR is a frame of 11 bits, `T` one of 29, `r` and `R` ask for one; `O` opens the
-/// channel, `C` closes it, `S0`…`S8` and `s` set a rate, which means nothing here, `F` asks for
-/// the state and `V` and `N` for version and number. Each line is answered: CR, or BEL where it
-/// was refused. Before `O` no frame passes, either way.
+/// `t12320A0B` CR is a frame with an identifier of 11 bits and `T` one of 29 bits; `r` and `R`
+/// request such frames. `O` opens the channel and `C` closes it. `S0`…`S8` and `s` set a bit rate,
+/// which has no effect here. `F` requests the state, `V` the version and `N` the number. Each line
+/// is answered with CR, or with BEL if it was refused. Before `O` no frame passes in either
+/// direction.
 class Slcan final : public CanPort {
  public:
-  static constexpr std::size_t kFrames = 32;  ///< That wait for either side.
+  static constexpr std::size_t kFrames = 32;  ///< Frames that can wait, in each direction.
 
-  // The node's side.
+  // Side of the node.
 
   [[nodiscard]] bool receive(CanFrame& frame) override;
   [[nodiscard]] bool send(const CanFrame& frame) override;
@@ -30,19 +31,21 @@ class Slcan final : public CanPort {
   [[nodiscard]] CanHealth health() const override { return counts_; }
   void hear_only(std::span<const std::uint32_t> /*heard*/, std::size_t /*urgent*/) override {}
 
-  // The wire's side.
+  // Side of the wire.
 
-  /// Bytes of the host, in any pieces. A frame that there is no room for is counted as lost.
+  /// Takes bytes from the host, which may be split anywhere. A frame for which there is no free
+  /// space counts as lost.
   void hear(std::span<const std::byte> bytes);
-  /// There is room for what a read of the wire may bring: those frames that have come wait.
+  /// Returns whether there is free space for all frames that one read of the wire may bring.
   [[nodiscard]] bool can_hear() const { return received_.size() < kFrames / 2; }
-  /// What the host is to be told.
+  /// Returns the bytes that are to be sent to the host.
   [[nodiscard]] std::string_view to_say() const { return to_say_; }
+  /// Removes the first `count` bytes of to_say(), which have been sent.
   /// @pre count is at most to_say().size()
   void said(std::size_t count) { to_say_.erase(0, count); }
 
   [[nodiscard]] bool open() const { return open_; }
-  /// The host is gone: the channel is closed, and all there is forgotten.
+  /// Closes the channel after the host has disconnected, and discards all waiting lines and frames.
   void close();
 
  private:

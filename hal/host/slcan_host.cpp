@@ -31,7 +31,8 @@ void SlcanHost::hear(std::span<const char> bytes) {
   }
 }
 
-/// An empty line, or `z`, says that a frame was taken.
+/// Takes a line that the adapter sent. A line without a frame (empty, or `z`) only confirms that
+/// the adapter took a frame.
 void SlcanHost::take_line() {
   const auto frame = read_slcan(line_);
   line_.clear();

@@ -11,13 +11,13 @@
 
 namespace hal::host {
 
-/// The host's side of what Slcan is the adapter's side of: a node on the bus behind an adapter of
-/// the serial kind. Opens its channel at 1 Mbit/s.
+/// The host's side of the protocol of Slcan: a node on the bus that an adapter of the serial kind
+/// connects. Opens the adapter's channel at 1 Mbit/s.
 class SlcanHost final : public CanPort {
  public:
-  static constexpr std::size_t kFrames = 512;  ///< Received, that wait.
+  static constexpr std::size_t kFrames = 512;  ///< Received frames that can wait.
 
-  // The node's side.
+  // Side of the node.
 
   [[nodiscard]] bool receive(CanFrame& frame) override;
   [[nodiscard]] bool send(const CanFrame& frame) override;
@@ -25,15 +25,17 @@ class SlcanHost final : public CanPort {
   [[nodiscard]] CanHealth health() const override { return counts_; }
   void hear_only(std::span<const std::uint32_t> /*heard*/, std::size_t /*urgent*/) override {}
 
-  // The wire's side.
+  // Side of the wire.
 
-  /// Bytes of the adapter, in any pieces. A frame that there is no room for counts as lost. What
-  /// the adapter refuses is passed over: it says so of a channel that was closed already, too.
+  /// Takes bytes from the adapter, which may be split anywhere. A frame for which there is no free
+  /// space counts as lost. A refusal by the adapter is ignored: the adapter also refuses to close a
+  /// channel that is closed already.
   void hear(std::span<const char> bytes);
   [[nodiscard]] std::string_view to_say() const { return to_say_; }
+  /// Removes the first `count` bytes of to_say(), which have been sent.
   /// @pre count is at most to_say().size()
   void said(std::size_t count) { to_say_.erase(0, count); }
-  /// The channel is to be closed; nothing else is said afterwards.
+  /// Queues the command that closes the channel; it must be the last command.
   void close() { to_say_ += "C\r"; }
 
  private:
@@ -42,7 +44,7 @@ class SlcanHost final : public CanPort {
   void take_line();
 
   std::string line_;
-  // Ends whatever the last program had begun, closes its channel and opens another.
+  // Ends a line that an earlier program may have begun, closes its channel and opens a new one.
   std::string to_say_{"\rC\rS8\rO\r"};
   std::deque<CanFrame> received_;
   CanHealth counts_{};

@@ -9,16 +9,19 @@
 
 namespace hal::host {
 
-/// What ends a line of an adapter of the serial kind, and what says that it refused one.
+/// Byte that ends a line of an adapter of the serial kind, and byte with which it reports a refused
+/// line.
 inline constexpr char kSlcanDone = '\r';
 inline constexpr char kSlcanRefused = '\a';
-/// A frame's longest line, `T` with eight bytes, and some.
+/// Capacity for the longest line of a frame (`T` with eight bytes), with some reserve.
 inline constexpr std::size_t kLongestSlcanLine = 32;
 
-/// The frame of a line such as `t12320A0B`, without its end; nothing when it is none.
+/// Returns the frame of a line such as `t12320A0B` (without the end of the line); nothing if the
+/// line is not a frame.
 [[nodiscard]] std::optional<CanFrame> read_slcan(std::string_view line);
 
-/// A frame's line, with its end. @pre it has at most eight bytes
+/// Returns the line for a frame, with the end of the line.
+/// @pre `frame.length` is at most 8
 [[nodiscard]] std::string slcan_line(const CanFrame& frame);
 
 }  // namespace hal::host

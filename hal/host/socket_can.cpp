@@ -48,7 +48,7 @@ Descriptor open_socket(const std::string& interface) {
   }
 }
 
-/// The interface, about which something is asked.
+/// Returns an ioctl request about the interface.
 ifreq request_for(const std::string& interface) {
   ifreq request{};
   if (interface.empty() || interface.size() >= sizeof request.ifr_name) {
@@ -58,7 +58,8 @@ ifreq request_for(const std::string& interface) {
   return request;
 }
 
-/// Its number. What is no CAN bus, or down, is told before anybody waits for frames.
+/// Returns the number of the interface. Throws if the interface is not a CAN bus or is down, so
+/// that this is reported before a program waits for frames.
 int find_interface(const Descriptor& socket, const std::string& interface) {
   ifreq request = request_for(interface);
   const auto ask = [&](unsigned long question) {
@@ -114,7 +115,7 @@ CanFrame from_kernel(const KernelFrame& raw) {
   return frame;
 }
 
-/// The kernel's count of frames that it dropped, where a message has it.
+/// Returns the kernel's count of frames that it dropped, or `known` if the message has no count.
 std::uint32_t drops_in(msghdr& message, std::uint32_t known) {
   for (cmsghdr* part = CMSG_FIRSTHDR(&message); part != nullptr;
        part = CMSG_NXTHDR(&message, part)) {
@@ -138,7 +139,7 @@ void SocketCan::hear_only(std::span<const std::uint32_t> heard, std::size_t /*ur
   constexpr can_err_mask_t kErrors = CAN_ERR_CRTL | CAN_ERR_BUSOFF | CAN_ERR_RESTARTED;
   std::vector<can_filter> filters;
   for (const std::uint32_t id : heard) {
-    // With the flag of errors in the mask the kernel would filter errors instead.
+    // The mask must not contain the error flag: the kernel would filter error frames instead.
     filters.push_back(
         {.can_id = id & kLimit11, .can_mask = CAN_SFF_MASK | CAN_EFF_FLAG | CAN_RTR_FLAG});
   }
@@ -149,7 +150,7 @@ void SocketCan::hear_only(std::span<const std::uint32_t> heard, std::size_t /*ur
 }
 
 bool SocketCan::receive(CanFrame& frame) {
-  constexpr int kMostErrors = 64;  // Whoever floods us with them is heard later.
+  constexpr int kMostErrors = 64;  // Bounds the time of a call; more errors wait for the next.
   for (int errors = 0; errors < kMostErrors; ++errors) {
     KernelFrame raw{};
     iovec place{&raw, sizeof raw};
@@ -191,7 +192,7 @@ void SocketCan::flush() {
   }
 }
 
-/// Down, unplugged, or only without room for now.
+/// Handles a failed call: the interface is down, unplugged, or only without free space for now.
 void SocketCan::take_fault(int fault) {
   if (is_only_full(fault)) return;
   to_send_.clear();

@@ -11,33 +11,35 @@
 
 namespace hal::host {
 
-/// A CAN interface of the kernel (SocketCAN), `can0` or `vcan0`: a node among others.
+/// A CAN interface of the kernel (SocketCAN), such as `can0` or `vcan0`: one node among others.
 ///
-/// What is to be sent waits here while the interface has no room. An interface that goes down
-/// loses that, and counts as one lost frame: whoever listens must not go on as if nothing
-/// had been missed.
+/// Frames to be sent wait here while the interface has no free space. If the interface goes down,
+/// the waiting frames are lost and count as one lost frame, so that a receiver does not continue as
+/// if no frame were missing.
 class SocketCan final : public CanPort {
  public:
-  static constexpr std::size_t kFrames = 32;  ///< That wait to be sent.
+  static constexpr std::size_t kFrames = 32;  ///< Frames that can wait to be sent.
 
-  /// @param heard identifiers of 11 bits that are taken; the kernel keeps all others, extended
-  /// frames and requests away. Throws std::runtime_error, which names the interface and says what
-  /// there is to be done.
+  /// Opens the interface. Throws std::runtime_error, which names the interface and says what to do.
+  /// @param heard identifiers of 11 bits that are received; the kernel drops all other frames,
+  ///   extended frames and remote requests
   SocketCan(const std::string& interface, std::span<const std::uint32_t> heard);
 
   [[nodiscard]] bool receive(CanFrame& frame) override;
   [[nodiscard]] bool send(const CanFrame& frame) override;
   [[nodiscard]] std::size_t room() const override { return kFrames - to_send_.size(); }
-  /// Of the errors, what the interface reports; a virtual one has none.
+  /// Returns the state of the node. Its error counts are those that the interface reports; a
+  /// virtual interface reports none.
   [[nodiscard]] CanHealth health() const override { return health_; }
   void hear_only(std::span<const std::uint32_t> heard, std::size_t urgent) override;
 
-  /// Sends what waits, as far as the interface takes it. No descriptor says when it takes more, so
-  /// this is for now and then.
+  /// Sends waiting frames as long as the interface accepts them. To be called now and then, because
+  /// no descriptor reports when the interface accepts frames again.
   void flush();
-  /// False from where the interface went down, or away, until a frame goes out again.
+  /// Returns whether the interface is up. It is false from the moment it goes down or disappears
+  /// until a frame has been sent again.
   [[nodiscard]] bool up() const { return up_; }
-  /// To poll for frames.
+  /// Returns the descriptor to poll for received frames.
   [[nodiscard]] int number() const { return socket_.number(); }
 
  private:
@@ -48,7 +50,7 @@ class SocketCan final : public CanPort {
   Descriptor socket_;
   std::deque<CanFrame> to_send_;
   CanHealth health_{};
-  std::uint32_t drops_ = 0;  ///< Frames that the kernel had no room for, as it counts.
+  std::uint32_t drops_ = 0;  ///< Kernel's running count of frames dropped for lack of space.
   bool up_ = true;
 };
 

@@ -6,8 +6,7 @@
 
 namespace hal::host {
 
-/// The calls of the system that are declared with an ellipsis. They return -1 and set errno where
-/// they fail.
+/// System calls that are declared with an ellipsis. If they fail, they return -1 and set errno.
 [[nodiscard]] int open_file(const std::string& path, int flags, ::mode_t mode = 0);
 [[nodiscard]] int control_file(int descriptor, int command, int argument = 0);
 

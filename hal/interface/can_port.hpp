@@ -9,16 +9,17 @@ namespace hal {
 
 /// A frame of CAN 2.0, as SocketCAN's can_frame has it.
 struct CanFrame {
-  std::uint32_t id = 0;  ///< 11 bits, or 29 of an extended one.
+  std::uint32_t id = 0;  ///< Identifier of 11 bits, or 29 in an extended frame.
   bool extended = false;
-  bool remote = false;      ///< Asks for `length` bytes and has none.
-  std::uint8_t length = 0;  ///< 0 to 8 bytes.
+  bool remote = false;      ///< Requests `length` bytes and carries none.
+  std::uint8_t length = 0;  ///< Number of data bytes, 0 to 8.
   std::array<std::byte, 8> data{};
 
   bool operator==(const CanFrame&) const = default;
 };
 
-/// A frame of 11 bits with these bytes, of which there are at most eight.
+/// Returns a frame with an identifier of 11 bits.
+/// @pre `bytes` has at most eight bytes
 [[nodiscard]] constexpr CanFrame can_frame(std::uint32_t id, std::span<const std::byte> bytes) {
   CanFrame frame{.id = id, .length = static_cast<std::uint8_t>(bytes.size())};
   std::size_t at = 0;
@@ -26,30 +27,30 @@ struct CanFrame {
   return frame;
 }
 
-/// What a node's error counters make of it (ISO 11898-1, 12.1.4).
+/// State of a node, as its error counters determine it (ISO 11898-1, 12.1.4).
 enum class CanState : std::uint8_t { kActive, kWarning, kPassive, kBusOff };
 
 struct CanHealth {
   CanState state = CanState::kActive;
   std::uint8_t transmit_errors = 0;
   std::uint8_t receive_errors = 0;
-  std::uint32_t bus_offs = 0;     ///< Since start-up; each is left by itself.
-  std::uint32_t lost_frames = 0;  ///< Received, and no room for them.
+  std::uint32_t bus_offs = 0;     ///< Bus-offs since start-up; the node recovers from each.
+  std::uint32_t lost_frames = 0;  ///< Received frames for which there was no free space.
 };
 
-/// A place on a CAN bus. Main loop context; no call blocks.
+/// A node on a CAN bus. Main loop context; no call blocks.
 class CanPort {
  public:
-  /// The oldest frame that has arrived; false when there is none.
+  /// Takes the oldest received frame. Returns false if there is none.
   [[nodiscard]] virtual bool receive(CanFrame& frame) = 0;
-  /// Queues a frame; it goes out after those before it, and is repeated until another
-  /// node has it. False when there is no room.
+  /// Queues a frame. Frames are sent in the order of calls, and each is repeated until another node
+  /// has acknowledged it. Returns false if there is no free space.
   [[nodiscard]] virtual bool send(const CanFrame& frame) = 0;
-  /// Frames that can be queued now.
+  /// Returns the number of frames that can be queued now.
   [[nodiscard]] virtual std::size_t room() const = 0;
   [[nodiscard]] virtual CanHealth health() const = 0;
-  /// From now on no frames but those of these identifiers of 11 bits are of use, the first
-  /// `urgent` of which no others keep waiting. A port that cannot tell them apart passes all.
+  /// Restricts reception to frames with these identifiers of 11 bits. Other frames never delay the
+  /// first `urgent` identifiers. A port that cannot filter passes all frames.
   virtual void hear_only(std::span<const std::uint32_t> identifiers, std::size_t urgent) = 0;
 
  protected:

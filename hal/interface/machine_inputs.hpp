@@ -4,10 +4,10 @@
 
 namespace hal {
 
-/// The machine's switches as they read at one moment, already turned the right
-/// way round: true is "limit reached", "button pressed", "door open".
+/// The machine's switches as they read at one moment, with their polarity already corrected: true
+/// means "limit reached", "button pressed" or "door open".
 struct InputState {
-  std::uint8_t limits = 0;         ///< Bit i: the switch of axis i, either end.
+  std::uint8_t limits = 0;         ///< Bit i: a limit switch of axis i, at either end.
   std::uint8_t second_limits = 0;  ///< The second motor's switch on axes that have two.
   bool probe = false;
   bool door = false;

@@ -8,12 +8,12 @@
 
 namespace hal {
 
-/// A bounded FIFO from the main loop to an interrupt which lets the items in at
-/// set instants: what is staged does not exist for the reader until it is
-/// published, so how early within a turn it was staged changes nothing.
+/// A bounded FIFO from the main loop to an interrupt that admits items at set instants. The reader
+/// does not see staged items until they are published. So it does not matter how early within a
+/// cycle an item was staged.
 ///
-/// Counts run freely. The writer is told by its caller how many the reader had
-/// taken, and so asks for no more than what it may know in its turn.
+/// Counts run freely. The caller tells the writer how many items the reader had taken. So the
+/// writer uses no later state than the one that its cycle may know.
 template <typename Item, std::uint32_t Capacity>
 class StagedRing {
   static_assert(std::is_trivially_copyable_v<Item>, "an interrupt copies bytes, nothing more");
@@ -21,51 +21,57 @@ class StagedRing {
   static_assert(std::atomic<std::uint32_t>::is_always_lock_free);
 
  public:
-  // Writer.
+  // Writer side.
 
-  /// Items staged since the beginning.
+  /// Returns the number of items staged since the beginning (wraps).
   [[nodiscard]] std::uint32_t staged() const { return staged_.load(std::memory_order_relaxed); }
-  /// Places that are free when `taken` items have been taken.
+  /// Returns the number of free places after the reader has taken `taken` items.
   [[nodiscard]] std::uint32_t room(std::uint32_t taken) const {
     return Capacity - (staged() - taken);
   }
-  /// Where the next item is written before it is staged. @pre room() > 0
+  /// Returns the place where the next item is to be written before it is staged.
+  /// @pre room() > 0
   [[nodiscard]] Item& next() { return items_[staged() % Capacity]; }
   void stage_next() { staged_.store(staged() + 1, std::memory_order_release); }
+  /// Appends and stages an item.
   /// @pre room() > 0
   void stage(const Item& item) {
     next() = item;
     stage_next();
   }
 
-  // Reader.
+  // Reader side.
 
-  /// Lets in what was staged up to this count; never fewer than before.
+  /// Publishes the items staged up to `count`. A count below the published one has no effect.
   void publish(std::uint32_t count) noexcept {
     if (static_cast<std::int32_t>(count - published_.load(std::memory_order_relaxed)) > 0) {
       published_.store(count, std::memory_order_release);
     }
   }
-  /// Lets in all there is. @pre the writer is not staging
+  /// Publishes all staged items.
+  /// @pre the writer is not staging
   void publish_all() noexcept { publish(staged_.load(std::memory_order_acquire)); }
-  /// Forgets all there is, published or not. @pre the writer is not staging
+  /// Drops all items, published or not.
+  /// @pre the writer is not staging
   void drop_all() noexcept {
     publish_all();
     taken_.store(published_.load(std::memory_order_relaxed), std::memory_order_release);
   }
-  /// Items taken since the beginning.
+  /// Returns the number of items taken since the beginning (wraps).
   [[nodiscard]] std::uint32_t taken() const noexcept {
     return taken_.load(std::memory_order_relaxed);
   }
   [[nodiscard]] bool empty() const noexcept {
     return published_.load(std::memory_order_relaxed) == taken();
   }
-  /// The oldest item, where it lies and is the reader's until the writer comes round; null when
-  /// empty.
+  /// Returns the oldest item in its place; null if the ring is empty. The reader may use it until
+  /// the writer reuses the place, which cannot happen before drop_front().
   [[nodiscard]] Item* front() noexcept { return empty() ? nullptr : &items_[taken() % Capacity]; }
-  /// Done with it. @pre front() is not null
+  /// Removes the oldest item. The writer reuses its place only after it has filled all other
+  /// places.
+  /// @pre front() is not null
   void drop_front() noexcept { taken_.store(taken() + 1, std::memory_order_release); }
-  /// False when empty; `item` is then untouched.
+  /// Takes the oldest item. Returns false if the ring is empty; `item` is then untouched.
   [[nodiscard]] bool try_pop(Item& item) noexcept {
     Item* const oldest = front();
     if (oldest == nullptr) return false;
@@ -76,7 +82,7 @@ class StagedRing {
 
  private:
   std::array<Item, Capacity> items_{};
-  std::atomic<std::uint32_t> published_{0};  ///< Reader's, as is what it has taken.
+  std::atomic<std::uint32_t> published_{0};  ///< Written by the reader, like `taken_`.
   std::atomic<std::uint32_t> taken_{0};
   std::atomic<std::uint32_t> staged_{0};
 };

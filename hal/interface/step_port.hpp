@@ -5,26 +5,26 @@
 
 namespace hal {
 
-/// Bit i belongs to axis i (X Y Z A B C). What a bit means electrically
-/// (polarity, port, pin) is the port's business.
+/// Bit i belongs to axis i (X Y Z A B C). The port decides the meaning of a bit in hardware
+/// (polarity, port, pin).
 struct AxisMask {
   std::uint8_t bits = 0;
   constexpr bool operator==(const AxisMask&) const = default;
 };
 
-/// Limit switches as they read at one moment: of each axis, and of the second
-/// motor on axes that have two.
+/// Limit switches as they read at one moment. Bit i of `first` is the switch of axis i; bit i of
+/// `second` is the switch of its second motor, if the axis has one.
 struct SwitchMask {
   std::uint8_t first = 0;
   std::uint8_t second = 0;
 };
 
-/// The step and direction pins of the machine, the output that follows the
-/// motion (beam or spindle), and the timer behind them.
+/// The step and direction pins of the machine, the output that follows the motion (beam or
+/// spindle), and the timer behind them.
 ///
-/// Called from the step interrupt: every operation is noexcept, wait-free,
-/// cannot fail, and on STM32F405 costs a few stores. `start_timer` is called
-/// at the boundaries of the main loop's turns.
+/// Called from the step interrupt: every operation is noexcept and wait-free, cannot fail, and
+/// costs a few stores on STM32F405. `start_timer` is called only at the boundaries of the main
+/// loop's cycles.
 ///
 /// | operation        | contract                                                   |
 /// |------------------|------------------------------------------------------------|

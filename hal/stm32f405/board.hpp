@@ -14,26 +14,26 @@ namespace hal::stm32f405 {
 inline constexpr std::size_t kAxes = 6;
 inline constexpr std::size_t kDigitalOutputs = 8;
 
-/// The inputs of one motor's driver. Enables are active low, as drivers have
-/// them, and $4 turns them round.
+/// The driver inputs of one motor. Enable inputs are active low, as is usual for drivers; $4
+/// inverts them.
 struct Motor {
   Pin step{};
   Pin direction{};
-  Pin enable{};  ///< None where motors share Board::motors_enable.
+  Pin enable{};  ///< Absent where motors share Board::motors_enable.
 };
 
-/// What a board is: which pin does what. Only pins that exist are set up.
-/// Inputs have their pull-up and are active low, outputs are active high; $2 to
-/// $6 and $14 to $16 turn them round, but the power's, whose low is always dark.
+/// Description of a board: the function of each pin. Only pins that exist are set up. Inputs have
+/// their pull-up and are active low; outputs are active high. $2 to $6 and $14 to $16 invert them,
+/// except the power output: its low level always means that the beam is off.
 struct Board {
   const char* name = "";
   std::uint32_t crystal_hz = 8'000'000;
 
   std::array<Motor, kAxes> motors{};
-  std::array<Motor, kAxes> second_motors{};  ///< Of axes that have two.
-  Pin motors_enable{};                       ///< Of all motors at once.
-  Pin motor_power{};                         ///< Driven high from start-up on.
-  Pin held_low{};                            ///< Driven low from start-up on.
+  std::array<Motor, kAxes> second_motors{};  ///< Second motors of axes that have two.
+  Pin motors_enable{};                       ///< Enable input of all motors at once.
+  Pin motor_power{};                         ///< Pin driven high from start-up on.
+  Pin held_low{};                            ///< Pin driven low from start-up on.
   std::array<Pin, kAxes> limits{};
   std::array<Pin, kAxes> second_limits{};
   Pin probe{};
@@ -49,25 +49,26 @@ struct Board {
   Pin spindle_direction{};
   Pin mist{};
   Pin flood{};
-  std::array<Pin, kDigitalOutputs> outputs{};  ///< M62 to M65, P0 to P7.
+  std::array<Pin, kDigitalOutputs> outputs{};  ///< Outputs of M62 to M65, P0 to P7.
 
   Pin transmit{};
   Pin receive{};
   std::uint32_t baud = 115'200;
 
-  bool has_usb = true;  ///< A socket at kUsbPins.
+  bool has_usb = true;  ///< The board has a USB socket at kUsbPins.
   usb::Identity usb{};
 
-  Pin can_transmit{};  ///< CAN1, to a transceiver; a pair of kCanPins.
+  Pin can_transmit{};  ///< CAN1, to a transceiver; with can_receive a pair of kCanPins.
   Pin can_receive{};
   std::uint32_t can_bit_rate = 500'000;
 };
 
-/// D- and D+ of the full-speed core (the data sheet's table 9): there are no others.
+/// D- and D+ of the full-speed USB core (the data sheet's table 9); the chip has no alternative
+/// pins.
 inline constexpr std::array<Pin, 2> kUsbPins{pa(11), pa(12)};
 
-/// A bit for each pin of one port; which pins a board has named so far, and
-/// whether one of them twice.
+/// Pins that a board has named so far, a bit for each pin of each port, and whether a pin was named
+/// twice.
 class PinCensus {
  public:
   constexpr void add(Pin pin) {
@@ -128,8 +129,8 @@ constexpr PinCensus pins_of(const Board& board) {
   return census;
 }
 
-/// Checks that no output is a pin of the debugger (PA13, PA14), which drives them when it is
-/// attached. Inputs may be, and a pin that is held where its reset pull-down has it.
+/// Checks that no output is a pin of the debugger (PA13, PA14), which drives these pins while it is
+/// attached. Exempt are inputs, and a pin that is held at the level of its reset pull-down.
 constexpr bool debugger_is_left_alone(Board board) {
   for (Pin* const pin : {&board.probe,
                          &board.door,
@@ -146,7 +147,7 @@ constexpr bool debugger_is_left_alone(Board board) {
   return !outputs.has(pa(13)) && !outputs.has(pa(14));
 }
 
-/// Each motor that steps has a direction, and some pin that enables it.
+/// Checks that each motor that has a step pin also has a direction pin and a pin that enables it.
 constexpr bool motors_are_whole(const Board& board) {
   for (const std::array<Motor, kAxes>& motors : {board.motors, board.second_motors}) {
     for (const Motor& motor : motors) {
@@ -158,7 +159,8 @@ constexpr bool motors_are_whole(const Board& board) {
   return true;
 }
 
-/// The wire sees the rate within 2 %, at full speed and at 16 MHz.
+/// Checks that the real baud rate is within 2 % of `baud` at this clock; used for full speed and
+/// for 16 MHz.
 constexpr bool baud_is_near(std::uint32_t clock_hz, std::uint32_t baud) {
   if (baud == 0 || clock_hz / baud < 16) return false;
   const std::uint32_t divider = (clock_hz + baud / 2) / baud;
@@ -166,7 +168,7 @@ constexpr bool baud_is_near(std::uint32_t clock_hz, std::uint32_t baud) {
   return (real > baud ? real - baud : baud - real) * 50 <= baud;
 }
 
-/// A board that can be built for: instantiating it is the check.
+/// A board for which an image can be built. Instantiating the template runs the checks.
 template <const Board& kBoard>
 struct CheckedBoard {
   static constexpr PowerChannel kPower = power_channel_of(kBoard.power);

@@ -8,27 +8,27 @@
 
 namespace hal::stm32f405 {
 
-/// The connector at which a pin comes out, as the board's maker has printed it.
+/// The connector of a pin, by the name that the board's maker has printed on it.
 struct Connector {
   Pin pin{};
   const char* name = "";
 };
 
-/// What a user is to know of a board besides its pins. No image contains it: docs/boards.md is
-/// written from it, and what is printed when an image is built.
+/// Facts about a board that a user needs besides its pins. No image contains them: they go into
+/// docs/boards.md and into the text printed when an image is built.
 struct BoardSheet {
-  const char* chips = "";    ///< Those with which the board is sold.
+  const char* chips = "";    ///< Chips with which the board is sold.
   const char* caution = "";  ///< A question to answer before flashing, and the reason for it.
   const char* notes = "";
-  std::array<const char*, kAxes> sockets{};    ///< Of the motors' drivers.
-  std::span<const Connector> connectors = {};  ///< Of all pins but the motors' and USB's.
+  std::array<const char*, kAxes> sockets{};    ///< Sockets of the motors' drivers.
+  std::span<const Connector> connectors = {};  ///< Connectors of the other pins, except USB's.
 };
 
-/// Each board's header has its own.
+/// Sheet of a board; each board's header specializes it.
 template <const Board& kBoard>
 inline constexpr BoardSheet kSheet{};
 
-/// Returns the connector's name; null where the sheet has none for the pin.
+/// Returns the name of the pin's connector; null if the sheet has none for the pin.
 constexpr const char* connector_of(const BoardSheet& sheet, Pin pin) {
   for (const Connector& connector : sheet.connectors) {
     if (connector.pin == pin) return connector.name;
@@ -54,7 +54,7 @@ constexpr bool sheet_is_whole(const BoardSheet& sheet, const Board& board) {
   return !named.clash() && named == pins;
 }
 
-/// The sheet of a board that is sold as one: instantiating it is the check.
+/// The sheet of a board that can be bought. Instantiating the template runs the check.
 template <const Board& kBoard>
 struct CheckedSheet {
   static_assert(sheet_is_whole(kSheet<kBoard>, kBoard),

@@ -7,8 +7,8 @@
 
 namespace hal::stm32f405 {
 
-/// How the port reaches its registers: on the chip by loads and stores, in a
-/// test through a model of them. Any context.
+/// Access of the port to its registers: by loads and stores on the chip, through a model of the
+/// registers in a test. Any context.
 template <typename Type>
 concept RegisterBus = requires(Address address, Word value) {
   { Type::read(address) }
@@ -19,11 +19,11 @@ concept RegisterBus = requires(Address address, Word value) {
   noexcept->std::same_as<void>;
 };
 
-/// The chip itself.
+/// Registers of the chip itself.
 struct MemoryBus {
   static Word read(Address address) noexcept { return *at(address); }
   static void write(Address address, Word value) noexcept { *at(address) = value; }
-  /// Completes all accesses so far before the next instruction, which is fetched again.
+  /// Completes all earlier accesses before the next instruction, which is fetched again.
   static void barrier() noexcept { asm volatile("dsb \n isb" ::: "memory"); }
 
  private:
@@ -34,7 +34,7 @@ struct MemoryBus {
 };
 static_assert(RegisterBus<MemoryBus>);
 
-/// Replaces the bits of `mask` by those of `value`. Not atomic.
+/// Replaces the bits in `mask` with the bits of `value`. The change is not atomic.
 template <RegisterBus Bus>
 void modify(Address address, Word mask, Word value) noexcept {
   Bus::write(address, (Bus::read(address) & ~mask) | value);
@@ -50,7 +50,8 @@ void clear(Address address, Word bits) noexcept {
   modify<Bus>(address, bits, 0);
 }
 
-/// Looks at most `looks` times; false when the bits never were as wanted.
+/// Reads the register until the bits in `mask` equal `wanted`, at most `looks` times. Returns false
+/// if they never did.
 template <RegisterBus Bus>
 [[nodiscard]] bool wait_for(Address address, Word mask, Word wanted, std::uint32_t looks) noexcept {
   for (std::uint32_t look = 0; look < looks; ++look) {
@@ -59,15 +60,16 @@ template <RegisterBus Bus>
   return false;
 }
 
-/// Lets an interrupt in. @param priority 0, the most urgent, to 15.
+/// Enables an interrupt.
+/// @param priority 0 (most urgent) to 15
 template <RegisterBus Bus>
 void enable_interrupt(unsigned number, unsigned priority) noexcept {
-  const unsigned place = 8 * (number % 4) + 4;  // The upper half of the byte is all there is.
+  const unsigned place = 8 * (number % 4) + 4;  // A priority is the upper half of its byte.
   modify<Bus>(core::interrupt_priority(number), Word{0xF} << place, Word{priority} << place);
   Bus::write(core::interrupt_on(number), bit(number % 32));
 }
 
-/// Asks for an interrupt now.
+/// Requests an interrupt now.
 template <RegisterBus Bus>
 void pend_interrupt(unsigned number) noexcept {
   Bus::write(core::interrupt_pend(number), bit(number % 32));

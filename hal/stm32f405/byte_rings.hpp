@@ -7,10 +7,11 @@
 
 namespace hal::stm32f405 {
 
-/// Between a link's interrupt and the main loop. Apart from the link, which begins with other
-/// values than zeros: those of an object the image has to hold.
+/// Queues between a link's interrupt and the main loop. They are separate from the link object
+/// because that object has initial values other than zero, all of which the image must store.
 struct ByteRings {
-  /// What arrives in 88 ms at 115,200 baud: the longest that the main loop is away.
+  /// Bytes that arrive in 88 ms at 115,200 baud, the longest time between two reads by the main
+  /// loop.
   static constexpr std::uint32_t kReceiveBytes = 1024;
   static constexpr std::uint32_t kSendBytes = 512;
 
@@ -18,9 +19,10 @@ struct ByteRings {
   SpscRing<std::byte, kSendBytes> to_send{};
 };
 
-/// The same for USB, which tells the host to wait.
+/// Queues like ByteRings, for USB, which makes the host wait when they are full.
 struct UsbRings {
-  static constexpr std::uint32_t kReceiveBytes = 512;  ///< In a turn, which is a frame of USB.
+  static constexpr std::uint32_t kReceiveBytes = 512;  ///< Bytes of one cycle, which is one USB
+                                                       ///< frame.
   static constexpr std::uint32_t kSendBytes = 512;
 
   SpscRing<std::byte, kReceiveBytes> received{};

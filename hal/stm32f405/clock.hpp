@@ -8,11 +8,11 @@ namespace hal::stm32f405 {
 
 enum class ClockSource : std::uint8_t {
   kCrystal,   ///< 168 MHz from the board's crystal.
-  kInternal,  ///< 168 MHz from the chip's oscillator, within 1 %: the crystal does not start.
-  kSlow,      ///< 16 MHz: no PLL. Too slow for the step interrupt.
+  kInternal,  ///< 168 MHz from the chip's oscillator, within 1 %: the crystal did not start.
+  kSlow,      ///< 16 MHz without PLL: too slow for the step interrupt.
 };
 
-/// What the parts of the chip run at, in Hz.
+/// Clock frequencies of the chip's parts, in Hz.
 struct Clocks {
   ClockSource source = ClockSource::kSlow;
   std::uint32_t core = 16'000'000;
@@ -29,15 +29,15 @@ inline constexpr Clocks kFullSpeed{.source = ClockSource::kCrystal,
                                    .apb1_timers = 84'000'000,
                                    .apb2_timers = 168'000'000};
 
-/// Whether the PLL can make 168 MHz of it: its input is the crystal by a whole
-/// number, 1 MHz here, and the crystal 4 to 26 MHz (RM0090, 7.3.2).
+/// Returns whether the PLL can make 168 MHz from a crystal. Its input is the crystal's frequency
+/// divided by a whole number, 1 MHz here. The crystal must have 4 to 26 MHz (RM0090, 7.3.2).
 constexpr bool is_usable_crystal(std::uint32_t hz) {
   return hz % 1'000'000 == 0 && hz >= 4'000'000 && hz <= 26'000'000;
 }
 
-/// Takes the chip from reset to 168 MHz. Every wait is bounded: with a crystal
-/// that does not start, or a PLL that does not lock, it goes on with what there
-/// is, and says so. Once, before interrupts; some 100 ms at worst.
+/// Takes the chip from reset to 168 MHz. Every wait is bounded: if the crystal does not start or
+/// the PLL does not lock, it continues with the clock that works, and the result says which. To be
+/// called once, before interrupts are enabled. Takes some 100 ms at worst.
 /// @pre is_usable_crystal(crystal_hz)
 template <RegisterBus Bus>
 class ClockStart {
@@ -59,11 +59,12 @@ class ClockStart {
 
  private:
   static constexpr std::uint32_t kInternalHz = 16'000'000;
-  // A look takes at least 4 clocks of 16 MHz. Crystals need 2 ms, up to 20 when cold.
+  // One read takes at least 4 clocks of 16 MHz. Crystals need 2 ms to start, up to 20 ms when cold.
   static constexpr std::uint32_t kCrystalLooks = 200'000;
-  static constexpr std::uint32_t kPllLooks = 10'000;  ///< It locks within 0.3 ms.
+  static constexpr std::uint32_t kPllLooks = 10'000;  ///< The PLL locks within 0.3 ms.
 
-  /// A boot loader may have set the clock to anything, and a PLL that runs takes no change.
+  /// Returns to the internal oscillator: a boot loader may have set any clock, and the settings of
+  /// a running PLL cannot be changed.
   static void back_to_internal() noexcept {
     set<Bus>(rcc::kCr, rcc::kHsiOn);
     static_cast<void>(wait_for<Bus>(rcc::kCr, rcc::kHsiReady, rcc::kHsiReady, kPllLooks));
@@ -75,7 +76,7 @@ class ClockStart {
 
   static bool start_pll(std::uint32_t input_hz, bool crystal) noexcept {
     const Word divider = input_hz / 1'000'000;
-    const Word multiplier = 336;  // 336 MHz, by 2 for the core, by 7 for USB.
+    const Word multiplier = 336;  // 336 MHz: divided by 2 for the core, by 7 for USB.
     Bus::write(rcc::kPllCfgr,
                divider | multiplier << 6 | (crystal ? rcc::kPllFromHse : 0) | Word{7} << 24);
     set<Bus>(rcc::kCr, rcc::kPllOn);
@@ -84,7 +85,8 @@ class ClockStart {
     return false;
   }
 
-  /// Before the core is faster than the flash; RM0090, 3.5.1 wants it read back.
+  /// Sets the wait states of the flash before the core becomes faster than it. RM0090, 3.5.1
+  /// requires that they be read back.
   static bool slow_flash_down() noexcept {
     const Word wanted =
         flash::kFiveWaitStates | flash::kPrefetch | flash::kInstructionCache | flash::kDataCache;

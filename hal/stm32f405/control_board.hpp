@@ -14,22 +14,22 @@
 
 namespace hal::stm32f405 {
 
-/// What start-up found out, and where things are.
+/// Facts that start-up found out, and locations in memory.
 struct StartReport {
   Clocks clocks{};
   ResetCause cause = ResetCause::kUnknown;
   FaultRecord fault{};  ///< Valid with ResetCause::kFault.
   std::uint32_t image_bytes = 0;
-  std::uint32_t image_checksum = 0;  ///< CRC-32 of them; too slow to be made while something moves.
+  std::uint32_t image_checksum = 0;  ///< CRC-32 of the image; slow, not for use during motion.
   std::span<const std::uint32_t> stack{};
 };
 
-/// An F405 or F407 as `$I+` shows it.
+/// An F405 or F407 as `$I+` reports it.
 template <const Board& kBoard, RegisterBus Bus = MemoryBus>
 class ChipBoard final : public ControlBoard {
  public:
   void set_report(const StartReport& report) { report_ = report; }
-  /// Whether somebody wants the boot loader.
+  /// Returns whether the boot loader was requested.
   [[nodiscard]] bool wants_boot_loader() const { return wants_boot_loader_; }
 
   [[nodiscard]] std::size_t describe(std::size_t row, std::span<char> into) override {
@@ -102,14 +102,15 @@ class ChipBoard final : public ControlBoard {
   static constexpr const char* text_of(ResetCause cause) { return stm32f405::text_of(cause); }
   static constexpr const char* text_of(Fault fault) { return stm32f405::text_of(fault); }
 
-  /// Below this supply the chip holds itself in reset (RM0090, 3.9.10 and the data sheet's VBOR):
-  /// an option byte that stays as the board's maker or owner has set it.
+  /// Returns the supply voltage below which the chip holds itself in reset (RM0090, 3.9.10 and the
+  /// data sheet's VBOR). An option byte determines it, which stays as the board's maker or owner
+  /// has set it.
   static const char* brown_out_level() {
     static constexpr std::array kLevels{"2.7 V", "2.4 V", "2.1 V", "1.8 V, BOR level 3 is safer"};
     return kLevels[Bus::read(flash::kOptions) >> flash::kBrownOutShift & 3U];
   }
 
-  /// Bytes used at the most, of all.
+  /// Writes the greatest stack use so far and the size of the stack, in bytes.
   void stack_row(TextRow& text) const {
     const std::size_t used = report_.stack.size() - unused_words(report_.stack);
     text.text("STACK:").number(static_cast<std::uint32_t>(4 * used));

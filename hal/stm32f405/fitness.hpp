@@ -10,22 +10,24 @@
 
 namespace hal::stm32f405 {
 
-/// Why an image must not run on the chip that it is on.
+/// Reason why an image must not run on this chip.
 enum class Unfitness : std::uint8_t {
-  kDamaged,      ///< Its bytes are not those that were built: truncated, or changed.
-  kUnknownChip,  ///< How much flash there is cannot be read.
-  kSmallChip,    ///< The flash has no space for the store behind the image.
+  kDamaged,      ///< The image differs from the one that was built: it is truncated or changed.
+  kUnknownChip,  ///< The size of the flash cannot be read.
+  kSmallChip,    ///< The flash has no space for the store after the image.
 };
 
 struct Fitness {
   std::optional<Unfitness> fault{};
-  std::uint32_t flash_kib = 0;   ///< Of the chip; 0 when unknown.
-  std::uint32_t wanted_kib = 0;  ///< Of the smallest chip on which the image runs.
-  StoreSectors store{};          ///< Valid without a fault.
+  std::uint32_t flash_kib = 0;   ///< Flash of the chip; 0 if unknown.
+  std::uint32_t wanted_kib = 0;  ///< Flash of the smallest chip on which the image runs.
+  StoreSectors store{};          ///< Valid if there is no fault.
 };
 
-/// Judges an image that ends at `end` and is whole or not on a chip with so much flash, 0 when
-/// unknown.
+/// Decides whether an image may run on a chip.
+/// @param whole the image is complete and undamaged
+/// @param end address of the first byte after the image
+/// @param flash_kib flash of the chip in KiB, 0 if unknown
 constexpr Fitness fitness_of(bool whole, Address end, std::uint32_t flash_kib) {
   Fitness fitness{.flash_kib = flash_kib};
   const auto fits = [end](std::uint32_t kib) {
@@ -45,7 +47,7 @@ constexpr Fitness fitness_of(bool whole, Address end, std::uint32_t flash_kib) {
   return fitness;
 }
 
-/// Writes the line that tells a user why nothing runs and what to do. @return its bytes.
+/// Writes the line that tells a user why nothing runs and what to do. Returns its length in bytes.
 /// @pre fitness.fault
 inline std::size_t describe(const Fitness& fitness, std::span<char> into) {
   TextRow text{into};

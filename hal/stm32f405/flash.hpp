@@ -9,18 +9,19 @@
 
 namespace hal::stm32f405 {
 
-/// The two sectors of the chip's flash that are the store's. Before use() there is none, and
-/// everything reads as erased.
+/// The two sectors of the chip's flash that hold the store. Before use() it has no sectors, and
+/// every word reads as erased.
 ///
-/// Both operations stop the core while they last, because it runs from the same
-/// flash: 16 to 100 us for a word, 1 to 2 s for a sector of 128 KiB. What
-/// arrives on the wire meanwhile is lost and marked as such. The watchdog has to be
-/// told before (PatientStore). While the supply is below the supervisor's level
-/// (watch_supply) both refuse: it may be gone before a word is whole.
+/// Programming and erasing stop the core while they last, because it runs from the same flash: 16
+/// to 100 us for a word, 1 to 2 s for a sector of 128 KiB. Bytes that arrive on the wire meanwhile
+/// are lost and marked as lost. The caller must prepare the watchdog first (PatientStore). While
+/// the supply is below the supervisor's level (watch_supply), both operations refuse: the supply
+/// may fail before a word is whole.
 template <RegisterBus Bus = MemoryBus>
 class Flash final : public FlashSectors {
  public:
-  /// Names the sectors, once, at start-up. @pre store_fits(sectors, the chip's size)
+  /// Sets the sectors; to be called once, at start-up.
+  /// @pre store_fits(sectors, the chip's size)
   void use(const StoreSectors& sectors) noexcept {
     sectors_ = sectors;
     in_use_ = true;
@@ -29,7 +30,7 @@ class Flash final : public FlashSectors {
   [[nodiscard]] std::size_t sector_count() const override { return sectors_.size(); }
   [[nodiscard]] std::size_t words_per_sector() const override { return kWords; }
 
-  /// @pre the place exists; elsewhere it reads as erased.
+  /// Returns the word; kErased if it does not exist.
   [[nodiscard]] std::uint32_t read(std::size_t sector, std::size_t word) const override {
     return exists(sector, word) ? Bus::read(address(sector, word)) : kErased;
   }
@@ -54,9 +55,9 @@ class Flash final : public FlashSectors {
   }
 
  private:
-  /// The rest of a sector stays empty: a log is looked through from its start.
+  /// Only the first 16 KiB of a sector are used, because a log is searched from its start.
   static constexpr std::size_t kWords = 16 * kKib / 4;
-  // A look takes some ten clocks of 168 MHz, when the flash lets the core run at all.
+  // One read takes some ten clocks of 168 MHz, if the flash lets the core run at all.
   static constexpr std::uint32_t kProgramLooks = 100'000;
   static constexpr std::uint32_t kEraseLooks = 100'000'000;
 
@@ -69,8 +70,8 @@ class Flash final : public FlashSectors {
 
   static bool supply_is_low() noexcept { return (Bus::read(pwr::kCsr) & pwr::kSupplyIsLow) != 0; }
 
-  /// A boot loader may leave the flash unlocked, and keys that are not asked for would lock it
-  /// until the next reset (RM0090, 3.6.1).
+  /// Unlocks the flash if it is locked. A boot loader may leave it unlocked, and keys written to
+  /// unlocked flash would lock it until the next reset (RM0090, 3.6.1).
   static bool unlock() noexcept {
     if ((Bus::read(flash::kControl) & flash::kLock) != 0) {
       Bus::write(flash::kKey, flash::kFirstKey);
@@ -80,7 +81,8 @@ class Flash final : public FlashSectors {
     return (Bus::read(flash::kControl) & flash::kLock) == 0;
   }
 
-  /// Waits, and locks the flash again whatever came of it.
+  /// Waits for the end of the operation and then locks the flash, whether or not the operation
+  /// succeeded.
   static bool finish(std::uint32_t looks) noexcept {
     const bool done = wait_for<Bus>(flash::kStatus, flash::kBusy, 0, looks);
     const bool refused = (Bus::read(flash::kStatus) & flash::kErrors) != 0;
@@ -88,7 +90,7 @@ class Flash final : public FlashSectors {
     return done && !refused;
   }
 
-  /// The data cache still has what was erased (RM0090, 3.6.4).
+  /// Empties the data cache, which still holds the erased words (RM0090, 3.6.4).
   static void forget_cache() noexcept {
     clear<Bus>(flash::kAcr, flash::kDataCache);
     set<Bus>(flash::kAcr, flash::kDataCacheReset);

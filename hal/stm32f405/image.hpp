@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <span>
 
-/// Where the linker put things (toolchain/stm32f405.ld).
+/// Addresses from the linker script (toolchain/stm32f405.ld).
 extern "C" {
 extern std::byte image_begin[], image_end[];
 extern std::uint32_t stack_guard[], stack_bottom[], stack_top[];
@@ -17,14 +17,14 @@ extern Routine init_begin[], init_end[];
 
 namespace hal::stm32f405 {
 
-/// Behind the vectors: by what start-up finds an image that is truncated or damaged. The linker
-/// script lays it out, toolchain/image_files.py computes the checksum.
+/// Header after the interrupt vectors, by which start-up detects a truncated or damaged image. The
+/// linker script places it, and toolchain/image_files.py computes the checksum.
 struct ImageHeader {
   static constexpr std::uint32_t kMagic = 0x4E'46'52'4B;  ///< "KRFN"
 
   std::uint32_t magic;
-  std::uint32_t bytes;     ///< Of the image, from its vectors to its end.
-  std::uint32_t checksum;  ///< CRC-32 of all of them but the four of this field.
+  std::uint32_t bytes;     ///< Length of the image, from its vectors to its end.
+  std::uint32_t checksum;  ///< CRC-32 of the image without the four bytes of this field.
 };
 }  // namespace hal::stm32f405
 
@@ -32,10 +32,10 @@ extern "C" const hal::stm32f405::ImageHeader image_header;  // NOLINT(readabilit
 
 namespace hal::stm32f405 {
 
-/// The stack is full of these until it is used.
+/// Value that fills the stack until it is used.
 inline constexpr std::uint32_t kPaint = 0xC0DE'5AFE;
 
-/// Words at the low end of a stack that nobody has used yet.
+/// Returns the number of words at the low end of a stack that were never used.
 constexpr std::size_t unused_words(std::span<const std::uint32_t> stack) {
   std::size_t unused = 0;
   while (unused < stack.size() && stack[unused] == kPaint) ++unused;

@@ -12,10 +12,9 @@
 
 namespace hal::stm32f405 {
 
-/// Switches, probe and buttons, with their bounce. Any context. An input is
-/// active low, because its switch closes to ground against the pull-up; one
-/// that opens when it is reached is turned round by a setting, and then a
-/// broken cable reads as reached.
+/// Switches, probe and buttons, with their bounce. Any context. An input is active low, because its
+/// switch closes to ground against the pull-up. A switch that opens when it is reached is inverted
+/// by a setting; then a broken cable reads as reached.
 template <const Board& kBoard, RegisterBus Bus>
 class Inputs {
  public:
@@ -52,7 +51,7 @@ class Inputs {
   }
 
  private:
-  /// A pin that the board has not is never active.
+  /// Returns whether an input is active; a pin that the board does not have is never active.
   template <Pin kPin>
   static bool active(bool inverted) noexcept {
     if constexpr (kPin.exists()) return PinSetUp<Bus>::is_high(kPin) == inverted;

@@ -10,7 +10,7 @@ namespace hal::stm32f405 {
 struct Pin {
   static constexpr std::uint8_t kNone = 0xFF;
 
-  std::uint8_t port = kNone;  ///< From A, 0.
+  std::uint8_t port = kNone;  ///< 0 is port A.
   std::uint8_t number = 0;
 
   constexpr bool operator==(const Pin&) const = default;
@@ -31,15 +31,15 @@ constexpr Pin pg(int number) { return pin_of('G', number); }
 
 enum class PinMode : std::uint8_t { kInput, kOutput, kAlternate };
 
-/// Sets-up of single pins, for start-up and faults; nothing is done where there
-/// is no pin. Main loop, or with interrupts off.
+/// Setting up and driving single pins, for start-up and faults. Most functions do nothing if the
+/// pin does not exist. Main loop, or with interrupts off.
 template <RegisterBus Bus>
 struct PinSetUp {
   static void set_mode(Pin pin, PinMode mode) noexcept {
     modify<Bus>(gpio::mode(pin.port), two_bits(pin, 3), two_bits(pin, static_cast<Word>(mode)));
   }
 
-  /// With its pull-up: switches close to ground.
+  /// Makes the pin an input with its pull-up, because switches close to ground.
   static void make_input(Pin pin) noexcept {
     if (!pin.exists()) return;
     turn_port_on(pin);
@@ -47,7 +47,7 @@ struct PinSetUp {
     set_mode(pin, PinMode::kInput);
   }
 
-  /// The level stands before the pin drives it.
+  /// Makes the pin an output. Its level is set before the pin drives it.
   static void make_output(Pin pin, bool high) noexcept {
     if (!pin.exists()) return;
     turn_port_on(pin);
@@ -56,7 +56,8 @@ struct PinSetUp {
     set_mode(pin, PinMode::kOutput);
   }
 
-  /// @param function 0 to 15, table 9 of the data sheet.
+  /// Connects the pin to a peripheral.
+  /// @param function number of the alternate function, 0 to 15 (table 9 of the data sheet)
   static void hand_over(Pin pin, unsigned function, bool pull_up) noexcept {
     turn_port_on(pin);
     const unsigned place = 4 * (pin.number % 8U);
@@ -74,18 +75,20 @@ struct PinSetUp {
     return (Bus::read(gpio::input(pin.port)) & pin.mask()) != 0;
   }
 
-  /// The read back gives the clock its two cycles (erratum 2.2.13 of ES0182).
+  /// Switches the port's clock on. Reading the register back gives the clock the two cycles that it
+  /// needs (erratum 2.2.13 of ES0182).
   static void turn_port_on(Pin pin) noexcept {
     set<Bus>(rcc::kAhb1Enr, bit(pin.port));
     static_cast<void>(Bus::read(rcc::kAhb1Enr));
   }
 
  private:
-  /// 25 MHz: edges of some 10 ns, which drivers see and long cables do not ring from.
+  /// 25 MHz: edges of some 10 ns, fast enough for drivers and too slow to make long cables ring.
   static constexpr Word kMediumSpeed = 1;
   static constexpr Word kLowSpeed = 0;
 
-  /// PC13 to PC15 are fed through the backup domain's switch: 2 MHz at most (DS8626, table 7).
+  /// Returns the speed setting for a pin. PC13 to PC15 are fed through the switch of the backup
+  /// domain and allow 2 MHz at most (DS8626, table 7).
   static constexpr Word speed_of(Pin pin) {
     return pin.port == pc(13).port && pin.number >= 13 ? kLowSpeed : kMediumSpeed;
   }

@@ -34,7 +34,7 @@ inline constexpr std::array<PowerChannel, 24> kPowerChannels{{
     {pd(13), timer::kTim4, 2, 2}, {pb(8), timer::kTim4, 3, 2},  {pb(9), timer::kTim4, 4, 2},
 }};
 
-/// The channel behind a pin, or one that does not exist.
+/// Returns the timer channel of a pin; if the pin has none, one whose exists() is false.
 constexpr PowerChannel power_channel_of(Pin pin) {
   for (const PowerChannel& channel : kPowerChannels) {
     if (channel.pin == pin) return channel;
@@ -42,7 +42,7 @@ constexpr PowerChannel power_channel_of(Pin pin) {
   return {};
 }
 
-/// A serial interface on a pair of pins (the same table).
+/// A serial interface and its pair of pins (the same table of the data sheet).
 struct SerialPins {
   Pin transmit{};
   Pin receive{};
@@ -52,7 +52,7 @@ struct SerialPins {
   std::uint8_t interrupt = 0;
 
   [[nodiscard]] constexpr bool exists() const { return base != 0; }
-  /// On the faster bus: USART1 and USART6.
+  /// Returns whether the interface is on the faster bus, as USART1 and USART6 are.
   [[nodiscard]] constexpr bool fast() const { return base >= 0x4001'0000; }
   [[nodiscard]] constexpr Address clock() const { return fast() ? rcc::kApb2Enr : rcc::kApb1Enr; }
 };
@@ -67,7 +67,7 @@ inline constexpr std::array<SerialPins, 7> kSerialPins{{
     {pc(6), pc(7), 0x4001'1400, 8, 5, 71},     // USART6
 }};
 
-/// The interface on these two pins, or one that does not exist.
+/// Returns the interface on these two pins; if they have none, one whose exists() is false.
 constexpr SerialPins serial_pins_of(Pin transmit, Pin receive) {
   for (const SerialPins& pins : kSerialPins) {
     if (pins.transmit == transmit && pins.receive == receive) return pins;
@@ -75,7 +75,8 @@ constexpr SerialPins serial_pins_of(Pin transmit, Pin receive) {
   return {};
 }
 
-/// CAN1 on a pair of pins (the same table); PA12 and PA11 are USB's.
+/// A pair of pins for CAN1 (the same table of the data sheet). PA12 and PA11 are left out, because
+/// USB uses them.
 struct CanPins {
   Pin transmit{};
   Pin receive{};
@@ -85,7 +86,7 @@ struct CanPins {
 
 inline constexpr std::array<CanPins, 2> kCanPins{{{pb(9), pb(8)}, {pd(1), pd(0)}}};
 
-/// The pair, or none.
+/// Returns the pair of these two pins; if they have none, one whose exists() is false.
 constexpr CanPins can_pins_of(Pin transmit, Pin receive) {
   for (const CanPins& pins : kCanPins) {
     if (pins.transmit == transmit && pins.receive == receive) return pins;

@@ -11,7 +11,7 @@ namespace hal::stm32f405 {
 
 inline constexpr std::size_t kAxisSets = std::size_t{1} << kAxes;
 
-/// For each set of axes, which pins of one port theirs are.
+/// For each set of axes: the pins of these axes on one port, as a bit mask.
 using PortTable = std::array<std::uint16_t, kAxisSets>;
 
 constexpr PortTable port_table(const std::array<Pin, kAxes>& pins, unsigned port) {
@@ -39,19 +39,20 @@ constexpr std::array<Pin, kAxes> direction_pins(const std::array<Motor, kAxes>& 
   return pins;
 }
 
-/// The step or direction pins of all motors, driven together: for each port one
-/// look into a table and one store, whatever the axes. Step interrupt.
+/// The step or direction pins of all motors, driven together: one table look-up and one store for
+/// each port, whatever the set of axes. Step interrupt.
 ///
-/// @tparam kPins of first and second motors.
+/// @tparam kPins pins of first and second motors
 template <MotorPins kPins, RegisterBus Bus>
 class PinGroup {
  public:
-  /// Pins of these axes are low where others are high. @param axes of both motors.
+  /// Inverts the pins of these axes: they are low when active, the others high.
+  /// @param axes axes of which both motors' pins are inverted
   void invert(std::uint8_t axes) noexcept {
     for_ports([&]<unsigned kPort>() { inverted_[kPort] = pins_on<kPort>(axes, axes); });
   }
 
-  /// Drives the pins of these axes active, and leaves the others.
+  /// Drives the pins of these axes active and leaves all other pins unchanged.
   void raise(std::uint8_t first, std::uint8_t second) noexcept {
     for_ports([&]<unsigned kPort>() {
       const Word pins = pins_on<kPort>(first, second);

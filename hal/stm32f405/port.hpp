@@ -15,11 +15,12 @@
 
 namespace hal::stm32f405 {
 
-/// All pins of a board, as the firmware wants them.
+/// All pins of a board, with the interfaces that the firmware requires.
 template <const Board& kBoard, RegisterBus Bus = MemoryBus>
 class Port final : public AuxiliaryOutputs, public MachineInputs {
  public:
-  /// Once, with interrupts off. Motors without current, outputs off.
+  /// Sets up all pins and timers: motors without current, outputs off. To be called once, with
+  /// interrupts off.
   void set_up(const Clocks& clocks) noexcept {
     clocks_ = clocks;
     set_up_at_rest();
@@ -27,8 +28,8 @@ class Port final : public AuxiliaryOutputs, public MachineInputs {
     power_.set_up(clocks);
     timer_.set_up(clocks);
   }
-  /// Sets up the pins that are at rest from then on, and no timer: all that a board needs on which
-  /// nothing runs.
+  /// Sets up the pins that keep one level at rest, but no timer. A board on which nothing runs
+  /// needs no more.
   void set_up_at_rest() noexcept {
     steps_.set_up();
     directions_.set_up();
@@ -44,7 +45,7 @@ class Port final : public AuxiliaryOutputs, public MachineInputs {
     }
   }
 
-  /// Main loop, while nothing moves: which pins are the other way round.
+  /// Sets which pins are inverted. Main loop, while nothing moves.
   void configure(const Polarity& polarity) noexcept {
     polarity_ = polarity;
     steps_.invert(polarity.steps);
@@ -56,7 +57,7 @@ class Port final : public AuxiliaryOutputs, public MachineInputs {
     set_coolant(mist_on_, flood_on_);
   }
 
-  // StepPort
+  // Functions of StepPort.
   void set_direction(AxisMask negative) noexcept {
     directions_.drive(negative.bits, negative.bits);
     timer_.note_edge();
@@ -76,13 +77,13 @@ class Port final : public AuxiliaryOutputs, public MachineInputs {
       if ((lower >> i & 1U) != 0) PinSetUp<Bus>::write(kBoard.outputs[i], false);
     }
   }
-  /// None of the boards has an analog output.
+  /// No board has an analog output.
   void set_analog(std::uint8_t, std::uint16_t) noexcept {}
   void start_timer() noexcept { timer_.start(); }
   [[nodiscard]] bool probe_contact() const noexcept { return inputs_.probe_contact(); }
   [[nodiscard]] SwitchMask switches() const noexcept { return inputs_.switches(); }
 
-  // AuxiliaryOutputs
+  // Functions of AuxiliaryOutputs.
   void set_spindle(bool enabled, bool counter_clockwise) override {
     spindle_enabled_ = enabled;
     spindle_reversed_ = counter_clockwise;
@@ -100,7 +101,8 @@ class Port final : public AuxiliaryOutputs, public MachineInputs {
     if (output < kBoard.outputs.size()) PinSetUp<Bus>::write(kBoard.outputs[output], high);
   }
   void set_analog_output(std::uint8_t, std::uint16_t) override {}
-  /// Motors that share a pin have current when one of them is to have it.
+  /// Switches the current of the motors. Motors that share an enable pin have current if any of
+  /// them is to have it.
   void set_motors_enabled(std::uint8_t axes) override {
     motors_enabled_ = axes;
     for (std::size_t axis = 0; axis < kAxes; ++axis) {
@@ -111,16 +113,16 @@ class Port final : public AuxiliaryOutputs, public MachineInputs {
     PinSetUp<Bus>::write(kBoard.motors_enable, (axes != 0) == ((polarity_.enables & 1U) != 0));
   }
 
-  // MachineInputs
-  /// Nothing may move with a clock that is too slow for the step interrupt, nor
-  /// after refuse_motion().
+  // Functions of MachineInputs.
+  /// Reads all inputs. Reports an emergency stop if the clock is too slow for the step interrupt,
+  /// or after refuse_motion(): nothing may move then.
   [[nodiscard]] InputState read_inputs() override {
     InputState state = inputs_.read();
     if (clocks_.source == ClockSource::kSlow || refuses_motion_) state.emergency_stop = true;
     return state;
   }
 
-  /// Until the next restart, as an emergency stop that stays pressed.
+  /// Forbids motion until the next restart: the emergency stop reads as pressed from now on.
   void refuse_motion() noexcept { refuses_motion_ = true; }
 
   [[nodiscard]] constexpr StepTimer<Bus>& timer() { return timer_; }

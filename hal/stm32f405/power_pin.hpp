@@ -6,19 +6,20 @@
 
 namespace hal::stm32f405 {
 
-/// The pin of the beam, or of a spindle's speed: a duty cycle by a timer of its
-/// own. No duty is a pin that stays low, full duty one that stays high.
+/// The pin of the beam, or of a spindle's speed: a duty cycle made by its own timer. At duty 0 the
+/// pin stays low, at full duty it stays high.
 template <const Board& kBoard, RegisterBus Bus>
 class PowerPin {
  public:
-  /// Low, as a plain output. The first thing after reset, and the first after
-  /// any fault: needs no clocks, no memory and nothing that was set up before.
+  /// Makes the power pin a plain output at low level, and the spindle's enable pin, too. This is
+  /// the first action after reset and after any fault. It needs no peripheral clocks, no memory and
+  /// no earlier set-up.
   [[gnu::always_inline]] static void darken() noexcept {
     darken(kBoard.power);
     if constexpr (kBoard.spindle_enable.exists()) darken(kBoard.spindle_enable);
   }
 
-  /// Once, with interrupts off; the duty is 0.
+  /// Sets up the timer with duty 0. To be called once, with interrupts off.
   void set_up(const Clocks& clocks) noexcept {
     set<Bus>(kChannel.clock(), kChannel.clock_bit());
     period_ = (kChannel.fast() ? clocks.apb2_timers : clocks.apb1_timers) / kBoard.power_hz;
@@ -39,19 +40,21 @@ class PowerPin {
     PinSetUp<Bus>::hand_over(kBoard.power, kChannel.function, false);
   }
 
-  /// Any context. @param duty 65535 is full. It holds from the next period on;
-  /// darkness at once.
+  /// Sets the duty. It takes effect with the next period, but duty 0 at once. Any context.
+  /// @param duty 65535 is full
   void set_duty(std::uint16_t duty) noexcept {
-    // 65535 becomes the whole period, which the counter never reaches: no gap.
+    // Duty 65535 becomes the whole period, a value that the counter never reaches: the output has
+    // no gap.
     const std::uint32_t high = (duty * period_ + kFull / 2) / kFull;
     Bus::write(kChannel.timer + compare(), high);
     if (duty == 0) Bus::write(kChannel.timer + timer::kEvents, timer::kUpdate);
   }
 
-  /// Any context: whether the pin is told to be high at times. After set_up().
+  /// Returns whether the duty is above 0, by the timer's register. Any context, after set_up().
   [[nodiscard]] static bool lit() noexcept { return Bus::read(kChannel.timer + compare()) != 0; }
 
-  /// Any context: whether its pulses are longer than those of a duty, as the registers say it.
+  /// Returns whether the pulses are longer than those of `duty`, by the timer's registers. Any
+  /// context.
   [[nodiscard]] static bool exceeds(std::uint16_t duty) noexcept {
     const std::uint32_t period = Bus::read(kChannel.timer + timer::kReload) + 1;
     return Bus::read(kChannel.timer + compare()) > (duty * period + kFull / 2) / kFull;
@@ -60,7 +63,7 @@ class PowerPin {
  private:
   static constexpr PowerChannel kChannel = CheckedBoard<kBoard>::kPower;
   static constexpr std::uint32_t kFull = 65535;
-  /// So that duty times period fits into 32 bits, and period and duty into 16.
+  /// Bounds the period so that duty times period fits into 32 bits, and period and duty into 16.
   static constexpr std::uint32_t kLongestPeriod = 65535;
 
   static constexpr Address compare() { return timer::compare(kChannel.channel); }

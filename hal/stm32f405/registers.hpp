@@ -2,8 +2,8 @@
 
 #include <cstdint>
 
-/// Addresses and bits of the STM32F405 (ST, RM0090 rev. 19) and of its core
-/// (Arm, DDI 0403E): those that this port touches, no others.
+/// Addresses and bits of the STM32F405 (ST, RM0090 rev. 19) and of its core (Arm, DDI 0403E), as
+/// far as this port uses them.
 namespace hal::stm32f405 {
 
 using Address = std::uint32_t;
@@ -31,7 +31,7 @@ inline constexpr Word kHsiOn = bit(0);
 inline constexpr Word kHsiReady = bit(1);
 inline constexpr Word kHseOn = bit(16);
 inline constexpr Word kHseReady = bit(17);
-inline constexpr Word kSecurityOn = bit(19);  ///< An NMI when the crystal stops.
+inline constexpr Word kSecurityOn = bit(19);  ///< NMI when the crystal stops.
 inline constexpr Word kPllOn = bit(24);
 inline constexpr Word kPllReady = bit(25);
 inline constexpr Word kPllFromHse = bit(22);
@@ -41,8 +41,8 @@ inline constexpr Word kSwitchedMask = 3 << 2;
 inline constexpr Word kSwitchedToPll = 2 << 2;
 inline constexpr Word kApb1By4 = 5 << 10;
 inline constexpr Word kApb2By2 = 4 << 13;
-inline constexpr Word kPowerClock = bit(28);   ///< APB1
-inline constexpr Word kSystemClock = bit(14);  ///< APB2
+inline constexpr Word kPowerClock = bit(28);   ///< In kApb1Enr.
+inline constexpr Word kSystemClock = bit(14);  ///< In kApb2Enr.
 
 inline constexpr Word kForgetResets = bit(24);
 inline constexpr Word kBrownOutReset = bit(25);
@@ -54,14 +54,14 @@ inline constexpr Word kWindowReset = bit(30);
 inline constexpr Word kLowPowerReset = bit(31);
 }  // namespace rcc
 
-/// Power control, chapter 5; the supply's supervisor raises external line 16.
+/// Power control, chapter 5. The supply supervisor raises external interrupt line 16.
 namespace pwr {
 inline constexpr Address kCr = 0x4000'7000;
 inline constexpr Word kHighestScale = bit(14);
 inline constexpr Word kSupervisorOn = bit(4);
 inline constexpr Word kSupervisor2900mV = 7 << 5;
 inline constexpr Address kCsr = kCr + 0x04;
-inline constexpr Word kSupplyIsLow = bit(2);  ///< Below the supervisor's level, while that is on.
+inline constexpr Word kSupplyIsLow = bit(2);  ///< Supply below the supervisor's level, if it is on.
 }  // namespace pwr
 
 /// External interrupts, chapter 12.
@@ -80,18 +80,18 @@ inline constexpr Address kKey = kBase + 0x04;
 inline constexpr Address kStatus = kBase + 0x0C;
 inline constexpr Address kControl = kBase + 0x10;
 inline constexpr Address kOptions = kBase + 0x14;
-inline constexpr unsigned kBrownOutShift = 2;  ///< Two bits of the options: 3 is the lowest level.
+inline constexpr unsigned kBrownOutShift = 2;  ///< Two option bits; 3 is the lowest level.
 inline constexpr Address kMemory = 0x0800'0000;
 
 inline constexpr Word kFirstKey = 0x4567'0123;
 inline constexpr Word kSecondKey = 0xCDEF'89AB;
-inline constexpr Word kFiveWaitStates = 5;  ///< 150 to 168 MHz at 2.7 to 3.6 V, table 10.
+inline constexpr Word kFiveWaitStates = 5;  ///< For 150 to 168 MHz at 2.7 to 3.6 V, table 10.
 inline constexpr Word kPrefetch = bit(8);
 inline constexpr Word kInstructionCache = bit(9);
 inline constexpr Word kDataCache = bit(10);
 inline constexpr Word kDataCacheReset = bit(12);
 inline constexpr Word kBusy = bit(16);
-inline constexpr Word kErrors = 0xF2;  ///< Each is cleared by writing it.
+inline constexpr Word kErrors = 0xF2;  ///< Each is cleared by writing 1.
 inline constexpr Word kProgram = bit(0);
 inline constexpr Word kEraseSector = bit(1);
 inline constexpr Word kBy32 = 2 << 8;
@@ -100,13 +100,13 @@ inline constexpr Word kLock = bit(31);
 constexpr Word number_of_sector(unsigned sector) { return sector << 3; }
 }  // namespace flash
 
-/// System configuration, chapter 9: what is seen at address 0.
+/// System configuration, chapter 9: selects the memory mapped to address 0.
 namespace syscfg {
 inline constexpr Address kRemap = 0x4001'3800;
 inline constexpr Word kSystemMemory = 1;
 }  // namespace syscfg
 
-/// General-purpose pins, chapter 8. Ports are numbered from A, 0.
+/// General-purpose pins, chapter 8. Port 0 is A.
 namespace gpio {
 inline constexpr unsigned kPorts = 9;
 constexpr Address base(unsigned port) { return 0x4002'0000 + 0x400 * port; }
@@ -114,7 +114,8 @@ constexpr Address mode(unsigned port) { return base(port) + 0x00; }
 constexpr Address speed(unsigned port) { return base(port) + 0x08; }
 constexpr Address pull(unsigned port) { return base(port) + 0x0C; }
 constexpr Address input(unsigned port) { return base(port) + 0x10; }
-/// Bits 0…15 set a pin, 16…31 reset it; one store, so no interrupt disturbs it.
+/// Returns the register whose bits 0…15 set a pin and 16…31 reset it. One store changes pins, so no
+/// interrupt can come in between.
 constexpr Address set_reset(unsigned port) { return base(port) + 0x18; }
 constexpr Address alternate(unsigned port, unsigned pin) {
   return base(port) + (pin < 8 ? 0x20 : 0x24);
@@ -145,7 +146,8 @@ inline constexpr Word kUpdate = bit(0);
 inline constexpr Word kCompare1 = bit(1);
 inline constexpr Word kCompare2 = bit(2);
 inline constexpr Word kMainOutput = bit(15);
-/// PWM mode 1 with preload: high while the counter is below the compare value.
+/// Returns the bits of PWM mode 1 with preload: the output is high while the counter is below the
+/// compare value.
 constexpr Word pwm_mode(unsigned channel) { return Word{0x68} << (8 * ((channel - 1) % 2)); }
 constexpr Word output_on(unsigned channel) { return bit(4 * (channel - 1)); }
 }  // namespace timer
@@ -157,7 +159,7 @@ inline constexpr Address kData = 0x04;
 inline constexpr Address kBaudRate = 0x08;
 inline constexpr Address kCr1 = 0x0C;
 
-inline constexpr Word kDamaged = 0x0F;  ///< Parity, framing, noise, overrun.
+inline constexpr Word kDamaged = 0x0F;  ///< Parity, framing, noise and overrun errors.
 inline constexpr Word kReceived = bit(5);
 inline constexpr Word kRoomToSend = bit(7);
 inline constexpr Word kReceiver = bit(2);
@@ -167,7 +169,7 @@ inline constexpr Word kRoomInterrupt = bit(7);
 inline constexpr Word kOn = bit(13);
 }  // namespace usart
 
-/// Independent watchdog, chapter 21: 32 kHz, 17 to 47 kHz over chips and heat.
+/// Independent watchdog, chapter 21. Its clock is 32 kHz, 17 to 47 kHz over chips and temperatures.
 namespace watchdog {
 inline constexpr Address kBase = 0x4000'3000;
 inline constexpr Address kKey = kBase + 0x00;
@@ -179,10 +181,10 @@ inline constexpr Word kAllowChange = 0x5555;
 inline constexpr Word kBegin = 0xCCCC;
 }  // namespace watchdog
 
-/// What the chip is, chapters 38 and 39.
+/// Identification of the chip, chapters 38 and 39.
 inline constexpr Address kDeviceCode = 0xE004'2000;
 inline constexpr Address kUniqueId = 0x1FFF'7A10;
-inline constexpr Address kFlashSize = 0x1FFF'7A20;     ///< KiB in the upper half of the word.
+inline constexpr Address kFlashSize = 0x1FFF'7A20;     ///< In KiB, in the upper half.
 inline constexpr Address kSystemMemory = 0x1FFF'0000;  ///< ST's boot loader, table 3.
 
 /// The core: system control, system timer, interrupts, memory protection.
@@ -207,18 +209,18 @@ inline constexpr Address kRegionSize = 0xE000'EDA0;
 
 inline constexpr Word kResetNow = 0x05FA'0004;
 inline constexpr Word kFpuOn = 0xF << 20;
-inline constexpr Word kFaultsOn = 7 << 16;  ///< Memory, bus and usage faults of their own.
-inline constexpr Word kTickOn = 7;          ///< Counts core clocks and interrupts.
+inline constexpr Word kFaultsOn = 7 << 16;  ///< Separate memory, bus and usage faults.
+inline constexpr Word kTickOn = 7;          ///< The timer counts core clocks and interrupts.
 }  // namespace core
 
-/// Positions in the vector table after the core's sixteen, table 62.
+/// Positions in the vector table after the core's sixteen entries, table 62.
 namespace interrupt {
 inline constexpr unsigned kSupply = 1;
 inline constexpr unsigned kTim2 = 28;
 inline constexpr unsigned kCount = 82;
 }  // namespace interrupt
 
-// What is composed above, against the figures of the manual's memory map.
+// Checks the composed addresses against the figures of the manual's memory map.
 static_assert(rcc::kCsr == 0x4002'3874 && rcc::kApb2Enr == 0x4002'3844);
 static_assert(flash::kControl == 0x4002'3C10);
 static_assert(gpio::set_reset(0) == 0x4002'0018 && gpio::input(2) == 0x4002'0810);

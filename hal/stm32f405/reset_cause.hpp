@@ -13,20 +13,20 @@ enum class Fault : std::uint8_t {
   kSupply,
   kCrystal,
   kStack,
-  kBeam,           ///< Lit while nothing moved.
-  kConfiguration,  ///< What follows from the settings turned over in memory.
-  kImage,          ///< The program in the flash did.
+  kBeam,           ///< The beam was on while nothing moved.
+  kConfiguration,  ///< A bit flipped in values that follow from settings.
+  kImage,          ///< A bit flipped in the program in the flash.
 };
 
-/// What the program was at when it was stopped: kept in memory that start-up
-/// does not clear, so that the next start can tell.
+/// State of the program when a fault stopped it. It is kept in memory that start-up does not clear,
+/// so that the next start can report it.
 struct FaultRecord {
   static constexpr std::uint32_t kValid = 0x4661'756C;
 
   std::uint32_t mark;
   Fault fault;
   std::uint8_t exception;  ///< Number of the core's exception.
-  std::uint32_t place;     ///< Address in the program; 0 when not known.
+  std::uint32_t place;     ///< Address in the program; 0 if unknown.
 };
 
 enum class ResetCause : std::uint8_t {
@@ -39,8 +39,8 @@ enum class ResetCause : std::uint8_t {
   kFault,
 };
 
-/// From the chip's flags, of which several are set at once: power-on is a
-/// brown-out, too, and every cause pulls the pin.
+/// Returns the cause by the chip's flags. Several flags are set at once: power-on is also a
+/// brown-out, and every reset pulls the reset pin. So the most specific flag is checked first.
 constexpr ResetCause cause_of(Word flags, bool fault_recorded) {
   if (fault_recorded) return ResetCause::kFault;
   if ((flags & rcc::kPowerOnReset) != 0) return ResetCause::kPowerOn;
@@ -95,7 +95,7 @@ constexpr const char* text_of(Fault fault) {
   return "none";
 }
 
-/// Reads the flags and clears them for the next time. Once.
+/// Reads the reset flags and clears them for the next reset. To be called once.
 template <RegisterBus Bus>
 [[nodiscard]] ResetCause take_reset_cause(bool fault_recorded) noexcept {
   const Word flags = Bus::read(rcc::kCsr);

@@ -7,11 +7,11 @@
 namespace hal::stm32f405 {
 
 inline constexpr std::uint32_t kKib = 1024;
-/// Sectors of the first mebibyte of the flash; larger chips have more behind them.
+/// Sectors in the first mebibyte of the flash; larger chips have further sectors after them.
 inline constexpr unsigned kSectors = 12;
 
-/// Returns where a flash sector starts, in bytes from the beginning of the flash; for the first
-/// number beyond the last sector, where the last one ends (RM0090, table 5).
+/// Returns the start of a flash sector in bytes from the beginning of the flash (RM0090, table 5).
+/// For the number after the last sector, returns the end of the last sector.
 constexpr std::uint32_t sector_start(unsigned sector) {
   constexpr std::uint32_t kSmall = 16 * kKib;
   if (sector <= 4) return sector * kSmall;
@@ -21,19 +21,19 @@ constexpr std::uint32_t sector_bytes(unsigned sector) {
   return sector_start(sector + 1) - sector_start(sector);
 }
 
-/// The two sectors of one size in which the store lies.
+/// The two sectors of equal size that hold the store.
 using StoreSectors = std::array<std::uint8_t, 2>;
 
-/// Returns the sectors of the store on a chip with this much flash: the last two of its first
-/// mebibyte, so that the image has all that lies before them. Chips that are too small for a
-/// store of two such sectors behind the image have none.
+/// Returns the sectors of the store on a chip with `flash_kib` of flash: the last two of its first
+/// mebibyte, so that all space before them is free for the image. Returns nothing for chips that
+/// are too small for an image and two such sectors.
 constexpr std::optional<StoreSectors> store_sectors_of(std::uint32_t flash_kib) {
   if (flash_kib >= 1024) return StoreSectors{10, 11};
   if (flash_kib >= 512) return StoreSectors{6, 7};
   return std::nullopt;
 }
 
-/// Checks that the store's sectors are two of one size within the flash, one behind the other.
+/// Checks that the two sectors have one size, are adjacent and lie within the flash.
 constexpr bool store_fits(const StoreSectors& sectors, std::uint32_t flash_kib) {
   const unsigned first = sectors[0];
   const unsigned second = sectors[1];

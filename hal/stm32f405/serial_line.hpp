@@ -12,11 +12,11 @@
 
 namespace hal::stm32f405 {
 
-/// The board's serial interface: an interrupt between the wire and two rings.
+/// The board's serial interface: an interrupt routine between the wire and two rings.
 ///
-/// A byte that is damaged, or that nobody had room for, leaves kLostByte in its
-/// place: no line may contain it, so a line that was not received whole is
-/// refused instead of guessed at.
+/// A byte that is damaged, or for which there was no free space, leaves kLostByte in its place. No
+/// valid line may contain kLostByte, so a line that was not received whole is refused instead of
+/// being guessed.
 template <const Board& kBoard, RegisterBus Bus = MemoryBus>
 class SerialLine final : public ByteStream {
  public:
@@ -27,7 +27,7 @@ class SerialLine final : public ByteStream {
   constexpr explicit SerialLine(ByteRings& rings)
       : received_{rings.received}, to_send_{rings.to_send} {}
 
-  /// Once, with interrupts off.
+  /// Sets up the interface. To be called once, with interrupts off.
   void set_up(const Clocks& clocks) noexcept {
     set<Bus>(kPins.clock(), bit(kPins.clock_bit));
     PinSetUp<Bus>::turn_port_on(kPins.transmit);
@@ -40,9 +40,9 @@ class SerialLine final : public ByteStream {
     enable_interrupt<Bus>(kInterrupt, kPriority);
   }
 
-  // Main loop.
+  // Functions for the main loop.
 
-  /// From now on read() hands out what had come when this turn began.
+  /// Begins a cycle: from now on read() returns only bytes that had arrived by its boundary.
   void begin_turn(std::uint32_t turn) { marks_.begin_turn(turn); }
 
   [[nodiscard]] std::size_t read(std::span<std::byte> into) override {
@@ -55,8 +55,8 @@ class SerialLine final : public ByteStream {
     std::size_t count = 0;
     while (count < from.size() && to_send_.try_push(from[count])) ++count;
     if (count > 0) {
-      // The interrupt may be between the two; it then finds nothing to send and
-      // stops itself, and this asks for it once more.
+      // The interrupt may run between the push and this write. It then finds no byte to send and
+      // disables itself, so this requests it once more.
       Bus::write(kPins.base + usart::kCr1, kAtRest | usart::kRoomInterrupt);
       pend_interrupt<Bus>(kInterrupt);
     }
@@ -65,14 +65,15 @@ class SerialLine final : public ByteStream {
 
   [[nodiscard]] bool may_wait() const override { return false; }
 
-  /// Everything that was written is on the wire.
+  /// Returns whether all written bytes have left the ring for the wire.
   [[nodiscard]] bool sent() const { return to_send_.size() == 0; }
   [[nodiscard]] std::uint32_t lost_bytes() const { return lost_.load(std::memory_order_relaxed); }
 
-  /// An interrupt above its own: a turn begins.
+  /// Marks the boundary of a cycle. To be called from an interrupt of higher priority than this
+  /// line's.
   void note_turn(std::uint32_t turn) noexcept { marks_.note(turn, received_.place()); }
 
-  // Its interrupt.
+  // Function for the line's own interrupt.
 
   void on_interrupt() noexcept {
     for (std::uint32_t byte = 0; byte < kMostAtOnce; ++byte) {
@@ -89,7 +90,7 @@ class SerialLine final : public ByteStream {
   static constexpr SerialPins kPins = CheckedBoard<kBoard>::kSerial;
   static constexpr Word kAtRest =
       usart::kOn | usart::kReceiver | usart::kTransmitter | usart::kReceivedInterrupt;
-  /// The hardware holds two; an emulator may hand over a file.
+  /// The hardware holds two bytes; an emulator may deliver a whole file at once.
   static constexpr std::uint32_t kMostAtOnce = 16;
 
   void keep(std::byte byte, bool damaged) noexcept {
@@ -120,7 +121,7 @@ class SerialLine final : public ByteStream {
   SpscRing<std::byte, ByteRings::kSendBytes>& to_send_;
   TurnMarks marks_{};
   std::atomic<std::uint32_t> lost_{0};
-  bool gap_ = false;  ///< A byte found no room, and its place is not marked yet.
+  bool gap_ = false;  ///< A byte was dropped, and kLostByte is not yet in its place.
 };
 
 }  // namespace hal::stm32f405

@@ -10,21 +10,21 @@
 
 namespace hal::stm32f405 {
 
-/// What the core finds at the start of the image: the stack's top and where to
-/// go for each exception and interrupt. Aligned as VTOR wants it.
+/// Vector table, at the start of the image: the initial stack pointer, then the handlers of each
+/// exception and interrupt. Aligned as VTOR requires.
 struct alignas(512) VectorTable {
-  static constexpr std::size_t kCoreEntries = 15;  ///< Reset is the first.
+  static constexpr std::size_t kCoreEntries = 15;  ///< Entries of the core; the first is reset.
 
   std::uint32_t* stack;
   std::array<Routine, kCoreEntries + interrupt::kCount> entries;
 
-  /// The entry of an interrupt, as the chip numbers them.
+  /// Returns the entry of an interrupt, by the chip's number.
   constexpr Routine& interrupt_entry(unsigned number) { return entries[kCoreEntries + number]; }
 };
 static_assert(sizeof(Routine) != 4 || sizeof(VectorTable) == 512);
 
-/// Stops what a boot loader may have left running: interrupts, their timer, DMA.
-/// Pins keep what they do, so the beam stays dark.
+/// Stops everything that a boot loader may have left running: interrupts, their timer, DMA. Pins
+/// keep their state, so the beam stays off.
 template <RegisterBus Bus>
 void forget_boot_loader() noexcept {
   constexpr Word kDmaUsbEthernet = bit(21) | bit(22) | bit(25) | bit(29);
@@ -41,9 +41,9 @@ void forget_boot_loader() noexcept {
   Bus::write(rcc::kAhb1Reset, 0);
 }
 
-/// Sets the core up for the program: FPU, faults of their own, its vectors, the stack's guard. What
-/// follows already runs under them: the barriers make the writes take effect first (Arm, DDI 0403E,
-/// A3.7.3 and B3.2.5).
+/// Sets up the core for the program: FPU, separate faults, its vectors, and the stack guard. The
+/// barrier makes these writes take effect before the following code runs (Arm, DDI 0403E, A3.7.3
+/// and B3.2.5).
 /// @param guard see guard_stack
 template <RegisterBus Bus>
 void start_core(Address vectors, Address guard) noexcept {

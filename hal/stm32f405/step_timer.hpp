@@ -8,35 +8,36 @@
 
 namespace hal::stm32f405 {
 
-/// The step clock: TIM2 counts ticks of 250 ns for ever, and its compare value
-/// is when the step interrupt comes. Each due time follows from the one
-/// before, so a late interrupt delays nothing but itself.
+/// The step clock. TIM2 counts ticks of 250 ns endlessly; its first compare value is the time of
+/// the next step interrupt. Each due time is computed from the due time before it, so a late
+/// interrupt does not delay later ones.
 ///
-/// The way to an edge takes time, most of a microsecond or several. What is
-/// waited after an edge counts from the edge: a pulse is never shorter than it
-/// is meant to be, nor is a direction's set-up time. After the end of a pulse
-/// only as long as the pulse was does: the low lasts, and the next edge is not
-/// late because this one was.
+/// The time from a due tick to its edge at the pin is most of a microsecond, or several. The time
+/// that `play` asks to wait after an edge counts from the real edge. So a pulse is never shorter
+/// than requested, and neither is a direction's set-up time. After the end of a pulse, only a wait
+/// as long as the pulse counts from the edge. So the low level lasts long enough, and a late edge
+/// does not make the next one late.
 ///
-/// Also at rest it interrupts, every 10 ms, to show that it would.
+/// Also at rest the interrupt comes every 10 ms, as a sign of life.
 ///
-/// Another compare value is the boundary of the main loop's turns, every millisecond of the same
-/// clock. What was due before it is played before it, what is due at it or later after it,
-/// whatever either of them was late by: the boundary is a place in the order of things.
+/// A second compare value marks the boundary of the main loop's cycles, at every millisecond of the
+/// same clock. Steps that are due before the boundary are played before it, and steps that are due
+/// at it or later are played after it, however late either is. So the boundary has a fixed place in
+/// the order of steps.
 template <RegisterBus Bus>
 class StepTimer {
  public:
   static constexpr std::uint32_t kTicksPerSecond = 4'000'000;
   static constexpr std::uint32_t kRestTicks = kTicksPerSecond / 100;
   static constexpr std::uint32_t kTurnTicks = kTicksPerSecond / 1000;
-  static constexpr unsigned kPriority = 1;  ///< Below those that end everything.
+  static constexpr unsigned kPriority = 1;  ///< Below the interrupts that handle faults.
 
-  /// Once, with interrupts off.
+  /// Sets up the timer. To be called once, with interrupts off.
   static void set_up(const Clocks& clocks) noexcept {
     set<Bus>(rcc::kApb1Enr, bit(0));
     Bus::write(timer::kTim2 + timer::kPrescaler, clocks.apb1_timers / kTicksPerSecond - 1);
     Bus::write(timer::kTim2 + timer::kReload, 0xFFFF'FFFF);
-    Bus::write(timer::kTim2 + timer::kEvents, timer::kUpdate);  // Takes the prescaler over.
+    Bus::write(timer::kTim2 + timer::kEvents, timer::kUpdate);  // Loads the prescaler.
     Bus::write(timer::kTim2 + timer::compare(1), kRestTicks);
     Bus::write(timer::kTim2 + timer::kStatus, 0);
     Bus::write(timer::kTim2 + timer::kInterrupts, timer::kCompare1);
@@ -44,7 +45,8 @@ class StepTimer {
     enable_interrupt<Bus>(interrupt::kTim2, kPriority);
   }
 
-  /// Main loop, once: boundaries are at multiples of a turn, the first one in the next.
+  /// Starts the boundaries, which are at multiples of a cycle's length; the first is at the second
+  /// multiple from now. Main loop, once.
   void begin_turns() noexcept {
     turn_ = TickCount{(now().raw() / kTurnTicks + 2) * kTurnTicks};
     Bus::write(timer::kTim2 + timer::compare(2), turn_.raw());
@@ -52,12 +54,14 @@ class StepTimer {
     Bus::write(timer::kTim2 + timer::kInterrupts, timer::kCompare1 | timer::kCompare2);
   }
 
-  /// In a boundary, while nothing is played: the first interrupt is due then.
+  /// Starts playing, with the first interrupt due at this boundary. To be called within a boundary,
+  /// while nothing is played.
   void start() noexcept { wanted_ = true; }
 
-  /// The interrupt: one of the two, and once more if the other is due. `turn` is what belongs to a
-  /// boundary; `play` is the step generator's part: it returns the ticks until it wants to come
-  /// again, 0 for not at all.
+  /// Handles the interrupt: a boundary or a step, and requests another interrupt if the other is
+  /// due as well.
+  /// @param turn called at a boundary
+  /// @param play the step generator's part; returns the ticks until its next call, 0 to stop
   template <typename Play, typename Turn>
   void on_interrupt(const Play& play, const Turn& turn) noexcept {
     Bus::write(timer::kTim2 + timer::kStatus, ~(timer::kCompare1 | timer::kCompare2));
@@ -67,47 +71,49 @@ class StepTimer {
     } else if (now().reached(comes_)) {
       step(play);
     }
-    // A compare value meets a counter that is on its way, never one that is past.
+    // The timer fires when the counter reaches a compare value, never for a value that has passed
+    // already.
     if (now().reached(comes_) || turn_is_due()) pend_interrupt<Bus>(interrupt::kTim2);
   }
 
-  /// Any context: the tick to which belongs what the interrupt drives, as it would be with no
-  /// way to the edge; where a debugger finds it.
+  /// Returns the tick to which the present outputs of the interrupt belong, as if edges took no
+  /// time. A debugger finds it here. Any context.
   [[nodiscard]] constexpr const TickCount& due() const noexcept { return due_; }
 
-  /// Step interrupt, after pins have changed in `play`.
+  /// Notes the time of an edge. To be called from `play` after pins have changed.
   void note_edge() noexcept {
     edge_ = now();
     edge_made_ = true;
   }
-  /// The same when they are those of a pulse that is over.
+  /// Notes the time of an edge that ends a pulse.
   void note_pulse_end() noexcept {
     note_edge();
     pulse_ended_ = true;
   }
 
-  /// Any context: ticks until the interrupt comes, by the registers; below 0 when
-  /// it should have come, or came and runs.
+  /// Returns the ticks until the next step interrupt, by the registers. The result is negative if
+  /// the interrupt is overdue or running. Any context.
   [[nodiscard]] static std::int32_t ticks_left() noexcept {
     const TickCount comes{Bus::read(timer::kTim2 + timer::compare(1))};
     return comes.since(now());
   }
 
-  /// The clock's interrupt, above this one: asks for a boundary that is overdue by far, as it is
-  /// where its compare value has changed by itself.
+  /// Requests a boundary that is overdue by more than 100 us, as happens when its compare value has
+  /// changed by a fault. To be called from the interrupt of the time base, which has a higher
+  /// priority.
   void make_up() noexcept {
     constexpr std::uint32_t kOverdue = kTicksPerSecond / 10'000;
     const bool turns = turns_.load(std::memory_order_relaxed);
     if (turns && now().reached(turn_.plus(kOverdue))) pend_interrupt<Bus>(interrupt::kTim2);
   }
 
-  /// Main loop: whether there was an interrupt since the last call.
+  /// Returns whether there was an interrupt since the last call. Main loop.
   [[nodiscard]] bool take_alive() noexcept { return alive_.exchange(false); }
 
  private:
   static TickCount now() noexcept { return TickCount{Bus::read(timer::kTim2 + timer::kCounter)}; }
 
-  /// The boundary has passed, and nothing that was due before it waits.
+  /// Returns whether the boundary has passed and no earlier step is still waiting.
   [[nodiscard]] bool turn_is_due() const noexcept {
     return turns_.load(std::memory_order_relaxed) && (!running_ || due_.reached(turn_)) &&
            now().reached(turn_);
@@ -121,7 +127,7 @@ class StepTimer {
       wanted_ = false;
       running_ = true;
       comes_ = due_;
-      // While this interrupt runs, the compare value is when it came: see ticks_left().
+      // While this interrupt runs, the compare value is in the past: see ticks_left().
       Bus::write(timer::kTim2 + timer::compare(1), due_.raw() - 1);
     }
     turn_ = turn_.plus(kTurnTicks);
@@ -138,13 +144,13 @@ class StepTimer {
     due_ = due_.plus(wait);
     if (!pulse_ended_) pulse_ = wait;
     const std::uint32_t least = pulse_ended_ && pulse_ < wait ? pulse_ : wait;
-    const TickCount after_edge = edge_.plus(least + 1);  // Its tick was not a whole one.
+    const TickCount after_edge = edge_.plus(least + 1);  // Plus 1 for the tick of the edge.
     comes_ = edge_made_ && after_edge.reached(due_) ? after_edge : due_;
     Bus::write(timer::kTim2 + timer::compare(1), comes_.raw());
   }
 
-  /// Schedules the next sign of life. due_ stays, as an output that changes at rest belongs to the
-  /// last boundary.
+  /// Schedules the next sign of life. `due_` stays, because an output that changes at rest belongs
+  /// to the last boundary.
   void rest() noexcept {
     comes_ = now().plus(kRestTicks);
     Bus::write(timer::kTim2 + timer::compare(1), comes_.raw());
@@ -156,11 +162,11 @@ class StepTimer {
   bool running_ = false;
   bool edge_made_ = false;
   bool pulse_ended_ = false;
-  std::uint32_t pulse_ = 0;  ///< How long what is not the end of a pulse was to last, last time.
+  std::uint32_t pulse_ = 0;  ///< Length in ticks of the last wait that was not after a pulse's end.
   TickCount edge_{};
-  TickCount due_{kRestTicks};    ///< By the times that `play` asked for.
-  TickCount comes_{kRestTicks};  ///< That, or later for the sake of an edge.
-  TickCount turn_{};             ///< The next boundary.
+  TickCount due_{kRestTicks};    ///< Due time, by the waits that `play` requested.
+  TickCount comes_{kRestTicks};  ///< Next step: due_, or later after a late edge.
+  TickCount turn_{};             ///< Next boundary.
 };
 
 }  // namespace hal::stm32f405

@@ -8,32 +8,32 @@
 
 namespace hal::stm32f405 {
 
-/// Time for the main loop: microseconds since start-up, from the core's timer.
-/// Its interrupt comes four times a millisecond, above all others but faults, so
-/// that whoever supervises the rest can do it there.
+/// Time for the main loop: microseconds since start-up, from the core's timer. Its interrupt comes
+/// four times a millisecond with priority over all others except faults. So supervision of the
+/// other contexts can run there.
 template <RegisterBus Bus = MemoryBus>
 class TimeBase {
  public:
   static constexpr std::uint32_t kPeriodUs = 250;
 
-  /// Once, with interrupts off.
+  /// Sets up the timer. To be called once, with interrupts off.
   void set_up(const Clocks& clocks) noexcept {
     clocks_per_us_ = clocks.core / 1'000'000;
-    clear<Bus>(core::kTickPriority, Word{0xFF} << 24);  // 0 is the most urgent.
+    clear<Bus>(core::kTickPriority, Word{0xFF} << 24);  // Priority 0 is the most urgent.
     Bus::write(core::kTickReload, kPeriodUs * clocks_per_us_ - 1);
     Bus::write(core::kTickValue, 0);
     Bus::write(core::kTickControl, core::kTickOn);
   }
 
-  /// The interrupt of the core's timer.
+  /// Handles the interrupt of the core's timer.
   void on_interrupt() noexcept {
     periods_.store(periods_.load(std::memory_order_relaxed) + 1, std::memory_order_relaxed);
   }
 
-  /// Microseconds; wraps. Main loop, never backwards.
+  /// Returns the time in microseconds, which wraps and never runs backwards. Main loop.
   [[nodiscard]] TickCount now() const noexcept {
     std::uint32_t before = periods_.load(std::memory_order_relaxed);
-    for (;;) {  // Goes round again at most once a period.
+    for (;;) {  // Repeats at most once a period.
       const std::uint32_t left = Bus::read(core::kTickValue) / clocks_per_us_;
       const std::uint32_t after = periods_.load(std::memory_order_relaxed);
       if (before == after) return TickCount{kPeriodUs * before + kPeriodUs - 1 - left};

@@ -6,20 +6,21 @@
 
 namespace hal::stm32f405 {
 
-/// How far a link had received at the boundaries of the main loop's turns: a turn reads what had
-/// come by then, however late it is run. Marks are kept for turns that may still be run; a turn
-/// that is later than that reads what a newer one would.
+/// The position of a link's received bytes at each boundary of the main loop's cycles. A cycle
+/// reads only bytes that had arrived by its boundary, however late it runs. Marks are kept for the
+/// last 16 cycles; a cycle that runs even later uses a newer cycle's mark.
 class TurnMarks {
  public:
-  /// Boundary of a turn; no interrupt of the link comes in between.
+  /// Notes the position at the boundary of a cycle. To be called where no interrupt of the link can
+  /// come in between.
   void note(std::uint32_t turn, std::uint32_t place) noexcept {
     marks_[turn % kTurns].store(place, std::memory_order_relaxed);
   }
-  /// Main loop.
+  /// Begins a cycle. Main loop.
   void begin_turn(std::uint32_t turn) {
     end_ = marks_[turn % kTurns].load(std::memory_order_relaxed);
   }
-  /// Main loop: bytes from this place on wait for a later turn.
+  /// Returns the position from which on bytes wait for a later cycle. Main loop.
   [[nodiscard]] std::uint32_t end() const { return end_; }
 
  private:

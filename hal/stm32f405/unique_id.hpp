@@ -7,8 +7,8 @@
 
 namespace hal::stm32f405 {
 
-/// Checks that the chip is one of the F405, F407 and F429 families, whose factory data lie where
-/// this port reads them; on others reading there may be a fault. Any context.
+/// Returns whether the chip is of the F405, F407 or F429 families, whose factory data are at the
+/// addresses that this port reads. On other chips such a read may cause a fault. Any context.
 template <RegisterBus Bus>
 [[nodiscard]] bool is_known_family() noexcept {
   constexpr std::array<Word, 3> kFamilies{0x413, 0x411, 0x419};  // RM0090, 38.6.1; ES0182, 2.1.2.
@@ -19,7 +19,8 @@ template <RegisterBus Bus>
   return false;
 }
 
-/// Returns the 96 bits that no other chip has; nothing on chips of other families. Any context.
+/// Returns the 96-bit number that is unique to this chip; nothing on chips of other families. Any
+/// context.
 template <RegisterBus Bus>
 [[nodiscard]] std::optional<std::array<Word, 3>> unique_id() noexcept {
   if (!is_known_family<Bus>()) return std::nullopt;

@@ -6,8 +6,8 @@
 
 namespace hal::stm32f405 {
 
-/// Restarts the chip when nobody feeds it for 128 ms (87 to 240, as its own
-/// oscillator goes). Once begun it cannot be stopped. Main loop.
+/// Restarts the chip if it is not fed for 128 ms (87 to 240 ms, over the tolerance of its
+/// oscillator). Once begun it cannot be stopped. Main loop.
 template <RegisterBus Bus = MemoryBus>
 class Watchdog {
  public:
@@ -17,8 +17,8 @@ class Watchdog {
   }
   static void feed() noexcept { Bus::write(watchdog::kKey, watchdog::kFeed); }
 
-  /// While the flash is erased nothing runs: up to 2 s for 128 KiB (DS8626,
-  /// table 41). This gives 5 s at least.
+  /// Lengthens the period to at least 5 s, because no code runs while the flash is erased: up to 2
+  /// s for 128 KiB (DS8626, table 41).
   static void be_patient() noexcept { change(kBy64, kLongestTicks); }
   static void be_strict() noexcept { change(kBy8, kUsualTicks); }
 

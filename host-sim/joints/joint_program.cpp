@@ -20,21 +20,22 @@ namespace {
 using cnc::gcode::Word;
 
 constexpr std::string_view kAxisLetters = "XYZABC";
-/// Stops, spindle, coolant and ends: they mean the same for moves of the axes.
+/// M words of stops, spindle, coolant and program ends. They mean the same in a program that moves
+/// the axes.
 constexpr std::array<std::uint32_t, 10> kKeptM{0, 1, 2, 3, 4, 5, 7, 8, 9, 30};
 constexpr std::uint32_t kDwellG = 4;
 
-/// A motion of a program, and the model under which its places are those of the tip.
+/// A motion of a program, and the machine model that gives the tip its position.
 struct Motion {
   PathPiece piece;
   std::optional<FiveAxisModel> model{};
 };
 
-/// The words of a line that are no motion.
+/// The words of a line that do not describe motion.
 struct KeptWords {
-  std::string before{};  ///< Spindle, coolant and dwell.
-  std::string after{};   ///< Stops and ends.
-  std::string power{};   ///< S.
+  std::string before{};  ///< Words for spindle, coolant and dwell, written before the motion.
+  std::string after{};   ///< Words for stops and program ends, written after the motion.
+  std::string power{};   ///< The S word.
 };
 
 bool is_after_motion(std::uint32_t m) { return m <= 2 || m == 30; }
@@ -44,8 +45,9 @@ std::string text_of(const Word& word) {
   return word.letter + post::decimal_text(post::number_of(word), kMostDecimals, false);
 }
 
-/// Returns the words of a line that go over. Throws std::invalid_argument for M words that mean
-/// something else to another controller, or something that moves of the axes cannot do.
+/// Returns the words of a line that the written program keeps. Throws std::invalid_argument for an
+/// M word that means something else to another controller, and for a word that moves of the axes
+/// cannot express.
 KeptWords kept_words(std::string_view line) {
   KeptWords kept;
   const std::vector<Word> words = post::words_in(line);
@@ -93,7 +95,7 @@ class JointWriter {
                       0);
     program_.text = "G21 G90 G94\n";
   }
-  // The reader knows of this.
+  // The reader holds a reference to this object.
   JointWriter(const JointWriter&) = delete;
   JointWriter& operator=(const JointWriter&) = delete;
   ~JointWriter() = default;
@@ -110,7 +112,7 @@ class JointWriter {
     add_line(kept.before);
     power_ = kept.power;
     for (const Motion& motion : motions_) write(motion);
-    add_line(power_);  // No motion took it.
+    add_line(power_);  // No motion of the line carried the S word.
     add_line(kept.after);
   }
 
@@ -169,7 +171,7 @@ class JointWriter {
     }
   }
 
-  /// Returns the way of motions that are of the axes already: straight ones only.
+  /// Returns the moves of motions that are given in axis positions already: only straight ones.
   static JointWay way_of_axes(const Curve& curve) {
     if (curve.circle()) {
       throw std::invalid_argument(
@@ -184,7 +186,7 @@ class JointWriter {
     has_inverse_time_ = true;
   }
 
-  /// @param seconds of a feed; 0 of a rapid
+  /// @param seconds duration of a feed; 0 for a rapid
   void write_move(const Point& place, double seconds) {
     check_tilt(place);
     grow_bounds(place);
@@ -197,7 +199,8 @@ class JointWriter {
       shown_[axis] = std::move(word);
     }
     if (seconds > 0.0) waiting_s_ += seconds;
-    if (line.empty()) return;  // Below the last digit; the next move has its time.
+    // The move is below the last digit; its time is added to the next move.
+    if (line.empty()) return;
     ++program_.figures.moves;
     program_.text += (seconds > 0.0 ? "G1" : "G0") + line;
     if (seconds > 0.0) {
@@ -238,12 +241,14 @@ class JointWriter {
   const JointOptions& options_;
   std::optional<FiveAxisModel> model_{};
   bool has_centre_ = false;
-  std::vector<Motion> motions_;  ///< Those of the line being read.
+  std::vector<Motion> motions_;  ///< Motions of the line that is being read.
   ProgramReader reader_;
   JointProgram program_;
-  std::array<std::string, kAxisLetters.size()> shown_;  ///< Words of the axes as last written.
-  std::string power_;                                   ///< S of the line, until a motion takes it.
-  double waiting_s_ = 0.0;                              ///< Time of feeds too short for a word.
+  std::array<std::string, kAxisLetters.size()> shown_;  ///< Axis words as last written.
+  /// S word of the line, until a motion carries it.
+  std::string power_;
+  /// Time of feeds that were too short to write, in seconds.
+  double waiting_s_ = 0.0;
   bool has_inverse_time_ = false;
 };
 

@@ -11,17 +11,18 @@
 namespace sim::joints {
 
 struct JointOptions {
-  double tip_tolerance_mm = 1.0e-3;  ///< For the tip between the ends of a move, above 0.
-  Point zero{};                      ///< Machine place of the program's zero, X Y Z in mm.
-  int decimals = 4;  ///< Digits after the point of X, Y and Z; angles have one more.
+  double tip_tolerance_mm = 1.0e-3;  ///< Tolerance for the tip between the ends of a move, above 0.
+  Point zero{};                      ///< Machine position of the program's zero, X Y Z in mm.
+  int decimals = 4;  ///< Digits after the decimal point of X, Y and Z; angles have one more.
 };
 
 struct JointFigures {
-  std::size_t motions = 0;         ///< Lines and arcs of the program.
-  std::size_t moves = 0;           ///< Lines of the axes.
-  double error_mm = 0.0;           ///< Greatest of the tip, before digits are cut off.
-  double feed_s = 0.0;             ///< Time of all feeds.
-  std::optional<Bounds> bounds{};  ///< Places of the axes, machine coordinates.
+  std::size_t motions = 0;  ///< Number of lines and arcs of the program.
+  std::size_t moves = 0;    ///< Number of written lines that move the axes.
+  /// Greatest distance of the tip from its path, before digits are cut off.
+  double error_mm = 0.0;
+  double feed_s = 0.0;             ///< Total time of all feeds, in seconds.
+  std::optional<Bounds> bounds{};  ///< Extent of the axes' positions, machine coordinates.
 };
 
 struct JointProgram {
@@ -30,11 +31,12 @@ struct JointProgram {
 };
 
 /// Returns a program under G43.4 as moves of the axes themselves, for a controller without control
-/// of the tool's centre: straight moves in machine coordinates, mm and degrees, with the inverse of
-/// their time (G93). Beam, spindle, coolant, dwells, stops and comments are those of the program.
-/// @param settings of the machine that carries the tool, $900 to $917
-/// @param file named in errors
-/// Throws std::invalid_argument with the line for what cannot be carried over, for a tilt beyond
+/// of the tool's centre. The moves are straight, in machine coordinates, mm and degrees, with
+/// inverse time feed (G93). Beam, spindle, coolant, dwells, stops and comments are those of the
+/// program.
+/// @param settings settings $900 to $917 of the machine that carries the tool
+/// @param file name of the program's file, for errors
+/// Throws std::invalid_argument with the line for words that cannot be converted, for a tilt beyond
 /// $916 and $917, and for a machine without five axes.
 [[nodiscard]] JointProgram joint_program(std::string_view text,
                                          const std::string& file,

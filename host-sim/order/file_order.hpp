@@ -7,11 +7,11 @@
 
 namespace sim::order {
 
-/// Returns the sets in the order of the file, except that one that must come after others comes as
-/// soon as all of them have come.
+/// Returns the sets in the order of the file, with one exception: a set that must come after others
+/// comes as soon as all of these have come.
 [[nodiscard]] std::vector<cnc::order::Index> file_order(const cnc::order::Problem& problem);
 
-/// Returns the side of the square that holds all places, or the greatest cost of a matrix.
+/// Returns the side of the square that contains all points, or the greatest cost of a matrix.
 [[nodiscard]] double unit_of(const OrderProblem& problem);
 
 }  // namespace sim::order

@@ -8,19 +8,19 @@
 
 namespace sim::order {
 
-/// The words of a problem file one after another, with the line of each.
+/// Reads the words of a problem file one after another, and counts lines.
 class FileWords {
  public:
   FileWords(std::string_view text, std::string_view file) : rest_{text}, file_{file} {}
 
-  /// Returns the next word, empty at the end of the file. A colon is a word by itself.
+  /// Returns the next word; empty at the end of the file. A colon is a word of its own.
   std::string_view next();
-  /// Returns the next word without taking it.
+  /// Returns the word that next() returns next, without taking it.
   [[nodiscard]] std::string_view peek() const;
-  /// Returns the rest of the line, without blanks around it.
+  /// Returns the rest of the line, without blanks at its beginning and end.
   std::string_view rest_of_line();
 
-  /// Takes a number. `what` names it in messages.
+  /// Reads a number. @param what name of the number in messages
   double number(std::string_view what);
   std::int64_t whole_number(std::string_view what, std::int64_t least, std::int64_t most);
 

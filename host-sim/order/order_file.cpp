@@ -16,12 +16,12 @@ namespace {
 using cnc::order::Index;
 
 constexpr std::int64_t kMostNodes = 10'000'000;
-constexpr std::int64_t kMostOfMatrix = 30'000;  // 7 GB.
+constexpr std::int64_t kMostOfMatrix = 30'000;  // A matrix of this size takes 7 GB.
 constexpr double kGreatestCost =
     1.0e9;  // A tour without forbidden legs stays far below kForbidden.
 constexpr double kFarthest = 1.0e9;
 
-/// One group of a file, as it stands there.
+/// One group of a file, as the file states it.
 struct Group {
   std::uint32_t number = 0;
   std::vector<std::uint32_t> vertices;
@@ -60,14 +60,14 @@ class OrderReader {
   OrderProblem problem_;
   std::int64_t dimension_ = 0;
   std::int64_t group_count_ = 0;
-  bool has_groups_ = false;  ///< TYPE PCGLNS or GTSP.
+  bool has_groups_ = false;  ///< Whether TYPE is PCGLNS or GTSP.
   bool has_type_ = false;
   bool has_metric_ = false;
   std::uint32_t start_ = 1;
   std::vector<cnc::order::Place> places_;
   std::vector<double> matrix_;
   std::vector<Group> groups_;
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs_;  ///< Numbers of groups.
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs_;  ///< Pairs of group numbers.
 };
 
 void OrderReader::read_entry(std::string_view key) {
@@ -230,7 +230,7 @@ void OrderReader::finish() {
   if (is_matrix) check_matrix();
 }
 
-/// Home comes first, the other groups in the order of the file.
+/// Numbers the groups: home comes first, then the other groups in the order of the file.
 void OrderReader::number_groups() {
   std::vector<Index> set_of(groups_.size() + 1, cnc::order::kNone);
   const auto home = std::find_if(
@@ -247,7 +247,7 @@ void OrderReader::number_groups() {
   }
   for (const auto& [first, then] : pairs_) {
     if (first == then) words_.fail(fmt::format("group {} comes before itself", first));
-    if (set_of[first] == 0) continue;  // Home comes before all others anyway.
+    if (set_of[first] == 0) continue;  // Home comes before all other groups anyway.
     if (set_of[then] == 0) {
       words_.fail(fmt::format("group {} should come before the start group {}", first, then));
     }
@@ -276,7 +276,7 @@ void OrderReader::sort_vertices() {
   }
 }
 
-/// Puts rows and columns into the order of the candidates.
+/// Arranges rows and columns in the order of the candidates.
 void OrderReader::check_matrix() {
   const std::size_t size = problem_.vertex_numbers.size();
   problem_.matrix.resize(size * size);

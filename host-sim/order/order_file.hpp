@@ -8,23 +8,23 @@
 
 namespace sim::order {
 
-/// Says what is wrong where: `file:line: reason; remedy`.
+/// Reports a fault of a file and its position: `file:line: reason; remedy`.
 class OrderFileError : public std::runtime_error {
  public:
   OrderFileError(std::string_view file, std::size_t line, std::string_view reason);
 };
 
-/// Reads a published problem.
+/// Reads a published problem in one of these formats:
 ///
 /// * TSPLIB (`TYPE: TSP`): EDGE_WEIGHT_TYPE EUC_2D, CEIL_2D, or EXPLICIT as FULL_MATRIX. Each node
 ///   is a set of one candidate; home is the first node.
-/// * PCGLNS (`TYPE: PCGLNS`, also GTSP): EXPLICIT as FULL_MATRIX, −1 for a forbidden leg;
-///   GTSP_SET_SECTION with the vertices of each group, ended by −1; GTSP_SET_ORDERING, whose lines
-///   `a b … −1` mean that group a comes before group b and before all others of the line;
-///   START_GROUP_SECTION names home, group 1 without it.
+/// * PCGLNS (`TYPE: PCGLNS`, also GTSP): EXPLICIT as FULL_MATRIX, with −1 for a forbidden leg.
+///   GTSP_SET_SECTION lists the vertices of each group, ended by −1. Each line `a b … −1` of
+///   GTSP_SET_ORDERING means that group a comes before group b and before all other groups of the
+///   line. START_GROUP_SECTION names home; without it, home is group 1.
 ///
-/// Throws OrderFileError. Entries that are not named here are refused unless they mean nothing to a
-/// search (COMMENT, DISPLAY_…).
+/// Throws OrderFileError. Refuses entries that are not named here, except those without meaning for
+/// a search (COMMENT, DISPLAY_…).
 [[nodiscard]] OrderProblem read_order_problem(std::string_view text, std::string_view file);
 
 }  // namespace sim::order

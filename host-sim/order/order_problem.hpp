@@ -9,22 +9,22 @@
 
 namespace sim::order {
 
-/// How legs are measured between places.
+/// Method that measures legs between points.
 enum class Metric : std::uint8_t {
   kMatrix,        ///< Explicit costs.
-  kPlane,         ///< Distance.
-  kRoundedPlane,  ///< Distance to the nearest whole number: TSPLIB's EUC_2D.
-  kCeiledPlane,   ///< Distance to the next whole number: TSPLIB's CEIL_2D.
+  kPlane,         ///< Distance in the plane.
+  kRoundedPlane,  ///< Distance rounded to the nearest whole number: EUC_2D of TSPLIB.
+  kCeiledPlane,   ///< Distance rounded up to a whole number: CEIL_2D of TSPLIB.
 };
 
 /// A problem for cnc::order, with its storage: sets of candidates, of which set 0 is home.
 struct OrderProblem {
   std::string name;
-  std::vector<cnc::order::Index> first_candidate;  ///< One more than sets.
-  std::vector<cnc::order::Index> reversed;         ///< Empty: every candidate is its own.
+  std::vector<cnc::order::Index> first_candidate;  ///< One entry more than there are sets.
+  std::vector<cnc::order::Index> reversed;         ///< Empty if each candidate is its own reversal.
   std::vector<cnc::order::Before> pairs;
   Metric metric = Metric::kPlane;
-  std::vector<cnc::order::Place> entry;  ///< Without a matrix: by candidate.
+  std::vector<cnc::order::Place> entry;  ///< Entry of each candidate, if there is no matrix.
   std::vector<cnc::order::Place> exit;   ///< Empty where contours are closed.
   std::vector<double> matrix;            ///< Row by row.
   bool is_symmetric = true;

@@ -15,7 +15,7 @@
 
 namespace sim::order {
 
-/// One problem with one kind of cost, and the ways to solve it.
+/// One problem with one kind of cost, and the methods that solve it.
 template <cnc::order::LegCost Cost>
 class OrderRun {
  public:
@@ -71,19 +71,23 @@ class OrderRun {
  private:
   static constexpr double kUsualSeconds = 1.0;
   static constexpr double kEndless = 1.0e12;  ///< s
-  // Of the run: a first search, a proof where one may be found, and a search with what is left.
+  // Shares of the run at which the first search ends and at which the search for a proof ends. A
+  // second search uses the remaining time.
   static constexpr double kFirstShare = 0.3;
   static constexpr double kProofShare = 0.7;
   static constexpr std::uint64_t kChunk = 16;
-  static constexpr Index kWidth = 8;  ///< Neighbours; more take longer than they bring.
+  /// Number of neighbours of each set; more neighbours take longer than they gain.
+  static constexpr Index kWidth = 8;
   static constexpr std::uint64_t kStepsBeforeProof = 600;
-  static constexpr std::size_t kProofBytes = 300'000'000;  ///< Within a search.
+  /// Greatest memory of a proof within a search.
+  static constexpr std::size_t kProofBytes = 300'000'000;
 
   void find_nearest();
   void find_neighbours();
   void search_until(double share, std::uint64_t seed);
   void search_and_prove();
-  /// Looks for a proof until a share of the run is done. @return false where it does not fit
+  /// Searches for a proof until a share of the run is done.
+  /// @return false where the proof does not fit into memory
   bool prove_until(double share, std::size_t bytes);
   void prove_only();
   void anneal();
@@ -113,7 +117,7 @@ class OrderRun {
   std::vector<double> neighbour_costs_;
   cnc::order::Neighbours neighbours_;
   OrderResult result_;
-  std::vector<Index> best_chosen_;  ///< By set.
+  std::vector<Index> best_chosen_;  ///< Indexed by set.
 };
 
 template <cnc::order::LegCost Cost>
@@ -228,7 +232,7 @@ void OrderRun<Cost>::prove_only() {
   find_nearest();
   offer(start_->order, start_->chosen);
   if (problem_->sets() < 3) {
-    // One tour, up to the choice of candidates, which a proof covers.
+    // There is only one tour, except for the choice of candidates, which a proof covers.
     if (problem_->sets() == 1) result_.is_proven = true;
   } else {
     find_neighbours();

@@ -13,26 +13,26 @@
 namespace sim::order {
 
 enum class OrderMethod : std::uint8_t {
-  kOurs,     ///< Local search with trials, and a proof where one is found in time.
-  kAnneal,   ///< The paper's simulated annealing.
-  kNearest,  ///< Always the nearest candidate next.
-  kFile,     ///< As the file lists them, each after those that it must come after.
+  kOurs,     ///< Local search with trials, and a proof if one is found in time.
+  kAnneal,   ///< Simulated annealing of the paper.
+  kNearest,  ///< Always moves to the nearest candidate.
+  kFile,     ///< The order of the file; each set comes after those that must precede it.
   kExact,    ///< The optimum with its proof.
 };
 [[nodiscard]] std::string_view name_of(OrderMethod method);
 
 struct OrderOptions {
   OrderMethod method = OrderMethod::kOurs;
-  /// Without: one second, and as long as it takes for a proof alone.
+  /// Time for the run. Without a value: one second, or unlimited time for a proof alone (kExact).
   std::optional<double> seconds;
-  /// Instead of seconds: the result is the same on every machine.
+  /// Number of steps in place of seconds: the result is then the same on every machine.
   std::optional<std::uint64_t> steps;
   std::uint64_t seed = 1;
-  std::size_t memory_bytes = 1'000'000'000;  ///< Of the proof's states.
-  /// Whether a search for the cheapest order also looks for a proof where one may be found.
+  std::size_t memory_bytes = 1'000'000'000;  ///< Greatest memory for the states of a proof.
+  /// Whether a search for the cheapest order also tries to prove it where a proof is possible.
   bool may_prove = true;
-  /// A tour that a search begins with if it is cheaper than the one that always takes the nearest:
-  /// sets, home first, and the candidate of each set, by set. Empty: none.
+  /// A tour with which a search begins if it is cheaper than the tour of nearest candidates: the
+  /// sets with home first, and the candidate of each set, indexed by set. Empty: no such tour.
   std::vector<cnc::order::Index> start_order{};
   std::vector<cnc::order::Index> start_chosen{};
 };
@@ -40,23 +40,23 @@ struct OrderOptions {
 struct OrderResult {
   double cost = 0.0;
   std::vector<cnc::order::Index> order;       ///< Sets, home first.
-  std::vector<cnc::order::Index> candidates;  ///< In the order of the tour.
+  std::vector<cnc::order::Index> candidates;  ///< Chosen candidates, in the order of the tour.
   std::uint64_t steps = 0;
-  bool is_proven = false;  ///< No tour is cheaper.
+  bool is_proven = false;  ///< Whether the proof shows that no tour is cheaper.
   std::vector<cnc::order::AnnealingPoint> course;
 };
 
-/// A problem that has no tour: a cycle in its precedence, or sets that no allowed leg reaches; or a
-/// proof that does not fit.
+/// Thrown for a problem without a tour, because of a cycle in its precedence or sets that no
+/// allowed leg reaches. Also thrown for a proof that does not fit into memory.
 class NoOrder : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// Called now and then with the share of the run that is done and the cost of the best tour.
+/// Called from time to time with the share of the run that is done and the cost of the best tour.
 using OrderProgress = std::function<void(double, double)>;
 
-/// Throws NoOrder.
+/// Solves a problem. Throws NoOrder.
 [[nodiscard]] OrderResult solve_order(const OrderProblem& input,
                                       const OrderOptions& options,
                                       const OrderProgress& progress);

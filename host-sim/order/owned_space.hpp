@@ -8,8 +8,8 @@
 
 namespace sim::order {
 
-/// Working storage of an algorithm of the planner on the heap, of the size that it needs. Its
-/// memory is taken from the system as it is first used.
+/// Working storage for an algorithm of the planner, on the heap, in the size that the algorithm
+/// needs. The system provides its memory only when it is first used.
 template <typename Space>
 class OwnedSpace {
  public:

@@ -7,7 +7,7 @@
 
 namespace sim::order {
 
-/// How much of a run is done, by steps or by the clock.
+/// Measures how much of a run is done, by steps or by the clock.
 class RunBudget {
  public:
   RunBudget(double seconds, std::optional<std::uint64_t> steps)
@@ -16,7 +16,7 @@ class RunBudget {
   void count(std::uint64_t steps) { done_ += steps; }
   [[nodiscard]] std::uint64_t steps() const { return done_; }
 
-  /// Returns 0…1.
+  /// Returns the share of the run that is done, 0…1.
   [[nodiscard]] double share() const {
     const double share = steps_ ? static_cast<double>(done_) /
                                       static_cast<double>(std::max<std::uint64_t>(*steps_, 1))
@@ -25,7 +25,7 @@ class RunBudget {
     return std::min(share, 1.0);
   }
 
-  /// Returns at most `chunk` steps, and none that are too many.
+  /// Returns a number of steps: at most `chunk`, and at most the steps that are left.
   [[nodiscard]] std::uint64_t next_steps(std::uint64_t chunk) const {
     return steps_ ? std::min(chunk, *steps_ - std::min(*steps_, done_)) : chunk;
   }

@@ -4,9 +4,9 @@
 
 namespace sim::order {
 
-/// Returns whether a stretch of a tour of a matrix costs the same backwards. A leg that is
-/// forbidden in one direction only does not count where precedence forbids that direction: no
-/// stretch with it is driven backwards.
+/// Returns whether each stretch of a tour of a matrix costs the same in the reverse direction. A
+/// leg that is forbidden in only one direction is ignored where precedence forbids this direction,
+/// too: no stretch with this leg is ever reversed.
 [[nodiscard]] bool is_symmetric(const OrderProblem& problem);
 
 }  // namespace sim::order

@@ -22,10 +22,10 @@ using cnc::WideVec2;
 using cnc::pocket::MovingDisc;
 using cnc::pocket::ToolCircle;
 
-/// mm: stock of about this thickness is left to the passes along the walls, in corners, too.
+/// mm: stock of about this thickness is left to the passes along the walls, also in corners.
 constexpr double kAxisMm = 2.0e-4;
-/// mm: in the cusp of a corner crescents end before its tip by as much as the axis is aside of its
-/// middle, over the sine of half the angle.
+/// mm: in the cusp of a corner, crescents end before its tip. Their distance from the tip is the
+/// deviation of the axis from the middle of the cusp, divided by the sine of half the angle.
 constexpr double kAsideMm = 2.0e-5;
 
 void check(const AdaptiveOptions& options) {
@@ -45,14 +45,15 @@ void check(const AdaptiveOptions& options) {
   require(options.return_limit_mm >= 0.0, "way to return in mm", options.return_limit_mm);
 }
 
-/// Where a pass along a wall begins, and from which cleared circle.
+/// The vertex at which a pass along a wall begins, and the cleared circle from which the tool
+/// comes.
 struct WallStart {
   std::uint32_t vertex = 0;
   ToolCircle circle;
 };
 
-/// The vertex of a loop that is nearest to a circle, where the tool gets from one to the other in a
-/// line. Long loops are searched at some vertices.
+/// Returns the vertex of a loop that is nearest to a circle, if the tool fits on the line between
+/// them. Of a long loop only some vertices are checked.
 WallStart wall_start(const cnc::contour::ContourView<double>& locus,
                      std::size_t loop,
                      const std::vector<ToolCircle>& circles,
@@ -78,8 +79,8 @@ WallStart wall_start(const cnc::contour::ContourView<double>& locus,
   return best;
 }
 
-/// Where the tool leaves its line to a vertex of the wall's locus for an arc, so that it comes to
-/// the wall without a corner. None where the vertex is a corner, or there is no room.
+/// Returns the arc by which the tool leaves its line to a vertex of the locus, so that it reaches
+/// the wall without a corner. Returns none where the vertex is a corner, or where no arc fits.
 Approach wall_approach(const cnc::contour::ContourView<double>& locus,
                        std::size_t loop,
                        const WallStart& start,
@@ -100,7 +101,7 @@ Approach wall_approach(const cnc::contour::ContourView<double>& locus,
   return fitting_approach(start.circle.centre, cut, area, tool_radius_mm);
 }
 
-/// Drives along a loop of the locus, from a cleared circle.
+/// Drives around a loop of the locus, from a cleared circle.
 void pass_wall(const cnc::contour::ContourView<double>& locus,
                std::size_t loop,
                const WallStart& start,
@@ -126,7 +127,7 @@ void pass_wall(const cnc::contour::ContourView<double>& locus,
   }
 }
 
-/// Drives along all loops of a locus, each from the cleared circle that is nearest.
+/// Drives around all loops of a locus, each from the nearest cleared circle.
 void pass_walls(const cnc::contour::ContourView<double>& locus,
                 const OwnedArea& area,
                 const AdaptiveOptions& options,

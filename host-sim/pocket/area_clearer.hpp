@@ -10,11 +10,11 @@
 
 namespace sim::pocket {
 
-/// Takes all parts of an area that a tool reaches, one after the other, and in each one the pieces
-/// of the axis, from the widest node on.
+/// Clears all parts of an area that a tool reaches, one after another. In each part it clears the
+/// pieces of the axis, from the widest node on.
 class AreaClearer {
  public:
-  /// @param graph the axis as far as the tool fits
+  /// @param graph the part of the axis where the tool fits
   AreaClearer(const OwnedArea& area,
               const CarveGraph& graph,
               const AdaptiveOptions& options,
@@ -23,7 +23,7 @@ class AreaClearer {
   void clear();
 
  private:
-  /// A node whose disc is cleared, and how the tool came to it.
+  /// A node whose disc is cleared, with the path by which the tool came to it.
   struct Frame {
     std::uint32_t node = 0;
     cnc::pocket::ToolCircle circle;
@@ -43,13 +43,13 @@ class AreaClearer {
   AdaptiveOptions options_;
   CrescentDriver& driver_;
   std::vector<std::vector<std::size_t>> at_node_;
-  std::vector<bool> is_reached_;  ///< Whether a node is reached, for each.
-  std::vector<bool> is_taken_;    ///< Whether a piece is taken, for each.
-  /// Not driven yet: it may be the end of the part.
+  std::vector<bool> is_reached_;  ///< For each node, whether its disc is cleared.
+  std::vector<bool> is_taken_;    ///< For each piece, whether it is cleared.
+  /// The path back that is still to be driven. The last one of a part is never driven.
   std::vector<cnc::pocket::ToolCircle> way_back_;
 };
 
-/// Divides pieces that are wider between their nodes than at them, by a node at the widest point.
+/// Divides each piece that is wider in the middle than at its nodes, by a node at the widest point.
 void split_at_widest(CarveGraph& graph);
 
 }  // namespace sim::pocket

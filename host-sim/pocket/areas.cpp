@@ -13,7 +13,7 @@
 namespace sim::pocket {
 namespace {
 
-/// Steps of the search for each path, and at most.
+/// Steps of the search: the number for each path, and the greatest number in total.
 constexpr std::uint64_t kStepsOfPath = 200;
 constexpr std::uint64_t kMostSteps = 200'000;
 

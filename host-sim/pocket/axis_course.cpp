@@ -10,14 +10,15 @@ namespace {
 using cnc::WideVec2;
 using cnc::pocket::ToolCircle;
 
-/// Of the sum of both radii, that the centres of neighbouring circles may be apart: farther, they
-/// hardly meet.
+/// Greatest distance between the centres of neighbouring circles, as a share of the sum of their
+/// radii. Farther apart, the circles hardly meet.
 constexpr double kMostApart = 0.95;
 
 bool is_allowed(const ToolCircle& cleared, const ToolCircle& next, const StepLimits& limits) {
   if (next.radius < limits.least_circle_mm) return false;
   const double distance = (next.centre - cleared.centre).norm();
-  if (distance + next.radius <= cleared.radius) return true;  // All of it is cleared.
+  // The tool has cleared the whole circle already.
+  if (distance + next.radius <= cleared.radius) return true;
   if (distance > kMostApart * (cleared.radius + next.radius)) return false;
   if (!crescent_between(cleared, next).exists) return false;
   return crescent_engagement(cleared, next, limits.tool_radius_mm) <= limits.engagement;
@@ -71,8 +72,8 @@ double next_crescent(const AxisCourse& course,
                      const ToolCircle& cleared,
                      const StepLimits& limits) {
   const auto allows = [&](double s) { return is_allowed(cleared, course.circle_at(s), limits); };
-  constexpr double kFirstStep = 0.01;    // As a share of the tool's radius.
-  constexpr double kGreatestStep = 0.1;  // The same.
+  constexpr double kFirstStep = 0.01;    // Share of the tool's radius.
+  constexpr double kGreatestStep = 0.1;  // Share of the tool's radius.
   constexpr double kGrowth = 1.5;
   constexpr int kHalvings = 24;
   double good = from;

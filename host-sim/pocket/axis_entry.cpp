@@ -22,8 +22,9 @@ constexpr double kGreatestHelix = 0.9;
 /// better.
 constexpr double kLeastHelix = 0.1;
 
-/// Returns how often an entry goes forth and back, or around, until it is at the floor.
-/// Throws NoPocketPath if that is too often.
+/// Returns the number of revolutions, or of trips forth and back, in which an entry reaches the
+/// floor.
+/// Throws NoPocketPath if that number is too great.
 double rounds_of(double round_mm, const WideVec2& place, const AdaptiveOptions& options) {
   return legs_of_ramp({.depth_mm = options.depth_mm, .slope = options.slope}, round_mm, place);
 }
@@ -42,7 +43,7 @@ void sink_by_helix(const WideVec2& centre,
   writer.circle(Use::kEntry, centre);
 }
 
-/// Goes down evenly along the way, forth and back.
+/// Descends evenly along the path, forth and back.
 void sink_by_ramp(const std::vector<WideVec2>& way,
                   const AdaptiveOptions& options,
                   DepthWriter& writer) {
@@ -62,8 +63,8 @@ void sink_by_ramp(const std::vector<WideVec2>& way,
   writer.settle();
 }
 
-/// Goes around the centre, on which the tool stands, for a spiral to begin: out of a hole as wide
-/// as the tool none gets with less than a quarter of the circumference engaged.
+/// Goes around the centre, at which the tool is, so that a spiral can begin. Out of a hole as wide
+/// as the tool, no spiral begins with less than a quarter of the circumference engaged.
 void widen(const ToolCircle& circle, const AdaptiveOptions& options, DepthWriter& writer) {
   const double radius_mm = std::min(circle.radius, kLeastHelix * options.tool_radius_mm);
   if (radius_mm <= 0.0) return;
@@ -77,7 +78,8 @@ bool fits_in_line(const WideVec2& from,
                   const WideVec2& to,
                   const cnc::pocket::AreaDistance& area,
                   double tool_radius_mm) {
-  constexpr double kExcessMm = 1.0e-7;  // The tool may reach across the boundary by rounding.
+  // The tool may reach across the boundary by this much, which is rounding.
+  constexpr double kExcessMm = 1.0e-7;
   return excess_of({from, to, tool_radius_mm, tool_radius_mm}, area) <= kExcessMm;
 }
 

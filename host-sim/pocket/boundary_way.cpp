@@ -11,13 +11,13 @@ using Curve = cnc::contour::Curve<double>;
 /// mm: a shorter element is a rounding error.
 constexpr double kShortestMm = 1.0e-9;
 
-/// A way along a boundary while it grows.
+/// Builds a path along a boundary, element by element.
 class WayMaker {
  public:
   WayMaker(const OwnedArea& area, const WideVec2& start, bool is_backwards)
       : area_{area}, at_{start}, is_backwards_{is_backwards} {}
 
-  /// Goes on along an element to a place of it.
+  /// Continues along an element to a point of it.
   void go(std::uint32_t element, const WideVec2& to) {
     if ((to - at_).norm() < kShortestMm) return;
     const Curve& curve = area_->element(element);
@@ -44,7 +44,7 @@ class WayMaker {
   std::vector<WayElement> way_;
 };
 
-/// Whether one place of an element comes before another one, as it is driven.
+/// Returns whether `to` is not before `from` on an element, in the direction of driving.
 bool is_ahead(const Curve& curve, const WideVec2& from, const WideVec2& to, bool is_backwards) {
   const double step = curve.order_of(to) - curve.order_of(from);
   return is_backwards ? step <= 0.0 : step >= 0.0;
@@ -66,7 +66,7 @@ std::optional<std::vector<WayElement>> way_along(const OwnedArea& area,
       maker.go_to_end(element);
       element = is_backwards ? area->previous(element) : area->next(element);
       if (maker.length_mm() > limit_mm) return std::nullopt;
-      // All of the loop is short, and the other place is not on it.
+      // The whole loop is shorter than the limit, and `to` is not on it.
       if (element == from.element && element != to.element) return std::nullopt;
     } while (element != to.element);
   }

@@ -7,21 +7,21 @@
 
 namespace sim::pocket {
 
-/// A place on the boundary of an area.
+/// A point on the boundary of an area.
 struct BoundaryPlace {
   std::uint32_t element = 0;
   cnc::WideVec2 place{0.0, 0.0};
 };
 
-/// A line or an arc by its end; it begins where the one before it ends.
+/// A line or an arc, given by its end; it begins at the end of the previous element.
 struct WayElement {
   cnc::WideVec2 to{0.0, 0.0};
   double bulge = 0.0;  ///< tan(sweep / 4), positive turns left.
 };
 
-/// Returns the elements from one place of a boundary to another one along it, with the area on the
-/// left or, backwards, on the right; none if that is longer than the limit, or if the places are on
-/// different loops.
+/// Returns the elements along the boundary from one point to another. The area is on the left, or
+/// on the right if `is_backwards`. Returns none if the path is longer than the limit, or if the
+/// points are on different loops.
 [[nodiscard]] std::optional<std::vector<WayElement>> way_along(const OwnedArea& area,
                                                                const BoundaryPlace& from,
                                                                const BoundaryPlace& to,

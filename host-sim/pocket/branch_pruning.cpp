@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::uint32_t kNoNode = std::numeric_limits<std::uint32_t>::max();
 
-/// Cuts short branches off, one at a time.
+/// Removes short branches, one at a time.
 class BranchPruner {
  public:
   BranchPruner(AxisGraph& graph, double slack_mm)
@@ -40,12 +40,13 @@ class BranchPruner {
     const auto is_wider = [this](std::uint32_t a, std::uint32_t b) {
       return graph_.nodes[a].radius > graph_.nodes[b].radius;
     };
-    // The narrowest first, so that the widest node of a part is the one that may be left alone.
+    // The narrowest leaf comes first, so that of each part the widest node is the one that may be
+    // left alone.
     std::priority_queue<std::uint32_t, std::vector<std::uint32_t>, decltype(is_wider)> leaves{
         is_wider};
     for (std::uint32_t i = 0; i < degrees_.size(); ++i) {
       if (degrees_[i] == 1) leaves.push(i);
-      if (degrees_[i] == 0) dropped_[i] = true;  // Never had an edge in the area.
+      if (degrees_[i] == 0) dropped_[i] = true;  // The node never had an edge in the area.
     }
     while (!leaves.empty()) {
       const std::uint32_t leaf = leaves.top();
@@ -62,7 +63,7 @@ class BranchPruner {
     return here.from == node ? here.to : here.from;
   }
 
-  /// An edge that is left at a node, but not `except`.
+  /// Returns an edge that is left at a node, other than `except`.
   [[nodiscard]] std::uint32_t edge_at(std::uint32_t node, std::uint32_t except) const {
     for (std::uint32_t i = firsts_[node]; i < firsts_[node + 1]; ++i) {
       if (!gone_[ends_[i]] && ends_[i] != except) return ends_[i];
@@ -70,12 +71,12 @@ class BranchPruner {
     return kNoNode;
   }
 
-  /// Removes the branch that ends at a node as far as nothing is lost by that, and returns where
-  /// that leads.
+  /// Removes the branch that ends at a node, as far as that loses nothing. Returns the node to
+  /// which the removed part led.
   std::uint32_t prune_from(std::uint32_t leaf) {
     if (degrees_[leaf] != 1) return kNoNode;
     path_.clear();
-    std::size_t false_edges = 0;  // At the beginning of the path.
+    std::size_t false_edges = 0;  // Number of edges at the beginning of the path that are not real.
     std::uint32_t real_from = leaf;
     double excess = excess_[leaf];
     double widest = graph_.nodes[leaf].radius;
@@ -88,7 +89,7 @@ class BranchPruner {
       if (is_real) excess += reach_beyond(node, to);
       excess = std::max(excess, excess_[to]);
       widest = std::max(widest, graph_.nodes[to].radius);
-      // Beyond the middle of a circle lies the branch to another joint.
+      // Past the middle of a circle, the path would follow the branch to another joint.
       const bool narrows = graph_.nodes[to].radius < widest - slack_mm_;
       if (excess > slack_mm_ || (!is_real && narrows)) {
         path_.resize(false_edges);
@@ -108,7 +109,7 @@ class BranchPruner {
     return node;
   }
 
-  /// By how much one node's disc reaches beyond another's.
+  /// Returns how far the disc of `node` reaches beyond the disc of `to`, mm.
   [[nodiscard]] double reach_beyond(std::uint32_t node, std::uint32_t to) const {
     const AxisPoint& a = graph_.nodes[node];
     const AxisPoint& b = graph_.nodes[to];
@@ -149,9 +150,10 @@ class BranchPruner {
   AxisGraph& graph_;
   double slack_mm_;
   std::vector<std::uint32_t> degrees_;
-  std::vector<std::uint32_t> firsts_;  ///< Where the edges of each node begin in `ends_`.
+  std::vector<std::uint32_t> firsts_;  ///< For each node, the index of its first edge in `ends_`.
   std::vector<std::uint32_t> ends_;
-  std::vector<double> excess_;  ///< How far what was cut off reaches beyond each node's disc.
+  /// For each node, how far the removed branches reach beyond its disc.
+  std::vector<double> excess_;
   std::vector<bool> gone_;
   std::vector<bool> dropped_;
   std::vector<std::uint32_t> path_;

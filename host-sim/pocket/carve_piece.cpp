@@ -12,14 +12,14 @@ namespace {
 
 using cnc::WideVec2;
 
-/// Shares of the tolerance: for the way aside from the axis, for radii that are less than those of
-/// the axis, and for what has to be taken off them.
+/// Share of the tolerance that each of three errors may use: the distance from the axis, the
+/// difference from the radii of the axis, and the amount by which radii are reduced.
 constexpr double kShare = 1.0 / 3.0;
 
-/// Which part of the axis is kept.
+/// The part of the axis that is kept.
 enum class KeptPart : std::uint8_t { kNarrow, kWide };
 
-/// Divides chains where their radius passes a limit.
+/// Divides chains where their radius crosses a limit.
 class AxisClipper {
  public:
   AxisClipper(const MedialAxis& axis, const OwnedArea& area, double limit_mm, KeptPart part)
@@ -69,6 +69,7 @@ class AxisClipper {
     return part_ == KeptPart::kNarrow ? radius <= limit_mm_ : radius >= limit_mm_;
   }
 
+  /// Returns the point between two points where the radius crosses the limit.
   /// @pre one of them is kept
   [[nodiscard]] AxisPoint crossing_between(AxisPoint kept, AxisPoint dropped) const {
     if (!is_kept(kept)) std::swap(kept, dropped);
@@ -88,7 +89,7 @@ class AxisClipper {
   CarveGraph graph_;
 };
 
-/// Finds the fewest lines along one piece.
+/// Finds the fewest lines for one piece.
 class LineFitter {
  public:
   LineFitter(const OwnedArea& area, double tolerance_mm)
@@ -96,7 +97,7 @@ class LineFitter {
 
   void fit(std::vector<AxisPoint>& points) {
     std::vector<AxisPoint> kept{points.front()};
-    std::vector<double> excesses;  // Of each line.
+    std::vector<double> excesses;  // Excess of each line.
     for (std::size_t i = 0; i + 1 < points.size();) {
       const std::size_t end = farthest(points, i);
       excesses.push_back(excess_between(points[i], points[end]));
@@ -112,8 +113,8 @@ class LineFitter {
   }
 
  private:
-  /// The last point up to which a line from `from` stays within tolerance: by doubling, then by
-  /// halving.
+  /// Returns the last point up to which a line from `from` stays within the tolerance. It searches
+  /// by doubling, then by halving.
   [[nodiscard]] std::size_t farthest(const std::vector<AxisPoint>& points, std::size_t from) const {
     const std::size_t last = points.size() - 1;
     std::size_t good = from + 1;
@@ -144,7 +145,7 @@ class LineFitter {
     for (std::size_t i = from + 1; i < end; ++i) {
       const WideVec2 q = points[i].place - a.place;
       const double share = square > 0.0 ? chord.dot(q) / square : 0.0;
-      // Back along the line, the axis turns around.
+      // The axis turns back here: the points would go backwards along the line.
       if (share < least_share || share > 1.0) return false;
       least_share = share;
       const double radius = a.radius + share * (b.radius - a.radius);
@@ -162,7 +163,7 @@ class LineFitter {
   double share_mm_;
 };
 
-/// Pieces that meet at a node leave it with one radius, the least.
+/// Gives all pieces that meet at a node the same radius there: the least of theirs.
 void share_nodes(CarveGraph& graph) {
   for (CarvePiece& piece : graph.pieces) {
     for (const auto& [node, end] : {std::pair{piece.from, &piece.points.front()},

@@ -7,39 +7,40 @@
 
 namespace sim::pocket {
 
-/// A stretch of the axis along which a tool goes at once.
+/// A stretch of the axis that a tool follows without interruption.
 struct CarvePiece {
-  std::uint32_t from = 0;  ///< Node.
-  std::uint32_t to = 0;    ///< Node.
+  std::uint32_t from = 0;  ///< Number of the first node.
+  std::uint32_t to = 0;    ///< Number of the last node.
   std::vector<AxisPoint>
-      points;  ///< Two at least; a V tool's radii are those of its cut at the top.
+      points;  ///< At least two. With a V tool, their radii are those of its cut at the top.
 };
 
-/// The part of an axis that is cut: pieces between nodes.
+/// The part of an axis that is cut, as pieces between nodes.
 struct CarveGraph {
   std::vector<AxisPoint> nodes;
   std::vector<CarvePiece> pieces;
 };
 
-/// Returns the axis as far as its radius is at most `greatest_radius_mm`. Where a chain goes beyond
-/// that it is cut at a node of its own.
+/// Returns the part of the axis whose radius is at most `greatest_radius_mm`. Where a chain leaves
+/// that part, it is cut at a new node.
 [[nodiscard]] CarveGraph narrow_part(const MedialAxis& axis,
                                      const OwnedArea& area,
                                      double greatest_radius_mm);
 
-/// Returns the axis as far as its radius is at least `least_radius_mm`, in the same way. Nodes of
-/// the axis whose radius is less stay, without pieces.
+/// Returns the part of the axis whose radius is at least `least_radius_mm`. Where a chain leaves
+/// that part, it is cut at a new node. Nodes of the axis with a smaller radius are kept, without
+/// pieces.
 [[nodiscard]] CarveGraph wide_part(const MedialAxis& axis,
                                    const OwnedArea& area,
                                    double least_radius_mm);
 
-/// Thins the points of all pieces out, and makes radii less where a straight line between points
-/// would let the tool cut into the wall: by a corner that points into the area, distances from the
-/// boundary grow less than in proportion.
+/// Reduces the points of all pieces. Reduces radii where a straight line between points would let
+/// the tool cut into the wall: near a corner that points into the area, the distance from the
+/// boundary is less than its linear interpolation.
 ///
-/// Lines are within half of `tolerance_mm` of the axis in the plane, and their radii between those
-/// that fit into the area and those less the tolerance. Each stretch between kept points is the
-/// longest from where the one before it ends.
+/// Lines are within half of `tolerance_mm` of the axis in the plane. Their radii are at most those
+/// that fit into the area, and less by at most the tolerance. Each stretch between kept points is
+/// the longest that is possible from the end of the previous stretch.
 void fit_lines(CarveGraph& graph, const OwnedArea& area, double tolerance_mm);
 
 }  // namespace sim::pocket

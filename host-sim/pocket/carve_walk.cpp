@@ -65,7 +65,8 @@ class CarveWalker {
     node_ = is_reversed ? here.from : here.to;
   }
 
-  /// The best piece to cut from here: short dead ends, then longer ways, then long dead ends.
+  /// Returns the best piece to cut from the current node: short dead ends first, then longer paths,
+  /// then long dead ends.
   [[nodiscard]] std::size_t next_piece() const {
     std::optional<std::size_t> best;
     std::tuple<int, double> least{};
@@ -83,11 +84,13 @@ class CarveWalker {
     return *best;
   }
 
-  /// Drives along pieces that are cut to the nearest node with work left. False if none is near.
+  /// Drives along cut pieces to the nearest node with pieces left. Returns false if no such node is
+  /// near.
   bool return_to_work() {
     using Reached = std::pair<double, std::uint32_t>;
     std::priority_queue<Reached, std::vector<Reached>, std::greater<>> reached;
-    std::unordered_map<std::uint32_t, std::pair<double, std::size_t>> ways;  // Length, last piece.
+    // Length of the path to each node, and its last piece.
+    std::unordered_map<std::uint32_t, std::pair<double, std::size_t>> ways;
     reached.push({0.0, node_});
     ways[node_] = {0.0, 0};
     while (!reached.empty()) {
@@ -143,7 +146,8 @@ class CarveWalker {
   const CarveGraph& graph_;
   double return_limit_mm_;
   std::vector<std::vector<std::size_t>> at_node_;
-  std::vector<std::uint32_t> left_;  ///< Ends of pieces at each node that are not cut.
+  /// For each node, the number of ends of pieces there that are not cut.
+  std::vector<std::uint32_t> left_;
   std::vector<bool> is_cut_;
   std::vector<double> lengths_;
   std::vector<WalkStep> steps_;

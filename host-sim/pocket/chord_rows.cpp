@@ -16,8 +16,8 @@ using cnc::WideVec2;
 using cnc::contour::FlatBox;
 using Curve = cnc::contour::Curve<double>;
 
-/// Splits an arc of at most half a turn into parts that are within `sagitta_mm` of their chords and
-/// tangents.
+/// Divides an arc of at most half a turn into parts. Each part is within `sagitta_mm` of its chord
+/// and of its tangents.
 class ArcParts {
  public:
   ArcParts(const Curve& curve, double sagitta_mm)
@@ -32,12 +32,12 @@ class ArcParts {
 
   [[nodiscard]] int count() const { return count_; }
 
-  /// Where the arc is after so many parts.
+  /// Returns the point of the arc after a number of parts.
   [[nodiscard]] WideVec2 joint(int parts) const {
     return point_at(static_cast<double>(parts) / count_);
   }
 
-  /// Where the tangents at both ends of a part meet.
+  /// Returns the point where the tangents at both ends of a part meet.
   [[nodiscard]] WideVec2 tangents_meet(int part) const {
     const double share = (static_cast<double>(part) + 0.5) / count_;
     const double angle = share * sweep_;
@@ -48,7 +48,8 @@ class ArcParts {
   }
 
  private:
-  /// By the chord from the start, which turns from the tangent by half of the sweep so far.
+  /// Computes a point by the chord from the start, which is turned from the tangent by half of the
+  /// sweep up to the point.
   [[nodiscard]] WideVec2 point_at(double share) const {
     const double half = 0.5 * share * sweep_;
     const double length = 2.0 * std::sin(half) / curve_.curvature;
@@ -83,7 +84,7 @@ class ChordMaker {
     const Curve& curve = area_.element(index);
     const ArcParts parts{curve, sagitta_mm};
     here_ = grid_point(curve.start);
-    // Tangents are all as far from the centre, so that bisectors of neighbours meet there.
+    // All tangents have the same distance from the centre, so bisectors of neighbours meet there.
     const bool by_tangents = curve.curvature > 0.0;
     for (int k = 0; k < parts.count(); ++k) {
       if (by_tangents) {
@@ -113,7 +114,7 @@ class ChordMaker {
   GridPoint here_;
 };
 
-/// On which side of a chord a point lies: the sign of a cross product, exact.
+/// Returns the side of a chord on which a point lies, as the sign of an exact cross product.
 int side_of(const Chord& chord, const GridPoint& point) {
   const auto wide = [](std::int32_t to, std::int32_t from) { return std::int64_t{to} - from; };
   const std::int64_t side = wide(chord.to.x, chord.from.x) * wide(point.y, chord.from.y) -
@@ -128,7 +129,7 @@ FlatBox<double> box_of(const Chord& chord) {
           static_cast<double>(std::max(chord.from.y, chord.to.y))};
 }
 
-/// Whether chords have a point in common that is not an end of both.
+/// Returns whether two chords have a common point that is not an end of both.
 bool cross_each_other(const Chord& a, const Chord& b) {
   const auto is_end = [](const GridPoint& point, const Chord& of) {
     return point == of.from || point == of.to;
@@ -144,7 +145,7 @@ bool cross_each_other(const Chord& a, const Chord& b) {
   return side_of(a, b.from) * side_of(a, b.to) < 0 && side_of(b, a.from) * side_of(b, a.to) < 0;
 }
 
-/// The first chord that another one crosses.
+/// Returns the first chord that another chord crosses.
 std::optional<Chord> crossed_chord(const std::vector<Chord>& chords) {
   using Tree = cnc::contour::BoxTree<double>;
   const auto count = static_cast<std::uint32_t>(chords.size());

@@ -25,8 +25,8 @@ struct Chord {
 /// A boundary as chords between points of a grid, for algorithms that are exact in whole numbers.
 struct ChordRows {
   std::vector<Chord> chords;
-  cnc::WideVec2 centre{0.0, 0.0};  ///< mm, of the grid's origin.
-  double unit_mm = 1.0;            ///< Between points of the grid; a power of 2.
+  cnc::WideVec2 centre{0.0, 0.0};  ///< Point of the grid's origin, mm.
+  double unit_mm = 1.0;            ///< Distance between points of the grid, mm; a power of 2.
 
   [[nodiscard]] cnc::WideVec2 place(double x, double y) const {
     return centre + unit_mm * cnc::WideVec2{x, y};
@@ -36,12 +36,12 @@ struct ChordRows {
 /// Grid coordinates are within ±2^29, so that cross products of differences fit into 64 bits.
 inline constexpr double kGridReach = 536870912.0;
 
-/// Returns the boundary of an area as chords that are within `sagitta_mm` of it, finer if chords
-/// would cross each other otherwise. An arc that bounds the area from outside is chopped into
-/// tangents, any other one into chords.
+/// Returns the boundary of an area as chords that are within `sagitta_mm` of it. Where chords would
+/// cross each other, they are finer. An arc whose centre is on the side of the area is divided into
+/// tangents, any other arc into chords.
 ///
-/// Throws std::runtime_error, with the place, where elements still cross when they are a hundred
-/// times as fine.
+/// Throws std::runtime_error, with the point, where elements still cross at about a hundredth of
+/// the sagitta.
 [[nodiscard]] ChordRows chords_of(const cnc::pocket::AreaDistance& area, double sagitta_mm);
 
 }  // namespace sim::pocket

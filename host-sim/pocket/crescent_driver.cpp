@@ -20,25 +20,25 @@ using cnc::pocket::ToolCircle;
 using cnc::pocket::Use;
 
 constexpr double kDegree = std::numbers::pi / 180.0;
-/// mm: a smaller circle is not worth a crescent. In corners that are not too sharp the stock before
-/// their tips is thin by then.
+/// mm: a smaller circle gets no crescent. In corners that are not too sharp, the stock before their
+/// tips is thin at this size.
 constexpr double kLeastCircleMm = 4.0e-5;
-/// mm: crescents end before a corner where the stock between their disc and that in the corner is
-/// not thicker. The pass along the wall takes it.
+/// mm: crescents end before a corner where the stock between their disc and the disc in the corner
+/// is no thicker than this. The pass along the wall removes this stock.
 constexpr double kThinStockMm = 5.0e-4;
-/// mm: less than this is no progress along a course.
+/// mm: less than this counts as no progress along a course.
 constexpr double kLeastProgressMm = 1.0e-7;
-/// Of the tool's radius: up to this length a narrow dead end is a corner, no slot.
+/// Tool radii: a narrow dead end up to this length is a corner, not a slot.
 constexpr double kCornerLength = 3.0;
-/// Length of a narrow corner over the radius of its widest circle, at most: a longer one, with
-/// walls at less than about 4 degrees, is left to the pass along the wall. It would take hundreds
-/// of crescents for each halving of its width.
+/// Greatest length of a narrow corner divided by the radius of its widest circle. A longer corner,
+/// with walls at less than about 4 degrees, is left to the pass along the wall: it would take
+/// hundreds of crescents for each halving of its width.
 constexpr double kCornerSharpness = 30.0;
 
-/// The radius of circles below which a pocket counts as narrow.
+/// Returns the radius of circles below which a pocket counts as narrow.
 double narrow_circle(double tool_radius_mm) { return (kNarrowDiameters - 1.0) * tool_radius_mm; }
 
-/// How thick the stock is between a circle and the one at the end of its course.
+/// Returns the thickness of the stock between a circle and the circle at the end of its course, mm.
 double stock_beyond(const AxisCourse& course, double from, const ToolCircle& circle) {
   return course.length() - from + course.circle_at(course.length()).radius - circle.radius;
 }
@@ -75,7 +75,7 @@ CourseDrive CrescentDriver::drive(const AxisCourse& course,
       next = next_crescent(course, s, circle, limits_);
       if (next < s + kLeastProgressMm) break;
       if (is_free(course.circle_at(next))) {
-        // The next crescent begins on this disc, in which the tool is not.
+        // The next crescent begins on the disc at `next`. The tool is not in this disc.
         done.way_back.push_back(course.circle_at(next));
         take_free_disc(course.circle_at(next));
       } else {
@@ -91,8 +91,8 @@ CourseDrive CrescentDriver::drive(const AxisCourse& course,
   return done;
 }
 
-/// Whether a dead end has nothing but thin stock from a circle on, or is a corner that is too sharp
-/// for crescents.
+/// Returns whether the wall pass takes the rest of a dead end after a circle: only thin stock is
+/// left, or the dead end is a corner that is too sharp for crescents.
 bool CrescentDriver::is_left_to_wall(const AxisCourse& course,
                                      double from,
                                      const ToolCircle& circle) const {
@@ -101,8 +101,8 @@ bool CrescentDriver::is_left_to_wall(const AxisCourse& course,
   return is_narrow && course.length() - from > kCornerSharpness * circle.radius;
 }
 
-/// Lists the tip of a dead end from `from` on if more stock is there than counts as thin: where it
-/// is sharp, the pass along the wall cuts it as a slot.
+/// Lists the tip of a dead end from `from` on as narrow, if its stock is thicker than thin stock.
+/// Where the tip is sharp, the pass along the wall cuts it as a slot.
 void CrescentDriver::list_tip(const AxisCourse& course, double from) {
   const ToolCircle begin = course.circle_at(from);
   const ToolCircle end = course.circle_at(course.length());
@@ -115,7 +115,7 @@ void CrescentDriver::list_tip(const AxisCourse& course, double from) {
   out_.narrow.push_back(tip);
 }
 
-/// Where the discs come into the stock that are free from `from` on. The tool stays up.
+/// Returns the length up to which the discs from `from` on are free of stock. The tool stays up.
 double CrescentDriver::end_of_free(const AxisCourse& course, double from, CourseDrive& done) {
   const double step = 0.05 * limits_.tool_radius_mm;
   double end = from;
@@ -129,7 +129,8 @@ double CrescentDriver::end_of_free(const AxisCourse& course, double from, Course
   return end;
 }
 
-/// Where a narrow stretch ends that begins at `from`; `from` if none does.
+/// Returns the end of the narrow stretch that begins at `from`; `from` if no such stretch begins
+/// there.
 double CrescentDriver::end_of_slot(const AxisCourse& course,
                                    double from,
                                    const ToolCircle& circle,
@@ -155,8 +156,8 @@ double CrescentDriver::end_of_slot(const AxisCourse& course,
   return high;
 }
 
-/// Goes along the axis, and clears the disc at the end. False if the slot bends and is as wide as
-/// the tool, so that no line fits into it.
+/// Drives along the axis and clears the disc at the end. Returns false if the slot bends and is as
+/// wide as the tool, so that no line fits into it.
 bool CrescentDriver::drive_slot(const AxisCourse& course,
                                 double from,
                                 double to,
@@ -205,7 +206,7 @@ void CrescentDriver::drive_crescent(const ToolCircle& from,
     writer_.light_pass(crescent.middle, crescent.bulge);
     writer_.light_pass(crescent.end, crescent.bulge);
   } else {
-    // All of it is cleared: its middle is in both circles.
+    // The whole disc is cleared already: its centre is in both circles.
     writer_.go_back(to.centre);
   }
   done.way_back.push_back(to);
@@ -221,8 +222,8 @@ void CrescentDriver::take_free_disc(const ToolCircle& circle) {
   is_up_ = true;
 }
 
-/// A disc that touches what must stay meets the skin of the stock; one that meets more of it is not
-/// free.
+/// Allows for the skin of the stock: a disc that just touches a wall that must stay reaches into
+/// the skin. A disc that reaches farther is not free.
 bool CrescentDriver::is_free(const ToolCircle& circle) const {
   constexpr double kSkins = 1.5;
   if (!options_.stock) return false;
@@ -239,7 +240,7 @@ void CrescentDriver::open_disc(const ToolCircle& circle, const std::vector<WideV
   enter_stock(circle, way, options_, writer_);
   open_by_spiral(circle, limits_, writer_);
   circles_.push_back(circle);
-  // All of this part is about as narrow as the tool.
+  // The whole part is hardly wider than the tool.
   if (circle.radius < narrow_circle(limits_.tool_radius_mm)) {
     out_.narrow.push_back({{circle.centre}, 2.0 * (circle.radius + limits_.tool_radius_mm), 0.0});
   }

@@ -8,49 +8,51 @@
 
 namespace sim::pocket {
 
-/// What a tool has done along a course.
+/// Result of driving along a course.
 struct CourseDrive {
-  /// Cleared discs through whose centres the tool comes back to where the course began: the way
-  /// from each centre to the next lies in the union of both discs.
+  /// Cleared discs through whose centres the tool can return to the beginning of the course. The
+  /// line from each centre to the next lies in the union of both discs.
   std::vector<cnc::pocket::ToolCircle> way_back;
-  bool is_complete = false;  ///< It came to the end.
+  bool is_complete = false;  ///< Whether the tool reached the end of the course.
 };
 
-/// Clears along the axis: by crescents, and where that is too narrow for them, in slots.
+/// Clears along the axis: by crescents, or in slots where the area is too narrow for crescents.
 class CrescentDriver {
  public:
   CrescentDriver(const OwnedArea& area, const AdaptiveOptions& options, AdaptivePath& out);
 
-  /// Clears along a course. @param start the circle at its beginning, on or in which the tool is,
-  /// and whose disc is cleared
-  /// @param is_dead_end nothing goes on at the course's end
+  /// Clears along a course.
+  /// @param start the circle at the beginning of the course; the tool is on it or in it, and its
+  /// disc is cleared
+  /// @param is_dead_end whether no other piece continues at the end of the course
   CourseDrive drive(const AxisCourse& course,
                     const cnc::pocket::ToolCircle& start,
                     bool is_dead_end);
 
-  /// Opens a disc in full stock: by an entry, and a spiral outwards within the engagement. Leaves
-  /// the tool on the circle.
-  /// @param way  from its centre on, for a ramp; see enter_stock()
+  /// Opens a disc in full stock: by an entry, and by a spiral outwards within the engagement.
+  /// Leaves the tool on the circle.
+  /// @param way  points from the centre on, for a ramp; see enter_stock()
   void open_disc(const cnc::pocket::ToolCircle& circle, const std::vector<cnc::WideVec2>& way);
 
-  /// Takes a disc that meets no stock, beside which the tool comes down.
+  /// Adds a disc that touches no stock; the tool stays up until it is needed there.
   void take_free_disc(const cnc::pocket::ToolCircle& circle);
 
-  /// Returns whether the disc that a tool clears on a circle meets no stock.
+  /// Returns whether the disc that a tool clears on a circle touches no stock.
   [[nodiscard]] bool is_free(const cnc::pocket::ToolCircle& circle) const;
 
-  /// Returns whether the tool is up, and comes down beside the stock when it is needed.
+  /// Returns whether the tool is up. It descends next to the stock when it is needed.
   [[nodiscard]] bool is_up() const { return is_up_; }
 
-  /// Brings the tool down at the centre of a cleared disc.
+  /// Lowers the tool at the centre of a cleared disc.
   void come_down(const cnc::pocket::ToolCircle& circle);
 
-  /// All circles whose discs are cleared.
+  /// Returns all circles whose discs are cleared.
   [[nodiscard]] const std::vector<cnc::pocket::ToolCircle>& circles() const { return circles_; }
   [[nodiscard]] DepthWriter& writer() { return writer_; }
 
-  /// Brings the tool back through cleared discs to the centre of the last one, without corners
-  /// where the discs have room. @pre the tool is in the first disc
+  /// Moves the tool back through cleared discs to the centre of the last disc, without corners
+  /// where the discs are large enough.
+  /// @pre the tool is in the first disc
   void drive_back(const std::vector<cnc::pocket::ToolCircle>& way);
 
  private:
@@ -77,7 +79,7 @@ class CrescentDriver {
   AdaptivePath& out_;
   DepthWriter writer_;
   std::vector<cnc::pocket::ToolCircle> circles_;
-  bool is_up_ = false;  ///< Only where stock is given.
+  bool is_up_ = false;  ///< True only if a stock is given.
 };
 
 }  // namespace sim::pocket

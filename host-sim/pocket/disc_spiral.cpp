@@ -11,14 +11,15 @@ using cnc::WideVec2;
 using cnc::pocket::ToolCircle;
 using cnc::pocket::Use;
 
-/// A half circle to the left, from a place beside a centre in X to the other side of it.
+/// Returns a half circle to the left. It leads from a point offset from a centre in X to the other
+/// side of the centre.
 ToolCircle half_circle(const WideVec2& from, const WideVec2& centre, double radius_mm) {
   const double side = from.x() >= centre.x() ? 1.0 : -1.0;
   const WideVec2 to = centre - WideVec2{side * radius_mm, 0.0};
   return {0.5 * (from + to), 0.5 * (from - to).norm()};
 }
 
-/// Whether a tool on a half circle stays within the engagement where only a disc is cleared.
+/// Returns whether a tool on a half circle stays within the engagement if only a disc is cleared.
 bool is_allowed(const ToolCircle& cleared,
                 const ToolCircle& half,
                 const WideVec2& from,
@@ -37,14 +38,15 @@ bool is_allowed(const ToolCircle& cleared,
   return true;
 }
 
-/// The greatest radius at the end of the next half circle, from `least_mm` to that of the circle.
+/// Returns the greatest radius at the end of the next half circle, from `least_mm` to the radius of
+/// `circle`.
 double widest_half(const ToolCircle& cleared,
                    const WideVec2& from,
                    const ToolCircle& circle,
                    double least_mm,
                    const StepLimits& limits) {
   constexpr int kHalvings = 24;
-  // Half circles grow by this share of the tool's radius at least, for the spiral to end.
+  // Each half circle grows by at least this share of the tool's radius, so that the spiral ends.
   constexpr double kLeastGrowth = 1.0e-3;
   const auto allows = [&](double radius_mm) {
     return is_allowed(cleared, half_circle(from, circle.centre, radius_mm), from, limits);
@@ -64,7 +66,7 @@ double widest_half(const ToolCircle& cleared,
 void open_by_spiral(const ToolCircle& circle, const StepLimits& limits, DepthWriter& writer) {
   double radius = (writer.place() - circle.centre).norm();
   if (radius >= circle.radius) return;
-  // The half circle before the last one lies on the same side as the next one.
+  // The half circle before the last is on the same side as the next half circle.
   ToolCircle before_last{circle.centre, radius};
   ToolCircle last = before_last;
   while (radius < circle.radius) {

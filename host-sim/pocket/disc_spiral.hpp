@@ -5,10 +5,10 @@
 
 namespace sim::pocket {
 
-/// Widens a cleared disc by half circles, each of them as much wider than the one before it as the
-/// engagement allows, and goes once around on the last circle.
-/// @param circle  the last one; the tool has cleared a disc around its centre and stands on the
-///   circle of that, beside the centre in X
+/// Widens a cleared disc by half circles; each is as much wider than the previous one as the
+/// engagement allows. Then goes once around on the last circle.
+/// @param circle  the last circle. The tool has cleared a disc around its centre, and is on the
+/// circle of that disc, offset from the centre in X.
 void open_by_spiral(const cnc::pocket::ToolCircle& circle,
                     const StepLimits& limits,
                     DepthWriter& writer);

@@ -11,8 +11,8 @@ namespace sim::pocket {
 /// Returns a row of strokes from its end to its start.
 [[nodiscard]] std::vector<cut::Stroke> reversed(std::vector<cut::Stroke> row);
 
-/// A loop in the direction in which it is driven, with ways along it, mm. Arcs of more than half a
-/// turn are two strokes.
+/// A loop in the direction in which it is driven, with distances along it, mm. An arc of more than
+/// half a turn becomes two strokes.
 class DrivenLoop {
  public:
   DrivenLoop(const cnc::contour::ContourView<double>& contour,
@@ -21,12 +21,13 @@ class DrivenLoop {
 
   [[nodiscard]] double length() const { return row_.length(); }
   [[nodiscard]] const cut::MeasuredRow& row() const { return row_; }
-  /// Returns the way from the first place of the loop to the one that is nearest to a place.
+  /// Returns the distance along the loop from its start to the point nearest to `place`.
   [[nodiscard]] double way_at(const cnc::WideVec2& place) const;
-  /// Returns what lies between two ways, around the first place of the loop where the second is not
-  /// after the first one: all of the loop where both are the same.
+  /// Returns the strokes between two distances along the loop. They lead across the start of the
+  /// loop if `to_mm` is not greater than `from_mm`. If both are equal, the result is the whole
+  /// loop.
   [[nodiscard]] std::vector<cut::Stroke> stretch(double from_mm, double to_mm) const;
-  /// Returns the way to the middle of the longest stroke.
+  /// Returns the distance along the loop to the middle of the longest stroke.
   [[nodiscard]] double longest_middle() const;
 
  private:

@@ -8,23 +8,24 @@ namespace {
 
 using cnc::WideVec2;
 
-/// The tool comes down this share of its radius away from the stock.
+/// The tool descends at this distance from the stock, as a share of its radius.
 constexpr double kGap = 1.25;
-/// Places that are tried are at most this share of the tool's radius apart.
+/// Greatest distance between the points that are tried, as a share of the tool's radius.
 constexpr double kApart = 1.0;
-/// Ways that are tried, the shortest ones first, and places on a loop.
+/// Greatest number of paths that are tried, the shortest first, and limits of the number of points
+/// on a loop.
 constexpr std::size_t kMostWays = 1000;
 constexpr double kFewestOnLoop = 16.0;
 constexpr double kMostOnLoop = 128.0;
 
-/// A line that may lead to a place on a loop.
+/// A line that may lead to a point on a loop.
 struct Candidate {
   WideVec2 from{0.0, 0.0};
   double way_mm = 0.0;
-  double square = 0.0;  ///< The line's length squared, mm².
+  double square = 0.0;  ///< Square of the line's length, mm².
 };
 
-/// Places along the edge of a box, at most so far apart.
+/// Returns points along the edge of a box, at most `apart_mm` apart.
 std::vector<WideVec2> places_along(const StockBox& box, double apart_mm) {
   const std::vector<WideVec2> corners{
       {box.x0, box.y0}, {box.x1, box.y0}, {box.x1, box.y1}, {box.x0, box.y1}};

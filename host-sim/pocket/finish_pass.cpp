@@ -22,20 +22,22 @@ using cnc::pocket::LoopPlace;
 using cnc::pocket::Milling;
 using cnc::pocket::Use;
 
-/// Of the tool's radius: the greatest radius of an arc by which the tool comes to a wall.
+/// Share of the tool's radius: greatest radius of an arc by which the tool reaches a wall.
 constexpr double kLeadShare = 1.0;
 
-/// A pass along a wall with a quarter of a circle before and after it.
+/// A pass along a wall, with a quarter of a circle before and after it.
 struct Lead {
   LoopPlace<double> place;
   WideVec2 begin{0.0, 0.0};
   WideVec2 end{0.0, 0.0};
   double bulge = 0.0;
-  WideVec2 inwards{0.0, 0.0};  ///< Away from the wall, of length 1.
-  double line_mm = 0.0;        ///< Length of the lines before `begin` and after `end`; 0: none.
+  WideVec2 inwards{0.0, 0.0};  ///< Direction away from the wall, a unit vector.
+  /// Length of the lines before `begin` and after `end`, mm; 0: no lines.
+  double line_mm = 0.0;
 };
 
-/// The arcs on which the tool comes to a loop from cleared places, and goes to one.
+/// Returns the arcs on which the tool reaches a loop from a cleared point and leaves it to a
+/// cleared point.
 std::optional<Lead> lead_to(const OwnedBoundary& walls,
                             std::size_t loop,
                             const FinishOptions& options) {
@@ -64,8 +66,8 @@ std::optional<Lead> lead_to(const OwnedBoundary& walls,
   return lead;
 }
 
-/// The greatest length of the lines at both ends of a lead, in places that roughing has cleared; 0
-/// where none fits.
+/// Returns the greatest length of the lines at both ends of a lead, within the area that roughing
+/// has cleared; 0 where no line fits.
 double line_length(const Lead& lead, const OwnedArea& area, const FinishOptions& options) {
   constexpr int kHalvings = 3;
   const double cleared = options.tool_radius_mm + options.allowance_mm;
@@ -80,7 +82,7 @@ double line_length(const Lead& lead, const OwnedArea& area, const FinishOptions&
   return 0.0;
 }
 
-/// Throws NoPocketPath where the lead of a loop has no lines.
+/// Adds lines to a lead. Throws NoPocketPath where there is no lead or no line fits.
 Lead with_lines(std::optional<Lead> lead,
                 const WideVec2& place,
                 const OwnedArea& area,
@@ -102,7 +104,7 @@ void drive(const OwnedBoundary& walls,
   writer.begin_row_in_cleared(lead.begin + lead.line_mm * lead.inwards);
   if (lead.line_mm > 0.0) writer.go(Use::kLeadIn, lead.begin, 0.0, writer.floor_z());
   writer.pass(lead.place.pose.point, lead.bulge);
-  out.points.pop_back();  // Where the revolution begins.
+  out.points.pop_back();  // Removes the point at which the revolution begins.
   const double floor = writer.floor_z();
   revolve(walls.view(), lead.place, options.milling, {floor, floor, Use::kPass}, out);
   const WideVec2& touch = lead.place.pose.point;

@@ -5,8 +5,9 @@
 
 namespace sim::pocket {
 
-/// Returns a line from a place and an arc from it into a cut, on which the tool stays in the area:
-/// the widest arc of kTurnOfTool, half of it, a quarter and so on. None where there is no room.
+/// Returns an approach: a line from a point, and an arc from this line into a cut, on which the
+/// tool stays in the area. The arc is the widest that fits of kTurnOfTool, half of it, a quarter
+/// and so on. Returns none where no arc fits.
 [[nodiscard]] Approach fitting_approach(const cnc::WideVec2& from,
                                         const Pose& cut,
                                         const OwnedArea& area,

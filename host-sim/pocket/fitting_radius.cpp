@@ -7,7 +7,7 @@
 namespace sim::pocket {
 namespace {
 
-/// Length of the boundary of the area where the centre of a tool fits, mm; 0 where it fits nowhere.
+/// Returns the length of the boundary of the tool's locus, mm; 0 where the tool fits nowhere.
 double locus_length(const cnc::contour::ContourView<double>& pocket,
                     double radius_mm,
                     ContourOffset& offsetter) {
@@ -21,8 +21,9 @@ double locus_length(const cnc::contour::ContourView<double>& pocket,
 
 }  // namespace
 
-/// The centre of a tool that is a little smaller gets into such a slot, and back, and that of a
-/// tool that is a little greater does not. With the tool's own radius rounding decides.
+/// Compares two tools. The centre of a slightly smaller tool gets into a slot as wide as the tool,
+/// and back; the centre of a slightly larger tool does not. With the tool's own radius, rounding
+/// would decide.
 double fitting_radius(const cnc::contour::ContourView<double>& pocket,
                       double tool_radius_mm,
                       ContourOffset& offsetter) {

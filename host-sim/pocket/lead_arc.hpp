@@ -4,7 +4,7 @@
 
 namespace sim::pocket {
 
-/// The bulge of a quarter turn to the left: tan of a quarter of it.
+/// Bulge of a quarter turn to the left: the tangent of a quarter of this turn.
 inline constexpr double kQuarterTurnBulge = std::numbers::sqrt2 - 1.0;
 
 }  // namespace sim::pocket

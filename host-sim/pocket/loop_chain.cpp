@@ -14,8 +14,8 @@ bool is_outline(const cnc::contour::ContourView<double>& area, std::size_t loop)
   return cnc::pocket::signed_area(area, loop) > 0.0;
 }
 
-/// The only loop of the area around that is matched by a loop within it: outline by outline, a hole
-/// by the hole in it.
+/// Returns the only loop of the area around that matches a loop within it: an outline around an
+/// outline, or a hole within a hole.
 std::optional<std::size_t> match_of(const cnc::contour::ContourView<double>& inner,
                                     std::size_t loop,
                                     const cnc::contour::ContourView<double>& around) {
@@ -69,7 +69,7 @@ std::optional<PassLoop> PassTree::around(const PassLoop& inner) const {
   const auto within = passes_[inner.pass].view();
   const auto around = passes_[pass].view();
   if (within.loop_ends.size() != around.loop_ends.size()) return std::nullopt;
-  // Only if all loops have a match of their own there is nothing else between them.
+  // Nothing else is between the passes only if each loop has a match of its own.
   std::optional<std::size_t> match;
   for (std::size_t i = 0; i < within.loop_ends.size(); ++i) {
     const std::optional<std::size_t> of_this = match_of(within, i, around);

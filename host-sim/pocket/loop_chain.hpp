@@ -14,25 +14,26 @@ struct PassLoop {
   std::size_t loop = 0;
 };
 
-/// Passes of a pocket by what is around them.
+/// Tree of the passes of a pocket: each pass lies within its parent.
 class PassTree {
  public:
-  /// @param parents of each pass the one around it, which comes before it; contour::kNone at walls
-  /// Both outlive the tree.
+  /// @param parents for each pass, the pass around it, which has a smaller number; contour::kNone
+  /// at walls
+  /// Both arguments must outlive the tree.
   PassTree(const std::vector<Contour>& passes, const std::vector<std::uint32_t>& parents);
 
   [[nodiscard]] std::uint32_t parent(std::uint32_t pass) const { return parents_[pass]; }
-  /// Returns all passes, each behind those within it, with all within it in one row.
+  /// Returns all passes. Each comes directly after all passes within it.
   [[nodiscard]] const std::vector<std::uint32_t>& inner_first() const { return inner_first_; }
 
-  /// Returns the pass within another one, if there is one alone.
+  /// Returns the pass within another pass, if there is exactly one.
   [[nodiscard]] std::optional<std::uint32_t> only_child(std::uint32_t pass) const;
-  /// Returns a pass and all that lie within it.
+  /// Returns a pass and all passes within it.
   [[nodiscard]] std::vector<std::uint32_t> within(std::uint32_t pass) const;
 
-  /// Returns the loop around another one if a ring is between them and nothing else: the passes
-  /// around have one pass within them, and as many loops. None for the pass at the wall, too, which
-  /// is driven as a whole.
+  /// Returns the loop around another loop if nothing but a ring is between them. For that, the pass
+  /// around must have exactly one pass within it, with the same number of loops. Returns none for
+  /// the pass at the wall, which is driven as a whole.
   [[nodiscard]] std::optional<PassLoop> around(const PassLoop& inner) const;
 
  private:

@@ -18,14 +18,14 @@ using Curve = cnc::contour::Curve<double>;
 using Element = cnc::pocket::LoopElement<double>;
 using View = cnc::contour::ContourView<double>;
 
-/// An element without length is a point.
+/// Returns an element as a curve. An element without length becomes a point.
 Curve curve_of(const Element& element) {
   Curve curve{.start = element.start, .end = element.start};
   static_cast<void>(cnc::pocket::make_curve(element, curve));
   return curve;
 }
 
-/// Calls `visit(curve)` for an element, or for both halves of one of more than half a turn.
+/// Calls `visit(curve)` for an element, or for both halves of an element of more than half a turn.
 template <typename Visit>
 void for_each_curve(const Element& element, const Visit& visit) {
   if (std::abs(element.bulge) <= 1.0) return visit(curve_of(element));
@@ -42,8 +42,9 @@ WideVec2 centre_of(const Curve& arc) {
   return arc.start + cnc::left_normal(arc.start_tangent) / arc.curvature;
 }
 
-/// The place of an arc that is nearest to the whole circle or line of another curve, if it is that
-/// near to the curve itself. Meetings of circles that just miss each other lie beside it.
+/// Returns the point of an arc that is nearest to the whole circle or line of another curve, if it
+/// touches that curve itself. For circles that just miss each other, the computed meetings lie next
+/// to this point.
 std::optional<WideVec2> nearest_touch(const Curve& arc, const Curve& other) {
   if (arc.curvature == 0.0) return std::nullopt;
   const WideVec2 centre = centre_of(arc);
@@ -51,7 +52,8 @@ std::optional<WideVec2> nearest_touch(const Curve& arc, const Curve& other) {
   const WideVec2 towards = is_line ? WideVec2{cnc::left_normal(other.start_tangent)}
                                    : WideVec2{centre_of(other) - centre};
   const double away = towards.norm();
-  if (away <= kTouchMm) return std::nullopt;  // Around one middle: ends tell.
+  // The circles have the same centre: their ends decide.
+  if (away <= kTouchMm) return std::nullopt;
   for (const double side : {1.0, -1.0}) {
     const WideVec2 place = centre + side / (std::abs(arc.curvature) * away) * towards;
     if (arc.faces(place, 0.0) && other.distance(place) <= kTouchMm) return place;
@@ -59,13 +61,13 @@ std::optional<WideVec2> nearest_touch(const Curve& arc, const Curve& other) {
   return std::nullopt;
 }
 
-/// A place that is on both curves within the touch.
+/// Returns a point that is on both curves within kTouchMm.
 std::optional<WideVec2> contact_of(const Curve& a, const Curve& b) {
   const auto meetings = cnc::contour::meetings_of(a, b, kTouchMm);
   if (meetings.count > 0) return meetings.places[0];
   if (const auto place = nearest_touch(a, b)) return *place;
   if (const auto place = nearest_touch(b, a)) return *place;
-  // Curves that run on top of each other have no such places, but an end of one is on the other.
+  // Curves that run on top of each other have no meetings, but an end of one lies on the other.
   for (const WideVec2& end : {a.start, a.end}) {
     if (b.distance(end) <= kTouchMm) return end;
   }
@@ -75,7 +77,7 @@ std::optional<WideVec2> contact_of(const Curve& a, const Curve& b) {
   return std::nullopt;
 }
 
-/// The curves of all loops, each with its loop.
+/// The curves of all loops, with the loop of each curve.
 class LoopCurves {
  public:
   explicit LoopCurves(const View& contour) {

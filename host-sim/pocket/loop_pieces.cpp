@@ -13,16 +13,17 @@ namespace {
 using cnc::WideVec2;
 using Curve = cnc::contour::Curve<double>;
 
-/// mm: crossings closer than this are one.
+/// mm: crossings closer to each other than this are one.
 constexpr double kSameCrossingMm = 1.0e-9;
 
-/// A stretch of a loop by its ways from the first vertex, mm; `to` may be beyond the last vertex.
+/// A stretch of a loop, from one distance from the first vertex to another, mm. `to` may be beyond
+/// the last vertex.
 struct LoopStretch {
   double from = 0.0;
   double to = 0.0;
 };
 
-/// Returns the places that divide a curve where it crosses an area's boundary, with its ends.
+/// Returns the points that divide a curve: its ends, and its crossings with an area's boundary.
 std::vector<WideVec2> divisions(const Curve& curve, const OwnedArea& area) {
   std::vector<WideVec2> places{curve.start, curve.end};
   area->search(curve.box(), [&](const Curve& other) {
@@ -34,7 +35,7 @@ std::vector<WideVec2> divisions(const Curve& curve, const OwnedArea& area) {
   return places;
 }
 
-/// Returns the stretches of a row outside of an area, in their order; those that meet are one.
+/// Returns the stretches of a row outside of an area, in order. Stretches that meet become one.
 std::vector<LoopStretch> stretches_outside(const cut::MeasuredRow& row, const OwnedArea& area) {
   std::vector<LoopStretch> stretches;
   for (std::size_t i = 0; i < row.strokes().size(); ++i) {
@@ -62,8 +63,8 @@ std::vector<LoopStretch> stretches_outside(const cut::MeasuredRow& row, const Ow
   return stretches;
 }
 
-/// Makes stretches longer and joins those that meet, around the end of the loop, too. One stretch
-/// from 0 to the length is all of the loop.
+/// Extends stretches and joins those that meet, also across the end of the loop. One stretch from 0
+/// to `length` is the whole loop.
 std::vector<LoopStretch> lengthened(std::vector<LoopStretch> stretches,
                                     double overlap,
                                     double length) {

@@ -11,13 +11,15 @@ namespace sim::pocket {
 /// A part of a closed loop.
 struct LoopPiece {
   std::size_t loop = 0;
-  std::vector<cut::Stroke> strokes;  ///< In the direction of the loop, one behind the other.
-  bool is_whole = false;             ///< All of the loop, from its first vertex on.
+  /// In the direction of the loop; each begins at the end of the previous one.
+  std::vector<cut::Stroke> strokes;
+  /// Whether the part is the whole loop, from its first vertex on.
+  bool is_whole = false;
 };
 
-/// Returns the parts of all loops of a contour that lie outside of an area, longer by an overlap at
-/// both ends. Parts that come together by it are one.
-/// @param area has an element
+/// Returns the parts of all loops of a contour that lie outside of an area, extended by an overlap
+/// at both ends. Parts that meet after the extension become one.
+/// @param area must have an element
 /// @param overlap_mm at least 0
 [[nodiscard]] std::vector<LoopPiece> pieces_outside(const cnc::contour::ContourView<double>& loops,
                                                     const OwnedArea& area,

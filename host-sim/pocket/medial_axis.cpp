@@ -14,7 +14,7 @@ namespace {
 using cnc::WideVec2;
 using cnc::pocket::nearest_point_of;
 
-constexpr double kSagittaShare = 0.1;  ///< Of the tolerance.
+constexpr double kSagittaShare = 0.1;  ///< Share of the tolerance.
 
 /// Adds points between neighbours of a chain until they are within tolerance.
 class ChainRefiner {
@@ -22,9 +22,9 @@ class ChainRefiner {
   ChainRefiner(const OwnedArea& area, double tolerance_mm)
       : area_{area}, tolerance_mm_{tolerance_mm} {}
 
-  /// Appends what lies between the last point and `to`, and `to`.
+  /// Appends `to`, and the points that are necessary between the last point and `to`.
   void append(std::vector<AxisPoint>& points, const AxisPoint& to, const AxisEdge& edge) {
-    // Points in reverse, each with how often the stretch before it was halved.
+    // Points in reverse order. `depth` counts the halvings of the stretch before the point.
     struct Pending {
       AxisPoint point;
       int depth;
@@ -55,7 +55,7 @@ class ChainRefiner {
            std::abs(middle.radius - 0.5 * (from.radius + to.radius)) > tolerance_mm_;
   }
 
-  /// The point near the middle that is as far from one element as from the other.
+  /// Returns the point near the middle that has equal distances from both elements.
   [[nodiscard]] AxisPoint middle_of(const AxisPoint& from,
                                     const AxisPoint& to,
                                     const AxisEdge& edge) const {
@@ -76,7 +76,7 @@ class ChainRefiner {
     return {place, std::max(0.0, area_->depth(place))};
   }
 
-  /// Of the difference of two unit vectors that are one direction.
+  /// Least square of the difference between two unit vectors; below it they have one direction.
   static constexpr double kLeastSquare = 1.0e-8;
 
   const OwnedArea& area_;
@@ -102,7 +102,7 @@ class ChainMaker {
     for (std::uint32_t i = 0; i < at_node_.size(); ++i) {
       if (at_node_[i].size() != 2) begin_at(i);
     }
-    // What is left are loops, which have no node of their own.
+    // The edges left are loops, which have no node of their own.
     for (std::uint32_t i = 0; i < at_node_.size(); ++i) {
       if (at_node_[i].size() == 2 && !used_[at_node_[i].front()]) begin_at(i);
     }

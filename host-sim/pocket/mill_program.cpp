@@ -18,7 +18,7 @@ using cnc::pocket::Use;
 using Point = cnc::pocket::PathPoint<double>;
 using Written = cnc::Result<std::string_view, WriterError>;
 
-/// Writes rows of a tool path one after the other.
+/// Writes rows of a tool path, one after another.
 class RowWriter {
  public:
   RowWriter(const MillSettings& mill, cnc::gcode::PrintGrid grid)
@@ -44,7 +44,7 @@ class RowWriter {
     return static_cast<std::uint32_t>(std::lround(1000.0 * value));
   }
 
-  /// The feed at which an element descends no faster than a plunge.
+  /// Returns the feed at which an element descends no faster than a plunge.
   [[nodiscard]] double feed_of(const cut::Stroke& stroke, double rise_mm, Use use) const {
     const bool is_raised = use == Use::kLight && mill_.light_feed_mm_min > 0.0;
     const double feed = is_raised ? mill_.light_feed_mm_min : mill_.feed_mm_min;
@@ -53,8 +53,8 @@ class RowWriter {
     return std::min(feed, mill_.plunge_mm_min * length_mm / -rise_mm);
   }
 
-  /// A rapid at depth that begins and ends `near_mm` away from the cuts; the rest is driven at the
-  /// feed.
+  /// Writes a rapid at depth that begins and ends `near_mm` away from the cuts. The rest of the
+  /// return is driven at the feed.
   void write_return(const Point& from, const Point& to) {
     const cnc::WideVec2 way = to.point() - from.point();
     const double share = mill_.near_mm / way.norm();
@@ -77,7 +77,7 @@ class RowWriter {
     }
   }
 
-  /// Whether a rapid is worth its corners, and stays at one depth.
+  /// Returns whether a return stays at one depth and is long enough for a rapid.
   [[nodiscard]] bool is_rapid(const Point& from, const Point& to) const {
     constexpr double kLeastMargins = 3.0;
     return from.use == Use::kReturn && from.bulge == 0.0 && from.z == to.z &&
@@ -95,7 +95,8 @@ class RowWriter {
     write_flat(stroke, from, to);
   }
 
-  /// An arc so flat that its centre is out of reach: lines within half a last digit of it.
+  /// Writes an arc that is so flat that its centre is out of range, as lines within half a last
+  /// digit of it.
   void write_flat(const cut::Stroke& stroke, const Point& from, const Point& to) {
     const double height = 0.5 * std::abs(stroke.bulge) * drawing::distance(stroke.from, stroke.to);
     const double lines = std::ceil(std::sqrt(2.0 * height / digit_mm_));

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::string_view kForm = "tool `NAME: diameter=MM, key=value`";
 
-/// A value that a tool may have, and its range.
+/// A key that a tool may have, with the range of its value.
 struct ToolKey {
   std::string_view name;
   std::optional<double> MillTool::*value;
@@ -52,7 +52,7 @@ void set(MillTool& tool, const std::string& key, const std::string& text) {
                                           did_you_mean(key, names)));
 }
 
-/// Throws std::invalid_argument for values that are missing or exclude each other.
+/// Checks a tool. Throws std::invalid_argument for values that are missing or exclude each other.
 void check(const MillTool& tool) {
   if (tool.name.empty()) throw std::invalid_argument("a tool without a name");
   if (tool.diameter_mm == 0.0) throw std::invalid_argument("a tool without diameter=MM");

@@ -2,7 +2,7 @@
 
 namespace sim::pocket {
 
-/// Each loop is read backwards, from its last vertex on: bulges change their sign twice.
+/// Reads each loop backwards, from its last vertex on, so the sign of each bulge changes twice.
 Contour mirrored(const Contour& contour) {
   const auto view = contour.view();
   Contour other;

@@ -5,10 +5,10 @@
 
 namespace sim::pocket {
 
-/// Returns contours with Y turned round: what is on the left of a loop stays there.
+/// Returns contours with the sign of Y changed. Material on the left of a loop stays on its left.
 [[nodiscard]] Contour mirrored(const Contour& contour);
 
-/// Turns Y of a path round.
+/// Changes the sign of Y in a path.
 void mirror(PathRows& path);
 
 }  // namespace sim::pocket

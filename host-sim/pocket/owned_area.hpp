@@ -14,7 +14,7 @@ class OwnedArea {
   /// Throws std::invalid_argument for numbers that are not finite.
   explicit OwnedArea(const cnc::contour::ContourView<double>& area);
 
-  OwnedArea(const OwnedArea&) = delete;  // The distances point into the storage.
+  OwnedArea(const OwnedArea&) = delete;  // `distance_` points into the storage.
   OwnedArea& operator=(const OwnedArea&) = delete;
   ~OwnedArea() = default;
 

@@ -7,19 +7,19 @@
 
 namespace sim::pocket {
 
-/// Loops with questions after the nearest point of them, and their storage.
+/// Loops, prepared for queries for their nearest point, with their storage.
 class OwnedBoundary {
  public:
   explicit OwnedBoundary(Contour contour);
 
-  OwnedBoundary(const OwnedBoundary&) = delete;  // The questions point into the storage.
+  OwnedBoundary(const OwnedBoundary&) = delete;  // `nearest_` points into the storage.
   OwnedBoundary& operator=(const OwnedBoundary&) = delete;
   ~OwnedBoundary() = default;
 
   [[nodiscard]] cnc::contour::ContourView<double> view() const { return contour_.view(); }
   [[nodiscard]] std::size_t loops() const { return contour_.loop_ends.size(); }
   [[nodiscard]] const cnc::pocket::NearestCurve<double>& nearest() const { return nearest_; }
-  /// @pre there is a loop
+  /// Returns the distance from `place` to the loops, mm. @pre there is a loop
   [[nodiscard]] double distance(const cnc::WideVec2& place) const {
     return nearest_.nearest_to(place).distance;
   }

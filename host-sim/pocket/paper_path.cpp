@@ -31,8 +31,9 @@ using cnc::pocket::PaperFault;
   throw NoPocketPath{"its path is too long; choose a larger tool"};
 }
 
-/// Each loop is within the one around it by one radius at least, on both sides. Arcs may reach
-/// beyond the vertices, but not twice as far in a pocket that the method takes.
+/// Returns an upper bound of the number of loops. Each loop is inside of the previous loop by at
+/// least one radius on both sides. Arcs may reach beyond the vertices, but not twice as far in a
+/// pocket that the method accepts.
 std::size_t most_loops_of(const cnc::contour::ContourView<double>& pocket, double tool_radius_mm) {
   double left = std::numeric_limits<double>::infinity();
   double right = -left;

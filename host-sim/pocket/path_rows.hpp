@@ -7,7 +7,7 @@
 
 namespace sim::pocket {
 
-/// Rows of a tool path with their storage, as ToolPathView has them.
+/// Rows of a tool path with their storage, in the form of ToolPathView.
 struct PathRows {
   std::vector<cnc::pocket::PathPoint<double>> points;
   std::vector<std::uint32_t> row_ends;  ///< One past the last point of each row.
@@ -16,10 +16,10 @@ struct PathRows {
     return {{points.data(), points.size()}, {row_ends.data(), row_ends.size()}};
   }
 
-  /// Ends the row that is being written, unless it has no point.
+  /// Ends the row that is being written. Does nothing if the row has no point.
   void end_row();
 
-  /// Appends the rows of another path, moved upwards.
+  /// Appends the rows of another path, moved up by `up_mm`.
   void append(const PathRows& rows, double up_mm = 0.0);
 };
 

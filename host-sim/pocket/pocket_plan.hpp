@@ -13,31 +13,31 @@
 
 namespace sim::pocket {
 
-/// There is no path for a pocket: the options do not fit it, or its contours cross.
+/// Thrown where a pocket has no path: the options do not fit it, or its contours cross.
 class NoPocketPath : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;  ///< `reason; remedy`.
 };
 
-/// The path that clears a pocket, and its passes, each a contour of loops.
+/// The path that clears a pocket, and its passes. Each pass is a contour.
 struct PocketPlan : PathRows {
   std::vector<Contour> passes;
   std::vector<std::uint32_t> parents;  ///< The pass around each pass; kNone at the wall.
   cnc::pocket::PocketReport report;
 };
 
-/// The planner's pocket path with storage that grows until it is enough, and is used again for the
-/// next pocket.
+/// Makes the planner's pocket paths. Its storage grows until it is large enough, and is reused for
+/// the next pocket.
 class PocketPlanner {
  public:
-  /// Of the storage for one pass; about 3 KiB each.
+  /// Greatest number of elements in the storage for one pass; about 3 KiB each.
   static constexpr std::size_t kMostElements = 1'000'000;
-  /// Of a path, and of all passes; 44 bytes each.
+  /// Greatest number of points of a path, and of vertices of all passes; 44 bytes each.
   static constexpr std::size_t kMostPoints = 20'000'000;
 
   PocketPlanner() = default;
 
-  /// Throws NoPocketPath.
+  /// Makes the path of a pocket. Throws NoPocketPath.
   /// @param pocket closed contours that do not cross, with the pocket on their left
   [[nodiscard]] PocketPlan plan(const cnc::contour::ContourView<double>& pocket,
                                 const cnc::pocket::PocketOptions<double>& options);
@@ -65,7 +65,7 @@ class PocketPlanner {
   void grow(std::size_t elements);
   void grow_passes(std::size_t elements);
   void grow_path(std::size_t points);
-  /// Grows what was too small; throws for every other fault.
+  /// Grows the storage that was too small. Throws for every other fault.
   void grow_or_refuse(const cnc::pocket::PocketError& error, const ContourVertex& begin);
   [[nodiscard]] cnc::pocket::PocketPathSpace<double> space();
 
@@ -80,7 +80,7 @@ class PocketPlanner {
   Areas passes_;
   std::vector<cnc::pocket::PassNote<double>> pass_notes_;
   std::vector<cnc::pocket::PassState> states_;
-  // A vector of bool has no storage to hand out.
+  // std::vector<bool> does not store its items as bool.
   std::unique_ptr<bool[]> driven_loops_;  // NOLINT(modernize-avoid-c-arrays)
   std::vector<cnc::contour::Curve<double>> locus_;
   std::vector<cnc::contour::FlatBox<double>> locus_boxes_;

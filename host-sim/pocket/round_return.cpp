@@ -14,11 +14,11 @@ using cnc::WideVec2;
 using cnc::pocket::ToolCircle;
 using cnc::pocket::Use;
 
-/// Radians: corners at which the way nearly turns back stay corners.
+/// Radians: corners with a greater turn, at which the path nearly turns back, stay corners.
 constexpr double kNearlyBack = 0.95 * std::numbers::pi;
 
-/// The discs through whose centres the tool goes: it leaves out what lies in the disc that it is
-/// in.
+/// Returns the discs through whose centres the tool moves: it skips the discs whose centres lie in
+/// the disc that it is in.
 std::vector<ToolCircle> shortened(const std::vector<ToolCircle>& way) {
   std::vector<ToolCircle> short_way;
   std::size_t disc = 0;
@@ -36,8 +36,8 @@ std::vector<ToolCircle> shortened(const std::vector<ToolCircle>& way) {
   return short_way;
 }
 
-/// The same discs without those in between that have the centre of a neighbour: between both, no
-/// arc would fit. The first and the last one stay.
+/// Returns the discs without those in between whose centre is that of a neighbour: no arc would fit
+/// between the two. The first and the last disc are kept.
 std::vector<ToolCircle> without_repeats(const std::vector<ToolCircle>& discs) {
   constexpr double kSameCentreMm = 1.0e-5;  // Far below the tolerance of the axis.
   const auto is_same = [](const ToolCircle& a, const ToolCircle& b) {
@@ -53,8 +53,8 @@ std::vector<ToolCircle> without_repeats(const std::vector<ToolCircle>& discs) {
   return kept;
 }
 
-/// The arc to one side out of the direction of travel after which a line leads to a place; none if
-/// the arc goes around the place, or leaves the disc.
+/// Returns the arc to one side, out of the direction of travel, after which a line leads to
+/// `target`. Returns none if the arc goes around `target`, or leaves the disc.
 std::optional<RoundTurn> turn_by_side(
     const Pose& here, const ToolCircle& disc, const WideVec2& target, double turn_mm, double side) {
   const WideVec2 centre = here.place + side * turn_mm * left_normal(here.direction);
@@ -67,7 +67,7 @@ std::optional<RoundTurn> turn_by_side(
   return arc;
 }
 
-/// The first arc of a way to a place in the same disc: out of the direction of travel.
+/// Turns by an arc out of the direction of travel, as the first element of a path within a disc.
 void turn_towards(DepthWriter& writer,
                   const ToolCircle& disc,
                   const WideVec2& target,
@@ -84,7 +84,7 @@ void turn_towards(DepthWriter& writer,
   if (arc) arc->write(writer, arc->place_at(1.0));
 }
 
-/// A line towards the centre of a disc, and there an arc into the direction of the next.
+/// Adds a line towards the centre of a disc, and there an arc into the direction of the next line.
 void round_corner(DepthWriter& writer,
                   const ToolCircle& corner,
                   const WideVec2& next,
@@ -138,7 +138,8 @@ WideVec2 Approach::place_at(double share) const {
 
 void go_back_round(DepthWriter& writer, const ToolCircle& disc, const Pose& next, double turn_mm) {
   Pose here{writer.place(), writer.heading()};
-  if (here.direction == WideVec2{0.0, 0.0}) {  // It stands, and may set off in any direction.
+  // The tool is at rest and may start in any direction.
+  if (here.direction == WideVec2{0.0, 0.0}) {
     const WideVec2 ahead = next.place - here.place;
     if (ahead.norm() <= kSamePlaceMm) return;
     here.direction = ahead.normalized();

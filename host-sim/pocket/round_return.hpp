@@ -6,8 +6,8 @@
 
 namespace sim::pocket {
 
-/// Brings the tool over a cleared disc from the end of one cut to the beginning of the next with
-/// one tangent throughout, by a round way, or by a line where there is none.
+/// Moves the tool over a cleared disc from the end of a cut to the beginning of the next cut: by a
+/// round path with one tangent throughout, or by a line where there is no round path.
 /// @param disc     circle in which, and on which, the tool's centre may move
 /// @param turn_mm  radius of the arcs, mm
 /// @pre the tool is in the disc, `next.place` on its circle
@@ -16,34 +16,36 @@ void go_back_round(DepthWriter& writer,
                    const Pose& next,
                    double turn_mm);
 
-/// Brings the tool over cleared stock to the centre of the last of some discs, and turns in arcs
-/// where the discs have room: out of the direction in which it is moving, and from line to line.
+/// Moves the tool over cleared stock to the centre of the last of several discs. It turns by arcs
+/// where the discs are large enough: first out of its present direction, then from line to line.
 /// @param way  circles in which, and on which, the tool's centre may move; the line from
 /// each centre to the next lies in the union of both circles
-/// @param turn_mm  radius of the first arc at most, and how far before its corner any other begins
+/// @param turn_mm  greatest radius of the first arc; each further arc begins this far before its
+/// corner
 /// @pre the tool is in the first disc; way is not empty
 void go_through_round(DepthWriter& writer,
                       const std::vector<cnc::pocket::ToolCircle>& way,
                       double turn_mm);
 
-/// Where a tool that moves in a line from a place turns to the left, by an arc of a radius, into a
-/// cut.
+/// An arc that turns to the left into a cut. The tool comes along a line from a point to the start
+/// of the arc.
 struct Approach {
-  cnc::WideVec2 centre{0.0, 0.0};  ///< The arc turns around it.
+  cnc::WideVec2 centre{0.0, 0.0};  ///< Centre of the arc.
   cnc::WideVec2 arc_start{0.0, 0.0};
-  double turn = 0.0;  ///< Radians of the arc, up to where the cut begins; less than half a turn.
+  /// Sweep of the arc up to the beginning of the cut, radians; less than half a turn.
+  double turn = 0.0;
   bool exists = false;
 
   [[nodiscard]] double bulge() const;
-  /// @param share of the arc, 0…1
+  /// Returns a point of the arc. @param share of the arc, 0…1
   [[nodiscard]] cnc::WideVec2 place_at(double share) const;
 };
 [[nodiscard]] Approach approach_from(const cnc::WideVec2& place,
                                      const Pose& next,
                                      double radius_mm);
 
-/// The radius of turns, as a share of the tool's radius, and at most as a share of the radius of
-/// the circles beside them.
+/// Radius of turns as a share of the tool's radius, and its upper limit as a share of the radius of
+/// the circles next to them.
 inline constexpr double kTurnOfTool = 0.2;
 inline constexpr double kTurnOfCircle = 0.5;
 

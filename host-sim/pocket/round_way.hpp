@@ -7,27 +7,28 @@
 
 namespace sim::pocket {
 
-/// A place of the tool and the direction in which it moves there, a unit vector.
+/// A point of the tool's path and the direction of travel there, a unit vector.
 struct Pose {
   cnc::WideVec2 place{0.0, 0.0};
   cnc::WideVec2 direction{1.0, 0.0};
 };
 
-/// mm: a smaller turn is a corner.
+/// mm: a turn with a smaller radius is a corner.
 inline constexpr double kLeastTurnMm = 1.0e-6;
-/// Radians: an arc that turns by less is a line.
+/// Radians: an arc with a smaller sweep is a line.
 inline constexpr double kLeastArc = 1.0e-6;
 
-/// Whether a place is within or on a circle.
+/// Returns whether a point is within or on a circle.
 [[nodiscard]] bool is_in(const cnc::WideVec2& place, const cnc::pocket::ToolCircle& circle);
 
-/// A vector turned to the left, by radians.
+/// Returns a vector turned to the left by `angle` radians.
 [[nodiscard]] cnc::WideVec2 turned(const cnc::WideVec2& vector, double angle);
 
-/// The turn to the left from one direction to another, 0 to 2 π.
+/// Returns the turn to the left from one direction to another, 0 to 2 π.
 [[nodiscard]] double turn_between(const cnc::WideVec2& from, const cnc::WideVec2& to);
 
-/// The same to the left where `side` is above 0, to the right where it is below.
+/// Returns the turn from one direction to another, 0 to 2 π: to the left if `side` is above 0, to
+/// the right if it is below 0.
 [[nodiscard]] double turn_to(double side, const cnc::WideVec2& from, const cnc::WideVec2& to);
 
 /// An arc in place of the corner between two lines.
@@ -39,32 +40,33 @@ struct Rounding {
   [[nodiscard]] cnc::WideVec2 middle() const;
 };
 
-/// @param trim_mm how far before and after the corner the arc begins and ends
+/// Returns the arc that rounds a corner.
+/// @param trim_mm distance from the corner at which the arc begins before it and ends after it
 /// @pre the corner is neither `before` nor `after`
 [[nodiscard]] Rounding rounding_of(const cnc::WideVec2& before,
                                    const cnc::WideVec2& corner,
                                    const cnc::WideVec2& after,
                                    double trim_mm);
 
-/// An arc.
+/// An arc of the tool's path.
 struct RoundTurn {
   cnc::WideVec2 centre{0.0, 0.0};
   cnc::WideVec2 start{0.0, 0.0};
-  double side = 1.0;  ///< 1 to the left, -1 to the right.
+  double side = 1.0;  ///< +1 to the left, −1 to the right.
   double turn = 0.0;  ///< Radians, 0 to 2 π.
 
-  /// @param share of the arc, 0…1
+  /// Returns a point of the arc. @param share of the arc, 0…1
   [[nodiscard]] cnc::WideVec2 place_at(double share) const;
-  /// Whether no place of it is outside of a circle.
+  /// Returns whether no point of the arc is outside of a circle.
   [[nodiscard]] bool stays_in(const cnc::pocket::ToolCircle& disc) const;
-  /// Moves the tool from the start to `end`, which is the arc's own end but for rounding. Arcs of
-  /// more than half a turn are written in two halves.
+  /// Writes the arc up to `end`, which is the arc's own end within rounding. An arc of more than
+  /// half a turn is written in two halves.
   void write(DepthWriter& writer, const cnc::WideVec2& end) const;
 };
 
-/// An arc, a line and an arc of the same radius, each with the tangent of the one before it: the
-/// shortest way from one pose to another where turns have a least radius (Dubins, 1957), unless
-/// both are near to each other.
+/// An arc, a line and an arc of the same radius, joined with one tangent. This is the shortest path
+/// from one pose to another with a least radius of turn (Dubins, 1957), unless the poses are near
+/// to each other.
 struct RoundWay {
   RoundTurn first;
   cnc::WideVec2 line_start{0.0, 0.0};
@@ -75,8 +77,9 @@ struct RoundWay {
   void write(DepthWriter& writer) const;
 };
 
-/// Returns the shortest round way within a circle, by turns of the radius asked for or, where none
-/// fits, half of it, a quarter and so on; none below kLeastTurnMm.
+/// Returns the shortest round path within a circle, with turns of `radius_mm` or, where that does
+/// not fit, of half of it, a quarter and so on. Returns none if no radius down to kLeastTurnMm
+/// fits.
 [[nodiscard]] std::optional<RoundWay> round_way(const Pose& from,
                                                 const Pose& to,
                                                 const cnc::pocket::ToolCircle& disc,

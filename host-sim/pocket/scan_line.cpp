@@ -12,7 +12,7 @@ using cnc::WideVec2;
 using Curve = cnc::contour::Curve<double>;
 using cnc::contour::FlatBox;
 
-/// mm: crossings closer than this are one.
+/// mm: crossings closer to each other than this are one.
 constexpr double kOneCrossingMm = 1.0e-9;
 
 Curve line_through(const FlatBox<double>& box, double y) {

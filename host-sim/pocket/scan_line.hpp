@@ -9,7 +9,7 @@ namespace sim::pocket {
 /// A stretch of a line along X.
 struct Stretch {
   double from_x = 0.0;
-  double to_x = 0.0;  ///< Greater.
+  double to_x = 0.0;  ///< Greater than `from_x`.
 };
 
 /// A side of a stretch, or of an area seen along X.
@@ -19,11 +19,11 @@ enum class Side : std::uint8_t { kLeft, kRight };
   return side == Side::kLeft ? stretch.from_x : stretch.to_x;
 }
 
-/// Returns the stretches of the line at a height Y that lie in an area, from left to right. Where
-/// the line only touches the boundary, the stretch goes on.
+/// Returns the stretches of a line along X at the height `y` that lie in an area, from left to
+/// right. Where the line only touches the boundary, the stretch is not divided.
 [[nodiscard]] std::vector<Stretch> stretches_at(const OwnedArea& area, double y);
 
-/// Returns a box around an area. @pre it has an element
+/// Returns a box around an area. @pre the area has an element
 [[nodiscard]] cnc::contour::FlatBox<double> box_of(const OwnedArea& area);
 
 }  // namespace sim::pocket

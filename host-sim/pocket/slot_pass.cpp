@@ -13,15 +13,15 @@ using cnc::WideVec2;
 using cnc::pocket::AreaDistance;
 using cnc::pocket::Use;
 
-/// The arc at a corner with the longest trim, of half of both lines, a quarter and so on, whose
-/// middle is as far from the walls as the tool needs. It has no length where the trim has become
-/// too short to matter, or the corner is too flat.
+/// Returns the arc at a corner with the longest trim that fits. It tries half of the shorter line,
+/// a quarter and so on. The arc fits if its middle is as far from the walls as the tool needs. It
+/// has no length where the trim has become negligibly short, or where the corner is too flat.
 Rounding fitting_rounding(const WideVec2& before,
                           const WideVec2& corner,
                           const WideVec2& after,
                           const AreaDistance& area,
                           double tool_radius_mm) {
-  constexpr double kExcessMm = 1.0e-7;   // As for lines.
+  constexpr double kExcessMm = 1.0e-7;   // The same value as in fits_in_line().
   constexpr double kFlatBulge = 2.5e-5;  // A turn of 0.006°.
   double trim_mm = 0.5 * std::min((corner - before).norm(), (after - corner).norm());
   for (; trim_mm >= kLeastTurnMm; trim_mm *= 0.5) {

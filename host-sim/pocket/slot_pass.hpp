@@ -8,16 +8,17 @@
 
 namespace sim::pocket {
 
-/// Cuts along lines from the tool's place, and turns from each into the next in an arc where the
-/// area has room for it: the lines follow its axis, so that their corners are flat.
-/// @param way  the tool's place first; no two neighbours the same; the tool fits along all lines
+/// Cuts along lines from the tool's position. From each line into the next it turns by an arc, if
+/// the arc fits into the area. The lines follow the axis of the area, so their corners are flat.
+/// @param way  the tool's position, then the corners; neighbouring points differ; the tool fits
+/// along all lines
 void pass_lines(DepthWriter& writer,
                 const std::vector<cnc::WideVec2>& way,
                 const cnc::pocket::AreaDistance& area,
                 double tool_radius_mm);
 
-/// Cuts a disc from its centre, at which the tool has just arrived: by a half circle out to its
-/// circle, and around it, both to the left and with one tangent.
+/// Cuts a disc from its centre, at which the tool has just arrived: by a half circle out to the
+/// disc's circle, then around this circle. Both turn left and join with one tangent.
 void pass_disc(DepthWriter& writer, const cnc::pocket::ToolCircle& disc);
 
 }  // namespace sim::pocket

@@ -6,9 +6,9 @@
 namespace sim::pocket {
 namespace {
 
-/// Radians: a corner of this angle leaves 1e-4 mm beside a disc of 1 m.
+/// Radians: a corner of this angle leaves 1e-4 mm next to a disc of 1 m.
 constexpr double kSmoothCorner = 1.0e-3;
-/// Of a curvature, by which rounding may make arcs of one circle differ.
+/// Share of a curvature by which rounding may make arcs of one circle differ.
 constexpr double kSameCurvature = 1.0e-6;
 
 bool joins_smoothly(const cnc::contour::Curve<double>& from,
@@ -17,7 +17,8 @@ bool joins_smoothly(const cnc::contour::Curve<double>& from,
          from.end_tangent.dot(to.start_tangent) > 0.0;
 }
 
-/// Whether a row goes on from one element to the next. @param sign 1 if curvature grows, else −1
+/// Returns whether a row continues from one element to the next.
+/// @param sign 1 if curvature grows, else −1
 bool goes_on(const cnc::contour::Curve<double>& from,
              const cnc::contour::Curve<double>& to,
              double sign) {
@@ -46,7 +47,7 @@ std::vector<std::uint32_t> SmoothRows::numbered(const cnc::pocket::AreaDistance&
   std::vector<std::uint32_t> rows(area.element_count());
   std::uint32_t row = 0;
   for (std::uint32_t first = 0; first < rows.size();) {
-    // Around the loop from where a row begins, or from its first element if none does.
+    // Goes around the loop from the start of a row, or from the first element if no row starts.
     std::uint32_t begin = first;
     std::uint32_t end = first;
     do {

@@ -24,7 +24,7 @@ using cnc::contour::kNone;
 using cnc::pocket::LoopPlace;
 using cnc::pocket::Use;
 
-/// A place on a loop of a pass.
+/// A pass, and a point on one of its loops.
 struct LoopStart {
   std::uint32_t pass = 0;
   LoopPlace<double> place;
@@ -32,7 +32,7 @@ struct LoopStart {
 
 class SpiralDriver {
  public:
-  /// @param beside where rows may begin beside a stock; null where there is none
+  /// @param beside search for beginnings of rows next to a stock; null if there is no stock
   SpiralDriver(const PocketPlan& plan,
                const SpiralOptions& options,
                const EntryBesideSearch* beside,
@@ -47,7 +47,7 @@ class SpiralDriver {
     for (const Contour& pass : plan.passes) is_driven_.emplace_back(pass.loop_ends.size());
   }
 
-  /// Leaves a loop out.
+  /// Marks a loop as not to be driven.
   void leave_out(const PassLoop& loop) { is_driven_[loop.pass][loop.loop] = true; }
 
   /// Drives spirals around islands instead of the passes that they replace.
@@ -78,7 +78,7 @@ class SpiralDriver {
     return search_.driven(loop, options_.milling);
   }
 
-  /// Drives the loops of a pass that no spiral has driven, each after a link or an entry.
+  /// Drives the loops of a pass that no spiral has driven. Each follows a link or an entry.
   void drive_loops(std::uint32_t pass) {
     std::vector<bool>& is_driven = is_driven_[pass];
     for (auto left = std::ranges::count(is_driven, false); left > 0; --left) {
@@ -88,7 +88,7 @@ class SpiralDriver {
     }
   }
 
-  /// Drives a loop as a whole, on which the tool is.
+  /// Drives the whole loop on which the tool is.
   void drive_loop(std::uint32_t pass,
                   const LoopPlace<double>& start,
                   cnc::pocket::Milling milling) {
@@ -122,8 +122,8 @@ class SpiralDriver {
     return link.landing;
   }
 
-  /// Begins a row on the first loop of a spiral around an island, and links from there to the wall
-  /// of that island.
+  /// Begins a row on the first loop of a spiral around an island. A link leads from there to the
+  /// wall of this island.
   std::optional<LoopPlace<double>> link_from_island(std::uint32_t pass) {
     for (const LoopStart& start : beside_islands_) {
       if (tree_.parent(start.pass) != pass) continue;
@@ -145,13 +145,14 @@ class SpiralDriver {
     const bool has_space = search.enter(area.view());
     CNC_ASSERT(has_space);
     const std::size_t loops = area.loop_ends.size();
-    // A vector of bool has no storage to hand out.
+    // std::vector<bool> does not store its items as bool.
     const auto left_out = std::make_unique<bool[]>(loops);  // NOLINT(modernize-avoid-c-arrays)
     for (std::size_t i = 0; i < loops; ++i) left_out[i] = is_driven_[pass][i];
     return search.find(from, {left_out.get(), loops}, options_.milling, options_.tool_radius_mm);
   }
 
-  /// Begins a row beside the stock, by the shortest way to a loop of a pass that is left.
+  /// Begins a row next to the stock, by the shortest path to one of the loops of a pass that are
+  /// left.
   std::optional<LoopPlace<double>> enter_from_beside(std::uint32_t pass) {
     std::optional<EntryBeside> best;
     std::size_t best_loop = 0;
@@ -204,8 +205,8 @@ class SpiralDriver {
     return plan.place;
   }
 
-  /// Drives a spiral from each loop of a pass from which one leads outwards, that of the tool
-  /// first.
+  /// Drives a spiral from each loop of a pass from which a spiral leads outwards, first from the
+  /// loop on which the tool is.
   void drive_spirals(std::uint32_t pass) {
     const std::size_t loops = is_driven_[pass].size();
     const std::size_t first = at_.loop;
@@ -216,20 +217,20 @@ class SpiralDriver {
     }
   }
 
-  /// Drives a spiral around an island, its first loop as a whole.
+  /// Drives a spiral around an island, and its first loop as a whole.
   void drive_around_island(const std::vector<SpiralLoop>& spiral) {
     const SpiralLoop& first = spiral.front();
     writer_.end_row();
     const LoopPlace<double> start = enter(first.loop, first.milling);
     drive_loop(first.loop.pass, start, first.milling);
-    // The wall of the island is driven the other way.
+    // The wall of the island is driven in the opposite direction.
     LoopPlace<double> back = start;
     back.pose.tangent = -back.pose.tangent;
     beside_islands_.push_back({first.loop.pass, back});
     drive(spiral);
   }
 
-  /// Drives the turns of a spiral whose first loop is driven, and the last loop as a whole.
+  /// Drives the turns of a spiral after its first loop, and then the last loop as a whole.
   void drive(const std::vector<SpiralLoop>& spiral) {
     const PassLoop& first = spiral.front().loop;
     const DrivenLoop begin = search_.driven(first, spiral.front().milling);
@@ -274,9 +275,9 @@ class SpiralDriver {
   DrivenMarks is_driven_;
   std::vector<IslandSpiral> island_spirals_;
   std::vector<LoopStart> beside_islands_;
-  LoopPlace<double> at_;                  ///< Where the tool is.
-  std::uint32_t at_pass_ = kNone;         ///< The pass that was driven last.
-  std::unique_ptr<OwnedBoundary> walls_;  ///< Loops of the wall pass around the last entry.
+  LoopPlace<double> at_;                  ///< Position of the tool.
+  std::uint32_t at_pass_ = kNone;         ///< The last pass that was driven.
+  std::unique_ptr<OwnedBoundary> walls_;  ///< Loops of the wall pass that is around the last entry.
   std::uint32_t wall_pass_ = kNone;
 };
 

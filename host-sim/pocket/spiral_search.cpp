@@ -14,13 +14,13 @@ namespace {
 using cnc::contour::kNone;
 using cnc::pocket::Milling;
 
-/// Loops with a turn between them are at most this many radii of the tool apart, in corners, too.
+/// Greatest distance between loops with a turn between them, also in corners, in tool radii.
 constexpr double kWidest = 1.9;
-/// Turns are exact within this share of the tool's radius.
+/// Tolerance of turns as a share of the tool's radius.
 constexpr double kTolerance = 2.5e-4;
-/// A spiral of fewer turns takes longer than its loops.
+/// A spiral with fewer turns takes longer than its loops.
 constexpr std::size_t kFewestTurns = 2;
-/// A spiral around an island may be longer than the passes it replaces by this factor.
+/// Greatest length of a spiral around an island, divided by that of the passes that it replaces.
 constexpr double kLongest = 1.5;
 
 Milling opposite(Milling milling) {
@@ -45,7 +45,8 @@ std::vector<SpiralLoop> SpiralSearch::outwards(const PassLoop& first,
   return {};
 }
 
-/// Adds turns to each loop from the one before it. Returns how many loops they reach.
+/// Adds to each loop the turns from the previous loop. Returns the number of loops that the turns
+/// reach.
 std::size_t SpiralSearch::add_turns(std::vector<SpiralLoop>& spiral) const {
   spiral.back().start_mm = driven(spiral.back().loop, spiral.back().milling).longest_middle();
   for (std::size_t i = spiral.size() - 1; i > 0; --i) {
@@ -90,8 +91,8 @@ std::vector<IslandSpiral> SpiralSearch::around_islands() const {
   return spirals;
 }
 
-/// Passes from one with a single hole inwards, as long as nothing but rings is between them; none
-/// if the first one is no ring.
+/// Returns the rings from a pass with a single hole inwards, as long as nothing but rings is
+/// between the passes. Returns none if the first pass is not a ring.
 std::vector<SpiralSearch::Ring> SpiralSearch::rings_from(std::uint32_t pass) const {
   std::vector<Ring> rings;
   for (std::optional<std::uint32_t> next = pass; next; next = tree_.only_child(*next)) {
@@ -104,7 +105,8 @@ std::vector<SpiralSearch::Ring> SpiralSearch::rings_from(std::uint32_t pass) con
   return rings;
 }
 
-/// How many turns from one loop to another are no farther apart than passes may be.
+/// Returns the number of turns between two loops with which the turns are no farther apart than
+/// passes may be.
 std::uint32_t SpiralSearch::turns_between(const Ring& ring) const {
   const OwnedBoundary island{only(ring.island)};
   const cut::MeasuredRow outline = driven(ring.outline, options_.milling).row();
@@ -149,7 +151,7 @@ double SpiralSearch::length_of(const PassLoop& loop) const {
   return driven(loop, options_.milling).length();
 }
 
-/// A loop by itself.
+/// Returns one loop as a contour.
 Contour SpiralSearch::only(const PassLoop& loop) const {
   Contour contour;
   append_loop(plan_.passes[loop.pass].view(), loop.loop, contour);

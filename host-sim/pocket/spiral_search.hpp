@@ -12,29 +12,32 @@
 
 namespace sim::pocket {
 
-/// A loop of a spiral and the turns that lead to it.
+/// A loop of a spiral, and the turns that lead to it.
 struct SpiralLoop {
   PassLoop loop;
   cnc::pocket::Milling milling = cnc::pocket::Milling::kClimb;
-  std::uint32_t turn_count = 1;  ///< From the loop before, if there is one.
-  double start_mm = 0.0;         ///< Where turns end and begin, on the loop as it is driven.
+  std::uint32_t turn_count = 1;  ///< Number of turns from the previous loop, if there is one.
+  double start_mm = 0.0;         ///< Distance along the driven loop at which turns end and begin.
   std::vector<WayElement> turns{};
 };
 
-/// A spiral around an island: from the pass beside it to the pass within the wall around.
+/// A spiral around an island: from the pass at the island to the pass at the outer wall.
 struct IslandSpiral {
-  std::uint32_t pass = 0;  ///< Whose two loops are the first and the last of the spiral.
+  /// The pass whose two loops are the first and the last loop of the spiral.
+  std::uint32_t pass = 0;
   std::vector<SpiralLoop> loops;
-  std::vector<std::uint32_t> replaced;  ///< All passes that need not be driven, `pass` among them.
+  /// All passes that the spiral makes unnecessary, with `pass`.
+  std::vector<std::uint32_t> replaced;
 };
 
-/// Whether the loops of each pass are driven, or left out.
+/// For each loop of each pass, whether it is driven or left out.
 using DrivenMarks = std::vector<std::vector<bool>>;
 
-/// Finds rows of loops, each around the one before it, that turns of a spiral join.
+/// Searches for rows of loops that turns of a spiral can join. Each loop is around the previous
+/// one.
 class SpiralSearch {
  public:
-  /// All three outlive the search.
+  /// All three arguments must outlive the search.
   SpiralSearch(const PocketPlan& plan, const PassTree& tree, const SpiralOptions& options)
       : plan_{plan}, tree_{tree}, options_{options} {}
 
@@ -42,18 +45,18 @@ class SpiralSearch {
     return {plan_.passes[loop.pass].view(), loop.loop, milling};
   }
 
-  /// Returns the loops of the longest spiral from a loop outwards, itself included, up to those
-  /// that are driven already. Empty if it has fewer than two turns.
+  /// Returns the loops of the longest spiral outwards, from `first` up to the loops that are driven
+  /// already. Empty if the spiral has fewer than two turns.
   [[nodiscard]] std::vector<SpiralLoop> outwards(const PassLoop& first,
                                                  const DrivenMarks& is_driven) const;
 
-  /// Returns spirals around islands: one for each outermost pass with a single hole, if the spiral
-  /// is at most half as long again as the passes that it replaces. Its stock is always on the outer
+  /// Returns spirals around islands. Each outermost pass with a single hole has one, if the spiral
+  /// is at most 1.5 times as long as the passes that it replaces. Its stock is always on the outer
   /// side, so its first loop, at the island, is driven against the direction of loops at islands.
   [[nodiscard]] std::vector<IslandSpiral> around_islands() const;
 
  private:
-  /// Both loops of a pass around one island.
+  /// The two loops of a pass around one island.
   struct Ring {
     PassLoop island;
     PassLoop outline;

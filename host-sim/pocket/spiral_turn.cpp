@@ -11,20 +11,21 @@ namespace {
 
 using cnc::WideVec2;
 
-/// The nearest place moves at most so much faster than the place on the outer loop; else it jumps.
+/// Greatest speed of the nearest point relative to that of the point on the outer loop; a faster
+/// point jumps.
 constexpr double kFastest = 8.0;
-/// mm: shorter parts of the outer loop are not divided.
+/// mm: shorter parts of the outer loop are not divided further.
 constexpr double kShortestPartMm = 1.0e-5;
-/// mm: half of a chord whose direction is that of a tangent.
+/// mm: half the length of a chord that stands for a tangent.
 constexpr double kHalfChordMm = 1.0e-6;
-/// mm: loops nearer to each other meet but for rounding.
+/// mm: loops nearer to each other meet, within rounding.
 constexpr double kLoopsMeetMm = 1.0e-9;
-/// rad: the turn of a part at most, so that samples of it are enough.
+/// rad: greatest turn of a part, so that the samples are dense enough.
 constexpr double kMostTurn = 0.8;
 
-/// A place of a turn and where it goes there.
+/// A point of a turn, with the direction of the turn there.
 struct Sample {
-  double way_mm = 0.0;  ///< On the outer loop, from the start.
+  double way_mm = 0.0;  ///< Distance along the outer loop, from the start.
   WideVec2 place{0.0, 0.0};
   WideVec2 tangent{1.0, 0.0};
 };
@@ -47,7 +48,7 @@ class TurnMaker {
   }
 
  private:
-  /// Grows from 0 to 1 with slope 0 at both ends.
+  /// Returns a value that grows with `share` from 0 to 1, with slope 0 at both ends.
   static double smooth_step(double share) { return share * share * (3.0 - 2.0 * share); }
 
   [[nodiscard]] WideVec2 place_at(double way_mm) {
@@ -80,8 +81,8 @@ class TurnMaker {
     return sample;
   }
 
-  /// At a loop the tangent is that of the loop, elsewhere that of a chord of the line at one share
-  /// of the way between the loops.
+  /// Returns the tangent at the start. On a loop it is the tangent of the loop. Between the loops
+  /// it is the direction of a chord of the curve at a constant share of the distance between them.
   [[nodiscard]] WideVec2 tangent_at_start(double share) {
     const double length = outer_.length();
     if (share >= 1.0) return outer_.arriving(length);
@@ -93,9 +94,9 @@ class TurnMaker {
     return tangent.dot(outer_.leaving(0.0)) < 0.0 ? WideVec2{-tangent} : tangent;
   }
 
-  /// Appends arcs between two samples, halved until they are within the tolerance.
+  /// Appends arcs between two samples, halving the parts until the arcs are within the tolerance.
   [[nodiscard]] bool add(const Sample& first, const Sample& last) {
-    std::vector<Sample> ends{last};  // Of the parts that are left, the next one at the back.
+    std::vector<Sample> ends{last};  // Ends of the parts that are left, the next part at the back.
     Sample from = first;
     while (!ends.empty()) {
       const Sample& to = ends.back();
@@ -118,14 +119,15 @@ class TurnMaker {
     return true;
   }
 
-  /// Whether the turn gets so far between two samples that the nearest place jumps.
+  /// Returns whether the turn moves so far between two samples that the nearest point must have
+  /// jumped.
   [[nodiscard]] bool jumps(const Sample& from, const Sample& to) const {
     const double length = to.way_mm - from.way_mm;
     return (to.place - from.place).norm() > kFastest * length + options_.tolerance_mm;
   }
 
-  /// Appends two arcs if there are any that follow the turn within the tolerance. At a jump all
-  /// samples are at its ends, where any arcs end, too.
+  /// Appends two arcs if they can follow the turn within the tolerance. At a jump all samples are
+  /// at its ends, where the ends of any arcs are, too.
   [[nodiscard]] bool try_arcs(const Sample& from, const Sample& to) {
     if (jumps(from, to)) return false;
     if (from.tangent.dot(to.tangent) < std::cos(kMostTurn)) return false;
@@ -158,8 +160,9 @@ class TurnMaker {
   const OwnedBoundary& inner_;
   cut::MeasuredRow outer_;
   TurnOptions options_;
-  double widest_mm_ = 0.0;   ///< Between turns, so far.
-  bool is_all_seen_ = true;  ///< Lines to nearest places leave the outer loop to its inside.
+  double widest_mm_ = 0.0;  ///< Greatest distance between turns so far.
+  /// Whether all lines to nearest points leave the outer loop towards its inside.
+  bool is_all_seen_ = true;
   std::vector<WayElement> way_;
 };
 

@@ -19,8 +19,8 @@ using cnc::pocket::Milling;
 using cnc::pocket::Use;
 using Box = cnc::contour::FlatBox<double>;
 
-/// Arcs by which the tool comes to a part have one of these shares of its radius, the best one
-/// first.
+/// Shares of the tool's radius that are tried for the arc by which the tool reaches a part, the
+/// best first.
 constexpr std::array kLeadShares{1.0, 0.5, 0.25, 0.125};
 constexpr double kFreeSlackMm = 1.0e-9;
 
@@ -45,8 +45,8 @@ Box box_of(const Piece& piece) {
   return box;
 }
 
-/// Gives pieces that are near each other one group: boxes that meet when they are larger by a
-/// radius. Groups have the number of one of their pieces.
+/// Puts pieces that are near each other into one group: their boxes, widened by a radius, overlap.
+/// The number of a group is that of one of its pieces.
 void group(std::vector<Piece>& pieces, double radius_mm) {
   std::vector<Box> boxes;
   for (const Piece& piece : pieces) {
@@ -77,7 +77,7 @@ class PieceDriver {
   PieceDriver(const StockAreas& areas, const PartOptions& options)
       : areas_{areas}, options_{options} {}
 
-  /// @param pass the loops of which the piece is a part
+  /// @param pass the pass whose loop contains the piece
   void drive(const Piece& piece, const Contour& pass, PathRows& out) const {
     if (piece.part.is_whole) {
       return ramp_along_wall(pass.view(), piece.part.loop, options_.drive, out);
@@ -101,13 +101,14 @@ class PieceDriver {
   }
 
  private:
-  /// Where the pocket is, seen along the path: 1 on the left, -1 on the right.
+  /// Returns the side of the path on which the pocket is: 1 on the left, −1 on the right.
   [[nodiscard]] double side() const {
     return options_.drive.milling == Milling::kClimb ? 1.0 : -1.0;
   }
 
-  /// Returns the other end of a quarter turn that touches the path at a place, before it or behind
-  /// it; none where the tool would not be free there, or would gouge on the way.
+  /// Returns the other end of a quarter turn that touches the path at a point, before or after this
+  /// point. Returns none where the tool would touch stock there, or would gouge on the quarter
+  /// turn.
   [[nodiscard]] std::optional<WideVec2> lead_at(const WideVec2& touch,
                                                 const WideVec2& tangent,
                                                 double forwards) const {
@@ -121,7 +122,7 @@ class PieceDriver {
     return std::nullopt;
   }
 
-  /// Goes down forth and back along a part.
+  /// Descends forth and back along a part.
   void sink(const std::vector<cut::Stroke>& strokes, DepthWriter& writer) const {
     const WideVec2& start = strokes.front().from;
     writer.begin_row(start);

@@ -13,7 +13,7 @@
 namespace sim::pocket {
 
 double margin_of(const StrategyOptions& options) {
-  // In radii of the tool: it goes beyond the edge by its diameter and a little, and crescents begin
+  // Tool radii. The tool moves beyond the edge by slightly more than its diameter; crescents begin
   // in discs that are twice as wide.
   constexpr double kOfLoops = 2.5;
   constexpr double kOfCrescents = 4.0;
@@ -52,13 +52,13 @@ MilledPocket StrategyPlanner::mill_levels(const cnc::contour::ContourView<double
   ContourOffset offsetter;
   if (options_.former_radius_mm > 0.0) {
     const double former_mm = fitting_radius(pocket, options_.former_radius_mm, offsetter);
-    // Where the former tool did not fit, all is left.
+    // Where the former tool did not fit, all stock is left.
     if (former_mm > 0.0) return mill_rest(pocket, former_mm);
   }
   if (options_.finish_mm == 0.0) return rough(pocket);
   const Contour within = copy_of(offsetter.offset(pocket, -options_.finish_mm));
   MilledPocket milled;
-  // Where only the passes along the walls fit, they are all.
+  // If only the passes along the walls fit, they are the whole path.
   if (offsetter.offset(within.view(), -tool_radius_mm).loop_ends.size() > 0) {
     milled = rough(within.view());
   }
@@ -123,7 +123,7 @@ PocketPlan StrategyPlanner::passes_of(const cnc::contour::ContourView<double>& p
                                       double stepover_mm) {
   cnc::pocket::PocketOptions<double> wanted = options_.pocket;
   wanted.clearing.stepover = stepover_mm;
-  // Only the passes are wanted: one level of the path is enough, and it needs no entries.
+  // Only the passes are used: one level of the path is enough, and no entries are needed.
   wanted.depth = step_mm();
   wanted.entry.kind = cnc::pocket::EntryKind::kPlunge;
   return planner_.plan(pocket, wanted);
@@ -209,7 +209,7 @@ MilledPocket StrategyPlanner::mill_lines(const cnc::contour::ContourView<double>
                                          const std::optional<StockBox>& stock) const {
   const bool plunges = options_.pocket.entry.kind == cnc::pocket::EntryKind::kPlunge;
   const double radius_mm = options_.pocket.clearing.tool_radius;
-  // In a slot, the tool counts as a hair smaller than it is.
+  // In a slot, the tool counts as slightly smaller than it is.
   const double stepover_mm = std::min(options_.pocket.clearing.stepover, 2.0 * radius_mm);
   const Zigzag path = zigzag_path(pocket,
                                   {.tool_radius_mm = radius_mm,

@@ -11,9 +11,9 @@
 namespace sim::pocket {
 
 enum class Strategy : std::uint8_t {
-  kContour,   ///< Passes along the walls, as far apart as nothing is left between them.
-  kSpiral,    ///< Spirals from the middle outwards, and loops where none fits.
-  kAdaptive,  ///< Crescents that engage no more of the tool than allowed.
+  kContour,   ///< Passes along the walls, as far apart as possible without stock left between them.
+  kSpiral,    ///< Spirals from the middle outwards, and loops where no spiral fits.
+  kAdaptive,  ///< Crescents whose engagement is limited.
   kZigzag,    ///< Lines along X, and passes along the walls.
   kPaper,     ///< Paper 5 as printed: one spiral, for convex pockets without islands.
 };
@@ -21,33 +21,35 @@ enum class Strategy : std::uint8_t {
 struct StrategyOptions {
   Strategy strategy = Strategy::kContour;
   cnc::pocket::PocketOptions<double> pocket;
-  double engagement_deg = 60.0;  ///< Of the tool's circumference, at most; kAdaptive.
-  /// What passes along the walls take off after all else, mm, up to the tool's radius; 0: there are
-  /// none.
+  /// Greatest engagement of the tool's circumference; for kAdaptive.
+  double engagement_deg = 60.0;
+  /// Allowance that the passes along the walls remove at the end, mm, up to the tool's radius; 0:
+  /// there are no such passes.
   double finish_mm = 0.0;
-  /// These passes have lines at both ends, as FinishOptions has them.
+  /// Whether these passes have lines at both ends: see FinishOptions.
   bool has_lead_lines = false;
-  /// What one more level takes off at the floor after the others, mm; 0: there is none.
+  /// Thickness that one more level removes at the floor after the others, mm; 0: there is no such
+  /// level.
   double floor_mm = 0.0;
-  /// Radius of a larger tool that went before, mm: only the rest is milled; 0: there was none.
-  /// kContour, without finish_mm.
+  /// Radius of a larger tool that was used before, mm: only the rest is milled. 0: no tool was used
+  /// before. Allowed for kContour, without finish_mm.
   double former_radius_mm = 0.0;
-  /// The stock, in plan: pockets with their surroundings are milled from beside it. All but kPaper,
-  /// without finish_mm.
+  /// The stock in plan: pockets with their surroundings are milled from outside of it. Allowed for
+  /// all strategies except kPaper, without finish_mm.
   std::optional<StockBox> stock{};
 };
 
-/// Returns the margin around the stock with which a strategy mills open pockets, mm: see
-/// with_surroundings(). @pre there is a stock
+/// Returns the margin around the stock that a strategy needs for open pockets, mm: see
+/// with_surroundings().
+/// @pre `options.stock` has a value
 [[nodiscard]] double margin_of(const StrategyOptions& options);
 
 /// The path of a pocket through all its levels, by any strategy.
 struct MilledPocket : PathRows {
   std::uint32_t levels = 0;
-  std::uint32_t passes =
-      0;                    ///< Of each level: passes, loops, lines or, of a rest, parts of passes.
-  std::uint32_t links = 0;  ///< Between passes; kContour.
-  std::vector<NarrowStretch> narrow;  ///< Of each level; kAdaptive.
+  std::uint32_t passes = 0;           ///< Passes, loops, lines or (of a rest) parts, on each level.
+  std::uint32_t links = 0;            ///< Number of links between passes; for kContour.
+  std::vector<NarrowStretch> narrow;  ///< Narrow stretches of each level; for kAdaptive.
 };
 
 /// Makes paths of pockets by one strategy.
@@ -55,30 +57,29 @@ class StrategyPlanner {
  public:
   explicit StrategyPlanner(const StrategyOptions& options) : options_{options} {}
 
-  /// Takes a depth in place of that of the options. @param depth_mm above 0
+  /// Sets a depth that replaces the depth of the options. @param depth_mm above 0
   void set_depth(double depth_mm) { options_.pocket.depth = depth_mm; }
 
-  /// Throws NoPocketPath where there is no path, and std::invalid_argument for options out of
-  /// range.
-  /// @param pocket closed contours that do not cross, with the pocket on their left; with a stock
-  /// it
-  ///        may be what is around it
-  /// @param tool_radius_mm in place of that of the options
+  /// Makes the path of a pocket. Throws NoPocketPath where there is no path, and
+  /// std::invalid_argument for options out of range.
+  /// @param pocket closed contours that do not cross, with the pocket on their left; with a stock,
+  /// it may be the surroundings of the stock
+  /// @param tool_radius_mm replaces the radius of the options
   [[nodiscard]] MilledPocket mill(const cnc::contour::ContourView<double>& pocket,
                                   double tool_radius_mm);
 
  private:
-  /// All levels of the depth.
+  /// Makes all levels of the depth.
   [[nodiscard]] MilledPocket mill_levels(const cnc::contour::ContourView<double>& pocket);
   [[nodiscard]] MilledPocket rough(const cnc::contour::ContourView<double>& pocket);
   void finish(const cnc::contour::ContourView<double>& pocket, MilledPocket& milled) const;
   [[nodiscard]] MilledPocket mill_contours(const cnc::contour::ContourView<double>& pocket);
-  /// Passes without a path of their own.
+  /// Returns the passes of a pocket, without their path.
   [[nodiscard]] PocketPlan passes_of(const cnc::contour::ContourView<double>& pocket,
                                      double stepover_mm);
   [[nodiscard]] MilledPocket mill_spirals(const cnc::contour::ContourView<double>& pocket,
                                           const std::optional<StockBox>& stock);
-  /// Mills the plan around the stock together with the pockets that are open to it.
+  /// Mills the surroundings of the stock, together with the pockets that are open to them.
   [[nodiscard]] MilledPocket mill_open(const cnc::contour::ContourView<double>& pocket);
   [[nodiscard]] MilledPocket mill_open_contours(const cnc::contour::ContourView<double>& pocket);
   [[nodiscard]] MilledPocket mill_rest(const cnc::contour::ContourView<double>& pocket,
@@ -88,7 +89,7 @@ class StrategyPlanner {
   [[nodiscard]] MilledPocket mill_lines(const cnc::contour::ContourView<double>& pocket,
                                         const std::optional<StockBox>& stock) const;
   [[nodiscard]] MilledPocket mill_by_paper(const cnc::contour::ContourView<double>& pocket) const;
-  /// The path of one level, as often as there are levels.
+  /// Returns the path of one level, repeated for all levels.
   [[nodiscard]] MilledPocket repeated(const PathRows& level) const;
   [[nodiscard]] MilledPocket repeated(const StockParts& level) const;
   [[nodiscard]] WallDrive wall_drive() const;

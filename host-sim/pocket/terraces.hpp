@@ -7,22 +7,24 @@
 
 namespace sim::pocket {
 
-/// Areas that are milled from one depth to the next one.
+/// Areas that are milled from one depth to the next.
 struct Terrace {
-  double from_mm = 0.0;  ///< Below the top of the stock: the floor of the terrace above, or 0.
-  double to_mm = 0.0;    ///< Deeper.
-  Contour contours;      ///< Closed, with the areas on their left.
+  /// Depth of the floor of the terrace above, below the top of the stock; or 0.
+  double from_mm = 0.0;
+  double to_mm = 0.0;  ///< Depth of the floor, greater than `from_mm`.
+  Contour contours;    ///< Closed, with the areas on their left.
 };
 
-/// The terraces of an outermost contour and of all contours in it, from the top down.
+/// Terraces of an outermost contour and of all contours in it, from the top down.
 using Terraces = std::vector<Terrace>;
 
-/// Returns how contours are milled within which the floor lies at depths of their own: a deeper one
-/// in another is a pocket in a pocket, a less deep one a boss. Where no depth is given, contours
-/// within an even number of others are pockets of the usual depth, and the rest are islands as high
-/// as the stock.
+/// Returns the terraces for contours that have floors at depths of their own. A deeper contour
+/// within another is a pocket in a pocket; a less deep contour is a boss. Contours without a depth
+/// follow the usual rule: within an even number of other contours they are pockets of the usual
+/// depth, and the rest are islands as high as the stock.
 /// @param contours closed, which do not cross
-/// @param depths_mm of the floor within each loop, at least 0; none where the usual rule holds
+/// @param depths_mm depth of the floor within each loop, at least 0; none where the usual rule
+/// holds
 /// @param usual_mm above 0
 [[nodiscard]] std::vector<Terraces> terraces_of(const Contour& contours,
                                                 const std::vector<std::optional<double>>& depths_mm,

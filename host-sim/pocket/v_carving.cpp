@@ -17,7 +17,7 @@ namespace {
 using cnc::pocket::Use;
 using PathPoint = cnc::pocket::PathPoint<double>;
 
-constexpr double kAxisShare = 0.2;  ///< Of the tolerance, for the points of the axis.
+constexpr double kAxisShare = 0.2;  ///< Share of the tolerance for the points of the axis.
 
 void check_range(std::string_view name, double value, double least, double greatest) {
   if (value >= least && value <= greatest) return;
@@ -39,7 +39,7 @@ void check(const VCarveOptions& options) {
   }
 }
 
-/// The area inside of contours, mm².
+/// Returns the area inside of contours, mm².
 double area_of(const cnc::contour::ContourView<double>& contour) {
   double sum = 0.0;
   for (std::size_t loop = 0; loop < contour.loop_ends.size(); ++loop) {
@@ -48,7 +48,7 @@ double area_of(const cnc::contour::ContourView<double>& contour) {
   return sum;
 }
 
-/// Writes rows of a carving.
+/// Writes the rows of a carving.
 class CarveWriter {
  public:
   CarveWriter(VCarving& out, double half_angle_tangent) : out_{out}, slope_{half_angle_tangent} {}
@@ -79,12 +79,12 @@ void write_pieces(const CarveGraph& graph, double return_limit_mm, CarveWriter& 
     if (step.begins_row) writer.begin_row(points.front());
     const Use use = step.is_return ? Use::kLink : Use::kPass;
     for (std::size_t k = 0; k + 1 < points.size(); ++k) writer.add(points[k], use);
-    // The end of a piece is the beginning of the next one.
+    // The end of a piece is the beginning of the next piece, except at the end of a row.
     if (i + 1 == steps.size() || steps[i + 1].begins_row) writer.add(points.back(), use);
   }
 }
 
-/// Nodes without chains: the tool goes down there, and up again.
+/// Writes a descent and a retraction at each node without chains.
 void write_lone_nodes(const MedialAxis& axis, double greatest_radius_mm, CarveWriter& writer) {
   std::vector<bool> has_chain(axis.nodes.size());
   for (const AxisChain& chain : axis.chains) has_chain[chain.from] = has_chain[chain.to] = true;
@@ -122,7 +122,7 @@ VCarving v_carve(const cnc::contour::ContourView<double>& area, const VCarveOpti
   check(options);
   const OwnedArea owned{area};
   const double slope = std::tan(0.5 * options.included_angle_deg * std::numbers::pi / 180.0);
-  // A steep tool makes a small error of the radius a large one of the depth.
+  // With a steep tool, a small error of the radius is a large error of the depth.
   const double tolerance_mm = options.tolerance_mm * std::min(1.0, slope);
   const double axis_mm = kAxisShare * tolerance_mm;
   const MedialAxis axis = medial_axis(owned, {.tolerance_mm = axis_mm, .slack_mm = axis_mm});

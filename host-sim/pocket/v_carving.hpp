@@ -8,11 +8,12 @@
 namespace sim::pocket {
 
 struct VCarveOptions {
-  double included_angle_deg = 90.0;  ///< Of the tool's tip.
+  double included_angle_deg = 90.0;  ///< Angle between the two sides of the tool's tip.
   double greatest_depth_mm = std::numeric_limits<double>::infinity();
-  /// Of depths along the axis, and of the cut's edge at the top, mm.
+  /// Tolerance of depths along the axis, and of the edge of the cut at the top, mm.
   double tolerance_mm = 0.005;
-  /// How far the tool may return along what it has cut instead of being lifted, mm.
+  /// Greatest length of a return along what is cut already, mm; for a longer return the tool is
+  /// lifted.
   double return_limit_mm = 10.0;
 };
 
@@ -21,22 +22,22 @@ inline constexpr double kGreatestVAngleDeg = 175.0;
 
 /// A carved area.
 struct VCarving : PathRows {
-  double depth_mm = 0.0;  ///< The greatest that is cut.
-  /// What the tip leaves standing where the area is too wide for the greatest depth: inside of
-  /// these contours, a flat tool makes the floor. Empty if there is none.
+  double depth_mm = 0.0;  ///< Greatest depth that is cut.
+  /// Contours of the areas that the tip leaves uncut, where the area is too wide for the greatest
+  /// depth. There a flat tool makes the floor. Empty if there are none.
   Contour wide;
   double wide_area_mm2 = 0.0;
 };
 
-/// Carves an area with a V-shaped tool, whose tip goes along the medial axis to the depth at which
-/// it is as wide as the area there: r / tan(half the included angle), 0 in sharp corners. Where
-/// that is more than the greatest depth, the tip goes at that depth along the contour from which it
+/// Carves an area with a V-shaped tool. Its tip follows the medial axis at the depth where the tool
+/// is as wide as the area: r / tan(half the included angle), 0 in sharp corners. Where that exceeds
+/// the greatest depth, the tip moves at the greatest depth along the contour from which the tool
 /// just reaches the boundary.
 ///
-/// Guarantee: the tool cuts nothing outside of the area (1e-6 mm); along the axis the depth is
-/// at most the tolerance less than that above, and at the top each place of the boundary is
-/// reached within two tolerances. Rows begin with a plunge at the place where they cut, except at
-/// depth 0. Returns are links.
+/// Guarantee: the tool cuts nothing outside of the area (1e-6 mm). Along the axis, the depth is
+/// less than the value above by at most the tolerance. At the top, the cut reaches each point of
+/// the boundary within two tolerances. Rows begin with a plunge at their first cut, except at depth
+/// 0. Returns are links.
 ///
 /// Throws std::invalid_argument for options out of range or numbers that are not finite,
 /// std::runtime_error for contours that cross, and NoOffset.

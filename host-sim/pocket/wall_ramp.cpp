@@ -14,10 +14,10 @@ namespace {
 using cnc::WideVec2;
 using cnc::pocket::Use;
 
-/// Ramps that go forth and back, or around, more often are refused.
+/// Ramps with more legs forth, back or around are refused.
 constexpr double kMostLegs = 1000.0;
 
-/// The middle of the longest element of a loop.
+/// Returns the middle of the longest element of a loop.
 cnc::pocket::LoopPlace<double> longest_middle(const cnc::contour::ContourView<double>& locus,
                                               std::size_t loop) {
   cnc::pocket::LoopPlace<double> best;
@@ -50,7 +50,7 @@ void revolve(const cnc::contour::ContourView<double>& locus,
              const cnc::pocket::LoopDrive<double>& drive,
              PathRows& out) {
   const std::size_t first = out.points.size();
-  // The element of the place is divided, once around.
+  // The element of the starting point is divided in two, so there is one element more.
   out.points.resize(first + locus.loop_ends[place.loop] - locus.loop_begin(place.loop) + 1);
   cnc::pocket::ToolPathWriter<double> writer{{out.points.data() + first, out.points.size() - first},
                                              {}};

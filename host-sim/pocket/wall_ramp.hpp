@@ -6,28 +6,28 @@
 
 namespace sim::pocket {
 
-/// How a tool goes along a wall.
+/// Options for driving along a wall.
 struct WallDrive {
-  double depth_mm = 1.0;  ///< Of the floor below the top.
-  double slope = 0.05;    ///< Steepest descent over length of a ramp, 0…1 without 0.
-  bool plunges = false;   ///< Straight down in place of a ramp.
+  double depth_mm = 1.0;  ///< Depth of the floor below the top.
+  double slope = 0.05;    ///< Steepest descent of a ramp divided by its length, above 0, at most 1.
+  bool plunges = false;   ///< Whether the tool plunges straight down instead of using a ramp.
   cnc::pocket::Milling milling = cnc::pocket::Milling::kClimb;
 };
 
-/// Returns how often a ramp of a length is driven, forth or around, until it is so deep.
-/// Throws NoPocketPath if that is more than a thousand times.
+/// Returns the number of times that a ramp of a length is driven, forth, back or around, to reach
+/// the depth. Throws NoPocketPath if that is more than a thousand times.
 [[nodiscard]] double legs_of_ramp(const WallDrive& drive,
                                   double length_mm,
                                   const cnc::WideVec2& place);
 
-/// Appends a row along a loop: down by a ramp around it, and once around on the floor.
-/// Throws NoPocketPath as legs_of_ramp() does.
+/// Appends a row along a loop: down by a ramp around the loop, then once around on the floor.
+/// Throws the exception of legs_of_ramp().
 void ramp_along_wall(const cnc::contour::ContourView<double>& locus,
                      std::size_t loop,
                      const WallDrive& drive,
                      PathRows& out);
 
-/// Appends one revolution of a loop from a place of it, without the point at its end.
+/// Appends one revolution around a loop from `place`, without the point at its end.
 void revolve(const cnc::contour::ContourView<double>& locus,
              const cnc::pocket::LoopPlace<double>& place,
              cnc::pocket::Milling milling,

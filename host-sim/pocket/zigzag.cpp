@@ -16,7 +16,7 @@
 namespace sim::pocket {
 namespace {
 
-/// Of the distance of lines: the radius of turns, at most.
+/// Greatest radius of turns, as a share of the distance between lines.
 constexpr double kWidestTurn = 0.25;
 
 void check(const ZigzagOptions& options) {
@@ -36,8 +36,8 @@ void check(const ZigzagOptions& options) {
   require(options.slope > 0.0 && options.slope <= 1.0, "slope", options.slope);
 }
 
-/// The radius of turns: a line ends by up to twice as much before the wall, which clears what the
-/// line leaves on both sides of its end.
+/// Returns the radius of turns. A line may end up to twice this radius before the wall, and the
+/// pass along the wall clears what the line leaves on both sides of its end.
 double turn_radius(const ZigzagOptions& options) {
   const double reach = options.tool_radius_mm - 0.5 * options.stepover_mm;
   const double most = std::min(kWidestTurn * options.stepover_mm, 0.5 * reach);
@@ -49,7 +49,7 @@ WallDrive wall_drive_of(const ZigzagOptions& options) {
   return {.depth_mm = options.depth_mm, .slope = options.slope, .plunges = options.plunges};
 }
 
-/// Where lines turn, with its storage.
+/// Areas in which lines turn, with their storage.
 struct TurnAreas {
   Contour rounded;
   Contour centres;
@@ -59,7 +59,7 @@ struct TurnAreas {
 TurnAreas turn_areas(const Contour& locus, double radius_mm) {
   ContourOffset offsetter;
   TurnAreas areas{{}, copy_of(offsetter.offset(locus.view(), -radius_mm)), radius_mm};
-  // Parts that grow together have corners between them, which are filled.
+  // Parts that merge have corners between them, which are filled.
   const Contour wide = copy_of(offsetter.offset(areas.centres.view(), 2.0 * radius_mm));
   areas.rounded = copy_of(offsetter.offset(wide.view(), -radius_mm));
   return areas;
@@ -87,8 +87,8 @@ double length_of(const PathRows& rows) {
   return length;
 }
 
-/// Lines from the lowest one upwards or from the highest one downwards: the shorter path has ways
-/// into the stock that are shorter.
+/// Drives lines from the lowest upwards or from the highest downwards, and returns the shorter
+/// path: its entries into the stock are shorter.
 Zigzag open_lines_of(const TurnAreas& areas, const ZigzagOptions& options) {
   Zigzag upwards = lines_of(areas, options);
   ZigzagOptions other = options;

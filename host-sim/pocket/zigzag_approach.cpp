@@ -14,29 +14,29 @@ namespace {
 using cnc::WideVec2;
 using Curve = cnc::contour::Curve<double>;
 
-/// Places of the wall that are tried are at most this share of the tool's radius apart.
+/// Greatest distance between points of the wall that are tried, as a share of the tool's radius.
 constexpr double kPlaceDistance = 0.25;
-/// Radii of arcs to the wall as shares of the tool's radius, the best one first.
+/// Radii of arcs to the wall that are tried, as shares of the tool's radius, the best first.
 constexpr std::array kArcShares{0.25, 0.125};
 
-/// Where the tool comes to the wall by an arc.
+/// An arc by which the tool reaches the wall.
 struct WallEntry {
   WideVec2 from{0.0, 0.0};
   BoundaryPlace on_wall;
   double bulge = 0.0;
 };
 
-/// Looks along the wall for a place to which the tool comes from beside the stock.
+/// Searches along the wall for a point that the tool can reach from next to the stock.
 class WallEntrySearch {
  public:
-  /// @param is_backwards the wall is followed with the area on the right
+  /// @param is_backwards whether the wall is followed with the area on the right
   WallEntrySearch(const OwnedArea& area,
                   const StockBox& stock,
                   double tool_radius_mm,
                   bool is_backwards)
       : area_{area}, stock_{stock}, radius_mm_{tool_radius_mm}, is_backwards_{is_backwards} {}
 
-  /// The last entry before a place, as the wall is followed.
+  /// Returns the last entry before a point, in the direction in which the wall is followed.
   [[nodiscard]] std::optional<WallEntry> before(const BoundaryPlace& end) const {
     std::uint32_t element = end.element;
     do {
@@ -56,7 +56,7 @@ class WallEntrySearch {
     return is_backwards_ ? curve.start : curve.end;
   }
 
-  /// The last entry of an element up to a place of it.
+  /// Returns the last entry on an element up to a point of it.
   [[nodiscard]] std::optional<WallEntry> last_on(std::uint32_t element, const WideVec2& end) const {
     const Curve& curve = area_->element(element);
     const WideVec2 begin = begin_of(curve);
@@ -74,7 +74,7 @@ class WallEntrySearch {
   }
 
   [[nodiscard]] std::optional<WallEntry> entry_at(const BoundaryPlace& on_wall) const {
-    const double side = is_backwards_ ? -1.0 : 1.0;  // Where the area is.
+    const double side = is_backwards_ ? -1.0 : 1.0;  // The side on which the area is.
     const WideVec2 forwards = side * area_->element(on_wall.element).tangent_at(on_wall.place);
     for (const double share : kArcShares) {
       const double radius = share * radius_mm_;

@@ -8,7 +8,7 @@
 
 namespace sim::pocket {
 
-/// A way from a place beside the stock to the beginning of a line.
+/// A path from a point next to the stock to the beginning of a line.
 struct ZigzagApproach {
   cnc::WideVec2 from{0.0, 0.0};
   std::vector<WayElement> way;
@@ -16,10 +16,10 @@ struct ZigzagApproach {
   double length_mm = 0.0;
 };
 
-/// Returns a way along the wall on one side of the area upwards to a line, from the nearest place
-/// from which the tool gets to the wall by an arc beside the stock. None where there is none, or
-/// the way has corners.
-/// @param space with what is around the stock
+/// Returns a path upwards along the wall on one side of the area to a line. It begins at the
+/// nearest point next to the stock from which an arc leads to the wall. Returns none where there is
+/// no such point, or where the path has corners.
+/// @param space areas that include the surroundings of the stock
 [[nodiscard]] std::optional<ZigzagApproach> approach_along_wall(const TurnSpace& space,
                                                                 const StockBox& stock,
                                                                 double tool_radius_mm,

@@ -15,14 +15,14 @@ namespace {
 using cnc::WideVec2;
 using cnc::pocket::Use;
 
-/// Of the distance of lines: the way along a wall from one to the next one, at most.
+/// Greatest length of a path along a wall from one line to the next, in distances between lines.
 constexpr double kLongestWay = 10.0;
-/// mm: a shorter stretch is cleared by what is beside it.
+/// mm: a shorter stretch is cleared by its neighbours.
 constexpr double kLeastStretchMm = 1.0e-6;
 
 Side opposite(Side side) { return side == Side::kRight ? Side::kLeft : Side::kRight; }
 
-/// Drives the lines of an area, from the lowest one upwards.
+/// Drives the lines of an area, from the lowest upwards.
 class LineDriver {
  public:
   LineDriver(const TurnSpace& space, const ZigzagOptions& options, Zigzag& out)
@@ -57,20 +57,20 @@ class LineDriver {
     double y = 0.0;
     std::vector<Line> lines;
   };
-  /// The turn to a line of the level above.
+  /// The turn to a line of the next level above.
   struct Next {
     Line* line = nullptr;
     ZigzagTurn turn;
   };
-  /// How a row begins.
+  /// Beginning of a row.
   struct RowStart {
-    Side side = Side::kRight;  ///< Towards which its first line is driven.
+    Side side = Side::kRight;  ///< The side towards which the first line of the row is driven.
     double from_x = 0.0;
-    bool is_beside = false;  ///< It begins beside the stock.
+    bool is_beside = false;  ///< Whether the row begins next to the stock.
     std::optional<ZigzagApproach> approach{};
   };
 
-  /// Whether a stretch is long enough, and not all of it beside the stock.
+  /// Returns whether a stretch is long enough, and touches stock.
   [[nodiscard]] bool is_worth_a_line(const Stretch& stretch, double y) const {
     if (stretch.to_x - stretch.from_x <= kLeastStretchMm) return false;
     if (!options_.stock) return true;
@@ -80,7 +80,8 @@ class LineDriver {
     return !is_idle(stock, {nearest_x, y}, options_.tool_radius_mm);
   }
 
-  /// Of the lines of a level that are not driven the one that begins nearest to the tool.
+  /// Returns the line of a level whose left end is nearest to the tool in X, of the lines that are
+  /// not driven yet.
   [[nodiscard]] Line* nearest_left(std::size_t level) {
     Line* best = nullptr;
     double least = std::numeric_limits<double>::infinity();
@@ -93,7 +94,7 @@ class LineDriver {
     return best;
   }
 
-  /// The turn to the line above that begins nearest to the end of this one.
+  /// Returns the turn to the line above that begins nearest to the end of this line.
   [[nodiscard]] Next next_of(std::size_t level, const Line& line, double from_x, Side side) {
     Next next;
     if (level + 1 == lines_.size()) return next;
@@ -113,8 +114,8 @@ class LineDriver {
     return next;
   }
 
-  /// Begins a row beside the stock where that is possible: at an end of its first line, or along
-  /// the wall.
+  /// Finds a beginning of a row next to the stock if possible: at an end of its first line, or
+  /// along the wall.
   [[nodiscard]] RowStart start_of(const Stretch& line, double y) const {
     RowStart best{Side::kRight, line.from_x};
     if (!options_.stock) return best;
@@ -140,7 +141,7 @@ class LineDriver {
   void drive_row(std::size_t level, Line& first) {
     Line* line = &first;
     const RowStart start = start_of(first.stretch, lines_[level].y);
-    Side side = start.side;  // Towards which the line is driven.
+    Side side = start.side;  // The side towards which the line is driven.
     double from_x = start.from_x;
     for (bool is_first = true; line != nullptr; is_first = false, ++level) {
       line->is_driven = true;
@@ -158,7 +159,7 @@ class LineDriver {
     at_ = writer_.place();
   }
 
-  /// Brings the tool to the beginning of a row. @param to the end of its first line
+  /// Moves the tool to the beginning of a row. @param to the end of the row's first line
   void begin_row(const RowStart& start, const WideVec2& from, const WideVec2& to) {
     if (!start.is_beside) return sink(from, to);
     if (!start.approach) return writer_.begin_row_in_cleared(from);
@@ -168,7 +169,7 @@ class LineDriver {
     }
   }
 
-  /// Goes down at the beginning of a row: forth and back along its first line.
+  /// Descends at the beginning of a row: forth and back along its first line.
   void sink(const WideVec2& from, const WideVec2& to) {
     writer_.begin_row(from);
     if (options_.plunges) return writer_.go(Use::kEntry, from, 0.0, writer_.floor_z());

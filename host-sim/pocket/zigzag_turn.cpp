@@ -9,15 +9,15 @@ namespace {
 
 using cnc::WideVec2;
 
-/// mm: how exactly a turn meets the wall.
+/// mm: precision with which a turn meets the wall.
 constexpr double kMeetsMm = 1.0e-7;
-/// Sine of the angle between tangents that are one.
+/// Sine of the greatest angle between tangents that count as one.
 constexpr double kOneTangent = 1.0e-4;
-/// rad: an arc of less is no arc.
+/// rad: an arc with a smaller sweep is omitted.
 constexpr double kNoSweep = 1.0e-6;
 
-/// The end of the stretches that is nearest to x, if none of them begins between: up to there, the
-/// wall is within twice the radius of a line's rest.
+/// Returns the end of the stretches that is nearest to x, if no stretch begins between this end and
+/// x. Up to this end, the wall is within twice the radius of the rest that a line leaves.
 std::optional<double> end_nearest_to(const std::vector<Stretch>& stretches, double x, Side side) {
   std::optional<double> best;
   for (const Stretch& stretch : stretches) {
@@ -31,7 +31,7 @@ std::optional<double> end_nearest_to(const std::vector<Stretch>& stretches, doub
   return best;
 }
 
-/// The directions in which a line or an arc begins and ends.
+/// Directions of a line or an arc at its beginning and its end.
 struct Directions {
   WideVec2 begin{1.0, 0.0};
   WideVec2 end{1.0, 0.0};
@@ -46,7 +46,7 @@ Directions directions_of(const WideVec2& from, const WayElement& element) {
           cosine * chord + sine * cnc::left_normal(chord)};
 }
 
-/// The direction from the area through one of its sides.
+/// Returns the direction that leads out of the area through one of its sides.
 WideVec2 outwards(Side side) {
   return side == Side::kRight ? WideVec2{1.0, 0.0} : WideVec2{-1.0, 0.0};
 }
@@ -57,7 +57,7 @@ bool lies_on(const Stretch& stretch, double x) {
 
 }  // namespace
 
-/// Seen from the right side, both arcs turn left; from the left side, right.
+/// On the right side both arcs turn left; on the left side both turn right.
 std::optional<WallFillet> fillet_at(
     const TurnSpace& space, const Stretch& line, double y_mm, Side side, bool leaves_line) {
   const double centre_y = leaves_line ? y_mm + space.radius_mm : y_mm - space.radius_mm;
@@ -71,7 +71,7 @@ std::optional<WallFillet> fillet_at(
   if (space.radius_mm == 0.0) return fillet;
   const WideVec2 line_way = fillet.on_line - centre;
   const WideVec2 wall_way = wall.point - centre;
-  // At a corner of the wall the arc would have no tangent in common with it.
+  // At a corner of the wall, the arc would not have a common tangent with it.
   const WideVec2 along = space.rounded->element(wall.element).tangent_at(wall.point);
   if (std::abs(along.dot(wall_way)) > kOneTangent * space.radius_mm) return std::nullopt;
   const WideVec2& from = leaves_line ? line_way : wall_way;

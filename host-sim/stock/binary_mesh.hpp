@@ -16,7 +16,7 @@ namespace sim::stock {
 /// Indices of a triangle's points, counter-clockwise as seen from outside.
 using MeshTriangle = std::array<std::uint32_t, 3>;
 
-/// Little-endian bytes of a file, whatever the machine's are.
+/// Writes little-endian bytes to a file, whatever the machine's byte order is.
 class BinaryFile {
  public:
   explicit BinaryFile(const std::string& name) : file_{name} {}
@@ -38,7 +38,7 @@ class BinaryFile {
   OutputFile file_;
 };
 
-/// Returns the normal of a triangle, of unit length; zero for one without area.
+/// Returns the normal of a triangle, a unit vector; zero for a triangle without area.
 [[nodiscard]] inline Eigen::Vector3d normal_of(const std::array<Eigen::Vector3d, 3>& corners) {
   const Eigen::Vector3d across = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
   const double length = across.norm();
@@ -46,8 +46,9 @@ class BinaryFile {
   return across / length;
 }
 
-/// Writes a mesh as binary STL, 50 bytes a triangle, or binary PLY (little-endian), 13 bytes a
-/// triangle and 12 a point. Throws std::system_error naming the file.
+/// Writes a mesh as binary STL, with 50 bytes for each triangle, or as binary PLY (little-endian),
+/// with 13 bytes for each triangle and 12 for each point. Throws std::system_error with the name of
+/// the file.
 /// @param title a line of at most 80 characters
 /// @param mesh has point_count(), triangle_count(), point(index) in mm, and each_triangle(take),
 /// which calls `take` with each MeshTriangle

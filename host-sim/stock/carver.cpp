@@ -9,17 +9,18 @@ namespace {
 
 constexpr std::int32_t kUncut = std::numeric_limits<std::int32_t>::max();
 
-/// mm: more than doubles lose in places of up to kFarthestStockMm. Every tool is taken as larger
-/// and smaller by this.
+/// mm: exceeds the rounding error of doubles at coordinates of up to kFarthestStockMm. Every tool
+/// counts as larger, or as smaller, by this much.
 constexpr double kRoundingMm = 1.0e-9;
 
-/// The greatest whole number that is no greater; std::floor is a call for each cell.
+/// Returns the greatest whole number that is at most `value`. std::floor would be a call for each
+/// cell.
 std::int32_t whole_below(double value) {
   const auto whole = static_cast<std::int32_t>(value);
   return static_cast<double>(whole) > value ? whole - 1 : whole;
 }
 
-/// An index from `first` to `last`, also where the number is far outside of both.
+/// Returns an index from `first` to `last`, even if the number is far outside of this range.
 int clamped(double index, int first, int last) {
   return static_cast<int>(std::clamp(index, static_cast<double>(first), static_cast<double>(last)));
 }
@@ -28,7 +29,7 @@ bool is_same(const Pose& a, const Pose& b) {
   return a.x_mm == b.x_mm && a.y_mm == b.y_mm && a.z_mm == b.z_mm;
 }
 
-/// Returns whether a stretch has at least the slack of another.
+/// Returns whether a stretch has at least as much slack as another stretch.
 bool has_slack_of(const Stretch& stretch, const Stretch& other) {
   return stretch.side_slack_mm >= other.side_slack_mm && stretch.up_slack_mm >= other.up_slack_mm;
 }
@@ -44,7 +45,8 @@ Carver::Carver(Stock& stock, const Cutter& cutter)
   above_ = below_;
 }
 
-// Nanometres above the top, one more and one less for the rounding of the sum.
+// Nanometres above the top; upper_nm() adds one and lower_nm() subtracts one for the rounding of
+// the sum.
 std::int32_t Carver::upper_nm(double height_mm) const {
   const double depth_nm = (stock_.box().top - height_mm) * kNmPerMm;
   if (depth_nm <= 0.0) return kUncut;
@@ -94,7 +96,8 @@ Carver::Range Carver::upper_range_of(int row) const {
   return rows_[static_cast<std::size_t>(index)].upper;
 }
 
-/// Fills the corners on the line below row `line`, as far as cells on either side need them.
+/// Fills the corners on the line below row `line`, as far as the cells above and below this line
+/// need them.
 void Carver::fill_corners(Corners& corners, const SweptSurface& surface, int line) {
   for (int i = corners.filled.first; i <= corners.filled.last; ++i) {
     corners.nm[static_cast<std::size_t>(i)] = kUncut;
@@ -159,7 +162,7 @@ void Carver::sink_lower_bounds(const SweptSurface& possible, int row, Range rang
   for_each_cell(row, range, [&](int column, Cell& cell) {
     if (cell.lower_nm <= lowest_nm_) return;
     const double x = stock_.box().x_min + (2 * column + 1) * half_x_mm_;
-    // No less than this is rounded to a bound that is no less than the cell's.
+    // A height of at least this value is rounded to a bound that is at least the cell's bound.
     const double enough_mm = stock_.box().top + (cell.lower_nm + 2) / kNmPerMm;
     const std::int32_t lower =
         lower_nm(possible.least_over(x, y, half_x_mm_, half_y_mm_, enough_mm));

@@ -12,8 +12,8 @@ namespace sim::stock {
 
 /// A straight piece of the tool's path.
 ///
-/// The tool may be off it: at each of its poses the tip passes within a cylinder of radius
-/// `side_slack_mm` and half height `up_slack_mm`, and it is nowhere else.
+/// The tool may deviate from the stretch: at each of its poses, the tip passes within a cylinder of
+/// radius `side_slack_mm` and half height `up_slack_mm`, and it is nowhere else.
 struct Stretch {
   Pose from;
   Pose to;
@@ -23,38 +23,40 @@ struct Stretch {
 
 /// Removes the volume that a tool sweeps from a stock.
 ///
-/// The upper bound of a cell falls only to where the whole cell is surely swept, at its four
-/// corners, between which the swept surface is convex. The lower bound falls as soon as any point
-/// of the cell can have been touched. The swept surface is that of a whole stretch at once, so its
-/// cost grows with the area of the plan that it takes and not with a number of poses; parts of the
-/// tool above the stock's top take none.
+/// The upper bound of a cell is lowered only where the whole cell is surely swept. Its four corners
+/// show that, as the swept surface is convex between them. The lower bound is lowered as soon as
+/// any point of the cell may have been touched. The swept surface is that of a whole stretch at
+/// once. So the cost of a stretch grows with the area that it covers in plan, and not with a number
+/// of poses. Parts of the tool above the stock's top cost nothing.
 ///
-/// A stretch that begins where the last one ended lowers nothing behind its start, or, if it falls,
-/// somewhat farther behind: the last one took that. Slack makes upper bounds greater and lower
-/// bounds less, so each of them is left as it is only if the last slack made it no looser.
+/// A stretch that begins at the end of the last stretch changes no cell behind its start, or, if it
+/// falls, no cell slightly farther behind: the last stretch covered these cells. Slack makes upper
+/// bounds greater and lower bounds less. So the upper bounds behind the start are skipped only if
+/// the last slack was at most the present slack, and the lower bounds only if it was at least the
+/// present slack.
 class Carver {
  public:
-  /// Both must outlive this. @pre fault_of(cutter) is empty
+  /// Stock and profile of the cutter. @pre fault_of(cutter) is empty; `stock` outlives this object
   Carver(Stock& stock, const Cutter& cutter);
 
   /// Sweeps one stretch.
-  /// Throws as Stock::row_of_tile() does.
-  /// @param skin_mm material that is no thicker is not counted in the result
-  /// @return a lower bound of the volume that it has removed, mm³
+  /// Throws the exceptions of Stock::row_of_tile().
+  /// @param skin_mm material that is at most this thick is not counted in the result
+  /// @return a lower bound of the removed volume, mm³
   double sweep(const Stretch& stretch, double skin_mm = 0.0);
 
  private:
-  /// First and last of some cells or corners in a row; none where last < first.
+  /// The first and the last of several cells or corners in a row; none where last < first.
   struct Range {
     int first = 0;
     int last = -1;
   };
-  /// Cells of a row whose bounds the current stretch may lower.
+  /// The cells of a row whose bounds the current stretch may lower.
   struct Row {
     Range upper;
     Range lower;
   };
-  /// Upper bounds at corners of cells, along a line between two rows.
+  /// Upper bounds at corners of cells, along the line between two rows.
   struct Corners {
     std::vector<std::int32_t> nm;
     Range filled;
@@ -76,10 +78,10 @@ class Carver {
   double half_x_mm_;
   double half_y_mm_;
   int first_row_ = 0;
-  std::vector<Row> rows_;  ///< From first_row_ on.
+  std::vector<Row> rows_;  ///< Rows from first_row_ on.
   Corners below_;
   Corners above_;
-  std::int32_t lowest_nm_ = 0;  ///< Least of all lower bounds of the current stretch.
+  std::int32_t lowest_nm_ = 0;  ///< The least lower bound that the current stretch can cause.
   std::int32_t skin_nm_ = 0;
   std::int64_t surely_removed_nm_ = 0;
   std::optional<Stretch> last_;

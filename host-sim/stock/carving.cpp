@@ -5,7 +5,7 @@
 namespace sim::stock {
 namespace {
 
-/// Whether the tool goes down more steeply than 45 degrees, and not by a few steps only.
+/// Returns whether the tool descends more steeply than 45 degrees, and by more than a few steps.
 bool is_plunge(const Stretch& stretch, double trail_mm) {
   const double level =
       std::hypot(stretch.to.x_mm - stretch.from.x_mm, stretch.to.y_mm - stretch.from.y_mm);

@@ -11,18 +11,19 @@
 
 namespace sim::stock {
 
-/// Stock that motions of one line removed.
+/// Stock that the motions of one line of the program removed.
 struct LineCut {
   int line = 0;
-  double least_mm3 = 0.0;  ///< The volume that they surely removed.
-  double at_s = 0.0;       ///< End of the first such stretch…
-  Pose at;                 ///< …and its place.
+  double least_mm3 = 0.0;  ///< The volume that these motions surely removed.
+  double at_s = 0.0;       ///< End of the first stretch that removed stock…
+  Pose at;                 ///< …and the tool's position there.
 };
 
 struct LineCuts {
   static constexpr std::size_t kMostListed = 100;
-  std::vector<LineCut> lines;  ///< The first of them, as they are driven.
-  std::size_t count = 0;       ///< Of all; a line that comes back counts again.
+  std::vector<LineCut> lines;  ///< The first lines with cuts, in the order of driving.
+  /// Number of all lines with cuts; a line that is driven a second time counts again.
+  std::size_t count = 0;
   int last_line = 0;
 
   void add(const DrivenStretch& driven, double removed_mm3);
@@ -40,29 +41,32 @@ struct PeakEngagement {
   Pose at;
 };
 
-/// The findings of carving a program.
+/// Results of carving a program.
 struct CarvingFigures {
   VolumeBounds removed;
-  /// At equal distances of time, or a little more, at most kMostTimes of them; the end is last.
+  /// Removed volume at equal intervals of time or slightly longer ones, at most kMostTimes entries;
+  /// the last entry is the end.
   static constexpr std::size_t kMostTimes = 256;
   std::vector<RemovedAt> over_time;
-  LineCuts rapids;   ///< Rapids in stock.
-  LineCuts plunges;  ///< Feeds in stock, steeper than 45 degrees downwards.
-  /// Of a flat tool, of all feeds that are not plunges; where the middle of its bounds is greatest.
+  LineCuts rapids;   ///< Rapids that cut stock.
+  LineCuts plunges;  ///< Feeds that cut stock and descend more steeply than 45 degrees.
+  /// Peak engagement of a flat tool over all feeds that are not plunges: that with the greatest
+  /// middle of its bounds.
   std::optional<PeakEngagement> engagement;
 };
 
-/// Carves a stock along a driven path and keeps figures.
+/// Carves a stock along a driven path and collects figures.
 class Carving {
  public:
-  /// @param trail_mm how far behind the tool the program's line may be; thinner skins are not
-  /// reported as cut by a rapid or a plunge. The stock must outlive this.
+  /// @param stock must outlive this object
+  /// @param trail_mm greatest distance of the program's line behind the tool; thinner skins are not
+  /// reported as cut by a rapid or a plunge
   /// @pre fault_of(cutter) is empty
   Carving(Stock& stock, const Cutter& cutter, double trail_mm);
 
-  /// Throws as Carver::sweep() does.
+  /// Carves one stretch. Throws the exceptions of Carver::sweep().
   void take(const DrivenStretch& driven);
-  /// No more stretches; the job ended at this time.
+  /// Ends the carving: no further stretch comes, and the job ended at `time_s`.
   void end(double time_s);
 
   [[nodiscard]] const CarvingFigures& figures() const { return figures_; }

@@ -9,11 +9,11 @@
 namespace sim::stock {
 namespace {
 
-/// How low the tool can cut over each cell within a pocket while its tip is on the floor.
+/// Computes how low the tool can cut over each cell within a pocket while its tip is on the floor.
 ///
-/// Its axis may be wherever the walls are no nearer than its radius, up to the top of the stock.
-/// The lowest height over a point is that of the profile at the distance to the nearest such place,
-/// because the profile never falls outwards.
+/// The tool's axis may be wherever the walls, up to the top of the stock, are at least the tool's
+/// radius away. The lowest height over a point is the profile's height at the distance to the
+/// nearest such position, because the profile never falls outwards.
 class ToolRoom {
  public:
   ToolRoom(const PlanRegion& region, const Cutter& cutter, double depth_mm)
@@ -35,13 +35,14 @@ class ToolRoom {
     to_possible_ = distances_to(possible, region.grid());
   }
 
-  /// The height above the floor to which the tool can surely cut all of a cell; infinite where it
-  /// may not come to a part of it.
+  /// Returns the height above the floor to which the tool can surely cut the whole cell; infinite
+  /// where a part of the cell may be out of the tool's reach.
   [[nodiscard]] double most_left(std::size_t cell) const {
     const double distance = to_sure_[cell] + half_mm_;
     return distance <= profile_.radius_mm ? height_at(profile_, distance) : kOutOfReach;
   }
-  /// The least height to which it may be able to cut some point; infinite where it cannot come.
+  /// Returns the least height to which the tool may be able to cut some point of the cell; infinite
+  /// where the cell is out of reach.
   [[nodiscard]] double least_left(std::size_t cell) const {
     const double distance = std::max(0.0, to_possible_[cell] - 2.0 * half_mm_);
     return distance <= profile_.radius_mm ? height_at(profile_, distance) : kOutOfReach;
@@ -50,13 +51,13 @@ class ToolRoom {
  private:
   static constexpr double kOutOfReach = std::numeric_limits<double>::infinity();
 
-  Profile profile_;  ///< Of the part that is in the stock.
+  Profile profile_;  ///< Profile of the part of the tool that is in the stock.
   double half_mm_;   ///< Half a cell's diagonal.
   std::vector<double> to_sure_;
   std::vector<double> to_possible_;
 };
 
-/// Adds up a stock's differences from a pocket.
+/// Adds up the differences of a stock from a pocket.
 class Comparer {
  public:
   Comparer(const Stock& stock, const Cutter& cutter, const PocketTarget& target)
@@ -85,7 +86,7 @@ class Comparer {
     }
   }
 
-  /// Heights are above the top here.
+  /// Adds a cell. All heights here are above the top.
   void take(const Cell& cell, RegionPart part, int column, int row) {
     const double lower = cell.lower_nm / kNmPerMm;
     const double upper = cell.upper_nm / kNmPerMm;
@@ -124,7 +125,7 @@ class Comparer {
   const Stock& stock_;
   PlanRegion region_;
   ToolRoom room_;
-  double floor_mm_;  ///< Above the top: below 0.
+  double floor_mm_;  ///< Height above the top, below 0.
   PocketFigures figures_;
 };
 
@@ -133,7 +134,8 @@ struct Extent {
   std::array<double, 2> high{-kFarthestStockMm, -kFarthestStockMm};
 };
 
-/// Widens the extent to a ring. Returns the reason where a point is too far away.
+/// Widens the extent to include a ring. Returns the reason for refusal where a point is too far
+/// away.
 std::string include(const Ring& ring, Extent& extent) {
   for (const auto& point : ring) {
     for (std::size_t axis = 0; axis < 2; ++axis) {

@@ -12,46 +12,47 @@ namespace sim::stock {
 /// A pocket with upright walls and a level floor.
 struct PocketTarget {
   std::vector<Ring> rings;  ///< Walls and islands.
-  double depth_mm = 0.0;    ///< Of the floor below the stock's top, > 0.
+  double depth_mm = 0.0;    ///< Depth of the floor below the stock's top, > 0.
 };
 
-/// Of the box of a target: 25 bytes each while it is compared.
+/// Greatest number of cells in the box of a target; each takes 25 bytes during the comparison.
 inline constexpr double kMostTargetCells = 5.0e7;
 
-/// The reason, with range and unit, for which there is no such pocket; empty for one that there is.
+/// Returns the reason, with range and unit, why a pocket is impossible; empty for a possible
+/// pocket.
 [[nodiscard]] std::string fault_of(const PocketTarget& target, double cell_mm);
 
-/// The greatest of a difference of heights: over some cell it is surely as great as `least_mm`, and
-/// it may be as great as `most_mm` there.
+/// The greatest difference of heights. Over some cell, the difference is surely at least `least_mm`
+/// and at most `most_mm`.
 struct HeightPeak {
   double least_mm = 0.0;
   double most_mm = 0.0;
   double x_mm = 0.0;  ///< The cell's centre.
   double y_mm = 0.0;
 
-  /// Takes a cell's bounds if they are greater: by the least, then by the most.
+  /// Takes a cell's bounds if they are greater: compared by the least, then by the most.
   void take(const HeightPeak& other);
 };
 
-/// A carved stock against the pocket that it was to become.
+/// Differences of a carved stock from the pocket that it was to become.
 struct PocketFigures {
-  /// Material that is gone and should be there: outside the pocket and below its floor.
+  /// Material that was removed but should be there: outside of the pocket, and below its floor.
   VolumeBounds gouge;
   HeightPeak deepest_gouge;
   /// Material that is left although the tool could have removed it without a gouge, with its tip on
-  /// the floor. Material where the tool does not fit, or that its shape leaves at walls, is no
-  /// rest.
+  /// the floor. Material is not rest where the tool does not fit, or where its shape leaves it at
+  /// walls.
   VolumeBounds rest;
   HeightPeak tallest_rest;
-  /// The tallest rest where the tool surely was: between its passes.
+  /// The tallest rest at a position where the tool surely was: between its passes.
   HeightPeak tallest_scallop;
 };
 
-/// Compares a stock with a pocket, whose rings are in the stock or near it. Cells that a wall
-/// passes through count as either side of it, and the room for the tool is known to half a cell's
-/// diagonal: bounds are apart by about a cell along all walls. Takes 25 bytes for each cell of the
-/// pocket's box while it runs.
-/// @pre fault_of() of tool and target is empty
+/// Compares a stock with a pocket, whose rings are in the stock or near it. A cell that a wall
+/// crosses counts as either side of the wall. The area where the tool fits is known within half a
+/// diagonal of a cell. So the bounds differ by about one cell along all walls. During the
+/// comparison, each cell of the pocket's box takes 25 bytes.
+/// @pre fault_of() of cutter and target is empty
 [[nodiscard]] PocketFigures compared(const Stock& stock,
                                      const Cutter& cutter,
                                      const PocketTarget& target);

@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kNoDistance = std::numeric_limits<double>::infinity();
 
-/// One line of a grid of squared distances.
+/// Transforms one line of a grid of squared distances.
 class ParabolaLine {
  public:
   ParabolaLine(std::size_t most_cells, double spacing_mm)
@@ -17,8 +17,8 @@ class ParabolaLine {
     from_.resize(most_cells + 1);
   }
 
-  /// Replaces `count` values, `stride` apart, by the least over all places of the line of the value
-  /// there and the square of the distance to it.
+  /// Replaces `count` values, `stride` apart. The new value is the least, over all cells of the
+  /// line, of the old value there plus the square of the distance to that cell.
   void spread(double* values, std::size_t count, std::size_t stride) {
     std::size_t parabolas = 0;
     for (std::size_t i = 0; i < count; ++i) {
@@ -36,7 +36,8 @@ class ParabolaLine {
   }
 
  private:
-  /// Where the parabola over place `right` becomes lower than that over `left`, in cells.
+  /// Returns the position, in cells, from which the parabola over `right` is lower than that over
+  /// `left`.
   [[nodiscard]] double crossing(std::size_t left, std::size_t right) const {
     const auto a = static_cast<double>(left);
     const auto b = static_cast<double>(right);
@@ -44,7 +45,7 @@ class ParabolaLine {
     return (rise + b * b - a * a) / (2.0 * (b - a));
   }
 
-  /// Adds the parabola over a place to the lower envelope; returns their number.
+  /// Adds the parabola over a cell to the lower envelope. Returns the number of parabolas in it.
   std::size_t add(std::size_t parabolas, std::size_t place) {
     double from = -kNoDistance;
     while (parabolas > 0) {
@@ -60,8 +61,8 @@ class ParabolaLine {
 
   double square_mm2_;
   std::vector<double> values_;
-  std::vector<std::size_t> foot_;  ///< Places of the envelope's parabolas.
-  std::vector<double> from_;       ///< Where each becomes the lowest.
+  std::vector<std::size_t> foot_;  ///< Cells of the envelope's parabolas.
+  std::vector<double> from_;       ///< Position from which each parabola is the lowest.
 };
 
 }  // namespace

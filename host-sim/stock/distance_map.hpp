@@ -5,7 +5,7 @@
 
 namespace sim::stock {
 
-/// Distances over a grid of equal rectangles, row by row.
+/// A grid of equal rectangles, stored row by row.
 struct DistanceGrid {
   int columns = 0;
   int rows = 0;
@@ -21,11 +21,12 @@ struct DistanceGrid {
   }
 };
 
-/// The distance from the centre of each cell to the nearest centre of a marked one, mm; 0 for these
-/// and infinite if there are none. Takes time in proportion to the cells, and 8 bytes for each.
+/// Returns for each cell the distance from its centre to the nearest centre of a marked cell, mm.
+/// The distance is 0 for marked cells, and infinite if no cell is marked. Time is proportional to
+/// the number of cells; each cell takes 8 bytes.
 ///
 /// Source: P. Felzenszwalb, D. Huttenlocher, "Distance Transforms of Sampled Functions", Theory of
-/// Computing 8 (2012), the lower envelope of parabolas, first along columns, then along rows.
+/// Computing 8 (2012): the lower envelope of parabolas, first along columns, then along rows.
 /// @pre marked.size() == grid.size()
 [[nodiscard]] std::vector<double> distances_to(const std::vector<bool>& marked,
                                                const DistanceGrid& grid);

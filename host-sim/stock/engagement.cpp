@@ -10,10 +10,10 @@ namespace {
 
 constexpr double kFloorSkinMm = 0.002;
 constexpr double kPosesPerRadius = 8.0;
-constexpr int kLeastSamples = 180;    ///< Of the half circle.
-constexpr int kMostSamples = 20'000;  ///< However small the cells are.
+constexpr int kLeastSamples = 180;    ///< Least number of samples of the half circle.
+constexpr int kMostSamples = 20'000;  ///< Greatest number of samples, however small the cells are.
 
-/// A flat tool on its way, and the stock that it meets.
+/// A flat tool on its path, and the stock before it.
 class Front {
  public:
   Front(const Stock& stock, double radius_mm, const Stretch& stretch)
@@ -24,7 +24,7 @@ class Front {
     if (length_mm_ == 0.0) return;
     along_x_ = dx / length_mm_;
     along_y_ = dy / length_mm_;
-    // Beyond the cells that the tool has cut in part where it stands.
+    // Radius beyond the cells that the tool has cut in part at its position.
     ring_mm_ = radius_mm + stretch.side_slack_mm + std::hypot(stock.cell_x_mm(), stock.cell_y_mm());
     const double spacing = 0.5 * std::min(stock.cell_x_mm(), stock.cell_y_mm());
     const double wanted = std::ceil(std::numbers::pi * radius_mm / spacing);
@@ -33,7 +33,7 @@ class Front {
 
   [[nodiscard]] double length_mm() const { return length_mm_; }
 
-  /// At a share of the stretch.
+  /// Returns the bounds of the engagement at a share of the stretch.
   [[nodiscard]] Engagement at(double share) const {
     const double z = std::lerp(stretch_.from.z_mm, stretch_.to.z_mm, share);
     const double skin = kFloorSkinMm + 2.0 * stretch_.up_slack_mm;
@@ -51,9 +51,9 @@ class Front {
   }
 
  private:
-  /// The cell that a point of the circumference, `side` mm to the left of the path, comes to first
-  /// when it has left the ring of cells that are cut in part. Going straight ahead keeps its
-  /// distance from walls along the path. Null outside of the stock.
+  /// Returns the first cell that a point of the circumference, `side` mm to the left of the path,
+  /// meets after the ring of cells that are cut in part. The point moves straight ahead, which
+  /// keeps its distance from walls along the path. Returns null outside of the stock.
   [[nodiscard]] const Cell* cell_ahead(double share, double side) const {
     const double ahead = share * length_mm_ + std::sqrt((ring_mm_ - side) * (ring_mm_ + side));
     const double x = stretch_.from.x_mm + ahead * along_x_ - side * along_y_;

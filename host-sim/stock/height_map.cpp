@@ -8,7 +8,8 @@ namespace {
 
 int blocks_of(int cells, int block_cells) { return (cells + block_cells - 1) / block_cells; }
 
-/// The least number of cells along a block that leaves no more than `most_blocks`.
+/// Returns the least number of cells along a block with which there are at most `most_blocks`
+/// blocks.
 int block_for(const Stock& stock, std::size_t most_blocks) {
   const auto blocks = [&stock](int block_cells) {
     return static_cast<std::size_t>(blocks_of(stock.columns(), block_cells)) *
@@ -43,7 +44,7 @@ int HeightMap::cells_in(int block, int cells) const {
   return std::min(block_cells_, cells - block * block_cells_);
 }
 
-/// Adds the middles of a row of cells, nm above the top, to its blocks.
+/// Adds the middles of a row of cells, nm above the top, to the sums of their blocks.
 void HeightMap::add_row(int row) {
   double* const sums = &heights_mm_[static_cast<std::size_t>(row / block_cells_) *
                                     static_cast<std::size_t>(columns_)];

@@ -7,23 +7,24 @@
 
 namespace sim::stock {
 
-/// Heights of a stock for the eye: means of the middles of the bounds, over equal blocks of cells.
-/// Blocks at the upper ends of X and Y may have fewer cells.
+/// Heights of a stock for display, over equal blocks of cells. Each height is the mean over a block
+/// of the middles of the cells' bounds. Blocks at the upper ends of X and Y may have fewer cells.
 class HeightMap {
  public:
-  /// @param most_blocks > 0; blocks are as many cells wide as this needs
+  /// @param most_blocks greatest number of blocks, > 0; it sets the number of cells along a block
   HeightMap(const Stock& stock, std::size_t most_blocks);
 
   [[nodiscard]] int columns() const { return columns_; }
   [[nodiscard]] int rows() const { return rows_; }
-  [[nodiscard]] int block_cells() const { return block_cells_; }  ///< Along each side.
-  /// mm, machine coordinates.
+  /// Number of cells along each side of a block.
+  [[nodiscard]] int block_cells() const { return block_cells_; }
+  /// Returns the height of a block, mm, machine coordinates.
   [[nodiscard]] double height(int column, int row) const {
     return heights_mm_[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
                        static_cast<std::size_t>(column)];
   }
   [[nodiscard]] double lowest() const;
-  /// The middle of a block.
+  /// x_of() and y_of() return the coordinates of the middle of a block.
   [[nodiscard]] double x_of(int column) const;
   [[nodiscard]] double y_of(int row) const;
   [[nodiscard]] const StockBox& box() const { return stock_.box(); }

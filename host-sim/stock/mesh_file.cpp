@@ -13,9 +13,9 @@ namespace {
 
 constexpr const char* kMeshTitle = "kerfline sim: carved stock, mm";
 
-/// The rest of a stock as points and triangles. The upper points stand in rows, from the first
-/// side of the box to the last; those of the rim have one below them at the bottom, in the order
-/// of rim_, and one more is in the middle of the bottom.
+/// The rest of a stock, as points and triangles. The upper points form rows from the first side
+/// of the box to the last. Each point of the rim has a point below it at the bottom, in the order
+/// of rim_. One more point is in the middle of the bottom.
 class BodyMesh {
  public:
   explicit BodyMesh(const Stock& stock) : map_{stock, kMostMeshPoints} { list_rim(); }
@@ -61,7 +61,8 @@ class BodyMesh {
   }
 
  private:
-  /// The map's blocks, and a point more at each side of the box.
+  /// Returns the number of the map's columns of blocks plus one point at each side of the box.
+  /// rows() counts in the same way.
   [[nodiscard]] std::uint32_t columns() const {
     return static_cast<std::uint32_t>(map_.columns()) + 2;
   }
@@ -78,7 +79,7 @@ class BodyMesh {
     return point;
   }
 
-  /// Counter-clockwise as seen from above, from the corner of least X and Y.
+  /// Lists the rim counter-clockwise as seen from above, from the corner of least X and Y.
   void list_rim() {
     const std::uint32_t last_column = columns() - 1;
     const std::uint32_t last_row = rows() - 1;

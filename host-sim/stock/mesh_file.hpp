@@ -7,15 +7,17 @@
 
 namespace sim::stock {
 
-/// Points of the upper surface in a file, at most; finer stocks are thinned to blocks of cells.
+/// Greatest number of points of the upper surface in a file; a finer stock is reduced to blocks of
+/// cells.
 inline constexpr std::size_t kMostMeshPoints = 500'000;
 
-/// Writes the rest of a stock as a closed body: heights at the middles of cells or blocks,
-/// carried to the stock's sides, and the sides and the bottom of the box below them. Where the
-/// stock is cut through the surface lies on the bottom.
+/// Writes what is left of a stock as a closed body. The heights at the middles of cells or blocks
+/// are extended to the stock's sides; the sides and the bottom of the box close the body below.
+/// Where the stock is cut through, the surface lies on the bottom.
 ///
-/// Binary STL, 50 bytes a triangle, or binary PLY (little-endian), 13 bytes a triangle and 12 a
-/// point. Throws std::system_error naming the file.
+/// write_stl() writes binary STL, with 50 bytes for each triangle. write_ply() writes binary PLY
+/// (little-endian), with 13 bytes for each triangle and 12 for each point. Both throw
+/// std::system_error with the name of the file.
 void write_stl(const std::string& file, const Stock& stock);
 void write_ply(const std::string& file, const Stock& stock);
 

@@ -9,26 +9,27 @@
 
 namespace sim::stock {
 
-/// A closed line of straight pieces in the plan, machine coordinates, mm; the last point is joined
-/// to the first.
+/// A closed line of straight pieces in plan, machine coordinates, mm. The last point is joined to
+/// the first.
 using Ring = std::vector<std::array<double, 2>>;
 
 enum class RegionPart : std::uint8_t { kOutside, kEdge, kInside };
 
-/// Which cells of a stock are inside of rings, outside, or cut by one. Inside is where an odd
-/// number of rings is around, so a ring in another is an island.
+/// Classifies the cells of a stock as inside of rings, outside of rings, or cut by a ring. A point
+/// is inside where an odd number of rings is around it, so a ring in another ring is an island.
 ///
-/// The grid is that of the stock's cells, over the box of the rings and a cell more at each side,
-/// beyond the stock's sides, too.
+/// The grid is that of the stock's cells. It covers the box of the rings and one more cell on each
+/// side, even beyond the stock's sides.
 class PlanRegion {
  public:
   PlanRegion(const std::vector<Ring>& rings, const Stock& stock);
 
   [[nodiscard]] const DistanceGrid& grid() const { return grid_; }
   [[nodiscard]] const std::vector<RegionPart>& parts() const { return parts_; }
-  /// Of a cell of the stock; beyond the grid all is outside.
+  /// Returns the part to which a cell of the stock belongs; a cell beyond the grid is outside.
   [[nodiscard]] RegionPart part_of(int column, int row) const;
-  /// Whether the grid has a cell of the stock, and its index there.
+  /// Returns whether the grid contains a cell of the stock. index_of() returns the index of this
+  /// cell.
   [[nodiscard]] bool has(int column, int row) const;
   [[nodiscard]] std::size_t index_of(int column, int row) const {
     return grid_.index(column - first_column_, row - first_row_);
@@ -41,7 +42,7 @@ class PlanRegion {
 
   const Stock& stock_;
   DistanceGrid grid_;
-  int first_column_ = 0;  ///< Of the grid, in cells of the stock; may be negative.
+  int first_column_ = 0;  ///< First column of the grid, in cells of the stock; may be negative.
   int first_row_ = 0;
   std::vector<RegionPart> parts_;
 };

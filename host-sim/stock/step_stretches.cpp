@@ -21,8 +21,8 @@ void StepStretches::go_to(const Pose& pose, const StretchOrigin& origin, double 
 
 void StepStretches::finish() { settle(true); }
 
-/// How far the first `count` steps are off the straight way to the last of them; nothing if one is
-/// beyond the tolerance.
+/// Returns the deviation of the first `count` steps from the straight line to the last of them;
+/// nothing if a step is beyond the tolerance.
 std::optional<StepStretches::Offset> StepStretches::fit(std::size_t count) const {
   const Pose& to = steps_[count - 1].pose;
   const double dx = to.x_mm - start_->x_mm;
@@ -65,7 +65,8 @@ void StepStretches::hand_out(std::size_t count) {
   to_check_ = 2;
 }
 
-/// Hands out a number of steps that fit, at least `fitting`, where `too_many` do not.
+/// Passes on the greatest number of steps that fit. `fitting` steps fit, and `too_many` steps do
+/// not.
 void StepStretches::hand_out_longest(std::size_t fitting, std::size_t too_many) {
   while (too_many - fitting > 1) {
     const std::size_t middle = fitting + (too_many - fitting) / 2;
@@ -74,8 +75,8 @@ void StepStretches::hand_out_longest(std::size_t fitting, std::size_t too_many) 
   hand_out(fitting);
 }
 
-/// Checks twice as many steps each time, so that each step is checked a few times only. The first
-/// half of them is known to fit, or is a single step, which is straight.
+/// Checks twice as many steps each time, so that each step is checked only a few times. The first
+/// half of them is known to fit, or it is a single step, which is straight.
 void StepStretches::settle(bool all) {
   while (!steps_.empty() && (all || steps_.size() >= to_check_)) {
     const std::size_t count = std::min(to_check_, steps_.size());

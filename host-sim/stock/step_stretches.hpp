@@ -13,12 +13,12 @@ namespace sim::stock {
 enum class Drive : std::uint8_t {
   kFeed,
   kRapid,
-  kJoint,  ///< The end of a rapid at a feed, where either may be meant.
+  kJoint,  ///< The end of a rapid next to a feed, where either may be meant.
 };
 
 /// The motion of the program that drives a stretch.
 struct StretchOrigin {
-  int line = 0;  ///< 0 before the first.
+  int line = 0;  ///< 0 before the first line.
   Drive drive = Drive::kFeed;
 
   bool operator==(const StretchOrigin&) const = default;
@@ -31,21 +31,21 @@ struct DrivenStretch {
   double end_s = 0.0;
 };
 
-/// Gathers the steps of a tool to straight stretches, as long as its positions are within a
-/// tolerance of them, in space; between two positions it goes straight. Stretches begin and end at
-/// positions of the tool, and state how far it is off them: the slack to the side in quarters of
-/// the tolerance, the slack in height as it is.
+/// Joins the steps of a tool to straight stretches, as long as all positions are within a tolerance
+/// of the stretch in space. Between two positions the tool moves straight. Stretches begin and end
+/// at positions of the tool, and state the tool's deviation from them. The slack to the side is
+/// rounded up to quarters of the tolerance; the slack in height is exact.
 class StepStretches {
  public:
   using Sink = std::function<void(const DrivenStretch&)>;
 
-  /// @param tolerance_mm > 0; a few steps at least, or stretches are as short as steps
+  /// @param tolerance_mm > 0; at least a few steps long, or else stretches are as short as steps
   StepStretches(double tolerance_mm, Sink sink)
       : tolerance_mm_{tolerance_mm}, sink_{std::move(sink)} {}
 
-  /// The tool goes to a position, or starts there. Stretches have one origin only.
+  /// Moves the tool to a position, or starts it there. All steps of a stretch have one origin.
   void go_to(const Pose& pose, const StretchOrigin& origin, double time_s);
-  /// Hands out the remaining steps.
+  /// Passes the remaining steps to the sink.
   void finish();
 
  private:
@@ -57,7 +57,8 @@ class StepStretches {
     double side_mm = 0.0;
     double up_mm = 0.0;
   };
-  /// Positions in one stretch, so that long lines are carved while they are driven.
+  /// Greatest number of positions in a stretch, so that long lines are carved while they are
+  /// driven.
   static constexpr std::size_t kMostSteps = 1 << 15;
 
   [[nodiscard]] std::optional<Offset> fit(std::size_t count) const;
@@ -69,8 +70,8 @@ class StepStretches {
   Sink sink_;
   std::optional<Pose> start_;
   StretchOrigin origin_;
-  std::vector<Step> steps_;   ///< Since the start.
-  std::size_t to_check_ = 2;  ///< Number of waiting steps at which they are checked.
+  std::vector<Step> steps_;   ///< Steps since the start of the stretch.
+  std::size_t to_check_ = 2;  ///< Number of waiting steps at which the steps are checked.
 };
 
 }  // namespace sim::stock

@@ -10,7 +10,7 @@ namespace sim::stock {
 namespace {
 
 std::string fault_of_side(char axis, double low, double high) {
-  // Written so that NaN is refused, too.
+  // The condition is written so that it also refuses NaN.
   if (!(std::abs(low) <= kFarthestStockMm && std::abs(high) <= kFarthestStockMm)) {
     return fmt::format("{} of the stock is {} to {} mm; it takes {} to {} mm",
                        axis,
@@ -25,7 +25,7 @@ std::string fault_of_side(char axis, double low, double high) {
 }
 
 double cells_along(double length_mm, double cell_mm) {
-  // A side of 10 mm has 200 cells of 0.05 mm, however the quotient is rounded.
+  // Keeps a side of 10 mm at 200 cells of 0.05 mm, however the quotient is rounded.
   constexpr double kRounding = 1.0e-9;
   return std::max(1.0, std::ceil(length_mm / cell_mm - kRounding));
 }

@@ -19,21 +19,22 @@ struct StockBox {
   double bottom = 0.0;
 };
 
-inline constexpr double kFarthestStockMm = 100'000.0;  ///< Of any side from the origin.
-inline constexpr double kDeepestStockMm = 1'000.0;     ///< From top to bottom.
+/// Greatest distance of a side from the origin.
+inline constexpr double kFarthestStockMm = 100'000.0;
+inline constexpr double kDeepestStockMm = 1'000.0;  ///< Greatest distance from top to bottom.
 inline constexpr double kLeastCellMm = 0.001;
 inline constexpr double kGreatestCellMm = 10.0;
-/// Of a stock; their table takes 8 bytes per 4,096 of them.
+/// Greatest number of cells of a stock. Their table takes 8 bytes for each 4,096 cells.
 inline constexpr double kMostCells = 1.0e10;
-/// Of carved cells in memory: 8 bytes each.
+/// Greatest memory for carved cells; each takes 8 bytes.
 inline constexpr std::size_t kMostCarvedBytes = std::size_t{4} << 30;
 
-/// The reason, with range and unit, for which there is no such stock; empty for one that there is.
+/// Returns the reason, with range and unit, why a stock is impossible; empty for a possible stock.
 [[nodiscard]] std::string fault_of(const StockBox& box, double cell_mm);
 
 inline constexpr double kNmPerMm = 1.0e6;
 
-/// Bounds of the height that is left, over every point of a cell: nanometres above the top of the
+/// Bounds of the height that is left over every point of a cell, in nanometres above the top of the
 /// uncut stock, so at most 0.
 struct Cell {
   std::int32_t lower_nm = 0;
@@ -46,11 +47,12 @@ struct VolumeBounds {
   double most_mm3 = 0.0;
 };
 
-/// The rest of a block: a height above each point of its plan.
+/// The material that is left of a block: one height above each point of its plan.
 ///
-/// Cells are equal rectangles, which divide the sides and are no longer than wanted. Cells that
-/// were never touched take no memory: tiles of 64 by 64 come into being when they are changed,
-/// 32 KiB each, so at 0.05 mm 3.2 MB per 10 cm² that the tool has touched.
+/// Cells are equal rectangles that divide the sides and are no longer than `cell_mm`. Cells that
+/// were never touched take no memory: a tile of 64 by 64 cells is made when one of its cells is
+/// changed. Each tile takes 32 KiB. With cells of 0.05 mm that is 3.2 MB for each 10 cm² that the
+/// tool has touched.
 class Stock {
  public:
   static constexpr int kTileCells = 64;  ///< Along each side of a tile.
@@ -66,27 +68,30 @@ class Stock {
   [[nodiscard]] double cell_y_mm() const { return cell_y_mm_; }
   [[nodiscard]] std::int32_t bottom_nm() const { return bottom_nm_; }
 
-  /// @pre 0 <= column < columns(), 0 <= row < rows()
+  /// Returns a cell. @pre 0 <= column < columns(), 0 <= row < rows()
   [[nodiscard]] const Cell& cell(int column, int row) const;
 
-  /// The cell that has a point, mm; null outside of the stock. Valid until a tile is made.
+  /// Returns the cell that contains a point, mm; null outside of the stock. The pointer is valid
+  /// until a tile is made.
   [[nodiscard]] const Cell* cell_at(double x, double y) const;
 
-  /// The cells of one row from the first column of a tile on; null where nothing was touched.
+  /// Returns the cells of one row, from the first column of a tile on; null if the tile is
+  /// untouched.
   [[nodiscard]] const Cell* touched_row_of_tile(int tile_column, int row) const;
 
-  /// The cells of one row from the first column of a tile on, to be changed; makes the tile.
-  /// Throws std::runtime_error when carved cells would take more than kMostCarvedBytes.
+  /// Returns the cells of one row, from the first column of a tile on, to be changed. Makes the
+  /// tile if necessary. Throws std::runtime_error if carved cells would take more than
+  /// kMostCarvedBytes.
   [[nodiscard]] Cell* row_of_tile(int tile_column, int row);
 
-  /// Counts a change of cells: the sums by which their upper and their lower bounds fell.
+  /// Counts a change of cells: the sums by which their upper and their lower bounds were lowered.
   void count_removed(std::int64_t upper_fell_nm, std::int64_t lower_fell_nm) {
     upper_fell_nm_ += upper_fell_nm;
     lower_fell_nm_ += lower_fell_nm;
   }
   [[nodiscard]] VolumeBounds removed() const;
 
-  /// Of carved cells.
+  /// Returns the memory that carved cells take.
   [[nodiscard]] std::size_t carved_bytes() const { return tiles_in_use_ * sizeof(Tile); }
 
  private:
@@ -104,7 +109,7 @@ class Stock {
   double cell_x_mm_;
   double cell_y_mm_;
   std::int32_t bottom_nm_;
-  std::vector<std::unique_ptr<Tile>> tiles_;  ///< Null where nothing was touched.
+  std::vector<std::unique_ptr<Tile>> tiles_;  ///< A tile is null if none of its cells was touched.
   std::size_t tiles_in_use_ = 0;
   std::int64_t upper_fell_nm_ = 0;
   std::int64_t lower_fell_nm_ = 0;

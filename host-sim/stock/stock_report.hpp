@@ -14,14 +14,14 @@ namespace sim::stock {
 /// The part of a report on the stock that a program carved.
 struct StockReport {
   StockBox box;
-  bool has_bottom = true;  ///< Else the stock ends below every cut.
+  bool has_bottom = true;  ///< False if the stock ends below every cut.
   double cell_x_mm = 0.0;
   double cell_y_mm = 0.0;
   Cutter cutter;
   std::size_t carved_bytes = 0;  ///< Memory of the cells that were touched.
   CarvingFigures figures;
-  std::optional<PocketFigures> pocket{};    ///< If it was to become one.
-  std::optional<SurfaceFigures> surface{};  ///< The same of a surface.
+  std::optional<PocketFigures> pocket{};    ///< Set if the stock was to become a pocket.
+  std::optional<SurfaceFigures> surface{};  ///< Set if the stock was to become a surface.
 };
 
 }  // namespace sim::stock

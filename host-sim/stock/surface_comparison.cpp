@@ -16,7 +16,7 @@ namespace {
 
 using surface::DropCutter;
 
-/// A ball so small that it rises hardly above an upright wall.
+/// Radius of a ball that is so small that it hardly widens an upright wall.
 constexpr double kPointMm = 1.0e-5;
 
 Profile point_profile() { return {.radius_mm = kPointMm, .corner_mm = kPointMm}; }
@@ -25,10 +25,10 @@ Profile disc_profile(double radius_mm) { return {.radius_mm = radius_mm, .flat_m
 /// The height of a surface over a cell.
 struct CellSurface {
   double centre_mm = 0.0;
-  double most_mm = 0.0;  ///< No point of it in the cell is higher.
+  double most_mm = 0.0;  ///< Height that no point of the surface in the cell exceeds.
 };
 
-/// Returns places in a disc of radius 1, its middle included.
+/// Returns points in a disc of radius 1, with its centre.
 std::vector<Eigen::Vector2d> ways_in_disc() {
   constexpr int kRadii = 12;
   constexpr int kAngles = 24;
@@ -43,8 +43,8 @@ std::vector<Eigen::Vector2d> ways_in_disc() {
   return ways;
 }
 
-/// Returns how low the tool can cut over a place, coming down at any place around until it touches
-/// the surface; infinitely low where it can stand beside the surface.
+/// Returns how low the tool can cut over a point if it may descend at any position around, until it
+/// touches the surface. Infinitely low where the tool can descend next to the surface.
 double lowest_cut(const DropCutter& tool, const Eigen::Vector2d& place) {
   constexpr int kRounds = 6;
   static const std::vector<Eigen::Vector2d> kWays = ways_in_disc();
@@ -71,10 +71,10 @@ double lowest_cut(const DropCutter& tool, const Eigen::Vector2d& place) {
   return lowest;
 }
 
-/// Keeps the cell that is farthest off in each part of the plan, of one sign.
+/// Keeps the worst deviation of one sign in each part of the plan.
 class WorstOfParts {
  public:
-  static constexpr int kParts = 24;  ///< Along each side.
+  static constexpr int kParts = 24;  ///< Number of parts along each side.
 
   explicit WorstOfParts(const StockBox& box) : box_{box}, worst_(std::size_t{kParts} * kParts) {}
 
@@ -89,7 +89,7 @@ class WorstOfParts {
     if (std::abs(place.off_mm) > std::abs(worst.off_mm)) worst = place;
   }
 
-  /// Returns the worst ones, each farther from those before it than `apart_mm`.
+  /// Returns the worst deviations, each farther than `apart_mm` from those before it.
   [[nodiscard]] std::vector<WorstPlace> worst(double apart_mm) const {
     std::vector<WorstPlace> sorted = worst_;
     std::ranges::sort(sorted, std::ranges::greater{}, [](const WorstPlace& place) {
@@ -111,7 +111,7 @@ class WorstOfParts {
   std::vector<WorstPlace> worst_;
 };
 
-/// Compares cell by cell.
+/// Compares a stock with a surface, cell by cell.
 class SurfaceComparer {
  public:
   SurfaceComparer(const Stock& stock, const Cutter& cutter, const surface::Mesh& mesh)
@@ -143,7 +143,7 @@ class SurfaceComparer {
   }
 
  private:
-  /// Returns the steepest way from a cell's centre to the surface around, up or down.
+  /// Returns the steepest slope from a cell's centre to the surface around it, up or down.
   [[nodiscard]] double rise_around(const CellSurface& surface,
                                    const Eigen::Vector2d& place,
                                    double reach) {
@@ -158,8 +158,8 @@ class SurfaceComparer {
     return rise;
   }
 
-  /// Returns a height above the surface as a distance at right angles to it. Large ones look
-  /// around: a wall that stands beside the cell is near, however high it is.
+  /// Converts a height above the surface to a distance at right angles to it. For a great height,
+  /// it also checks the surroundings: a wall next to the cell is near, however high it is.
   [[nodiscard]] double square_off(double height_mm,
                                   const CellSurface& surface,
                                   const Eigen::Vector2d& place) {
@@ -234,7 +234,7 @@ class SurfaceComparer {
   }
 
   const Stock& stock_;
-  double half_mm_;  ///< Half a cell's diagonal.
+  double half_mm_;  ///< Half the diagonal of a cell.
   DropCutter point_;
   DropCutter disc_;
   DropCutter tool_;

@@ -3,7 +3,7 @@
 namespace sim::stock {
 namespace {
 
-/// mm: nearer than this to a kink or to the rim, a distance is taken to be on it.
+/// mm: a distance that is nearer than this to a kink or to the rim counts as being on it.
 constexpr double kOnIt = 1.0e-9;
 
 }  // namespace
@@ -46,7 +46,7 @@ SweptSurface::Lead SweptSurface::kind_of_lead() const {
 }
 
 void SweptSurface::fill_table() {
-  // At the very rim reach and lead are 0; their ratio has a limit there.
+  // At the rim itself, reach and lead are 0; their ratio has a limit there.
   constexpr double kRim = 1.0 - 1.0e-6;
   for (std::size_t i = 0; i < kNodes; ++i) {
     const double share = static_cast<double>(i) / static_cast<double>(kNodes - 1);
@@ -55,10 +55,10 @@ void SweptSurface::fill_table() {
   }
 }
 
-/// Computes a bound from h'(r) u / r = |climb|: with u = q r, 0 < q <= 1, the profile rises there
-/// by |climb| / q. A corner does so at r = flat + corner |climb| / sqrt(q² + climb²), and so u <=
-/// flat + corner |climb| / sqrt(1 + climb²). A cone does so for q = |climb| / rise alone, and at
-/// its kink.
+/// Computes an upper bound of the lead from h'(r) u / r = |climb|. With u = q r, 0 < q <= 1, the
+/// profile rises at r by |climb| / q. In a corner that is at r = flat + corner |climb| / sqrt(q² +
+/// climb²), so u <= flat + corner |climb| / sqrt(1 + climb²). In a cone that is only for q =
+/// |climb| / rise, and at the cone's kink.
 double SweptSurface::bound_of_lead() const {
   if (is_level_) return 0.0;
   const double steepness = std::abs(climb_);
@@ -69,11 +69,13 @@ double SweptSurface::bound_of_lead() const {
   } else if (steepness < profile_.rise) {
     most = std::max(flat, radius_ * steepness / profile_.rise);
   }
-  return std::min(radius_, most) + kOnIt;  // It is no less, however the formulas are rounded.
+  // The lead is never greater, however the formulas are rounded.
+  return std::min(radius_, most) + kOnIt;
 }
 
-/// The lead u >= 0 where the profile rises outwards by as much as the path climbs:
-/// h'(r) u / r = |climb| with r² = side² + u², by bisection; the reach where there is none.
+/// Returns the lead u >= 0 at which the profile rises outwards by as much as the path climbs: h'(r)
+/// u / r = |climb| with r² = side² + u². Finds it by bisection; returns the reach if there is no
+/// such lead.
 double SweptSurface::solved_lead(double side) const {
   constexpr int kHalvings = 40;
   const double steepness = std::abs(climb_);
@@ -141,13 +143,14 @@ double SweptSurface::height_of_path(double x, double y) const {
   const double ahead = along - pose;
   const double height =
       z_ + climb_ * pose + height_at(profile_, std::sqrt(ahead * ahead + across * across));
-  // The next stretch leaves out the points that its first pose, which is this end, sweeps lowest.
+  // The next stretch omits the points that its first pose sweeps lowest. This pose is the present
+  // end.
   const Pose& end = falls() ? low_ : high_;
   return std::min(height, height_of_pose(end, x - end.x_mm, y - end.y_mm));
 }
 
-/// The outward rise that balances the climb, if the profile has it at this distance: at a kink, or
-/// at the rim, it has many.
+/// Returns the outward rise that balances the climb, if the profile has it at this distance. At a
+/// kink and at the rim, the profile has a range of rises.
 double SweptSurface::slope_for(double distance, double ahead) const {
   const double least = rise_at(profile_, distance);
   double most = least;
@@ -157,8 +160,9 @@ double SweptSurface::slope_for(double distance, double ahead) const {
   return std::max(least, std::min(balanced, most));
 }
 
-/// Returns the height at the best known pose for a point, less the fall of the tangent plane there,
-/// over point and pose together, within the rectangle and the poses from `first` to `last`.
+/// Returns a lower bound: the height at the best known pose for a point, minus the fall of the
+/// tangent plane there. The tangent plane is that over point and pose together, within the
+/// rectangle and the poses from `first` to `last`.
 double SweptSurface::tangent_bound(
     const Place& place, double half_x, double half_y, double first, double last) const {
   const double side = std::abs(place.across);
@@ -221,7 +225,7 @@ std::optional<Interval> SweptSurface::extent_at(double y, double extra_mm) const
     include(from_x_ + pose * along_x_ + half);
   }
   for (const double side : {-radius, radius}) {
-    // The side of the sweep crosses y here. A path along X has no such crossing and needs none.
+    // The side of the sweep crosses `y` here. A path along X has no such crossing and needs none.
     const double rise = y - (from_y_ + side * along_x_);
     if (rise * along_y_ < 0.0 || std::abs(rise) > length_ * std::abs(along_y_)) continue;
     if (along_y_ == 0.0) continue;

@@ -20,11 +20,11 @@ struct AscHeader {
   double rows = 0.0;
   Eigen::Vector2d corner{0.0, 0.0};
   Eigen::Vector2d cell{0.0, 0.0};
-  /// 0.5 where the corner is that of a cell, 0 where it is its middle.
+  /// 0.5 if the file gives the corner of a cell, 0 if it gives the cell's middle.
   Eigen::Vector2d to_middle{0.0, 0.0};
   double no_data = -9999.0;
 
-  /// Takes a key in any letters; returns whether it is known.
+  /// Stores the value of a key, in capital or small letters. Returns whether the key is known.
   bool take(std::string_view key, double value) {
     const auto is = [&](std::string_view small) { return equals_in_small_letters(key, small); };
     if (is("ncols")) return columns = value, true;
@@ -64,7 +64,7 @@ class AscReader {
     while (!word_.empty() && ((word_.front() >= 'a' && word_.front() <= 'z') ||
                               (word_.front() >= 'A' && word_.front() <= 'Z'))) {
       const auto as_number = parsed_number(word_);
-      if (as_number && std::isnan(*as_number)) return;  // The first height may be missing.
+      if (as_number && std::isnan(*as_number)) return;  // NaN is a missing first height, not a key.
       const std::size_t line = words_.line();
       const std::string_view value = words_.next();
       const auto number = parsed_number(value);
@@ -94,7 +94,7 @@ class AscReader {
     }
     if (!header_.corner.allFinite())
       refuse(name_, 0, "its corner is not finite", "mend the header");
-    // Each height takes a digit and a blank.
+    // Each height takes at least a digit and a blank.
     if (header_.rows * header_.columns > static_cast<double>(words_.rest().size()) / 2.0 + 2.0) {
       refuse(name_,
              0,
@@ -134,7 +134,7 @@ class AscReader {
            "export it again, or mend the header");
   }
 
-  /// Returns the height that the current word is, in mm; NaN if it was not measured.
+  /// Returns the current word as a height in mm; NaN if the height was not measured.
   [[nodiscard]] double height() const {
     const auto value = parsed_number(word_);
     if (!value || std::isinf(*value)) {

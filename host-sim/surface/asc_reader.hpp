@@ -8,10 +8,11 @@
 
 namespace sim::surface {
 
-/// Reads an ESRI ASCII grid: `ncols`, `nrows`, `xllcorner` or `xllcenter` and so for y, `cellsize`
-/// or `dx` and `dy`, and `NODATA_value` (-9999 without it), in any order and letters; then the
-/// heights of all cells, which stand at their middles. A pitch of the options replaces the cells'
-/// size, and moves the first point of the last row to 0, 0. Throws std::invalid_argument.
+/// Reads an ESRI ASCII grid. Its header has `ncols`, `nrows`, `xllcorner` or `xllcenter` (the same
+/// for y), `cellsize` or `dx` and `dy`, and `NODATA_value` (default -9999), in any order and in
+/// capital or small letters. The heights of all cells follow; each stands at the middle of its
+/// cell. A pitch in the options replaces the cells' size and moves the first point of the last row
+/// to 0, 0. Throws std::invalid_argument.
 [[nodiscard]] GridDraft read_asc(std::string_view text,
                                  const std::string& name,
                                  const ReadOptions& options);

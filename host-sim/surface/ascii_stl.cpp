@@ -12,7 +12,7 @@
 namespace sim::surface {
 namespace {
 
-/// Reads an STL text line by line; a facet counts where its loop ends.
+/// Reads an STL text line by line. A facet counts when its loop ends.
 class StlText {
  public:
   StlText(std::string_view text, const std::string& name) : name_{name}, lines_{text} {}

@@ -9,17 +9,18 @@
 
 namespace sim::surface {
 
-/// Boxes sorted into a tree, for searches of the items nearest to a point or below a bound.
+/// A tree of boxes that finds the items nearest to a point, or those below a bound.
 class BoxTree {
  public:
-  /// Halvings that leave one item of 2^32.
+  /// Maximum depth of the tree: this number of halvings leaves one item of 2^32.
   static constexpr std::size_t kMaxDepth = 33;
 
   BoxTree() = default;
   explicit BoxTree(const std::vector<Eigen::AlignedBox3d>& boxes);
 
-  /// Calls `visit(item)` for all items whose box is nearer to the point than `bound()`, which may
-  /// shrink meanwhile and ends the search once negative; near parts of the tree come first.
+  /// Calls `visit(item)` for all items whose box is nearer to the point than `bound()`. The bound
+  /// may shrink during the search, and a negative bound ends the search. Near parts of the tree
+  /// come first.
   template <typename Bound, typename Visit>
   void visit_near(const Eigen::Vector3d& point, const Bound& bound, const Visit& visit) const {
     visit_least(
@@ -31,8 +32,8 @@ class BoxTree {
         visit);
   }
 
-  /// Calls `visit(item)` for all items whose box has a `value(box)` of at most `most()`, which may
-  /// shrink meanwhile; parts of the tree with a small value come first.
+  /// Calls `visit(item)` for all items whose box has a `value(box)` of at most `most()`. That limit
+  /// may shrink during the search. Parts of the tree with a small value come first.
   template <typename Value, typename Most, typename Visit>
   void visit_least(const Value& value, const Most& most, const Visit& visit) const {
     if (nodes_.empty()) return;
@@ -62,11 +63,12 @@ class BoxTree {
  private:
   struct Node {
     Eigen::AlignedBox3d box;
-    std::uint32_t first = 0;       ///< The first of two nodes, or an index of items_.
-    std::uint32_t item_count = 0;  ///< 0 unless the node is a leaf.
+    /// Index of the first of two child nodes; in a leaf, index in items_.
+    std::uint32_t first = 0;
+    std::uint32_t item_count = 0;  ///< Number of items in a leaf; 0 for other nodes.
   };
 
-  std::vector<Node> nodes_;  ///< The first is the root.
+  std::vector<Node> nodes_;  ///< Nodes of the tree; the first is the root.
   std::vector<std::uint32_t> items_;
 };
 

@@ -10,7 +10,7 @@ namespace sim::surface {
 
 enum class ByteOrder : std::uint8_t { kLittleEndian, kBigEndian };
 
-/// Numbers in bytes of a file. The caller checks left() before it takes them.
+/// Reads numbers from the bytes of a file. The caller checks left() before each take().
 class ByteReader {
  public:
   ByteReader(std::string_view bytes, ByteOrder order) : bytes_{bytes}, order_{order} {}

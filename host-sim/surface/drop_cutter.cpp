@@ -11,20 +11,20 @@ namespace {
 
 using cnc::surface::kNoContact;
 
-/// A node that is still to be looked at, and how high the tool may be on it.
+/// A node that is still to be searched, and an upper bound of the tool's height on it.
 struct OpenPart {
   std::uint32_t node = 0;
   float most = 0.0F;
 };
 
-/// Nodes on the way down a tree: last in, first out.
+/// Nodes to search on the path down a tree: last in, first out.
 class OpenParts {
  public:
   [[nodiscard]] bool empty() const { return count_ == 0; }
   [[nodiscard]] std::size_t size() const { return count_; }
   OpenPart take() { return parts_[--count_]; }
-  /// The highest of those that came after the first `before` is the next, so that the others may be
-  /// needless.
+  /// Adds a node. Of the entries added after the first `before` ones, the one with the highest
+  /// bound is taken next: its contact may make the others unnecessary.
   void add(const OpenPart& part, std::size_t before) {
     parts_[count_++] = part;
     const bool is_lower = count_ - before > 1 && parts_[count_ - 2].most > part.most;
@@ -32,7 +32,8 @@ class OpenParts {
   }
 
  private:
-  /// Eight parts of eight parts, down to the last of 2^32 facets: all but one of each wait.
+  /// Waiting parts. Each level of the tree has eight parts, down to the last of 2^32 facets. All
+  /// parts of a level except one wait here.
   std::array<OpenPart, 12 * PartTree::kParts> parts_{};
   std::size_t count_ = 0;
 };
@@ -42,7 +43,7 @@ class OpenParts {
 struct DropCutter::Search {
   Eigen::Vector2d place;
   double highest = kNoContact;
-  std::uint32_t facet = 0;  ///< That is touched there.
+  std::uint32_t facet = 0;  ///< Facet that the tool touches at `highest`.
 };
 
 DropCutter::DropCutter(const Mesh& mesh, const cnc::surface::Profile& profile)

@@ -5,19 +5,21 @@
 namespace sim::surface {
 
 /// Throws std::invalid_argument for fewer than two rows or columns, for equal neighbours, and for
-/// folds: quadrilaterals with a triangle that turns over in projection, or no projected area.
+/// folds. A fold is a quadrilateral with a triangle that is flipped in projection, or with no
+/// projected area.
 void require_sound_grid(const GridDraft& grid);
 
-/// Returns the points behind a step, along a row or from row to row, that is several times the
-/// median of such steps in projection.
+/// Returns the points that follow a gap. A gap is a step along a row, or from row to row, that is
+/// several times the median of such steps in projection.
 [[nodiscard]] FaultyPoints gaps_of(const GridDraft& grid);
 
-/// Throws std::invalid_argument for X or Y beyond kFarthestMm, and heights beyond
-/// `farthest_height_mm`. Missing points have no height.
+/// Throws std::invalid_argument for X or Y beyond kFarthestMm, and for heights beyond
+/// `farthest_height_mm`. Heights of missing points are not checked.
 void require_near_points(const GridDraft& grid, double farthest_height_mm);
 
-/// Returns the sum of the projected areas of all quadrilaterals, in mm²: negative where +Z sees
-/// columns turn clockwise to rows.
+/// Returns the sum of the projected areas of all quadrilaterals, in mm². The sum is negative if,
+/// seen from +Z, the direction of rising row numbers is clockwise from that of rising column
+/// numbers.
 [[nodiscard]] double projected_area(const GridDraft& grid);
 
 }  // namespace sim::surface

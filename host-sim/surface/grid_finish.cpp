@@ -13,10 +13,10 @@
 namespace sim::surface {
 namespace {
 
-/// Heights farther than these are no measured ones, and squares of them are still finite.
+/// Heights beyond this limit cannot be measured heights. Their squares are still finite.
 constexpr double kFarthestTerrainMm = 1.0e12;
 
-/// Moves and scales the heights from 0 to the span that the operator wishes, if any.
+/// Shifts and scales the heights to a range from 0 to the operator's height span, if there is one.
 void take_height_span(GridDraft& grid) {
   if (grid.height_span_mm == 0.0) return;
   double least = std::numeric_limits<double>::infinity();
@@ -48,7 +48,7 @@ void judge_missing(GridDraft& grid, bool repair) {
                                    missing.places(grid)));
 }
 
-/// Refuses outliers, or makes them missing points and notes it.
+/// Refuses outliers, or notes them and turns them into missing points.
 void judge_outliers(GridDraft& grid, bool repair) {
   if (grid.is_picture) return;
   FaultyPoints faults;
@@ -83,7 +83,8 @@ void judge_gaps(GridDraft& grid, bool repair) {
       "{}: {} gaps are bridged, before {}", grid.name, gaps.count(), gaps.places(grid)));
 }
 
-/// Reverses the order of rows unless +Z sees columns turn counter-clockwise to rows.
+/// Reverses the order of rows unless, seen from +Z, the direction of rising row numbers is
+/// counter-clockwise from that of rising column numbers.
 void make_right_handed(GridDraft& grid) {
   if (projected_area(grid) > 0.0) return;
   for (std::size_t row = 0; row < grid.rows / 2; ++row) {
@@ -96,7 +97,7 @@ void make_right_handed(GridDraft& grid) {
 }  // namespace
 
 SurfaceInput finished_grid(GridDraft draft, const ReadOptions& options) {
-  // Terrain in m is scaled before it is judged.
+  // Terrain in metres is scaled before its heights are checked.
   require_near_points(draft, draft.height_span_mm > 0.0 ? kFarthestTerrainMm : kFarthestMm);
   require_sound_grid(draft);
   judge_gaps(draft, options.repair);

@@ -5,8 +5,8 @@
 
 namespace sim::surface {
 
-/// Checks a grid, repairs it where the options say so, and makes it and its triangles a surface.
-/// Throws std::invalid_argument for what cannot be or is not repaired.
+/// Checks a grid, repairs it if the options say so, and returns it with its triangles as a surface.
+/// Throws std::invalid_argument for a fault that cannot be repaired, or that the options leave.
 [[nodiscard]] SurfaceInput finished_grid(GridDraft draft, const ReadOptions& options);
 
 }  // namespace sim::surface

@@ -12,12 +12,14 @@ namespace sim::surface {
 namespace {
 
 constexpr int kMaxSweeps = 1'000;
-/// Over-relaxation: sweeps go down to the square root of those of plain averages on large holes.
+/// Factor of over-relaxation. On large holes it reduces the number of sweeps to about the square
+/// root of the number with plain averages.
 constexpr double kRelaxation = 1.7;
-/// Share of the range of heights within which sweeps agree.
+/// Share of the range of heights by which a sweep may still change a height at the end.
 constexpr double kAgreement = 1.0e-6;
 
-/// Returns the mean of the known heights beside, below and above a point; NaN if there are none.
+/// Returns the mean of the known heights to the left and right, below and above a point; NaN if
+/// there are none.
 double mean_around(const GridDraft& grid, std::size_t index) {
   double sum = 0.0;
   int count = 0;
@@ -50,7 +52,8 @@ void fill_by_layers(GridDraft& grid, std::vector<std::size_t> missing) {
   }
 }
 
-/// Returns the greatest change of a height in one sweep over the points.
+/// Moves the heights of filled points towards the means around them in one sweep. Returns the
+/// greatest change.
 double relax(GridDraft& grid, const std::vector<std::size_t>& filled) {
   double greatest = 0.0;
   for (const std::size_t index : filled) {

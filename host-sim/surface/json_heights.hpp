@@ -9,7 +9,7 @@
 namespace sim::surface {
 
 /// Reads `{"width": 3, "height": 2, "values": [1, 2, null, 4, 5, 6]}`: heights in the file's unit,
-/// row by row, with null for a missing one. Throws std::invalid_argument.
+/// row by row, with null for a missing point. Throws std::invalid_argument.
 [[nodiscard]] GridDraft read_json_heights(std::string_view text,
                                           const std::string& name,
                                           const ReadOptions& options);

@@ -9,10 +9,10 @@
 namespace sim::surface {
 namespace {
 
-/// Points may be this share of the pitch off their places.
+/// Maximum distance of a point from its grid point, as a share of the pitch.
 constexpr double kLatticeTolerance = 0.1;
 
-/// A regular grid: places are origin + column · along + row · across.
+/// A regular grid, whose points are origin + column · along + row · across.
 struct Lattice {
   Eigen::Vector2d origin{0.0, 0.0};
   Eigen::Vector2d along{0.0, 0.0};
@@ -21,22 +21,22 @@ struct Lattice {
   [[nodiscard]] Eigen::Vector2d place(double row, double column) const {
     return origin + column * along + row * across;
   }
-  /// Returns column and row of a point, as real numbers.
+  /// Returns column and row of a point as real numbers.
   [[nodiscard]] Eigen::Vector2d coordinates(const Eigen::Vector2d& point) const {
     const Eigen::Vector2d from = point - origin;
     return {from.dot(along) / along.squaredNorm(), from.dot(across) / across.squaredNorm()};
   }
 };
 
-/// Returns the part of `length` nearest to `step` that divides it: coordinates with few decimals
-/// round each step, but not their sum. Returns 0 where there is none.
+/// Returns the length nearest to `step` that divides `length` into equal parts; 0 if there is none.
+/// Rounded coordinates falsify each step, but not the sum of the steps.
 double whole_part(double length, double step) {
   const double count = std::round(length / step);
   return std::isfinite(count) && count != 0.0 ? length / count : 0.0;
 }
 
-/// Returns the lattice of the longest row's direction and of the median steps along it and across
-/// it; its origin is the first point. Returns nothing where points do not show one.
+/// Returns the lattice in the direction of the longest row, with the median steps along and across
+/// that row; its origin is the first point. Returns nothing if the points do not show a lattice.
 std::optional<Lattice> fitted_lattice(const XyzTable& table, const std::vector<ScanRow>& rows) {
   const auto longest = std::ranges::max_element(rows, {}, &ScanRow::size);
   if (longest->size() < 2 || rows.size() < 2) return {};
@@ -71,13 +71,14 @@ struct LatticeBounds {
   Eigen::Vector2d greatest{0.0, 0.0};
 };
 
-/// Returns nothing where a point is off its place.
+/// Returns the bounds of the points in rows and columns; nothing if a point is too far from its
+/// grid point.
 std::optional<LatticeBounds> bounds_on(const Lattice& lattice, const XyzTable& table) {
   LatticeBounds bounds;
   for (const Eigen::Vector3d& point : table.points) {
     const Eigen::Vector2d at = lattice.coordinates(point.head<2>());
     const Eigen::Vector2d whole = at.array().round();
-    // Written so that NaN is off its place, too.
+    // The condition is written so that NaN is too far, too.
     if (!((at - whole).cwiseAbs().maxCoeff() <= kLatticeTolerance)) return {};
     bounds.least = bounds.least.cwiseMin(whole);
     bounds.greatest = bounds.greatest.cwiseMax(whole);

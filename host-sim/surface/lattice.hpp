@@ -8,9 +8,10 @@
 
 namespace sim::surface {
 
-/// Returns the regular grid, turned in its plane at will, that the points lie on within a tenth of
-/// its pitch, with the points that the table lacks as missing ones. Returns nothing where the
-/// points do not lie on such a grid, two of them share a place, or most places are missing.
+/// Returns the regular grid whose points the table's points match within a tenth of its pitch. The
+/// grid may be rotated in its plane. Points that the table lacks become missing points. Returns
+/// nothing if the points do not match such a grid, if two of them match the same grid point, or if
+/// most points of the grid are missing.
 [[nodiscard]] std::optional<GridDraft> lattice_of(const XyzTable& table,
                                                   const std::vector<ScanRow>& rows,
                                                   const std::string& name);

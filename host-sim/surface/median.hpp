@@ -6,8 +6,9 @@
 
 namespace sim::surface {
 
-/// Returns the middle one of `values`, the upper of two; 0 if there are none. Reorders them; NaN is
-/// not allowed.
+/// Returns the median of `values`, the upper one of two middle values; 0 for no values. Reorders
+/// the values.
+/// @pre no value is NaN
 [[nodiscard]] inline double median_of(std::span<double> values) {
   if (values.empty()) return 0.0;
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);

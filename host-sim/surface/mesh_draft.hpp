@@ -10,12 +10,12 @@
 
 namespace sim::surface {
 
-/// A mesh as it stands in a file, in the file's unit, before it is checked.
+/// A mesh as its file gives it, in the file's unit, before checks.
 struct MeshDraft {
   std::string name;  ///< Name of the file, for messages.
   Mesh mesh{};
-  /// Number of each facet in the file, from 1; empty if they are those of the mesh. A polygon of
-  /// the file is several facets.
+  /// Number of each facet in the file, from 1. Empty if these numbers equal those of the mesh's
+  /// facets. A polygon of the file becomes several facets with one number.
   std::vector<std::uint32_t> numbers{};
   std::vector<std::string> notes{};
 
@@ -24,9 +24,9 @@ struct MeshDraft {
   }
 };
 
-/// Scales and checks a mesh, drops degenerate facets and unused points, and turns over a mesh that
-/// is inside out. Throws std::invalid_argument where an index is out of range, a coordinate is not
-/// finite or beyond kFarthestMm, or no facet is left.
+/// Scales and checks a mesh, drops degenerate facets and unused points, and flips a mesh that is
+/// inside out. Throws std::invalid_argument if an index is out of range, if a coordinate is not
+/// finite or is beyond kFarthestMm, or if no facet is left.
 [[nodiscard]] SurfaceInput finished_mesh(MeshDraft draft, const ReadOptions& options);
 
 }  // namespace sim::surface

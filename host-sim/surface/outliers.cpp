@@ -9,16 +9,16 @@
 namespace sim::surface {
 namespace {
 
-/// An outlier is this many times the spread off. Noise of a normal distribution reaches 6.
+/// An outlier differs by this many times the spread. Noise of a normal distribution reaches 6.
 constexpr double kOutlierFactor = 8.0;
-/// Nine of ten distances are below this many standard deviations, for a normal distribution.
+/// In a normal distribution nine of ten distances are below this many standard deviations.
 constexpr double kSigmasOfNineTenths = 1.645;
-/// Share of the points' distance that the spread is at least.
+/// Lower limit of the spread, as a share of the distance between points.
 constexpr double kLeastSpread = 0.02;
-/// Fewer known neighbours judge nothing.
+/// With fewer known neighbours a point is not checked.
 constexpr std::size_t kMinNeighbours = 3;
 
-/// Known heights around a point, in order.
+/// Known heights around a point, sorted.
 struct Neighbours {
   std::array<double, 8> heights{};
   std::size_t count = 0;
@@ -52,7 +52,7 @@ Neighbours neighbours_of(const GridDraft& grid, std::size_t row, std::size_t col
   return around;
 }
 
-/// Returns the median distance of neighbours in a row, in projection.
+/// Returns the median distance in projection between neighbours in a row.
 double median_step(const GridDraft& grid) {
   std::vector<double> steps;
   for (std::size_t i = 1; i < grid.points.size(); ++i) {

@@ -6,13 +6,16 @@
 
 namespace sim::surface {
 
-/// Returns the indices of points whose height is off the median of their neighbours, eight inside
-/// the grid, by many times the spread. Spread is the greater one of
-/// - the distance that nine of ten points of the grid are within, as a standard deviation, and
-/// - the range of the neighbours' heights, of eight without the greatest and the least.
+/// Returns the indices of outliers. A point inside the grid is an outlier if its height differs
+/// from the median of its eight neighbours by many times the spread. The spread is the greater one
+/// of
+/// - the difference from that median that nine of ten points of the grid stay within, converted to
+///   a standard deviation, and
+/// - the range of the neighbours' heights; of eight neighbours the greatest and the least are left
+///   out.
 ///
-/// A point with two neighbours near its height is none: it belongs to an edge. Missing points are
-/// neither outliers nor neighbours. Clusters of bad points are not found.
+/// A point with two neighbours near its height is not an outlier: it belongs to an edge. Missing
+/// points are neither outliers nor neighbours. Clusters of bad points are not found.
 [[nodiscard]] std::vector<std::size_t> outliers_of(const GridDraft& grid);
 
 }  // namespace sim::surface

@@ -11,18 +11,18 @@ namespace {
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
-/// A part whose facets are steeper on average is bounded by its highest point alone.
+/// A part whose facets are steeper than this on average is bounded by its highest point alone.
 constexpr double kSteepest = 20.0;
-/// Nearer to the rim of a ball its tangent is all but upright.
+/// Share of a ball's radius beyond which its tangent is almost vertical.
 constexpr double kAlmost = 0.99;
-/// The rise of a ball's tangent there.
+/// Slope of a ball's tangent at that share of the radius.
 constexpr double kSteepestOfABall = 7.1;
-/// Differences and products of a few coordinates are off by less than this share in single
-/// precision.
+/// In single precision, differences and products of a few coordinates have a smaller relative error
+/// than this.
 constexpr double kRounding = 1.0e-6;
-/// This is added below a square root, by which is divided, so that it is not zero.
+/// Added to a square before its root is taken, so that the root, a divisor, is not zero.
 constexpr float kTiny = 1.0e-20F;
-/// Share of a corner's radius that is surely within it in single precision.
+/// Share of a corner's radius that is surely inside the corner in single precision.
 constexpr float kInside = 0.999F;
 
 using Four = PartTree::Four;
@@ -35,8 +35,8 @@ Four root(const Four& square) {
       std::sqrt(square[0]), std::sqrt(square[1]), std::sqrt(square[2]), std::sqrt(square[3])};
 }
 
-/// Planes that the tool's lower surface is nowhere below: the height at which they meet it, and
-/// their rise over the distance of that place.
+/// A plane that is nowhere above the tool's lower surface, for a distance from the axis: its height
+/// at that distance, and its slope divided by that distance.
 struct Tangent {
   Four height;
   Four share;
@@ -55,9 +55,10 @@ Tangent tangent_at(const PartTree::Shape& tool, const Four& distance) {
   return {inner * inner / (tool.corner + across) + rise * beyond, rise / distance};
 }
 
-/// The tool is convex, so it is nowhere below its tangent at any point of its own, the plane less
-/// that tangent is linear, and the most of that over the rectangle bounds both. The point is the
-/// one that touches the plane, or as near to it as the part goes.
+/// Returns an upper bound of the tip's height for four parts. The tool is convex and thus nowhere
+/// below its tangent at any of its own points. The part's plane minus that tangent is linear, so
+/// that its maximum over the rectangle is a bound. The point of the tangent is the one that touches
+/// the plane, or the point of the part nearest to it.
 Four bounds_of(const PartTree::Shape& tool,
                const PartTree::Node& node,
                std::size_t four,
@@ -119,7 +120,7 @@ class PartTree::Builder {
   }
 
  private:
-  /// A node that is there and has no parts yet.
+  /// A node that exists but has no parts yet.
   struct Open {
     std::uint32_t node;
     Run run;
@@ -161,7 +162,7 @@ class PartTree::Builder {
     }
   }
 
-  /// Sorts those on one side of the middle of the longer side before the others.
+  /// Sorts the facets on one side of the median of the longer side before the others.
   std::array<Run, 2> halves_of(const Run& run) {
     Eigen::Array2d least = Eigen::Array2d::Constant(std::numeric_limits<double>::infinity());
     Eigen::Array2d most = -least;
@@ -183,7 +184,7 @@ class PartTree::Builder {
     return std::span{tree_.order_}.subspan(run.first, run.count);
   }
 
-  /// Sets the bounds of a part, with the plane that its facets have on average, by their areas.
+  /// Sets the bounds of a part. Its plane has the mean normal of its facets, weighted by area.
   void bound(Node& node, std::size_t lane, const Run& run) const {
     Eigen::Vector3d normal = Eigen::Vector3d::Zero();
     Eigen::Vector3d least = Eigen::Vector3d::Constant(std::numeric_limits<double>::infinity());
@@ -206,7 +207,7 @@ class PartTree::Builder {
         level = std::max(level, corner.z() - gradient.dot(corner.head<2>() - middle));
       }
     }
-    // Single precision loses more where the part, or the tool, is steeper.
+    // Single precision loses more if the part or the tool is steeper.
     const double steepness = slope + std::max(profile_.rise, kSteepestOfABall);
     set(node, lane, least, most, lost_mm_);
     node.top.set(lane, static_cast<float>(most.z() + lost_mm_));
@@ -232,8 +233,8 @@ class PartTree::Builder {
   const cnc::surface::Profile& profile_;
   PartTree& tree_;
   double lost_mm_ = 0.0;
-  std::vector<Eigen::Vector3d> normals_;  ///< Facets' normals, twice as long as their areas.
-  std::vector<Eigen::Vector2d> middles_;  ///< Three times the middle of each facet.
+  std::vector<Eigen::Vector3d> normals_;  ///< Normals of the facets, twice as long as the areas.
+  std::vector<Eigen::Vector2d> middles_;  ///< Three times the centre of each facet.
 };
 
 PartTree::PartTree(const Mesh& mesh, const cnc::surface::Profile& profile) {

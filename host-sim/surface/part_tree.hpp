@@ -11,16 +11,16 @@
 
 namespace sim::surface {
 
-/// Facets sorted into parts of parts, eight at a time, each of which bounds how high a tool that
-/// touches it can be. A part lies within a rectangle in plan, and not above a plane.
+/// Facets in a tree whose nodes have eight parts each. A part bounds how high a tool that touches
+/// it can be: its facets lie within a rectangle in plan, and not above a plane.
 ///
-/// Bounds are computed in single precision, for eight parts at once, and are rounded up by more
-/// than that can be off. All lengths are mm.
+/// Bounds are computed in single precision for eight parts at once. They are rounded up by more
+/// than their error. All lengths are mm.
 class PartTree {
  public:
   static constexpr std::size_t kParts = 8;
   static constexpr std::size_t kMostInALeaf = 4;
-  /// Numbers of four parts, which processors compute at once.
+  /// Numbers of four parts, which one vector instruction computes.
   using Four = float __attribute__((vector_size(16)));
   struct Lanes {
     std::array<Four, kParts / 4> fours;
@@ -30,42 +30,46 @@ class PartTree {
 
   struct Node {
     Lanes least_x, least_y, most_x, most_y;
-    Lanes top;               ///< No point is higher.
-    Lanes slope_x, slope_y;  ///< The rise of the plane along X and Y.
+    Lanes top;               ///< Height of the highest point of the part.
+    Lanes slope_x, slope_y;  ///< Slope of the plane along X and along Y.
     Lanes level;             ///< Height of the plane in the middle of the rectangle.
-    Lanes point_x, point_y;  ///< From the tool's axis to its point that touches such a plane.
-    std::array<std::uint32_t, kParts> first;  ///< A place in order(), or the number of a node.
-    std::array<std::uint32_t, kParts> count;  ///< Facets from there; 0 where `first` is a node.
+    /// Offset from the tool's axis to the point of the tool that touches such a plane.
+    Lanes point_x, point_y;
+    /// Index in order() if the part is a leaf, else the number of a node.
+    std::array<std::uint32_t, kParts> first;
+    /// Number of facets from that index on; 0 if `first` is a node.
+    std::array<std::uint32_t, kParts> count;
   };
 
   /// The tool in single precision.
   struct Shape {
     float reach_square = 0.0F;
-    float almost = 0.0F;  ///< Distance up to which the tool's own tangents are taken.
+    /// Distance from the axis up to which tangents of the tool's own shape are used.
+    float almost = 0.0F;
     float flat = 0.0F;
     float corner = 0.0F;
     float rise = 0.0F;
   };
 
-  /// @pre the mesh has a facet, and its indices are those of points
+  /// @pre the mesh has at least one facet, and all its indices are valid
   PartTree(const Mesh& mesh, const cnc::surface::Profile& profile);
 
-  /// Returns the facets' numbers, those of a leaf one after the other.
+  /// Returns the numbers of the facets. The facets of a leaf follow each other.
   [[nodiscard]] const std::vector<std::uint32_t>& order() const { return order_; }
   [[nodiscard]] const Node& node(std::uint32_t number) const { return nodes_[number]; }
-  /// Returns for each part of a node a height that the tool's tip has at most where it touches it;
-  /// -infinity where it does not reach it.
+  /// Returns for each part of a node an upper bound of the height of the tool's tip in contact with
+  /// that part; -infinity if the tool does not reach the part.
   [[nodiscard]] Lanes bounds(const Node& node, const Eigen::Vector2d& place) const;
 
  private:
-  /// A run of order().
+  /// A range of consecutive entries of order().
   struct Run {
     std::uint32_t first, count;
   };
   class Builder;
 
   std::vector<std::uint32_t> order_;
-  std::vector<Node> nodes_;  ///< The first is the root.
+  std::vector<Node> nodes_;  ///< Nodes of the tree; the first is the root.
   Shape tool_;
 };
 

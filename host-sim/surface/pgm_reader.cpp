@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::uint64_t kGreatestWhite = 65'535;
 
-/// Returns the next whole number of the text, behind comments.
+/// Returns the next whole number of the text, after any comments.
 std::uint64_t next_count(TextWords& words, const std::string& name) {
   std::string_view word = words.next();
   while (word.starts_with('#')) {
@@ -63,7 +63,7 @@ GridDraft read_pgm(std::string_view bytes, const std::string& name, const ReadOp
   grey.rows = rows;
   grey.columns = columns;
   const std::size_t pixel_bytes = white > 255 ? 2 : 1;
-  // One blank ends the header; in a text one stands between pixels.
+  // One blank ends the header. In a text file a blank stands between pixels.
   require_length(
       words.rest().size(), rows * columns * (is_text ? 2 : pixel_bytes) + 1 - is_text, name);
   ByteReader pixels{words.rest().substr(is_text ? 0 : 1), ByteOrder::kBigEndian};

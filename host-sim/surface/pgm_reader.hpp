@@ -8,8 +8,8 @@
 
 namespace sim::surface {
 
-/// Reads the first picture of a PGM file, text (P2) or bytes (P5), of up to 16 bit. Throws
-/// std::invalid_argument.
+/// Reads the first picture of a PGM file, as text (P2) or bytes (P5), with up to 16 bits for a
+/// pixel. Throws std::invalid_argument.
 [[nodiscard]] GridDraft read_pgm(std::string_view bytes,
                                  const std::string& name,
                                  const ReadOptions& options);

@@ -13,7 +13,7 @@
 namespace sim::surface {
 namespace {
 
-/// Elements and properties of a header, at most.
+/// Maximum number of elements and properties of a header.
 constexpr std::size_t kMaxPlyNames = 1'000;
 
 std::optional<PlyScalar> scalar_of(std::string_view word) {
@@ -47,7 +47,7 @@ class PlyHeaderReader {
   PlyHeaderReader(std::string_view bytes, const std::string& name) : name_{name}, lines_{bytes} {}
 
   PlyHeader read() {
-    static_cast<void>(lines_.next());  // `ply`
+    static_cast<void>(lines_.next());  // The line `ply`.
     while (const auto line = lines_.next()) {
       TextWords words{*line, lines_.number()};
       const std::string_view word = words.next();
@@ -120,7 +120,7 @@ class PlyHeaderReader {
     header_.elements.back().properties.push_back(std::move(property));
   }
 
-  /// Returns the bytes that an element takes at least; in a text two for each number.
+  /// Returns the minimum number of bytes that an element takes; in a text two for each number.
   [[nodiscard]] std::uint64_t least_bytes(const PlyElement& element) const {
     std::uint64_t bytes = 0;
     for (const PlyProperty& property : element.properties) {
@@ -134,7 +134,7 @@ class PlyHeaderReader {
     if (!has_format_) refuse_line("has no line `format`");
     header_.lines = lines_.number();
     header_.body = lines_.rest();
-    // The last number of a text needs no blank behind it.
+    // The last number of a text needs no blank after it.
     std::uint64_t left = header_.body.size() + 1;
     for (const PlyElement& element : header_.elements) {
       const std::uint64_t bytes = least_bytes(element);

@@ -19,13 +19,14 @@ enum class PlyScalar : std::uint8_t {
   kDouble,
 };
 
-/// Returns the bytes of a scalar in a binary file.
+/// Returns the number of bytes that a scalar takes in a binary file.
 [[nodiscard]] std::size_t size_of(PlyScalar scalar);
 
 struct PlyProperty {
   std::string name;
   PlyScalar scalar = PlyScalar::kFloat;
-  std::optional<PlyScalar> list_count;  ///< Type of a list's length; nothing for a single value.
+  /// Type of a list's length; nothing if the property is a single value.
+  std::optional<PlyScalar> list_count;
 };
 
 struct PlyElement {
@@ -33,7 +34,7 @@ struct PlyElement {
   std::uint64_t count = 0;
   std::vector<PlyProperty> properties;
 
-  /// Returns the index of a property; the count of properties if there is none.
+  /// Returns the index of a property; the number of properties if the element lacks it.
   [[nodiscard]] std::size_t index(std::string_view property) const;
 };
 
@@ -42,12 +43,12 @@ enum class PlyFormat : std::uint8_t { kAscii, kLittleEndian, kBigEndian };
 struct PlyHeader {
   PlyFormat format = PlyFormat::kAscii;
   std::vector<PlyElement> elements;
-  std::size_t lines = 0;  ///< Lines of the header.
-  std::string_view body;  ///< Bytes behind it.
+  std::size_t lines = 0;  ///< Number of lines of the header.
+  std::string_view body;  ///< Bytes after the header.
 };
 
-/// Reads a header and compares what it promises with the bytes behind it. Throws
-/// std::invalid_argument with the line.
+/// Reads a header and compares the sizes that it announces with the number of bytes after it.
+/// Throws std::invalid_argument with the line.
 [[nodiscard]] PlyHeader read_ply_header(std::string_view bytes, const std::string& name);
 
 }  // namespace sim::surface

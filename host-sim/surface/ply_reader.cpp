@@ -40,11 +40,11 @@ class PlyElements {
   MeshDraft take() { return std::move(draft_); }
 
  private:
-  /// Returns the length of a list, whose numbers are there.
+  /// Returns the length of a list. Checks that the file has bytes for all its numbers.
   std::size_t take_length(const PlyProperty& property) {
     if (!property.list_count) return 1;
     const double length = source_.take(*property.list_count);
-    // At least a byte for each number.
+    // Each number takes at least a byte.
     if (length >= 0.0 && length <= static_cast<double>(source_.left())) {
       return static_cast<std::size_t>(length);
     }
@@ -82,7 +82,8 @@ class PlyElements {
     }
   }
 
-  /// Reads a list of corners of each, whose number is from 1, by `read_list`.
+  /// Reads the list of corners of each facet by `read_list`, which receives the number of the
+  /// facet, from 1.
   template <typename ReadList>
   void read_facets(const PlyElement& element, const ReadList& read_list) {
     std::size_t corners = element.index("vertex_indices");
@@ -113,12 +114,13 @@ class PlyElements {
            "export the mesh again");
   }
 
-  /// Adds the triangles of strips, between which stands -1. Each corner from the third on makes one
-  /// with the two before it, every other time the other way round; equal corners join strips.
+  /// Adds the triangles of strips, which are separated by -1. Each corner from the third on makes a
+  /// triangle with the two corners before it; every other triangle has the opposite order of
+  /// corners. Triangles with equal corners, which join strips, are left out.
   void read_strips(const PlyProperty& property) {
     const std::size_t length = take_length(property);
     std::array<std::uint32_t, 3> last{};
-    std::size_t count = 0;  // Corners of this strip.
+    std::size_t count = 0;  // Number of corners of this strip so far.
     for (std::size_t i = 0; i < length; ++i) {
       const double value = source_.take(property.scalar);
       if (value == -1.0) {
@@ -134,7 +136,7 @@ class PlyElements {
     }
   }
 
-  /// Adds the triangles of the polygon `number`, from 1.
+  /// Adds the triangles of the polygon `number`, counted from 1.
   void read_fan(const PlyProperty& property, std::uint64_t number) {
     const std::size_t length = take_length(property);
     std::array<std::uint32_t, 3> facet{};

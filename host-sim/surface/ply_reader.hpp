@@ -7,8 +7,9 @@
 
 namespace sim::surface {
 
-/// Reads a PLY file: the positions of `vertex` and the polygons of `face`, each as a fan from its
-/// first corner. Other properties and elements are passed over. Throws std::invalid_argument.
+/// Reads the positions of `vertex` and the polygons of `face` from a PLY file. A polygon becomes a
+/// fan of triangles from its first corner. Other properties and elements are skipped. Throws
+/// std::invalid_argument.
 [[nodiscard]] MeshDraft read_ply(std::string_view bytes, const std::string& name);
 
 }  // namespace sim::surface

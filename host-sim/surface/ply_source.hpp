@@ -12,7 +12,8 @@
 
 namespace sim::surface {
 
-/// Numbers of a PLY text. Throws std::invalid_argument for other words and at its end.
+/// Reads the numbers of a PLY text. Throws std::invalid_argument for other words and at the end of
+/// the text.
 class PlyText {
  public:
   PlyText(const PlyHeader& header, const std::string& name)
@@ -26,7 +27,7 @@ class PlyText {
            word.empty() ? "ends too early" : fmt::format("`{}` is no number", shown(word)),
            "export the mesh again");
   }
-  /// Line of the last number; 0 in a binary file.
+  /// Returns the line of the last number; 0 in a binary file.
   [[nodiscard]] std::size_t line() const { return words_.line(); }
   [[nodiscard]] std::size_t left() const { return words_.rest().size(); }
 
@@ -35,7 +36,7 @@ class PlyText {
   TextWords words_;
 };
 
-/// Numbers of a binary PLY file. Throws std::invalid_argument at its end.
+/// Reads the numbers of a binary PLY file. Throws std::invalid_argument at the end of the file.
 class PlyBytes {
  public:
   PlyBytes(const PlyHeader& header, const std::string& name)

@@ -15,7 +15,8 @@
 namespace sim::surface {
 namespace {
 
-/// What libpng reads, and what it complains of: it calls C functions with a pointer to this.
+/// The bytes that libpng reads, and its last complaint. libpng passes a pointer to this object to C
+/// functions.
 struct PngSource {
   std::string_view rest;
   std::array<char, 100> complaint{};
@@ -36,8 +37,8 @@ void give_bytes(png_structp png, png_bytep into, png_size_t count) {
 
 void pass_over_warning(png_structp, png_const_charp) {}
 
-/// A reader of libpng, which leaves its functions by longjmp: nothing with a destructor may be made
-/// between a call of these and its return.
+/// A reader that uses libpng. On errors libpng leaves its functions by longjmp, so that no object
+/// with a destructor may be created between a call of these functions and its return.
 class PngReader {
  public:
   explicit PngReader(std::string_view bytes) : source_{bytes} {
@@ -46,7 +47,8 @@ class PngReader {
     info_ = png_create_info_struct(png_);
     png_set_read_fn(png_, &source_, give_bytes);
     png_set_user_limits(png_, PNG_UINT_31_MAX, PNG_UINT_31_MAX);
-    // What libpng would mend or pass over is damage here: heights must be those that were written.
+    // Faults that libpng would repair or ignore count as damage here: heights must be those that
+    // were written.
     png_set_benign_errors(png_, 0);
     png_set_crc_action(png_, PNG_CRC_ERROR_QUIT, PNG_CRC_ERROR_QUIT);
   }
@@ -60,7 +62,8 @@ class PngReader {
     png_read_info(png_, info_);
     return true;
   }
-  /// @param rows pointers to as many bytes as a row has
+  /// Reads all rows. Returns whether libpng reported no error.
+  /// @param rows pointers to buffers of bytes_of_row() bytes each
   [[nodiscard]] bool read_pixels(png_bytep* rows) {
     // NOLINTNEXTLINE(cert-err52-cpp): libpng has no other way out of an error.
     if (setjmp(png_jmpbuf(png_)) != 0) return false;
@@ -105,7 +108,8 @@ GridDraft read_png(std::string_view bytes, const std::string& name, const ReadOp
   if (!png.read_header()) refuse(name, 0, "its header is damaged: " + png.complaint(), kAgain);
   require_grey(png, name);
   require_raster_size(png.rows(), png.columns(), name);
-  // A row of pixels is compressed to a thousandth at most: what cannot be there gets no memory.
+  // Rows of pixels are compressed at most about a thousandfold. If the file is too short for the
+  // picture, no memory is allocated.
   constexpr std::size_t kMaxInflation = 1'100;
   const std::size_t size = png.rows() * png.bytes_of_row();
   if (size / kMaxInflation > bytes.size()) {

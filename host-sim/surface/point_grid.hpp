@@ -8,20 +8,20 @@
 
 namespace sim::surface {
 
-/// A quadrilateral grid that need not be regular: rows of equal length; lengths in mm.
+/// A grid of quadrilaterals with rows of equal length. It need not be regular. Lengths are mm.
 struct PointGrid {
   std::size_t rows = 0;
   std::size_t columns = 0;
-  std::vector<Eigen::Vector3d> points;  ///< Row by row.
+  std::vector<Eigen::Vector3d> points;  ///< Points row by row.
 
-  /// Returns the point of a row and a column, both from 0.
+  /// Returns the point of a row and a column, both counted from 0.
   /// @pre row < rows, column < columns
   [[nodiscard]] const Eigen::Vector3d& at(std::size_t row, std::size_t column) const;
 };
 
-/// Returns two triangles for each quadrilateral, divided by the diagonal from (row, column) to
-/// (row + 1, column + 1). They are counter-clockwise seen from +Z if most of the grid is so seen
-/// from one side; points keep their order.
+/// Returns two triangles for each quadrilateral, divided by the diagonal from (row, column) to (row
+/// + 1, column + 1). The triangles are counter-clockwise seen from that side along Z from which
+/// most of the grid's area is so. Points keep their order.
 [[nodiscard]] Mesh triangulated(const PointGrid& grid);
 
 }  // namespace sim::surface

@@ -9,15 +9,15 @@
 
 namespace sim::surface {
 
-/// Numbers points so that equal ones have one number. Open addressing: a table of numbers that is
-/// at most half full.
+/// Numbers points so that equal points share one number. It is a hash table with open addressing
+/// that holds point numbers and is at most half full.
 class PointMerger {
  public:
   PointMerger() : slots_(kFirstSlots, kFree) {}
 
-  /// Returns the number of a point; a new one is added.
+  /// Returns the number of a point; adds the point if it is new.
   std::uint32_t number(Eigen::Vector3d point) {
-    point.array() += 0.0;  // Makes -0 equal to 0 in all bits.
+    point.array() += 0.0;  // Gives -0 and 0 the same bits.
     if (2 * points_.size() >= slots_.size()) grow();
     std::size_t slot = hash(point) & (slots_.size() - 1);
     while (slots_[slot] != kFree) {
@@ -29,15 +29,16 @@ class PointMerger {
     return slots_[slot];
   }
   [[nodiscard]] std::size_t size() const { return points_.size(); }
-  /// Hands over the points in the order of their numbers.
+  /// Returns all points in the order of their numbers, and empties the list of points.
   std::vector<Eigen::Vector3d> take_points() { return std::move(points_); }
 
  private:
   static constexpr std::uint32_t kFree = 0xFFFF'FFFF;
-  static constexpr std::size_t kFirstSlots = 1024;  // A power of two.
+  static constexpr std::size_t kFirstSlots = 1024;  // Initial number of slots, a power of two.
 
   static std::uint64_t hash(const Eigen::Vector3d& point) {
-    constexpr std::uint64_t kOdd = 0x9E37'79B9'7F4A'7C15;  // 2⁶⁴ over the golden ratio.
+    // An odd number near 2⁶⁴ divided by the golden ratio.
+    constexpr std::uint64_t kOdd = 0x9E37'79B9'7F4A'7C15;
     std::uint64_t mixed = 0;
     for (const double value : {point.x(), point.y(), point.z()}) {
       mixed = (mixed ^ std::bit_cast<std::uint64_t>(value)) * kOdd;

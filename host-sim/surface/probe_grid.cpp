@@ -11,9 +11,9 @@
 namespace sim::surface {
 namespace {
 
-/// Share of a pitch by which a span may be longer than whole pitches: slips of decimals.
+/// Share of a pitch by which a span may exceed whole pitches, for rounded decimals.
 constexpr double kPitchSlack = 1.0e-6;
-/// A step of most machines is longer.
+/// Minimum pitch; a step of most machines is longer.
 constexpr double kLeastPitchMm = 0.001;
 
 void require_span(const ProbeSpan& span, char axis, const char* count_name) {

@@ -15,8 +15,8 @@ constexpr std::size_t kMaxAxes = 8;
 constexpr std::string_view kAnswer = "[PRB:";
 constexpr std::string_view kWorkOffset = "WCO:";
 
-/// Returns the first three of three to kMaxAxes finite numbers with commas between them; nothing if
-/// these are no coordinates of a machine.
+/// Returns the first three of three to kMaxAxes finite numbers that are separated by commas;
+/// nothing if the text is not such a list.
 std::optional<Eigen::Vector3d> parsed_place(std::string_view text) {
   Eigen::Vector3d place = Eigen::Vector3d::Zero();
   std::size_t count = 0;
@@ -95,7 +95,8 @@ class LogReader {
     }
   }
 
-  /// Takes `[G54:x,y,z]` and its kin of `$#`, and the system that `[GC:…]` names.
+  /// Stores `[G54:x,y,z]` and the other offsets of a `$#` listing, and the system that `[GC:…]`
+  /// names.
   void take_listing(std::string_view line, std::size_t number) {
     const std::size_t open = line.find('[');
     if (open == std::string_view::npos) return;
@@ -122,7 +123,7 @@ class LogReader {
     }
   }
 
-  /// Grbl lists the length along Z, grblHAL one for each axis.
+  /// Stores the tool length. Grbl lists the length along Z, grblHAL one length for each axis.
   void take_tool_length(std::string_view value) {
     Eigen::Vector3d length = Eigen::Vector3d::Zero();
     if (const auto place = parsed_place(value)) {
@@ -143,7 +144,8 @@ class LogReader {
     }
   }
 
-  /// Takes the offset that held at the first answer, and looks for others among the answers.
+  /// Takes the offset that applied at the first answer, and searches the later answers for another
+  /// one.
   void choose_work_offset() {
     const std::size_t begin = log_.answers.empty() ? 0 : log_.answers.front().line;
     const std::size_t end = log_.answers.empty() ? 0 : log_.answers.back().line;
@@ -157,7 +159,8 @@ class LogReader {
 
   double unit_mm_;
   ProbeLog log_{};
-  std::vector<KnownOffset> work_offsets_;  ///< Of status reports, each where it changes.
+  /// Offsets of status reports, one entry for each change.
+  std::vector<KnownOffset> work_offsets_;
   std::map<std::string, Eigen::Vector3d, std::less<>> listed_;
   std::string system_ = "G54";
 };

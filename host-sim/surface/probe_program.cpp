@@ -21,8 +21,8 @@ namespace {
 constexpr std::string_view kFirstLine = "(kerfline probe-grid 1)";
 constexpr std::string_view kFirstWords = "(kerfline probe-grid ";
 
-/// Time in which a tip stops behind a contact: half of it for braking from 12 mm/s with 250 mm/s²,
-/// and half for what a controller has planned already.
+/// Time in which a tip stops after a contact. Half of it is for braking from 12 mm/s with 250
+/// mm/s², and half for motion that a controller has planned already.
 constexpr double kStopS = 0.05;
 
 struct NamedValue {
@@ -37,7 +37,7 @@ void require_above_0(std::initializer_list<NamedValue> values, const char* unit)
   }
 }
 
-/// Returns a coordinate or a feed with four decimals at most.
+/// Returns a coordinate or a feed with at most four decimals.
 std::string number(double value) {
   std::string text = fmt::format("{:.4f}", value);
   text.erase(text.find_last_not_of('0') + 1);
@@ -117,7 +117,7 @@ class ProbeText {
   fmt::memory_buffer buffer_;
 };
 
-/// Words `name=value` of the comments behind the first line.
+/// Words `name=value` of the comments after the first line.
 using Words = std::map<std::string, std::string, std::less<>>;
 
 void add_words(std::string_view comment, Words& words) {
@@ -147,7 +147,7 @@ Words heading_words(std::string_view text, const std::string& name) {
   return words;
 }
 
-/// The words of a heading as numbers.
+/// Reads the words of a heading as numbers.
 class HeadingReader {
  public:
   HeadingReader(const Words& words, const std::string& name) : words_{words}, name_{name} {}

@@ -8,9 +8,9 @@
 
 namespace sim::surface {
 
-/// Returns the points as XYZ text that read_surface() reads: a row of the grid to a paragraph, NaN
-/// as `nan`. `heading` becomes comments, a line each.
-/// @param points row by row
+/// Returns the points as XYZ text that read_surface() reads. Each row of the grid is a paragraph,
+/// and NaN is written as `nan`. Each entry of `heading` becomes a comment line.
+/// @param points points row by row
 [[nodiscard]] std::string text_of_probe_rows(const ProbeGrid& grid,
                                              const std::vector<Eigen::Vector3d>& points,
                                              const std::vector<std::string>& heading);

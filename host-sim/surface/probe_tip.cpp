@@ -8,17 +8,18 @@
 namespace sim::surface {
 namespace {
 
-/// Share of the area of a regular triangle that a moved one keeps at least.
+/// Minimum area of a triangle with moved corners, as a share of the area of a triangle of the
+/// regular grid.
 constexpr double kLeastShare = 0.1;
-/// Halvings of a shift, behind which it is 0.
+/// Number of halvings of a shift, after which the shift becomes 0.
 constexpr int kMaxHalvings = 20;
 
 /// Heights along a row or a column about one point.
 struct TipNeighbours {
   const std::vector<Eigen::Vector3d>& tips;
-  std::size_t index;   ///< The point.
-  std::size_t stride;  ///< Between neighbours.
-  std::size_t before;  ///< Points before it in its row or column.
+  std::size_t index;   ///< Index of the point.
+  std::size_t stride;  ///< Difference of the indices of neighbours.
+  std::size_t before;  ///< Number of points before it in its row or column.
   std::size_t behind;
   Eigen::Index axis;
 
@@ -30,11 +31,12 @@ struct TipNeighbours {
     return tips[static_cast<std::size_t>(static_cast<std::ptrdiff_t>(index) +
                                          step * static_cast<std::ptrdiff_t>(stride))];
   }
-  /// Returns the slope between two neighbours. @pre both are there
+  /// Returns the slope between two neighbours.
+  /// @pre both neighbours have a height
   [[nodiscard]] double chord(std::ptrdiff_t from, std::ptrdiff_t to) const {
     return (point(to).z() - point(from).z()) / (point(to)[axis] - point(from)[axis]);
   }
-  /// Returns the slope at the point, of second order where three points are known.
+  /// Returns the slope at the point. It is of second order if three points are known.
   [[nodiscard]] double slope() const {
     if (has(-1) && has(1)) return chord(-1, 1);
     for (const std::ptrdiff_t side : {1, -1}) {
@@ -55,7 +57,7 @@ Eigen::Vector2d gradient_at(const ProbeGrid& grid,
   return {along_x.slope(), along_y.slope()};
 }
 
-/// Moves each point along its ball, by less where the grid would fold.
+/// Moves each point along its ball, by a shorter distance where the grid would fold.
 class TipShifter {
  public:
   TipShifter(const ProbeGrid& grid, const std::vector<Eigen::Vector3d>& tips, double radius_mm)
@@ -101,8 +103,8 @@ class TipShifter {
     return tips_[index].head<2>() + shifts_[index];
   }
 
-  /// Marks the corners of quadrilaterals with a triangle of three of them that is turned over or
-  /// too small. Returns whether there is one.
+  /// Marks the corners of each quadrilateral that has a triangle of three of its corners that is
+  /// flipped or too small. Returns whether there is such a quadrilateral.
   bool mark_folded(std::vector<bool>& folded) const {
     bool any = false;
     for (std::size_t row = 0; row + 1 < grid_.y.count; ++row) {
@@ -130,7 +132,7 @@ class TipShifter {
   const ProbeGrid& grid_;
   const std::vector<Eigen::Vector3d>& tips_;
   double radius_mm_;
-  double least_;  ///< Twice the area of a triangle at least, mm².
+  double least_;  ///< Minimum of twice the area of a triangle, mm².
   std::vector<Eigen::Vector2d> shifts_;
 };
 

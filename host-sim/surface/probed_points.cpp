@@ -14,8 +14,8 @@
 namespace sim::surface {
 namespace {
 
-/// A failed answer is at the depth if it is no more above it: reports have three decimals of a mm,
-/// or of an inch.
+/// Distance above the depth up to which a failed answer counts as at the depth: reports have three
+/// decimals of a mm, or of an inch.
 constexpr double kDepthToleranceMm = 0.03;
 
 enum class PointState : std::uint8_t { kMissing, kMissed, kIncomplete, kMeasured };
@@ -76,13 +76,13 @@ class AnswerMatcher {
   }
 
  private:
-  /// Returns whether an answer is that of a touch, or of one that missed.
+  /// Returns whether an answer is a touch, or a touch that missed.
   [[nodiscard]] bool counts(const ProbeAnswer& answer) const {
     return answer.is_touch || !plan_.depth_mm ||
            answer.place.z() <= *plan_.depth_mm + kDepthToleranceMm;
   }
 
-  /// Returns whether an answer is at a point; notes one that is not.
+  /// Returns whether an answer is at a point; notes an answer that is not.
   bool is_at(const ProbeAnswer& answer, std::size_t index) {
     const double off = (answer.place.head<2>() - plan_.grid.place(index)).norm();
     if (off <= tolerance_mm_) return true;
@@ -97,7 +97,8 @@ class AnswerMatcher {
     return false;
   }
 
-  /// Takes successive answers at one point. @pre there is one
+  /// Stores the result of successive answers at one point.
+  /// @pre `run` has at least one answer
   void finish(std::size_t index, std::span<const ProbeAnswer> run) {
     ++matched_;
     PointState state = run.back().is_touch ? PointState::kMeasured : PointState::kMissed;
@@ -106,13 +107,13 @@ class AnswerMatcher {
     PointRecord& record = records_[index];
     const bool is_again = record.state != PointState::kMissing;
     if (is_again) note_again(index, run.back());
-    // A height is better than none, whichever came later.
+    // A measured height is not replaced by a failed answer, even by a later one.
     if (state != PointState::kMeasured && record.state == PointState::kMeasured) return;
     record = {.place = run.back().place, .state = state, .line = run.back().line};
   }
 
-  /// Notes answers beyond those of one visit. `$#` lists the last one once more, and a guarded way
-  /// may end by a contact right at the point.
+  /// Notes answers beyond the expected ones of a visit. `$#` lists the last answer once more, and a
+  /// guarded path may end with a contact exactly at the point; such answers are not noted.
   void note_more_touches(std::size_t index, std::span<const ProbeAnswer> run) {
     const std::size_t expected = plan_.touches + (plan_.has_guards ? 1 : 0);
     if (run.size() <= expected) return;

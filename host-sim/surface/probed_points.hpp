@@ -11,34 +11,38 @@
 
 namespace sim::surface {
 
-/// How answers belong to the points of a grid.
+/// How the answers of a log belong to the points of a grid.
 struct ProbePlan {
   ProbeGrid grid;
-  /// Height at which a probe that touches nothing ends; nothing: any failed answer is a missed
-  /// point.
+  /// Height at which a probe without a contact ends. Without a value every failed answer is a
+  /// missed point.
   std::optional<double> depth_mm;
-  std::size_t touches = 1;  ///< Answers of each point, of which the last counts.
-  bool has_guards = false;  ///< The ways between points are probed, too.
-  Eigen::Vector3d offset = Eigen::Vector3d::Zero();  ///< Of work zero in machine coordinates.
+  std::size_t touches = 1;  ///< Number of answers for each point, of which the last counts.
+  bool has_guards = false;  ///< Whether the paths between points are probed, too.
+  Eigen::Vector3d offset = Eigen::Vector3d::Zero();  ///< Work zero in machine coordinates.
 };
 
-/// The tip's lowest points over a grid, in work coordinates.
+/// The ball's lowest points over a grid, in work coordinates.
 struct ProbedPoints {
-  /// Row by row with X rising. A point that was not measured has the grid's place and NaN as Z.
+  /// Points row by row with X rising. A point that was not measured has the X and Y of its grid
+  /// point, and NaN as Z.
   std::vector<Eigen::Vector3d> points;
-  std::vector<std::string> faults;  ///< One for each point that was not measured, by name.
-  std::vector<std::string> notes;   ///< Answers that were passed over, or points probed twice.
+  /// One message for each point that was not measured, with the point's name.
+  std::vector<std::string> faults;
+  std::vector<std::string> notes;  ///< Messages on ignored answers and on points probed twice.
 };
 
-/// An answer farther from its point is displaced, mm; and a tenth of the pitch.
+/// An answer is displaced if it is farther from its point than this distance, mm, and than a tenth
+/// of the pitch.
 inline constexpr double kPlaceToleranceMm = 0.1;
 
-/// Finds the answer of each point by its place, so that a lost answer makes no other wrong.
+/// Finds the answer of each point by its place, so that a lost answer does not shift the others.
 ///
-/// Of successive answers at a point the last counts; fewer than its touches make none, as only the
-/// slow touch is exact. A point that comes again later has its later height. Failed answers above
-/// the depth are those of guarded ways, or of a listing, and are passed over. `name` is that of the
-/// log, for messages. Throws std::invalid_argument where no answer is at a point of the grid.
+/// If several answers follow each other at a point, the last one counts. If there are fewer answers
+/// than touches, the point is not measured, because only the slow touch is exact. A point that is
+/// probed again later has its later height. A failed answer above the depth belongs to a guarded
+/// path or to a listing and is ignored. `name` is the name of the log, for messages. Throws
+/// std::invalid_argument if no answer is at a point of the grid.
 [[nodiscard]] ProbedPoints probed_points(const ProbeLog& log,
                                          const ProbePlan& plan,
                                          const std::string& name);

@@ -10,26 +10,27 @@
 
 namespace sim::surface {
 
-/// Heights over a regular grid as a file lists them: the first row has the greatest Y.
+/// Heights over a regular grid in the order of a file: the first row has the greatest Y.
 struct Raster {
   std::size_t rows = 0;
   std::size_t columns = 0;
   Eigen::Vector2d origin{0.0, 0.0};  ///< First point of the last row, mm.
-  Eigen::Vector2d pitch{0.0, 0.0};   ///< Distance of columns and of rows, mm.
-  std::vector<double> heights{};     ///< Row by row, mm; NaN where one is missing.
+  Eigen::Vector2d pitch{0.0, 0.0};   ///< Distance between columns and between rows, mm.
+  std::vector<double> heights{};     ///< Heights row by row, mm; NaN if a height is missing.
   std::vector<std::uint32_t> lines{};
 };
 
-/// Returns the points of a raster, in its order of rows.
+/// Returns the points of a raster in its order of rows.
 [[nodiscard]] GridDraft draft_of(Raster raster, const std::string& name);
 
-/// Throws std::invalid_argument for fewer than two rows or columns, or more than kMaxPoints.
+/// Throws std::invalid_argument for fewer than two rows or columns, or more than kMaxPoints points.
 void require_raster_size(std::uint64_t rows, std::uint64_t columns, const std::string& name);
 
-/// Throws std::invalid_argument if the options give no pitch, which the format lacks.
+/// Throws std::invalid_argument if the options give no pitch. For formats that do not contain a
+/// pitch.
 void require_pitch(const ReadOptions& options, const std::string& name);
 
-/// Returns the raster of a picture's grey values, of which `white` is the greatest. Throws
+/// Returns the raster of a picture's grey values. `white` is the greatest possible value. Throws
 /// std::invalid_argument if the options give no pitch or no height.
 [[nodiscard]] GridDraft picture_draft(Raster grey,
                                       double white,

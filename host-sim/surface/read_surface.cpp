@@ -21,7 +21,7 @@
 namespace sim::surface {
 namespace {
 
-/// Bytes that tell a text from others.
+/// Number of bytes by which a text is recognized.
 constexpr std::size_t kProbeBytes = 1'000;
 
 void require_options(const std::string& name, const ReadOptions& options) {
@@ -36,7 +36,7 @@ void require_options(const std::string& name, const ReadOptions& options) {
          fmt::format("give a length up to {:g} mm", kFarthestMm));
 }
 
-/// Refuses formats that are not read, by their first bytes.
+/// Refuses unsupported formats, recognized by their first bytes.
 void refuse_other_formats(std::string_view bytes, const std::string& name) {
   struct OtherFormat {
     std::string_view start;
@@ -80,7 +80,7 @@ std::string in_small_letters(std::string_view text) {
   return small;
 }
 
-/// Returns the surface of a mesh file; nothing for files of other kinds.
+/// Returns the surface of a mesh file; nothing for other files.
 std::optional<SurfaceInput> read_mesh(std::string_view bytes,
                                       std::string_view first_word,
                                       bool is_text,
@@ -93,7 +93,7 @@ std::optional<SurfaceInput> read_mesh(std::string_view bytes,
                        options);
 }
 
-/// Returns the grid of a height map or of points.
+/// Returns the grid of a height map or of a file of points.
 GridDraft read_grid(std::string_view bytes,
                     std::string_view first_word,
                     const std::string& name,
@@ -130,7 +130,7 @@ SurfaceInput read_surface(std::string_view bytes,
   const bool is_picture =
       bytes.starts_with(kPngSignature) || is_tiff(bytes) || has_word(bytes, "P5");
   if (!is_text && !is_picture) {
-    // Nothing but its length tells a binary STL file, and this one's is wrong.
+    // A binary STL file is recognized by its length alone, and the length of this file is wrong.
     static_cast<void>(read_binary_stl(bytes, name));
   }
   return finished_grid(read_grid(bytes, first_word, name, options), options);

@@ -19,10 +19,10 @@ Eigen::Vector2d first_direction(const XyzTable& table) {
   return Eigen::Vector2d::Zero();
 }
 
-/// Returns the index of the first point of each row but the first, for rows along `direction`.
+/// Returns the index of the first point of each row except the first, for rows along `direction`.
 std::vector<std::size_t> turns_along(const XyzTable& table, const Eigen::Vector2d& direction) {
   std::vector<std::size_t> turns;
-  double sense = 0.0;  // 0 before the first step of a row.
+  double sense = 0.0;  // 1 along the direction, -1 against it, 0 before the first step of a row.
   for (std::size_t i = 1; i < table.points.size(); ++i) {
     const Eigen::Vector2d step = plan_point(table, i) - plan_point(table, i - 1);
     const double along = step.dot(direction);
@@ -50,7 +50,7 @@ Eigen::Vector2d longest_direction(const XyzTable& table, const std::vector<std::
 }
 
 std::vector<std::size_t> turns_of(const XyzTable& table) {
-  // Measured points are off their places, so that the first step alone is a poor direction.
+  // Measured points are off the exact grid, so that the first step alone gives a poor direction.
   constexpr int kRounds = 3;
   std::vector<std::size_t> turns = turns_along(table, first_direction(table));
   for (int round = 0; round < kRounds; ++round) {
@@ -59,7 +59,8 @@ std::vector<std::size_t> turns_of(const XyzTable& table) {
   return turns;
 }
 
-/// Returns whether `row` ends nearer to the start of `before`, and starts nearer to its end.
+/// Returns whether `row` runs against `before`: its ends are nearer to the opposite ends of
+/// `before` than to the corresponding ones.
 bool runs_against(const XyzTable& table, const ScanRow& row, const ScanRow& before) {
   const auto distance = [&](std::size_t a, std::size_t b) {
     return (plan_point(table, a) - plan_point(table, b)).norm();

@@ -7,16 +7,16 @@
 
 namespace sim::surface {
 
-/// Returns whether the bytes have the length of a binary STL file that has their count of facets.
-/// Its header may begin with `solid` like that of a text.
+/// Returns whether the number of bytes matches the count of facets that a binary STL file states.
+/// The header of such a file may begin with `solid`, as a text does.
 [[nodiscard]] bool has_length_of_stl(std::string_view bytes);
 
-/// Reads a binary STL file. Equal corners become one point; normals are passed over, because the
-/// order of corners says the same. Throws std::invalid_argument where the length does not fit, or
-/// for NaN.
+/// Reads a binary STL file. Equal corners become one point. Normals are ignored, because the order
+/// of corners gives the same information. Throws std::invalid_argument if the length does not
+/// match, or for NaN.
 [[nodiscard]] MeshDraft read_binary_stl(std::string_view bytes, const std::string& name);
 
-/// Reads an STL text so.
+/// Reads an ASCII STL file. Equal corners become one point, and normals are ignored.
 [[nodiscard]] MeshDraft read_ascii_stl(std::string_view text, const std::string& name);
 
 }  // namespace sim::surface

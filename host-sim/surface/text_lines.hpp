@@ -11,27 +11,27 @@ namespace sim::surface {
   return c == ' ' || c == '\t' || c == '\r' || c == '\f' || c == '\v';
 }
 
-/// Returns `text` without blanks at both ends.
+/// Returns `text` without blanks at its ends.
 [[nodiscard]] inline std::string_view without_blanks_around(std::string_view text) {
   while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
   while (!text.empty() && is_blank(text.back())) text.remove_suffix(1);
   return text;
 }
 
-/// Returns `text` in small letters of ASCII equal to `small`.
+/// Returns whether `text`, converted to small ASCII letters, equals `small`.
 [[nodiscard]] inline bool equals_in_small_letters(std::string_view text, std::string_view small) {
   return std::equal(text.begin(), text.end(), small.begin(), small.end(), [](char a, char b) {
     return (a >= 'A' && a <= 'Z' ? static_cast<char>(a - 'A' + 'a') : a) == b;
   });
 }
 
-/// Lines of a text that end in LF, in CR LF, or in CR alone where the text has no LF.
+/// Lines of a text that end in LF, in CR LF, or in CR alone if the text has no LF.
 class TextLines {
  public:
   explicit TextLines(std::string_view text)
       : rest_{text}, end_{text.find('\n') == std::string_view::npos ? '\r' : '\n'} {}
 
-  /// Returns the next line without blanks around it; nothing at the end of the text.
+  /// Returns the next line without blanks at its ends; nothing at the end of the text.
   std::optional<std::string_view> next() {
     if (rest_.empty()) return {};
     const std::size_t end = rest_.find(end_);
@@ -40,9 +40,9 @@ class TextLines {
     ++number_;
     return without_blanks_around(line);
   }
-  /// Number of the line that next() returned, from 1.
+  /// Returns the number of the line that next() returned last, counted from 1.
   [[nodiscard]] std::size_t number() const { return number_; }
-  /// Bytes behind that line.
+  /// Returns the bytes after the line that next() returned last.
   [[nodiscard]] std::string_view rest() const { return rest_; }
 
  private:
@@ -51,12 +51,12 @@ class TextLines {
   std::size_t number_ = 0;
 };
 
-/// Words of a text between blanks and ends of lines.
+/// Words of a text, separated by blanks and ends of lines.
 class TextWords {
  public:
   TextWords(std::string_view text, std::size_t first_line) : rest_{text}, line_{first_line} {}
 
-  /// Returns the next word; an empty one at the end of the text.
+  /// Returns the next word; an empty word at the end of the text.
   std::string_view next() {
     std::size_t from = 0;
     while (from < rest_.size() && (is_blank(rest_[from]) || rest_[from] == '\n')) {
@@ -69,9 +69,9 @@ class TextWords {
     rest_.remove_prefix(to);
     return word;
   }
-  /// Passes what is left of the line, as a comment.
+  /// Skips the rest of the line, for example a comment.
   void skip_line() { rest_.remove_prefix(std::min(rest_.find('\n'), rest_.size())); }
-  /// Line of the word that next() returned.
+  /// Returns the line of the word that next() returned last.
   [[nodiscard]] std::size_t line() const { return line_; }
   [[nodiscard]] std::string_view rest() const { return rest_; }
 

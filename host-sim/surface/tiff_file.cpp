@@ -8,7 +8,7 @@
 namespace sim::surface {
 namespace {
 
-/// Room for what libtiff reads at once, bytes: more is damage.
+/// Maximum number of bytes that libtiff may request at once; a larger request means damage.
 constexpr tmsize_t kMostAtOnce = tmsize_t{1} << 30;
 
 std::uint16_t short_of(TIFF* tiff, std::uint32_t tag) {

@@ -12,35 +12,35 @@
 
 namespace sim::surface {
 
-/// Numbers of a pixel, as a TIFF file stores them.
+/// Format of the pixels' numbers in a TIFF file.
 struct TiffSamples {
   std::uint32_t rows = 0;
   std::uint32_t columns = 0;
-  int bits = 0;    ///< In a sample.
-  int format = 0;  ///< SAMPLEFORMAT_….
+  int bits = 0;    ///< Bits of a sample.
+  int format = 0;  ///< One of the SAMPLEFORMAT_… values.
   int per_pixel = 1;
-  bool is_upright = true;  ///< The first row is the top one, from the left.
+  bool is_upright = true;  ///< Whether the first row is the top one and begins on the left.
 
   [[nodiscard]] bool are_real() const { return format == SAMPLEFORMAT_IEEEFP; }
   [[nodiscard]] std::size_t bytes() const { return static_cast<std::size_t>(bits) / 8; }
 };
 
-/// A TIFF file in memory, read by libtiff.
+/// A TIFF file in memory, read with libtiff.
 class TiffFile {
  public:
-  /// @pre the bytes outlive this
+  /// @pre the bytes live longer than this object
   explicit TiffFile(std::string_view bytes);
   TiffFile(const TiffFile&) = delete;
   TiffFile& operator=(const TiffFile&) = delete;
   ~TiffFile() = default;
 
   [[nodiscard]] bool is_open() const { return tiff_ != nullptr; }
-  /// Returns the last thing that libtiff found wrong.
+  /// Returns the last error that libtiff reported.
   [[nodiscard]] const std::string& complaint() const { return source_.complaint; }
 
   [[nodiscard]] TiffSamples samples() const;
-  /// Returns the numbers of a tag that libtiff does not know; empty without it, and where the file
-  /// has numbers of another kind there.
+  /// Returns the numbers of a tag that libtiff does not know. Returns an empty vector if the file
+  /// lacks the tag or stores numbers of another type there.
   template <typename Number>
   [[nodiscard]] std::vector<Number> numbers(std::uint32_t tag) const {
     const TIFFField* const field = TIFFFindField(tiff_.get(), tag, TIFF_ANY);
@@ -51,12 +51,12 @@ class TiffFile {
     if (TIFFGetField(tiff_.get(), tag, &count, &first) != 1 || first == nullptr) return {};
     return {first, first + count};
   }
-  /// Returns the text of a tag; empty without it.
+  /// Returns the text of a tag; an empty text if the file lacks the tag.
   [[nodiscard]] std::string text(std::uint32_t tag) const;
 
-  /// Reads the pixels row by row, in the order of bytes of this machine.
-  /// @param bytes of all samples
-  /// @return false where one cannot be read.
+  /// Reads the pixels row by row, in this machine's byte order.
+  /// @param bytes receives the bytes of all samples
+  /// @return whether all rows could be read
   [[nodiscard]] bool read(const TiffSamples& samples, std::vector<std::uint8_t>& bytes);
 
  private:

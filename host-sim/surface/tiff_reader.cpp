@@ -22,8 +22,8 @@ constexpr std::uint32_t kPixelScaleTag = 33'550;
 constexpr std::uint32_t kGeoKeysTag = 34'735;
 constexpr std::uint32_t kNoDataTag = 42'113;
 
-/// Returns the value of a short key of a GeoTIFF, 0 without it: the first four numbers are a
-/// header, and each key has four.
+/// Returns the value of a short key of a GeoTIFF, 0 if the file lacks the key. The first four
+/// numbers are a header, and each key has four numbers.
 int geo_key(const TiffFile& file, std::uint16_t wanted) {
   const std::vector<std::uint16_t> numbers = file.numbers<std::uint16_t>(kGeoKeysTag);
   for (std::size_t i = 4; i + 3 < numbers.size(); i += 4) {
@@ -49,7 +49,7 @@ std::vector<double> numbers_of(const std::vector<std::uint8_t>& bytes) {
   return numbers;
 }
 
-/// Returns the samples as numbers; nothing for formats that are none of heights.
+/// Returns the samples as numbers; nothing for sample formats that are not supported.
 std::optional<std::vector<double>> heights_of(const TiffSamples& samples,
                                               const std::vector<std::uint8_t>& bytes) {
   const auto is = [&samples](int format, int bits) {
@@ -85,14 +85,15 @@ void require_samples(const TiffSamples& samples, const std::string& name, std::s
            "export whole numbers of 8, 16 or 32 bits, or real ones of 32 or 64");
   }
   require_raster_size(samples.rows, samples.columns, name);
-  // Rows are compressed to a thousandth at most: what cannot be there gets no memory.
+  // Rows are compressed at most about a thousandfold. If the file is too short for the image, no
+  // memory is allocated.
   constexpr std::size_t kMaxInflation = 1'100;
   if (samples.bytes() * samples.rows * samples.columns / kMaxInflation > file_bytes) {
     refuse(name, 0, "most of its heights are missing", kAgain);
   }
 }
 
-/// Sets the distance of points, mm.
+/// Sets the distance between points, mm.
 void place(const TiffFile& file,
            const std::string& name,
            const ReadOptions& options,
@@ -111,7 +112,7 @@ void place(const TiffFile& file,
   refuse(name, 0, "the distance of its heights is not above 0", "give it in mm with --pitch");
 }
 
-/// Turns units into mm, and what stands for a missing height into NaN.
+/// Converts heights to mm, and the file's value for a missing height to NaN.
 void scale_heights(const TiffFile& file, double unit_mm, std::vector<double>& heights) {
   const std::optional<double> no_data = parsed_number(file.text(kNoDataTag));
   for (double& height : heights) {

@@ -8,11 +8,12 @@
 
 namespace sim::surface {
 
-/// Returns `X Y Z` with 17 digits for each place of a text: the height at which the tip of a tool
-/// stands there when it touches, `nan` where nothing is under it; mm.
-/// @param places `X Y` on each line, blanks or a comma between them; lines that begin with # and
-/// blank ones do not count
-/// @param name of them, for messages. Throws std::invalid_argument for what is no place.
+/// Returns `X Y Z` in mm with 17 digits for each place of a text. Z is the height of the tip of a
+/// tool that touches the mesh there, `nan` if nothing is under the tool.
+/// @param places `X Y` on each line, separated by blanks or a comma; blank lines and lines that
+/// begin with # are ignored
+/// @param name name of the text of places, for messages
+/// Throws std::invalid_argument for a line that is not a place.
 /// @pre the mesh has facets
 [[nodiscard]] std::string tip_heights(const Mesh& mesh,
                                       const cnc::surface::Profile& tool,

@@ -7,13 +7,14 @@
 
 namespace sim::surface {
 
-/// Chooses with which facet each edge is tried under a tool, so that none is tried twice.
+/// Chooses for each edge the facet with which it is tested under a tool, so that no edge is tested
+/// twice.
 ///
-/// One between two facets that rise from it is not tried where the tool is smooth, as one of them
-/// lets the tool be higher beside the edge. A tool with a point or a rim may touch such a valley
-/// with that, and all its edges are tried.
+/// An edge between two facets that rise from it is not tested if the tool is smooth: at such a
+/// valley the tool touches one of the facets first. A tool with a point or a rim may touch the
+/// valley with that point or rim, so that all edges are tested.
 ///
-/// @return for each facet, bit i: the edge from corner i to the next
+/// @return for each facet a set of bits; bit i stands for the edge from corner i to the next
 [[nodiscard]] std::vector<std::uint8_t> tried_edges(const Mesh& mesh, bool tool_is_smooth);
 
 }  // namespace sim::surface

@@ -12,27 +12,28 @@ struct XyzFields {
   static constexpr std::size_t kMost = 16;
 
   std::array<std::string_view, kMost> fields{};
-  std::size_t count = 0;  ///< All of the line; those beyond kMost are not listed.
+  std::size_t count = 0;  ///< Number of all fields of the line; only the first kMost are stored.
 
   [[nodiscard]] std::size_t listed() const { return count < kMost ? count : kMost; }
 };
 
 /// How a text of points separates its numbers.
 struct XyzDialect {
-  char separator = ' ';  ///< `;` or `,`; a blank stands for blanks and tabs.
+  char separator = ' ';  ///< `;` or `,`, or a blank that stands for blanks and tabs.
   bool decimal_comma = false;
 
-  /// Returns the fields of a line. Empty fields at its end are left out: spreadsheets write them.
+  /// Returns the fields of a line. Empty fields at its end are left out, because spreadsheets write
+  /// them.
   [[nodiscard]] XyzFields split(std::string_view line) const;
-  /// Returns the number of a field; nothing where it is none, NaN for an empty field.
+  /// Returns the number in a field; nothing if it is not a number, NaN for an empty field.
   [[nodiscard]] std::optional<double> number(std::string_view field) const;
 };
 
-/// Returns the dialect of the first line that shows one. Semicolons separate wherever they are,
-/// and commas are decimal marks then; so they are where blanks alone separate numbers.
+/// Returns the dialect of the first line that shows one. Semicolons always separate, and commas are
+/// then decimal marks. Commas are decimal marks, too, if blanks alone separate the numbers.
 [[nodiscard]] XyzDialect dialect_of(std::string_view text);
 
-/// Returns `line` without a comment, which # or // begins, and without blanks around it.
+/// Returns `line` without its comment, which begins with # or //, and without blanks at its ends.
 [[nodiscard]] std::string_view without_comment(std::string_view line);
 
 }  // namespace sim::surface

@@ -8,11 +8,11 @@
 
 namespace sim::surface {
 
-/// Fields that hold X, Y and Z.
+/// Indices of the fields that hold X, Y and Z.
 using XyzColumns = std::array<std::size_t, 3>;
 
-/// Returns the fields that a header line calls X, Y and Z, in any letters and with a unit behind:
-/// `X`, `y [mm]`, `Z_in`. Returns nothing unless each name stands there once.
+/// Returns the fields that a header line names X, Y and Z, in capital or small letters and with an
+/// optional unit: `X`, `y [mm]`, `Z_in`. Returns nothing unless each name occurs exactly once.
 [[nodiscard]] std::optional<XyzColumns> columns_of_header(const XyzFields& header);
 
 }  // namespace sim::surface

@@ -15,7 +15,8 @@
 namespace sim::surface {
 namespace {
 
-/// Refuses points whose X or Y is not finite, or whose height is infinite; scales the others.
+/// Refuses points whose X or Y is not finite or whose height is infinite. Scales the other points
+/// to mm.
 void take_unit(XyzTable& table, const std::string& name, double unit_mm) {
   for (std::size_t i = 0; i < table.points.size(); ++i) {
     Eigen::Vector3d& point = table.points[i];
@@ -29,7 +30,7 @@ void take_unit(XyzTable& table, const std::string& name, double unit_mm) {
   }
 }
 
-/// Joins the rows in the direction of the first.
+/// Joins the rows, each in the direction of the first row.
 GridDraft joined_rows(XyzTable& table, const std::vector<ScanRow>& rows, const std::string& name) {
   GridDraft grid{.name = name, .rows = rows.size(), .columns = rows.front().size()};
   grid.points.reserve(table.points.size());
@@ -43,7 +44,7 @@ GridDraft joined_rows(XyzTable& table, const std::vector<ScanRow>& rows, const s
   return grid;
 }
 
-/// Refuses rows of unequal length; names the first of them.
+/// Refuses rows of unequal length and names the first such row.
 [[noreturn]] void refuse_rows(const XyzTable& table,
                               const std::vector<ScanRow>& rows,
                               const std::string& name) {
@@ -74,7 +75,7 @@ GridDraft read_xyz(std::string_view text, const std::string& name, const ReadOpt
   }
   GridDraft grid = joined_rows(table, rows, name);
   if (options.repair && gaps_of(grid).count() > 0) {
-    // Rows that lack as a whole are missing points, too, where the grid shows their places.
+    // Rows that are completely absent are missing points, too, if the grid shows their places.
     if (auto lattice = lattice_of(table, rows, name)) grid = *std::move(lattice);
   }
   grid.notes = std::move(table.notes);

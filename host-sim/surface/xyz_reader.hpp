@@ -8,8 +8,8 @@
 
 namespace sim::surface {
 
-/// Reads the rows of an XYZ text or CSV file. Missing points of a regular grid are missing points
-/// of the draft; other rows of unequal length throw std::invalid_argument.
+/// Reads the rows of an XYZ text or CSV file. Missing points of a regular grid become missing
+/// points of the draft. Other rows of unequal length throw std::invalid_argument.
 [[nodiscard]] GridDraft read_xyz(std::string_view text,
                                  const std::string& name,
                                  const ReadOptions& options);

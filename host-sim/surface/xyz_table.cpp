@@ -14,7 +14,7 @@
 namespace sim::surface {
 namespace {
 
-/// Lines of words before the first point, at most.
+/// Maximum number of lines of words before the first point.
 constexpr std::size_t kMaxHeaderLines = 20;
 
 class XyzTableReader {
@@ -29,7 +29,7 @@ class XyzTableReader {
       if (fields.count > 0) {
         take(fields);
       } else if (next->empty() || !line.empty()) {
-        blank_ = true;  // A line of a comment alone separates nothing.
+        blank_ = true;  // A line that holds only a comment separates nothing.
       }
     }
     if (table_.points.empty()) {
@@ -55,7 +55,7 @@ class XyzTableReader {
     add(values);
   }
 
-  /// Returns whether at least three fields are numbers; a name may stand before them.
+  /// Returns whether at least three fields are numbers; a name may stand before these.
   [[nodiscard]] bool begins_points(const XyzFields& fields) const {
     std::size_t numbers = 0;
     for (std::size_t i = 0; i < fields.listed(); ++i) {
@@ -84,7 +84,7 @@ class XyzTableReader {
   void choose_columns(const XyzFields& fields) {
     width_ = fields.count;
     labelled_ = !dialect_.number(fields.fields[0]).has_value();
-    // A header of other fields than the points have names none of them.
+    // A header whose number of fields differs from that of the points does not name their fields.
     if (header_ && header_fields_ != width_) header_.reset();
     if (header_) {
       columns_ = *header_;
@@ -95,7 +95,8 @@ class XyzTableReader {
   }
 
   void require_width(const XyzFields& fields) const {
-    // A spreadsheet leaves out empty fields at the end: a height that was not measured.
+    // A spreadsheet leaves out empty fields at the end of a line: here a height that was not
+    // measured.
     const bool short_of_height = dialect_.separator != ' ' && fields.count + 1 == width_;
     if (fields.count == width_ || short_of_height) return;
     refuse(name_,
@@ -125,7 +126,7 @@ class XyzTableReader {
     if (may_count_) fourth_.push_back(values[3]);
   }
 
-  /// Returns whether the first of four or more columns goes up by one from point to point.
+  /// Returns whether the first of four or more columns increases by one from point to point.
   [[nodiscard]] bool counts_points() const {
     if (!may_count_ || table_.points.size() < 2) return false;
     for (std::size_t i = 1; i < table_.points.size(); ++i) {
@@ -149,9 +150,9 @@ class XyzTableReader {
   std::size_t header_lines_ = 0;
   std::size_t header_fields_ = 0;
   std::optional<XyzColumns> header_;  ///< Columns that the last header line names.
-  std::size_t width_ = 0;             ///< Fields of each line; 0 before the first point.
-  bool labelled_ = false;             ///< Names of points stand in the first field.
-  bool may_count_ = false;            ///< Numbers of points may stand there.
+  std::size_t width_ = 0;             ///< Number of fields of each line; 0 before the first point.
+  bool labelled_ = false;             ///< Whether the first field holds names of points.
+  bool may_count_ = false;            ///< Whether the first field may hold numbers of points.
   XyzColumns columns_{0, 1, 2};
   std::vector<double> fourth_;  ///< Fourth field of each line if may_count_.
 };

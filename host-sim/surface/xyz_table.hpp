@@ -11,15 +11,16 @@ namespace sim::surface {
 
 /// Points of a text in the order of its lines.
 struct XyzTable {
-  std::vector<Eigen::Vector3d> points;  ///< In the file's unit.
-  std::vector<std::uint32_t> lines;     ///< From 1.
-  /// Index of the first point behind each blank line between points.
+  std::vector<Eigen::Vector3d> points;  ///< Points in the file's unit.
+  std::vector<std::uint32_t> lines;     ///< Line of each point, counted from 1.
+  /// Index of the first point after each blank line between points.
   std::vector<std::size_t> breaks;
   std::vector<std::string> notes;
 };
 
-/// Reads the lines of an XYZ text or CSV file: three numbers, or more of which a header names
-/// three or the first counts the points. Throws std::invalid_argument for lines of another kind.
+/// Reads the lines of an XYZ text or CSV file. A line has three numbers, or more numbers if a
+/// header names three of them or if the first one numbers the points. Throws std::invalid_argument
+/// for other lines.
 [[nodiscard]] XyzTable read_xyz_table(std::string_view text, const std::string& name);
 
 }  // namespace sim::surface

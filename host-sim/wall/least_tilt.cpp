@@ -12,11 +12,12 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Length of beams, mm: whatever is in a direction is in the way.
+/// Length of beams, mm. It is so long that every facet in the beam's direction is an obstacle.
 constexpr double kEndless = 1.0e4;
-/// A point of a circle is on it within that, mm at the facet.
+/// Tolerance in mm, at the facet, within which a point counts as on a circle.
 constexpr double kRounding = 1.0e-10;
-/// Two directions, or a direction and none, that are nearer have no plane.
+/// Sine of the least angle at which two directions define a plane; also the least length of a
+/// direction.
 constexpr double kLeastSine = 1.0e-9;
 
 }  // namespace

@@ -10,14 +10,14 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// A touch is off by that through rounding, mm.
+/// Rounding error of the clearance at a touch, mm.
 constexpr double kTouchRounding = 1.0e-9;
 
 Eigen::AlignedBox3d box_of(const Triangle& facet, double touch_mm) {
   Eigen::AlignedBox3d box{facet.a};
   box.extend(facet.b);
   box.extend(facet.c);
-  // A facet is moved by that where the tip is on its plane.
+  // A facet is moved by at most this distance if the tip is on its plane.
   box.min().array() -= touch_mm;
   box.max().array() += touch_mm;
   return box;
@@ -28,7 +28,7 @@ bool is_on_plane(const Triangle& facet, const Vector3d& tip) {
   return std::abs(across.dot(tip - facet.a)) <= kTouchMm * across.norm();
 }
 
-/// Returns a clearance that no point of a box is below.
+/// Returns a lower bound of the clearance between a beam and all points of a box.
 double least_clearance(const Beam& beam, const Eigen::AlignedBox3d& box) {
   const Vector3d middle = box.center() - beam.tip;
   const Vector3d half = 0.5 * box.sizes();
@@ -37,7 +37,7 @@ double least_clearance(const Beam& beam, const Eigen::AlignedBox3d& box) {
   if (along + reach < -cnc::wall::kBeamMarginMm || along - reach > beam.length_mm) {
     return std::numeric_limits<double>::infinity();
   }
-  // No point is nearer to the side than to a plane that touches the side.
+  // A point is at least as far from the beam's side as from a plane that touches the side.
   const Vector3d out = middle - along * beam.axis;
   const double distance = out.norm();
   if (distance == 0.0) return -std::numeric_limits<double>::infinity();

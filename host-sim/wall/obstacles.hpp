@@ -12,25 +12,25 @@
 
 namespace sim::wall {
 
-/// A facet, and how far a beam is from it.
+/// A facet, and its clearance from a beam.
 struct NearestFacet {
   std::uint32_t facet = 0;
-  Triangle obstacle;          ///< As it stands in the way of the beam.
-  double clearance_mm = 0.0;  ///< Below 0 where the beam meets it.
+  Triangle obstacle;          ///< The facet as an obstacle for the beam, see as_obstacle().
+  double clearance_mm = 0.0;  ///< Clearance; below 0 if the beam meets the facet.
 };
 
-/// The facets of a part, sorted so that those near a beam are found soon. Lengths are mm.
+/// The facets of a part in a tree that finds those near a beam quickly. Lengths are mm.
 class Obstacles {
  public:
-  /// @param touch_mm distance up to which a tip is on the plane of a facet
-  /// @pre the mesh's indices are those of points
+  /// @param touch_mm maximum distance at which a tip counts as on the plane of a facet
+  /// @pre the mesh's indices are valid
   explicit Obstacles(const surface::Mesh& mesh, double touch_mm = kTouchMm);
 
   [[nodiscard]] std::size_t count() const { return facets_.size(); }
 
-  /// Returns the facet that a beam is nearest to or deepest in, among those that it is nearer to
-  /// than `most_mm`; facets with the tip on their plane only touch it there. A beam with a waist
-  /// dips into the floor that its tip is on as it leans: such facets do not count for it.
+  /// Returns the facet with the least clearance from a beam, among the facets with less clearance
+  /// than `most_mm`. A facet with the tip on its plane is only touched there. A leaning beam with a
+  /// waist dips into the floor on which its tip stands: such facets are ignored for it.
   [[nodiscard]] std::optional<NearestFacet> nearest(const Beam& beam, double most_mm) const;
 
   /// Returns whether a beam meets any facet by more than a touch at its tip.
@@ -43,7 +43,7 @@ class Obstacles {
 };
 
 /// Returns the beam from a tip on the axis nearest to the wanted one that clears all obstacles;
-/// nothing where there is none within the rules.
+/// nothing if no axis within the rules does.
 [[nodiscard]] std::optional<Beam> least_tilt(const Obstacles& obstacles,
                                              const Eigen::Vector3d& tip,
                                              const TiltRules& rules);

@@ -14,11 +14,11 @@
 namespace sim::wall {
 namespace {
 
-/// An edge of a facet, from its point with the smaller number on.
+/// An edge of a facet, from its point with the smaller number to the other.
 struct EdgeUse {
   std::uint32_t low = 0;
   std::uint32_t high = 0;
-  int direction = 0;  ///< 1, or -1 where the facet has it the other way round.
+  int direction = 0;  ///< 1, or -1 if the facet has the edge in the other direction.
 
   [[nodiscard]] bool is_same_edge(const EdgeUse& other) const {
     return low == other.low && high == other.high;
@@ -43,7 +43,7 @@ std::string text_of(const Eigen::Vector3d& point) {
   return fmt::format("{:g} {:g} {:g}", point.x(), point.y(), point.z());
 }
 
-/// Throws unless the facets look outwards and there is a volume between them.
+/// Throws std::invalid_argument unless the facets face outwards and enclose a volume.
 void require_inside(const surface::Mesh& mesh, const std::string& name) {
   const Eigen::Vector3d& origin = mesh.points.front();
   double six_volumes = 0.0;
@@ -55,7 +55,7 @@ void require_inside(const surface::Mesh& mesh, const std::string& name) {
     six_volumes += part;
     size += std::abs(part);
   }
-  // A volume that rounding may have made is none.
+  // A relative volume that may come from rounding counts as no volume.
   constexpr double kNoVolume = 1.0e-12;
   if (std::abs(six_volumes) <= kNoVolume * size) {
     surface::refuse(name, 0, "encloses no volume", "give a part that has a thickness");

@@ -10,16 +10,15 @@ namespace cnc {
 
 inline constexpr float kMillimetresPerNanometre = 1.0e-6F;
 
-/// A place on an axis in whole nanometres (rotary axes: 10^-6 degrees).
+/// A position on an axis in whole nanometres (rotary axes: 10^-6 degrees).
 ///
-/// A float has 24 bits, which at 1 m from the origin is 60 nm and at 0.1 mm
-/// increments drifts: a program with a million G91 lines would end elsewhere.
-/// Nanometres hold every decimal that G-code can write (5 decimals of an inch
-/// are 254 nm), sums of them are exact, and differences of near places lose
-/// nothing before they become floats.
+/// A float has 24 bits. At 1 m from the origin its resolution is 60 nm, and increments of 0.1 mm
+/// accumulate error: a program with a million G91 lines would end at another position.
+/// Nanometres hold every decimal that G-code can write (5 decimals of an inch are 254 nm). Sums of
+/// them are exact, and differences of near positions lose nothing before they become floats.
 class Coordinate {
  public:
-  /// The farthest place a program may name: 1 km, or a million degrees. Keeps
+  /// The farthest position that a program may name: 1 km, or a million degrees. The limit keeps
   /// every product with a steps-per-mm mantissa inside 64 bits.
   static constexpr std::int64_t kFarthestNanometres = 1'000'000'000'000;
 
@@ -27,7 +26,8 @@ class Coordinate {
   constexpr explicit Coordinate(std::int64_t nanometres) : nanometres_{nanometres} {}
 
   [[nodiscard]] constexpr std::int64_t nanometres() const { return nanometres_; }
-  /// Relative error at most 6e-8: use it on differences, not on places.
+  /// Returns the coordinate in mm, with a relative error of at most 6e-8: use this for differences,
+  /// not for positions.
   [[nodiscard]] constexpr float mm() const {
     return nearest_float(nanometres_) * kMillimetresPerNanometre;
   }
@@ -52,10 +52,11 @@ class Coordinate {
   std::int64_t nanometres_ = 0;
 };
 
-/// The nearest place to a number of millimetres (rotary axes: degrees).
-/// @pre |mm| at most 1e6.
+/// Returns the coordinate nearest to a number of millimetres (rotary axes: degrees).
+/// @pre |mm| is at most 1e6.
 [[nodiscard]] inline Coordinate from_mm(float mm) {
-  // Whole millimetres apart, so that the multiplication does not round again.
+  // Whole millimetres are converted separately, so that the multiplication does not round them
+  // again.
   const std::int64_t whole = truncated(mm);
   const float rest = (mm - static_cast<float>(whole)) * 1.0e6F;
   return Coordinate{whole * 1'000'000 + truncated(rest + (rest < 0.0F ? -0.5F : 0.5F))};

@@ -6,12 +6,13 @@ namespace cnc {
 namespace {
 
 constexpr std::uint32_t kPolynomial = 0xEDB8'8320;
-/// Bits of a digit, which a look-up takes: a byte where memory is plenty, a nibble on a controller.
+/// Bits of a digit, the unit of a look-up: a byte where memory is plenty, a nibble on a controller.
 constexpr std::size_t kDigitBits = sizeof(void*) > 4 ? 8 : 4;
-constexpr std::size_t kDigits = 4;  ///< Number of digits that a step takes.
+constexpr std::size_t kDigits = 4;  ///< Number of digits that a step processes.
 constexpr std::size_t kStepBits = kDigits * kDigitBits;
 
-/// Remainders that each value of a digit leaves, by the number of digits that come after it.
+/// Remainder of each value of a digit. There is one such table for each number of digits that may
+/// follow the digit.
 using Remainders = std::array<std::uint32_t, 1U << kDigitBits>;
 
 constexpr std::array<Remainders, kDigits> make_tables() {
@@ -30,7 +31,7 @@ constexpr std::array<Remainders, kDigits> make_tables() {
 
 constexpr std::array<Remainders, kDigits> kTables = make_tables();
 
-/// Returns the remainder of a digit of the value that has a number of digits behind it.
+/// Returns the remainder of digit number `digit` of `value`, with `behind` more digits after it.
 constexpr std::uint32_t remainder_of(std::uint32_t value, std::size_t digit, std::size_t behind) {
   return kTables[behind][(value >> (digit * kDigitBits)) % Remainders{}.size()];
 }

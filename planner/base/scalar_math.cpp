@@ -7,13 +7,13 @@
 namespace cnc {
 namespace {
 
-// Half π in three parts, the first two with few enough bits that a product
-// with a quarter count below 2^10 is exact (Cody and Waite, 1980).
+// Half π in three parts (Cody and Waite, 1980). The first two have few enough bits that their
+// product with a quarter count below 2^10 is exact.
 constexpr float kHalfPiHigh = 1.5703125F;
 constexpr float kHalfPiMiddle = 4.83751296997070e-4F;
 constexpr float kHalfPiLow = 7.54978995489e-8F;
 
-// Interpolants at Chebyshev nodes for x² up to (π/4)², error below 4e-9.
+// Interpolants at Chebyshev nodes for x² up to (π/4)². Their error is below 4e-9.
 float sine_near_zero(float x) {
   const float z = x * x;
   return x + x * z * (-0.1666665019F + z * (0.0083320098F + z * -0.0001950056F));
@@ -77,8 +77,10 @@ float atan2_f(float y, float x) {
 }
 
 float cube_root(float value) {
-  // A third of the exponent is within 10 %; each step of Halley's triples the digits.
-  constexpr std::uint32_t kBias = 0x2A51'4067U;  // (1 - 1/3) of 1's, less what balances the error.
+  // Dividing the exponent by three gives the root within 10 %. Each step of Halley's method triples
+  // the number of correct digits.
+  constexpr std::uint32_t kBias =
+      0x2A51'4067U;  // (1 - 1/3) of the bits of 1.0, minus a term that balances the error.
   float root = std::bit_cast<float>(std::bit_cast<std::uint32_t>(value) / 3U + kBias);
   for (int step = 0; step < 3; ++step) {
     const float cube = root * root * root;
@@ -88,7 +90,7 @@ float cube_root(float value) {
 }
 
 float decay(float x) {
-  // The series of an eighth, whose seventh term is below 2^-30, to the eighth power.
+  // The eighth power of the series of e^(−x/8), whose seventh term is below 2^-30.
   const float z = -0.125F * x;
   const float tail = 1.0F / 24.0F + z * (1.0F / 120.0F + z * (1.0F / 720.0F));
   const float eighth = 1.0F + z * (1.0F + z * (0.5F + z * (1.0F / 6.0F + z * tail)));

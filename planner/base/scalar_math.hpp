@@ -6,10 +6,10 @@ namespace cnc {
 
 /// Our own transcendental functions, in single precision.
 ///
-/// The C libraries of host and controller round sin, cos and atan differently,
-/// and what decides motion must give the same bits on both. Only +, −, ×, ÷ and
-/// sqrt are used here: IEEE 754 defines those to the last bit. No tables, no
-/// loops whose length depends on the value.
+/// The C libraries of host and controller round sin, cos and atan differently, but results that
+/// decide motion must have the same bits on both. Only +, −, ×, ÷ and sqrt are used here: IEEE 754
+/// defines them to the last bit. There are no tables and no loops whose length depends on the
+/// value.
 
 inline constexpr float kPi = 3.14159265358979F;
 inline constexpr float kTwoPi = 6.28318530717959F;
@@ -24,45 +24,46 @@ struct BasicSinCos {
 };
 using SinCos = BasicSinCos<float>;
 
-/// Sine and cosine of an angle `quarters` quarter turns further; any sign.
+/// Returns sine and cosine of an angle turned further by `quarters` quarter turns, of either sign.
 [[nodiscard]] SinCos turned_by_quarters(const SinCos& angle, int quarters);
 
-/// Sine and cosine of an angle in radians.
-/// Guarantee: absolute error at most kSinCosError for |angle| ≤ kSinCosRange;
-/// beyond it the reduction by quarter turns loses digits in proportion.
+/// Returns sine and cosine of an angle in radians.
+/// Guarantee: the absolute error is at most kSinCosError for |angle| ≤ kSinCosRange. Beyond that
+/// range the reduction by quarter turns loses digits in proportion to the angle.
 inline constexpr float kSinCosRange = 1000.0F;
 inline constexpr double kSinCosError = 1.3e-7;
 [[nodiscard]] SinCos sin_cos(float angle);
 
-/// Tangent of an angle in radians that is within ±π/2.
+/// Returns the tangent of an angle in radians. @pre |angle| < π/2
 [[nodiscard]] inline float tangent_of(float angle) {
   const SinCos of = sin_cos(angle);
   return of.sine / of.cosine;
 }
 
-/// Arc tangent of t in [0, 1], in radians. Relative error at most kAtanError.
+/// Returns the arc tangent of t in [0, 1], in radians. The relative error is at most kAtanError.
 inline constexpr double kAtanError = 2.0e-7;
 [[nodiscard]] float atan_unit(float t);
 
-/// Angle of the vector (x, y) in (−π, π]; 0 for the null vector.
-/// Absolute error at most kAtan2Error radians.
+/// Returns the angle of the vector (x, y) in (−π, π], and 0 for the null vector.
+/// The absolute error is at most kAtan2Error radians.
 inline constexpr double kAtan2Error = 3.0e-7;
 [[nodiscard]] float atan2_f(float y, float x);
 
-/// Cube root of a number in [1e-30, 1e30]. Relative error at most kCubeRootError.
+/// Returns the cube root of a number in [1e-30, 1e30]. The relative error is at most
+/// kCubeRootError.
 inline constexpr double kCubeRootError = 2.0e-7;
 [[nodiscard]] float cube_root(float value);
-/// The same of any positive number: of one that is out of that range, the root of its nearest end.
+/// Returns the cube root of a positive number after clamping the number to [1e-30, 1e30].
 [[nodiscard]] inline float bounded_cube_root(float value) {
   return cube_root(std::clamp(value, 1.0e-30F, 1.0e30F));
 }
 
-/// e^−x for x in [0, 2]. Relative error at most kDecayError.
+/// Returns e^−x for x in [0, 2]. The relative error is at most kDecayError.
 inline constexpr float kDecayRange = 2.0F;
 inline constexpr double kDecayError = 1.0e-6;
 [[nodiscard]] float decay(float x);
 
-/// The largest float below `value`; 0 when there is no positive one.
+/// Returns the largest float below `value`, or 0 when `value` is not positive.
 [[nodiscard]] float next_below(float value);
 
 }  // namespace cnc

@@ -8,10 +8,10 @@
 
 namespace cnc {
 
-/// A place on a motor axis in steps, Q32.32: 2^32 stands for one step.
+/// A position on a motor axis in steps, Q32.32: 2^32 stands for one step.
 ///
-/// Integer, so that positions accumulate without error and the chip and the
-/// host agree to the bit; a fraction, because a block rarely ends on a step.
+/// An integer, so that positions accumulate without error and chip and host agree to the bit. It
+/// has a fraction because a block rarely ends on a whole step.
 class StepPosition {
  public:
   static constexpr float kStepsPerUnit = 1.0F / 4294967296.0F;
@@ -24,8 +24,7 @@ class StepPosition {
 
   [[nodiscard]] constexpr std::int64_t q32() const { return q32_; }
 
-  /// The motor step nearest to this place; a half rounds away from zero, as
-  /// lround does.
+  /// Returns the motor step nearest to this position. A half rounds away from zero, as with lround.
   [[nodiscard]] constexpr std::int32_t nearest_step() const {
     const std::int64_t half = (std::int64_t{1} << 31) - (q32_ < 0 ? 1 : 0);
     return static_cast<std::int32_t>((q32_ + half) >> 32);
@@ -37,14 +36,14 @@ class StepPosition {
   std::int64_t q32_ = 0;
 };
 
-/// The resolution of one axis. Holds the float setting as mantissa and
-/// exponent, so that conversion is exact integer arithmetic.
+/// The resolution of one axis. The float setting is held as mantissa and exponent, so that
+/// conversion is exact integer arithmetic.
 class AxisScale {
  public:
   static constexpr float kLeastStepsPerMm = 0.01F;
   static constexpr float kMostStepsPerMm = 100'000.0F;
-  /// Motor positions stay inside this many steps either way, half of what 32
-  /// bits hold, so that no difference of two of them overflows.
+  /// Greatest magnitude of a motor position in steps: half of the range of 32 bits, so that no
+  /// difference of two positions overflows.
   static constexpr std::int64_t kMostSteps = (std::int64_t{1} << 30);
 
   constexpr AxisScale() : AxisScale{250.0F} {}
@@ -53,14 +52,16 @@ class AxisScale {
 
   [[nodiscard]] constexpr float steps_per_mm() const { return steps_per_mm_; }
 
-  /// Whether steps_at() knows it.
+  /// Returns whether steps_at() has a result for this position.
   [[nodiscard]] bool reaches(Coordinate place) const;
-  /// Exact to 2^-32 step. Empty when the place is beyond kMostSteps.
+  /// Converts a position to steps, exact to 2^-32 step. Empty when the position is beyond
+  /// kMostSteps.
   [[nodiscard]] std::optional<StepPosition> steps_at(Coordinate place) const;
-  /// The steps of a length, with a relative error of 1.2e-7. Empty as there.
+  /// Converts a length to steps with a relative error of at most 1.2e-7. Empty when the length is
+  /// beyond kMostSteps.
   [[nodiscard]] std::optional<StepPosition> steps_of(float mm) const;
 
-  /// The place of a whole step, to the nearest nanometre.
+  /// Returns the position of a whole step, to the nearest nanometre.
   [[nodiscard]] Coordinate place_of(std::int32_t step) const;
 
  private:
@@ -71,7 +72,7 @@ class AxisScale {
 
 constexpr AxisScale::AxisScale(float steps_per_mm) : steps_per_mm_{steps_per_mm} {
   CNC_ASSERT(steps_per_mm >= kLeastStepsPerMm && steps_per_mm <= kMostStepsPerMm);
-  // Scale until 2^23 ≤ mantissa < 2^24; at most 31 doublings, as 0.01 > 2^-7.
+  // Doubles until 2^23 ≤ scaled < 2^24: at most 31 times, as 0.01 > 2^-7.
   float scaled = steps_per_mm;
   while (scaled < 8388608.0F) {
     scaled *= 2.0F;

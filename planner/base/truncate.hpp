@@ -4,8 +4,8 @@
 
 namespace cnc {
 
-/// The whole part of a float. What static_cast does, but the compiler's own
-/// conversion to 64 bits goes by way of double, which a Cortex-M4 emulates.
+/// Returns the whole part of a float. static_cast gives the same result, but the compiler's own
+/// conversion to 64 bits uses double, which a Cortex-M4 emulates.
 /// @pre |value| < 2^47.
 [[nodiscard]] inline std::int64_t truncated(float value) {
   constexpr float kChunk = 65'536.0F;
@@ -14,9 +14,9 @@ namespace cnc {
   return std::int64_t{chunks} * 65'536 + static_cast<std::int32_t>(rest);
 }
 
-/// The nearest float, the even one of two, as IEEE 754 rounds. What static_cast does, but a
-/// Cortex-M4 has no conversion of 64 bits: what fits into 32 and a sign is one instruction instead
-/// of a call.
+/// Returns the nearest float; of two equally near floats the even one, as IEEE 754 rounds.
+/// static_cast gives the same result, but a Cortex-M4 has no conversion of 64 bits. A value that
+/// fits into 32 bits and a sign takes one instruction here instead of a call.
 [[nodiscard]] constexpr float nearest_float(std::uint64_t value) {
   const auto low = static_cast<std::uint32_t>(value);
   return value == low ? static_cast<float>(low) : static_cast<float>(value);

@@ -5,13 +5,13 @@
 namespace cnc {
 namespace {
 
-/// a + b without error. @pre |a| ≥ |b|
+/// Returns a + b without error. @pre |a| ≥ |b|
 Wide ordered_sum(float a, float b) {
   const float sum = a + b;
   return {sum, b - (sum - a)};
 }
 
-/// a + b without error.
+/// Returns a + b without error.
 Wide exact_sum(float a, float b) {
   const float sum = a + b;
   const float part = sum - a;
@@ -23,7 +23,7 @@ struct Halves {
   float low;
 };
 
-/// Two parts of at most 12 bits each, so that their products are exact.
+/// Splits a float into two parts of at most 12 bits each, so that products of parts are exact.
 Halves split(float a) {
   constexpr float kSplitter = 4097.0F;  // 2^12 + 1
   const float scaled = kSplitter * a;
@@ -31,7 +31,7 @@ Halves split(float a) {
   return {high, a - high};
 }
 
-/// a · b without error.
+/// Returns a · b without error.
 Wide exact_product(float a, float b) {
   const float product = a * b;
   const Halves p = split(a);

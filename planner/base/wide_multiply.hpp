@@ -4,8 +4,8 @@
 
 namespace cnc {
 
-/// The upper 64 bits of the product of two 64-bit numbers: a · b / 2^64, exact
-/// but for what is below one. The controller has no 128-bit integers.
+/// Returns the upper 64 bits of the product of two 64-bit numbers: a · b / 2^64, rounded down. The
+/// controller has no 128-bit integers.
 [[nodiscard]] constexpr std::uint64_t multiply_high(std::uint64_t a, std::uint64_t b) {
   constexpr std::uint64_t kLow = 0xFFFF'FFFFU;
   const std::uint64_t low_low = (a & kLow) * (b & kLow);

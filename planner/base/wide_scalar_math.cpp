@@ -6,13 +6,13 @@
 namespace cnc {
 namespace {
 
-// 33 bits of half π in each of the first two parts, so that a product with a quarter count below
-// 2^20 is exact.
+// Half π in three parts. The first two have 33 bits each, so that their product with a quarter
+// count below 2^20 is exact.
 constexpr double kWideHalfPiHigh = 1.57079632673412561417;
 constexpr double kWideHalfPiMiddle = 6.07710050630396597660e-11;
 constexpr double kWideHalfPiLow = 2.02226624879595063154e-21;
 
-// Taylor series up to π/4, whose first term left out is below 2e-17.
+// Taylor series for |x| up to π/4. The first omitted term is below 2e-17.
 double wide_sine_near_zero(double x) {
   const double z = x * x;
   const double high = -1.0 / 39916800.0 + z * (1.0 / 6227020800.0 - z / 1307674368000.0);
@@ -28,7 +28,7 @@ double wide_cosine_near_zero(double x) {
   return 1.0 - z * (0.5 - z * (low + z * z * z * top));
 }
 
-// Taylor series up to tan(π/16), whose first term left out is below 1e-18 of x.
+// Taylor series for |x| up to tan(π/16). The first omitted term is below 1e-18 times x.
 double atan_near_zero(double x) {
   const double z = x * x;
   double tail = 0.0;
@@ -72,7 +72,7 @@ double wide_atan2(double y, double x) {
   const double ratio = (ax > ay ? ay : ax) / larger;
   const bool upper = ratio > kTanEighthPi;
   const double part = upper ? (ratio - 1.0) / (ratio + 1.0) : ratio;
-  // Half the angle's tangent.
+  // Tangent of half the angle.
   const double half_part = part / (1.0 + std::sqrt(1.0 + part * part));
   const double octant = (upper ? kQuarterPi : 0.0) + 2.0 * atan_near_zero(half_part);
   const double quadrant = ay > ax ? 2.0 * kQuarterPi - octant : octant;

@@ -7,7 +7,7 @@
 namespace cnc::compensation {
 namespace {
 
-/// An upper bound: half a turn is as long as π / 2 chords.
+/// Returns an upper bound of the length of a curve: half a turn is as long as π / 2 chords.
 float length_bound(const Curve& curve) { return 1.5708F * (curve.end - curve.start).norm(); }
 
 bool ends_come_nearer(const Curve& a, const Curve& b, float limit) {
@@ -15,12 +15,13 @@ bool ends_come_nearer(const Curve& a, const Curve& b, float limit) {
          distance(a, b.start) < limit || distance(a, b.end) < limit;
 }
 
-/// Direction of both tangents where the circles are nearest to each other, or farthest; zero
-/// where that is everywhere.
+/// Returns the direction of both tangents where the two circles are nearest to each other, or
+/// farthest. Zero where the circles are equally near everywhere.
 Vec2 common_direction(const Curve& a, const Curve& b) {
   if (a.curvature == 0.0F) return a.start_tangent;
   if (b.curvature == 0.0F) return b.start_tangent;
-  // From centre to centre, times both curvatures: no far-away centre.
+  // Vector from centre to centre, multiplied by both curvatures, so that no far-away centre is
+  // computed.
   const Vec2 across = a.curvature * b.curvature * (a.start - b.start) +
                       b.curvature * left_normal(a.start_tangent) -
                       a.curvature * left_normal(b.start_tangent);
@@ -29,8 +30,8 @@ Vec2 common_direction(const Curve& a, const Curve& b) {
   return left_normal(across) / size;
 }
 
-/// Where the tangent of an arc has a direction: along a chord, which errs along the arc only, or
-/// by way of the centre where that is nearer.
+/// Returns the point where the tangent of an arc has a direction. It is computed along a chord,
+/// which errs along the arc only, or by way of the centre where that is nearer.
 Vec2 place_with_tangent(const Curve& arc, const Vec2& direction) {
   const Vec2 turn = direction - arc.start_tangent;
   if (direction.dot(arc.start_tangent) < 0.0F) {

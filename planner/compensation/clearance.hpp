@@ -6,21 +6,24 @@ namespace cnc::compensation {
 
 using Curve = contour::Curve<float>;
 
-/// Places of single precision, seen from a place near by, that are one. mm.
+/// Points in single precision, relative to a near origin, that are at most this far apart count as
+/// one point. mm.
 inline constexpr float kTouch = 2.0e-5F;
 
-/// Nearer than the offset by more than this is too near. mm.
+/// A path that is nearer to an edge than the offset by more than this is too near. mm.
 inline constexpr float kTolerance = 5.0e-5F;
 
-/// A straight way. @pre its ends are apart, or the tangent means nothing
+/// Returns a straight curve. @pre its ends are apart, or its tangent means nothing
 [[nodiscard]] Curve straight(const Vec2& start, const Vec2& end);
 
-/// From a place to the nearest one of a curve, mm. Curve::distance loses half of the digits near
-/// the centre of an arc, which is where the path beside a narrow one runs.
+/// Returns the distance from a point to the nearest point of a curve, mm. Curve::distance loses
+/// half of the digits near the centre of an arc, and the path at an offset from a narrow arc runs
+/// there.
 [[nodiscard]] float distance(const Curve& curve, const Vec2& place);
 
-/// Whether any place of one curve is nearer than `limit` mm to one of the other. To the bit of
-/// the distances at the places that can be nearest: ends, meetings, parallel tangents.
+/// Returns whether any point of one curve is nearer than `limit` mm to a point of the other. The
+/// result is exact to the last bit of the distances at the points that can be nearest: ends,
+/// meetings and points with parallel tangents.
 [[nodiscard]] bool come_nearer(const Curve& a, const Curve& b, float limit);
 
 }  // namespace cnc::compensation

@@ -60,7 +60,7 @@ std::optional<Fault> Compensator::put(const path::PathItem& item) {
   const float y = (held.end[axes.second] - before[1]).mm();
   if (auto fault = refusal_of(item, std::sqrt(x * x + y * y))) return fault;
   programmed_ = request.element.end;
-  // Too short for a direction: the next element begins where this one does.
+  // The element is too short to have a direction: the next element begins where this one does.
   held.stands = std::max(std::abs(x), std::abs(y)) <= kTouch;
   if (held.stands) {
     held.bulge = 0.0F;
@@ -111,11 +111,12 @@ bool Compensator::take(path::PathItem& item) {
   return false;
 }
 
-/// Of what an element becomes, the next part; false if that leads nowhere.
+/// Sets `item` to the next part of the result of an element. Returns false if that part moves
+/// nowhere.
 bool Compensator::give(const HeldElement& held, Kind kind, path::PathItem& item) {
   const PlaneAxes axes = axes_of(plane_);
   PathElement way{.start = driven_, .end = driven_, .plane = plane_};
-  // Other axes move along the element, and not round its end.
+  // Other axes move along the element, and not along the join at its end.
   if (kind == Kind::kParallel) way.end = held.end;
   way.end[axes.first] = driven_[axes.first];
   way.end[axes.second] = driven_[axes.second];
@@ -137,7 +138,8 @@ bool Compensator::give(const HeldElement& held, Kind kind, path::PathItem& item)
   return true;
 }
 
-/// Lets an element end with a curve, as seen from the start of the programmed element.
+/// Lets an element end where a curve ends. The curve is relative to the start of the programmed
+/// element.
 void Compensator::lead_along(const Curve& curve, PathElement& way) const {
   const PlaneAxes axes = axes_of(plane_);
   const Place origin = chain_.path().start_of(given_);
@@ -163,7 +165,7 @@ void Compensator::stand_at(const Position& here) {
 std::optional<Fault> Compensator::leave(const Position& to, bool rapid) {
   beside_ = false;
   if (const auto fault = chain_.leave(driven_, to, rapid)) return fault;
-  // Only the join can be left of the last element.
+  // The join is the only part of the last element that may still have to be driven.
   given_ = chain_.path().previous(chain_.size());
   free_ = given_ + 1;
   kind_ = static_cast<std::size_t>(Kind::kJoin);

@@ -9,61 +9,65 @@
 
 namespace cnc::compensation {
 
-/// Whether an element moves an axis of a plane.
+/// Returns whether an element moves an axis of a plane.
 [[nodiscard]] bool moves_in(Plane plane, const PathElement& element);
 
-/// G41, G42 and G40: a programmed path in, the path beside it out, as lines and arcs.
+/// Cutter compensation (G41, G42 and G40): takes a programmed path and gives the path at an offset
+/// from it, as lines and arcs.
 ///
 /// The first element is the entry, as in LinuxCNC: a line or an arc, longer than the offset, that
-/// ends where the next element's offset begins, or at the corner of both. Elements are held
-/// until 16 after them are known, or G40 says that none follow; each is compared with the edges
-/// among these before it is given out, so that what cannot be cut is refused before the motion that
-/// it would damage. After a fault nothing more is given out. Leads are no edges (HeldPath).
+/// ends where the next element's offset begins, or at the corner of both. An element is held until
+/// 16 elements after it are known, or G40 reports that none follow. Each element is compared with
+/// the edges among these before it is given out. So a path that cannot be cut is refused before the
+/// motion that it would damage. After a fault nothing more is given out. Leads are no edges
+/// (HeldPath).
 ///
-/// Other axes move along the offset of their element; an element that moves no axis of the plane
-/// is driven where the offset path is at that point.
+/// Other axes move along the offset of their element. An element that moves no axis of the plane is
+/// driven at the point that the offset path has then reached.
 class Compensator {
  public:
   static constexpr std::size_t kLookAhead = HeldPath::kLookAhead;
-  /// Elements in a row that move no axis of the plane.
+  /// Greatest number of consecutive elements that move no axis of the plane.
   static constexpr std::size_t kMostStanding = 8;
 
-  /// G41, G42: from the next element on.
-  /// @param here where the machine is
+  /// Begins compensation with the next element (G41, G42).
+  /// @param here machine position
   /// @param offset_mm signed, positive is the right of the path (G42.1); not 0
   void begin(const Position& here, Plane plane, float offset_mm);
-  /// G40: no element follows. What was held can be taken, unless there is a fault.
+  /// Ends the path (G40): no element follows. The held elements can be taken, unless there is a
+  /// fault.
   [[nodiscard]] std::optional<Fault> end();
   /// Forgets everything.
   void clear();
-  /// Where the programmed path has come to without compensation. Where beside(), the machine has
-  /// moved other axes than those of the plane. @pre !active()
+  /// Sets the end of the programmed path after motions without compensation. Where beside(), the
+  /// machine has moved only axes outside the plane. @pre !active()
   void stand_at(const Position& here);
 
-  /// Between begin() and end(), or elements wait to be taken.
+  /// Returns whether a path is between begin() and end(), or elements wait to be taken.
   [[nodiscard]] bool active() const { return active_; }
-  /// After end(), until leave(): the machine is beside the programmed path.
+  /// Returns whether the machine is offset from the programmed path: after end(), until leave().
   [[nodiscard]] bool beside() const { return beside_; }
-  /// Whether put() may be called: nothing waits to be taken.
+  /// Returns whether put() may be called: nothing waits to be taken.
   [[nodiscard]] bool has_room() const { return given_ == free_; }
-  /// Nothing is held.
+  /// Returns whether no element is held.
   [[nodiscard]] bool empty() const { return given_ == chain_.size() || !active_; }
 
-  /// Takes an element that moves. @pre active(), has_room(), it begins where the programmed path
-  /// has ended so far, and the first one moves in the plane
+  /// Takes an element that moves. @pre active(), has_room(), the element begins where the
+  /// programmed path has ended so far, and the first element moves in the plane
   [[nodiscard]] std::optional<Fault> put(const path::PathItem& item);
-  /// The next element to be driven; false when there is none yet.
+  /// Sets `item` to the next element to be driven. Returns false when there is none yet.
   [[nodiscard]] bool take(path::PathItem& item);
-  /// Whether a straight line from the end of the path to a point, the exit, damages nothing. Where
-  /// it goes round the corner at the end first, that arc can be taken. @pre beside()
-  /// @param rapid it cuts nothing that is below it
+  /// Leaves the path by a straight line to a point, the exit. Returns a fault if that would cut
+  /// into the part. Where the exit first goes around the corner at the end of the path, that arc
+  /// can then be taken. @pre beside()
+  /// @param rapid the exit cuts nothing that is below it
   [[nodiscard]] std::optional<Fault> leave(const Position& to, bool rapid);
-  /// Whether it was left some other way.
+  /// Returns the fault of leaving the path by any other motion.
   [[nodiscard]] Fault refuse_to_leave() const;
 
-  /// Where the programmed path ends.
+  /// Returns the end of the programmed path.
   [[nodiscard]] const Position& programmed() const { return programmed_; }
-  /// Where the path that was given out ends.
+  /// Returns the end of the path that was given out.
   [[nodiscard]] const Position& driven() const { return driven_; }
   [[nodiscard]] Plane plane() const { return plane_; }
 
@@ -75,15 +79,15 @@ class Compensator {
 
   OffsetChain chain_{};
   Position programmed_{};
-  Position driven_{};  ///< Where the path that was given out ends.
+  Position driven_{};  ///< End of the path that was given out.
   motion::OutputChanges outputs_{};
   Plane plane_ = Plane::kXY;
   bool active_ = false;
   bool beside_ = false;
   bool ended_ = false;
-  std::size_t free_ = 0;   ///< So many elements may be given out…
-  std::size_t given_ = 0;  ///< …and so many have been, but for…
-  std::size_t kind_ = 0;   ///< …so many raw curves of the next.
+  std::size_t free_ = 0;   ///< Number of elements that may be given out.
+  std::size_t given_ = 0;  ///< Number of elements that have been given out completely.
+  std::size_t kind_ = 0;   ///< Number of raw curves of the next element that have been given out.
 };
 
 }  // namespace cnc::compensation

@@ -4,23 +4,23 @@
 
 namespace cnc::compensation {
 
-/// Why a path cannot be driven beside what is programmed.
+/// Reason why a path cannot be driven at its offset.
 enum class Reason : std::uint8_t {
-  kEntryTooShort,  ///< The first motion after G41.1 or G42.1 is no longer than the offset.
+  kEntryTooShort,  ///< The first motion after G41 or G42 is not longer than the offset.
   kExitNotALine,   ///< The first motion after G40 is no straight line in the plane.
-  kOtherAxis,      ///< An arc in another plane, or too many motions that stand in the plane.
-  kUnreachable,    ///< Nothing at the offset leads on from this element: it is narrower than that.
-  kTooNear,        ///< Beside this element the path would come too near to another one.
-  kWouldSplit,     ///< The path would cross itself, and leave out what could be cut.
+  kOtherAxis,      ///< An arc in another plane, or too many motions off the plane in a row.
+  kUnreachable,    ///< The offset path cannot continue after this element: too narrow.
+  kTooNear,        ///< The path next to this element would come too near to another element.
+  kWouldSplit,     ///< The path would cross itself, and omit a part that could be cut.
 };
 
-/// Elements are counted from the entry, which is 1; arcs of more than half a turn are two. A
-/// line number is N of the element's line, 0 for none.
+/// A fault of compensation. Elements are counted from the entry, which is 1; an arc of more than
+/// half a turn counts as two. A line number is N of the element's line; 0 if it has none.
 struct Fault {
   Reason reason = Reason::kUnreachable;
   std::uint32_t element = 0;
   std::uint32_t line = 0;
-  std::uint32_t other = 0;  ///< Of kTooNear and kWouldSplit: the one that is in the way.
+  std::uint32_t other = 0;  ///< For kTooNear and kWouldSplit: the element that is in the way.
   std::uint32_t other_line = 0;
 };
 

@@ -44,8 +44,9 @@ bool HeldPath::end_path() {
   return true;
 }
 
-/// Marks the elements after the last outline, or after the entry, as waste up to `end`: the
-/// lead-out of one outline and the lead-in of the next, unless they are more than those may be.
+/// Marks the elements after the last outline, or after the entry, as waste up to `end`, unless
+/// there are more of them than a lead may have. They are the lead-out of one outline and the
+/// lead-in of the next. Returns whether a held element has become waste.
 bool HeldPath::discard(std::uint32_t end) {
   const std::uint32_t first = loop_end_ + 1;
   if (first >= end || end - first > (loop_end_ == 0 ? kLead : 2 * kLead)) return false;
@@ -57,8 +58,8 @@ bool HeldPath::discard(std::uint32_t end) {
   return changed;
 }
 
-/// Notes how far what goes along an edge of its kind, an overlap or a tangent from its middle, is
-/// beside it.
+/// Measures the rounding: the greatest distance from an edge of elements of the same kind that run
+/// along it, such as an overlap or a tangent from its middle.
 void HeldPath::measure_rounding() {
   for (std::size_t i = 0; i < size_; ++i) {
     if (at(i).stands) continue;
@@ -76,8 +77,8 @@ void HeldPath::measure_rounding() {
   }
 }
 
-/// Returns the latest element at whose start the newest one comes by; 0 for none. A loop round the
-/// last outline is no outline: a lead-out that ends where a lead-in began.
+/// Returns the latest element whose start the newest element passes; 0 if there is none. A loop
+/// around the last outline is no outline: it arises when a lead-out ends where a lead-in began.
 std::uint32_t HeldPath::start_of_loop() const {
   const std::uint32_t least = std::max({std::uint32_t{1}, loop_start_, rapid_ + 1});
   const auto nodes = static_cast<std::uint32_t>(first_nodes_.size());
@@ -90,8 +91,9 @@ std::uint32_t HeldPath::start_of_loop() const {
   return 0;
 }
 
-/// Whether the newest element comes to a point at which it does not begin. It ends there, unless
-/// no outline has closed before: then it may be an overlap's beginning, too.
+/// Returns whether the newest element comes to a point at which it does not begin. The element must
+/// end there, unless no outline has closed before: then the point may also be the beginning of an
+/// overlap.
 bool HeldPath::passes(const Place& node) const {
   const Place origin = start_of(size_ - 1);
   const Vec2 point = from(origin, node);
@@ -118,7 +120,8 @@ Vec2 HeldPath::from(const Place& origin, const Place& place) {
   return {(place[0] - origin[0]).mm(), (place[1] - origin[1]).mm()};
 }
 
-/// Its shape is that between its own ends: far from the origin both may be rounded to one point.
+/// Computes the shape of the curve relative to its own start: far from the origin both ends may be
+/// rounded to one point.
 Curve HeldPath::curve(std::size_t index, const Place& origin) const {
   const Place start = start_of(index);
   const Place end = place_of(at(index).end);

@@ -10,8 +10,8 @@
 namespace cnc::compensation {
 namespace {
 
-/// So many offsets from where the path turns an element may lie that it does not reach: of a corner
-/// of 30 degrees that is all that a line would lose, too.
+/// A swallowed element may lie at most this many offsets from the point where the path turns. At a
+/// corner of 30 degrees a line loses no more than that.
 constexpr float kReach = 4.0F;
 
 }  // namespace
@@ -24,7 +24,8 @@ void OffsetChain::begin(const Position& start, Plane plane, float distance_mm) {
   trouble_.reset();
 }
 
-/// An element, with the tangent at the end of an entry that goes round its end.
+/// Returns an element as a curve. An entry that goes around its end has the tangent of that motion
+/// at its end.
 Curve OffsetChain::own_curve(std::size_t index, const Place& origin) const {
   Curve own = path_.curve(index, origin);
   if (path_.is_entry(index) && entry_rounds_) own.end_tangent = entry_tangent_;
@@ -39,7 +40,7 @@ bool OffsetChain::has_raw(Name name) const {
   return !contour::is_used_up(path_.curve(name.element, path_.start_of(name.element)), distance_);
 }
 
-/// The arc about a corner from one direction to another.
+/// Returns the arc about a corner from one direction to another.
 Curve OffsetChain::round_about(const Vec2& corner, const Vec2& before, const Vec2& after) const {
   return {corner - distance_ * left_normal(before),
           corner - distance_ * left_normal(after),
@@ -94,7 +95,8 @@ void OffsetChain::finish() {
   if (path_.end_path()) rebuild();
 }
 
-/// Offsets all again that has not been given out: some of it has turned out to be a lead.
+/// Recomputes the offsets of all elements that have not been given out, because some of them have
+/// turned out to be a lead.
 void OffsetChain::rebuild() {
   std::size_t first = settled_;
   while (first < size() && !at(first).stretches[0].live) ++first;
@@ -104,7 +106,7 @@ void OffsetChain::rebuild() {
   while ((first = path_.next(first)) < size()) extend(first);
 }
 
-/// Offsets an element after all that are before it.
+/// Adds the offset of an element after the offsets of all elements before it.
 void OffsetChain::extend(std::size_t index) {
   if (trouble_) {
     path_.at(index).stretches = {};
@@ -124,7 +126,8 @@ void OffsetChain::extend(std::size_t index) {
   if (stretch(join).exists) add_raw(join, true);
   const Name name{index, Kind::kParallel};
   add_raw(name, !concave);
-  // An entry that is too short for the corner of both offsets leads to the start of this one.
+  // An entry that is too short for the corner of both offsets leads to the start of this element's
+  // offset.
   Stretch& in = stretch({last, Kind::kParallel});
   Stretch& out = stretch(name);
   if (!path_.is_entry(last) || out.live || !has_raw(name)) return;
@@ -132,8 +135,9 @@ void OffsetChain::extend(std::size_t index) {
   out.live = in.live;
 }
 
-/// The direction of the tangent, to the circle about a corner, of a path that comes along
-/// `direction` from `length` mm before it; to leave it, with the other sign of `side`.
+/// Returns the direction of the tangent to the circle about a corner, for a path that comes along
+/// `direction` from `length` mm before the corner. For a path that leaves the corner, `side` has
+/// the other sign.
 /// @pre length ≥ |distance()|
 Vec2 OffsetChain::round(const Vec2& direction, float length, float side) const {
   const float sine = -side * distance_ / length;
@@ -141,7 +145,7 @@ Vec2 OffsetChain::round(const Vec2& direction, float length, float side) const {
   return cosine * direction + sine * left_normal(direction);
 }
 
-/// Finds whether a straight entry has to go round the corner at its end.
+/// Determines whether a straight entry has to go around the corner at its end.
 void OffsetChain::aim(std::size_t entry, const Curve& after) {
   const Name name{entry, Kind::kParallel};
   const Place origin = path_.start_of(entry);
@@ -152,7 +156,7 @@ void OffsetChain::aim(std::size_t entry, const Curve& after) {
   if (stretch(name).live) stretch(name).end = raw(name, origin).end;
 }
 
-/// @param joins it begins where the raw curve before it ends
+/// Adds a raw curve. @param joins the raw curve begins where the one before it ends
 void OffsetChain::add_raw(Name name, bool joins) {
   Stretch& added = stretch(name);
   added.live = false;
@@ -167,20 +171,21 @@ void OffsetChain::add_raw(Name name, bool joins) {
   if (!added.live) attach(name);
 }
 
-/// Finds where the path leaves a curve for this one. Nothing to be found is no fault: what
-/// follows may swallow this one.
+/// Searches for the point where the path leaves an earlier curve for this one. It is no fault if
+/// none is found: a later curve may swallow this one.
 void OffsetChain::attach(Name name) {
   for (std::size_t order = name.order(); order-- > 0;) {
     const Name before = name_at(order);
     if (before.element < settled_) break;
     if (!stretch(before).live) continue;
     if (const auto place = first_meeting(before, name)) return link(before, name, *place);
-    // From here on it could be cut, so that it is not swallowed.
+    // The curve `before` could be cut from its start on, so it must not be swallowed.
     if (is_clear(stretch(before).start, path_.start_of(before.element), false)) break;
   }
 }
 
-/// The first place that is on both, beyond where the first begins, as seen from its element.
+/// Returns the first point that lies on both curves and not before the beginning of the first
+/// curve, relative to the element of the first curve.
 std::optional<Vec2> OffsetChain::first_meeting(Name before, Name after) const {
   const Place origin = path_.start_of(before.element);
   const Curve a = raw(before, origin);
@@ -195,7 +200,7 @@ std::optional<Vec2> OffsetChain::first_meeting(Name before, Name after) const {
     least = here;
     first = found.places[i];
   }
-  // Tangents that differ by rounding only, whose curves miss each other.
+  // The tangents may differ by rounding only, so that the curves miss each other.
   const Vec2 gap = b.start - a.end;
   const bool neighbours =
       path_.next(before.element) == after.element && before.kind == Kind::kParallel;
@@ -205,7 +210,8 @@ std::optional<Vec2> OffsetChain::first_meeting(Name before, Name after) const {
   return first;
 }
 
-/// Drives one curve to a place, and another one from there on; swallows what is between.
+/// Drives one curve up to a point, and another one from there on. The raw curves between are
+/// swallowed.
 void OffsetChain::link(Name before, Name after, const Vec2& place) {
   const Place origin = path_.start_of(before.element);
   for (std::size_t order = before.order(); order <= after.order(); ++order) {
@@ -230,22 +236,24 @@ void OffsetChain::link(Name before, Name after, const Vec2& place) {
   stretch(after).start = place + HeldPath::from(path_.start_of(after.element), origin);
 }
 
-/// Keeps a fault until the path after `before` is to be driven.
+/// Stores a fault until the path after `before` is to be driven.
 void OffsetChain::fail(Reason reason, Name before, std::size_t index, std::size_t other) {
   trouble_ = fault(reason, index, other);
   trouble_after_ = path_.forgotten() + static_cast<std::uint32_t>(before.element);
 }
 
-/// Whether an element is a detail of the corner that is cut there, and no slot.
+/// Returns whether an element is a detail of the corner that is cut there, and not a slot.
 bool OffsetChain::is_beside(const Vec2& cut, const Place& origin, std::size_t index) const {
   const float reach = kReach * std::abs(distance_);
   return (HeldPath::from(origin, path_.start_of(index)) - cut).norm() <= reach &&
          (HeldPath::from(origin, path_.start_of(index + 1)) - cut).norm() <= reach;
 }
 
-/// Whether a place that is swallowed is clear, and not where the path is cut anyway.
+/// Returns whether a swallowed point could be cut: it is clear, and not next to the point where the
+/// path is cut anyway.
 bool OffsetChain::could_be_cut(const Vec2& lost, const Vec2& cut, const Place& origin) const {
-  // Ends of a slight turn are as good as clear: half of it times half of what it takes off.
+  // Ends of a slight turn count as clear. The allowance is half of the turn times half of the
+  // length that the turn removes.
   const float brief = 2.0F * std::sqrt(kTolerance * std::abs(distance_)) + kTouch;
   return (lost - cut).norm() > brief && is_clear(lost, origin, true);
 }

@@ -9,28 +9,31 @@
 
 namespace cnc::compensation {
 
-/// The last elements of a path, and the curve at an offset from them: raw curves in a row, each
-/// driven from where it leaves the one before. Where two do not join they are cut at the first
-/// place at which they meet and that is nowhere nearer to an edge than the offset; what lies
-/// between is swallowed, as long as it is within four offsets of there.
+/// The last elements of a path, and the curve at an offset from them. The curve consists of
+/// consecutive raw curves, each driven from where it leaves the one before. Where two raw curves do
+/// not join, they are cut at the first point at which they meet and which is nowhere nearer to an
+/// edge than the offset. The raw curves between are swallowed if they are within four offsets of
+/// that point.
 ///
-/// A straight entry leads to the point beside its end, or to the corner of both offsets, or, where
-/// it is too short for that, to the start of the next element's offset. Where it would cut the
-/// corner at its end on the way, and that is an edge's, it leads to a tangent of the circle about
-/// the corner and round it. An arc as the entry ends with its programmed tangent.
+/// A straight entry leads to the offset point at its end, or to the corner of both offsets, or,
+/// where it is too short for that, to the start of the next element's offset. If the entry would
+/// cut into the corner at its end, and that corner belongs to an edge, it leads along a tangent of
+/// the circle about the corner and then around the corner. An arc as the entry ends with its
+/// programmed tangent.
 ///
-/// A bounded part of a path is known, and all holds within that part. Single precision, places
-/// counted from the element that is asked for: right to 5e-5 mm where elements are up to
-/// 0.3 m long.
+/// Only a bounded part of a path is known, and all statements hold within that part. Computed in
+/// single precision, relative to the element in question: errors are at most 5e-5 mm where elements
+/// are up to 0.3 m long.
 class OffsetChain {
  public:
-  /// @param distance_mm signed, positive is the right of the path; not 0
+  /// @param distance_mm signed offset, positive is the right of the path; not 0
   void begin(const Position& start, Plane plane, float distance_mm);
 
-  /// Appends an element; the oldest one goes where there is no room. @pre its chord is longer
-  /// than kTouch or it stands, and the oldest has been given out if there are kCapacity
+  /// Appends an element. The oldest element is forgotten when there is no capacity.
+  /// @pre the element's chord is longer than kTouch, or the element does not move in the plane. If
+  /// there are kCapacity elements, the oldest has been given out
   void append(const HeldElement& added);
-  /// No element follows.
+  /// Ends the path: no element follows.
   void finish();
 
   [[nodiscard]] const HeldPath& path() const { return path_; }
@@ -39,21 +42,25 @@ class OffsetChain {
   [[nodiscard]] Place end() const { return path_.start_of(path_.size()); }
   [[nodiscard]] float distance() const { return distance_; }
 
-  /// What is driven of a raw curve, as seen from the start of its element. @pre it is live
+  /// Returns the driven part of a raw curve, relative to the start of its element. @pre the raw
+  /// curve is live
   [[nodiscard]] Curve driven(std::size_t index, Kind kind) const;
-  /// Whether an element's part of the path is settled, and is nowhere too near to any edge that is
-  /// known. @param last nothing follows the last element
+  /// Returns a fault unless an element's part of the path is settled and is nowhere too near to any
+  /// known edge.
+  /// @param last nothing follows the last element
   [[nodiscard]] std::optional<Fault> check(std::size_t index, bool last) const;
-  /// Whether a straight line to a point, the exit, damages nothing; the join at the end of the
-  /// path comes to live where the tool goes round the corner there first. @pre finished, not empty
-  /// @param here where the tool is @param rapid it cuts nothing below its way
+  /// Returns a fault if a straight line to a point, the exit, would cut into the part. If the tool
+  /// first goes around the corner at the end of the path, the join there becomes live.
+  /// @pre finished, not empty
+  /// @param here tool position
+  /// @param rapid the exit cuts nothing below it
   [[nodiscard]] std::optional<Fault> leave(const Position& here, const Position& to, bool rapid);
-  /// What has been given out stays as it is: the elements before `index`.
+  /// Fixes the elements before `index`, because they have been given out.
   void settle(std::size_t index) { settled_ = index; }
   [[nodiscard]] Fault fault(Reason reason, std::size_t index, std::size_t other) const;
 
  private:
-  /// A raw curve by its place in their row.
+  /// A raw curve, named by its index in the row of raw curves.
   struct Name {
     std::size_t element = 0;
     Kind kind = Kind::kParallel;
@@ -74,7 +81,7 @@ class OffsetChain {
   [[nodiscard]] bool has_raw(Name name) const;
   [[nodiscard]] Curve round_about(const Vec2& corner, const Vec2& before, const Vec2& after) const;
   [[nodiscard]] Curve raw(Name name, const Place& origin) const;
-  /// Nowhere too near to an edge, or to anything that is known of the path.
+  /// Returns whether a point is nowhere too near to an edge or, if `of_all`, to any known element.
   [[nodiscard]] bool is_clear(const Vec2& place, const Place& origin, bool of_all) const;
   [[nodiscard]] Vec2 round(const Vec2& direction, float length, float side) const;
   void aim(std::size_t entry, const Curve& after);
@@ -92,18 +99,21 @@ class OffsetChain {
                                                     std::size_t own,
                                                     Coordinate air) const;
   [[nodiscard]] Coordinate air_below(const Position& start, const Position& end, bool rapid) const;
-  /// Nearer to an edge is too near, mm.
+  /// Returns the least distance from an edge that is not too near, mm.
   [[nodiscard]] float limit() const;
 
   HeldPath path_{};
   std::size_t settled_ = 0;
   float distance_ = 0.0F;
-  Vec2 entry_tangent_{1.0F, 0.0F};  ///< With which an entry that goes round its end reaches it.
-  Vec2 exit_tangent_{1.0F, 0.0F};   ///< With which an exit that goes round its start leaves it.
+  /// Tangent with which an entry that goes around its end reaches the circle there.
+  Vec2 entry_tangent_{1.0F, 0.0F};
+  /// Tangent with which an exit that goes around its start leaves the circle there.
+  Vec2 exit_tangent_{1.0F, 0.0F};
   bool entry_rounds_ = false;
   bool exit_rounds_ = false;
-  std::optional<Fault> trouble_{};   ///< Unless an outline closes that makes a lead of the cause.
-  std::uint32_t trouble_after_ = 0;  ///< From this element on, counted from the entry, which is 0.
+  std::optional<Fault> trouble_{};  ///< Fault, unless its cause becomes part of a lead.
+  /// The fault holds from this element on, counted from the entry, which is 0.
+  std::uint32_t trouble_after_ = 0;
 };
 
 }  // namespace cnc::compensation

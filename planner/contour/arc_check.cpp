@@ -6,10 +6,10 @@
 namespace cnc::contour {
 namespace {
 
-/// Below it an arc is a place.
+/// mm: an arc with a shorter chord counts as a point.
 constexpr double kPlaceChord = 1.0e-12;
 
-/// Of a place from an arc, and how fast that grows along the way there.
+/// Distance of a point from an arc, and the slope of this distance along the curve.
 struct ArcDistance {
   double mm = 0.0;
   double slope = 0.0;
@@ -30,20 +30,21 @@ ArcDistance distance_from(const Curve<double>& arc, const WayPoint& point) {
 }
 
 bool is_half_a_turn_at_most(const Curve<double>& arc) {
-  constexpr double kLeastCosine = 1.0e-3;  // Of half the sweep.
+  constexpr double kLeastCosine = 1.0e-3;  // Least cosine of half the sweep.
   const WideVec2 chord = arc.end - arc.start;
   const double length = chord.norm();
   return length < kPlaceChord || chord.dot(arc.start_tangent) >= kLeastCosine * length;
 }
 
-/// What was seen of a stretch in one place.
+/// A sampled point of a stretch and its distance from the arc.
 struct Seen {
   WayPoint point{};
   ArcDistance distance{};
 };
 
-/// What the distance rises to between two places, at most: a tent over both slopes, each of them
-/// steeper by half of what they differ, for slopes that are not monotone between.
+/// Returns an upper bound of the distance between two points: the top of a tent over both slopes.
+/// Each slope is made steeper by half of their difference, for slopes that are not monotone between
+/// the points.
 double peak_between(const Seen& from, const Seen& to) {
   const double chord = (to.point.place - from.point.place).norm();
   const double margin = 0.5 * std::abs(to.distance.slope - from.distance.slope);
@@ -55,19 +56,21 @@ double peak_between(const Seen& from, const Seen& to) {
   return std::max({from.distance.mm, to.distance.mm, tent});
 }
 
-/// Whether a stretch is short enough for its ends to tell what is between.
+/// Returns whether a stretch is so short that its ends show what lies between them.
 bool is_resolved(const Seen& from, const Seen& to, double fine_mm) {
   constexpr double kLeastCosine = 0.99;
-  constexpr double kMostBend = 100.0;  // Eight times what it rises above its chord.
+  // Eight times the height of the curve of the distance above its chord.
+  constexpr double kMostBend = 100.0;
   const double chord = (to.point.place - from.point.place).norm();
   return from.point.tangent.dot(to.point.tangent) >= kLeastCosine &&
          chord * std::abs(to.distance.slope - from.distance.slope) <= kMostBend * fine_mm;
 }
 
-/// Of the places of the stretch from the arc.
+/// Returns the greatest distance of the stretch's points from the arc.
 double stretch_deviation(const CurveStretch& stretch, const Curve<double>& arc, double fine_mm) {
-  constexpr double kLargestStride = 1.0 / 16.0;  // Spans.
-  constexpr double kLargestPart = 1.0 / 32.0;    // An arc touches its band a few times.
+  constexpr double kLargestStride = 1.0 / 16.0;  // In spans.
+  // Share of the stretch; an arc touches its band only a few times.
+  constexpr double kLargestPart = 1.0 / 32.0;
   constexpr double kLeastStride = 1.0e-14;
   const auto look = [&](double spans) {
     const WayPoint point = stretch.piece->at(spans);
@@ -123,7 +126,8 @@ double arc_deviation(const CurveStretch& stretch, const Curve<double>& arc, doub
   const double of_stretch = stretch_deviation(stretch, arc, fine_mm);
   const double greatest = std::max({of_stretch, at_start, at_end});
   const double size = std::abs(arc.curvature);
-  // Smaller than what it is away from: no place of it is farther than its diameter from its ends.
+  // The arc is smaller than its distance from the stretch. No point of the arc is farther from the
+  // arc's ends than its diameter.
   if (of_stretch * size > kMostOfRadius) return std::max(greatest, at_start + 2.0 / size);
   return greatest;
 }

@@ -5,30 +5,35 @@
 
 namespace cnc::contour {
 
-/// The arc that leaves `start` along `tangent`, a unit vector, and ends at `end`; a line where the
-/// two are one place.
+/// Returns the arc that leaves `start` along `tangent`, a unit vector, and ends at `end`. Returns a
+/// line where `start` and `end` are one point.
 [[nodiscard]] Curve<double> arc_leaving(const WideVec2& start,
                                         const WideVec2& tangent,
                                         const WideVec2& end);
 
-/// A part of a piece: spans, `from` at most `to`.
+/// A part of a piece of a curve. `from` and `to` count spans, as in CurvePiece; `from` is at most
+/// `to`.
 struct CurveStretch {
   const CurvePiece* piece = nullptr;
   double from = 0.0;
   double to = 0.0;
 };
 
-/// How far an arc and the stretch of a curve beside it are from each other, both ways, mm; a
-/// bound, at most `fine_mm` or so above what it is. kNoArcFits where nothing can be said.
+/// Returns an upper bound of the distance between an arc and the stretch of a curve that it
+/// replaces, mm. The distance counts both ways: from the stretch to the arc and from the arc to the
+/// stretch. The bound exceeds the true value by about `fine_mm` at most. Returns kNoArcFits where
+/// no bound can be given.
 ///
-/// The stretch: places of it are looked at so near to each other that what the distance
-/// may rise to between two, by how fast it grows at both, is within `fine_mm`. The arc itself
-/// counts, not its circle: a curve that goes back beside it is measured to its ends.
+/// From the stretch to the arc: points of the stretch are checked. They are so close together that
+/// between two of them the distance rises by at most `fine_mm`; the slopes of the distance at both
+/// points show that. The arc itself counts, not its circle: where the curve goes back next to the
+/// arc, the distance from the arc's ends counts.
 ///
-/// The arc: as long as the curve is nearer to it than its radius, the place of the arc that is
-/// nearest goes on without a jump as the curve does, and so passes every place between those
-/// nearest to the stretch's ends. What of the arc is left out is nearer to these than the arc's
-/// ends are, whose distance from them counts too.
+/// From the arc to the stretch: as long as the curve is nearer to the arc than the arc's radius,
+/// the arc's point nearest to the curve moves without a jump while the curve proceeds. So it passes
+/// every point of the arc between the two that are nearest to the stretch's ends. The rest of the
+/// arc is nearer to the stretch's ends than the arc's ends are, and the distance of the arc's ends
+/// counts, too.
 [[nodiscard]] double arc_deviation(const CurveStretch& stretch,
                                    const Curve<double>& arc,
                                    double fine_mm);

@@ -12,12 +12,12 @@
 namespace cnc::contour {
 namespace {
 
-/// Of the tolerance, what is kept for what lies between samples.
+/// Share of the tolerance that is reserved for deviations between samples.
 constexpr double kUnseenShare = 3.0e-3;
-/// Of the tolerance, what a chain may be found to deviate by; for what a distance
-/// does between two looks that shows in neither.
+/// Share of the tolerance that the measured deviation of a chain may use. The rest is for a rise of
+/// the distance between two samples that neither of them shows.
 constexpr double kConfirmedShare = 0.999;
-/// Of the tolerance, how exactly a chain is looked at.
+/// Share of the tolerance that is the precision of the check of a chain.
 constexpr double kFineShare = 5.0e-4;
 constexpr int kMostTries = 14;
 constexpr int kMostPolygons = 4;
@@ -25,7 +25,7 @@ constexpr int kMostPolygons = 4;
 constexpr double kLeastChord = 1.0e-9;
 
 bool within_half_a_turn(const WideVec2& chord, const WideVec2& tangent) {
-  constexpr double kLeastCosine = 1.0e-3;  // Of half the sweep.
+  constexpr double kLeastCosine = 1.0e-3;  // Least cosine of half the sweep.
   return chord.dot(tangent) >= kLeastCosine * chord.norm();
 }
 
@@ -34,7 +34,7 @@ WideVec2 end_of_chain(const ToleranceBand& band, FitEnd end, const FitLink& last
   return band.start_on(last.circle(), band.last()).place;
 }
 
-/// The chain and the piece from each other, both ways.
+/// Returns the greatest distance between the chain and the piece, both ways.
 double deviation_of_chain(const CurvePiece& piece,
                           const ToleranceBand& band,
                           const FitOptions& options,
@@ -54,8 +54,8 @@ double deviation_of_chain(const CurvePiece& piece,
   return greatest;
 }
 
-/// Writes links as arcs. Each bulge follows from the tangent in which the arc before ended,
-/// so that roundings of joints make no corners.
+/// Writes links as arcs. Each bulge follows from the tangent in which the previous arc ended, so
+/// that rounded joints do not make corners.
 class ChainWriter {
  public:
   ChainWriter(const FitLink& first, std::span<Vertex<double>> vertices)
@@ -79,7 +79,8 @@ class ChainWriter {
   [[nodiscard]] std::size_t count() const { return count_; }
 
  private:
-  /// The same circle, and no more than half of it.
+  /// Returns whether the arc to `place` continues the last circle, and both together are at most
+  /// half of that circle.
   [[nodiscard]] bool continues(const WideVec2& place, double curvature) const {
     constexpr double kSameTurn = 1.0e-10;  // Radians.
     const WideVec2 whole = place - before_;
@@ -88,7 +89,7 @@ class ChainWriter {
            within_half_a_turn(whole, tangent_before_);
   }
 
-  /// The last arc, from where it begins.
+  /// Writes the last arc, which begins at `start` along `tangent` and ends at `place`.
   void leave_for(const WideVec2& place, const WideVec2& tangent, const WideVec2& start) {
     const WideVec2 chord = place - start;
     vertices_[count_ - 1] = {start.x(), start.y(), wide_bulge_between(tangent, chord)};
@@ -146,8 +147,8 @@ Result<std::size_t, FitError> fit_fewest(const CurvePiece& piece,
   return FitError::kNoFit;
 }
 
-/// Where a corner of the polygon on either side of an edge is no biarc's end, the polygon is too
-/// coarse for its tangents: a finer one does.
+/// Fits by bisecting. Where even one edge of the polygon takes no biarc, the polygon is too coarse
+/// for its tangents, and a finer polygon is tried.
 Result<std::size_t, FitError> fit_bisecting(const CurvePiece& piece,
                                             const FitOptions& options,
                                             const FitRoom& room,

@@ -13,15 +13,18 @@
 namespace cnc::contour {
 
 enum class FitMethod : std::uint8_t {
-  kFewest,     ///< Joints and tangents free within the tolerance: as few arcs as it finds.
-  kBisecting,  ///< Of paper 1: joints on the curve, halved until a biarc fits.
+  kFewest,  ///< Joints and tangents are free within the tolerance: finds as few arcs as it can.
+  /// Method of paper 1: joints lie on the curve; a stretch is halved until a biarc fits it.
+  kBisecting,
 };
 
-/// What an arc spline keeps of the curve's end exactly. kBisecting keeps both.
+/// Says what an arc spline keeps exactly at an end of the curve. kBisecting keeps point and
+/// tangent.
 enum class FitEnd : std::uint8_t {
-  kTangent,  ///< The place and the tangent: whatever joins there smoothly still does.
-  kPlace,    ///< The place alone: at a corner.
-  kFree,     ///< Neither: anywhere within the tolerance on the curve's normal.
+  kTangent,  ///< Keeps the point and the tangent: a neighbour that joins smoothly still does.
+  kPlace,    ///< Keeps the point alone: for a corner.
+  /// Keeps neither: the end may lie anywhere within the tolerance on the curve's normal.
+  kFree,
 };
 
 struct FitOptions {
@@ -29,27 +32,29 @@ struct FitOptions {
   FitMethod method = FitMethod::kFewest;
   FitEnd start = FitEnd::kTangent;
   FitEnd end = FitEnd::kTangent;
-  /// Of kBisecting: the share of the tolerance that the base polygon takes, a in the
-  /// paper, at most a half.
+  /// For kBisecting: the share of the tolerance that the base polygon uses (a in the paper), at
+  /// most a half.
   double polygon_share = 0.2;
 };
 
 enum class FitError : std::uint8_t {
-  kTooManySamples,  ///< More than there is room for.
+  kTooManySamples,  ///< The curve needs more samples than `FitRoom::samples` holds.
   kTooManyArcs,
-  kNoFit,  ///< The curve jumps, or turns on the spot more sharply than its digits tell.
+  /// The curve jumps, or it turns on the spot too sharply for the digits of its parameter.
+  kNoFit,
 };
 
-/// An arc of a chain in the making: from `start` until the next one's.
+/// An arc of a chain in the making. It runs from `start` to the `start` of the next link.
 struct FitLink {
   BandStart start{};
   double curvature = 0.0;
-  double reach = 0.0;  ///< How far it could go, in samples.
+  double reach = 0.0;  ///< Greatest distance that the arc could reach along the curve, in samples.
 
   [[nodiscard]] WideTangentCircle circle() const { return start.circle(curvature); }
 };
 
-/// What a fit works with. Some 60 samples for each arc are enough, and two links more than arcs.
+/// Working storage of a fit. Some 60 samples for each arc are enough. `links` needs two more than
+/// there are arcs.
 struct FitRoom {
   std::span<CurveSample> samples;
   std::span<FitLink> links;
@@ -58,21 +63,22 @@ struct FitRoom {
 /// Replaces a smooth piece of a curve, or of its offset, by arcs.
 ///
 /// Guarantees, as long as the tolerance is at least 1e-9 of the greatest coordinate:
-/// * No place of the chain is farther than the tolerance from the piece, and none of
-///   the piece farther than that from the chain: arc_deviation() confirms each arc.
-/// * Elements join exactly, and with one tangent within kFitKink radians, computed from
-///   their ends and bulges, where they are longer than 1e-4 mm.
-/// * Ends are met as `options` asks, tangents within kFitKink.
+/// * No point of the chain is farther than the tolerance from the piece, and no point of the piece
+///   is farther than the tolerance from the chain: arc_deviation() confirms each arc.
+/// * Elements join exactly, and their tangents agree within kFitKink radians. The tangents are
+///   computed from ends and bulges, for elements longer than 1e-4 mm.
+/// * The ends are kept as `options` requires, tangents within kFitKink.
 ///
-/// How a chain of curves with corners is offset (paper 1, 4.2): split_offset() each
-/// curve; lines and arcs shift by themselves; each piece becomes arcs, with kTangent where the
-/// chain goes on smoothly and kPlace at corners and cusps; at corners an arc around the corner or
-/// the crossing joins what the neighbours leave. That is the raw offset, loops
-/// and all, which the offset of arc splines takes from there.
+/// To offset a chain of curves with corners (paper 1, 4.2): call split_offset() for each curve;
+/// lines and arcs are offset by themselves. Each piece becomes arcs, with kTangent where the chain
+/// continues smoothly and kPlace at corners and cusps. At corners, an arc around the corner or the
+/// crossing joins the neighbours. The result is the raw offset with all its loops, from which the
+/// offset of arc splines continues.
 ///
-/// Work is bounded by the room: samples times kMostTries times a few hundred.
-/// @param vertices room for one more than there are arcs: where each begins with its bulge, at most
-/// half a turn, then the end. @return how many arcs.
+/// The storage bounds the work: number of samples times kMostTries times a few hundred.
+/// @param vertices storage for one vertex more than there are arcs: for each arc its start with its
+/// bulge, at most half a turn, then the end.
+/// @return the number of arcs.
 [[nodiscard]] Result<std::size_t, FitError> fit_arcs(const CurvePiece& piece,
                                                      const FitOptions& options,
                                                      const FitRoom& room,

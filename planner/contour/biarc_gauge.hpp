@@ -9,22 +9,22 @@ namespace cnc::contour {
 using WideBiarcEnds = WideBiarcEnds;
 using WideBiarc = WideBiarc;
 
-/// A biarc to hold the points of a curve against, in double precision.
+/// Measures the distances of a curve's points from a biarc, in double precision.
 class BiarcGauge {
  public:
   BiarcGauge(const WideBiarcEnds& ends, const WideBiarc& biarc);
 
-  /// Whether a place is beside the first arc rather than the second.
+  /// Returns whether a point belongs to the first arc rather than to the second.
   [[nodiscard]] bool is_first(const WideVec2& place) const {
     return (place - joint_).dot(joint_tangent_) < 0.0;
   }
   [[nodiscard]] const WideTangentCircle& beside(const WideVec2& place) const {
     return is_first(place) ? first_ : second_;
   }
-  /// The distance between the nearer arc's circle and a place, mm.
+  /// Returns the distance between a point and the circle of the nearer arc, mm.
   [[nodiscard]] double distance(const WideVec2& place) const;
-  /// The greatest distance of a straight edge that begins and ends beside the biarc. An arc
-  /// bulges beyond what both ends of a chord show.
+  /// Returns the greatest distance between the biarc and a straight edge that begins and ends next
+  /// to it, mm. The two ends of a chord do not show how far an arc bulges between them.
   [[nodiscard]] double distance_of_edge(const WideVec2& from, const WideVec2& to) const;
 
   [[nodiscard]] const WideTangentCircle& first() const { return first_; }

@@ -29,7 +29,8 @@ double distance_of_polygon(const BiarcGauge& gauge,
   return greatest;
 }
 
-/// Where the curve passes the joint, in spans; of several places one.
+/// Returns the parameter, in spans, where the curve passes the joint; where it passes several
+/// times, one of them.
 double spans_at_joint(const CurvePiece& piece,
                       std::span<const CurveSample> polygon,
                       const BiarcGauge& gauge) {
@@ -49,7 +50,7 @@ bool stays_near(const CurvePiece& piece,
                 std::span<const CurveSample> polygon,
                 double share,
                 double tolerance_mm) {
-  constexpr double kFine = 5.0e-4;  // Of the tolerance.
+  constexpr double kFine = 5.0e-4;  // Share of the tolerance.
   const WideBiarcEnds ends = ends_of(polygon);
   const WideBiarc biarc = make_biarc(ends, share).value();
   const double joint = spans_at_joint(piece, polygon, BiarcGauge{ends, biarc});
@@ -65,7 +66,8 @@ bool stays_near(const CurvePiece& piece,
 
 LeastValue optimal_biarc(std::span<const CurveSample> polygon, double enough_mm) {
   constexpr SearchRange kShares{.low = 0.05, .high = 0.95, .looks = 7, .steps = 18};
-  constexpr double kHopeless = 50.0;  // Times what is enough.
+  // Times `enough_mm`; the evaluation of a biarc ends at this distance.
+  constexpr double kHopeless = 50.0;
   const WideBiarcEnds ends = ends_of(polygon);
   return least_value(kShares, enough_mm, [&](double share) {
     const auto biarc = make_biarc(ends, share);
@@ -78,7 +80,7 @@ BisectingResult bisecting_fit(const CurvePiece& piece,
                               std::span<const CurveSample> polygon,
                               const BisectingLimits& limits,
                               std::span<Vertex<double>> vertices) {
-  // Halves that wait: each is at most half as long as the one below it.
+  // Ends of the stretches that wait: each is at most half as long as the one before it.
   constexpr std::size_t kMostHalves = 64;
   std::array<std::size_t, kMostHalves> ends{};
   std::size_t waiting = 0;

@@ -10,19 +10,20 @@
 
 namespace cnc::contour {
 
-/// The biarc between both ends of a polygon, with their tangents, that stays nearest to it
-/// (Park, CAD&A 1 (2004) 187): its joint share and the greatest distance, mm.
+/// Searches for the biarc between both ends of a polygon, with their tangents, that is nearest to
+/// the polygon (Park, CAD&A 1 (2004) 187). Returns its joint share and its greatest distance from
+/// the polygon, mm. The search ends early at the first biarc within `enough_mm`.
 [[nodiscard]] LeastValue optimal_biarc(std::span<const CurveSample> polygon, double enough_mm);
 
-/// What the bisecting of paper 1 came to.
+/// Result of the bisecting of paper 1.
 struct BisectingResult {
-  std::size_t arcs = 0;  ///< 0 where no polygon edge, or too few arcs.
+  std::size_t arcs = 0;  ///< 0 where even a biarc over one edge of the polygon is too far away.
   bool out_of_room = false;
 };
 
-/// The arc spline of paper 1, 4.2.1: the stretches of a base polygon that one optimal biarc
-/// replaces within `biarc_mm`; where none does, or the curve itself shows to be farther than the
-/// tolerance, the stretch is halved at its middle corner.
+/// Limits of the arc spline of paper 1, 4.2.1. One optimal biarc within `biarc_mm` replaces a
+/// stretch of a base polygon. Where no biarc does, or where the curve itself is farther from the
+/// biarc than the tolerance, the stretch is halved at its middle corner.
 struct BisectingLimits {
   double biarc_mm = 0.008;
   double tolerance_mm = 0.01;

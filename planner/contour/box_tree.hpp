@@ -9,25 +9,26 @@
 
 namespace cnc::contour {
 
-/// Boxes over a row of curves, eight to a box of the level above, in the order
-/// of the row: neighbours on a contour are neighbours in the plane, so that
-/// nothing needs sorting. A search meets O(log n) boxes beside what it finds.
+/// Boxes over a row of curves. Each box of the level above contains eight boxes in the order of the
+/// row: neighbours on a contour are neighbours in the plane, so nothing needs sorting. A search
+/// visits O(log n) boxes besides those that it finds.
 template <typename Scalar>
 class BoxTree {
  public:
   static constexpr std::uint32_t kFan = 8;
   // NOLINTNEXTLINE(bugprone-dynamic-static-initializers): constant in each instantiation.
-  static constexpr std::uint32_t kLevels = 11;  ///< 8^11 is more than 32 bits count.
+  /// Enough for all 32-bit counts: 8^11 is greater than 2^32.
+  static constexpr std::uint32_t kLevels = 11;
 
-  /// Storage for `count` curves.
+  /// Returns the number of boxes that `count` curves need.
   [[nodiscard]] static constexpr std::size_t size_for(std::size_t count) {
     return count + count / (kFan - 1) + kLevels + 1;
   }
 
-  /// @pre boxes holds size_for(count).
+  /// @pre boxes holds at least size_for(count) boxes.
   explicit BoxTree(Slice<FlatBox<Scalar>> boxes) : boxes_{boxes} {}
 
-  /// The box of curve `index`, to be written before `build`.
+  /// Returns the box of curve `index`, to be written before `build`.
   [[nodiscard]] FlatBox<Scalar>& leaf(std::uint32_t index) { return boxes_[index]; }
 
   void build(std::uint32_t count) {
@@ -37,14 +38,15 @@ class BoxTree {
     while (count_[top_] > kFan && top_ + 1 < kLevels) add_level();
   }
 
-  /// Calls `visit(index)` for each curve from number `from` on whose box meets
-  /// `box`, in order, until one returns false.
+  /// Calls `visit(index)` for each curve from number `from` on whose box overlaps `box`, in the
+  /// order of the numbers, until a call returns false.
   template <typename Visit>
   void search(const FlatBox<Scalar>& box, std::uint32_t from, Visit&& visit) const {
     search_where([&box](const FlatBox<Scalar>& other) { return other.meets(box); }, from, visit);
   }
 
-  /// The same for boxes of which `holds(box)`, which may come to hold of less while it goes on.
+  /// Calls `visit(index)` as search() does, for each curve whose boxes satisfy `holds(box)`. During
+  /// the search `holds` may change so that it accepts fewer boxes.
   template <typename Holds, typename Visit>
   void search_where(const Holds& holds, std::uint32_t from, Visit&& visit) const {
     std::uint32_t level = top_;
@@ -66,8 +68,9 @@ class BoxTree {
     }
   }
 
-  /// Down the boxes for which `measure(box)` is least: a curve that is near, if not the nearest.
-  /// @pre there is a curve
+  /// Descends at each level into the box for which `measure(box)` is least. Returns a curve that is
+  /// near, but not always the nearest.
+  /// @pre The tree has at least one curve.
   template <typename Measure>
   [[nodiscard]] std::uint32_t descend(const Measure& measure) const {
     std::uint32_t best = 0;

@@ -67,8 +67,8 @@ bool CleanOutline<Scalar>::add_half(const Vector& start, const Vector& end, Scal
   return true;
 }
 
-/// The last element and the first may turn back, too; and the ends may differ
-/// by what was too short to keep.
+/// Closes the loop. The last element and the first may also form a path out and back. The loop's
+/// end may differ from its start by elements that were too short to keep.
 template <typename Scalar>
 void CleanOutline<Scalar>::close() {
   while (count() >= 2) {

@@ -5,20 +5,20 @@
 
 namespace cnc::contour {
 
-/// One loop, brought into a form that can be moved aside: elements shorter than
-/// `touch` are gone, arcs of more than half a turn are two, and a way out and
-/// back on the same line or arc, which encloses nothing, is gone, too.
+/// One loop, brought into a form that can be offset. Elements shorter than `touch` are removed. An
+/// arc of more than half a turn becomes two arcs. A path out and back on the same line or arc
+/// encloses nothing and is removed, too.
 template <typename Scalar>
 class CleanOutline {
  public:
   CleanOutline(Slice<Vertex<Scalar>> storage, Scalar touch) : kept_{storage}, touch_{touch} {}
 
-  /// False when the storage is full.
+  /// Reads one loop. Returns false when the storage is full.
   [[nodiscard]] bool read(const ContourView<Scalar>& contour, std::size_t loop);
 
-  /// Elements after `read`; none when the loop encloses nothing.
+  /// Returns the number of elements after `read`; 0 when the loop encloses nothing.
   [[nodiscard]] std::uint32_t count() const { return end_ - begin_; }
-  /// Fails where both ends are one place after all. @pre index < count()
+  /// Returns element `index`, or an error where its two ends are one point. @pre index < count()
   [[nodiscard]] Result<BasicArc<Scalar>, ArcError> element(std::uint32_t index) const;
 
  private:
@@ -37,7 +37,7 @@ class CleanOutline {
   Scalar touch_;
   std::uint32_t begin_ = 0;
   std::uint32_t end_ = 0;
-  Vector place_{Scalar{0}, Scalar{0}};  ///< Where the last element ends.
+  Vector place_{Scalar{0}, Scalar{0}};  ///< End of the last element.
 };
 
 }  // namespace cnc::contour

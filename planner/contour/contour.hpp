@@ -9,18 +9,18 @@
 
 namespace cnc::contour {
 
-/// Where an element of a closed contour begins, and its bulge: the element is
-/// the arc from here to the next vertex of the loop, the last one's to the first.
+/// The start of an element of a closed contour, and its bulge. The element is the arc from this
+/// vertex to the next vertex of the loop; the last element leads to the first vertex.
 template <typename Scalar>
 struct Vertex {
   Scalar x{};      ///< mm.
   Scalar y{};      ///< mm.
-  Scalar bulge{};  ///< tan(sweep / 4), positive turns left, 0 is a line; of any size.
+  Scalar bulge{};  ///< tan(sweep / 4) of any size: positive turns left, 0 is a line.
 
   [[nodiscard]] BasicVec2<Scalar> point() const { return {x, y}; }
 };
 
-/// Closed loops in somebody's storage, one after the other. Material is on the
+/// Closed loops, one after the other, in storage that this view does not own. Material is on the
 /// left of each: outlines run counter-clockwise, holes clockwise.
 template <typename Scalar>
 struct ContourView {
@@ -32,7 +32,7 @@ struct ContourView {
   }
 };
 
-/// Loops that are being written into storage of the caller.
+/// Writes loops into storage of the caller.
 template <typename Scalar>
 class ContourWriter {
  public:
@@ -40,7 +40,7 @@ class ContourWriter {
       : vertices_{vertices}, loop_ends_{loop_ends} {}
 
   void clear() { vertex_count_ = loop_count_ = 0; }
-  /// False, and nothing changes, when the storage is full.
+  /// Adds a vertex. Returns false and changes nothing when the storage is full.
   [[nodiscard]] bool add(const Vertex<Scalar>& vertex) {
     if (vertex_count_ == vertices_.size()) return false;
     vertices_[vertex_count_++] = vertex;
@@ -64,7 +64,7 @@ class ContourWriter {
   std::size_t loop_count_ = 0;
 };
 
-/// Loops with their storage; capacity in the type.
+/// Loops with their own storage; the capacity is in the type.
 template <typename Scalar, std::size_t kVertices, std::size_t kLoops>
 class BoundedContour {
  public:
@@ -75,7 +75,7 @@ class BoundedContour {
 
   BoundedContour() = default;
   ~BoundedContour() = default;
-  BoundedContour(const BoundedContour&) = delete;  // The writer points into it.
+  BoundedContour(const BoundedContour&) = delete;  // `writer_` points into this object.
   BoundedContour& operator=(const BoundedContour&) = delete;
 
  private:

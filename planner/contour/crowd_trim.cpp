@@ -5,10 +5,11 @@
 namespace cnc::contour {
 namespace {
 
-/// Elements ahead that lie within a quarter of the distance: fewer are no crowd.
+/// Number of following elements. If that many lie within a quarter of the distance, they are a
+/// crowd.
 constexpr std::uint32_t kCrowd = 8;
-/// Corners on each side that every curve is held against, and that one is whose neighbours
-/// covered an end of it.
+/// Corners on each side against which a curve is checked: kNear for every curve, kFar for a curve
+/// of which the neighbours covered an end.
 constexpr std::uint32_t kNear = 2;
 constexpr std::uint32_t kFar = 64;
 
@@ -19,7 +20,8 @@ bool CrowdTrim<Scalar>::keeps(Curve<Scalar>& raw, std::uint32_t element) const {
   const auto count = static_cast<std::uint32_t>(elements_.size());
   if (!is_crowded(element)) return true;
   bool shortened = false;
-  // The end of the element is where the join turns, and at the distance from both.
+  // The join after the element turns about the element's end, at the distance from it. So this
+  // corner is skipped.
   std::uint32_t ahead = element + 1 < count ? element + 1 : 0;
   std::uint32_t behind = element + 1;
   for (std::uint32_t i = 0; i < kFar && 2 * i < count; ++i) {
@@ -46,8 +48,9 @@ bool CrowdTrim<Scalar>::covers(const Vector& corner, const Vector& place) const 
   return (place - corner).squaredNorm() < radius_ * radius_;
 }
 
-/// The disc about a corner covers one piece of a line, and of an arc of at most half a turn whose
-/// radius is no less than its own: where it covers both ends, it covers all.
+/// The disc about a corner covers one piece of a line. It also covers one piece of an arc of at
+/// most half a turn, if the radius of the arc is at least that of the disc. So a disc that covers
+/// both ends covers the whole curve.
 template <typename Scalar>
 bool CrowdTrim<Scalar>::trim(Curve<Scalar>& raw, const Vector& corner, bool& shortened) const {
   const bool is_line = raw.curvature == Scalar{0};
@@ -69,7 +72,8 @@ bool CrowdTrim<Scalar>::trim(Curve<Scalar>& raw, const Vector& corner, bool& sho
   return true;
 }
 
-/// Where the line leaves the disc that its start lies in; else where it enters that of its end.
+/// Returns the point where the line leaves the disc, if its start is in the disc; else the point
+/// where it enters the disc that contains its end.
 template <typename Scalar>
 typename CrowdTrim<Scalar>::Vector CrowdTrim<Scalar>::edge_of_line(const Curve<Scalar>& raw,
                                                                    const Vector& corner,

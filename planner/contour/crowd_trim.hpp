@@ -4,23 +4,23 @@
 
 namespace cnc::contour {
 
-/// Takes off raw curves what corners of the same contour nearby show to be too near to it, where a
-/// contour has many elements within the distance, as traced and scanned ones do. Without
-/// that each of their raw curves crosses most of the others, and meetings grow with the square of
-/// how closely the contour is drawn. What is taken off is no part of any result; what is left may
-/// still be too near.
+/// Shortens raw curves by the parts that nearby corners of the same contour show to be too near to
+/// it. That matters where a contour has many elements within the distance, as traced and scanned
+/// contours do. Without the trim, each of their raw curves would cross most of the others. The
+/// number of meetings would grow with the square of the number of elements within the distance. No
+/// part that is removed belongs to a result. The parts that are left may still be too near.
 template <typename Scalar>
 class CrowdTrim {
  public:
-  /// @param elements all of one loop, in order
+  /// @param elements all elements of one loop, in order
   CrowdTrim(Slice<Curve<Scalar>> elements, Scalar distance, const Tolerance<Scalar>& tolerance)
       : elements_{elements},
         distance_{std::abs(distance)},
         radius_{distance_ - Scalar{4} * tolerance.shallow},
         touch_{tolerance.touch} {}
 
-  /// Shortens a moved element, or the round join after it, and keeps one piece of it.
-  /// @param element its number in the loop
+  /// Shortens a moved element, or the round join after it, to the one piece that is left of it.
+  /// @param element number of the element in the loop
   /// @return false where nothing is left
   [[nodiscard]] bool keeps(Curve<Scalar>& raw, std::uint32_t element) const;
 
@@ -39,7 +39,7 @@ class CrowdTrim {
 
   Slice<Curve<Scalar>> elements_;
   Scalar distance_;
-  Scalar radius_;  ///< What is nearer to a corner is too near for certain.
+  Scalar radius_;  ///< A point nearer to a corner than this is certainly too near.
   Scalar touch_;
 };
 

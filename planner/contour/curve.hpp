@@ -26,12 +26,11 @@ struct FlatBox {
   }
 };
 
-/// An arc of at most half a turn made ready for many questions: ends, tangents
-/// and curvature, and no centre, so that a line has no case of its own and a
-/// nearly straight arc loses no digits.
+/// An arc of at most half a turn, prepared for many queries: ends, tangents and curvature. It has
+/// no centre, so a line needs no case of its own and a nearly straight arc loses no digits.
 ///
-/// With q from the start, f(q) = κ q² − 2 t × q is zero on the whole circle and
-/// f / (1 + √(1 + κ f)) is the distance from it, positive on the right.
+/// Let q be the vector from the start to a point. Then f(q) = κ q² − 2 t × q is zero on the whole
+/// circle. The distance from the circle, positive on the right, is f / (1 + √(1 + κ f)).
 template <typename Scalar>
 struct Curve {
   using Vector = BasicVec2<Scalar>;
@@ -42,18 +41,19 @@ struct Curve {
   Vector end_tangent{Scalar{1}, Scalar{0}};
   Scalar curvature{};  ///< 1/mm, positive turns left.
 
-  /// Twice the distance from the circle times (1 + distance/2R): exact in sign.
+  /// Returns twice the distance from the circle times (1 + distance/2R). Its sign is exact.
   [[nodiscard]] Scalar side(const Vector& place) const {
     const Vector q = place - start;
     return curvature * q.squaredNorm() - Scalar{2} * cross(start_tangent, q);
   }
 
-  /// Whether the nearest place of the circle is between the ends, give or take `slack` mm.
+  /// Returns whether the circle's point nearest to `place` lies between the ends, within `slack`
+  /// mm.
   [[nodiscard]] bool faces(const Vector& place, Scalar slack) const {
     return start_tangent.dot(place - start) >= -slack && end_tangent.dot(place - end) <= slack;
   }
 
-  /// Distance from the circle, never negative.
+  /// Returns the distance from the circle, mm, never negative.
   [[nodiscard]] Scalar from_circle(const Vector& place) const {
     const Scalar f = side(place);
     if (curvature == Scalar{0}) return Scalar{0.5} * std::abs(f);
@@ -65,13 +65,14 @@ struct Curve {
     return std::sqrt(std::min((place - start).squaredNorm(), (place - end).squaredNorm()));
   }
 
-  /// Unit direction of travel at a place of the circle.
+  /// Returns the unit direction of travel at a point of the circle.
   [[nodiscard]] Vector tangent_at(const Vector& place) const {
     if (curvature == Scalar{0}) return start_tangent;
     return (start_tangent + curvature * left_normal(place - start)).normalized();
   }
 
-  /// The bulge of the part between two places of the curve, in order; 0 where they are one place.
+  /// Returns the bulge of the part between two points of the curve, in order; 0 where both are one
+  /// point.
   [[nodiscard]] Scalar bulge_between(const Vector& from, const Vector& to) const {
     const Vector chord = to - from;
     if (curvature == Scalar{0} || chord == Vector{Scalar{0}, Scalar{0}}) return Scalar{0};
@@ -84,15 +85,16 @@ struct Curve {
     return Scalar{0.5} * (from + to - bulge_between(from, to) * left_normal(chord));
   }
 
-  /// Grows from 0 at the start to 1 at the end, and at no place so slowly that
-  /// two places could not be told apart: chords lose digits near half a turn.
+  /// Returns a measure that grows along the curve from 0 at the start to 1 at the end. It grows
+  /// everywhere fast enough to distinguish two points; the chord from the start alone would lose
+  /// digits near half a turn.
   [[nodiscard]] Scalar order_of(const Vector& place) const {
     const Scalar behind = (place - start).norm();
     const Scalar whole = behind + (place - end).norm();
     return whole > Scalar{0} ? behind / whole : Scalar{0};
   }
 
-  /// A box around it, by at most the height of the arc too large.
+  /// Returns a box around the curve. It is too large by at most the height of the arc.
   [[nodiscard]] FlatBox<Scalar> box() const;
 };
 

@@ -6,12 +6,12 @@
 namespace cnc::contour {
 namespace {
 
-constexpr int kLooks = 48;  // Places of each span.
+constexpr int kLooks = 48;  // Samples of each span.
 
-/// Of travel. Where the first derivative vanishes, as where control points at an end
-/// coincide, that of the second is the limit.
+/// Returns the direction of travel. Where the first derivative vanishes, as where control points at
+/// an end coincide, the direction of the second derivative is the limit.
 WideVec2 direction_of(const CurveJet& jet, double share) {
-  constexpr double kVanishing = 1.0e-9;  // Of the second.
+  constexpr double kVanishing = 1.0e-9;  // Share of the second derivative.
   const double first = jet.first.norm();
   const double second = jet.second.norm();
   if (first > kVanishing * second) return (1.0 / first) * jet.first;
@@ -19,11 +19,11 @@ WideVec2 direction_of(const CurveJet& jet, double share) {
   return (share < 0.5 ? 1.0 / second : -1.0 / second) * jet.second;
 }
 
-/// What the offset does in one place.
+/// The offset at one sample.
 struct Look {
   double share = 0.0;
-  WideVec2 direction{0.0, 0.0};  ///< Of the source; null where it has none.
-  double pace = 1.0;             ///< Of the offset, relative to the source: 1 + κ d.
+  WideVec2 direction{0.0, 0.0};  ///< Direction of the source; null where it has none.
+  double pace = 1.0;             ///< Speed of the offset relative to that of the source: 1 + κ d.
 
   [[nodiscard]] bool backwards() const { return pace < 0.0; }
   [[nodiscard]] WideVec2 travel() const { return pace < 0.0 ? WideVec2{-direction} : direction; }
@@ -66,7 +66,8 @@ class Splitter {
     return a.dot(b) < 0.0 || std::abs(cross(a, b)) > least_corner_;
   }
 
-  /// More than a quarter turn, which between near places only a cusp makes.
+  /// Returns whether the direction turns by more than a quarter turn. Between near points only a
+  /// cusp does.
   [[nodiscard]] static bool turns_back(const Look& before, const Look& after) {
     return before.travel().dot(after.travel()) < 0.0;
   }
@@ -101,7 +102,8 @@ class Splitter {
     backwards_ = backwards_from_here;
   }
 
-  /// Where within a span the way turns back.
+  /// Divides a span at its cusps, where the direction of travel reverses. Returns false where the
+  /// span has no direction.
   [[nodiscard]] bool divide(std::size_t span) {
     Look before = look(span, 0.0);
     Look middle = look(span, 1.0 / kLooks);
@@ -142,8 +144,8 @@ class Splitter {
     return look(span, 0.5 * (low.share + high.share));
   }
 
-  /// Where the source turns far between two looks, there may be two cusps and no more to see of
-  /// them than of one: it is gone through in steps that turn little.
+  /// Cuts at the cusps between two samples. Where the source turns far between them there may be
+  /// two cusps that look like one, so the stretch is divided into steps that turn little.
   void cut_between(std::size_t span, Look low, const Look& high) {
     constexpr int kMostSteps = 200;
     for (int i = 0; i < kMostSteps && low.share < high.share; ++i) {
@@ -158,7 +160,7 @@ class Splitter {
     }
   }
 
-  /// At most one cusp.
+  /// Cuts at the cusp of a step, which has at most one.
   void cut_step(std::size_t span, Look low, Look high) {
     if (!turns_back(low, high)) return;
     while (high.share - low.share > kCuspShare) {

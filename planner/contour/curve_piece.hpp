@@ -9,49 +9,50 @@
 
 namespace cnc::contour {
 
-/// A place on a way, and which way it goes there.
+/// A point of a path and the direction of the path there.
 struct WayPoint {
   WideVec2 place{0.0, 0.0};    ///< mm.
   WideVec2 tangent{1.0, 0.0};  ///< Unit vector.
 };
 
-/// A smooth part of a curve or of its offset: its tangent has no jump.
+/// A smooth part of a curve or of its offset: the tangent of a piece has no jump.
 ///
-/// The offset is that of paper 1, eq. 3: C + d N with N the normal on the right,
-/// outwards of an outline that runs counter-clockwise. It has the source's
-/// tangents; where 1 + κ d, with κ positive to the left, is negative it runs
-/// backwards, and there it lies within d of other places of the source: whoever
-/// removes loops removes all of that.
+/// The offset is that of paper 1, eq. 3: C + d N, with N the normal on the right, which points
+/// outwards of an outline that runs counter-clockwise. The offset has the source's tangents. Where
+/// 1 + κ d is negative (κ positive to the left), the offset runs backwards. There it lies within d
+/// of other points of the source, so the removal of loops must remove all of it.
 struct CurvePiece {
-  const PlaneCurve* curve = nullptr;  ///< Must outlive this.
+  const PlaneCurve* curve = nullptr;  ///< The curve must outlive the piece.
   double offset_mm = 0.0;             ///< To the right; 0 for the curve itself.
-  double from = 0.0;                  ///< Spans from the curve's start.
-  double to = 0.0;                    ///< Greater than `from`.
-  bool backwards = false;             ///< The offset runs against the source.
+  double from = 0.0;                  ///< Counted in spans from the curve's start.
+  double to = 0.0;                    ///< In spans; greater than `from`.
+  /// Whether the offset runs against the direction of the source.
+  bool backwards = false;
 
-  /// @param spans `from`…`to`; at those ends the tangents of this piece.
+  /// Returns the point and the direction at a parameter.
+  /// @param spans between `from` and `to`; at these two ends the tangent is that of this piece.
   [[nodiscard]] WayPoint at(double spans) const;
 };
 
 enum class SplitError : std::uint8_t {
-  kTooManyPieces,  ///< More than there is room for.
-  kNoDirection,    ///< A span that is a point, or nearly.
+  kTooManyPieces,  ///< The curve has more pieces than `pieces` holds.
+  kNoDirection,    ///< A span is a point, or nearly one.
 };
 
 inline constexpr double kCuspShare = 1.0e-13;
 inline constexpr double kLeastCorner = 1.0e-6;
 
-/// Divides the offset of a curve where its tangent jumps: at corners and cusps of the
-/// source, and where κ d = −1, so that the offset has a cusp. Each cusp is found to
-/// kCuspShare of a span.
+/// Divides the offset of a curve where its tangent jumps. That is at corners and cusps of the
+/// source, and where κ d = −1, so that the offset has a cusp. Each cusp is found to kCuspShare of a
+/// span.
 ///
-/// Each span is looked at in kLooks places, between which a pair of cusps is found
-/// only where 1 + κ d has its least or greatest value near one of them: two
-/// that are nearer to each other than a hundredth of a span or so may stay in.
-/// @param least_corner Radians; a smaller change of direction between spans is none, and
-/// a fit goes round it within its tolerance. More than kLeastCorner for no offset only: an
-/// offset has a gap there.
-/// @param pieces room for them. @return how many there are.
+/// Each span is sampled at kLooks points. Between two samples, a pair of cusps is found only where
+/// 1 + κ d has its least or greatest value near one of them. A pair that is closer together than
+/// about a hundredth of a span may be missed.
+/// @param least_corner radians; a smaller change of direction between spans is not a corner, and a
+/// fit goes around it within its tolerance. It may exceed kLeastCorner only where the offset is 0:
+/// an offset has a gap at each corner.
+/// @param pieces storage for the pieces. @return the number of pieces.
 [[nodiscard]] Result<std::size_t, SplitError> split_offset(const PlaneCurve& curve,
                                                            double offset_mm,
                                                            std::span<CurvePiece> pieces,

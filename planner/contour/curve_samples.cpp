@@ -6,26 +6,27 @@
 namespace cnc::contour {
 namespace {
 
-/// Radians, between two samples.
+/// Greatest turn between two samples, radians.
 constexpr double kMostTurn = 0.2;
 
-/// What lies between two samples.
+/// Chord and turn between two samples.
 struct SampleStep {
   double chord = 0.0;
-  double turn = 0.0;  ///< Radians, signed.
+  double turn = 0.0;  ///< Radians, positive to the left.
 };
 
 SampleStep step_between(const WayPoint& from, const WayPoint& to) {
   const double sine = cross(from.tangent, to.tangent);
   const double cosine = from.tangent.dot(to.tangent);
   constexpr double kTooMuch = 1.0e3;
-  // The sine is near enough to its angle where the turn is allowed at all.
+  // Where the turn is within kMostTurn, this series of the sine is close enough to the angle.
   return {.chord = (to.place - from.place).norm(),
           .turn = cosine > 0.0 ? sine * (1.0 + sine * sine / 6.0) : kTooMuch};
 }
 
-/// An arc differs from a curve whose curvature grows by Δ over a chord c by about
-/// Δ c² / 64 on either side of the middle; between samples of a whole arc less.
+/// Checks the distance of the curve from its chord and from an arc. An arc differs from a curve
+/// whose curvature grows by Δ over a chord c by about Δ c² / 64 on either side of the middle. Where
+/// one arc spans several samples, it differs by less between them.
 bool near_enough(const SampleStep& step, const SampleStep& before, const SampleDensity& density) {
   const double size = std::abs(step.turn);
   if (size > kMostTurn) return false;
@@ -35,7 +36,8 @@ bool near_enough(const SampleStep& step, const SampleStep& before, const SampleD
   return change * step.chord * step.chord <= density.bend_mm;
 }
 
-/// Near a cusp the turn between both ends does not show how far the curve leaves its chord.
+/// Returns whether the middle is close to the chord. Near a cusp the turn between both ends does
+/// not show how far the curve leaves its chord.
 bool is_beside_chord(const WayPoint& from,
                      const WayPoint& middle,
                      const WayPoint& to,
@@ -53,7 +55,8 @@ bool is_beside_chord(const WayPoint& from,
 std::size_t sample_curve(const CurvePiece& piece,
                          const SampleDensity& density,
                          std::span<CurveSample> room) {
-  constexpr double kLargestStep = 1.0 / 8.0;  // Spans: what is less wide than one is seen.
+  // In spans; a detail of the curve that is wider than this is found.
+  constexpr double kLargestStep = 1.0 / 8.0;
   constexpr double kLeastStep = 1.0e-14;
   constexpr double kGrowth = 1.4;
   if (room.empty()) return 0;
@@ -67,7 +70,7 @@ std::size_t sample_curve(const CurvePiece& piece,
     const CurveSample& last = room[count - 1];
     const double rest = piece.to - last.spans;
     const double least = kLeastStep * std::max(length, piece.to);
-    // No crumb at the end.
+    // Avoids a tiny step at the end.
     stride = std::clamp(stride, std::min(least, rest), kLargestStep);
     const bool ends = rest <= 1.01 * stride;
     if (!ends && rest < 2.0 * stride) stride = 0.5 * rest;

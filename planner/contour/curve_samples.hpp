@@ -7,24 +7,24 @@
 
 namespace cnc::contour {
 
-/// One of the places at which a fit looks at a curve.
+/// A point at which a fit samples a curve.
 struct CurveSample {
   WayPoint point{};
-  double spans = 0.0;   ///< As CurvePiece counts.
-  double turned = 0.0;  ///< Radians, from the start on, always counted positive.
+  double spans = 0.0;  ///< Parameter of the point, counted as in CurvePiece.
+  /// Radians that the curve has turned since its start; turns to either side count as positive.
+  double turned = 0.0;
 };
 
-/// How near samples are to each other.
+/// Limits that set the distance between samples.
 struct SampleDensity {
-  double sagitta_mm = 0.01;  ///< Between the curve and its chord, at most.
-  double bend_mm = 0.001;    ///< Between the curve and an arc, at most about.
+  double sagitta_mm = 0.01;  ///< Greatest distance between the curve and its chord.
+  double bend_mm = 0.001;    ///< Greatest distance between the curve and an arc, approximately.
 };
 
-/// Places along a piece, from its start to its end, as near to each other as `density`
-/// asks for.
-/// @param room for them.
-/// @return how many; 0 when that is more than there is room for, 1 where the curve jumps, as
-/// far as the digits of its parameter tell.
+/// Samples a piece from its start to its end, as densely as `density` requires.
+/// @param room storage for the samples.
+/// @return the number of samples; 0 when `room` is too small; 1 where the curve jumps, as far as
+/// the digits of its parameter show.
 [[nodiscard]] std::size_t sample_curve(const CurvePiece& piece,
                                        const SampleDensity& density,
                                        std::span<CurveSample> room);

@@ -34,7 +34,9 @@ void Cutting<Scalar>::meet(std::uint32_t a, std::uint32_t b) {
   const RawCurve<Scalar>& first = space_.raw[a];
   const RawCurve<Scalar>& second = space_.raw[b];
   if (clear_of(first.curve, second.curve) || clear_of(second.curve, first.curve)) return;
-  if (first.end_node != second.start_node &&  // As neighbours have, which are as many as the rest.
+  // Neighbours share a node, so the test in the next line would be in vain; half of the pairs are
+  // neighbours.
+  if (first.end_node != second.start_node &&
       (beside(first.curve, second.curve) || beside(second.curve, first.curve))) {
     return;
   }
@@ -48,7 +50,7 @@ void Cutting<Scalar>::meet(std::uint32_t a, std::uint32_t b) {
   }
 }
 
-/// Whether a line has all of another on one side.
+/// Returns whether all of `other` lies on one side of the straight line through `line`.
 template <typename Scalar>
 bool Cutting<Scalar>::clear_of(const Curve<Scalar>& line, const Curve<Scalar>& other) const {
   if (line.curvature != Scalar{0} || other.curvature != Scalar{0}) return false;
@@ -57,14 +59,14 @@ bool Cutting<Scalar>::clear_of(const Curve<Scalar>& line, const Curve<Scalar>& o
   return std::min(start, end) > tolerance_.touch || std::max(start, end) < -tolerance_.touch;
 }
 
-/// Whether another curve is all on one side of the band between the chord of a curve and its
-/// parallel that touches it, by so much that no place is within `touch` of both. That spares
-/// most pairs of which one is an arc everything else.
+/// Returns whether another curve lies wholly on one side of a band, with a margin such that no
+/// point is within `touch` of both curves. The band lies between the chord of `curve` and the
+/// parallel that touches `curve`. This test spares most pairs with an arc the full computation.
 ///
-/// No bulge is needed: with x half the sweep, an arc is as high as its chord times tan(x/2) / 2,
-/// which is no more than the chord times sin(x) / 2. Ends that were drawn together may be some
-/// `touch` beside their curve, or make it a bit more than half a turn: hence 5/8, and 16 `touch`.
-/// All distances are times the chord of `curve`, which spares a root.
+/// No bulge is needed: with x half the sweep, the height of an arc is its chord times tan(x/2) / 2,
+/// which is at most the chord times sin(x) / 2. Ends that were drawn together may be some `touch`
+/// away from their curve, or make it slightly more than half a turn: hence 5/8, and 16 `touch`. All
+/// distances are multiplied by the chord of `curve`, which spares a square root.
 template <typename Scalar>
 bool Cutting<Scalar>::beside(const Curve<Scalar>& curve, const Curve<Scalar>& other) const {
   constexpr Scalar kHeight{0.625};
@@ -81,7 +83,7 @@ bool Cutting<Scalar>::beside(const Curve<Scalar>& curve, const Curve<Scalar>& ot
          std::max(start, end) < std::min(Scalar{0}, own) - slack;
 }
 
-/// The end of one curve on another: what overlaps is found by its ends.
+/// Handles the end of one curve that lies on another: overlaps are found by their ends.
 template <typename Scalar>
 void Cutting<Scalar>::end_on(const Vector& place, std::uint32_t node, std::uint32_t raw) {
   const RawCurve<Scalar>& other = space_.raw[raw];
@@ -94,8 +96,8 @@ void Cutting<Scalar>::end_on(const Vector& place, std::uint32_t node, std::uint3
   }
 }
 
-/// Whether a meeting of neighbours is only that they join: up to there, neither
-/// has left the other.
+/// Returns whether a meeting of neighbours is only their joint: between the joint and the meeting,
+/// neither curve has left the other.
 template <typename Scalar>
 bool Cutting<Scalar>::is_joint(std::uint32_t a, std::uint32_t b, const Vector& place) {
   const RawCurve<Scalar>& first = space_.raw[a];
@@ -135,7 +137,8 @@ void Cutting<Scalar>::meet_at(std::uint32_t a, std::uint32_t b, const Vector& pl
   }
 }
 
-/// Most are apart in x already, which spares the root.
+/// Returns whether two points are within `touch`. Most differ enough in x already, which spares the
+/// square root.
 template <typename Scalar>
 bool Cutting<Scalar>::is_near(const Vector& one, const Vector& other) const {
   return std::abs(one.x() - other.x()) <= tolerance_.touch &&
@@ -175,7 +178,8 @@ std::uint32_t Cutting<Scalar>::divide() {
   return piece_count_;
 }
 
-/// By raw curve, and along each: counted into place, as most have none or one.
+/// Sorts the cuts by raw curve, and along each raw curve. A counting sort comes first, as most raw
+/// curves have no cut or one.
 template <typename Scalar>
 void Cutting<Scalar>::sort_cuts() {
   for (std::uint32_t i = 0; i <= raw_count_; ++i) space_.first_cuts[i] = 0;
@@ -193,7 +197,7 @@ void Cutting<Scalar>::sort_cuts() {
   }
 }
 
-/// Shell's sort: short for a few, and no worse than n^1.5 for many.
+/// Shell's sort: fast for a few cuts, and at most n^1.5 steps for many.
 template <typename Scalar>
 void Cutting<Scalar>::sort_along(std::uint32_t first, std::uint32_t end) {
   const Slice<Cut<Scalar>> cuts = space_.sorted_cuts;

@@ -8,9 +8,8 @@ namespace cnc::contour {
 
 /// Divides raw curves wherever they cross, touch or end on each other.
 ///
-/// A meeting is computed once for both curves, so that they agree on it to the
-/// last bit; what comes within `touch` becomes one node before anything is
-/// decided.
+/// A meeting is computed once for both curves, so that both have exactly the same point. Points
+/// closer than `touch` become one node before the pieces are made.
 template <typename Scalar>
 class Cutting {
  public:
@@ -20,10 +19,10 @@ class Cutting {
           std::uint32_t raw_count)
       : space_{space}, tolerance_{tolerance}, nodes_{nodes}, raw_count_{raw_count} {}
 
-  /// False when there are more meetings than the storage holds.
+  /// Finds all meetings. Returns false when there are more than the storage holds.
   [[nodiscard]] bool find_meetings();
 
-  /// Writes the pieces and returns how many.
+  /// Writes the pieces. Returns their number.
   [[nodiscard]] std::uint32_t divide();
 
  private:

@@ -6,7 +6,8 @@
 namespace cnc::contour {
 namespace {
 
-/// Turned to the left by about `by` radians: exactly twice the arc tangent of its half.
+/// Returns `v`, turned to the left by about `by` radians: exactly by twice the arc tangent of half
+/// of `by`.
 WideVec2 turned_about(const WideVec2& v, double by) {
   const double t = 0.5 * by;
   const double scale = 1.0 / (1.0 + t * t);
@@ -38,7 +39,7 @@ BandStart FewestArcs::launch(const Launches& from, double at) const {
   }
   const WayPoint& start = band_->sample(0).point;
   if (options_->start == FitEnd::kTangent) return {start.place, start.tangent, 0.0};
-  constexpr double kWidest = 0.8;  // Radians; looks are the denser the nearer to the tangent.
+  constexpr double kWidest = 0.8;  // Radians; the search evaluates more densely near the tangent.
   const double across = options_->start == FitEnd::kFree
                             ? 0.25 * static_cast<double>(from.variant - 4) * 0.999999
                             : 0.0;
@@ -92,9 +93,10 @@ double FewestArcs::next_reach(std::size_t index) const {
   return reach;
 }
 
-/// Where the curve turns within a few tolerances, the arc that gets farthest may end in a
-/// direction from which none goes on. One that stops earlier, in the middle of what the band
-/// leaves, may: of a grid of them the one whose successor gets farthest.
+/// Replaces an arc after which no arc can continue. Where the curve turns within a few tolerances,
+/// the arc that gets farthest may end in a direction from which no other arc continues. An arc that
+/// stops earlier, in the middle of the allowed curvatures, may have a successor. Tries a grid of
+/// such arcs and takes the one whose successor gets farthest.
 bool FewestArcs::give_way(std::size_t index) {
   constexpr int kStops = 24;
   const FitLink stuck = links_[index];
@@ -175,8 +177,9 @@ std::size_t FewestArcs::finish_at_place(std::size_t index) {
   return index + 1;
 }
 
-/// Returns the greatest deviation, or one above `bound` where it is greater than that.
-/// @param worst the sample that is checked first; set to one of the greatest deviation found
+/// Returns the greatest deviation, or a value above `bound` where the deviation exceeds `bound`.
+/// @param worst number of the sample that is checked first; set to the sample with the greatest
+/// deviation found
 double FewestArcs::deviation(const BiarcGauge& gauge,
                              double from,
                              double bound,
@@ -188,7 +191,7 @@ double FewestArcs::deviation(const BiarcGauge& gauge,
   const auto first = static_cast<std::size_t>(from) + 1;
   const auto last = static_cast<std::size_t>(band_->last());
   const double enough = std::min(bound, 100.0 * band_->tolerance_mm());
-  // Biarcs of one search deviate most at about the same place.
+  // The biarcs of one search have their greatest deviation at about the same sample.
   if (bound == enough && worst >= first && worst < last) {
     const double found = at(worst);
     if (found > bound) return found;

@@ -9,29 +9,30 @@
 
 namespace cnc::contour {
 
-/// A smooth chain of as few arcs as will stay in a band.
+/// A smooth chain of arcs in a band, with as few arcs as possible.
 ///
-/// From the start on, each arc leaves the one before wherever it then gets farthest:
-/// one parameter, the place along the arc before; the curvature follows
-/// (ToleranceBand). That arc reaches its farthest by touching the band on alternate
-/// sides, as the arcs of Maier's smooth minimum arc paths do (Maier, "Optimal arc spline
-/// approximation", CAGD 31 (2014) 211), so nothing that has as many arcs gets
-/// farther. Where the end is fixed, its last arcs have to meet it as well: one through the
-/// end, or a biarc to it with its tangent, from the longest chain that has one.
+/// From the start on, each arc leaves the previous arc at the point from which it gets farthest.
+/// This point is the only parameter; the curvature follows from it (ToleranceBand). Such an arc
+/// gets farthest by touching the band on alternate sides, as the arcs of Maier's smooth minimum arc
+/// paths do (Maier, "Optimal arc spline approximation", CAGD 31 (2014) 211). So no chain of equally
+/// many arcs gets farther. Where the end is fixed, the last arcs must also reach it: one arc
+/// through the end, or a biarc to the end with its tangent, from the longest chain that has one.
 class FewestArcs {
  public:
   FewestArcs(const ToleranceBand& band, const FitOptions& options, std::span<FitLink> links)
       : band_{&band}, options_{&options}, links_{links} {}
 
-  /// @return how many links there are; 0 when there is no chain, or no room.
+  /// @return the number of links; 0 when there is no chain, or when `links` is too short.
   [[nodiscard]] std::size_t run();
   [[nodiscard]] bool out_of_room() const { return out_of_room_; }
 
  private:
-  /// Where link number `index` may begin.
+  /// The range of starts of link number `index`.
   struct Launches {
     std::size_t index = 0;
-    int variant = 0;  ///< Of a free start: across the curve, in quarters of the tolerance.
+    /// With a free start: position across the curve, in quarters of the tolerance; 4 is on the
+    /// curve.
+    int variant = 0;
     SearchRange range{};
   };
 

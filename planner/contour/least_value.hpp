@@ -4,24 +4,26 @@
 
 namespace cnc::contour {
 
-/// Where a function was found least.
+/// The argument at which a function was found least, and its value there.
 struct LeastValue {
   double at = 0.0;
   double value = 1.0e30;
 };
 
-/// What a search may look at.
+/// Range and effort of a search.
 struct SearchRange {
   double low = 0.0;
   double high = 1.0;
-  int looks = 8;   ///< Evenly spread, both ends among them; at least 2. One where both are one.
-  int steps = 20;  ///< Of the golden section around the best of them.
+  /// Number of evaluations, evenly spread, with both ends among them; at least 2. One evaluation
+  /// where both ends are equal.
+  int looks = 8;
+  int steps = 20;  ///< Steps of the golden section around the best evaluation.
 };
 
-/// The least value of a function with one valley, or of the deepest that shows between
-/// looks; ends early at the first that is at most `enough`. A function that takes a second number
-/// may return any value above that one in place of its own, where its own is above it, too: the
-/// result is the same.
+/// Returns the least value of a function with one valley. Of several valleys it returns the deepest
+/// that the evenly spread evaluations show. It ends early at the first value that is at most
+/// `enough`. A function may take a second number, a bound. Where its value exceeds the bound it may
+/// return any other value above the bound: the result is the same.
 template <typename Function>
 [[nodiscard]] LeastValue least_value(const SearchRange& range,
                                      double enough,

@@ -6,9 +6,8 @@
 
 namespace cnc::contour {
 
-/// Follows the runs that are kept around their loops and writes these. Where
-/// several leave a node, the one on the left is next, so that loops touch each
-/// other but never cross.
+/// Follows the kept runs around their loops and writes the loops. Where several runs leave a node,
+/// the leftmost run is next, so that loops may touch but never cross.
 template <typename Scalar>
 class LoopWriter {
  public:
@@ -17,7 +16,7 @@ class LoopWriter {
              ContourWriter<Scalar>& out)
       : space_{space}, nodes_{nodes}, out_{out} {}
 
-  /// False when the result is longer than its storage.
+  /// Writes all loops. Returns false when the result is longer than its storage.
   /// @pre at every node as many kept runs leave as arrive
   [[nodiscard]] bool write(std::uint32_t run_count);
 
@@ -42,7 +41,8 @@ class LoopWriter {
   OffsetSpace<Scalar> space_;
   const NodeSet<Scalar>& nodes_;
   ContourWriter<Scalar>& out_;
-  Piece pending_{};  ///< Not written yet, as more of the same curve may follow.
+  /// The last piece. It is not written yet, as more of the same curve may follow.
+  Piece pending_{};
 };
 
 }  // namespace cnc::contour

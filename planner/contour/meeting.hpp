@@ -7,8 +7,7 @@
 
 namespace cnc::contour {
 
-/// Where two curves cross or touch; curves that run on top of each other have
-/// no such places.
+/// Points where two curves cross or touch. Curves that run on top of each other have none.
 template <typename Scalar>
 struct Meetings {
   std::array<BasicVec2<Scalar>, 2> places{BasicVec2<Scalar>{Scalar{0}, Scalar{0}},
@@ -16,8 +15,8 @@ struct Meetings {
   std::uint32_t count = 0;
 };
 
-/// The places that are on both curves within `touch` mm. Where the circles miss
-/// each other by less, the place between them counts.
+/// Returns the points that are within `touch` mm of both curves. Where the two circles miss each
+/// other by less than `touch`, the point between them counts.
 template <typename Scalar>
 [[nodiscard]] Meetings<Scalar> meetings_of(const Curve<Scalar>& a,
                                            const Curve<Scalar>& b,

@@ -5,7 +5,7 @@
 
 #include "planner/contour/meeting.hpp"
 
-/// The bodies of meeting.hpp, for those who instantiate them.
+/// Function bodies of meeting.hpp, for the sources that instantiate them.
 namespace cnc::contour {
 namespace detail {
 
@@ -16,7 +16,7 @@ void add_if_on_both(Meetings<Scalar>& found,
                     const BasicVec2<Scalar>& place,
                     Scalar touch) {
   if (!a.faces(place, touch) || !b.faces(place, touch)) return;
-  // Across the centre there is more circle, but no curve.
+  // On the far side of the centre the circle continues, but the curve does not.
   if (!(a.from_circle(place) <= touch) || !(b.from_circle(place) <= touch)) return;
   found.places[found.count++] = place;
 }
@@ -35,14 +35,15 @@ Meetings<Scalar> lines_meet(const Curve<Scalar>& a, const Curve<Scalar>& b, Scal
   return found;
 }
 
-/// The places origin + τ direction with  κ τ² − 2 half τ + rest = 0.
+/// Roots τ of κ τ² − 2 half τ + rest = 0: the points are origin + τ direction.
 template <typename Scalar>
 struct Roots {
   Scalar first;
   Scalar second;
 };
 
-/// Both roots without cancellation; a circle that is missed is taken as touched.
+/// Returns both roots without cancellation. Where the line misses the circle, it is taken to touch
+/// the circle.
 template <typename Scalar>
 Roots<Scalar> roots_of(Scalar curvature, Scalar half, Scalar rest) {
   const Scalar root = std::sqrt(std::max(Scalar{0}, half * half - curvature * rest));
@@ -51,8 +52,8 @@ Roots<Scalar> roots_of(Scalar curvature, Scalar half, Scalar rest) {
   return {rest / large, large / curvature};
 }
 
-/// Where the straight line through `foot` along `direction` meets the circle of
-/// `round`, as far as that is on both curves.
+/// Returns the points where the straight line through `foot` along `direction` meets the circle of
+/// `round`, if they are on both curves.
 template <typename Scalar>
 Meetings<Scalar> line_meets(const Curve<Scalar>& round,
                             const Curve<Scalar>& other,
@@ -74,13 +75,13 @@ template <typename Scalar>
 Meetings<Scalar> line_and_arc_meet(const Curve<Scalar>& line,
                                    const Curve<Scalar>& arc,
                                    Scalar touch) {
-  // From the foot of the arc's start, so that nothing large cancels.
+  // Measured from the foot of the arc's start on the line, so that no large numbers cancel.
   const Scalar along = line.start_tangent.dot(arc.start - line.start);
   const BasicVec2<Scalar> foot = line.start + along * line.start_tangent;
   return line_meets(arc, line, foot, line.start_tangent, touch);
 }
 
-/// Through the radical line of both circles, seen from the smaller one.
+/// Intersects the radical line of both circles with the smaller circle.
 template <typename Scalar>
 Meetings<Scalar> arcs_meet(const Curve<Scalar>& small, const Curve<Scalar>& large, Scalar touch) {
   const Scalar share = large.curvature / small.curvature;
@@ -88,7 +89,7 @@ Meetings<Scalar> arcs_meet(const Curve<Scalar>& small, const Curve<Scalar>& larg
   const BasicVec2<Scalar> normal = large.curvature * between - left_normal(large.start_tangent) +
                                    share * left_normal(small.start_tangent);
   const Scalar size = normal.norm();
-  // The centres are as good as the same: on top of each other, or apart.
+  // The centres are practically equal: the circles coincide, or they do not meet.
   if (!(size > touch * std::abs(large.curvature))) return {};
   const BasicVec2<Scalar> across = normal / size;
   const Scalar height = -large.side(small.start) / (Scalar{2} * size);

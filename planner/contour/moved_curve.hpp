@@ -4,14 +4,15 @@
 
 namespace cnc::contour {
 
-/// Whether nothing is left of an element at a signed distance on its right: an arc whose
-/// radius is used up, as each of its places would be nearer to another place of the same arc.
+/// Returns whether nothing is left of an element at a signed distance on its right. That is so for
+/// an arc whose radius is used up: each of its points would be nearer to another point of the same
+/// arc.
 template <typename Scalar>
 [[nodiscard]] bool is_used_up(const Curve<Scalar>& element, Scalar distance) {
   return Scalar{1} + element.curvature * distance <= Scalar{0};
 }
 
-/// The element at a signed distance, positive on its right. @pre !is_used_up()
+/// Returns the element at a signed distance, positive on its right. @pre !is_used_up()
 template <typename Scalar>
 [[nodiscard]] Curve<Scalar> moved_aside(const Curve<Scalar>& element, Scalar distance) {
   Curve<Scalar> moved = element;
@@ -21,8 +22,9 @@ template <typename Scalar>
   return moved;
 }
 
-/// The arc about the corner between two elements, from the one moved aside to the other.
-/// @pre the corner opens a gap between them, and distance is not 0
+/// Returns the arc about the corner between two elements. It leads from the end of the first, moved
+/// aside, to the start of the second, moved aside.
+/// @pre the corner opens a gap between the moved elements, and distance is not 0
 template <typename Scalar>
 [[nodiscard]] Curve<Scalar> round_join(const Curve<Scalar>& before,
                                        const Curve<Scalar>& after,

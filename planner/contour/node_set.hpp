@@ -6,7 +6,7 @@
 
 namespace cnc::contour {
 
-/// Nodes, and which of them are the same place.
+/// Nodes, and which of them stand for the same point.
 template <typename Scalar>
 class NodeSet {
  public:
@@ -14,13 +14,14 @@ class NodeSet {
 
   [[nodiscard]] std::uint32_t count() const { return count_; }
 
-  /// @pre there is room
+  /// Adds a node at `place` and returns its number. @pre the storage has free space
   std::uint32_t add(const BasicVec2<Scalar>& place) {
     nodes_[count_] = {place, count_};
     return count_++;
   }
 
-  /// The node that stands for all that are this place. Shortens the way there.
+  /// Returns the node that represents all nodes at the same point. Shortens the chain of references
+  /// to it.
   [[nodiscard]] std::uint32_t find(std::uint32_t node) {
     while (nodes_[node].same_as != node) {
       nodes_[node].same_as = nodes_[nodes_[node].same_as].same_as;
@@ -29,7 +30,8 @@ class NodeSet {
     return node;
   }
 
-  /// Ends of raw curves come first, and so they keep their place.
+  /// Declares two nodes the same point. The node with the smaller number keeps its point; ends of
+  /// raw curves have the smallest numbers and so keep theirs.
   void unite(std::uint32_t a, std::uint32_t b) {
     a = find(a);
     b = find(b);

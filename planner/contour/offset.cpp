@@ -12,11 +12,11 @@
 namespace cnc::contour {
 namespace {
 
-/// The greatest coordinate of the input, or something that is not finite.
+/// Returns the greatest absolute coordinate of the input, or a value that is not finite.
 template <typename Scalar>
 Scalar reach_of(const ContourView<Scalar>& input) {
   Scalar most{};
-  Scalar faults{};  // Stays 0 until it becomes NaN.
+  Scalar faults{};  // Stays 0 until a value is not finite; then it is NaN.
   for (const Vertex<Scalar>& vertex : input.vertices) {
     most = std::max(most, std::max(std::abs(vertex.x), std::abs(vertex.y)));
     faults += Scalar{0} * (vertex.x + vertex.y + vertex.bulge);
@@ -24,7 +24,7 @@ Scalar reach_of(const ContourView<Scalar>& input) {
   return most + faults;
 }
 
-/// Arcs of more than half a turn are two.
+/// Returns the number of elements. An arc of more than half a turn counts as two.
 template <typename Scalar>
 std::size_t element_count(const ContourView<Scalar>& input) {
   std::size_t count = input.vertices.size();
@@ -48,7 +48,8 @@ Result<ContourView<Scalar>, OffsetError> copied(const ContourView<Scalar>& input
 
 template <typename Scalar>
 Tolerance<Scalar> Tolerance<Scalar>::for_coordinates_up_to(Scalar most) {
-  // What a chain of computations may lose; single precision has no more to give.
+  // Factor on the rounding error that a chain of computations may accumulate; single precision has
+  // no reserve for more.
   constexpr Scalar kRoundings = sizeof(Scalar) > sizeof(float) ? Scalar{1024} : Scalar{8};
   const Scalar touch =
       kRoundings * std::numeric_limits<Scalar>::epsilon() * std::max(Scalar{1}, most);

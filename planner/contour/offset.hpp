@@ -10,34 +10,34 @@
 namespace cnc::contour {
 
 enum class OffsetFault : std::uint8_t {
-  kNotANumber,       ///< A coordinate, a bulge or the distance is no finite number.
-  kTooManyElements,  ///< "contour has 513 elements, capacity 512".
+  kNotANumber,       ///< A coordinate, a bulge or the distance is not a finite number.
+  kTooManyElements,  ///< More elements than the capacity: "contour has 513 elements, capacity 512".
   kTooManyMeetings,  ///< Moved elements cross more often than the working storage holds.
   kResultTooLong,    ///< The result's own storage is full.
-  kNotClosed,        ///< What is left does not lead back to its start: never seen in tests.
+  kNotClosed,        ///< The kept curves do not lead back to their start; never seen in tests.
 };
 
 struct OffsetError {
   OffsetFault fault{};
-  std::size_t elements = 0;  ///< With kTooManyElements: how many there are.
-  std::size_t capacity = 0;  ///< Of the storage that is full.
+  std::size_t elements = 0;  ///< With kTooManyElements: the number of elements of the input.
+  std::size_t capacity = 0;  ///< Capacity of the storage that is full.
 };
 
-/// The curve at a signed distance from closed contours, as lines and arcs: all
-/// places that are exactly |distance| from the input, on the right of it where
-/// the distance is positive. Material is on the left, so that a positive
-/// distance lets outlines grow and holes shrink. Loops are offset together;
-/// they split, merge or vanish as they must. Corners become arcs (G1).
+/// Computes the curve at a signed distance from closed contours, as lines and arcs. It consists of
+/// all points that are exactly |distance| from the input, on the right of the input where the
+/// distance is positive. Material is on the left, so a positive distance enlarges outlines and
+/// shrinks holes. Loops are offset together. They split, merge or vanish as necessary. Corners
+/// become arcs (G1).
 ///
-/// Guarantee: every place of the result is at |distance| from the input within
-/// 128 `Tolerance::touch` (3e-8 mm in double for coordinates up to 1 m), and
-/// loops touch, but do not cross. Gaps of just twice the distance are closed.
-/// Zero-length elements count for nothing, nor does a way out and back along the
-/// same line, which encloses no material. Loops must not cross each other.
+/// Guarantee: every point of the result is at |distance| from the input within 128
+/// `Tolerance::touch` (3e-8 mm in double for coordinates up to 1 m). Loops may touch, but do not
+/// cross. A gap of exactly twice the distance is closed. Elements of zero length have no effect;
+/// nor has a path out and back along the same line, which encloses no material. Loops of the input
+/// must not cross each other.
 ///
 /// Source: paper 1, section 4.2 and equation 3, with all loops removed on arcs.
-/// Time: n log n for n elements of which each meets few others. No heap; the
-/// view is into `out`, which may not share storage with `input`.
+/// Time: n log n for n elements, if each meets few others. Uses no heap. The returned view refers
+/// to `out`, which may not share storage with `input`.
 template <typename Scalar>
 [[nodiscard]] Result<ContourView<Scalar>, OffsetError> offset(const ContourView<Scalar>& input,
                                                               Scalar distance,

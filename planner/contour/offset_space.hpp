@@ -13,13 +13,16 @@ namespace cnc::contour {
 
 inline constexpr std::uint32_t kNone = 0xFFFFFFFF;
 
-/// What counts as the same, in mm: everything follows from the resolution of a
-/// number as large as the coordinates.
+/// Distances in mm below which points or curves count as the same. All follow from the resolution
+/// of a number as large as the coordinates.
 template <typename Scalar>
 struct Tolerance {
-  Scalar touch{};    ///< Places closer than this are one place.
-  Scalar shallow{};  ///< How much too near to the input a curve may lie where nothing else fits.
-  Scalar brief{};    ///< A stretch shorter than this proves nothing by its middle.
+  Scalar touch{};  ///< Points closer than this are one point.
+  /// A curve may lie nearer to the input than |distance| by this much, where no other curve closes
+  /// the loop.
+  Scalar shallow{};
+  /// The middle of a run shorter than this does not prove that the run is at the distance.
+  Scalar brief{};
 
   [[nodiscard]] static Tolerance for_coordinates_up_to(Scalar most);
 };
@@ -32,18 +35,18 @@ struct RawCurve {
   std::uint32_t end_node = kNone;
 };
 
-/// A place where curves end, join, cross or touch. Nodes found to be the same
-/// place point to the one with the least number, which keeps its own place.
+/// A point where curves end, join, cross or touch. Nodes found to be the same point refer to the
+/// node with the smallest number, which keeps its own point.
 template <typename Scalar>
 struct Node {
   BasicVec2<Scalar> place{Scalar{0}, Scalar{0}};
   std::uint32_t same_as = kNone;
 };
 
-/// Where a node divides a raw curve.
+/// The node at which a raw curve is divided.
 template <typename Scalar>
 struct Cut {
-  Scalar order{};  ///< As Curve::order_of.
+  Scalar order{};  ///< Position along the raw curve, as Curve::order_of returns.
   std::uint32_t raw = kNone;
   std::uint32_t node = kNone;
 };
@@ -62,12 +65,13 @@ struct Piece {
 
 /// Whether a run belongs to the result.
 enum class Standing : std::uint8_t {
-  kKept,      ///< At the distance.
-  kOptional,  ///< Within tolerance: where it is needed to close a loop.
-  kDropped,   ///< Too near to the input.
+  kKept,  ///< The run is at the distance.
+  /// The run is too near by less than the tolerance: kept where a loop needs it to close.
+  kOptional,
+  kDropped,  ///< The run is too near to the input.
 };
 
-/// Pieces in a row with nothing else at the nodes between: kept or dropped as one.
+/// Pieces in a row without another piece at the nodes between them: kept or dropped as one.
 struct Run {
   std::uint32_t first_piece = kNone;
   std::uint32_t start_node = kNone;
@@ -77,20 +81,20 @@ struct Run {
   bool written = false;
 };
 
-/// What meets at a node: pieces, and once those are known, runs that are kept.
+/// The pieces that meet at a node; once the runs are known, the kept runs.
 struct Junction {
   std::uint32_t in = 0;
   std::uint32_t out = 0;
   std::uint32_t first_out = kNone;
   std::uint32_t first_in = kNone;
-  std::uint32_t reached_by = kNone;  ///< The run by which a search came here.
+  std::uint32_t reached_by = kNone;  ///< The run by which a search arrived at the node.
 
-  /// One way in and one way out: nothing is decided here.
+  /// Returns whether one piece arrives and one leaves: the node leaves no choice.
   [[nodiscard]] bool plain() const { return in == 1 && out == 1; }
 };
 
-/// How much room the offset of so many elements needs, `cuts` of them where
-/// moved elements cross or touch.
+/// Sizes of the storage that the offset of `elements` elements needs, with `cuts` the number of
+/// cuts where moved elements cross or touch.
 struct OffsetSizes {
   std::size_t elements;
   std::size_t cuts;
@@ -104,7 +108,8 @@ struct OffsetSizes {
   [[nodiscard]] constexpr std::size_t raw_boxes() const { return BoxTree<float>::size_for(raw()); }
 };
 
-/// Working storage of an offset; nothing in it outlives the call.
+/// Working storage of an offset. Nothing in it outlives the call. The comment of each span gives
+/// its size by OffsetSizes.
 template <typename Scalar>
 struct OffsetSpace {
   Slice<Vertex<Scalar>> vertices;        ///< elements
@@ -122,7 +127,7 @@ struct OffsetSpace {
   Slice<std::uint32_t> queue;            ///< nodes()
 };
 
-/// Working storage with its capacity in the type.
+/// Working storage of an offset, with its capacity in the type.
 template <typename Scalar, std::size_t kElements, std::size_t kCuts>
 class BoundedOffsetSpace {
  public:

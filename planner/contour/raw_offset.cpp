@@ -9,10 +9,10 @@
 namespace cnc::contour {
 namespace {
 
-/// Sine of the turn at a corner, positive to the left. Near a cusp, where the elements leave each
-/// other against their directions, the sine is rounding, of this computation or of the program that
-/// wrote the drawing: there the sign is that of the gap between both elements a little before the
-/// corner, so that a tip of material turns left and the end of a slot right.
+/// Returns the sine of the turn at a corner, positive to the left. Near a cusp, where one element
+/// leads back along the other, the sine is only rounding, either of this computation or of the
+/// program that wrote the drawing. There the sign is that of the gap between both elements a little
+/// before the corner. So a tip of material turns left and the end of a slot turns right.
 template <typename Scalar>
 Scalar turn_at(const Curve<Scalar>& before, const Curve<Scalar>& after) {
   constexpr Scalar kNearCusp = Scalar(1.0e-2F);
@@ -71,16 +71,17 @@ void RawOffset<Scalar>::add_join(const Curve<Scalar>& before, const Curve<Scalar
   space_.raw[raw_count_++] = {join, kNone, kNone};
 }
 
-/// Curvature, without its sign, of the element moved aside; 0 where nothing is left of it.
+/// Returns the absolute curvature of the element moved aside; 0 where nothing is left of it.
 template <typename Scalar>
 Scalar RawOffset<Scalar>::bend_of_moved(const Curve<Scalar>& element) const {
   if (is_used_up(element, distance_)) return Scalar{0};
   return std::abs(moved_aside(element, distance_).curvature);
 }
 
-/// Whether ends of neighbours may be drawn together, of which the one that bends more has this
-/// curvature. The gap runs along both, so that half of it moves a curve aside by its square over
-/// eight times the radius: the curve's own, or |distance| where that is less.
+/// Returns whether the ends of two neighbours may be drawn together. `curvature` is that of the
+/// neighbour that bends more. The gap runs along both curves. Half of it moves a curve aside by the
+/// square of the gap divided by eight times a radius. This radius is the curve's own radius or
+/// |distance|, whichever is less.
 template <typename Scalar>
 bool RawOffset<Scalar>::closes(const Vector& gap, Scalar curvature) const {
   const Scalar square = gap.squaredNorm();
@@ -88,8 +89,8 @@ bool RawOffset<Scalar>::closes(const Vector& gap, Scalar curvature) const {
   return square <= tolerance_.touch * tolerance_.touch || square * bend <= tolerance_.touch;
 }
 
-/// Ends that are one place, or meet along both curves; but nothing is turned
-/// around by that.
+/// Returns whether two ends are one point or meet along both curves. Ends are not drawn together
+/// where that would reverse a curve.
 template <typename Scalar>
 bool RawOffset<Scalar>::draws_together(const Curve<Scalar>& before,
                                        const Curve<Scalar>& after) const {

@@ -5,17 +5,17 @@
 
 namespace cnc::contour {
 
-/// Every element moved aside by itself, with a round join wherever that opens a
-/// gap. Where elements overlap instead, both keep their whole length and end
-/// loose. An arc whose radius is used up is left out: each of its places would
-/// be nearer to another place of the same arc.
+/// Moves every element aside by itself and adds a round join wherever that opens a gap. Where moved
+/// elements overlap instead, both keep their whole length and have loose ends. An arc whose radius
+/// is used up is omitted: each of its points would be nearer to another point of the same arc.
 template <typename Scalar>
 class RawOffset {
  public:
   RawOffset(const OffsetSpace<Scalar>& space, Scalar distance, const Tolerance<Scalar>& tolerance)
       : space_{space}, distance_{distance}, tolerance_{tolerance} {}
 
-  /// False when the elements are more than the storage holds. Loops follow each other.
+  /// Adds one loop; call it for the loops in order. Returns false when the storage cannot hold all
+  /// elements.
   [[nodiscard]] bool add_loop(const ContourView<Scalar>& contour, std::size_t loop);
 
   [[nodiscard]] std::uint32_t element_count() const { return element_count_; }

@@ -20,8 +20,8 @@ bool RunSelection<Scalar>::select(std::uint32_t element_count, std::uint32_t run
   return true;
 }
 
-/// By the middle of its longest piece: there, a run is farthest from where
-/// others take over.
+/// Judges a run by the middle of its longest piece: there the run is farthest from the nodes where
+/// other runs take over.
 template <typename Scalar>
 Standing RunSelection<Scalar>::judge(const Run& run) const {
   Scalar longest{};
@@ -42,8 +42,8 @@ Standing RunSelection<Scalar>::judge(const Run& run) const {
   return brief || excess > tolerance_.touch ? Standing::kOptional : Standing::kKept;
 }
 
-/// By how much a place is nearer to the input than the distance, as far as that
-/// matters.
+/// Returns how much nearer than the distance a point is to the input, mm. Stops counting once the
+/// result exceeds `shallow`, which decides already.
 template <typename Scalar>
 Scalar RunSelection<Scalar>::excess_nearness(const Vector& place) const {
   Scalar excess{};
@@ -81,14 +81,14 @@ void RunSelection<Scalar>::keep(std::uint32_t run) {
   ++space_.junctions[space_.runs[run].end_node].in;
 }
 
-/// The shortest way over optional runs from a node that more runs reach than
-/// leave to one that more leave than reach. Each node is visited once at most.
+/// Keeps the shortest path over optional runs from a node with more runs in than out to a node with
+/// more runs out than in. Visits each node at most once.
 template <typename Scalar>
 bool RunSelection<Scalar>::lead_on(std::uint32_t node) {
   std::uint32_t seen = 0;
   std::uint32_t waiting = 0;
   space_.queue[waiting++] = node;
-  space_.junctions[node].reached_by = node;  // Anything but kNone.
+  space_.junctions[node].reached_by = node;  // Any value except kNone.
   while (seen < waiting) {
     const std::uint32_t from = space_.queue[seen++];
     for (std::uint32_t i = space_.junctions[from].first_out; i != kNone;

@@ -18,7 +18,7 @@ std::uint32_t RunFinder<Scalar>::find() {
   for (std::uint32_t i = 0; i < piece_count_; ++i) {
     if (!space_.junctions[space_.pieces[i].start_node].plain()) add_run(i);
   }
-  for (std::uint32_t i = 0; i < piece_count_; ++i) add_run(i);  // What closes upon itself.
+  for (std::uint32_t i = 0; i < piece_count_; ++i) add_run(i);  // Runs that close upon themselves.
   return run_count_;
 }
 
@@ -38,8 +38,9 @@ void RunFinder<Scalar>::connect() {
   }
 }
 
-/// The gap of a slot that is just used up has both sides on top of each other
-/// and nothing between; of what runs the same way twice, once is enough.
+/// Drops a piece with its double. Where a slot is exactly used up, both of its sides lie on top of
+/// each other with nothing between: both are dropped. Of two pieces in the same direction, one is
+/// dropped.
 template <typename Scalar>
 void RunFinder<Scalar>::cancel_if_double(std::uint32_t piece) {
   const Piece& one = space_.pieces[piece];
@@ -78,8 +79,8 @@ void RunFinder<Scalar>::drop(std::uint32_t piece) {
   --space_.junctions[space_.pieces[piece].end_node].in;
 }
 
-// A curve ends loose only where its neighbour is nearer to the input there, and
-// it stays too near until it meets another.
+// Drops the pieces from a loose start on. A curve has a loose end only where its neighbour is
+// nearer to the input there, and the curve stays too near until it meets another.
 template <typename Scalar>
 void RunFinder<Scalar>::drop_from_loose_start(std::uint32_t piece) {
   while (piece != kNone) {
@@ -99,7 +100,7 @@ void RunFinder<Scalar>::drop_to_loose_end(std::uint32_t piece) {
   }
 }
 
-/// The piece that goes on where nothing else meets, or kNone.
+/// Returns the next piece where no other piece meets at the node, or kNone.
 template <typename Scalar>
 std::uint32_t RunFinder<Scalar>::following(std::uint32_t piece) const {
   const Junction& end = space_.junctions[space_.pieces[piece].end_node];

@@ -6,7 +6,7 @@
 namespace cnc::contour {
 namespace {
 
-/// A little less than half a turn, so that a bulge stays within ±1.
+/// Radians; a little less than half a turn, so that a bulge stays within ±1.
 constexpr double kMostSweep = 2.9;
 
 std::size_t first_after(double sample) { return static_cast<std::size_t>(sample) + 1; }
@@ -21,7 +21,7 @@ struct CurvatureRange {
   }
 };
 
-/// The curvatures that pass a sample within the band, and in its direction.
+/// Returns the curvatures whose arcs pass a sample within the band and in the sample's direction.
 CurvatureRange past(const BandStart& start, const WayPoint& point, double tolerance_mm) {
   const double most = 0.9 / tolerance_mm;
   CurvatureRange range{-most, most};
@@ -31,7 +31,7 @@ CurvatureRange past(const BandStart& start, const WayPoint& point, double tolera
     const double left = cross(start.tangent, q);
     range.narrow({2.0 * (left - tolerance_mm) / room, 2.0 * (left + tolerance_mm) / room});
   }
-  // (n − k q) · N, linear in k.
+  // The agreement is (n − k q) · N, which is linear in k.
   const double along = start.tangent.dot(point.tangent) - ToleranceBand::kLeastAgreement;
   const double slope = cross(point.tangent, q);
   if (slope > 0.0) range.narrow({-most, along / slope});
@@ -39,7 +39,8 @@ CurvatureRange past(const BandStart& start, const WayPoint& point, double tolera
   return range;
 }
 
-/// How far between two samples the range that moves on from one to the other leaves the open one.
+/// Returns the share of the way from one sample to the next at which the allowed range, moving from
+/// `from` to `to`, leaves `open`.
 double crossing(const CurvatureRange& from, const CurvatureRange& to, const CurvatureRange& open) {
   if (to.low > open.high) return (open.high - from.low) / (to.low - from.low);
   if (to.high < open.low) return (from.high - open.low) / (from.high - to.high);

@@ -9,8 +9,8 @@
 
 namespace cnc::contour {
 
-/// Where an arc begins, and beside which place of the curve: its number among the
-/// samples, with a fraction between two of them.
+/// The start of an arc, and the sample of the curve next to it. The number of the sample has a
+/// fraction between two samples.
 struct BandStart {
   WideVec2 place{0.0, 0.0};
   WideVec2 tangent{1.0, 0.0};
@@ -21,23 +21,23 @@ struct BandStart {
   }
 };
 
-/// How far an arc stays within the band, as a number of a sample, and which.
+/// The sample, with a fraction, up to which an arc stays within the band, and the arc's curvature.
 struct BandReach {
   double sample = 0.0;
   double curvature = 0.0;
-  bool arrives = false;  ///< At the curve's end.
+  bool arrives = false;  ///< Whether the arc reaches the curve's end.
 };
 
-/// All that lies within a tolerance of a sampled curve.
+/// All points within a tolerance of a sampled curve.
 ///
-/// An arc from a given place in a given direction passes a sample at the signed
-/// distance e if k = 2 (y + e) / (q² − e²), with q the sample seen from there and y
-/// what of it is to the left. k grows with e, so each sample allows an interval of
-/// curvatures, and the arc that stays longest is found by one walk over the samples
-/// that narrows the interval until nothing is left of it.
+/// An arc from a given point in a given direction passes a sample at the signed distance e if k = 2
+/// (y + e) / (q² − e²). Here k is the arc's curvature, q the vector from its start to the sample,
+/// and y the part of q to the left of the direction. k grows with e, so each sample allows an
+/// interval of curvatures. One walk over the samples narrows the interval until it is empty; the
+/// last curvature left is that of the arc that stays longest.
 ///
-/// Where it does, the curve is within a quarter turn of the arc's direction beside
-/// it, so that distances count both ways.
+/// Wherever an arc is accepted, the curve's direction differs from the arc's by less than a quarter
+/// turn, so the distance counts both ways.
 class ToleranceBand {
  public:
   ToleranceBand(const CurvePiece& piece, std::span<const CurveSample> samples, double tolerance_mm)
@@ -45,33 +45,33 @@ class ToleranceBand {
 
   [[nodiscard]] double tolerance_mm() const { return tolerance_mm_; }
   [[nodiscard]] double last() const { return static_cast<double>(samples_.size() - 1); }
-  /// The curve's place, and the curve, beside a number of a sample.
+  /// Returns the parameter, in spans, or the point of the curve at a sample with a fraction.
   [[nodiscard]] double spans_at(double sample) const;
   [[nodiscard]] WayPoint point_at(double sample) const;
   [[nodiscard]] const CurveSample& sample(std::size_t index) const { return samples_[index]; }
-  /// Where a circle that runs along the curve passes it there.
+  /// Returns the point of `circle` next to the curve at `sample`, and the circle's tangent there.
   [[nodiscard]] BandStart start_on(const WideTangentCircle& circle, double sample) const;
 
-  /// The arc from there that stays longest within the band; of those that get as far as the
-  /// sample before `stop`, the one in their middle.
+  /// Returns the arc from `start` that stays longest within the band. Of the arcs that reach the
+  /// last sample up to `stop`, returns the one in the middle of the allowed curvatures.
   [[nodiscard]] BandReach farthest(const BandStart& start, double stop) const;
   [[nodiscard]] BandReach farthest(const BandStart& start) const { return farthest(start, last()); }
-  /// Returns the distance of a place of the curve from a circle; kNoFit where the circle runs
-  /// another way. Inline: most of the time of a fit is spent here.
+  /// Returns the distance of a point of the curve from a circle; kNoFit where the circle runs in
+  /// another direction. Inline: most of the time of a fit is spent here.
   [[nodiscard]] static double distance(const WideTangentCircle& circle, const WayPoint& point) {
     if (agreement(circle, point) < 0.5 * kLeastAgreement) return kNoFit;
     return std::abs(circle.across(point.place));
   }
-  /// The greatest of the samples between two places.
+  /// Returns the greatest distance between the circle and the samples between `from` and `to`.
   [[nodiscard]] double deviation(const WideTangentCircle& circle, double from, double to) const;
   /// Stands for "does not fit at all", mm.
   static constexpr double kNoFit = 1.0e9;
-  /// Between the curve and an arc beside it, at a sample: 75 degrees or so, so that between
-  /// samples it is less than a quarter turn.
+  /// Least cosine of the angle between the curve and an arc next to it, at a sample. It stands for
+  /// about 75 degrees, so that between samples the angle stays below a quarter turn.
   static constexpr double kLeastAgreement = 0.25;
 
  private:
-  /// Returns the cosine between the curve and a circle beside it, times 1 + k e.
+  /// Returns the cosine of the angle between the curve and a circle next to it, times 1 + k e.
   [[nodiscard]] static double agreement(const WideTangentCircle& circle, const WayPoint& point) {
     const WideVec2 q = point.place - circle.point;
     return point.tangent.dot(circle.tangent) - circle.curvature * cross(point.tangent, q);

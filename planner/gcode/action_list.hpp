@@ -9,17 +9,17 @@
 
 namespace cnc::gcode {
 
-/// The most that one line can ask for: S, T, M6, output, spindle, coolant,
-/// compensation, offsets, either two legs of G28 or a dwell and a motion, stop with G40 before it.
+/// Greatest number of actions of one line: S, T, M6, output, spindle, coolant, compensation,
+/// offsets, either two legs of G28 or a dwell and a motion, and a stop with a G40 before it.
 inline constexpr std::size_t kMostActions = 12;
 
-/// The actions of one line, filled in place: an action is large, and making it
-/// elsewhere only to copy it would cost more than reading its line.
+/// The actions of one line. They are filled in place: an action is large, and to make it elsewhere
+/// and copy it would cost more than reading its line.
 class ActionList {
  public:
   void clear() { size_ = 0; }
 
-  /// Appends an action that has nothing but its kind. @pre fewer than kMostActions so far
+  /// Appends an action of which only the kind is set. @pre fewer than kMostActions so far
   Action& append(ActionKind kind) {
     CNC_ASSERT(size_ < kMostActions);
     Action& action = actions_[size_++];

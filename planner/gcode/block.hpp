@@ -12,66 +12,69 @@
 
 namespace cnc::gcode {
 
-/// The most values that S may have, `S0:120:300`: more than fit into most lines.
+/// Greatest number of values that S may have, `S0:120:300`: more than fit into most lines.
 inline constexpr std::size_t kMostPowers = 64;
 
-/// The words of one line, sorted: at most one G or M word of each modal group,
-/// at most one value of each other letter. Knows what may stand together, not
-/// what it means; remembers which values nobody has asked for.
+/// The words of one line, sorted: at most one G or M word of each modal group, and at most one
+/// value of each other letter. The block knows which words may stand together, but not their
+/// meaning. It records which values have not been used.
 class Block {
  public:
-  /// Empties the block. A block is reused from line to line: its arrays are
-  /// large, and the masks alone tell what in them is meant.
+  /// Empties the block. A block is reused from line to line: its arrays are large, and the masks
+  /// alone tell which entries are valid.
   void clear();
 
-  /// Files a word, or says why it may not stand in this line: unknown,
-  /// repeated, of a modal group or with a claim on axis words that the line
-  /// already has, negative, or not whole.
+  /// Adds a word, or returns why it may not stand in this line: it is unknown, repeated, negative,
+  /// or not whole; or the line already has a word of its modal group or another word that claims
+  /// the axis words.
   [[nodiscard]] Refusal add(const Word& word);
-  /// Files another value of S, or says why it may not be one.
+  /// Adds another value of S, or returns why it is refused.
   [[nodiscard]] Refusal add_power(const Word& word);
 
-  /// Checks an O word, the number of a program, which means nothing; all others are refused.
+  /// Checks an O word that gives the number of a program, which has no effect. All other O words
+  /// are refused.
   [[nodiscard]] Refusal name_program(const Word& word, bool at_end) const;
 
   [[nodiscard]] bool empty() const { return groups_ == 0 && letters_ == 0; }
 
   [[nodiscard]] bool has(ModalGroup group) const { return (groups_ & bit_of(group)) != 0; }
-  /// Of G and M words.
+  /// Returns whether the line has no G or M word except a motion word.
   [[nodiscard]] bool has_no_word_but_motion() const {
     return (groups_ & ~bit_of(ModalGroup::kMotion)) == 0;
   }
-  /// @pre has(group)
+  /// Returns the meaning of the word of a group. @pre has(group)
   template <typename Meaning>
   [[nodiscard]] Meaning meaning(ModalGroup group) const {
     return static_cast<Meaning>(words_[index_of(group)]->meaning);
   }
   [[nodiscard]] NonModal non_modal() const;
-  /// The claim of the G words on the axis words, whether or not there are any.
+  /// Returns which use of the axis words the G words claim, whether or not there are any axis
+  /// words.
   [[nodiscard]] AxisUse axis_use() const { return axis_use_; }
 
   [[nodiscard]] bool has(char letter) const { return (letters_ & bit_of(letter)) != 0; }
   [[nodiscard]] bool has_axis_word() const;
-  [[nodiscard]] bool has_arc_word() const;  ///< I, J, K or R.
-  /// The value of a letter, which then counts as used; null if it is not there
-  /// or another word of the line has taken it.
+  [[nodiscard]] bool has_arc_word() const;  ///< Whether the line has I, J, K or R.
+  /// Returns the value of a letter and marks it as used. Null if the line does not have the letter,
+  /// or if another word of the line has used the value.
   [[nodiscard]] const Decimal* take(char letter);
-  /// The same without using it. @pre has(letter)
+  /// Returns the value of a letter without marking it as used. @pre has(letter)
   [[nodiscard]] const Decimal& value(char letter) const { return values_[index_of(letter)]; }
-  /// All values of S, where it has several.
+  /// Returns all values of S, where it has several.
   [[nodiscard]] std::span<const float> powers() const {
     return std::span{powers_}.first(power_count_);
   }
   [[nodiscard]] bool is_free(char letter) const { return (unused_ & bit_of(letter)) != 0; }
 
-  /// A fault that blames the value word with this letter. @pre has(letter)
+  /// Returns a fault that blames the value word with this letter. @pre has(letter)
   [[nodiscard]] Fault blame(FaultDetail detail, char letter) const;
-  /// A fault that blames the G or M word of this group. @pre has(group)
+  /// Returns a fault that blames the G or M word of this group. @pre has(group)
   [[nodiscard]] Fault blame(FaultDetail detail, ModalGroup group) const;
-  /// A fault that blames the first axis word, or of I J K where there is none.
-  /// @pre has_axis_word() or one of those
+  /// Returns a fault that blames the first axis word, or the first of I J K where there is no axis
+  /// word.
+  /// @pre has_axis_word(), or the line has I, J or K
   [[nodiscard]] Fault blame_first_axis_word(FaultDetail detail) const;
-  /// kUnused for the leftmost value that nobody took, if there is one.
+  /// Returns kUnused for the leftmost value that has not been used, if there is one.
   [[nodiscard]] Refusal unused_word() const;
 
  private:
@@ -94,7 +97,7 @@ class Block {
   [[nodiscard]] char leftmost(std::uint32_t letters) const;
 
   std::uint32_t letters_ = 0;  ///< A bit for each letter with a value.
-  std::uint32_t unused_ = 0;   ///< Those of them that were not taken.
+  std::uint32_t unused_ = 0;   ///< A bit for each letter whose value has not been used.
   std::uint32_t groups_ = 0;   ///< A bit for each modal group with a word.
   AxisUse axis_use_ = AxisUse::kNone;
   std::array<Decimal, kLetterCount> values_{};

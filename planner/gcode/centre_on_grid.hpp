@@ -9,20 +9,21 @@
 
 namespace cnc::gcode {
 
-/// A centre seen from the start of its arc, in tenths of the last digit of places: half a turn
-/// between two places has no centre on their own grid where they are an odd number of digits apart,
-/// and its radii would differ by a whole one.
+/// A centre relative to the start of its arc, in tenths of the last digit of positions. On the
+/// positions' own grid, half a turn between two positions that are an odd number of digits apart
+/// would have no centre, and its radii would differ by a whole digit.
 struct GridCentre {
   std::int64_t x = 0;
   std::int64_t y = 0;
 };
 
-/// Smaller arcs are hardly more than their own rounding, in last digits.
+/// Least radius of an arc, in last digits. Smaller arcs are hardly more than their own rounding.
 inline constexpr int kLeastRadiusOnGrid = 1;
 
-/// The centre of an arc whose ends are on the grid. In double both radii agree within 0.15 last
-/// digits; in float so they do within half a digit, for radii of up to a million of them
-/// (writer_test.cpp, over random arcs). Nothing where it is farther than kFarthestCentre.
+/// Returns the centre of an arc whose ends are on the grid. In double precision both radii agree
+/// within 0.15 last digits. In single precision they agree within half a digit, for radii of up to
+/// a million digits (writer_test.cpp, over random arcs). Empty where the centre is farther than
+/// kFarthestCentre.
 /// Source of the bulge: planner/geometry/arc.hpp.
 /// @pre 0 < |bulge| ≤ 1
 template <std::floating_point Scalar>

@@ -7,23 +7,23 @@
 
 namespace cnc::gcode {
 
-/// How the last G5 ended: the next one may go on from there without I and J.
+/// End of the last G5, from which the next G5 may continue without I and J.
 struct CubicExit {
   bool known = false;
   std::array<Coordinate, 2> place{};  ///< X Y, machine coordinates.
-  std::array<Coordinate, 2> arm{};    ///< To the first control point of the next.
+  std::array<Coordinate, 2> arm{};    ///< Vector to the first control point of the next G5.
 };
 
-/// All that a line may change, but for the stored places: small enough to be
-/// copied for each line, and so given up whole when the line is refused.
+/// All state that a line may change, except the stored positions. It is small enough to be copied
+/// for each line, so a refused line simply drops its copy.
 struct Context {
   ModalState modal{};
   Shift shift{};
   CubicExit cubic_exit{};
-  Position position{};  ///< Machine coordinates, where the last motion ends.
+  Position position{};  ///< End of the last motion, machine coordinates.
 };
 
-/// What G92 and the tool add to an axis.
+/// Returns the sum of G92 offset and tool length on an axis.
 [[nodiscard]] inline Coordinate shift_of(const Shift& shift, std::size_t axis) {
   Coordinate sum{};
   if (shift.g92_in_use) sum += shift.g92[axis];
@@ -31,7 +31,7 @@ struct Context {
   return sum;
 }
 
-/// What is added to a programmed place to get the machine's.
+/// Returns the offset from a programmed position to the machine's position.
 [[nodiscard]] inline Coordinate work_offset(const Context& context,
                                             const StoredPlaces& places,
                                             std::size_t axis) {

@@ -14,12 +14,12 @@ constexpr std::size_t kDecimals = 9;
 constexpr std::array<std::uint32_t, kDecimals + 1> kPowersOfTen{
     1, 10, 100, 1'000, 10'000, 100'000, 1'000'000, 10'000'000, 100'000'000, kBillion};
 
-/// Walks over a text and over the blanks in it, which it looks for where no digit follows.
+/// Reads characters of a text and skips blanks. It checks for blanks only where no digit follows.
 class Cursor {
  public:
   explicit Cursor(std::string_view text) : text_{text} {}
 
-  /// Behind all blanks.
+  /// Skips blanks. Returns the index after them.
   [[nodiscard]] std::size_t position() {
     skip_blanks();
     return at_;
@@ -60,7 +60,7 @@ class Cursor {
   std::size_t digits_taken_ = 0;
 };
 
-/// False when another digit would not fit.
+/// Reads the whole part. Returns false when another digit would not fit.
 bool read_whole(Cursor& cursor, Decimal& number) {
   for (; cursor.at_digit(); cursor.leave_digit()) {
     if (number.whole > kLargestWhole / 10) return false;
@@ -85,8 +85,8 @@ void read_fraction(Cursor& cursor, Decimal& number) {
   while (cursor.at_digit()) cursor.leave_digit();
 }
 
-/// Reads a number of at most nine digits without blanks in it or behind it, as nearly all are: in
-/// one integer. None for any other text.
+/// Reads a number of at most nine digits without blanks in it or after it, in one integer. Nearly
+/// all numbers are so. Empty for any other text.
 std::optional<DecimalReading> read_plain(std::string_view text) {
   DecimalReading reading{};
   std::size_t at = 0;
@@ -96,7 +96,7 @@ std::optional<DecimalReading> read_plain(std::string_view text) {
   }
   std::uint32_t all = 0;
   std::size_t digits = 0;
-  std::size_t whole_digits = kDecimals + 1;  // None: there is no point.
+  std::size_t whole_digits = kDecimals + 1;  // This value means that no point has been read yet.
   for (; at < text.size(); ++at) {
     const char c = text[at];
     if (c >= '0' && c <= '9') {
@@ -157,7 +157,7 @@ Coordinate from_millimetres(const Decimal& number) {
 
 Coordinate from_inches(const Decimal& number) {
   constexpr std::uint64_t kNanometres = 25'400'000;
-  // A billionth of an inch is 0.0254 nm = 127 / 5000 nm. Split, so that the
+  // A billionth of an inch is 0.0254 nm = 127 / 5000 nm. The multiplication is split, so that the
   // product stays within 32 bits.
   const std::uint32_t quotient = number.billionths / 5000;
   const std::uint32_t rest = number.billionths % 5000;

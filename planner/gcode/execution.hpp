@@ -15,13 +15,12 @@
 
 namespace cnc::gcode {
 
-/// Works out what one block does: goes through the steps of RS274/NGC table 8
-/// in order, checks each, and notes its actions and its changes. Nothing
-/// outside is touched before commit(), so a fault in the last step undoes the
-/// first.
+/// Computes the effect of one block. It goes through the steps of RS274/NGC table 8 in order,
+/// checks each, and records its actions and its changes. Nothing outside changes before commit(),
+/// so a fault in the last step undoes the first.
 ///
-/// Where RS274/NGC and Grbl 1.1 number or order checks differently, Grbl's way
-/// is taken (gnea/grbl, gcode.c, steps 2 and 3).
+/// Where RS274/NGC and Grbl 1.1 number or order checks differently, this class does as Grbl does
+/// (gnea/grbl, gcode.c, steps 2 and 3).
 class Execution {
  public:
   /// All arguments outlive the execution. @pre `actions` is empty.
@@ -41,31 +40,32 @@ class Execution {
 
   [[nodiscard]] Refusal run();
 
-  /// Makes the changes. Only after run() has refused nothing.
+  /// Makes the changes. @pre run() has refused nothing
   void commit();
-  /// Whether they include one of the stored places.
+  /// Returns whether the changes include one of the stored positions.
   [[nodiscard]] bool stores_place() const { return stored_value_.has_value(); }
 
-  /// The block as a jog: what it sets holds for itself alone.
+  /// Runs the block as a jog: its modes hold for this line only.
   [[nodiscard]] Refusal run_jog();
-  /// Makes the one change of a jog, the position; returns its N, 0 if none.
+  /// Makes the only change of a jog, the position. Returns its N, or 0 if it has none.
   std::uint32_t commit_jog();
 
  private:
   using Step = Refusal (Execution::*)();
 
   [[nodiscard]] Refusal take_steps(std::span<const Step> steps);
-  /// What a line of a NURBS adds when it is committed.
+  /// Changes that a line of a NURBS makes when it is committed.
   struct NurbsLine {
     bool begins = false;
-    std::size_t order = 0;  ///< 0 leaves it.
+    std::size_t order = 0;  ///< 0 leaves the order unchanged.
     std::optional<float> first_weight{};
     std::optional<ControlPoint> point{};
   };
 
-  // The steps, in execution.cpp; G64 in execution_path.cpp, G41.1 in execution_compensation.cpp,
-  // offsets in execution_offsets.cpp, motion in execution_motion.cpp, arcs in execution_arc.cpp,
-  // splines in execution_spline.cpp and execution_nurbs.cpp, jogs in execution_jog.cpp.
+  // The steps are in execution.cpp; G64 is in execution_path.cpp, G41.1 in
+  // execution_compensation.cpp, offsets in execution_offsets.cpp, motion in execution_motion.cpp,
+  // arcs in execution_arc.cpp, splines in execution_spline.cpp and execution_nurbs.cpp, jogs in
+  // execution_jog.cpp.
   void set_modes();
   [[nodiscard]] Refusal check_signs();
   [[nodiscard]] Refusal number_line();
@@ -154,7 +154,7 @@ class Execution {
   [[nodiscard]] Refusal end_nurbs();
   void commit_nurbs();
 
-  /// A whole number in 0…highest, of a letter that the word of `group` needs.
+  /// Takes a whole number in 0…highest from a letter that the word of `group` needs.
   [[nodiscard]] Refusal take_index(char letter,
                                    ModalGroup group,
                                    std::uint32_t highest,
@@ -179,12 +179,13 @@ class Execution {
   Block& block_;
   ActionList& actions_;
 
-  Context next_;               ///< What the line would leave behind.
+  Context next_;               ///< State after the line.
   float inverse_time_ = 0.0F;  ///< F of this line in G93, 1/min.
-  bool powers_wait_ = false;   ///< The several values of S, for the motion that they go with.
+  bool powers_wait_ = false;   ///< Several values of S wait for the motion to which they belong.
   std::optional<NurbsLine> nurbs_line_;
   bool offsets_changed_ = false;
-  Position* stored_ = nullptr;  ///< The place that commit() writes, if there is a value for it.
+  /// The stored position that commit() writes, if there is a value for it.
+  Position* stored_ = nullptr;
   std::optional<Position> stored_value_;
 };
 

@@ -10,16 +10,16 @@
 namespace cnc::gcode {
 namespace {
 
-/// Less is a slip: no tool is so thin.
+/// Least width of a cut. A smaller width is a mistake: no tool is so thin.
 constexpr float kNarrowestCutMm = 0.01F;
 
 constexpr float kMicrometresPerMillimetre = 1000.0F;
-constexpr float kMicrometresPerMinute = 60.0F * kMicrometresPerMillimetre;  ///< Of mm/s.
+constexpr float kMicrometresPerMinute = 60.0F * kMicrometresPerMillimetre;  ///< µm/min per mm/s.
 
-/// The nearest whole number. @pre value ≥ 0
+/// Returns the nearest whole number. @pre value ≥ 0
 std::uint32_t whole(float value) { return static_cast<std::uint32_t>(value + 0.5F); }
 
-/// What was asked for and the nearest that is permissible, in mm, W or mm/min.
+/// Returns a fault with the requested value and the nearest permissible value, in mm, W or mm/min.
 Fault kerf_fault(Fault fault, const kerf::Condition& asked, const kerf::Refusal& refusal) {
   constexpr float kThousandth = 1.0F / 1000.0F;
   std::uint32_t value = asked.power_mw;
@@ -52,8 +52,8 @@ kerf::Condition kerf_condition(const ModalState& modal, const Options& options) 
           .speed_um_min = whole(modal.feed * kMicrometresPerMinute)};
 }
 
-/// What stops the machine, or moves it otherwise than along a path, has no place on the way beside
-/// it: how an element ends is known with the next one only.
+/// Refuses words that stop the machine, or move it other than along a path, between G41 or G42 and
+/// G40: the end of an element is known only when the next element is.
 Refusal Execution::check_compensated_words() {
   if (context_.modal.compensation.side == CutterSide::kOn) return std::nullopt;
   constexpr std::array<ModalGroup, 4> kStandstill{
@@ -64,7 +64,7 @@ Refusal Execution::check_compensated_words() {
   if (next_.modal.plane != context_.modal.plane) {
     return block_.blame(FaultDetail::kNotBesideThePath, ModalGroup::kPlane);
   }
-  // A spindle's speed waits for standstill, and so may a second analog output.
+  // The speed of a spindle changes at standstill only, and so may a second analog output.
   if (block_.has('S') && !options_.laser) return block_.blame(FaultDetail::kNotBesideThePath, 'S');
   if (block_.has(ModalGroup::kOutput) &&
       block_.meaning<Output>(ModalGroup::kOutput) == Output::kAnalogWithMotion) {
@@ -77,8 +77,9 @@ Refusal Execution::check_compensated_words() {
   return std::nullopt;
 }
 
-/// From one side to the other, or to another width, G40 comes between (RS274/NGC 3.5.8). What is
-/// as it was may be said again: senders give back the modes that they were told.
+/// Handles G40, G41, G42, G41.1 and G42.1. Between one side and the other, or another width, there
+/// must be a G40 (RS274/NGC 3.5.8). The present state may be repeated, because senders restore the
+/// modes that were reported.
 Refusal Execution::set_compensation() {
   if (!block_.has(ModalGroup::kCutterRadius)) return std::nullopt;
   CutterCompensation wanted;
@@ -106,8 +107,8 @@ Refusal Execution::read_compensation(CutterCompensation& wanted) {
   return wanted.by_kerf ? look_up_kerf(wanted.width_mm) : read_tool_width(wanted.width_mm);
 }
 
-/// Of the tool that D of G41 and G42 names, or the one that is in, which is D0, too. D0 without a
-/// tool is the programmed path itself, as in LinuxCNC.
+/// Reads the width of the tool that D of G41 and G42 names. D0, and no D, mean the tool that is in.
+/// D0 without a tool in means the programmed path itself, as in LinuxCNC.
 Refusal Execution::read_tool_width(float& width_mm) {
   std::uint32_t tool = next_.modal.tool;
   if (block_.has('D')) {
@@ -128,7 +129,7 @@ Refusal Execution::read_tool_width(float& width_mm) {
   return std::nullopt;
 }
 
-/// D of G41.1 and G42.1; 0 is the programmed path itself.
+/// Reads D of G41.1 and G42.1. 0 means the programmed path itself.
 Refusal Execution::read_cut_width(float& width_mm) {
   const Decimal* const number = block_.take('D');
   if (number == nullptr) return missing('D', ModalGroup::kCutterRadius);
@@ -143,8 +144,8 @@ Refusal Execution::read_cut_width(float& width_mm) {
   return std::nullopt;
 }
 
-/// What the material's table has for the power and speed that are set now: S and F do not change
-/// until G40.
+/// Returns the width that the material's table has for the present power and speed: S and F do not
+/// change until G40.
 Refusal Execution::look_up_kerf(float& width_mm) const {
   const auto blame = [this](FaultDetail detail) {
     return block_.blame(detail, ModalGroup::kCutterRadius);
@@ -166,7 +167,8 @@ Refusal Execution::look_up_kerf(float& width_mm) const {
   return std::nullopt;
 }
 
-/// M190 P Q: a kerf table, and a thickness of which it knows something or not.
+/// Handles M190 P Q, which selects a kerf table and a thickness. The table need not contain the
+/// thickness.
 Refusal Execution::set_material() {
   if (!block_.has(ModalGroup::kMaterial)) return std::nullopt;
   const std::uint32_t count = options_.kerf != nullptr ? options_.kerf->count : 0;
@@ -191,7 +193,8 @@ Refusal Execution::set_material() {
   return std::nullopt;
 }
 
-/// Beside the path by a kerf, which is one for all of it, and this line does not end it.
+/// Returns whether the path is offset by a kerf and this line does not end that. The kerf is one
+/// for the whole path.
 bool Execution::keeps_kerf() const {
   return context_.modal.compensation.by_kerf && !block_.has(ModalGroup::kCutterRadius);
 }

@@ -5,7 +5,8 @@
 namespace cnc::gcode {
 namespace {
 
-/// What is faster takes less than a month from one end of the range of places to the other.
+/// A motion that is faster than this takes less than a month, even from one end of the range of
+/// positions to the other.
 constexpr float kSlowMmPerS = 4.0F;
 
 constexpr bool is_arc(MotionMode mode) {
@@ -14,8 +15,8 @@ constexpr bool is_arc(MotionMode mode) {
 
 }  // namespace
 
-/// The motion mode acts when its word is in the line, or when there are axis
-/// words that no other word of the line claims (Grbl's implicit motion).
+/// Handles the motion of the line. The motion mode acts when its word is in the line, or when there
+/// are axis words that no other word of the line claims (Grbl's implicit motion).
 Refusal Execution::move() {
   const MotionMode mode = next_.modal.motion;
   const bool straight = mode == MotionMode::kRapid || mode == MotionMode::kLine;
@@ -38,23 +39,24 @@ Refusal Execution::move() {
   return is_arc(mode) ? move_along_arc() : move_along_spline(mode);
 }
 
-/// Senders give back the modes that they were told in one line, `G2 … F0` among
-/// them: that says which mode, and how fast, and is complete. A lone G1 while no
-/// feed is set is refused, as in Grbl.
+/// Returns whether the motion word only sets the mode. Senders restore the reported modes in one
+/// line, with `G2 … F0` in it: that gives mode and feed, and is complete. A G1 alone while no feed
+/// is set is refused, as in Grbl.
 bool Execution::only_sets_mode() const {
   if (block_.has_axis_word() || block_.has_arc_word()) return false;
   return block_.has('F') || next_.modal.feed > 0.0F ||
          next_.modal.feed_mode == FeedMode::kInverseTime;
 }
 
-/// Without a word that claims the axes a centre alone is another whole turn, as in LinuxCNC.
+/// Returns whether the line moves. Without a word that claims the axes, a centre alone is another
+/// whole turn, as in LinuxCNC.
 bool Execution::moves() const {
   if (block_.axis_use() != AxisUse::kNone) return block_.axis_use() == AxisUse::kMotion;
   return block_.has_axis_word() || (is_arc(next_.modal.motion) && has_centre_word());
 }
 
-/// Rejects a slip that would keep the machine at work for years. Overrides do not count, nor does
-/// that an axis may be slower.
+/// Refuses a mistake that would keep the machine at work for years. Overrides and slower axes are
+/// not taken into account.
 Refusal Execution::check_duration(float length_mm, float speed_mm_s) const {
   if (length_mm <= speed_mm_s * options_.longest_motion_s) return std::nullopt;
   Fault fault{.detail = FaultDetail::kMotionTooLong};
@@ -64,8 +66,8 @@ Refusal Execution::check_duration(float length_mm, float speed_mm_s) const {
   return fault;
 }
 
-/// Goes to the target of the line at the feed that is set, if that takes no longer than it may.
-/// Most motions are so fast that no length needs to be known.
+/// Completes an action that goes to the target of the line at the present feed, if that takes no
+/// longer than permitted. Most motions are so fast that their length need not be known.
 Refusal Execution::go_straight(Action& action, const Position& target) {
   const Position start = next_.position;
   action.end = target;
@@ -83,8 +85,8 @@ Refusal Execution::check_feed() const {
                                    : FaultDetail::kFeedMissing);
 }
 
-/// Puts the axes that are named where they are to go, in machine coordinates.
-/// After G53 the numbers are machine coordinates, in G91 too, as in Grbl.
+/// Sets the named axes of `target`, in machine coordinates. After G53 the numbers are machine
+/// coordinates, in G91 too, as in Grbl.
 Refusal Execution::read_target(Position& target) {
   const bool in_machine_coordinates = block_.non_modal() == NonModal::kMachineCoordinates;
   const bool incremental = next_.modal.distance == DistanceMode::kIncremental;
@@ -104,7 +106,7 @@ Refusal Execution::read_target(Position& target) {
   return std::nullopt;
 }
 
-/// G0 and G1; without axis words they only set the mode.
+/// Handles G0 and G1. Without axis words they only set the mode.
 Refusal Execution::move_straight() {
   if (!block_.has_axis_word()) return std::nullopt;
   Position target = next_.position;
@@ -121,8 +123,8 @@ Refusal Execution::move_straight() {
   return std::nullopt;
 }
 
-/// G38.2…G38.5. The position is the target until set_position() tells where the
-/// probe really stopped.
+/// Handles G38.2…G38.5. The position is the target until set_position() reports where the probe
+/// really stopped.
 Refusal Execution::probe() {
   if (!block_.has_axis_word()) return blame_motion(FaultDetail::kAxisWordsMissing);
   if (next_.modal.compensation.side != CutterSide::kOn) {
@@ -148,7 +150,7 @@ float Execution::straight_speed(const Position& target) const {
   return only_rotary_axes_move(next_.position, target) ? modal.rotary_feed : modal.feed;
 }
 
-/// The word of the motion, or what stands for it.
+/// Returns a fault that blames the motion word, or the first axis word where there is none.
 Fault Execution::blame_motion(FaultDetail detail) const {
   if (block_.has(ModalGroup::kMotion)) return block_.blame(detail, ModalGroup::kMotion);
   return block_.blame_first_axis_word(detail);

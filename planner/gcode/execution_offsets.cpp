@@ -3,7 +3,7 @@
 
 namespace cnc::gcode {
 
-/// G43.1, G43.4 and G49. Grbl shifts Z only, and so do we.
+/// Handles G43.1, G43.4 and G49. Grbl shifts Z only, and so does this function.
 Refusal Execution::set_tool_length() {
   if (!block_.has(ModalGroup::kToolLength)) return std::nullopt;
   const auto word = block_.meaning<ToolLength>(ModalGroup::kToolLength);
@@ -22,7 +22,7 @@ Refusal Execution::set_tool_length() {
   return std::nullopt;
 }
 
-/// Without Z, G43.4 keeps the length that is in use.
+/// Reads the tool length. Without Z, G43.4 keeps the present length.
 Refusal Execution::read_tool_length(ToolLength word, Coordinate& length) {
   const bool centre = word == ToolLength::kCentre;
   const FaultDetail detail =
@@ -36,8 +36,8 @@ Refusal Execution::read_tool_length(ToolLength word, Coordinate& length) {
   return check_range(FaultDetail::kOffsetOutOfRange, index_of(Axis::kZ), length);
 }
 
-/// The machine stands still before and after, and learns which place its axes mean now. So nothing
-/// else in the line may name places.
+/// Begins or ends G43.4. The machine is at rest before and after, and must learn which position its
+/// axes now mean. So nothing else in the line may name positions.
 Refusal Execution::switch_tool_centre(bool on) {
   if (on && !options_.five_axes) {
     return block_.blame(FaultDetail::kNotFiveAxes, ModalGroup::kToolLength);
@@ -52,8 +52,8 @@ Refusal Execution::switch_tool_centre(bool on) {
   return std::nullopt;
 }
 
-/// Probes, splines, cutter compensation, tool changes and places of the axes themselves have to
-/// wait for G49.
+/// Refuses tool changes, cutter compensation and positions of the axes themselves. They have to
+/// wait for G49, as do probes and splines, which move() refuses.
 Refusal Execution::check_words_at_tool_centre() const {
   for (const ModalGroup group : {ModalGroup::kToolChange, ModalGroup::kCutterRadius}) {
     if (!block_.has(group)) continue;
@@ -73,8 +73,8 @@ Refusal Execution::check_words_at_tool_centre() const {
   }
 }
 
-/// What G10, G28.1, G30.1 and the G92 family set, and the one action that tells
-/// of it all, a new coordinate system or tool length included.
+/// Handles G10, G28.1, G30.1 and the G92 family. One action reports all changes of offsets,
+/// including a new coordinate system or tool length.
 Refusal Execution::set_offsets() {
   Refusal fault;
   switch (block_.non_modal()) {
@@ -103,8 +103,8 @@ Refusal Execution::set_offsets() {
   return std::nullopt;
 }
 
-/// G10: L1 is a tool's; L2 sets the origin of a system, L20 puts it where the present place gets
-/// the given coordinates. P0 is the system in use.
+/// Handles G10. L1 sets the radius of a tool. L2 sets the origin of a system; L20 sets the origin
+/// so that the present position gets the given coordinates. P0 is the system in use.
 Refusal Execution::set_system() {
   constexpr auto kGroup = ModalGroup::kNonModal;
   const Decimal* const kind = block_.take('L');
@@ -129,7 +129,7 @@ Refusal Execution::set_system() {
   return std::nullopt;
 }
 
-/// G10 L1: P is the tool, R its radius; R0 forgets it.
+/// Handles G10 L1: P is the tool, R its radius; R0 forgets the radius.
 Refusal Execution::set_tool_radius() {
   constexpr auto kGroup = ModalGroup::kNonModal;
   if (block_.has_axis_word()) return block_.blame_first_axis_word(FaultDetail::kAxisWordUnused);
@@ -169,7 +169,7 @@ Refusal Execution::read_origin(bool from_present_place, Position& origin) {
   return std::nullopt;
 }
 
-/// Axes that are not named keep the offset that is in effect; what G92.2 had
+/// Handles G92. Axes that are not named keep the offset that is in effect; an offset that G92.2 had
 /// suspended is forgotten.
 Refusal Execution::set_g92() {
   if (!block_.has_axis_word()) {
@@ -191,7 +191,8 @@ Refusal Execution::set_g92() {
   return std::nullopt;
 }
 
-/// G92.1 forgets the offset, G92.2 suspends it, G92.3 takes it up again.
+/// Handles the rest of the family: G92.1 forgets the offset, G92.2 suspends it, and G92.3 restores
+/// it.
 void Execution::switch_g92(NonModal word) {
   if (word == NonModal::kClearG92) next_.shift.g92 = Position{};
   next_.shift.g92_in_use = word == NonModal::kRestoreG92;
@@ -204,8 +205,8 @@ void Execution::store(Position& place, const Position& value) {
   offsets_changed_ = true;
 }
 
-/// G28 and G30: rapid to the stored place; with axis words, by way of the place
-/// that they name, and then with those axes only.
+/// Handles G28 and G30: a rapid to the stored position. With axis words it goes first to the
+/// position that they name, and then with the named axes only.
 Refusal Execution::go_to_stored_place() {
   const NonModal word = block_.non_modal();
   if (word != NonModal::kGoToG28 && word != NonModal::kGoToG30) return std::nullopt;

@@ -3,7 +3,8 @@
 
 namespace cnc::gcode {
 
-/// P and Q are lengths, in the units of the line, of G64 alone. Each G64 says both anew.
+/// Handles path control. P and Q are lengths in the units of the line, and belong to G64 only. Each
+/// G64 sets both.
 Refusal Execution::set_path_control() {
   if (!block_.has(ModalGroup::kPathControl)) return std::nullopt;
   PathControl path{.mode = block_.meaning<PathMode>(ModalGroup::kPathControl)};

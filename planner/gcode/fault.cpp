@@ -11,14 +11,14 @@ namespace {
 
 struct Explanation {
   ErrorCode code;
-  /// %w: the word as letter and number; %c: its letter; %v: the value and %l:
-  /// the limit with three decimals; %n: the limit without superfluous decimals.
+  /// %w stands for the word as letter and number, %c for its letter, %v for the value and %l for
+  /// the limit with three decimals, %n for the limit without superfluous decimals.
   std::string_view sentence;
 };
 
 using enum ErrorCode;
 
-/// In the order of FaultDetail.
+/// Explanations in the order of FaultDetail.
 constexpr std::array<Explanation, kFaultDetailCount> kExplanations{{
     {kExpectedLetter, "a word begins with a letter, not with '%c'"},
     {kExpectedLetter, "byte %w is only allowed in a comment"},
@@ -101,7 +101,7 @@ constexpr const Explanation& explanation_of(FaultDetail detail) {
   return kExplanations[static_cast<std::size_t>(detail)];
 }
 
-/// Appends to a fixed buffer and drops what does not fit.
+/// Appends text to a fixed buffer and drops the part that does not fit.
 class TextWriter {
  public:
   explicit TextWriter(std::span<char> out) : out_{out} {}
@@ -122,8 +122,8 @@ class TextWriter {
     while (count > 0) put(digits[--count]);
   }
 
-  /// Rounded to thousandths. `trimmed` drops zeros at the end of the decimals.
-  /// @pre |number| < 2^47; every value of a Fault is.
+  /// Appends a number, rounded to thousandths. `trimmed` drops zeros at the end of the decimals.
+  /// @pre |number| < 2^47, as for every value of a Fault
   void put_number(float number, bool trimmed) {
     if (number < 0.0F) put('-');
     const float magnitude = number < 0.0F ? -number : number;
@@ -148,7 +148,8 @@ class TextWriter {
   std::size_t size_ = 0;
 };
 
-/// False when `field` names nothing, as after a percent sign that is meant.
+/// Appends the value of a field. Returns false when `field` names no value, as after a literal
+/// percent sign.
 bool put_field(TextWriter& text, char field, const Fault& fault) {
   switch (field) {
     case 'w':

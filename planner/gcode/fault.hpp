@@ -7,8 +7,7 @@
 
 namespace cnc::gcode {
 
-/// The numbers of Grbl 1.1, which senders translate for their users.
-/// Source: gnea/grbl, doc/csv/error_codes_en_US.csv.
+/// Error numbers of Grbl 1.1, which senders translate for their users.
 enum class ErrorCode : std::uint8_t {
   kExpectedLetter = 1,
   kBadNumber = 2,
@@ -36,8 +35,8 @@ enum class ErrorCode : std::uint8_t {
   kValueTooLarge = 38,
 };
 
-/// What exactly is wrong. Finer than Grbl's numbers: each detail has one number
-/// and one sentence, both in fault.cpp, in this order.
+/// The exact fault, finer than Grbl's numbers: each detail has one number and one sentence, both in
+/// fault.cpp, in this order.
 enum class FaultDetail : std::uint8_t {
   kNotALetter,
   kForeignByte,
@@ -122,22 +121,23 @@ inline constexpr std::size_t kFaultDetailCount =
 /// Why a line was refused. A refused line changes nothing and moves nothing.
 struct Fault {
   FaultDetail detail = FaultDetail::kNotALetter;
-  char letter = ' ';         ///< Of the word at fault; ' ' where there is none.
-  std::uint16_t column = 0;  ///< 1-based, in bytes; 0 where no word is to blame.
-  float value = 0.0F;        ///< Of the word, or the deviation in mm.
-  float limit = 0.0F;        ///< What `value` was compared with.
+  char letter = ' ';  ///< Letter of the word at fault; ' ' where there is none.
+  /// Column of the word, 1-based, in bytes; 0 where no word is at fault.
+  std::uint16_t column = 0;
+  float value = 0.0F;  ///< Value of the word, or the deviation in mm.
+  float limit = 0.0F;  ///< Limit with which `value` was compared.
 
   [[nodiscard]] ErrorCode code() const;
 };
 
-/// What a check returns: nothing, or the fault it found.
+/// Result of a check: nothing, or the fault that was found.
 using Refusal = std::optional<Fault>;
 
-/// Writes the fault as words, without its number and column, for example
-/// "arc end is 0.123 mm off its circle, limit 0.050 mm", cut off at the end of
-/// `out`; no terminating zero. No sentence contains "ok" or "error" in any
-/// case: senders take a line with either for an acknowledgement.
-/// @return bytes written.
+/// Writes the fault as words, without its number and column, for example "arc end is 0.123 mm off
+/// its circle, limit 0.050 mm". The text is cut off at the end of `out`, and has no terminating
+/// zero. No sentence contains "ok" or "error" in any case: senders take a line with either word for
+/// an acknowledgement.
+/// @return number of bytes written.
 [[nodiscard]] std::size_t describe(const Fault& fault, std::span<char> out);
 
 }  // namespace cnc::gcode

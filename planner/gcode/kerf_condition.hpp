@@ -6,7 +6,7 @@
 
 namespace cnc::gcode {
 
-/// What is cut, with which power and at which speed: M190, S and F as they are set.
+/// Returns the condition of the cut: thickness, power and speed by the present M190, S and F.
 /// @pre the options have a kerf source and the greatest power
 [[nodiscard]] kerf::Condition kerf_condition(const ModalState& modal, const Options& options);
 

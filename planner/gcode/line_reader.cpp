@@ -14,7 +14,7 @@ constexpr bool is_visible_ascii(char c) { return c > ' ' && c <= '~'; }
 
 constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
-/// Begins an expression or a parameter of LinuxCNC and Fanuc.
+/// Returns whether a character begins an expression or a parameter of LinuxCNC and Fanuc.
 constexpr bool begins_expression(char c) { return c == '[' || c == '#' || c == '<'; }
 
 }  // namespace
@@ -45,7 +45,8 @@ Refusal LineReader::read(Word& word) {
   return read_value(letter, word);
 }
 
-/// A file may have any comments, the machine's memory has not: only what is no comment counts.
+/// Returns whether the line is too long. Only text outside comments counts: a file may have
+/// comments of any length, but the memory of the machine is limited.
 bool LineReader::too_long() const {
   if (line_.size() <= kLongestLine) return false;
   std::size_t code = 0;
@@ -59,10 +60,10 @@ bool LineReader::too_long() const {
   return code > kLongestLine || line_.size() > kLongestLineWithComments;
 }
 
-/// The number behind the letter or colon here.
+/// Reads the number after the letter or colon at the present index.
 Refusal LineReader::read_value(char letter, Word& word) {
   std::string_view rest = line_;
-  rest.remove_prefix(at_ + 1);  // Not substr(), which throws.
+  rest.remove_prefix(at_ + 1);  // substr() could throw.
   const auto number = read_decimal(rest);
   word.letter = letter;
   word.column = static_cast<std::uint16_t>(at_ + 1);
@@ -91,7 +92,7 @@ Refusal LineReader::skip_to_word() {
   return std::nullopt;
 }
 
-/// RS274/NGC 3.3.4: a comment holds no left parenthesis and is closed.
+/// Skips a comment. It must be closed and must not contain a left parenthesis (RS274/NGC 3.3.4).
 Refusal LineReader::skip_comment() {
   const Fault unclosed = fault_here(FaultDetail::kUnclosedComment);
   for (++at_; !at_end(); ++at_) {
@@ -111,11 +112,12 @@ Refusal LineReader::pass_slash(bool block_delete) {
   }
   ++at_;
   if (!at_end() && is_digit(line_[at_])) ++at_;
-  first_ = at_ + 1;  // No colon is one at the front.
+  first_ = at_ + 1;  // A colon after the slash is not at the front of the line.
   return skip_to_word();
 }
 
-/// What follows % is the name of a program; a word there is a slip that would not be driven.
+/// Passes a line that begins with %. The text after % is the name of a program; a word there is a
+/// mistake, because it would not be executed.
 Refusal LineReader::pass_percent() {
   const Fault not_alone = fault_here(FaultDetail::kPercentNotAlone);
   ++at_;

@@ -9,52 +9,52 @@
 
 namespace cnc::gcode {
 
-/// The longest line that is read, its CR and LF and its comments not counted.
+/// Length of the longest line that is read, its CR and LF and its comments not counted.
 inline constexpr std::size_t kLongestLine = 256;
-/// The same with its comments: columns are 16 bits wide.
+/// Length of the longest line with its comments: columns are 16 bits wide.
 inline constexpr std::size_t kLongestLineWithComments = 65'534;
 
-/// The line without the byte order mark that some editors put before the first one.
+/// Returns the line without the byte order mark that some editors put before the first line.
 [[nodiscard]] std::string_view without_mark(std::string_view line);
 
-/// A letter and its number, and where it stands.
+/// A letter, its number, and the column of the word.
 struct Word {
   char letter = ' ';         ///< 'A'…'Z'.
-  std::uint16_t column = 0;  ///< 1-based.
+  std::uint16_t column = 0;  ///< Column of the letter in the line, 1-based.
   Decimal value{};
 };
 
 /// Splits one line into words.
 ///
-/// What RS274/NGC lets pass is passed over: blanks anywhere, comments in ( )
-/// and after ; with any bytes in them, CR and LF at the end, lower case. So are control bytes, a
-/// byte order mark, and a line that begins with %, which names a program. A : at the front is an O.
-/// Everything else outside a word is refused.
+/// The reader ignores what RS274/NGC permits to ignore: blanks anywhere, comments in ( ) and after
+/// ; with any bytes in them, CR and LF at the end, lower case. It also ignores control bytes, a
+/// byte order mark, and a line that begins with %, which names a program. A : at the front counts
+/// as an O. Everything else outside a word is refused.
 ///
-/// Stands at a word or at the end whenever a call has returned no fault.
+/// After each call that has returned no fault the reader is at a word or at the end.
 class LineReader {
  public:
   /// @param line must outlive the reader.
   explicit LineReader(std::string_view line) : line_{line} {}
 
-  /// Goes to the first word. Call once, before anything else.
-  /// @param block_delete true: what follows a / at the front or after N is as good as a comment;
-  ///   false: the / means nothing. A digit after it, as of switches 1 to 9, belongs to it.
+  /// Advances to the first word. Call this once, before anything else.
+  /// @param block_delete if true, the text after a / at the front or after N is ignored like a
+  /// comment; if false, the / is ignored. A digit after the /, as of switches 1 to 9, belongs to
+  /// it.
   [[nodiscard]] Refusal begin(bool block_delete);
 
   [[nodiscard]] bool at_end() const { return at_ == line_.size(); }
 
-  /// Reads the word here and goes to the next one.
-  /// @pre !at_end()
+  /// Reads the word at the present index and advances to the next one.
   [[nodiscard]] Refusal read(Word& word);
-  /// Goes behind a / that follows the N read last, as begin() does.
+  /// Passes a / that follows the N read last, as begin() does.
   [[nodiscard]] Refusal pass_slash_after_number(bool block_delete) {
     return at('/') ? pass_slash(block_delete) : std::nullopt;
   }
 
-  /// Another value of the word read last stands here, after a colon.
+  /// Returns whether another value of the word read last follows, after a colon.
   [[nodiscard]] bool at_more_values() const { return at(':'); }
-  /// Reads it and goes on; `word` keeps its letter. @pre at_more_values()
+  /// Reads that value and advances; `word` keeps its letter. @pre at_more_values()
   [[nodiscard]] Refusal read_more(Word& word) { return read_value(word.letter, word); }
 
  private:
@@ -72,7 +72,7 @@ class LineReader {
 
   std::string_view line_;
   std::size_t at_ = 0;
-  std::size_t first_ = 0;  ///< Where the first word begins.
+  std::size_t first_ = 0;  ///< Index at which the first word begins.
 };
 
 }  // namespace cnc::gcode

@@ -18,8 +18,8 @@ enum class MotionMode : std::uint8_t {
   kArcCounterClockwise,  ///< G3
   kCubicSpline,          ///< G5
   kQuadraticSpline,      ///< G5.1
-  kNurbs,                ///< G5.2: one is open and takes control points.
-  kNurbsEnd,             ///< G5.3: a word only; the mode after it is kNone.
+  kNurbs,                ///< G5.2: a NURBS is open and takes control points.
+  kNurbsEnd,             ///< G5.3: exists as a word only; the mode after it is kNone.
   kProbeContact,         ///< G38.2: towards contact, a miss is a fault.
   kProbeContactOrNot,    ///< G38.3: towards contact, a miss is fine.
   kProbeRelease,         ///< G38.4: away from contact, a miss is a fault.
@@ -31,35 +31,35 @@ enum class DistanceMode : std::uint8_t { kAbsolute, kIncremental };    ///< G90 
 enum class FeedMode : std::uint8_t { kUnitsPerMinute, kInverseTime };  ///< G94, G93.
 enum class Units : std::uint8_t { kMillimetres, kInches };             ///< G21, G20.
 
-/// How closely the programmed path is followed; RS274/NGC 3.5.14.
+/// Accuracy with which the programmed path is followed; RS274/NGC 3.5.14.
 enum class PathMode : std::uint8_t {
-  kPath,   ///< G61: all within $11.
+  kPath,   ///< G61: all of the path is within $11.
   kStop,   ///< G61.1: an exact stop at every corner.
   kBlend,  ///< G64: corners are rounded within P, short lines welded within Q.
 };
 
-/// G group 13. As in LinuxCNC a P without Q stands for both; unlike there G64
-/// alone is no leave to go anywhere: it is G61.
+/// Path control (G group 13). As in LinuxCNC, a P without Q stands for both. Unlike in LinuxCNC, a
+/// G64 without P and Q does not permit deviations of any size: it is the same as G61.
 struct PathControl {
   PathMode mode = PathMode::kPath;
   std::optional<float> tolerance_mm{};  ///< P of G64, ≥ 0.
-  /// Q of G64, ≥ 0; without it P's.
+  /// Q of G64, ≥ 0; where it is missing, P holds.
   std::optional<float> naive_tolerance_mm{};
   constexpr bool operator==(const PathControl&) const = default;
 };
 
-/// What is cut, by M190.
+/// The material that is cut, selected by M190.
 struct Material {
-  std::uint32_t table = 0;         ///< P: its place in the list of `$K`.
-  std::uint32_t thickness_um = 0;  ///< Q; 0: none is selected.
+  std::uint32_t table = 0;         ///< P: index of its table in the list of `$K`.
+  std::uint32_t thickness_um = 0;  ///< Q; 0 if no material is selected.
   constexpr bool operator==(const Material&) const = default;
 };
 
 /// G54…G59, G59.1…G59.3.
 inline constexpr std::size_t kCoordinateSystemCount = 9;
 
-/// What a line leaves behind for the lines after it, offsets and place apart.
-/// The defaults are what Grbl 1.1 starts with.
+/// The modal state: all that a line sets for the lines after it, except offsets and position. The
+/// defaults are those of Grbl 1.1 at start-up.
 struct ModalState {
   MotionMode motion = MotionMode::kRapid;
   Plane plane = Plane::kXY;
@@ -71,42 +71,43 @@ struct ModalState {
   PathControl path{};
   CutterCompensation compensation{};
   Material material{};
-  bool tool_length_in_use = false;  ///< G43.1 or G43.4, else G49.
-  /// G43.4: places are those of the tip, while rotary axes turn.
+  bool tool_length_in_use = false;  ///< True after G43.1 or G43.4, false after G49.
+  /// G43.4: positions are those of the tip, while rotary axes turn.
   bool tool_centre = false;
   SpindleMode spindle = SpindleMode::kOff;
   Coolant coolant{};
 
   std::uint32_t tool = 0;
   std::uint32_t line_number = 0;  ///< N of the last line, 0 if it had none.
-  float spindle_speed = 0.0F;     ///< S as written.
-  /// F in mm/s, already converted, so that G20 and G21 do not reinterpret it;
-  /// 0 where none is set, which is always so in G93.
+  float spindle_speed = 0.0F;     ///< S as written in the program.
+  /// F in mm/s, already converted, so that G20 and G21 do not reinterpret it; 0 where no feed is
+  /// set, which is always so in G93.
   float feed = 0.0F;
-  float rotary_feed = 0.0F;  ///< The same F as degrees/s, for lines where only A B C move.
+  float rotary_feed = 0.0F;  ///< F as degrees/s, for lines where only A B C move.
 
   constexpr bool operator==(const ModalState&) const = default;
 };
 
-/// What G92 and the tool add to the coordinate system in use.
+/// Offsets that G92 and the tool add to the coordinate system in use.
 struct Shift {
-  Position g92{};            ///< As set; kept while G92.2 suspends it.
-  bool g92_in_use = false;   ///< Between G92 or G92.3 and G92.1 or G92.2.
-  Coordinate tool_length{};  ///< Along Z (G43.1).
+  Position g92{};            ///< Offset as set by G92; kept while G92.2 suspends it.
+  bool g92_in_use = false;   ///< True between G92 or G92.3 and G92.1 or G92.2.
+  Coordinate tool_length{};  ///< Tool length along Z (G43.1).
 
   constexpr bool operator==(const Shift&) const = default;
 };
 
-/// Tools whose radius is known, 1…12, six to a row.
+/// Tools with a stored radius have the numbers 1…12; six tools share a row.
 inline constexpr std::size_t kToolRows = 2;
 inline constexpr std::uint32_t kToolCount = kToolRows * kAxisCount;
 
-/// Places and lengths that outlive a program; the firmware stores them in flash.
+/// Positions and lengths that outlive a program; the firmware stores them in flash.
 struct StoredPlaces {
   std::array<Position, kCoordinateSystemCount> systems{};  ///< Origins, in machine coordinates.
   Position g28{};
   Position g30{};
-  /// G10 L1; rows of lengths are kept as places are. 0: not known.
+  /// Radii of tools (G10 L1), in rows that are stored like positions. 0 means that the radius is
+  /// not known.
   std::array<AxisArray<Coordinate>, kToolRows> tool_radii{};
 
   static constexpr std::size_t kCount = kCoordinateSystemCount + 2 + kToolRows;
@@ -114,7 +115,7 @@ struct StoredPlaces {
   constexpr bool operator==(const StoredPlaces&) const = default;
 };
 
-/// One of them, in their order. @pre index < kCount
+/// Returns one of the stored positions by its index. @pre index < kCount
 template <typename Places>
 [[nodiscard]] constexpr auto& place_at(Places& places, std::size_t index) {
   constexpr std::size_t kHomes = kCoordinateSystemCount;

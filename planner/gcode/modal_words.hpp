@@ -9,8 +9,8 @@
 
 namespace cnc::gcode {
 
-/// The modal groups of RS274/NGC table 4, and LinuxCNC's group 5 of M words for
-/// outputs. A line holds at most one word of each.
+/// The modal groups of RS274/NGC table 4, and LinuxCNC's group 5 of M words for outputs. A line has
+/// at most one word of each group.
 enum class ModalGroup : std::uint8_t {
   kNonModal,          ///< G group 0, NonModal
   kMotion,            ///< G group 1, MotionMode
@@ -68,29 +68,26 @@ enum class Output : std::uint8_t {
   kAnalog,            ///< M68
 };
 
-/// What a word makes of the X Y Z A B C words of its line. They mean one thing
-/// only, so a line holds at most one word that claims them.
+/// Use that a word makes of the X Y Z A B C words of its line. They can have one use only, so a
+/// line holds at most one word that claims them.
 enum class AxisUse : std::uint8_t { kNone, kMotion, kPlaces, kToolLength };
 
-/// A G or M word that is understood.
+/// A G or M word that the interpreter knows.
 struct ModalWord {
-  std::uint16_t tenths;  ///< 382 for G38.2.
+  std::uint16_t tenths;  ///< Number of the word in tenths: 382 for G38.2.
   ModalGroup group;
-  std::uint8_t meaning;  ///< A value of the enum beside `group`.
+  std::uint8_t meaning;  ///< A value of the enum that belongs to `group`.
 
   [[nodiscard]] AxisUse axis_use() const;
 };
 
-/// Finds what the number after G or M stands for. Pointers are to constants.
-///
-/// The faults are Grbl's: kNotAnInteger where a whole word such as G1 is given
-/// decimals, kNoSuchCoordinateSystem for a G59.x, else kUnsupported.
+/// Finds the word with a number after G or M. Pointers are to constants.
 [[nodiscard]] Result<const ModalWord*, FaultDetail> find_g_word(const Decimal& number);
 [[nodiscard]] Result<const ModalWord*, FaultDetail> find_m_word(const Decimal& number);
 
-/// What two words of one group mean together; null where they exclude each
-/// other, as all do but M7 and M8 (RS274/NGC 3.6.4), and G80 beside a motion, which heads of
-/// programs have: the motion is what counts.
+/// Returns the word that two words of one group make together, or null where they exclude each
+/// other. All exclude each other except two pairs: M7 and M8 (RS274/NGC 3.6.4), and G80 next to a
+/// motion, as heads of programs have it. Then the motion counts.
 [[nodiscard]] const ModalWord* combined(const ModalWord& a, const ModalWord& b);
 
 }  // namespace cnc::gcode

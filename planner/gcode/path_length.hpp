@@ -4,11 +4,11 @@
 
 namespace cnc::gcode {
 
-/// Whether X, Y and Z stand still between two places.
+/// Returns whether X, Y and Z do not move between two positions.
 [[nodiscard]] bool only_rotary_axes_move(const Position& start, const Position& end);
 
-/// Distance in mm of X Y Z along a straight line, or in degrees of A B C when
-/// X Y Z stand still. Relative error at most 3e-7.
+/// Returns the distance of X Y Z along a straight line in mm, or of A B C in degrees when X Y Z do
+/// not move. The relative error is at most 3e-7.
 [[nodiscard]] float straight_length(const Position& start, const Position& end);
 
 }  // namespace cnc::gcode

@@ -8,8 +8,8 @@
 
 namespace cnc::gcode {
 
-/// A place, or a way, in whole last digits as they are printed: what is written is
-/// exactly this, and what is computed of it is what a reader will compute.
+/// A position, or a difference of positions, in whole last digits as they are printed. The printed
+/// text has exactly this value, so computations with it agree with those of the reader.
 struct GridPlace {
   std::int32_t x = 0;
   std::int32_t y = 0;
@@ -18,11 +18,11 @@ struct GridPlace {
   friend constexpr GridPlace operator-(GridPlace a, GridPlace b) { return {a.x - b.x, a.y - b.y}; }
 };
 
-/// How many digits are printed after the point of a place.
+/// Number of digits that are printed after the point of a position.
 class PrintGrid {
  public:
-  /// Fewer, and small arcs would no longer fit Grbl's 5 µm; more, and its reader, which
-  /// takes eight digits in all, would drop some.
+  /// With fewer decimals small arcs would no longer fit into Grbl's 5 µm. With more decimals Grbl's
+  /// reader, which takes eight digits in all, would drop some.
   static constexpr std::uint8_t kFewest = 3;
   static constexpr std::uint8_t kMost = 5;
 
@@ -32,7 +32,7 @@ class PrintGrid {
   }
 
   [[nodiscard]] constexpr std::uint8_t decimals() const { return decimals_; }
-  /// Last digits to a millimetre.
+  /// Returns the number of last digits in a millimetre.
   [[nodiscard]] constexpr std::int32_t per_mm() const {
     std::int32_t result = 1;
     for (std::uint8_t i = 0; i < decimals_; ++i) result *= 10;
@@ -43,15 +43,15 @@ class PrintGrid {
   std::uint8_t decimals_;
 };
 
-/// Places are no farther from zero, in last digits: 5 m with five decimals, 500 m with three.
-/// So two of them differ by what fits 32 bits.
+/// Greatest distance of positions from zero, in last digits: 5 m with five decimals, 500 m with
+/// three. So the difference of two positions fits into 32 bits.
 inline constexpr std::int32_t kFarthestOnGrid = 500'000'000;
 
-/// Centres are no farther from the start of their arcs, in tenths of a last digit: 10 m with five
-/// decimals, 1 km with three, which is as far as the reader goes.
+/// Greatest distance of centres from the start of their arcs, in tenths of a last digit: 10 m with
+/// five decimals, 1 km with three, which is the limit of the reader.
 inline constexpr std::int64_t kFarthestCentre = 10'000'000'000;
 
-/// To the nearest, half away from zero. @pre |value| < 2^47
+/// Returns the nearest whole number, half away from zero. @pre |value| < 2^47
 template <std::floating_point Scalar>
 [[nodiscard]] std::int64_t rounded(Scalar value) {
   const Scalar aside = value < 0 ? value - Scalar{0.5} : value + Scalar{0.5};

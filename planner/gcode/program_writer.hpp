@@ -17,56 +17,58 @@
 namespace cnc::gcode {
 
 enum class WriterError : std::uint8_t {
-  kOutOfRange,  ///< No number, or farther from zero than kFarthestOnGrid.
+  kOutOfRange,  ///< The value is NaN, or is farther from zero than kFarthestOnGrid.
   kTooFlat,     ///< The centre of the arc is farther away than kFarthestCentre.
 };
 
-/// Writes motion as G-code, mm, absolute, centres from the start: what is read
-/// again is within one last digit of what was given, and the two radii of an arc agree within a
-/// fraction of one, so that no reader has an arc to repair: centres have one more digit.
+/// Writes motion as G-code, in mm, with absolute positions and centres relative to the start.
+/// Positions that are read back are within one last digit of the given ones. The two radii of an
+/// arc agree within a fraction of a digit, so that no reader has an arc to repair: centres have one
+/// more digit.
 ///
-/// Places are those of the XY plane, and heights those of Z, until use_plane() chooses another
-/// plane: then a place has that plane's first and second axis, and a height is along its normal.
+/// Positions are those of the XY plane, and heights those of Z, until use_plane() chooses another
+/// plane. Then a position has that plane's first and second axis, and a height is along its normal.
 /// Heights are optional: without set_height() no line has a Z.
 ///
 /// Lines have the words that differ from the line before, and no others. Every call returns whole
-/// lines, each with its end, none where nothing moves; they last until the next call. What is
-/// refused writes nothing and changes nothing.
+/// lines, each with its end, or no line where nothing moves. The text is valid until the next call.
+/// A refused call writes nothing and changes nothing.
 class ProgramWriter {
  public:
   explicit ProgramWriter(PrintGrid grid) : grid_{grid} {}
 
-  /// Of the motions from now on, in thousandths of mm/min and of S.
+  /// Sets the feed, or the power, of the motions from now on, in thousandths of mm/min, or of S.
   void set_feed(std::uint32_t thousandths) { feed_ = thousandths; }
   void set_power(std::uint32_t thousandths) { power_ = thousandths; }
 
-  /// Lines from now on have no S: it is the speed of a spindle.
+  /// Leaves S out of all lines from now on, because S is the speed of a spindle.
   void leave_power() { power_ = written_power_ = 0; }
-  /// Z at the end of the next motion, mm. Without any call no line has a Z. False, and nothing
-  /// changes, for what is no number or farther from zero than kFarthestOnGrid.
+  /// Sets Z at the end of the next motion, mm. If this is never called, no line has a Z. Returns
+  /// false, and nothing changes, for NaN or a height farther from zero than kFarthestOnGrid.
   template <std::floating_point Scalar>
   [[nodiscard]] bool set_height(Scalar height_mm);
 
-  /// Returns the line that chooses the plane of arcs, nothing where it is chosen already.
+  /// Returns the line that chooses the plane of arcs; empty where that plane is already chosen.
   /// @pre a motion has been written, and a height
   [[nodiscard]] std::string_view use_plane(Plane plane);
   [[nodiscard]] Plane plane() const { return plane_; }
 
-  /// G0. A change of the height is a motion of its own: before the one in the plane where it goes
-  /// up, else after it. @pre the plane is XY
+  /// Writes a G0. A change of the height is a separate motion: before the motion in the plane if it
+  /// goes up, else after it. @pre the plane is XY
   template <std::floating_point Scalar>
   [[nodiscard]] Result<std::string_view, WriterError> rapid(const BasicVec2<Scalar>& to);
 
-  /// G1, G2 or G3: a line where the bulge is 0, else an arc of bulge tan(sweep / 4) and less than a
-  /// full turn; in two arcs where it is more than half of one. Arcs that would leave their chord by
-  /// less than a quarter of a last digit are lines. The height changes in proportion to the length.
+  /// Writes a G1, G2 or G3: a line where the bulge is 0, else an arc of bulge tan(sweep / 4) and
+  /// less than a full turn. An arc of more than half a turn is written as two arcs. Arcs that would
+  /// leave their chord by less than a quarter of a last digit are written as lines. The height
+  /// changes in proportion to the length.
   /// @pre `from` is where the last motion ended, within half a last digit
   template <std::floating_point Scalar>
   [[nodiscard]] Result<std::string_view, WriterError> cut(const BasicVec2<Scalar>& from,
                                                           const BasicVec2<Scalar>& to,
                                                           Scalar bulge);
 
-  /// Where the last motion ended; nothing before the first.
+  /// Returns the position at which the last motion ended; empty before the first motion.
   [[nodiscard]] const std::optional<GridPlace>& place() const { return place_; }
 
  private:
@@ -79,14 +81,14 @@ class ProgramWriter {
   [[nodiscard]] bool add_arc(GridPlace to, GridPlace middle, Scalar bulge);
   void add_line(GridPlace to);
   void add_arc(GridPlace to, GridCentre centre, bool clockwise);
-  /// Adds the rapids to a place and the height.
+  /// Adds the rapids to a position and to the height.
   void add_rapids(GridPlace to);
   [[nodiscard]] bool is_at_height() const { return !height_ || height_ == written_height_; }
-  /// The height half way to the end of the motion, for the first of two halves.
+  /// Returns the height half way to the end of the motion, for the first of two halves.
   [[nodiscard]] std::optional<std::int32_t> half_way() const;
-  /// The number of G where it changes, and the ends that do.
+  /// Adds the number of G where it changes, and the coordinates of the end that change.
   void add_motion(int motion, GridPlace to);
-  /// The word of the height, Z in the XY plane, if it changes.
+  /// Adds the word of the height, Z in the XY plane, if it changes.
   void add_height();
   void end_line(GridPlace to);
 
@@ -95,8 +97,8 @@ class ProgramWriter {
   LineText text_{};
   std::optional<GridPlace> place_{};
   int motion_ = kNoMotion;
-  std::optional<std::int32_t> height_{};          ///< At the end of the next motion, last digits.
-  std::optional<std::int32_t> written_height_{};  ///< Nothing before the first.
+  std::optional<std::int32_t> height_{};  ///< Height at the end of the next motion, in last digits.
+  std::optional<std::int32_t> written_height_{};  ///< Empty before the first height is written.
   std::uint32_t feed_ = 0;
   std::uint32_t power_ = 0;
   std::uint32_t written_feed_ = kNone;
@@ -131,8 +133,9 @@ Result<std::string_view, WriterError> ProgramWriter::rapid(const BasicVec2<Scala
   return text_.view();
 }
 
-/// From where the last one ended. `middle` is that of the arc, which smaller ones go through in two
-/// lines. False, and nothing is added, where the centre is too far away.
+/// Adds an arc from the end of the last motion. `middle` is the middle of the arc; arcs below the
+/// least radius go through it in two lines. Returns false, and adds nothing, where the centre is
+/// too far away.
 template <std::floating_point Scalar>
 bool ProgramWriter::add_arc(GridPlace to, GridPlace middle, Scalar bulge) {
   constexpr auto kLeastRadius = static_cast<Scalar>(kLeastRadiusOnGrid);
@@ -174,7 +177,7 @@ Result<std::string_view, WriterError> ProgramWriter::cut(const BasicVec2<Scalar>
   CNC_ASSERT(place_.has_value());
   text_.clear();
   const ProgramWriter before = *this;
-  // tan(sweep / 8): half of the arc.
+  // tan(sweep / 8) is the bulge of half of the arc.
   const Scalar half = bulge / (Scalar{1} + std::sqrt(Scalar{1} + bulge * bulge));
   bool done = true;
   if (std::abs(bulge) <= Scalar{1}) {

@@ -5,12 +5,12 @@
 
 namespace cnc::gcode {
 
-/// Where a spline is put together: a NURBS over many lines, the others within
-/// one. While no NURBS is open its content means something to the last
-/// kSpline action only, and that until the next line.
+/// Memory in which a spline is assembled: a NURBS over many lines, other splines within one line.
+/// While no NURBS is open, the content is used by the last kSpline action only, until the next
+/// line.
 struct SplineStore {
   Spline spline{};
-  Position start{};  ///< Machine coordinates, of the first control point.
+  Position start{};  ///< Position of the first control point, machine coordinates.
 };
 
 }  // namespace cnc::gcode

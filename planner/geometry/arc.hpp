@@ -9,32 +9,31 @@
 namespace cnc {
 
 enum class ArcError {
-  kChordTooShort,  ///< End points closer than `kShortestChord`: direction is noise.
-  kSweepTooLarge,  ///< |bulge| > 1: more than half a turn, split it first.
+  kChordTooShort,  ///< The ends are closer than `kShortestChord`: the direction is noise.
+  kSweepTooLarge,  ///< |bulge| > 1: the arc has more than half a turn and must be split first.
 };
 
-/// A circular arc of at most half a turn, the one primitive of a tool path.
+/// A circular arc of at most half a turn, the only primitive of a tool path.
 ///
-/// A straight line is an arc with bulge 0, so nothing downstream needs a
-/// line/arc branch.
+/// A straight line is an arc with bulge 0, so later stages need no separate case for lines.
 ///
-/// Held as end points plus bulge b = tan(sweep / 4), positive to the left,
-/// rather than centre and angles: end points stay bit-exact when arcs are
-/// joined, and a nearly straight arc has no far-away centre to lose digits in.
-/// With h = sweep / 2: sin h = 2b / (1 + b²), cos h = (1 − b²) / (1 + b²), and
-/// the chord is 2 R sin h.
+/// An arc is held as end points plus bulge b = tan(sweep / 4), positive to the left, rather than as
+/// centre and angles. So end points stay bit-exact when arcs are joined, and a nearly straight arc
+/// has no far-away centre that loses digits.
+/// With h = sweep / 2: sin h = 2b / (1 + b²), cos h = (1 − b²) / (1 + b²), and the chord is 2 R sin
+/// h.
 ///
-/// The controller computes with `Arc`, path makers on the host with `WideArc`:
-/// angles and lengths, which need an arc tangent, are the controller's only.
+/// The controller computes with `Arc`, path makers on the host with `WideArc`. Angles and lengths,
+/// which need an arc tangent, exist for `Arc` only.
 template <std::floating_point Scalar>
 class BasicArc {
  public:
   using Vector = BasicVec2<Scalar>;
 
-  /// As much shorter in double as its digits are more.
+  /// Shortest chord of an arc. It is shorter in double precision, in proportion to the resolution.
   // NOLINTNEXTLINE(bugprone-dynamic-static-initializers): constant in each instantiation.
   static constexpr Length kShortestChord{sizeof(Scalar) > sizeof(float) ? 1.0e-12F : 1.0e-6F};
-  /// Slack for a half turn whose bulge was computed in single precision.
+  /// Greatest bulge: 1, plus slack for a half turn whose bulge was computed in single precision.
   // NOLINTNEXTLINE(bugprone-dynamic-static-initializers): constant in each instantiation.
   static constexpr Scalar kLargestBulge = Scalar{1.0F + 1.0e-5F};
 
@@ -46,21 +45,21 @@ class BasicArc {
   [[nodiscard]] const Vector& end() const { return end_; }
   [[nodiscard]] Scalar bulge() const { return bulge_; }
 
-  /// Signed 1/mm, positive when turning left. Exact zero for a line.
+  /// Returns the curvature in 1/mm, positive when the arc turns left. Exactly zero for a line.
   [[nodiscard]] Scalar curvature() const;
 
-  /// Half the sweep in radians, signed like the bulge.
+  /// Returns half the sweep in radians, with the sign of the bulge.
   [[nodiscard]] Scalar half_sweep() const requires std::same_as<Scalar, float>;
 
-  /// Distance along the arc. Relative error below 1e-6 for every legal bulge
+  /// Returns the length of the arc. The relative error is below 1e-6 for every legal bulge
   /// (arc_test.cpp, LengthAgreesWithDoublePrecision).
   [[nodiscard]] Length length() const requires std::same_as<Scalar, float>;
 
-  /// Unit travel direction where the arc begins and where it ends.
+  /// Returns the unit direction of travel where the arc begins, and where it ends.
   [[nodiscard]] Vector start_tangent() const;
   [[nodiscard]] Vector end_tangent() const;
 
-  /// The same curve travelled backwards.
+  /// Returns the same curve, travelled backwards.
   [[nodiscard]] BasicArc reversed() const;
 
  private:

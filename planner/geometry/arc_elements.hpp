@@ -7,37 +7,37 @@
 
 namespace cnc {
 
-/// An arc, circle or helix as G2 and G3 describe it. It is a full circle if its ends are one point
-/// in the plane, and also if its end, at most a micrometre away from the start, would be reached by
-/// a turn of less than 5e-7: such an end was rounded (Grbl draws the line at the same angle, but at
-/// any distance: there a flat arc on a radius of 100 m becomes a circle).
+/// An arc, circle or helix as G2 and G3 describe it. It is a full circle if start and end are one
+/// point in the plane. It is also a full circle if the end is at most a micrometre away from the
+/// start and would be reached by a turn of less than 5e-7 rad: such an end was rounded. (Grbl
+/// decides by the same angle, but at any distance, so that in Grbl a flat arc on a radius of 100 m
+/// becomes a circle.)
 struct CentreArc {
   Position start{};
   Position end{};
   Plane plane = Plane::kXY;
-  std::array<Coordinate, 2> centre{};  ///< In the order of axes_of(plane).
+  std::array<Coordinate, 2> centre{};  ///< Coordinates in the order of axes_of(plane).
   bool clockwise = false;
-  std::uint16_t turns = 1;  ///< Up to one full circle, plus turns − 1 whole ones.
+  std::uint16_t turns = 1;  ///< 1 for up to one full circle; each further turn adds a whole circle.
 };
 
-/// Divides such an arc into path elements of at most half a turn, equal in
-/// angle: one for most arcs, two for a full circle, and more where more are asked for.
+/// Divides a CentreArc into path elements of at most half a turn, equal in angle: one for most
+/// arcs, two for a full circle, or `least_count` if that is more.
 ///
-/// Start and end are kept exactly even where rounded numbers put them on
-/// slightly different radii. Inner ends lie on the programmed centre at a
-/// radius between the two in proportion to the angle, and each element's own
-/// centre moves to the nearest point on the perpendicular bisector of its
-/// chord: the arc repair. Refusing a deviation that is too large is the
-/// business of whoever read the numbers.
+/// Start and end are kept exactly, even where rounded numbers put them on slightly different radii.
+/// Inner ends lie on a radius about the programmed centre that changes from the start's to the
+/// end's in proportion to the angle. Each element's own centre moves to the nearest point on the
+/// perpendicular bisector of its chord: the arc repair. The reader of the numbers must refuse a
+/// deviation that is too large.
 class ArcElements {
  public:
   explicit ArcElements(const CentreArc& arc, std::uint32_t least_count = 1) noexcept;
 
   [[nodiscard]] std::uint32_t count() const { return count_; }
-  /// @pre index < count()
+  /// Returns an element. @pre index < count()
   [[nodiscard]] PathElement element(std::uint32_t index) const;
 
-  /// Total angle in radians, positive, whole turns included.
+  /// Returns the total angle in radians, positive, whole turns included.
   [[nodiscard]] float sweep() const { return sweep_; }
 
  private:
@@ -50,7 +50,7 @@ class ArcElements {
   float end_radius_ = 0.0F;
   float start_cosine_ = 1.0F;
   float start_sine_ = 0.0F;
-  float partial_turn_ = 0.0F;  ///< Radians in (0, 2π], without the whole turns.
+  float partial_turn_ = 0.0F;  ///< Turn in radians, in (0, 2π], without the whole turns.
   float sweep_ = 0.0F;
   std::uint32_t count_ = 1;
 };

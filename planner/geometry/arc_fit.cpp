@@ -9,11 +9,13 @@
 namespace cnc {
 namespace {
 
-/// Of the tolerance, what sampling may have missed.
+/// Share of the tolerance that sampling may have missed.
 constexpr float kUnseen = 0.005F;
-/// Ends and joints are rounded to whole nanometres, the curve's own origin too.
+/// Allowance for ends and joints, which are rounded to whole nanometres, as is the curve's own
+/// origin.
 constexpr float kRoundingMm = 2.0e-6F;
-/// Of the extent: single precision of the sampled curve, the circles and the joint.
+/// Error as a share of the extent: single precision of the sampled curve, the circles and the
+/// joint.
 constexpr float kRelativeError = 3.0e-7F;
 
 Vec2 between(const Position& from, const Position& to) {
@@ -21,14 +23,14 @@ Vec2 between(const Position& from, const Position& to) {
 }
 
 float rough_cube_root(float x) {
-  // Newton's method from above; x in 1e-6…1e3 needs no more than a dozen steps.
+  // Newton's method from above. For x in 1e-6…1e3 a dozen steps suffice.
   float root = x > 1.0F ? x : 1.0F;
   for (int i = 0; i < 16; ++i) root = (2.0F * root + x / (root * root)) * (1.0F / 3.0F);
   return root;
 }
 
-/// How much farther a biarc would get that may deviate by `allowed`: the
-/// deviation grows with the third power of the length.
+/// Returns by what factor a biarc that may deviate by `allowed` would reach farther than the one
+/// with `deviation`. The deviation grows with the third power of the length.
 float growth(float allowed, float deviation) {
   constexpr float kLeast = 0.25F;
   constexpr float kMost = 3.0F;
@@ -69,7 +71,7 @@ bool ArcFit::work(std::uint32_t& points) {
   return second_waits_ || step_ == Step::kReady;
 }
 
-/// Returns the points of the curve it took, at most kPointsAtOnce.
+/// Does one step. Returns the number of points of the curve that it took, at most kPointsAtOnce.
 std::uint32_t ArcFit::do_step() {
   switch (step_) {
     case Step::kReach:
@@ -88,11 +90,12 @@ std::uint32_t ArcFit::do_step() {
   return 0;
 }
 
-/// A bracket between what fits and what does not, narrowed by the cubic law of
-/// `growth` and by halving.
+/// Tries one distance. The bracket between a distance that fits and one that does not is narrowed
+/// by the cubic law of `growth` and by halving. Returns the number of points used.
 std::uint32_t ArcFit::reach_farther() {
   constexpr std::uint8_t kMostTimes = 28;
-  constexpr float kShort = 1.0e-6F;  // Knots; below, the parameter has no digits left.
+  // In knots. Below this distance the parameter has no digits left.
+  constexpr float kShort = 1.0e-6F;
   if (times_ == kMostTimes || distance_ <= kShort) {
     end_reach();
     return 0;
@@ -106,9 +109,10 @@ std::uint32_t ArcFit::reach_farther() {
   return BiarcTrial::kSamples * (1 + fit.biarcs);
 }
 
-/// True when it is narrow enough.
+/// Narrows the bracket by the result of a trial. Returns whether it is narrow enough.
 bool ArcFit::narrow(const BiarcTrial::Fit& fit, float most) {
-  constexpr float kPrecise = 0.004F;  // Of the reach: costs as much of the number of arcs.
+  // Share of the reach. The number of arcs grows by as great a share.
+  constexpr float kPrecise = 0.004F;
   const float length = ahead_.length();
   if (fit.deviation_mm <= most) {
     reach_ = {.distance = distance_, .joint_share = fit.joint_share};
@@ -135,7 +139,8 @@ void ArcFit::end_reach() {
   times_ = 0;
 }
 
-/// Looks more closely, and goes a little less far where that shows more.
+/// Compares the biarc more closely with the curve, and reduces its distance a little if the
+/// deviation turns out too large. Returns the number of points used.
 std::uint32_t ArcFit::confirm() {
   constexpr std::uint8_t kMostTimes = 16;
   if (times_ == kMostTimes) {
@@ -155,7 +160,8 @@ std::uint32_t ArcFit::confirm() {
   return BiarcTrial::kSamples + BiarcTrial::kClosely;
 }
 
-/// Another joint, where going less far has not been enough.
+/// Tries another joint where a shorter distance has not been enough. Returns the number of points
+/// used.
 std::uint32_t ArcFit::look_for_other() {
   const BiarcTrial::Fit other = trial_.best(0.0F);
   if (other.deviation_mm <= allowed()) {
@@ -184,8 +190,9 @@ void ArcFit::go_less_far() {
   step_ = Step::kConfirm;
 }
 
-/// A last biarc much shorter than the one before would be all rounding, and a
-/// corner to the planner: they share what is left.
+/// Ends the confirmation. A last biarc much shorter than the one before would be dominated by
+/// rounding, and the planner would see a corner: so the last two biarcs share the rest of the
+/// curve.
 void ArcFit::end_confirm() {
   constexpr float kCrumb = 0.3F;
   const float rest = ahead_.length() - reach_.distance;
@@ -208,8 +215,8 @@ void ArcFit::begin_straight() {
   step_ = Step::kStraight;
 }
 
-/// Halves what is left until a line will do that is no longer than the bend
-/// may be.
+/// Halves the rest of the curve until a line fits that is at most as long as the tolerance. Returns
+/// the number of points used.
 std::uint32_t ArcFit::reach_straight() {
   constexpr std::uint8_t kMostHalvings = 40;
   distance_ = ahead_.expressible(distance_);
@@ -272,8 +279,8 @@ PathElement ArcFit::begin_biarc(const Reach& reach) {
   return divide(lone, ends, biarc.ok() ? biarc.value().joint : joint_of_trial(forward, reach));
 }
 
-/// Returns the joint of the biarc that was held against the curve, relative to its start. The ends
-/// that are driven are rounded, so where an arc is nearly half a turn they may have no biarc.
+/// Returns the joint of the biarc that was compared with the curve, relative to its start. The
+/// driven ends are rounded, so where an arc is nearly half a turn they may have no biarc.
 Vec2 ArcFit::joint_of_trial(const Vec2& forward, const Reach& reach) const {
   const auto biarc = make_biarc(trial_.ends(), reach.joint_share);
   const Vec2 joint = biarc.ok() ? biarc.value().joint : Vec2{0.5F * trial_.ends().end};
@@ -281,17 +288,18 @@ Vec2 ArcFit::joint_of_trial(const Vec2& forward, const Reach& reach) const {
   return joint.x() * along + joint.y() * left_normal(along);
 }
 
-/// As seen from the chord the two tangents of a lone arc are mirror images.
+/// Returns whether one arc replaces both. Seen from the chord, the two tangents of one arc are
+/// mirror images.
 bool ArcFit::is_lone_arc(const BiarcEnds& ends) const {
-  constexpr float kSameCircle = 1.0e-5F;  // Radians: half of kLargestKink.
+  constexpr float kSameCircle = 1.0e-5F;  // Radians. This is half of kLargestKink.
   const float leaving = bulge_between(ends.end, ends.end_tangent);
   const float kink = 2.0F * std::abs(leaving - bulge_between(ends.start_tangent, ends.end));
   return kink <= kSameCircle && kink * ends.end.norm() <= tolerance_mm_ * kUnseen;
 }
 
-/// Both tangents at the ends are met by the arcs with their joint rounded, so
-/// that biarcs follow on each other without a corner; what rounding leaves of
-/// one is at the joint.
+/// Divides an element at a rounded joint into two arcs, of which the second waits. The arcs have
+/// the given tangents at both ends, so that consecutive biarcs meet without a corner. The kink that
+/// rounding leaves is at the joint.
 PathElement ArcFit::divide(const PathElement& whole, const BiarcEnds& ends, const Vec2& joint) {
   PathElement first = whole;
   first.end = whole.start;

@@ -9,25 +9,23 @@
 
 namespace cnc {
 
-/// Turns a spline into a chain of arcs, one at a time, as few as it can: from
-/// where the last biarc ended, on the curve and with its tangent, the one that
-/// reaches farthest of all joints, and so on.
+/// Turns a spline into a chain of arcs, one at a time, with as few arcs as it can. Each biarc
+/// begins where the last one ended, on the curve and with its tangent; among all joints, the fit
+/// takes the biarc that reaches farthest.
 ///
 /// Guarantees, for splines up to kLargestSplineMm across:
-/// * The chain begins and ends exactly where the spline does, and its elements
-///   join exactly.
-/// * No point of the chain is farther than the tolerance from the spline, and
-///   no point of the spline farther than that from the chain.
-/// * Two arcs meet with one tangent, within kLargestKink radians plus what the
-///   rounding of their ends to a nanometre makes: kKinkRoundingMm by the
-///   length of the shorter.
+/// * The chain begins and ends exactly where the spline does, and its elements join exactly.
+/// * No point of the chain is farther than the tolerance from the spline, and no point of the
+///   spline is farther than the tolerance from the chain.
+/// * Two arcs meet with one tangent, within kLargestKink radians plus the effect of rounding their
+///   ends to a nanometre: kKinkRoundingMm divided by the length of the shorter arc.
 ///
-/// Where the curve turns within less than the tolerance, as at a cusp, a
-/// straight line takes its place, and there is a corner at one end or both.
+/// Where the curve turns within less than the tolerance, as at a cusp, a straight line replaces the
+/// curve, and there is a corner at one end of the line or at both.
 ///
-/// The work for an element is counted in points of the curve that are looked at or
-/// held against a biarc, some dozens to some thousands. It can be done bit by bit
-/// between other work; what comes out is the same.
+/// The work for an element is counted in points of the curve that are evaluated or compared with a
+/// biarc, some dozens to some thousands. The work can be done in portions between other work; the
+/// result is the same.
 class ArcFit {
  public:
   static constexpr float kLeastToleranceMm = 1.0e-4F;
@@ -36,26 +34,27 @@ class ArcFit {
   static constexpr double kKinkRoundingMm = 6.0e-6;
 
   /// @param spline must outlive this. @pre complete()
-  /// @param start of the first control point; the other axes stay where they are.
+  /// @param start position of the first control point; the axes other than X and Y keep their
+  /// positions.
   /// @param tolerance_mm at least kLeastToleranceMm.
   ArcFit(const Spline& spline, const Position& start, float tolerance_mm);
 
   [[nodiscard]] bool done() const { return !second_waits_ && ahead_.at_end(); }
-  /// Works at the next element for so many points, and at most kPointsAtOnce more; takes what was
-  /// spent off them. True when the element is ready. @pre !done()
+  /// Works on the next element for up to `points` points, and at most kPointsAtOnce more. Subtracts
+  /// the points spent from `points`. Returns whether the element is ready. @pre !done()
   [[nodiscard]] bool work(std::uint32_t& points);
-  /// Works as long as it takes, when that has not been done. @pre !done()
+  /// Returns the next element. Finishes the work on it if that has not been done yet. @pre !done()
   [[nodiscard]] PathElement next();
 
   static constexpr std::uint32_t kPointsAtOnce = 12 * BiarcTrial::kSamples;
   static_assert(BiarcTrial::kSamples + BiarcTrial::kClosely <= kPointsAtOnce);
 
  private:
-  /// What is done next for the element.
+  /// Next kind of work on the element.
   enum class Step : std::uint8_t { kReach, kConfirm, kOther, kConfirmOther, kStraight, kReady };
 
   struct Reach {
-    float distance = 0.0F;  ///< In knots; 0 for none.
+    float distance = 0.0F;  ///< Distance in knots; 0 if no biarc was found.
     float joint_share = 0.5F;
   };
 
@@ -88,12 +87,12 @@ class ArcFit {
   float tolerance_mm_;
   float last_distance_ = 0.0F;
   Step step_ = Step::kReach;
-  std::uint8_t times_ = 0;  ///< This kind of step was done for the element.
-  Reach reach_{};           ///< Of the biarc: so far it fits.
-  float distance_ = 0.0F;   ///< Tried next.
+  std::uint8_t times_ = 0;  ///< How often this kind of step was done for the element.
+  Reach reach_{};           ///< The farthest biarc found so far that fits.
+  float distance_ = 0.0F;   ///< Distance in knots that is tried next.
   float out_of_reach_ = 0.0F;
-  float found_mm_ = 0.0F;  ///< Deviation when last looked at closely.
-  bool bounded_ = false;   ///< Something was out of reach.
+  float found_mm_ = 0.0F;  ///< Deviation found by the last close comparison.
+  bool bounded_ = false;   ///< Some tried distance was out of reach.
   bool crumb_seen_ = false;
   bool second_waits_ = false;
   PathElement second_{};

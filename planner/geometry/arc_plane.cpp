@@ -19,7 +19,7 @@ std::optional<PlaneFrame> plane_through(const AxisVector& first, const AxisVecto
   const float size = norm(across);
   if (size < kLeastAngle) return std::nullopt;
   across = scaled(1.0F / size, across);
-  // Where they are nearly parallel, rounding has left much of the first in it.
+  // Where the two vectors are nearly parallel, rounding has left much of `first` in `across`.
   across = sum_of(across, -dot(first, across), first);
   return PlaneFrame{first, scaled(1.0F / norm(across), across)};
 }

@@ -15,14 +15,15 @@ struct PlaneFrame {
   constexpr bool operator==(const PlaneFrame&) const = default;
 };
 
-/// Returns the plane of two unit vectors, its first vector along `first` and `second` on its left.
-/// Empty where they are within 1e-4 rad of one line, which lies in many planes.
+/// Returns the plane of two unit vectors. Its first vector lies along `first`, and `second` is on
+/// the left of that. Empty where the two vectors are within 1e-4 rad of one line, which lies in
+/// many planes.
 [[nodiscard]] std::optional<PlaneFrame> plane_through(const AxisVector& first,
                                                       const AxisVector& second);
 
-/// The plane in which an arc turns: a coordinate plane, or an oblique one, which any two vectors
-/// in the space of all axes may span. Arcs turn counter-clockwise from the first vector to the
-/// second.
+/// The plane in which an arc turns: a coordinate plane, or an oblique plane. Any two vectors in the
+/// space of all axes may span an oblique plane. Arcs turn counter-clockwise from the first vector
+/// to the second.
 class ArcPlane {
  public:
   constexpr ArcPlane() = default;
@@ -31,7 +32,7 @@ class ArcPlane {
   constexpr explicit ArcPlane(const PlaneFrame& frame) : oblique_{true}, frame_{frame} {}
 
   [[nodiscard]] constexpr bool oblique() const { return oblique_; }
-  /// Returns which coordinate plane it is. @pre !oblique()
+  /// Returns the coordinate plane. @pre !oblique()
   [[nodiscard]] constexpr Plane coordinate_plane() const {
     CNC_ASSERT(!oblique_);
     return plane_;
@@ -44,7 +45,7 @@ class ArcPlane {
     return axis == axes.first || axis == axes.second;
   }
 
-  /// Returns the part of a vector in the plane.
+  /// Returns the part of a vector in the plane, as its coordinates there.
   [[nodiscard]] Vec2 seen(const AxisVector& vector) const {
     if (oblique_) return {dot(vector, frame_.first), dot(vector, frame_.second)};
     const PlaneAxes axes = axes_of(plane_);
@@ -57,9 +58,10 @@ class ArcPlane {
   }
   /// Returns the part of a vector at right angles to the plane.
   [[nodiscard]] AxisVector off(const AxisVector& vector) const;
-  /// Returns the vector in the plane that is seen so.
+  /// Returns the vector in the plane that has these coordinates there.
   [[nodiscard]] AxisVector vector(const Vec2& seen) const;
-  /// Returns an oblique plane tilted so that it holds a chord, and any other as it is.
+  /// Returns an oblique plane, tilted so that it contains `chord`. A coordinate plane is returned
+  /// as it is.
   [[nodiscard]] ArcPlane holding(const AxisVector& chord) const;
 
   constexpr bool operator==(const ArcPlane&) const = default;
@@ -67,14 +69,14 @@ class ArcPlane {
  private:
   Plane plane_ = Plane::kXY;
   bool oblique_ = false;
-  PlaneFrame frame_{};  ///< Spans an oblique plane.
+  PlaneFrame frame_{};  ///< Vectors that span an oblique plane.
 };
 
-/// Returns the plane of two unit vectors: a coordinate plane that holds both of them exactly, or
-/// else their plane_through.
+/// Returns the plane of two unit vectors: a coordinate plane if one contains both exactly, else
+/// plane_through() of the two.
 [[nodiscard]] std::optional<ArcPlane> plane_of(const AxisVector& first, const AxisVector& second);
 
-/// @pre a coordinate plane
+/// @pre `plane` is a coordinate plane
 [[nodiscard]] constexpr PlaneAxes axes_of(const ArcPlane& plane) {
   return axes_of(plane.coordinate_plane());
 }

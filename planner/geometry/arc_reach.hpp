@@ -11,11 +11,11 @@ struct Box {
   Position most{};
 };
 
-/// The smallest box around an arc or helix: its ends, and the outermost points
-/// of its circle that it passes.
+/// Returns the smallest box around an arc or helix: it holds both ends, and the outermost points of
+/// the circle that the arc passes.
 ///
-/// The circle is the larger of the two that rounded ends may give, so the box
-/// is too small by float rounding of the radius only: less than R · 1e-6.
+/// Rounded ends may give two circles; the larger one is used. So the box is too small by float
+/// rounding of the radius only, which is less than R · 1e-6.
 [[nodiscard]] Box reach_of(const CentreArc& arc);
 
 }  // namespace cnc

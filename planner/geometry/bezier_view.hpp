@@ -8,26 +8,26 @@
 
 namespace cnc {
 
-/// A point of a curve, and which way it goes there.
+/// A point of a curve, and the direction of the curve there.
 struct CurvePoint {
   Vec2 place;
-  Vec2 direction;  ///< Of any length; null at a cusp.
+  Vec2 direction;  ///< Vector of any length; null at a cusp.
 };
 
-/// A Bézier curve in single precision but seen from a place near it: origin there, x along
-/// a unit vector, mm.
+/// A Bézier curve in single precision, in a frame near it, in mm: `origin` is the frame's origin,
+/// and its x axis lies along the unit vector `along`.
 class BezierView {
  public:
   BezierView() = default;
   BezierView(const Bezier& bezier, const PlanePlace& origin, const Vec2& along);
 
-  /// @param parameter 0…1.
+  /// Returns a point of the curve. @param parameter 0…1.
   [[nodiscard]] CurvePoint at(float parameter) const;
 
  private:
   using Row = std::array<float, Bezier::kHighestDegree + 1>;
 
-  // Control points times their weights.
+  // Coordinates of the control points multiplied by their weights, and the weights.
   Row x_{};
   Row y_{};
   Row weight_{};

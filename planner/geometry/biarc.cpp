@@ -6,9 +6,10 @@ namespace cnc {
 namespace {
 
 struct SingleNumbers {
-  /// Below it the sine is its angle to the last bit of a float, but for 1e-9.
+  /// Below this angle, in radians, the sine differs from the angle by at most 1e-9 of it: less than
+  /// the last bit of a float.
   static constexpr float kSmallAngle = 1.0e-4F;
-  /// Beyond, both arcs are half turns without end.
+  /// Greatest |w| in radians: beyond it both arcs tend to half turns of unbounded length.
   static constexpr float kWidest = kPi - 1.0e-3F;
   static constexpr float kQuarterTurn = kHalfPi;
   static float angle_of(float y, float x) { return atan2_f(y, x); }

@@ -12,7 +12,7 @@ enum class BiarcError : std::uint8_t {
   kSweepTooLarge,  ///< One of the arcs would turn by more than half a turn.
 };
 
-/// Where a curve begins and ends, and which way it goes there.
+/// Start and end of a curve, with the direction of the curve at each.
 template <typename Scalar>
 struct BasicBiarcEnds {
   BasicVec2<Scalar> start;
@@ -23,7 +23,7 @@ struct BasicBiarcEnds {
 using BiarcEnds = BasicBiarcEnds<float>;
 using WideBiarcEnds = BasicBiarcEnds<double>;
 
-/// Two arcs that meet at `joint` with one tangent, as bulges (see Arc).
+/// Two arcs that meet at `joint` with one tangent. The arcs are given by their bulges (see Arc).
 template <typename Scalar>
 struct BasicBiarc {
   BasicVec2<Scalar> joint;
@@ -34,24 +34,23 @@ struct BasicBiarc {
 using Biarc = BasicBiarc<float>;
 using WideBiarc = BasicBiarc<double>;
 
-/// The two arcs through both ends with both tangents; of the family of them
-/// the one whose joint lies at `joint_share` on the circle of all joints.
+/// Returns the two arcs through both ends with both tangents. Of the family of such pairs it is the
+/// one whose joint lies at `joint_share` on the circle of all joints.
 ///
-/// With the angles a and b from the chord to the start and end tangent, in
-/// (−π, π], and w = (b − a) / 2: all joints lie on the arc from start to end
-/// with half sweep w (Bolton, CAD 7 (1975) 29). At the share s of it the half
-/// sweeps are −a − (1 − s) w and b − s w, the chords
-/// L sin(s w) / sin w and L sin((1 − s) w) / sin w. Nothing divides by a
-/// difference of tangents, so C shapes, S shapes, parallel tangents (w = 0), a
-/// lone arc (a = −b) and a line are one case.
+/// Let a and b be the angles from the chord to the start and end tangent, in (−π, π], and let w be
+/// half of b − a. All joints lie on the arc from start to end with half sweep w (Bolton, CAD 7
+/// (1975) 29). At the share s of that arc the half sweeps of the two arcs are −a − (1 − s) w and b
+/// − s w, and their chords are L sin(s w) / sin w and L sin((1 − s) w) / sin w. Nothing is divided
+/// by a difference of tangents, so C shapes, S shapes, parallel tangents (w = 0), one arc alone (a
+/// = −b) and a line are one case.
 ///
-/// Of two ways to turn from one end tangent to the other the one that turns by
-/// less relative to the chord is taken; none with loops.
+/// There are two ways to turn from one end tangent to the other; the result is the one that turns
+/// less relative to the chord. No result has loops.
 ///
-/// Guarantee: the tangents at both ends and at the joint are met within
-/// kBiarcTangentError radians, the joint lies within kBiarcJointError · L of
-/// the exact one; in double precision within kWideBiarcError of both.
-/// @param joint_share 0…1 without the ends.
+/// Guarantee: the tangents at both ends and at the joint are met within kBiarcTangentError radians,
+/// and the joint lies within kBiarcJointError · L of the exact one. In double precision both errors
+/// are at most kWideBiarcError.
+/// @param joint_share 0…1, both ends excluded.
 inline constexpr double kBiarcTangentError = 2.0e-6;
 inline constexpr double kBiarcJointError = 2.0e-6;
 inline constexpr double kWideBiarcError = 2.0e-14;
@@ -59,9 +58,10 @@ inline constexpr double kWideBiarcError = 2.0e-14;
 [[nodiscard]] Result<WideBiarc, BiarcError> make_biarc(const WideBiarcEnds& ends,
                                                        double joint_share);
 
-/// The bulge of the arc over `chord` that begins in the direction `tangent`; with
-/// the two exchanged, of the arc that ends so. For at most half a turn, so in
-/// −1…1: beyond that meaningless but bounded. 0 where one of the two is null.
+/// Returns the bulge of the arc over `chord` that begins in the direction `tangent`. With the two
+/// arguments exchanged it is the bulge of the arc that ends in that direction. For arcs of at most
+/// half a turn, so in −1…1. For longer arcs the result is meaningless but bounded. 0 where one of
+/// the two vectors is null.
 [[nodiscard]] float bulge_between(const Vec2& tangent, const Vec2& chord);
 [[nodiscard]] double wide_bulge_between(const WideVec2& tangent, const WideVec2& chord);
 

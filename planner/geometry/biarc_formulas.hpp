@@ -7,18 +7,19 @@
 #include "planner/geometry/arc.hpp"
 #include "planner/geometry/biarc.hpp"
 
-/// What biarc.cpp and wide_biarc.cpp are made of, each with the functions and limits of its
-/// precision. Apart from each other, so that an image has no double arithmetic in it.
+/// Formulas of biarc.cpp and wide_biarc.cpp. Each source supplies the functions and limits of its
+/// precision. The two sources are separate, so that a controller image contains no double
+/// arithmetic.
 namespace cnc::biarc_formulas {
 
-/// sin(share · angle) / sin(angle), the share itself as the angle vanishes.
+/// Returns sin(share · angle) / sin(angle), or `share` itself where the angle is close to 0.
 template <typename Numbers, typename Scalar>
 Scalar sine_share(Scalar share, Scalar angle, Scalar sine) {
   if (std::abs(angle) < Numbers::kSmallAngle) return share;
   return sin_cos(share * angle).sine / sine;
 }
 
-/// From the half sweep; as precise near 0 as the sweep is.
+/// Returns the bulge for a half sweep, near 0 with the relative precision of the sweep.
 template <typename Scalar>
 Scalar bulge_of(Scalar half_sweep) {
   const auto half = sin_cos(Scalar{0.5F} * half_sweep);

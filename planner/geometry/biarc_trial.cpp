@@ -12,8 +12,8 @@ float curvature_of(const Vec2& chord, float bulge) {
   return 4.0F * bulge / (chord.norm() * (1.0F + bulge * bulge));
 }
 
-/// Greatest magnitude of a function that is known at equal intervals: of the
-/// parabola through the greatest value and its neighbours.
+/// Greatest magnitude of a function that is known at equal intervals: the peak of the parabola
+/// through the greatest value and its neighbours.
 class Peak {
  public:
   void add(float value) {
@@ -37,7 +37,7 @@ class Peak {
   float greatest_ = 0.0F;
 };
 
-/// A biarc to hold points of a curve against, in their order.
+/// A biarc with which points of a curve are compared, in their order.
 class Gauge {
  public:
   Gauge(const BiarcEnds& ends, const Biarc& biarc)
@@ -47,14 +47,15 @@ class Gauge {
         second_{
             ends.end, ends.end_tangent, curvature_of(ends.end - biarc.joint, biarc.second_bulge)} {}
 
-  /// False when the curve goes another way than the arc beside it.
+  /// Adds a point of the curve. Returns false when the curve's direction differs by more than a
+  /// quarter turn from the direction of the arc next to it.
   [[nodiscard]] bool add(const CurvePoint& point) {
     const bool before = (point.place - joint_).dot(joint_tangent_) < 0.0F;
     const TangentCircle& beside = before ? first_ : second_;
     peak_.add(beside.across(point.place));
     return beside.agrees(point.place, point.direction);
   }
-  /// @pre all points were added.
+  /// Returns the greatest deviation of the points, mm. @pre all points were added.
   [[nodiscard]] float deviation() {
     peak_.add(0.0F);
     return peak_.greatest();
@@ -114,11 +115,12 @@ float BiarcTrial::deviation_closely(CurveAhead& curve, float joint_share) const 
   return gauge.deviation();
 }
 
-/// Golden section: deviation falls and then rises with the share.
+/// Searches by golden section: the deviation falls and then rises with the share.
 BiarcTrial::Fit BiarcTrial::best(float enough_mm) const {
   constexpr float kGolden = 0.618034F;
   constexpr int kMostSteps = 8;
-  constexpr float kHopeless = 12.0F;  // Times what is enough: no share gains that much.
+  // Multiple of `enough_mm` beyond which no other share can gain enough.
+  constexpr float kHopeless = 12.0F;
   if (!turns_gently_) return {};
   Fit fit{.joint_share = 0.5F, .deviation_mm = deviation(0.5F), .biarcs = 1};
   const bool hopeless = fit.deviation_mm < kNoFit && fit.deviation_mm > kHopeless * enough_mm;

@@ -9,38 +9,40 @@
 
 namespace cnc {
 
-/// A stretch of curve, sampled, against which biarcs are held.
+/// A sampled part of a curve, with which biarcs are compared.
 ///
-/// As long as the direction of the curve is within a quarter turn of the
-/// arc's beside it, the nearest point on the biarc advances with the curve, so
-/// that each has a point beside every point of the other and the distance
-/// counts both ways (Hausdorff). Where that does not hold at a sample, or the
-/// curve turns by more than a sixth of a turn between two, no biarc is taken.
+/// As long as the direction of the curve is within a quarter turn of the arc's direction at the
+/// nearest point, that nearest point on the biarc advances with the curve. Then each point of
+/// either has a counterpart on the other, and the deviation holds both ways (Hausdorff distance).
+/// If that condition fails at a sample, or if the curve turns by more than a sixth of a turn
+/// between two samples, no biarc is accepted.
 class BiarcTrial {
  public:
-  static constexpr std::uint32_t kSamples = 24;   ///< Inside; ends not counted.
-  static constexpr std::uint32_t kClosely = 249;  ///< Ten times as many, for the last look.
-  /// Stands for "does not fit at all", mm.
+  /// Number of inner samples; the ends are not counted.
+  static constexpr std::uint32_t kSamples = 24;
+  /// Samples of the last, close comparison: ten times as many intervals.
+  static constexpr std::uint32_t kClosely = 249;
+  /// Deviation in mm that stands for "does not fit at all".
   static constexpr float kNoFit = 1.0e9F;
 
   struct Fit {
     float joint_share = 0.5F;
     float deviation_mm = kNoFit;
-    std::uint32_t biarcs = 0;  ///< That were held against the curve for it.
+    std::uint32_t biarcs = 0;  ///< Number of biarcs that were compared with the curve.
   };
 
-  /// The curve from where it is seen to `distance` ahead, at places equally far
-  /// apart in its parameter.
+  /// Samples the curve from its present point to `distance` ahead, at equal steps of its parameter.
   void sample(CurveAhead& curve, float distance);
 
-  /// The biarc that stays nearest, or the first found within `enough_mm`; over
-  /// all joint shares from kFirstShare to 1 − kFirstShare, to a hundredth.
+  /// Returns the biarc with the smallest deviation, or the first biarc found within `enough_mm`.
+  /// Searches all joint shares from kFirstShare to 1 − kFirstShare, to a hundredth.
   [[nodiscard]] Fit best(float enough_mm) const;
-  /// Of the biarc from end to end whose joint lies at this share.
+  /// Returns the deviation of the biarc from end to end whose joint lies at this share, mm.
   [[nodiscard]] float deviation(float joint_share) const;
-  /// The same with kClosely samples, of the curve last sampled.
+  /// Returns the deviation of the biarc whose joint lies at this share, with kClosely samples, mm.
+  /// @param curve the curve last sampled
   [[nodiscard]] float deviation_closely(CurveAhead& curve, float joint_share) const;
-  /// Of the straight line from end to end, mm.
+  /// Returns the deviation of the straight line from end to end, mm.
   [[nodiscard]] float deviation_of_line() const;
 
   [[nodiscard]] BiarcEnds ends() const {
@@ -49,7 +51,8 @@ class BiarcTrial {
             .end = end_,
             .end_tangent = end_tangent_};
   }
-  /// How far the curve goes from where it begins, mm; at least the chord.
+  /// Returns the greatest distance of the samples and the end from the start of the curve, mm; at
+  /// least the chord.
   [[nodiscard]] float extent() const { return extent_; }
 
  private:

@@ -15,15 +15,15 @@ constexpr std::uint32_t q32(long double value) {
   return static_cast<std::uint32_t>(std::min(value * 4294967296.0L + 0.5L, 4294967295.0L));
 }
 
-/// a · b of numbers below 1, in Q32: on the controller one instruction.
+/// Returns a · b of numbers below 1, in Q32. On the controller this is one instruction.
 constexpr std::uint32_t times(std::uint32_t a, std::uint32_t b) {
   return static_cast<std::uint32_t>((std::uint64_t{a} * b) >> 32);
 }
 
-// Interpolants of S and C at Chebyshev nodes over x² ≤ (π/2)², in powers of
-// w = (x / 2)² so that no coefficient vanishes in Q32; error below 2e-11. Their signs
-// alternate, so that they are differences of numbers between 0 and 1: the coefficients here
-// are without sign.
+// Interpolants of S and C at Chebyshev nodes over x² ≤ (π/2)², with an error below 2e-11. They are
+// in powers of w = (x / 2)², so that no coefficient vanishes in Q32. The signs of the coefficients
+// alternate, so that each polynomial is evaluated as differences of numbers between 0 and 1; the
+// coefficients here have no sign.
 using Polynomial = std::array<std::uint32_t, 6>;
 constexpr Polynomial kSineQuotient{q32(0.9999999999828987L),
                                    q32(0.16666666616765985L * 4),
@@ -31,7 +31,7 @@ constexpr Polynomial kSineQuotient{q32(0.9999999999828987L),
                                    q32(0.00019840860936542099L * 64),
                                    q32(2.752525717007601e-06L * 256),
                                    q32(2.3888990176685845e-08L * 1024)};
-constexpr Polynomial kVersineQuotient{kMostQ31,  // Less than half, as a height has a sign.
+constexpr Polynomial kVersineQuotient{kMostQ31,  // Below one half, because a height has a sign.
                                       q32(0.04166666663086609L * 4),
                                       q32(0.001388888719520905L * 16),
                                       q32(2.4801294036003528e-05L * 64),
@@ -44,7 +44,7 @@ constexpr std::uint32_t evaluate(const Polynomial& polynomial, std::uint32_t w) 
   return sum;
 }
 
-/// (h / 2)² in Q32.
+/// Returns (h / 2)² in Q32.
 std::uint32_t quarter_square(std::int32_t half_sweep_q30) {
   return static_cast<std::uint32_t>((std::int64_t{half_sweep_q30} * half_sweep_q30) >> 30);
 }
@@ -65,13 +65,13 @@ ChordFrame::ChordFrame(float half_sweep)
 
 ChordPoint ChordFrame::at(std::uint32_t fraction) const {
   const bool second_half = (fraction >> 31) != 0;
-  const std::uint32_t mu = second_half ? fraction << 1 : ~(fraction << 1);  // Q32, without sign.
+  const std::uint32_t mu = second_half ? fraction << 1 : ~(fraction << 1);  // |μ| in Q32.
   const std::uint32_t mu_square = times(mu, mu);
   const std::uint32_t w = times(mu_square, quarter_square_q32_);
   const std::uint32_t sine_quotient = evaluate(kSineQuotient, w);
   const std::uint32_t versine_quotient = evaluate(kVersineQuotient, w);
 
-  // Near the ends it may be rounded up to 1.
+  // Near the ends the product may be rounded up to 1.
   const std::uint32_t rounded = times(times(mu, sine_quotient), inverse_sine_q31_);
   const auto size_q31 = static_cast<std::int32_t>(std::min(rounded, kMostQ31));
   const std::int32_t sine_ratio_q31 = second_half ? size_q31 : -size_q31;

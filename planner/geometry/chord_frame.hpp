@@ -4,38 +4,37 @@
 
 namespace cnc {
 
-/// Where a point of an arc lies relative to its chord: `along` runs from 0 at
-/// the start to 1 at the end, `across` is positive to the left; both in chord
-/// lengths. Q30 means 2^30 stands for 1.
+/// Position of a point of an arc relative to its chord, in chord lengths: `along` runs from 0 at
+/// the start to 1 at the end, `across` is positive to the left. Q30 means that 2^30 stands for 1.
 struct ChordPoint {
   std::int32_t along_q30;
   std::int32_t across_q30;
-  float along_rate;   ///< d along / d fraction.
-  float across_rate;  ///< d across / d fraction.
+  float along_rate;   ///< Derivative d along / d fraction.
+  float across_rate;  ///< Derivative d across / d fraction.
 };
 
-/// Evaluates an arc of at most half a turn by its arc-length fraction, in
-/// fixed point, with nothing but multiplications: it runs once for each motion
-/// segment and decides where steps fall.
+/// Evaluates an arc of at most half a turn at a fraction of its length. It works in fixed point and
+/// with multiplications only: it runs once for each motion segment and decides where steps fall.
 ///
 /// With half sweep h and μ = 2·fraction − 1:
 ///   along  = ½ + ½ sin(μh) / sin h
 ///   across = −½ (cos μh − cos h) / sin h
-/// written with S(z) = sin x / x and C(z) = (1 − cos x) / x², z = x², both
-/// well-conditioned polynomials, so that an arc that is nearly a line needs no
-/// case of its own and a line is simply h = 0.
+/// Both are written with S(z) = sin x / x and C(z) = (1 − cos x) / x², z = x². S and C are
+/// well-conditioned polynomials, so an arc that is nearly a line needs no separate case, and a line
+/// is simply h = 0.
 ///
-/// Guarantee: along and across are within kChordPointError of the exact values
-/// for the stored half sweep; at a chord of 4 m that is 20 nm.
+/// Guarantee: along and across are within kChordPointError of the exact values for the stored half
+/// sweep; at a chord of 4 m that is 20 nm.
 class ChordFrame {
  public:
   static constexpr double kChordPointError = 5.0e-9;
 
   ChordFrame() : ChordFrame{0.0F} {}
-  /// @param half_sweep radians, |half_sweep| ≤ π/2 but for rounding; positive turns left.
+  /// @param half_sweep radians, |half_sweep| ≤ π/2 apart from rounding; positive turns left.
   explicit ChordFrame(float half_sweep);
 
-  /// @param fraction of the arc length, 2^32 stands for the end.
+  /// Returns a point of the arc.
+  /// @param fraction share of the arc length; 2^32 stands for the end.
   [[nodiscard]] ChordPoint at(std::uint32_t fraction) const;
 
  private:

@@ -67,7 +67,7 @@ void CurveAhead::advance(float distance) {
     segment_ += std::min(spline_->segment_count() - segment_, kMostPieces);
     parameter = 0.0F;
   }
-  while (parameter >= 1.0F) {  // At most kMostPieces times.
+  while (parameter >= 1.0F) {  // This repeats at most kMostPieces times.
     parameter -= 1.0F;
     ++segment_;
   }

@@ -9,47 +9,49 @@
 
 namespace cnc {
 
-/// The stretch of a spline that lies ahead of a place on it, in single
-/// precision but seen from that place: origin there, x along the tangent, mm.
-/// Errors are relative to the stretch of curve and not to the size of the
-/// spline: where it has not gone farther than r from there, at most
-/// kAheadError · r and a nanometre.
+/// The part of a spline that lies ahead of a point on it, in single precision and in mm, in the
+/// frame of that point: the point is the origin, and x lies along the tangent there. Errors are
+/// relative to this part of the curve and not to the size of the spline: where the curve has not
+/// gone farther than r from the point, the error is at most kAheadError · r plus a nanometre.
 ///
-/// The distance ahead is in knots, 1 for a whole segment.
+/// The distance ahead is in knots: 1 stands for a whole segment.
 class CurveAhead {
  public:
   static constexpr double kAheadError = 4.0e-7;
-  /// Segments that are looked at; a biarc seldom spans three.
+  /// Greatest number of segments that are kept in view. A biarc seldom spans three.
   static constexpr std::size_t kMostPieces = 4;
 
-  /// At the beginning of the spline, which must outlive this. @pre complete()
+  /// Starts at the beginning of the spline, which must outlive this. @pre spline.complete()
   explicit CurveAhead(const Spline& spline) : spline_{&spline} { look(); }
 
   [[nodiscard]] bool at_end() const { return segment_ >= spline_->segment_count(); }
-  /// Where this place is, from the first control point.
+  /// Returns the present point on the curve, relative to the first control point.
   [[nodiscard]] const PlanePlace& place() const { return origin_; }
-  /// Unit vector in the plane; +x on a curve without any direction.
+  /// Returns the tangent at the present point as a unit vector; +x on a curve without any
+  /// direction.
   [[nodiscard]] const Vec2& tangent() const { return tangent_; }
 
-  /// How far it can be seen.
+  /// Returns the length of the curve in view, in knots.
   [[nodiscard]] float length() const;
-  /// What is seen is all that is left.
+  /// Returns whether the view includes the end of the spline.
   [[nodiscard]] bool sees_end() const { return segment_ + kMostPieces >= spline_->segment_count(); }
-  /// The nearest distance to this one that the parameter can express.
+  /// Returns the distance nearest to `distance` that the parameter can express.
   [[nodiscard]] float expressible(float distance) const;
 
-  /// @pre 0 ≤ distance ≤ length()
+  /// Returns the point of the curve at a distance ahead. @pre 0 ≤ distance ≤ length()
   [[nodiscard]] CurvePoint at(float distance);
-  /// Unit vector with which the curve arrives there; +x if it has none.
+  /// Returns the direction of the curve as it arrives at a distance ahead, a unit vector; +x if the
+  /// curve has no direction.
   [[nodiscard]] Vec2 arrival(float distance);
 
-  /// Goes there. @pre expressible, 0 < distance ≤ length()
+  /// Moves the present point ahead by a distance. @pre the distance is expressible(), 0 < distance
+  /// ≤ length()
   void advance(float distance);
 
  private:
   struct Spot {
     std::size_t piece;
-    float parameter;  ///< Of the piece, 0…1.
+    float parameter;  ///< Parameter of the piece, 0…1.
   };
 
   void look();
@@ -58,11 +60,11 @@ class CurveAhead {
 
   const Spline* spline_;
   std::size_t segment_ = 0;
-  float parameter_ = 0.0F;  ///< Of the segment, 0…1 without 1.
+  float parameter_ = 0.0F;  ///< Parameter of the segment, 0…1, with 1 excluded.
   PlanePlace origin_{};
   Vec2 tangent_{1.0F, 0.0F};
   std::size_t prepared_ = 0;
-  std::array<Bezier, kMostPieces> beziers_{};  ///< The first from `parameter_` on.
+  std::array<Bezier, kMostPieces> beziers_{};  ///< The first one begins at `parameter_`.
   std::array<BezierView, kMostPieces> views_{};
 };
 

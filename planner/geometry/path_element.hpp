@@ -6,21 +6,21 @@
 
 namespace cnc {
 
-/// One piece of a tool path: a straight line, or an arc of at most half a turn
-/// in a plane, with all of its travel off that plane riding along in proportion to
-/// the arc length (a helix when that is along the normal axis).
+/// One piece of a tool path: a straight line, or an arc of at most half a turn in a plane. All
+/// travel off that plane is in proportion to the arc length (a helix when the travel is along the
+/// normal axis).
 ///
-/// An oblique plane is tilted as little as lets it hold the chord, whose ends are rounded; nothing
-/// rides along.
+/// An oblique plane is tilted by the smallest angle with which it contains the chord, whose ends
+/// are rounded; then there is no travel off the plane.
 ///
-/// The plane part is the project's arc: two end points and a bulge. End points
-/// are exact, so pieces join without a gap whatever the bulge was rounded to.
+/// The part in the plane is the project's arc: two end points and a bulge. End points are exact, so
+/// pieces join without a gap even though bulges are rounded.
 struct PathElement {
-  Position start{};  ///< Machine coordinates.
+  Position start{};  ///< Start position, machine coordinates.
   Position end{};
   ArcPlane plane{};
-  /// tan(sweep / 4); positive turns counter-clockwise in `plane`, 0 is a line.
-  /// |bulge| ≤ 1 but for rounding.
+  /// tan(sweep / 4); positive turns counter-clockwise in `plane`, 0 is a line. |bulge| ≤ 1 apart
+  /// from rounding.
   float bulge = 0.0F;
 };
 

@@ -9,17 +9,17 @@
 
 namespace cnc {
 
-/// What draws a spline towards it.
+/// A control point of a spline, which attracts the curve in proportion to its weight.
 struct ControlPoint {
-  PlanePlace place{};   ///< From the first control point, in nm; each within 2 km.
+  PlanePlace place{};  ///< Relative to the first control point, in nm; each coordinate within 2 km.
   float weight = 1.0F;  ///< kLeastWeight…kMostWeight.
 };
 
 /// A rational B-spline (NURBS) in the X Y plane over uniform knots, clamped at
 /// both ends: it begins in the first control point and ends in the last.
 ///
-/// One with as many control points as its order is a rational Bézier curve, so
-/// the curves of G5 and G5.1 are the same thing.
+/// A spline with as many control points as its order is a rational Bézier curve. So the curves of
+/// G5 and G5.1 are splines, too.
 ///
 /// The knots are those of LinuxCNC's G5.2: 0 as often as the order says, 1, 2, …,
 /// and the last again as often as the order says.
@@ -33,17 +33,17 @@ class Spline {
 
   void clear() { size_ = 0; }
   [[nodiscard]] bool full() const { return size_ == kMostPoints; }
-  /// The first is the origin of all the others. @pre !full()
+  /// Appends a control point. The first control point is the origin of all others. @pre !full()
   void append(const ControlPoint& point) {
     CNC_ASSERT(size_ < kMostPoints);
     points_[size_++] = point;
   }
-  /// @pre there is a first
+  /// Sets the weight of the first control point. @pre size() > 0
   void set_first_weight(float weight) {
     CNC_ASSERT(size_ > 0);
     points_[0].weight = weight;
   }
-  /// Degree + 1. @pre kLowestOrder ≤ order ≤ kHighestOrder
+  /// Sets the order, which is the degree + 1. @pre kLowestOrder ≤ order ≤ kHighestOrder
   void set_order(std::size_t order) {
     CNC_ASSERT(order >= kLowestOrder && order <= kHighestOrder);
     order_ = order;
@@ -52,13 +52,14 @@ class Spline {
   [[nodiscard]] std::size_t size() const { return size_; }
   [[nodiscard]] std::size_t order() const { return order_; }
   [[nodiscard]] const ControlPoint& point(std::size_t index) const { return points_[index]; }
-  /// A curve at all: at least as many control points as its order.
+  /// Returns whether the points make a curve: there are at least as many control points as the
+  /// order.
   [[nodiscard]] bool complete() const { return size_ >= order_; }
 
-  /// Bézier curves that it consists of. @pre complete()
+  /// Returns the number of Bézier curves of which the spline consists. @pre complete()
   [[nodiscard]] std::size_t segment_count() const { return size_ - order_ + 1; }
-  /// By knot insertion (Böhm 1980), as blossoms: control point m of the segment
-  /// between the knots a and b is f(a…a, b…b) with m times b.
+  /// Returns a segment as a Bézier curve, by knot insertion (Böhm 1980) in the form of blossoms:
+  /// control point m of the segment between the knots a and b is f(a…a, b…b) with m times b.
   /// @pre index < segment_count()
   [[nodiscard]] Bezier segment(std::size_t index) const;
 

@@ -8,13 +8,14 @@
 namespace cnc {
 namespace {
 
-/// Whole steps of the parameter from 0 to 1.
+/// Number of the smallest steps of the parameter from 0 to 1.
 constexpr std::uint32_t kWhole = 1U << 14U;
 constexpr std::uint32_t kLongestStep = kWhole / 32U;
-/// A step is halved if the two chords of its halves are longer than its own chord by this share.
+/// A step is halved if the chords of its two halves together are longer than its own chord by this
+/// share.
 constexpr float kBend = 1.0e-3F;
-/// It is halved, too, if one of both is this many times as long as the other: near a hairpin or a
-/// cusp, or where weights that differ make the curve fast.
+/// A step is also halved if the chord of one half is this many times as long as the other's: near a
+/// hairpin or a cusp, or where unequal weights make the curve fast.
 constexpr float kUneven = 2.0F;
 
 bool is_smooth(float first, float second, float chord) {
@@ -22,7 +23,8 @@ bool is_smooth(float first, float second, float chord) {
          std::max(first, second) <= kUneven * std::min(first, second);
 }
 
-/// Chords over steps of the parameter that are halved where the curve asks for it.
+/// Returns the length of a curve: the sum of chords over steps of the parameter, which are halved
+/// where the curve needs it.
 float length_of(const BezierView& curve) {
   const auto place_at = [&](std::uint32_t parameter) {
     return curve.at(static_cast<float>(parameter) / static_cast<float>(kWhole)).place;

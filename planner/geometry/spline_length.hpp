@@ -4,7 +4,8 @@
 
 namespace cnc {
 
-/// Along the curve, mm, within 3 in 1000: for durations, not for places.
+/// Returns the length of the curve in mm, within 3 in 1000: precise enough for durations, not for
+/// positions.
 [[nodiscard]] float length_of(const Spline& spline);
 
 }  // namespace cnc

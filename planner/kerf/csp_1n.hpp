@@ -16,7 +16,7 @@ constexpr Band band(std::uint32_t watts, std::uint32_t least_m_min, std::uint32_
   return {watts * kWatt, least_m_min * kMetrePerMinute, most_m_min * kMetrePerMinute};
 }
 
-/// Table 2.
+/// Bands of Table 2.
 inline constexpr std::array<Band, 16> kBands{{
     band(1200, 4, 10),
     band(1400, 4, 10),
@@ -36,10 +36,10 @@ inline constexpr std::array<Band, 16> kBands{{
     band(1800, 3, 5),  // 2.0 mm
 }};
 
-// A false alarm on constexpr templates.
+// The check raises a false alarm on constexpr templates.
 // NOLINTBEGIN(bugprone-dynamic-static-initializers)
 
-/// Table 3.
+/// Rows of Table 3.
 template <typename Real>
 inline constexpr std::array<Row<Real>, 4> kRows{{
     {500, {static_cast<Real>(0.0097), static_cast<Real>(0.398)}, false, 0, 4},
@@ -50,13 +50,15 @@ inline constexpr std::array<Row<Real>, 4> kRows{{
 
 }  // namespace csp_1n
 
-/// As printed: the worked example of the paper is 0.56 mm. Its widths hardly depend on the speed.
+/// The table with Q in the unit as printed. It gives 0.56 mm for the paper's worked example. Its
+/// widths hardly depend on the speed.
 template <typename Real>
 inline constexpr TableView<Real> kCsp1n{
     "CSP 1N", HeatUnit::kWattMinutesPerMillimetre, csp_1n::kRows<Real>, csp_1n::kBands, {}};
 
-/// The same numbers with Q in J/mm, which gives the paper's figures and correlations
-/// but 0.72 mm for its worked example. A test cut tells which of them a machine follows.
+/// The table with equal numbers but with Q in J/mm. It agrees with the paper's figures and
+/// correlations, but gives 0.72 mm for the worked example. A test cut shows which of the two tables
+/// a machine follows.
 template <typename Real>
 inline constexpr TableView<Real> kCsp1nPhysical{
     "CSP 1N J/mm", HeatUnit::kJoulesPerMillimetre, csp_1n::kRows<Real>, csp_1n::kBands, {}};

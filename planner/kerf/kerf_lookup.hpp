@@ -11,21 +11,21 @@
 namespace cnc::kerf {
 
 enum class RefusalReason : std::uint8_t {
-  kThickness,  ///< The table has none so thin or so thick.
-  kPower,      ///< It does not cut this thickness, or only one of its neighbours.
-  kSpeed,      ///< Power and thickness cut, at other speeds.
-  kNoSpeed,    ///< No speed is permissible for all rows around power and thickness.
+  kThickness,  ///< The thickness is outside the table's range.
+  kPower,      ///< The power does not cut this thickness, or not both of its neighbours.
+  kSpeed,      ///< At this power the thickness can be cut, but at other speeds.
+  kNoSpeed,    ///< No speed is permissible in all rows around the power and the thickness.
 };
 
-/// Why there is no kerf, and what is permissible: least and greatest of the quantity that
-/// was refused, in its unit of Condition; both 0 for kNoSpeed.
+/// Reason why there is no kerf, and the permissible range: least and greatest value of the quantity
+/// that was refused, in its unit of Condition; both 0 for kNoSpeed.
 struct Refusal {
   RefusalReason reason = RefusalReason::kThickness;
   std::uint32_t least = 0;
   std::uint32_t most = 0;
 };
 
-/// From the least to the greatest, both included.
+/// Range from the least to the greatest value, both included.
 struct Window {
   std::uint32_t least = 0;
   std::uint32_t most = 0;
@@ -40,13 +40,15 @@ struct Window {
 
 namespace detail {
 
-/// The entries around a value of a rising list; the same twice where one has it.
+/// The two entries around a value of a rising list; both are equal where an entry has the value
+/// itself.
 struct Neighbours {
   std::size_t low = 0;
   std::size_t high = 0;
 };
 
-/// @pre the value is within the list. Looks at each entry once at most.
+/// Returns the entries around a value. Evaluates each entry at most once. @pre the value is within
+/// the list
 template <typename Entry>
 constexpr Neighbours neighbours(std::span<const Entry> entries,
                                 std::uint32_t Entry::*key,
@@ -57,7 +59,8 @@ constexpr Neighbours neighbours(std::span<const Entry> entries,
   return {met ? high : high - 1, high};
 }
 
-/// How far `value` is from `low` to `high`, 0…1; 0 where they are one. Differences are exact.
+/// Returns the position of `value` between `low` and `high` as a share 0…1; 0 where both are equal.
+/// Differences are exact.
 template <typename Real>
 constexpr Real share(std::uint32_t low, std::uint32_t high, std::uint32_t value) {
   if (low == high) return Real{0};
@@ -77,7 +80,8 @@ constexpr Window powers_of(const TableView<Real>& table, const Row<Real>& row) {
   return {bands.front().power_mw, bands.back().power_mw};
 }
 
-/// Speeds that the bands around the power have in common. @pre the power is within them
+/// Returns the speeds that the bands around the power have in common. @pre the power is within the
+/// bands
 template <typename Real>
 constexpr Window speeds_of(const TableView<Real>& table,
                            const Row<Real>& row,
@@ -98,7 +102,7 @@ constexpr Real measured_kerf(std::span<const Point> points, std::uint32_t speed_
                  share<Real>(low.speed_um_min, high.speed_um_min, speed_um_min));
 }
 
-/// @pre power and speed are permissible for the row
+/// Returns the kerf of a row, mm. @pre power and speed are permissible for the row
 template <typename Real>
 constexpr Real row_kerf(const TableView<Real>& table,
                         const Row<Real>& row,
@@ -107,7 +111,7 @@ constexpr Real row_kerf(const TableView<Real>& table,
 
 }  // namespace detail
 
-/// The unit in which the table's laws take Q. mW / (µm/min) is W / (mm/min).
+/// Returns Q in the unit of the table's laws. mW / (µm/min) is W / (mm/min).
 template <typename Real>
 [[nodiscard]] constexpr Real heat_input(HeatUnit unit,
                                         std::uint32_t power_mw,
@@ -134,7 +138,8 @@ constexpr Real detail::row_kerf(const TableView<Real>& table,
                  share<Real>(low.power_mw, high.power_mw, power_mw));
 }
 
-/// Powers that cut this thickness; between two thicknesses, those that cut both.
+/// Returns the powers that cut this thickness; between two thicknesses of the table, the powers
+/// that cut both.
 /// @pre the table is sound
 template <typename Real>
 [[nodiscard]] constexpr Result<Window, Refusal> permissible_powers(const TableView<Real>& table,
@@ -148,8 +153,9 @@ template <typename Real>
   return powers;
 }
 
-/// Speeds that are permissible: those of the row and band, and in between of all that are around,
-/// the greatest least speed to the least greatest one: nobody has cut there, so nothing is wider.
+/// Returns the permissible speeds: those of the row and band. Between rows or bands they are the
+/// speeds common to all rows and bands around, from the greatest least speed to the least greatest
+/// speed. No wider range is permissible, because no measurement exists there.
 /// @pre the table is sound
 template <typename Real>
 [[nodiscard]] constexpr Result<Window, Refusal> permissible_speeds(const TableView<Real>& table,
@@ -167,10 +173,11 @@ template <typename Real>
   return speeds;
 }
 
-/// The width of the cut in mm; refused wherever nobody has cut. Straight between thicknesses,
-/// and between measured powers and speeds. In single precision within 0.1 µm of the exact value
-/// for any sound table (asserted within 1 µm against double precision). Looks at each row of the
-/// table twice at most, and at each band and point of two rows twice.
+/// Returns the width of the cut in mm, or a refusal for every condition that was not measured. The
+/// width is interpolated linearly between thicknesses, and between measured powers and speeds. In
+/// single precision it is within 0.1 µm of the exact value for any sound table (asserted within 1
+/// µm against double precision). Evaluates each row of the table at most twice, and each band and
+/// point of two rows twice.
 /// Source: Park and Ahn 2007, equations 1 and 2. @pre the table is sound
 template <typename Real>
 [[nodiscard]] constexpr Result<Real, Refusal> kerf_width(const TableView<Real>& table,

@@ -8,15 +8,16 @@
 
 namespace cnc::kerf {
 
-/// What λ1 is multiplied by: Q = P / V, with V in one unit or the other. The paper's printed
-/// numbers hold with the first, physics suggests the second: nobody may guess, so each table says.
+/// Unit of Q = P / V, by which λ1 is multiplied. The paper's printed numbers hold with the first
+/// unit, physics suggests the second. The program must not guess, so each table states its unit.
 enum class HeatUnit : std::uint8_t {
-  kWattMinutesPerMillimetre = 0,  ///< P in W over V in mm/min, "as printed".
-  kJoulesPerMillimetre = 1,       ///< P in W over V in mm/s.
+  kWattMinutesPerMillimetre = 0,  ///< P in W divided by V in mm/min, "as printed".
+  kJoulesPerMillimetre = 1,       ///< P in W divided by V in mm/s.
 };
 
-/// Where and how the beam cuts. Whole numbers: what is stored is what was said, an edge of the
-/// permissible region is the same on every machine, and differences lose no digits.
+/// Condition of a cut. The members are whole numbers: the stored values are those that were
+/// entered, an edge of the permissible region is the same on every machine, and differences lose no
+/// digits.
 struct Condition {
   std::uint32_t thickness_um = 0;
   std::uint32_t power_mw = 0;
@@ -24,21 +25,21 @@ struct Condition {
   constexpr bool operator==(const Condition&) const = default;
 };
 
-/// How wide one speed cuts, as measured.
+/// Measured kerf of one speed.
 struct Point {
   std::uint32_t speed_um_min = 0;
   std::uint32_t kerf_nm = 0;
   constexpr bool operator==(const Point&) const = default;
 };
 
-/// The speeds at which one power cuts one thickness well, and what was measured there
+/// The speeds at which one power cuts one thickness well, and the measurements at these speeds
 /// where the linear law does not hold.
 struct Band {
   std::uint32_t power_mw = 0;
   std::uint32_t least_um_min = 0;
   std::uint32_t most_um_min = 0;
-  std::uint16_t first_point = 0;  ///< Of the table's points…
-  std::uint16_t points = 0;       ///< …so many; none in a row with a law.
+  std::uint16_t first_point = 0;  ///< Index of the band's first point in the table's points.
+  std::uint16_t points = 0;       ///< Number of the band's points; 0 in a row with a law.
   constexpr bool operator==(const Band&) const = default;
 };
 
@@ -50,24 +51,25 @@ struct Law {
   constexpr bool operator==(const Law&) const = default;
 };
 
-/// All that is known of one thickness. Source: Park and Ahn 2007, Tables 2 and 3.
+/// All data of one thickness. Source: Park and Ahn 2007, Tables 2 and 3.
 template <typename Real>
 struct Row {
   std::uint32_t thickness_um = 0;
-  Law<Real> law{};               ///< Unused where it was measured.
-  bool measured = false;         ///< The bands' points count, not the law.
-  std::uint16_t first_band = 0;  ///< Of the table's bands…
-  std::uint16_t bands = 0;       ///< …so many, of rising power.
+  Law<Real> law{};               ///< Unused if `measured`.
+  bool measured = false;         ///< The points of the bands are valid, not the law.
+  std::uint16_t first_band = 0;  ///< Index of the row's first band in the table's bands.
+  std::uint16_t bands = 0;       ///< Number of the row's bands, which are of rising power.
   constexpr bool operator==(const Row&) const = default;
 };
 
-/// The kerf of one material as rows, bands and points of somebody else's memory:
-/// constant in flash, bounded in RAM, or a host's vectors. Single precision on the controller.
+/// The kerf of one material: rows, bands and points in memory that the table does not own. The
+/// memory may be constant in flash, bounded in RAM, or a host's vectors. Single precision on the
+/// controller.
 template <typename Real>
 struct TableView {
   std::string_view name{};
   HeatUnit unit = HeatUnit::kWattMinutesPerMillimetre;
-  std::span<const Row<Real>> rows{};  ///< Of rising thickness.
+  std::span<const Row<Real>> rows{};  ///< Rows of rising thickness.
   std::span<const Band> bands{};
   std::span<const Point> points{};
 
@@ -79,8 +81,8 @@ struct TableView {
   }
 };
 
-// What a table may hold at all: beyond it single precision would no longer keep the error below
-// a micrometre.
+// Limits of a table's values. Beyond them single precision would no longer keep the error below a
+// micrometre.
 inline constexpr std::uint32_t kMostThicknessUm = 100'000;
 inline constexpr std::uint32_t kMostPowerMw = 100'000'000;
 inline constexpr std::uint32_t kLeastSpeedUmMin = 1'000;
@@ -90,15 +92,15 @@ inline constexpr float kMostInterceptMm = 10.0F;
 inline constexpr std::size_t kLongestName = 15;
 
 enum class TableError : std::uint8_t {
-  kBadName,             ///< Empty, too long, or letters that a line of text could not carry.
-  kNoRows,              ///< Neither a thickness nor a power.
-  kThicknessNotRising,  ///< Or none, or beyond the range.
+  kBadName,  ///< The name is empty, too long, or has characters that a line of text cannot carry.
+  kNoRows,   ///< The table has no rows.
+  kThicknessNotRising,  ///< Thicknesses do not rise, or one is 0 or beyond the range.
   kPowerNotRising,
-  kBadSpeeds,  ///< None, beyond the range, or the least above the greatest.
-  kBadPoints,  ///< Not rising, or not from the least speed to the greatest.
-  kBadKerf,    ///< Somewhere in the region it is not above 0 and at most 10 mm.
+  kBadSpeeds,  ///< The speeds are 0, beyond the range, or the least is above the greatest.
+  kBadPoints,  ///< The points do not rise, or do not reach from the least speed to the greatest.
+  kBadKerf,    ///< Somewhere in the region the kerf is not above 0 and at most 10 mm.
   kBadShape,   ///< Bands or points that belong to no row, or to two.
-  // Of an image of a table.
+  // Errors of an image of a table.
   kBadSize,
   kNotATable,
   kOtherVersion,
@@ -108,18 +110,19 @@ enum class TableError : std::uint8_t {
   kTooManyPoints,
 };
 
-/// What is wrong with a table, and where.
+/// A fault of a table, and its location.
 struct TableFault {
   TableError error = TableError::kBadName;
-  std::uint16_t row = 0;       ///< From 0; of the errors of rows.
-  std::uint16_t count = 0;     ///< Of kTooMany…: so many there are…
-  std::uint16_t capacity = 0;  ///< …and so many fit.
+  std::uint16_t row = 0;       ///< Index of the row, from 0; used for errors of rows.
+  std::uint16_t count = 0;     ///< For kTooMany…: number of items in the table.
+  std::uint16_t capacity = 0;  ///< For kTooMany…: number of items that fit.
 };
 
-/// One clause, without the numbers of the fault.
+/// Returns the error as one clause, without the numbers of the fault.
 [[nodiscard]] std::string_view describe(TableError error);
 
-/// What a name may be made of: it stands in lines of text, between commas and brackets.
+/// Returns whether a name has a permitted length and only permitted characters: it stands in lines
+/// of text, between commas and brackets.
 [[nodiscard]] constexpr bool fits_name(std::string_view name) {
   if (name.empty() || name.size() > kLongestName) return false;
   if (name.front() == ' ' || name.back() == ' ') return false;

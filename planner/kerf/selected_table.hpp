@@ -6,12 +6,12 @@
 
 namespace cnc::kerf {
 
-/// The kerf table that a program has selected, out of a list. Whoever keeps the list has it ready
+/// The kerf table that a program has selected from a list. The owner of the list prepares the table
 /// before the next line is read.
 struct SelectedTable {
-  std::uint32_t count = 0;  ///< Of the list.
+  std::uint32_t count = 0;  ///< Number of tables in the list.
   std::uint32_t index = 0;
-  TableView<float> view{};  ///< Sound; without rows there is none at hand, or it is damaged.
+  TableView<float> view{};  ///< A sound table; without rows if none is available or undamaged.
 
   [[nodiscard]] bool holds(std::uint32_t table) const {
     return table == index && !view.rows.empty();

@@ -10,12 +10,12 @@
 
 namespace cnc::kerf {
 
-/// Room for one table on the controller.
+/// Memory for one table on the controller.
 class StoredTable {
  public:
   static constexpr std::size_t kMostRows = 8;
   static constexpr std::size_t kMostBands = 40;   ///< Five powers for each thickness.
-  static constexpr std::size_t kMostPoints = 48;  ///< Of rows without a law.
+  static constexpr std::size_t kMostPoints = 48;  ///< Points of rows without a law.
 
   [[nodiscard]] TableView<float> view() const {
     return {{name_.data(), name_size_},
@@ -25,7 +25,8 @@ class StoredTable {
             {points_.data(), point_count_}};
   }
 
-  /// Makes room for so many of each, and gives it to be filled. @pre they fit
+  /// Returns memory for `count` items, to be filled by the caller. @pre `count` is within the
+  /// capacity
   [[nodiscard]] std::span<Row<float>> make_rows(std::size_t count) {
     row_count_ = std::min(count, kMostRows);
     return {rows_.data(), row_count_};
@@ -38,7 +39,7 @@ class StoredTable {
     point_count_ = std::min(count, kMostPoints);
     return {points_.data(), point_count_};
   }
-  /// What is longer than a name is cut off.
+  /// Sets the name, cut off at kLongestName characters.
   void set_name(std::string_view name) {
     name_size_ = std::min(name.size(), name_.size());
     std::copy_n(name.begin(), name_size_, name_.begin());

@@ -21,13 +21,14 @@ constexpr bool are_sound_points(const Band& band, std::span<const Point> points)
   return true;
 }
 
-/// Not a number is not within.
+/// Returns whether a kerf is within its range. NaN is not.
 template <typename Real>
 constexpr bool is_sound_kerf(Real kerf_mm) {
   return kerf_mm > Real{0} && kerf_mm <= static_cast<Real>(kMostKerfNm) / Real{1'000'000};
 }
 
-/// A law is monotonic in the speed, and points are joined by lines, so the ends tell all.
+/// Returns whether the kerf of a band is in range. A law is monotonic in the speed, and points are
+/// joined by lines, so it suffices to check the ends.
 template <typename Real>
 constexpr bool has_sound_kerf(const TableView<Real>& table,
                               const Row<Real>& row,
@@ -69,7 +70,7 @@ constexpr std::optional<TableError> fault_of_row(const TableView<Real>& table,
   return std::nullopt;
 }
 
-/// Rows have the bands, and bands the points, one after the other and all of them.
+/// Returns whether the rows contain all bands in order, and the bands all points.
 template <typename Real>
 constexpr bool is_in_order(const TableView<Real>& table) {
   std::size_t bands = 0;
@@ -87,8 +88,8 @@ constexpr bool is_in_order(const TableView<Real>& table) {
 
 }  // namespace detail
 
-/// The first thing that is wrong with a table; nothing when it can be looked up. Everything is
-/// checked that lookups rely on, whatever the memory holds.
+/// Returns the first fault of a table; empty when the table can be looked up. Checks everything
+/// that lookups rely on, whatever the memory holds.
 template <typename Real>
 [[nodiscard]] constexpr std::optional<TableFault> find_fault(const TableView<Real>& table) {
   if (!fits_name(table.name)) return TableFault{TableError::kBadName};

@@ -41,7 +41,7 @@ class SpanSource final : public ImageSource {
   std::span<const std::byte> bytes_;
 };
 
-/// Takes numbers off bytes that are enough of them.
+/// Reads consecutive numbers from an image. @pre the image has enough bytes
 class ImageReader {
  public:
   explicit ImageReader(ImageSource& source, std::size_t at = 0) : source_{source}, at_{at} {}
@@ -65,7 +65,7 @@ class ImageReader {
   std::size_t at_;
 };
 
-/// The same backwards.
+/// Writes consecutive numbers into an image.
 class ImageWriter {
  public:
   explicit ImageWriter(std::span<std::byte> bytes) : bytes_{bytes} {}
@@ -84,7 +84,7 @@ class ImageWriter {
   std::size_t size_ = 0;
 };
 
-/// What follows the magic number in the head.
+/// Numbers that follow the magic number in the head.
 struct Counts {
   std::size_t size = 0;
   std::uint32_t unit = 0;
@@ -127,7 +127,8 @@ std::uint32_t crc_of_source(ImageSource& source, std::size_t bytes) {
   return crc.value();
 }
 
-/// Capacity comes before size: who sends too much hears of that.
+/// Reads and checks the head. The capacity is checked before the size, so that a sender of too
+/// large a table gets that fault.
 std::optional<TableFault> read_head(ImageSource& source, Counts& counts) {
   if (source.size() < kHeadBytes + kSumBytes) return TableFault{TableError::kBadSize};
   ImageReader reader{source};

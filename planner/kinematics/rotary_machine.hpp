@@ -7,35 +7,36 @@
 
 namespace cnc::kinematics {
 
-/// Images that have to be small leave five axes out.
+/// Whether the image supports five axes; images that have to be small do not.
 inline constexpr bool kHasFiveAxes = KERFLINE_FIVE_AXES != 0;
 
-/// Which parts of a machine its two rotary axes turn.
+/// Parts of a machine that its two rotary axes turn.
 enum class RotaryKind : std::uint8_t {
-  kNone,          ///< The machine has no rotary axes that lean a tool.
-  kTables,        ///< A tilting table carries a turning one, and that the part.
-  kHeads,         ///< A turning head carries a tilting one, and that the tool.
-  kHeadAndTable,  ///< A tilting head carries the tool, a turning table the part.
+  kNone,          ///< The machine has no rotary axes that tilt a tool or a part.
+  kTables,        ///< A tilting table carries a turning table, which carries the part.
+  kHeads,         ///< A turning head carries a tilting head, which carries the tool.
+  kHeadAndTable,  ///< A tilting head carries the tool, and a turning table carries the part.
 };
 
-/// The two rotary axes of a five-axis machine: one that tilts, A about X or B about Y, and C, which
+/// The two rotary axes of a five-axis machine: a tilting axis, A about X or B about Y, and C, which
 /// turns about Z.
 ///
-/// A rotary word is the rotation of the tool as the part sees it, right-handed about the positive
-/// axis (ISO 841), whichever of the two turns. So the direction from the tip into the tool is
-/// Rz(C) · Rx(A) · Z or Rz(C) · Ry(B) · Z on each kind of machine.
+/// A rotary word is the rotation of the tool relative to the part, right-handed about the positive
+/// axis (ISO 841), whichever of the two turns. So the direction from the tip into the tool is Rz(C)
+/// · Rx(A) · Z or Rz(C) · Ry(B) · Z on each kind of machine.
 ///
-/// Points are those of the axes with both at 0 degrees, mm. Of a table they are machine
-/// coordinates: where a tool of no length would be if its tip were there. Of a head they are seen
-/// from the tip of a tool of no length. The coordinate along an axis itself has no effect.
+/// The points below lie on the rotary axes while both axes are at 0 degrees, in mm. For a table
+/// they are machine coordinates: the position at which a tool of no length would have its tip at
+/// the point. For a head they are relative to the tip of a tool of no length. The coordinate along
+/// an axis itself has no effect.
 struct RotaryMachine {
   RotaryKind kind = RotaryKind::kNone;
   Axis tilting = Axis::kA;     ///< kA or kB.
-  bool tilt_reversed = false;  ///< The axis counts the other way round.
+  bool tilt_reversed = false;  ///< The axis counts in the opposite direction.
   bool turn_reversed = false;
-  Vec3 tilt_point = Vec3::Zero();  ///< On the tilting axis.
-  Vec3 turn_point = Vec3::Zero();  ///< On the turning axis.
-  float least_tilt_deg = -360.0F;  ///< The tilting axis stays within these.
+  Vec3 tilt_point = Vec3::Zero();  ///< Point on the tilting axis.
+  Vec3 turn_point = Vec3::Zero();  ///< Point on the turning axis.
+  float least_tilt_deg = -360.0F;  ///< The tilting axis stays within these two limits.
   float most_tilt_deg = 360.0F;
 };
 

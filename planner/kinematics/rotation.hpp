@@ -6,21 +6,21 @@
 
 namespace cnc::kinematics {
 
-/// A place on a way, mm, and its first and second derivatives by the length of the way.
+/// A point on a path, mm, and its first and second derivatives by the length of the path.
 struct PlaceJet {
   Vec3 place = Vec3::Zero();
   Vec3 first = Vec3::Zero();
   Vec3 second = Vec3::Zero();
 };
 
-/// An angle on a way, and its derivatives by the length of the way, rad/mm and rad/mm².
+/// An angle on a path, and its derivatives by the length of the path, rad/mm and rad/mm².
 struct AngleJet {
   SinCos angle{0.0F, 1.0F};
   float first = 0.0F;
   float second = 0.0F;
 };
 
-/// Returns the angle the other way round.
+/// Returns the angle with the opposite sign.
 [[nodiscard]] inline SinCos opposite(const SinCos& angle) { return {-angle.sine, angle.cosine}; }
 [[nodiscard]] inline AngleJet opposite(const AngleJet& angle) {
   return {opposite(angle.angle), -angle.first, -angle.second};
@@ -49,7 +49,7 @@ struct AngleJet {
   return result;
 }
 
-/// Returns the jet turned about an axis by an angle that changes along the way, too.
+/// Returns the jet turned about an axis by an angle that also changes along the path.
 [[nodiscard]] inline PlaceJet turned(std::size_t about,
                                      const AngleJet& angle,
                                      const PlaceJet& jet) {

@@ -10,18 +10,19 @@
 
 namespace cnc::kinematics {
 
-/// Where the axes X Y Z of a five-axis machine have to be so that the tip of its tool is where a
-/// program says.
+/// Computes where the axes X Y Z of a five-axis machine have to be so that the tip of its tool is
+/// at the position that a program gives.
 ///
-/// A program's place is in machine coordinates of a machine whose rotary axes are at 0: there both
-/// are the same. Rotary axes are where the program says in any case.
+/// A position of the program is in machine coordinates of a machine whose rotary axes are at 0:
+/// there the positions of axes and program are equal. Rotary axes are always at the position that
+/// the program gives.
 ///
-/// Computed in single precision: for levers up to 500 mm a place is within 0.2 µm.
+/// Computed in single precision: for levers up to 500 mm a position is exact within 0.2 µm.
 class ToolCentre {
  public:
-  /// Both places are the same everywhere.
+  /// Positions of axes and program are equal everywhere.
   ToolCentre() = default;
-  /// @param tool_length_mm from the machine's gauge point to the tip; G43.1, G43.4
+  /// @param tool_length distance from the machine's gauge point to the tip; G43.1, G43.4
   ToolCentre(const RotaryMachine& machine, Coordinate tool_length);
 
   /// Returns whether rotary axes move the tip.
@@ -29,41 +30,44 @@ class ToolCentre {
   [[nodiscard]] const RotaryMachine& machine() const { return machine_; }
   [[nodiscard]] Coordinate tool_length() const { return tool_length_; }
 
-  /// Returns the place of the axes for a place of the program, and the other way round.
+  /// Returns the position of the axes for a position of the program, or the position of the program
+  /// for a position of the axes.
   [[nodiscard]] Position axes_for(const Position& program) const;
   [[nodiscard]] Position program_for(const Position& axes) const;
 
-  /// Returns the same in steps of the motors, to the fraction of a step.
+  /// Returns the position of the axes for a position of the program, in steps of the motors, to the
+  /// fraction of a step.
   [[nodiscard]] AxisArray<StepPosition> axes_for(const AxisArray<StepPosition>& program,
                                                  const AxisArray<AxisScale>& scale) const;
 
-  /// Returns into how many parts of one length a way is to be divided so that neither rotary axis
-  /// turns by more than 4 degrees on any of them; at least 1.
+  /// Returns the number of parts of equal length into which a path is to be divided so that neither
+  /// rotary axis turns by more than 4 degrees on any part; at least 1.
   [[nodiscard]] std::uint32_t parts_of(const Position& from, const Position& end) const;
 
-  /// A way of the program through a place, with its derivatives by its length.
+  /// A path of the program through a position, with its derivatives by its length.
   struct Way {
     Position place{};
-    AxisVector first{};   ///< mm, degrees for rotary axes, by the unit of length.
-    AxisVector second{};  ///< The same by the square of that unit.
+    AxisVector first{};   ///< First derivative: mm, or degrees for rotary axes, per unit of length.
+    AxisVector second{};  ///< Second derivative, per square of that unit.
   };
-  /// Returns how the axes X Y Z move along it; their place is seen from centre().
+  /// Returns the motion of the axes X Y Z along a path; their position is relative to centre().
   [[nodiscard]] PlaceJet axes_along(const Way& way) const;
 
-  /// Returns the greatest distance of the tip from what turns it or the part under it, mm.
-  /// @param reach_mm length by which the program's place may be away from `place`
+  /// Returns the greatest distance of the tip from the rotary axes that turn the tool or the part,
+  /// mm.
+  /// @param reach_mm distance by which the program's position may be away from `place`
   [[nodiscard]] float lever(const Position& place, float reach_mm) const;
-  /// Returns a bound of the third derivative of the axes X Y Z along ways of a curvature: 1/mm².
+  /// Returns a bound of the third derivative of the axes X Y Z along paths of a curvature, 1/mm².
   /// @param rate greatest rate of both rotary axes together, rad/mm
   [[nodiscard]] static float third_derivative(float lever_mm, float rate, float curvature);
-  /// Returns the place that axes_along() sees places from.
+  /// Returns the position to which positions of axes_along() are relative.
   [[nodiscard]] const Position& centre() const { return centre_; }
 
-  /// Returns the direction from the tip into the tool, as the part sees it.
+  /// Returns the direction from the tip into the tool, relative to the part.
   [[nodiscard]] Vec3 direction(const Position& program) const;
 
  private:
-  /// Where X Y Z are as seen from the centre, and how the rotary axes stand.
+  /// Position of X Y Z relative to the centre, and the angles of the rotary axes.
   struct Pose {
     Vec3 place = Vec3::Zero();
     SinCos tilt{0.0F, 1.0F};
@@ -86,9 +90,9 @@ class ToolCentre {
 
   RotaryMachine machine_{};
   Coordinate tool_length_{};
-  Position centre_{};  ///< The point that tables turn about, raised by the tool; X Y Z.
-  Vec3 tilt_from_turn_ = Vec3::Zero();  ///< From the turning axis to the tilting one.
-  Vec3 tip_from_tilt_ = Vec3::Zero();   ///< From the tilting axis of a head to the tip.
+  Position centre_{};  ///< The point about which tables turn, raised by the tool length; X Y Z.
+  Vec3 tilt_from_turn_ = Vec3::Zero();  ///< Vector from the turning axis to the tilting axis.
+  Vec3 tip_from_tilt_ = Vec3::Zero();   ///< Vector from the tilting axis of a head to the tip.
 };
 
 }  // namespace cnc::kinematics

@@ -34,7 +34,7 @@ struct AnnealingSpace {
   }
 };
 
-/// The path's cost at the end of a temperature: a point of the paper's Fig. 7.
+/// Cost of the path at the end of a temperature: a point of Fig. 7 of the paper.
 struct AnnealingPoint {
   double temperature;
   double cost;
@@ -42,20 +42,22 @@ struct AnnealingPoint {
   std::uint64_t accepted;
 };
 
-/// Simulated annealing as Han and Na describe it for torch paths (paper 3): shifted pathing, else
-/// reversed pathing; then another pierce point on an outer contour, else on an inner one.
+/// Simulated annealing as Han and Na describe it for torch paths (paper 3). Each try uses shifted
+/// pathing, else reversed pathing. Then it tries another pierce point on an outer contour, else on
+/// an inner contour.
 ///
-/// As printed: start from a random path, θ = 1.5, θ ← 0.9 θ, 100 N tries at each θ, end after 300
-/// temperatures or below θ = 0.001. Where the paper is silent or wrong:
-/// * The sign of ΔC: better paths are accepted, worse ones with probability e^(−ΔC/θ). As printed
-///   the program would look for the longest path.
-/// * nLIMIT, the accepted changes after which a temperature ends, is 10 N (Numerical Recipes'
-///   anneal, whose scheme this is). N is the number of contours, home included.
-/// * Costs are divided by `unit`, the side of the square that holds all places, as θ = 1.5 only
-///   means something on the unit square.
-/// * The path is a tour with a fixed home. Paths that break precedence are no candidates: they are
-///   rejected, which the paper does not mention.
-/// * A contour that must come before another is inner, all others are outer.
+/// As printed: start from a random path with θ = 1.5, then θ ← 0.9 θ. Each θ has 100 N tries. The
+/// run ends after 300 temperatures or below θ = 0.001. This code differs where the paper is silent
+/// or wrong:
+/// * The sign of ΔC: better paths are accepted, worse paths with probability e^(−ΔC/θ). As printed,
+///   the program would search for the longest path.
+/// * nLIMIT, the number of accepted changes that ends a temperature, is 10 N, as in anneal of
+///   Numerical Recipes, whose scheme the paper uses. N is the number of contours, home included.
+/// * Costs are divided by `unit`, the side of the square that contains all points, as θ = 1.5 has a
+///   meaning only on the unit square.
+/// * The path is a tour with a fixed home. Paths that violate precedence are rejected, which the
+///   paper does not mention.
+/// * A contour that must come before another contour is inner; all other contours are outer.
 template <LegCost Cost>
 class Annealing {
  public:
@@ -87,7 +89,7 @@ class Annealing {
   Annealing& operator=(const Annealing&) = delete;
   ~Annealing() = default;
 
-  /// Goes on by a number of tries. @return false when it has ended
+  /// Continues for a number of tries. @return false when the annealing has ended
   bool run(std::uint64_t tries) {
     for (std::uint64_t i = 0; i < tries && !is_finished(); ++i) try_once();
     return !is_finished();
@@ -99,7 +101,7 @@ class Annealing {
   [[nodiscard]] double cost() const { return legs_.tour_cost(); }
   [[nodiscard]] std::span<const Index> order() const { return tour_.order(); }
   [[nodiscard]] std::span<const Index> chosen() const { return tour_.choices(); }
-  /// Returns the temperatures that have ended.
+  /// Returns the results of the temperatures that have ended.
   [[nodiscard]] std::span<const AnnealingPoint> course() const {
     return std::span{course_}.first(count_);
   }
@@ -150,11 +152,13 @@ void Annealing<Cost>::sort_contours() {
   }
 }
 
-/// Always takes one of the contours that may come next, and a pierce point, at random.
+/// Makes a random start: always takes one of the contours that may come next, and one of its pierce
+/// points, at random.
 template <LegCost Cost>
 void Annealing<Cost>::start_at_random() {
   const Index sets = problem_->sets();
-  const std::span<Index> ready = space_.start;  // In front the order, behind it all that may come.
+  // First the order, then all contours that may come next.
+  const std::span<Index> ready = space_.start;
   const auto& precedence = problem_->precedence;
   Index end = 1;
   ready[0] = 0;
@@ -177,7 +181,7 @@ void Annealing<Cost>::start_at_random() {
   tour_.assign(ready, chosen);
 }
 
-/// One pass of the inner loop of Fig. 4.
+/// Makes one pass of the inner loop of Fig. 4.
 template <LegCost Cost>
 void Annealing<Cost>::try_once() {
   if (tour_.size() > 2 && (shift() || reverse())) ++accepted_;
@@ -201,7 +205,7 @@ void Annealing<Cost>::end_temperature() {
   accepted_ = 0;
 }
 
-/// Moves a random stretch to another position: two neighbouring stretches change places.
+/// Moves a random stretch to another position: two neighbouring stretches are exchanged.
 template <LegCost Cost>
 bool Annealing<Cost>::shift() {
   const Index sets = tour_.size();
@@ -222,7 +226,7 @@ bool Annealing<Cost>::shift() {
   return true;
 }
 
-/// Drives a random stretch backwards.
+/// Reverses a random stretch.
 template <LegCost Cost>
 bool Annealing<Cost>::reverse() {
   const Index sets = tour_.size();
@@ -240,7 +244,7 @@ bool Annealing<Cost>::reverse() {
   return true;
 }
 
-/// Returns how much cheaper the legs within a stretch are backwards.
+/// Returns how much cheaper the legs within a stretch are in the reverse direction.
 template <LegCost Cost>
 double Annealing<Cost>::interior_gain(Index start, Index length) const {
   if (problem_->is_symmetric) return 0.0;

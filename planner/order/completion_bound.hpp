@@ -12,12 +12,13 @@ struct CompletionBoundSizes {
   std::size_t candidates;
 };
 
-/// The cheapest rest of a walk from a candidate, and the cheapest whose next set is another.
+/// The cheapest continuation of a walk from a candidate, and the cheapest with a different next
+/// set.
 struct WalkRest {
   double cost;
   double other_cost;
-  Index next;        ///< Candidate.
-  Index other_next;  ///< Of another set.
+  Index next;        ///< The next candidate of the walk.
+  Index other_next;  ///< Candidate of a set other than `next_set`.
   Index next_set;
 };
 inline constexpr WalkRest kNoWalk{std::numeric_limits<double>::infinity(),
@@ -42,13 +43,13 @@ struct CompletionBoundSpace {
   }
 };
 
-/// Bounds from below what the rest of a tour costs.
+/// Computes a lower bound of the cost of the rest of a tour.
 ///
-/// A tour without its demand that each set is visited once is a walk of as many steps; the cheapest
-/// walk is found backwards, step by step. A price for each set, paid back at each visit, makes
-/// walks near tours the cheapest (Lagrange multipliers by subgradients, after Held and Karp 1971).
-/// Walks return to no set at once, and keep what precedence says about neighbours and numbers in
-/// the tour.
+/// A walk has as many steps as a tour, but need not visit each set exactly once. The cheapest walk
+/// is found backwards, step by step. A price for each set, paid back at each visit, makes walks
+/// that are almost tours the cheapest (Lagrange multipliers by subgradients, after Held and Karp
+/// 1971). A walk does not return directly to the set that it has just left. It observes the rules
+/// of precedence for neighbours and for positions in the tour.
 template <LegCost Cost>
 class CompletionBound {
  public:
@@ -64,8 +65,8 @@ class CompletionBound {
         space_{space},
         sets_{problem.sets() - 1} {}
 
-  /// Begins to look for prices that bring the bound of the whole tour near to the cost of a known
-  /// one.
+  /// Starts the search for prices. Good prices bring the bound of the whole tour near to the cost
+  /// of a known tour.
   void start(int rounds) {
     std::fill(space_.prices.begin(), space_.prices.end(), 0.0);
     std::copy(space_.prices.begin(), space_.prices.end(), space_.best_prices.begin());
@@ -75,9 +76,9 @@ class CompletionBound {
     rounds_left_ = rounds;
   }
 
-  /// Tries other prices once.
+  /// Evaluates the present prices and moves them once.
   /// @param home candidate where the tour begins and ends
-  /// @return false where no further round is of use
+  /// @return false where no further call is of use
   bool raise(Index home, double known_cost) {
     const double bound = find(home);
     if (bound > best_) {
@@ -91,13 +92,13 @@ class CompletionBound {
     return --rounds_left_ > 0 && share_ > kLeastShare && move_prices(share_, known_cost - bound);
   }
 
-  /// Takes the best prices, for rest(). @return the bound of the whole tour
+  /// Sets the best prices, for rest(). @return the bound of the whole tour
   double finish(Index home) {
     std::copy(space_.best_prices.begin(), space_.best_prices.end(), space_.prices.begin());
     return find(home);
   }
 
-  /// Returns the price of all sets in a mask.
+  /// Returns the sum of the prices of all sets in a mask.
   [[nodiscard]] double price_of(SetMask mask) const {
     double sum = 0.0;
     for (; mask != 0; mask &= mask - 1) {
@@ -106,8 +107,8 @@ class CompletionBound {
     return sum;
   }
 
-  /// Returns a bound of the rest of a tour that is at `candidate`, has visited `visited` and has
-  /// still to visit sets of the given price.
+  /// Returns a lower bound of the rest of a tour that is at `candidate` and has visited `visited`.
+  /// @param price_to_come sum of the prices of the sets that are not visited yet
   [[nodiscard]] double rest(SetMask visited, Index candidate, double price_to_come) const {
     const WalkRest& rest = at(count_of(visited), candidate);
     if (rest.next_set == kNone) return rest.cost;
@@ -148,8 +149,8 @@ class CompletionBound {
     }
   }
 
-  /// Finds all rests of walks for the present prices, and returns the bound of the tour. Counts the
-  /// visits of the cheapest walk.
+  /// Finds the cheapest continuations of all walks for the present prices. Counts the visits of the
+  /// cheapest walk. Returns the bound of the tour.
   double find(Index home) {
     for_each_candidate_at(sets_, [&](Index, Index c) {
       at(sets_, c) = kNoWalk;
@@ -204,6 +205,7 @@ class CompletionBound {
     }
   }
 
+  /// Moves the prices by the visits that are missing or surplus.
   /// @return false where the cheapest walk is a tour
   bool move_prices(double share, double gap) {
     double squares = 0.0;

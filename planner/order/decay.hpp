@@ -2,15 +2,16 @@
 
 namespace cnc::order {
 
-/// Returns e^−x for x ≥ 0, with the same bits on every machine. Relative error at most
-/// kWideDecayError for x ≤ 40; 0 beyond that.
+/// Returns e^−x for x ≥ 0, with the same bits on every machine. The relative error is at most
+/// kWideDecayError for x ≤ 40; for greater x the result is 0.
 inline constexpr double kWideDecayError = 1.0e-13;
 [[nodiscard]] constexpr double wide_decay(double x) {
   constexpr double kFarthest = 40.0;
   constexpr int kHalvings = 6;
   constexpr int kTerms = 16;
   if (x > kFarthest) return 0.0;
-  // A Taylor series of x / 64, squared six times; by e^+x, whose terms have one sign.
+  // Computes e^+x, as all terms of its series have one sign: a Taylor series of x / 64, squared six
+  // times.
   double small = x;
   for (int i = 0; i < kHalvings; ++i) small *= 0.5;
   double sum = 1.0;

@@ -9,15 +9,16 @@
 
 namespace cnc::order {
 
-/// Three neighbouring stretches B C D of a tour that become D C B: a disturbance that no exchange
-/// of three legs takes back.
+/// Changes three neighbouring stretches B C D of a tour to D C B. No exchange of three legs can
+/// undo this disturbance.
 struct DoubleBridge {
-  /// Sets in a stretch at most. Shorter ones disturb too little, longer ones cost more repair.
+  /// Greatest number of sets in a stretch. Shorter stretches disturb too little, longer ones cost
+  /// more repair.
   static constexpr Index kLongest = 50;
   static constexpr Index kFewestSets = 4;
 
   Index start = 0;
-  Index first = 0;  ///< Lengths.
+  Index first = 0;  ///< Number of sets in the first stretch; `second` and `third` likewise.
   Index second = 0;
   Index third = 0;
 
@@ -29,7 +30,7 @@ struct DoubleBridge {
 };
 
 /// Finds a random double bridge that keeps the precedence.
-/// @return false where none of some tries does
+/// @return false where none of the kTries attempts keeps it
 inline bool find_double_bridge(Random& random,
                                const Tour& tour,
                                const Feasibility& may,
@@ -48,8 +49,8 @@ inline bool find_double_bridge(Random& random,
   return false;
 }
 
-/// Makes it, and calls `touched(set)` for the sets on both sides of each leg that changes.
-/// @return the gain, as a rule below 0
+/// Makes a double bridge. Calls `touched(set)` for the sets at both ends of each leg that changes.
+/// @return the gain, usually below 0
 template <LegCost Cost, typename Touched>
 double make_double_bridge(const DoubleBridge& bridge,
                           Tour& tour,

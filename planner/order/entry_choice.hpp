@@ -15,7 +15,7 @@ struct EntryChoiceSizes {
 struct EntryChoiceSpace {
   std::span<double> cost;
   std::span<Index> before;
-  std::span<Index> best;  ///< One for each set; of no more sets than candidates.
+  std::span<Index> best;  ///< One for each set: there are at least as many candidates as sets.
 
   template <typename Layout>
   void lay_out(Layout& layout, const EntryChoiceSizes& sizes) {
@@ -25,17 +25,17 @@ struct EntryChoiceSpace {
   }
 };
 
-/// Finds the best candidates along a tour whose order stays: shortest path through layers of
-/// candidates, exact.
+/// Finds the best candidates along a tour whose order is fixed. It is an exact shortest path
+/// through layers of candidates.
 template <LegCost Cost>
 class EntryChoice {
  public:
   EntryChoice(const Problem& problem, const Cost& cost, Tour& tour, const EntryChoiceSpace& space)
       : problem_{&problem}, cost_{&cost}, tour_{&tour}, space_{space}, legs_{problem, cost, tour} {}
 
-  /// Chooses the best candidates for `length` sets from `start` on, between the choices of the sets
-  /// on either side. Calls `changed(set)` for each that gets another.
-  /// @return how much cheaper the tour is; changes that gain no more than `least_gain` are not made
+  /// Chooses the best candidates for `length` sets from `start` on, with the choices of the sets
+  /// before and after them fixed. Calls `changed(set)` for each set whose candidate changes.
+  /// @return the decrease of the tour's cost; a change that gains at most `least_gain` is not made
   template <typename Changed>
   double improve(Index start, Index length, double least_gain, Changed&& changed) {
     const Index before = tour_->at(tour_->position_before(start));
@@ -50,7 +50,7 @@ class EntryChoice {
     return present - cost;
   }
 
-  /// The same for all sets, home included.
+  /// Chooses the best candidates for all sets, home included. Otherwise works like improve().
   template <typename Changed>
   double improve_all(double least_gain, Changed&& changed) {
     const Index home = tour_->at(0);
@@ -78,8 +78,8 @@ class EntryChoice {
     return start + step >= tour_->size() ? start + step - tour_->size() : start + step;
   }
 
-  /// Returns the least cost from `from` through the layers to `to`, and leaves the choices in
-  /// `best`, by step.
+  /// Returns the least cost from `from` through the layers to `to`. Writes the choices to `best`,
+  /// in the order of the steps.
   double find(Index start, Index length, Index from, Index to) {
     Index last_first = kNone;
     Index last_end = kNone;
@@ -127,7 +127,7 @@ class EntryChoice {
     }
     for (Index i = length; i-- > 0;) {
       space_.best[i] = candidate;
-      candidate = space_.before[candidate];  // kNone after the last.
+      candidate = space_.before[candidate];  // kNone after the first set of the stretch.
     }
     return least;
   }

@@ -13,14 +13,14 @@ enum class ExactState : std::uint8_t {
   kDoesNotFit  ///< The storage is full.
 };
 
-/// Finds the cheapest tour and proves that it is: dynamic programming over sets of visited sets
-/// that precedence allows, with the cost of each last candidate. States whose bound is not below
-/// the cost of a known tour are left out.
+/// Finds the cheapest tour and proves that it is the cheapest. It uses dynamic programming over the
+/// sets of visited sets that precedence allows, with the cost for each last candidate. A state is
+/// omitted if its bound is not below the cost of a known tour.
 template <LegCost Cost>
 class Exact {
  public:
-  /// @param known_cost of a tour that the caller has; infinity for none
-  /// @pre at most kMaxMaskedSets sets and home, and two sets at least
+  /// @param known_cost of a tour that the caller has; infinity if it has none
+  /// @pre at least two sets, and at most kMaxMaskedSets sets besides home
   Exact(const Problem& problem,
         const Cost& cost,
         std::span<const Index> set_of,
@@ -41,7 +41,7 @@ class Exact {
   Exact& operator=(const Exact&) = delete;
   ~Exact() = default;
 
-  /// Goes on by a number of steps: one raises the bound, or extends one set of visited sets.
+  /// Continues for a number of steps. A step raises the bound, or extends one set of visited sets.
   ExactState run(std::uint64_t steps) {
     for (std::uint64_t i = 0; i < steps && state_ == ExactState::kRunning; ++i) step();
     return state_;
@@ -49,26 +49,27 @@ class Exact {
 
   [[nodiscard]] ExactState state() const { return state_; }
   [[nodiscard]] double best_cost() const { return best_cost_; }
-  /// Returns whether a tour was found that is cheaper than the known one.
+  /// Returns whether the search found a tour that is cheaper than the known tour.
   [[nodiscard]] bool has_tour() const { return has_tour_; }
   [[nodiscard]] std::span<const Index> order() const { return space_.order; }
   [[nodiscard]] std::span<const Index> chosen() const { return space_.chosen; }
-  /// Returns the bound of the cost of all tours from the present candidate of home.
+  /// Returns the lower bound of all tours from the current candidate of home.
   [[nodiscard]] double first_bound() const { return first_bound_; }
   [[nodiscard]] std::size_t states() const { return state_count_; }
-  /// Returns how many sets the states that are being extended have visited.
+  /// Returns the number of visited sets of the states that are being extended.
   [[nodiscard]] Index layer() const { return layer_; }
 
  private:
   using State = ExactSpace::State;
   static constexpr double kInfinite = std::numeric_limits<double>::infinity();
-  static constexpr double kRounding = 1.0e-9;  ///< A tour counts as cheaper beyond this share.
-  // Better bounds take longer than they save where there are few sets.
+  /// Share of the cost by which a tour must be lower to count as cheaper.
+  static constexpr double kRounding = 1.0e-9;
+  // With few sets, better bounds take longer than they save.
   static constexpr Index kFewSets = 20;
   static constexpr int kRoundsOfFew = 15;
   static constexpr int kRounds = 60;
 
-  /// Bounds that are not below this lead to no cheaper tour.
+  /// Returns the limit: a bound at or above it leads to no cheaper tour.
   [[nodiscard]] double limit() const { return best_cost_ - kRounding * std::abs(best_cost_); }
 
   void begin();
@@ -90,10 +91,10 @@ class Exact {
   Index sets_;
   SetMask all_;
   double best_cost_;
-  Index home_;  ///< Candidate.
+  Index home_;  ///< Current candidate of home.
   double first_bound_ = 0.0;
   Index layer_ = 1;
-  std::size_t next_ = 0;  ///< State.
+  std::size_t next_ = 0;  ///< Index of the next state to extend.
   std::size_t state_count_ = 0;
   std::size_t value_count_ = 0;
   bool has_tour_ = false;
@@ -101,11 +102,11 @@ class Exact {
   ExactState state_ = ExactState::kRunning;
 };
 
-/// Starts with the tours from one candidate of home.
+/// Starts with the tours from the current candidate of home.
 template <LegCost Cost>
 void Exact<Cost>::begin() {
   const int rounds = sets_ <= kFewSets ? kRoundsOfFew : kRounds;
-  // Without a known tour prices have no aim.
+  // Without a known tour, the prices have no target.
   bound_.start(best_cost_ < kForbidden ? rounds : 1);
   is_bounding_ = true;
 }
@@ -198,10 +199,10 @@ void Exact<Cost>::extend(std::span<const State> group) {
   }
 }
 
-/// Adds the state that visits `last` after one of the states of a group; none where its bound shows
-/// that it leads to no cheaper tour.
+/// Adds the state that visits `last` after one of the states of a group. Adds none where the bound
+/// shows that the state leads to no cheaper tour.
 /// @param group empty for the first set after home
-/// @return false where it does not fit
+/// @return false where the state does not fit into the storage
 template <LegCost Cost>
 bool Exact<Cost>::add_state(SetMask visited, Index last, std::span<const State> group) {
   const Index count = problem_->candidates_of(last);
@@ -249,7 +250,8 @@ std::span<const ExactSpace::State> Exact<Cost>::group_of(Index layer, SetMask vi
   return {first, end};
 }
 
-/// Writes the tour that ends at a candidate, backwards: the same minima as on the way there.
+/// Writes the tour that ends at a candidate, backwards. Finds the same minima as the forward
+/// search.
 template <LegCost Cost>
 void Exact<Cost>::trace(Index candidate) {
   SetMask visited = all_;

@@ -9,22 +9,22 @@ namespace cnc::order {
 struct ExactSizes {
   std::size_t sets;
   std::size_t candidates;
-  std::size_t states;  ///< Pairs of visited sets and last set.
-  std::size_t values;  ///< Costs: one for each candidate of the last set of each state.
+  std::size_t states;  ///< Number of pairs of visited sets and last set.
+  std::size_t values;  ///< Number of costs: one for each candidate of the last set of each state.
 };
 
 /// Storage of an Exact.
 struct ExactSpace {
   struct State {
     SetMask visited;
-    std::size_t values;  ///< Where the costs of its candidates begin.
+    std::size_t values;  ///< Index of the first cost of the last set's candidates.
     Index last;
   };
 
   CompletionBoundSpace bound;
   std::span<State> states;
   std::span<double> values;
-  std::span<std::size_t> layers;  ///< First state of each layer, and the end.
+  std::span<std::size_t> layers;  ///< First state of each layer, and the end of the last layer.
   std::span<Index> order;
   std::span<Index> chosen;
 

@@ -3,8 +3,9 @@
 namespace cnc::order {
 namespace {
 
-/// The same cyclic tour as a rearrangement of B and C, up to its direction, by one of C and the
-/// rest, or of the rest and B. Found by writing out each case.
+/// Returns the rearrangement of C and the rest that gives the same cyclic tour as `how` of B and C,
+/// up to its direction. Applied twice, it gives that of the rest and B. The table was found by
+/// writing out each case.
 Rearrangement without_moving_first(Rearrangement how) {
   switch (how) {
     case Rearrangement::kSwap:

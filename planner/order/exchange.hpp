@@ -7,30 +7,32 @@
 
 namespace cnc::order {
 
-/// Two or three legs of a tour replaced by others: the tour is cut behind the positions `cuts`,
-/// ascending, and its stretches are put together in another way.
+/// Two or three legs of a tour replaced by others. The tour is cut after the positions `cuts`,
+/// which ascend, and its stretches are joined differently.
 struct Exchange {
   std::array<Index, 3> cuts{};
   bool has_three = false;
-  Rearrangement how = Rearrangement::kSwap;  ///< With three legs; two legs reverse a stretch.
+  /// For three legs. With two legs, a stretch is reversed.
+  Rearrangement how = Rearrangement::kSwap;
   double gain = 0.0;
 };
 
-/// A leg that is taken away, by both of its ends.
+/// A leg that is removed, given by both of its ends.
 struct CutLeg {
   LooseEnd one;
   LooseEnd other;
   Index position;
 };
 
-/// Fills in which rearrangement makes a tour out of three legs that are taken away and the new legs
-/// one.other–two.one, two.other–three.one and three.other–one.one.
-/// @return false where these new legs leave several rings
+/// Finds the rearrangement that makes a tour from three removed legs and the new legs
+/// one.other–two.one, two.other–three.one and three.other–one.one. Writes it to `exchange`.
+/// @return false where these new legs make several separate rings
 inline bool find_rearrangement(const CutLeg& one,
                                const CutLeg& two,
                                const CutLeg& three,
                                Exchange& exchange) {
-  // Ends are numbered along the tour: exit and entry at the first cut are 0 and 1, and so on.
+  // Ends are numbered along the tour: exit and entry at the first cut are 0 and 1, at the second
+  // cut 2 and 3, at the third 4 and 5.
   const auto rank = [](Index position, Index other, Index another) {
     return static_cast<std::size_t>(other < position) +
            static_cast<std::size_t>(another < position);
@@ -67,7 +69,7 @@ inline bool find_rearrangement(const CutLeg& one,
   return true;
 }
 
-/// Makes an exchange, moving as few sets as possible where the tour may begin anywhere.
+/// Makes an exchange. Where the tour may begin anywhere, it moves as few sets as possible.
 /// @param is_free see Problem::is_free()
 void make_exchange(Tour& tour, const Exchange& exchange, bool is_free);
 

@@ -4,7 +4,7 @@
 
 namespace cnc::order {
 
-/// One side of a set where a leg of the tour was taken away: its entry or its exit.
+/// One side of a set from which a leg of the tour was removed: its entry or its exit.
 struct LooseEnd {
   Index set;
   bool is_entry;
@@ -27,8 +27,8 @@ class Legs {
                    tour_->chosen(tour_->at(tour_->position_after(position))));
   }
 
-  /// Returns the cost of the leg that joins two ends. Of two entries, or two exits, one set is
-  /// driven backwards; home never is.
+  /// Returns the cost of the leg that joins two ends. Where both are entries, or both exits, one of
+  /// the two sets is reversed. Home is never reversed.
   /// @pre the problem is symmetric, or one end is an entry and the other an exit
   [[nodiscard]] double join(const LooseEnd& a, const LooseEnd& b) const {
     const Index first = tour_->chosen(a.set);
@@ -48,12 +48,12 @@ class Legs {
     return sum;
   }
 
-  /// Returns the end at the other side of the leg that leaves or reaches `end`.
+  /// Returns the other end of the leg at `end`.
   [[nodiscard]] LooseEnd across(const LooseEnd& end) const {
     return {end.is_entry ? tour_->before(end.set) : tour_->after(end.set), !end.is_entry};
   }
 
-  /// Returns the position of the set that the leg at `end` leaves.
+  /// Returns the position of the set from which the leg at `end` starts.
   [[nodiscard]] Index leg_of(const LooseEnd& end) const {
     const Index position = tour_->position_of(end.set);
     return end.is_entry ? tour_->position_before(position) : position;

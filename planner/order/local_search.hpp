@@ -7,14 +7,14 @@
 
 namespace cnc::order {
 
-/// Improves a tour around one set at a time: exchanges of two and three legs that begin with a leg
-/// of the set (as Lin and Kernighan choose them: each new leg joins neighbours, and the sum of what
-/// is gained stays positive), another candidate of the set, or another position with the candidate
-/// that suits it.
+/// Improves a tour around one set at a time, by one of three changes. The first are exchanges of
+/// two and three legs that begin with a leg of the set. They are chosen as by Lin and Kernighan:
+/// each new leg joins neighbours, and the sum of the gains stays positive. The second is another
+/// candidate of the set. The third is another position, with the candidate that suits it.
 template <LegCost Cost>
 class LocalSearch {
  public:
-  /// @param least_gain smaller gains are rounding; a search that takes them may not end
+  /// @param least_gain smaller gains are rounding; a search that accepts them may not end
   LocalSearch(const Problem& problem,
               const Cost& cost,
               const Neighbours& neighbours,
@@ -35,8 +35,8 @@ class LocalSearch {
 
   [[nodiscard]] const Legs<Cost>& legs() const { return legs_; }
 
-  /// Makes the first improvements that are found around a set.
-  /// @return how much cheaper the tour is; 0 where nothing was found
+  /// Makes the first improvements that it finds around a set.
+  /// @return the decrease of the tour's cost; 0 where no improvement was found
   double improve(Index set) {
     double gain = 0.0;
     if (!is_plain_) gain += improve_choice(set);
@@ -48,7 +48,7 @@ class LocalSearch {
     return gain;
   }
 
-  /// Makes an exchange that is known to be allowed.
+  /// Makes an exchange. @pre may_make(exchange)
   void make(const Exchange& exchange) {
     const Index count = exchange.has_three ? 3 : 2;
     for (Index i = 0; i < count; ++i) {
@@ -68,8 +68,8 @@ class LocalSearch {
 
  private:
   static constexpr Index kThirdWidth =
-      5;  ///< Neighbours tried for a third leg, or to insert a set.
-  // Where the tour may not begin anywhere, longer stretches cost more time than they bring.
+      5;  ///< Neighbours that are tried for a third leg, or to insert a set.
+  // Where the tour's beginning is fixed, longer stretches cost more time than they gain.
   static constexpr Index kMaxChecked = 1000;
   static constexpr Index kMaxMoved = 30'000;
 
@@ -77,8 +77,8 @@ class LocalSearch {
   double improve_legs(const LooseEnd& start);
   double improve_position(Index set);
 
-  /// Returns the cost of the leg from an end to the other kind of end of its neighbour `set`, which
-  /// has the given number in its list.
+  /// Returns the cost of the leg from an end to the opposite kind of end of its neighbour `set`.
+  /// @param number index of `set` in the list of neighbours of the end's set
   [[nodiscard]] double cost_to(const LooseEnd& end, Index number, Index set) const {
     if (neighbours_.have_costs()) return neighbours_.cost(end.set, number);
     return legs_.join(end, {set, !end.is_entry});
@@ -86,7 +86,7 @@ class LocalSearch {
   [[nodiscard]] CutLeg cut_at(const LooseEnd& end) const {
     return {end, legs_.across(end), legs_.leg_of(end)};
   }
-  /// Returns whether two ends may be joined: an asymmetric tour is never driven backwards.
+  /// Returns whether two ends may be joined: no part of an asymmetric tour is ever reversed.
   [[nodiscard]] bool may_join(const LooseEnd& a, const LooseEnd& b) const {
     return a.set != b.set && (problem_->is_symmetric || a.is_entry != b.is_entry);
   }
@@ -97,7 +97,7 @@ class LocalSearch {
       const CutLeg& one, const CutLeg& two, const CutLeg& three, double gain, Exchange& best) const;
 
   struct Insertion {
-    Index after = kNone;  ///< Position behind which the set goes.
+    Index after = kNone;  ///< The set is inserted after this position.
     Index candidate = 0;
     double gain = 0.0;
   };
@@ -113,9 +113,10 @@ class LocalSearch {
   Feasibility may_;
   double least_gain_;
   bool is_free_;
-  bool has_lines_;   ///< Reversed sets have other entries.
-  bool is_plain_;    ///< One candidate for each set.
-  bool ends_early_;  ///< Neighbours that are farther away cost more.
+  bool has_lines_;  ///< Whether reversed sets have other entries.
+  bool is_plain_;   ///< Whether each set has only one candidate.
+  /// Whether neighbours farther down a list always cost more, so that a search may end early.
+  bool ends_early_;
 };
 
 template <LegCost Cost>
@@ -158,8 +159,8 @@ double LocalSearch<Cost>::improve_legs(const LooseEnd& start) {
   return best.gain;
 }
 
-/// Tries new legs from the other end of `one` to a set.
-/// @return false where no set that is farther away can gain anything
+/// Tries new legs from the other end of `one` to neighbour `number`.
+/// @return false where no neighbour that is farther away can gain anything
 template <LegCost Cost>
 bool LocalSearch<Cost>::try_second(const CutLeg& one,
                                    Index number,
@@ -265,12 +266,13 @@ void LocalSearch<Cost>::try_insertion(Index set, Index after, double freed, Inse
   }
 }
 
-/// The set at `position` goes behind the position `after`.
+/// Returns the exchange that moves the set at `position` to just after the position `after`.
 template <LegCost Cost>
 Exchange LocalSearch<Cost>::exchange_of(Index position, Index after) const {
   Exchange exchange;
   exchange.has_three = true;
-  // In a free tour the set may be the first; home is not, and no other tour has another there.
+  // In a free tour the set may be at position 0. In every other tour home is there, and home is
+  // never moved.
   const Index before = tour_->position_before(position);
   if (position == 0) {
     exchange.cuts = {position, after, before};

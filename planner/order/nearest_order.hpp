@@ -24,9 +24,11 @@ struct NearestOrderSpace {
   }
 };
 
-/// Writes the order that always goes to the nearest candidate of all sets that may come next.
-/// @param nearest `add(set)` for each set that may come next from now on, `remove(set)`, and
-///   `next(candidate)`, which returns the nearest candidate to the exit of the given one
+/// Writes the order in which each step goes to the nearest candidate of all sets that may come
+/// next.
+/// @param nearest object with three functions: `add(set)` is called for each set that may come next
+/// from now on, `remove(set)` for a set that is visited; `next(candidate)` returns the candidate
+/// nearest to the exit of the given one
 template <typename Nearest>
 void nearest_order(const Problem& problem, Nearest&& nearest, const NearestOrderSpace& space) {
   const Index sets = problem.sets();
@@ -55,10 +57,10 @@ struct SetAndCandidate {
   Index candidate;
 };
 
-/// Nearest by plane distance, in O(log n) each.
+/// Finds the nearest candidate by distance in the plane, in O(log n) each.
 class NearestPlace {
  public:
-  /// @param tree of all entries, none of them present
+  /// @param tree of all entries, none of them present in it
   NearestPlace(const Problem& problem,
                const CandidatePlaces& places,
                std::span<const Index> set_of,
@@ -95,11 +97,12 @@ class NearestPlace {
   PlaceTree* tree_;
 };
 
-/// Nearest by the cost of legs; for explicit matrices, as it compares all candidates.
+/// Finds the nearest candidate by the cost of legs. For explicit matrices, as it compares all
+/// candidates.
 template <LegCost Cost>
 class NearestByCost {
  public:
-  /// @param is_open by candidate, all 0
+  /// @param is_open a flag for each candidate, all 0
   NearestByCost(const Problem& problem,
                 const Cost& cost,
                 std::span<const Index> set_of,

@@ -9,13 +9,12 @@
 
 namespace cnc::order {
 
-/// The sets nearest to each set, nearest first: the only ones that a search tries to put next to
-/// it.
+/// The sets nearest to each set, nearest first. A search tries to put only these sets next to it.
 class Neighbours {
  public:
   Neighbours() = default;
-  /// `lists`: `width` sets for each set, kNone behind the last.
-  /// `costs`: of the legs to them where these never change, else empty.
+  /// @param lists `width` sets for each set, filled up with kNone
+  /// @param costs costs of the legs to these sets where the costs never change, else empty
   Neighbours(std::span<const Index> lists, Index width, std::span<const double> costs = {})
       : lists_{lists}, costs_{costs}, width_{width} {}
 
@@ -37,14 +36,14 @@ class Neighbours {
   Index width_ = 0;
 };
 
-/// The nearest sets found so far, each once.
+/// Collects the nearest sets, each once.
 class NearestSets {
  public:
   static constexpr Index kMaxWidth = 16;
 
   explicit NearestSets(Index width) : width_{width} {}
 
-  /// Returns the distance below which another set is of interest.
+  /// Returns the distance below which a further set is accepted.
   [[nodiscard]] double limit() const {
     return count_ < width_ ? std::numeric_limits<double>::infinity() : found_[count_ - 1].distance;
   }
@@ -54,7 +53,7 @@ class NearestSets {
     Index at = 0;
     while (at < count_ && found_[at].set != set) ++at;
     if (at == count_ && count_ < width_) ++count_;
-    if (at == count_) --at;  // The farthest goes.
+    if (at == count_) --at;  // Replaces the farthest set.
     if (found_[at].set == set && found_[at].distance <= distance) return;
     for (; at > 0 && is_before({distance, set}, found_[at - 1]); --at) found_[at] = found_[at - 1];
     found_[at] = {distance, set};
@@ -83,13 +82,13 @@ class NearestSets {
 /// Entries and exits of all candidates, for searches by distance.
 struct CandidatePlaces {
   std::span<const Place> entry;
-  std::span<const Place> exit;  ///< May be the same span as `entry`: closed contours only.
+  std::span<const Place> exit;  ///< May be the same span as `entry`, if all contours are closed.
 
   [[nodiscard]] bool are_closed() const { return entry.data() == exit.data(); }
 };
 
-/// Finds neighbours by plane distance, whichever place of whichever candidate is nearest.
-/// @param tree all entries, and behind them all exits unless contours are closed; all present
+/// Finds neighbours by distance in the plane: the nearest point of any candidate counts.
+/// @param tree all entries, and after them all exits unless contours are closed; all present
 /// @param set_of the set of each candidate
 inline Neighbours find_neighbours(const Problem& problem,
                                   const CandidatePlaces& places,
@@ -116,7 +115,7 @@ inline Neighbours find_neighbours(const Problem& problem,
   return {lists, width};
 }
 
-/// Finds neighbours by the cost of legs in either direction; for explicit matrices, as it compares
+/// Finds neighbours by the cost of legs in either direction. For explicit matrices, as it compares
 /// all candidates.
 template <LegCost Cost>
 Neighbours find_neighbours(const Problem& problem,

@@ -38,11 +38,12 @@ struct PlaceTreeSpace {
   }
 };
 
-/// Places sorted for searches by distance (a balanced k-d tree), with places that come and go.
+/// Points sorted for searches by distance (a balanced k-d tree). Each point may be present or
+/// absent.
 ///
-/// A range of `items` is a subtree, its middle item the root, with the halves on either side of it
-/// along x or y, whichever is wider. The result of a search depends on the places alone, not on the
-/// order in which they stand in the tree.
+/// A range of `items` is a subtree. Its middle item is the root. The two halves before and after it
+/// are divided along x or y, whichever is wider. The result of a search depends only on the points,
+/// not on their order in the tree.
 class PlaceTree {
  public:
   PlaceTree(std::span<const Place> places, const PlaceTreeSpace& space, bool are_present);
@@ -53,8 +54,9 @@ class PlaceTree {
     return places_.empty() || space_.present[middle_of(all())] == 0;
   }
 
-  /// Calls `visit(place, squared distance)` for present places around `centre`, near subtrees
-  /// first, as long as their distance may be below what `visit` returned last.
+  /// Calls `visit(place, squared distance)` for present points around `centre`, near subtrees
+  /// first. Each call of `visit` returns a limit: only points whose squared distance may be below
+  /// the last limit are visited.
   template <typename Visit>
   void search(const Place& centre, double limit, Visit&& visit) const {
     std::array<Open, kMaxDepth> open;  // NOLINT(cppcoreguidelines-pro-type-member-init)
@@ -76,7 +78,7 @@ class PlaceTree {
     Range range;
     double gap;  ///< Squared distance to the line that separates the subtree from the centre.
   };
-  // A subtree of 32 bits of places has at most 33 levels, each with one open half.
+  // A subtree of 2^32 points has at most 33 levels. Each level has one half that waits.
   static constexpr std::size_t kMaxDepth = 40;
 
   [[nodiscard]] Range all() const { return {0, static_cast<Index>(places_.size())}; }
@@ -91,8 +93,8 @@ class PlaceTree {
     return range.begin < range.end ? space_.present[middle_of(range)] : 0;
   }
 
-  /// Walks down to the place nearest to `centre` in the order of the tree and leaves the other
-  /// halves to `keep`.
+  /// Descends to the leaf nearest to `centre` in the tree's order. Passes the other halves to
+  /// `keep`.
   template <typename Visit, typename Keep>
   void descend(const Place& centre, Range range, double& limit, Visit&& visit, Keep&& keep) const {
     while (present_in(range) > 0) {

@@ -7,7 +7,7 @@ namespace {
 
 using Item = Index Before::*;
 
-/// Counting sort of the pairs by `key`, into lists of `value`.
+/// Makes lists of `value`, one for each `key`, by a counting sort of the pairs.
 void make_lists(std::span<const Before> pairs,
                 Item key,
                 Item value,
@@ -23,7 +23,8 @@ void make_lists(std::span<const Before> pairs,
   for (std::size_t i = pairs.size(); i-- > 0;) items[--firsts[pairs[i].*key]] = pairs[i].*value;
 }
 
-/// Returns how many sets can be taken one after another, each when all before it are taken.
+/// Returns the number of sets that can be taken one after another, each after all sets that must
+/// come before it.
 std::size_t count_in_order(const Precedence& lists, const PrecedenceSpace& space) {
   const auto sets = static_cast<Index>(space.waits_for.size());
   std::size_t count = 0;
@@ -39,16 +40,16 @@ std::size_t count_in_order(const Precedence& lists, const PrecedenceSpace& space
   return count;
 }
 
-/// Leaves a ring of sets in `ready` and returns its length.
-/// @pre some sets wait for ever
+/// Finds a ring of sets, writes it to `ready` and returns its length.
+/// @pre count_in_order() has left some sets waiting
 std::size_t find_ring(const Precedence& lists, const PrecedenceSpace& space) {
-  // Backwards from any set that waits: each of them has one before it that waits, so that the walk
-  // comes back to a set that it met.
+  // Walks backwards from any waiting set. Each waiting set has a waiting set before it, so the walk
+  // returns to a set that it has met.
   const auto waiting = [&](Index set) { return space.waits_for[set] != 0; };
   const auto sets = static_cast<Index>(space.waits_for.size());
   Index set = 0;
   while (!waiting(set)) ++set;
-  std::span<Index> met_at = space.ready;  // No longer needed.
+  std::span<Index> met_at = space.ready;  // `ready` is no longer needed.
   std::fill(met_at.begin(), met_at.end(), sets);
   std::size_t length = 0;
   while (met_at[set] == sets) {
@@ -58,7 +59,7 @@ std::size_t find_ring(const Precedence& lists, const PrecedenceSpace& space) {
   }
   const Index start = set;
   length -= met_at[start];
-  // Once more along the ring, now in the order of cutting.
+  // Walks along the ring a second time and writes it in the order of cutting.
   for (std::size_t i = length; i-- > 0;) {
     const auto before = lists.before(set);
     set = *std::find_if(before.begin(), before.end(), waiting);

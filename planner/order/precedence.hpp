@@ -10,13 +10,13 @@ namespace cnc::order {
 /// Number of a set or of a candidate.
 using Index = std::uint32_t;
 
-/// `first` is cut before `then`.
+/// A pair of sets: `first` is cut before `then`.
 struct Before {
   Index first;
   Index then;
 };
 
-/// Which sets have to come before which, as lists in both directions.
+/// The order in which sets must be cut, as lists in both directions.
 class Precedence {
  public:
   Precedence() = default;
@@ -27,11 +27,11 @@ class Precedence {
       : first_after_{first_after}, after_{after}, first_before_{first_before}, before_{before} {}
 
   [[nodiscard]] bool empty() const { return after_.empty(); }
-  /// Returns the sets that must come after `set`, as far as a pair names them.
+  /// Returns the sets that a pair orders directly after `set`.
   [[nodiscard]] std::span<const Index> after(Index set) const {
     return list(first_after_, after_, set);
   }
-  /// Returns the sets that must come before `set`.
+  /// Returns the sets that a pair orders directly before `set`.
   [[nodiscard]] std::span<const Index> before(Index set) const {
     return list(first_before_, before_, set);
   }
@@ -55,13 +55,13 @@ struct PrecedenceSizes {
   std::size_t pairs;
 };
 
-/// Storage of a Precedence, which must live as long as that.
+/// Storage of a Precedence. It must outlive the Precedence.
 struct PrecedenceSpace {
   std::span<Index> first_after;
   std::span<Index> after;
   std::span<Index> first_before;
   std::span<Index> before;
-  std::span<Index> waits_for;  ///< Of the check for cycles.
+  std::span<Index> waits_for;  ///< Storage for the check for cycles.
   std::span<Index> ready;
 
   template <typename Layout>
@@ -76,9 +76,10 @@ struct PrecedenceSpace {
 };
 
 enum class PrecedenceFault : std::uint8_t {
-  kNoSuchSet,  ///< `count` = number of the pair.
-  kCycle,      ///< `sets` of the space's `ready`, `count` of them, each before the next, in a ring.
-  kBeforeHome  ///< A set has to come before home; `count` = number of the pair.
+  kNoSuchSet,  ///< `count` is the number of the pair.
+  /// The first `count` sets in `ready` of the storage form a ring: each must come before the next.
+  kCycle,
+  kBeforeHome  ///< A set must come before home; `count` is the number of the pair.
 };
 
 struct PrecedenceError {
@@ -86,8 +87,8 @@ struct PrecedenceError {
   std::size_t count = 0;
 };
 
-/// Sorts pairs into lists and looks for cycles; a set that comes before itself is one. Home (set 0)
-/// comes first, so that a pair with home as `first` means nothing.
+/// Sorts pairs into lists and searches for cycles; a set that must come before itself is a cycle.
+/// Home (set 0) is always first, so a pair with home as `first` has no effect.
 [[nodiscard]] Result<Precedence, PrecedenceError> sort_precedence(std::size_t sets,
                                                                   std::span<const Before> pairs,
                                                                   const PrecedenceSpace& space);

@@ -6,7 +6,8 @@
 
 namespace cnc::order {
 
-/// Random numbers that are the same on every machine: SplitMix64 (Steele, Lea and Flood 2014).
+/// Generator of random numbers that are the same on every machine: SplitMix64 (Steele, Lea and
+/// Flood 2014).
 class Random {
  public:
   explicit Random(std::uint64_t seed) : state_{seed} {}
@@ -19,10 +20,10 @@ class Random {
     return z ^ (z >> 31U);
   }
 
-  /// Returns a number of [0, 1).
+  /// Returns a random number in [0, 1).
   double unit() { return static_cast<double>(bits() >> 11U) * 0x1.0p-53; }
 
-  /// Returns 0…count − 1. @pre count > 0
+  /// Returns a random whole number from 0 to count − 1. @pre count > 0
   Index below(Index count) {
     return static_cast<Index>(((bits() >> 32U) * std::uint64_t{count}) >> 32U);
   }

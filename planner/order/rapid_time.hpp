@@ -9,15 +9,17 @@
 
 namespace cnc::order {
 
-/// What limits straight moves in the plane, for X and Y. All above 0; a jerk of 0 is no limit.
+/// Limits of straight moves in the plane, for X and Y. All are above 0, except that a jerk of 0 is
+/// no limit.
 struct RapidLimits {
   std::array<double, 2> rate_mm_s{50.0, 50.0};
   std::array<double, 2> acceleration_mm_s2{500.0, 500.0};
   std::array<double, 2> jerk_mm_s3{0.0, 0.0};
 };
 
-/// Returns the acceleration that a controller plans for an axis, mm/s²: its window for a limit of
-/// jerk is at most 256 ms long (cnc::motion::window_for()), and within it no more is reached.
+/// Returns the greatest acceleration that a controller plans for an axis, mm/s². Its window for a
+/// limit of jerk is at most 256 ms long (cnc::motion::window_for()), and the acceleration cannot
+/// exceed the value that it reaches within the window.
 [[nodiscard]] inline double planned_acceleration(double acceleration, double jerk) {
   constexpr double kLongestWindow = 0.256;  // s.
   return jerk > 0.0 ? std::min(acceleration, jerk * kLongestWindow) : acceleration;
@@ -40,19 +42,20 @@ struct RapidLimits {
     if (length >= rate * ramp) return ramp + length / rate;
     return 2.0 * std::sqrt(length / acceleration);
   }
-  // The ramp to full speed, which is all jerk where acceleration is not reached.
+  // Ramp to full speed. Where full acceleration is not reached, all of it is limited by jerk.
   const double full = acceleration / jerk;
   const bool is_short = rate * jerk < acceleration * acceleration;
   const double ramp = is_short ? 2.0 * std::sqrt(rate / jerk) : full + rate / acceleration;
   if (length >= rate * ramp) return ramp + length / rate;
-  // Full speed is not reached: full acceleration is, or it is not, either.
+  // Full speed is not reached. Full acceleration is reached in the first case, but not in the
+  // second.
   if (length >= 2.0 * acceleration * full * full) {
     return 2.0 * (0.5 * full + std::sqrt(0.25 * full * full + length / acceleration));
   }
   const double cube = length / (2.0 * jerk);
   const auto bounded = static_cast<float>(std::clamp(cube, 1.0e-30, 1.0e30));
   double root = cnc::cube_root(bounded);
-  // One step of Newton doubles the digits.
+  // One step of Newton's method doubles the number of correct digits.
   root -= (root * root * root - cube) / (3.0 * root * root);
   return 4.0 * root;
 }
@@ -69,8 +72,8 @@ class RapidTime {
         ramp_s_{limits_.rate_mm_s[0] / limits_.acceleration_mm_s2[0]},
         s_per_mm_{1.0 / limits.rate_mm_s[0]} {}
 
-  /// Returns the time of a move by (`x_mm`, `y_mm`), s: an axis that moves by a share of the length
-  /// limits the move to its own limit divided by that share.
+  /// Returns the time of a move by (`x_mm`, `y_mm`), s. An axis that moves by a share of the length
+  /// limits the whole move to the axis's own limit divided by this share.
   [[nodiscard]] double operator()(double x_mm, double y_mm) const {
     const double x = std::abs(x_mm);
     const double y = std::abs(y_mm);
@@ -107,7 +110,8 @@ class RapidTime {
     return limits;
   }
 
-  /// Where both axes have the same limits the one that goes farther takes as long as alone.
+  /// Returns the time where both axes have the same limits: the axis with the longer distance takes
+  /// as long as it would alone.
   [[nodiscard]] double even_time(double farther) const {
     if (!is_plain_) {
       return move_time(
@@ -120,7 +124,7 @@ class RapidTime {
 
   RapidLimits limits_;
   bool is_even_;
-  bool is_plain_;  ///< Even, and without a limit of jerk.
+  bool is_plain_;  ///< Whether the limits of both axes are equal and jerk is not limited.
   double ramp_s_;
   double s_per_mm_;
 };

@@ -23,7 +23,7 @@ struct SearchSpace {
   std::span<Index> best_order;
   std::span<Index> best_chosen;
 
-  /// Changes that one trial may make; later ones are left out.
+  /// Greatest number of changes in one trial; further changes are not made.
   static constexpr std::size_t kMaxChanges = 4096;
 
   template <typename Layout>
@@ -37,23 +37,23 @@ struct SearchSpace {
   }
 };
 
-/// A search for the cheapest tour that may be stopped at any time: local search from a start that
-/// keeps the precedence, then trials. A trial disturbs the tour by a double bridge, improves it by
-/// local search and by the best choice of candidates, and takes all of that back unless the tour is
-/// good enough.
+/// A search for the cheapest tour that may be stopped at any time. It begins with a local search
+/// from a start that keeps the precedence; then it makes trials. A trial disturbs the tour by a
+/// double bridge, and improves it by local search and by the best choice of candidates. It undoes
+/// all of that unless the tour is good enough.
 ///
-/// Deterministic: the state after a number of steps depends on problem, start, seed and `slack`
-/// alone, with the same bits on every machine.
+/// Deterministic: the state after a number of steps depends only on problem, start, seed and
+/// `slack`, with the same bits on every machine.
 template <LegCost Cost>
 class Search {
  public:
   /// A tour that keeps the precedence.
   struct Start {
     std::span<const Index> order;   ///< A permutation of the sets, home first.
-    std::span<const Index> chosen;  ///< A candidate of each set, by set.
+    std::span<const Index> chosen;  ///< The candidate chosen for each set, indexed by set.
   };
 
-  /// The arguments must outlive the search, except `start`.
+  /// All arguments except `start` must outlive the search.
   Search(const Problem& problem,
          const Cost& cost,
          const Neighbours& neighbours,
@@ -78,9 +78,10 @@ class Search {
   Search& operator=(const Search&) = delete;
   ~Search() = default;
 
-  /// Goes on by a number of steps: sets tried in the first descent, trials after it.
-  /// @param slack share of the whole run that is left, 1…0; the more, the worse a tour may be to be
-  ///   accepted. 0 accepts none that is worse.
+  /// Continues for a number of steps. In the first descent a step tries one set; afterwards a step
+  /// is a trial.
+  /// @param slack share of the whole run that is left, from 1 to 0; the greater it is, the worse a
+  /// tour may be to be accepted. With 0, no worse tour is accepted.
   void run(std::uint64_t steps, double slack) {
     for (std::uint64_t i = 0; i < steps; ++i) {
       if (is_descending_) {
@@ -91,29 +92,36 @@ class Search {
     }
   }
 
-  /// Returns whether all sets have been tried, so that steps are trials now.
+  /// Returns whether all sets have been tried, so that further steps are trials.
   [[nodiscard]] bool is_locally_best() const { return !is_descending_; }
   [[nodiscard]] double best_cost() const { return std::min(best_cost_, cost_); }
-  /// Returns the best order so far, home first, in the storage of the search, which may go on.
+  /// Returns the best order so far, home first. The span is in the search's storage, and a later
+  /// run changes it.
   [[nodiscard]] std::span<const Index> best_order() {
     if (cost_ < best_cost_) keep_best();
     return space_.best_order;
   }
-  /// Returns the candidates of that order, by set.
+  /// Returns the candidates of the best order, indexed by set.
   [[nodiscard]] std::span<const Index> best_chosen() {
     if (cost_ < best_cost_) keep_best();
     return space_.best_chosen;
   }
 
  private:
-  static constexpr double kRounding = 1.0e-12;      ///< Of the cost of the tour.
-  static constexpr double kWarmth = 1.0;            ///< In mean legs; tuned on random points.
-  static constexpr std::size_t kChangesOfStep = 8;  ///< That one improvement makes at most.
-  static constexpr Index kSetsToKeep = 64;          ///< Trials between copies, per set, inverse.
-  static constexpr std::uint64_t kRecount = 1U << 16U;  ///< Trials after which rounding is undone.
-  static constexpr Index kReach = 2;                    ///< Sets on either side that choose again.
-  static constexpr Index kFewSets = 64;                 ///< Up to as many, all choose again.
-  // Trials of tours with precedence that turn a stretch: one in as many.
+  static constexpr double kRounding = 1.0e-12;  ///< Share of the tour's cost.
+  static constexpr double kWarmth = 1.0;        ///< In mean legs; tuned on random points.
+  /// Greatest number of changes that one improvement makes.
+  static constexpr std::size_t kChangesOfStep = 8;
+  /// The best tour is copied after one trial for each kSetsToKeep sets, at the earliest.
+  static constexpr Index kSetsToKeep = 64;
+  /// Number of trials after which the cost is recomputed, to remove rounding.
+  static constexpr std::uint64_t kRecount = 1U << 16U;
+  /// Number of sets before and after a set that choose their candidates again.
+  static constexpr Index kReach = 2;
+  /// With at most this many sets, all sets choose again.
+  static constexpr Index kFewSets = 64;
+  // Each constant N stands for a chance of one in N: to disturb once more, and to turn a stretch
+  // instead of making a double bridge, with few sets and with many.
   static constexpr Index kAgainOneIn = 4;
   static constexpr Index kTurnOneInOfFew = 4;
   static constexpr Index kTurnOneIn = 8;
@@ -156,13 +164,14 @@ class Search {
     if (++trials_ % kRecount == 0) cost_ = local_.legs().tour_cost();
   }
 
-  /// Few sets are disturbed more than once now and then, as one double bridge reaches few orders.
-  /// @return the gain, as a rule below 0
+  /// Disturbs the tour. With few sets it sometimes disturbs more than once, as one double bridge
+  /// reaches few orders.
+  /// @return the gain, usually below 0
   double disturb() {
     if (tour_.size() > kFewSets) return disturb_once(!problem_->precedence.empty(), kTurnOneIn);
     double gain = disturb_once(true, kTurnOneInOfFew);
     while (random_.below(kAgainOneIn) == 0) gain += disturb_once(true, kTurnOneInOfFew);
-    // Local search would leave a good order whose candidates are those of another.
+    // Local search would give up a good order if its candidates are those of another order.
     if (random_.below(2) == 0) gain += choose_all();
     return gain;
   }
@@ -184,7 +193,7 @@ class Search {
     if (cost_ < best_cost_ && is_due) keep_best();
   }
 
-  /// Improves the tour around what has changed. @return the gain
+  /// Improves the tour around the sets that have changed. @return the gain
   double settle() {
     double gain = 0.0;
     for (;;) {
@@ -202,12 +211,13 @@ class Search {
     }
   }
 
-  /// Chooses candidates again around the sets that were tried.
+  /// Chooses candidates again, around the sets that local search tried.
   double choose_around() {
     double gain = 0.0;
     for (std::size_t i = 0; i < tried_count_; ++i) {
       const Index position = tour_.position_of(tried_[i]);
-      if (i > 0 && position + 1 - tour_.position_of(tried_[i - 1]) <= 2) continue;  // Done with it.
+      // The previous set covered it.
+      if (i > 0 && position + 1 - tour_.position_of(tried_[i - 1]) <= 2) continue;
       const Index start = position >= kReach ? position - kReach : position + tour_.size() - kReach;
       gain += choice_.improve(start, 2 * kReach + 1, least_gain_, changed());
     }

@@ -8,7 +8,7 @@
 
 namespace cnc::order {
 
-/// Sets without home as bits: set s is bit s − 1.
+/// Mask of sets without home: set s is bit s − 1.
 using SetMask = std::uint64_t;
 inline constexpr Index kMaxMaskedSets = 64;
 
@@ -17,17 +17,17 @@ inline constexpr Index kMaxMaskedSets = 64;
   return static_cast<Index>(std::popcount(mask));
 }
 
-/// Precedence with all that follows from it.
+/// Precedence, including all pairs that follow from other pairs.
 class MaskedPrecedence {
  public:
-  /// @pre at most kMaxMaskedSets sets and home
+  /// @pre at most kMaxMaskedSets sets besides home
   explicit MaskedPrecedence(const Problem& problem) : sets_{problem.sets() - 1} {
     for (Index set = 1; set <= sets_; ++set) {
       for (const Index before : problem.precedence.before(set)) {
         if (before != 0) before_[set] |= bit_of(before);
       }
     }
-    // Each pass makes chains twice as long.
+    // Each pass doubles the length of the chains that are covered.
     for (Index length = 1; length < sets_; length *= 2) extend();
     for (Index set = 1; set <= sets_; ++set) {
       for (Index other = 1; other <= sets_; ++other) {
@@ -43,7 +43,7 @@ class MaskedPrecedence {
   [[nodiscard]] bool may_follow(Index set, Index then) const {
     return set != then && (before_[set] & bit_of(then)) == 0 && (after_[set] & before_[then]) == 0;
   }
-  /// Returns whether the set may be the one with this number, from 1 on.
+  /// Returns whether a set may have the position `number` in the tour, counted from 1 after home.
   [[nodiscard]] bool may_be_at(Index set, Index number) const {
     return count_of(before_[set]) < number && number + count_of(after_[set]) <= sets_;
   }

@@ -9,10 +9,10 @@
 
 namespace cnc::order {
 
-/// Working storage of an algorithm is a struct of spans with a member
-/// `lay_out(layout, sizes)`, which calls `layout(span, count)` for each of them. Two layouts use
-/// it: StorageSize adds up the bytes, StorageParts cuts the spans out of a block of that size. The
-/// spans are not initialized: large storage that is not used costs nothing.
+/// The working storage of an algorithm is a struct of spans with a member `lay_out(layout, sizes)`,
+/// which calls `layout(span, count)` for each span. There are two layouts: StorageSize adds up the
+/// bytes, and StorageParts cuts the spans out of a block of that size. The spans are not
+/// initialized, so that large storage costs nothing unless it is used.
 class StorageSize {
  public:
   template <typename Item>
@@ -30,10 +30,10 @@ class StorageSize {
 
 class StorageParts {
  public:
-  /// `block` must be aligned like a double and outlive the spans.
+  /// @param block must be aligned like a double and outlive the spans
   explicit StorageParts(std::span<std::byte> block) : rest_{block} {}
 
-  /// @pre The block is as large as StorageSize says.
+  /// @pre The block has at least the number of bytes that StorageSize computes.
   template <typename Item>
   void operator()(std::span<Item>& part, std::size_t count) {
     StorageSize size;
@@ -50,7 +50,7 @@ class StorageParts {
   std::span<std::byte> rest_;
 };
 
-/// Returns how many bytes the working storage `Space` needs.
+/// Returns the number of bytes that the working storage `Space` needs.
 template <typename Space, typename Sizes>
 [[nodiscard]] std::size_t bytes_for(const Sizes& sizes) {
   StorageSize size;

@@ -7,7 +7,7 @@
 
 namespace cnc::order {
 
-/// How the two neighbouring stretches B and C of a tour A B C change when three of its legs do.
+/// Changes of the two neighbouring stretches B and C of a tour A B C when three of its legs change.
 enum class Rearrangement : std::uint8_t {
   kSwap,               ///< A C B
   kSwapReverseFirst,   ///< A C B⁻
@@ -20,7 +20,7 @@ struct TourSizes {
   std::size_t changes;
 };
 
-/// A change of a tour, as it is taken back.
+/// A change of a tour, with the data that undo it.
 struct Change {
   enum class Kind : std::uint8_t { kReverse, kSwap, kChoose };
   Kind kind;
@@ -49,8 +49,8 @@ struct TourSpace {
 
 /// A cyclic order of sets with a chosen candidate for each, and a journal of its changes.
 ///
-/// A stretch is named by the position where it begins and by its length; it may lead over the end
-/// of the order to its beginning. Reversed sets take the candidate of the other direction.
+/// A stretch is given by its first position and its length. It may lead across the end of the order
+/// to its beginning. A reversed set takes the candidate of the other direction.
 class Tour {
  public:
   Tour(const Problem& problem, const TourSpace& space) : problem_{&problem}, space_{space} {}
@@ -70,9 +70,9 @@ class Tour {
   [[nodiscard]] Index after(Index set) const { return at(position_after(position_of(set))); }
   [[nodiscard]] Index before(Index set) const { return at(position_before(position_of(set))); }
 
-  /// Puts another order and other choices in place, and forgets the journal.
+  /// Replaces order and choices, and clears the journal.
   void assign(std::span<const Index> order, std::span<const Index> chosen);
-  /// Turns the order, and its direction where home was reversed, so that home is at position 0.
+  /// Rotates the order so that home is at position 0, and reverses it where home was reversed.
   void bring_home(Index home_candidate);
 
   void choose(Index set, Index candidate);

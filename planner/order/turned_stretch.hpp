@@ -23,13 +23,13 @@ struct TurnedStretchSpace {
   }
 };
 
-/// A disturbance for tours with precedence: a stretch backwards, except that a set that has to come
+/// A disturbance for tours with precedence. It reverses a stretch, except that a set that must come
 /// after others comes directly after the last of them. So a row of nested contours is driven from
-/// its other end, with inner contours still first, which no sequence of small changes does without
-/// a detour.
+/// its other end, with inner contours still first. No sequence of small changes does that without a
+/// detour.
 class TurnedStretch {
  public:
-  /// Sets in a stretch at most.
+  /// Greatest number of sets in a stretch.
   static constexpr Index kLongest = 100;
 
   TurnedStretch(const Problem& problem, Tour& tour, const TurnedStretchSpace& space)
@@ -37,9 +37,10 @@ class TurnedStretch {
     std::fill(space_.waits_for.begin(), space_.waits_for.end(), 0);
   }
 
-  /// Turns a random stretch, and calls `touched(set)` for its sets and its neighbours.
-  /// @pre three sets at least
-  /// @return the gain, as a rule below 0
+  /// Turns a random stretch. Calls `touched(set)` for its sets and for the two neighbours of the
+  /// stretch.
+  /// @pre at least three sets
+  /// @return the gain, usually below 0
   template <LegCost Cost, typename Touched>
   double make(Random& random, const Legs<Cost>& legs, Touched&& touched) {
     const Index sets = tour_->size();
@@ -75,7 +76,7 @@ class TurnedStretch {
       for (; done < turned; ++done) {
         for (const Index after : problem_->precedence.after(space_.turned[done])) {
           if (!is_inside(after)) continue;
-          // A set that the walk has not come to yet waits for its turn.
+          // A set that the walk has not reached yet is added when the walk reaches it.
           const bool is_passed = tour_->position_of(after) - start >= i;
           if (--space_.waits_for[after] == 0 && is_passed) space_.turned[turned++] = after;
         }

@@ -24,7 +24,8 @@ struct WorkQueueSpace {
   }
 };
 
-/// Sets whose surroundings have changed since a search last tried them, first come, first served.
+/// Sets whose surroundings have changed since a search last tried them, in the order in which they
+/// were added.
 class WorkQueue {
  public:
   explicit WorkQueue(const WorkQueueSpace& space) : space_{space} {
@@ -40,7 +41,7 @@ class WorkQueue {
     space_.ring[end < space_.ring.size() ? end : end - space_.ring.size()] = set;
   }
 
-  /// @pre !empty()
+  /// Removes the oldest set and returns it. @pre !empty()
   Index take() {
     const Index set = space_.ring[first_];
     space_.is_waiting[set] = 0;

@@ -10,7 +10,7 @@ namespace {
 
 float bulge_from(float half_sweep) { return tangent_of(0.5F * half_sweep); }
 
-/// An arc from one place to another with a direction at its start, or at its end.
+/// Returns an arc from one position to another with a given direction at its start, or at its end.
 PathElement arc_between(const Position& from,
                         const Position& to,
                         const AxisVector& direction,
@@ -31,8 +31,8 @@ PathElement arc_between(const Position& from,
 
 }  // namespace
 
-/// Bulges are taken from the rounded joint, as ArcFit does: the directions at the ends are met, and
-/// what rounding leaves of a corner is at the joint.
+/// Bulges are computed from the rounded joint, as ArcFit does. So the blend has the given
+/// directions at its ends, and the kink that rounding leaves is at the joint.
 Blend make_blend(
     const Corner& corner, const Position& from, const Position& to, float trim_mm, bool in_halves) {
   Blend blend;

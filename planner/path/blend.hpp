@@ -13,16 +13,16 @@ struct Blend {
   std::size_t count = 0;
 };
 
-/// From one place on a leg to the one on the other, with the tangents that the
-/// legs have there. Between straight legs one arc; beside a curved one, or where
-/// the halves belong to different elements, two that meet smoothly at the
-/// place nearest the corner, each in a plane of its own.
-/// @param trim_mm how far both places are from the corner, along the legs.
+/// Returns the blend from a position on one leg to a position on the other, with the tangents that
+/// the legs have there. Between straight legs it is one arc. Next to a curved leg, or where the two
+/// halves belong to different elements, it is two arcs. They meet smoothly at the point nearest the
+/// corner, each in its own plane.
+/// @param trim_mm distance of both positions from the corner, along the legs.
 [[nodiscard]] Blend make_blend(
     const Corner& corner, const Position& from, const Position& to, float trim_mm, bool in_halves);
 
-/// Leaves of an element what lies between two places on it.
-/// @param share of its length, 0…1.
+/// Shortens an element to its part between two positions on it.
+/// @param share length of that part as a share of the element's length, 0…1.
 void become_part(PathElement& element, const Position& from, const Position& to, float share);
 
 }  // namespace cnc::path

@@ -12,19 +12,20 @@ constexpr int kSamplesOfPart = 6;
 constexpr float kMissed = 1.03F;
 constexpr float kNoBlend = 1.0e9F;
 
-/// Returns how far a place is from a curve, by its offset from a place of the curve near the
-/// nearest: its distance from the tangent there, and how far the curve bends away up to beside it.
+/// Returns the distance of a point from a curve, given its offset from a point of the curve that is
+/// near the nearest one. The result is the distance from the tangent there, plus how far the curve
+/// bends away from the tangent up to the point nearest.
 float distance_beside(const AxisVector& offset, const AxisVector& direction, float curvature) {
   const float along = dot(offset, direction);
   const float across = std::sqrt(std::max(0.0F, dot(offset, offset) - along * along));
   return across + 0.5F * std::abs(curvature) * along * along;
 }
 
-/// A place of the path and one of the blend, each compared with the other's curve.
+/// A point of the path and a point of the blend. Each is compared with the curve of the other.
 struct Abreast {
-  AxisVector offset{};     ///< From the path to the blend.
-  AxisVector direction{};  ///< In which the path goes there.
-  float bend = 0.0F;       ///< Its curvature, 1/mm.
+  AxisVector offset{};     ///< Vector from the path's point to the blend's point.
+  AxisVector direction{};  ///< Direction of the path there.
+  float bend = 0.0F;       ///< Curvature of the path there, 1/mm.
   AxisVector blend_direction{};
   float blend_bend = 0.0F;
 
@@ -34,7 +35,8 @@ struct Abreast {
   }
 };
 
-/// Compares each place of the blend with the one on the path that is as far along it.
+/// Compares each point of the blend with the point of the path that is at the same share of the
+/// distance.
 class Comparison {
  public:
   Comparison(const Corner& corner, float trim_mm)
@@ -53,15 +55,16 @@ class Comparison {
   }
 
   [[nodiscard]] bool exists() const { return exists_; }
-  /// @param share of the way from the start to the joint
+  /// @param share of the distance from the start to the joint
   [[nodiscard]] Abreast before(float share) const {
     return abreast(corner_.before, (share - 1.0F) * trim_mm_, from_, first_, share * first_.length);
   }
-  /// @param share of the way from the end back to the joint
+  /// @param share of the distance from the end back to the joint
   [[nodiscard]] Abreast behind(float share) const {
     return abreast(corner_.after, (1.0F - share) * trim_mm_, to_, second_, -share * second_.length);
   }
-  /// The joint is compared from the corner, at which each side ends.
+  /// Returns the distance of the joint from the path. It is compared with the path at the corner,
+  /// where each side ends.
   [[nodiscard]] float at_joint() const {
     const Abreast old = before(1.0F);
     const Abreast next = behind(1.0F);
@@ -71,7 +74,7 @@ class Comparison {
   }
 
  private:
-  /// @param end of the blend, from which its ways count
+  /// @param end end of the blend, from which `blend_way` counts
   static Abreast abreast(
       const Leg& path, float path_way, const AxisVector& end, const Leg& blend, float blend_way) {
     const AxisVector place = sum_of(end, 1.0F, blend.place(blend_way));

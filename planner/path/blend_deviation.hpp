@@ -4,9 +4,9 @@
 
 namespace cnc::path {
 
-/// How far apart a corner and the biarc for this trim are at most, mm, measured
-/// from either to the other in the plane. From samples, with what these may
-/// have missed added: never too small, up to 3 % too large.
+/// Returns the greatest distance between a corner and the biarc for this trim, mm, measured from
+/// either to the other in the plane. It is computed from samples, plus an allowance for what
+/// samples may miss: never too small, and up to 3 % too large.
 /// Very large where there is no such biarc.
 /// @pre legs turn by at most half a radian within the trim
 [[nodiscard]] float blend_deviation(const Corner& corner, float trim_mm);

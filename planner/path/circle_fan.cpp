@@ -21,7 +21,7 @@ void CircleFan::open(float most_curvature) {
   count_ = 4;
 }
 
-/// |weight · k + 2 x t − 2 y| ≤ 2 Q.
+/// Keeps the circles with |weight · k + 2 x t − 2 y| ≤ 2 Q.
 void CircleFan::pass(const Vec2& point, float weight, float within_mm) {
   const float along = 2.0F * point.x();
   const float beside = 2.0F * point.y();
@@ -29,7 +29,7 @@ void CircleFan::pass(const Vec2& point, float weight, float within_mm) {
   keep(-weight, -along, 2.0F * within_mm - beside);
 }
 
-/// What has by_curvature · k + by_slope · t ≤ most.
+/// Keeps the circles with by_curvature · k + by_slope · t ≤ most.
 void CircleFan::keep(float by_curvature, float by_slope, float most) {
   std::size_t beyond = 0;
   for (std::size_t i = 0; i < count_; ++i) {
@@ -41,7 +41,7 @@ void CircleFan::keep(float by_curvature, float by_slope, float most) {
     count_ = 0;
     return;
   }
-  // What is beyond are neighbours, as the polygon is convex.
+  // The corners beyond the half plane are neighbours, as the polygon is convex.
   std::size_t first = 0;
   if (excess_[0] > 0.0F) {
     first = count_;
@@ -57,8 +57,8 @@ void CircleFan::keep(float by_curvature, float by_slope, float most) {
   cut(first, past);
 }
 
-/// Corners from `first` to the one before `past`, all beyond, give way to the two places
-/// where the polygon's sides leave the half plane (Sutherland, Hodgman).
+/// Replaces the corners from `first` to the one before `past`, which are all beyond the half plane,
+/// by the two points where the polygon's sides leave the half plane (Sutherland, Hodgman).
 void CircleFan::cut(std::size_t first, std::size_t past) {
   const auto leaves = [this](std::size_t inside, std::size_t beyond) {
     const float share = excess_[inside] / (excess_[inside] - excess_[beyond]);
@@ -86,8 +86,8 @@ void CircleFan::cut(std::size_t first, std::size_t past) {
   if (count_ > kMostCorners) drop_smallest();
 }
 
-/// Without one corner the polygon is a little smaller, and still convex: the
-/// one that takes the smallest triangle along.
+/// Removes the corner that cuts off the smallest triangle. The polygon becomes a little smaller and
+/// stays convex.
 void CircleFan::drop_smallest() {
   std::size_t smallest = 0;
   float least = 1.0e30F;

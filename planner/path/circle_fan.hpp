@@ -8,46 +8,47 @@
 
 namespace cnc::path {
 
-/// A circle through the origin: its curvature and direction there, both divided
-/// by the cosine of the angle between that direction and +x.
+/// A circle through the origin, given by its curvature and its direction there. Both are divided by
+/// the cosine of the angle between that direction and +x.
 struct FanCircle {
   float curvature = 0.0F;  ///< 1/mm.
-  float slope = 0.0F;      ///< Of the tangent at the origin.
+  float slope = 0.0F;      ///< Slope of the tangent at the origin.
 };
 
-/// All circles through the origin that pass a growing list of points within a
-/// distance, as a convex polygon of their curvature and slope. The points
-/// themselves are not kept.
+/// The set of all circles through the origin that pass each point of a growing list within a
+/// distance, held as a convex polygon of their curvature and slope. The points themselves are not
+/// kept.
 ///
-/// A circle through the origin with the direction (1, t) and the curvature k,
-/// both over √(1 + t²), is within Q of the point (x, y) exactly if
-///   |k (x² + y² − Q²) + 2 t x − 2 y| ≤ 2 Q √(1 + t²),
-/// and here √ is taken for 1, which only makes the polygon smaller. Each point
-/// is two half planes that cut it.
+/// A circle through the origin has the direction (1, t) and the curvature k, both divided by √(1 +
+/// t²). It is within Q of the point (x, y) exactly if
+///   |k (x² + y² − Q²) + 2 t x − 2 y| ≤ 2 Q √(1 + t²).
+/// Here √(1 + t²) is replaced by 1, which only makes the polygon smaller. Each point gives two half
+/// planes that cut the polygon.
 ///
-/// A circle in space is two of these, of x and y and of x and z. With the direction (1, t, u) and
-/// the curvature vector k, less the multiple of the direction that has the same part along x,
-/// it is within Q of the point p = (x, y, z) if
+/// A circle in space is two of these fans: one of x and y, and one of x and z. Let its direction be
+/// (1, t, u), and let k be its curvature vector minus the multiple of the direction that has the
+/// same part along x. The circle is within Q of the point p = (x, y, z) if
 ///   |k_y (|p|² − Q²) + 2 t x − 2 y| ≤ 2 Q_y and |k_z (|p|² − Q²) + 2 u x − 2 z| ≤ 2 Q_z
-/// where Q_y² + Q_z² = Q²: both together are twice the vector from p to the circle's plane and, in
-/// that plane, to the circle, where Q is measured from its far side; and what is taken from it only
-/// makes it longer.
+/// where Q_y² + Q_z² = Q². The two bounded terms together are twice the vector from p to the
+/// circle's plane and, in that plane, to the circle, where Q is measured from its far side.
+/// Subtracting the multiple of the direction only makes that vector longer.
 class CircleFan {
  public:
-  /// Slopes up to this, either way: 31°.
+  /// Greatest slope in either direction: 31°.
   static constexpr float kSteepest = 0.6F;
 
-  /// All circles again. @param most_curvature 1/mm.
+  /// Resets the set to all circles up to a curvature. @param most_curvature 1/mm.
   void open(float most_curvature);
   [[nodiscard]] bool empty() const { return count_ < 3; }
 
-  /// Cuts away the circles that are farther than this from the point.
-  /// @param weight |p|² − Q²; at an end of a chord less, by a quarter of the chord's square, as the
-  /// chord lies on the side of the centre, by chord² / 8 of the curvature
+  /// Removes the circles that are farther than `within_mm` from the point.
+  /// @param weight |p|² − Q². At an end of a chord it is smaller by a quarter of the chord's
+  /// square, because the chord lies on the side of the centre, by chord² / 8 times the curvature.
   /// @param within_mm Q, or the part of it along y; at least 1e-6.
   void pass(const Vec2& point, float weight, float within_mm);
 
-  /// Of the circles through a point: the span from one slope to another.
+  /// The circles of the set through a point: all between the one with the lowest slope and the one
+  /// with the highest.
   struct Through {
     FanCircle low;
     FanCircle high;
@@ -59,7 +60,7 @@ class CircleFan {
     [[nodiscard]] bool has_straight() const { return low.curvature * high.curvature <= 0.0F; }
     [[nodiscard]] bool has_level() const { return low.slope <= 0.0F && high.slope >= 0.0F; }
   };
-  /// @param weight |p|²
+  /// Returns the circles of the set that pass through a point. @param weight |p|²
   [[nodiscard]] std::optional<Through> through(const Vec2& point, float weight) const;
 
  private:
@@ -70,7 +71,7 @@ class CircleFan {
   void drop_smallest();
 
   std::array<FanCircle, kMostCorners + 1> corners_{};
-  /// By how much each is beyond the half plane that is being kept.
+  /// Distance of each corner beyond the half plane that is being cut off; negative inside.
   std::array<float, kMostCorners + 1> excess_{};
   std::size_t count_ = 0;
 };

@@ -5,7 +5,7 @@
 namespace cnc::path {
 
 FitFrame frame_in_space(const Vec3& ahead, const Vec3& towards) {
-  /// A curve that bends one way leaves its plane by little.
+  /// A curve that bends in one direction leaves its plane only a little.
   constexpr float kLeftShare = 0.9F;
   constexpr float kUpShare = 0.4358F;
   constexpr float kEvenShare = 0.7071F;
@@ -14,7 +14,7 @@ FitFrame frame_in_space(const Vec3& ahead, const Vec3& towards) {
   Vec3 left = towards - towards.dot(ahead) * ahead;
   if (left.norm() < kLeast) {
     frame.left_share = frame.up_share = kEvenShare;
-    // The axis that is least along it.
+    // The axis with the smallest part along `ahead`.
     const Vec3 shares = ahead.cwiseAbs();
     const bool x_least = shares.x() <= shares.y() && shares.x() <= shares.z();
     const bool y_least = !x_least && shares.y() <= shares.z();
@@ -36,8 +36,9 @@ void CircleFit::begin(const FitFrame& frame, float most_curvature) {
   chord_passed_ = 0.0F;
 }
 
-/// An end that a longer chord has been passed at is passed at this one, too: so a little more is
-/// asked for, and lines of nearly the same length do not each ask for the same again.
+/// Where the end of a long chord passes, the ends of shorter chords at the same point pass, too. So
+/// a slightly longer chord is required than the real one, and a following chord of nearly the same
+/// length needs no further cut.
 void CircleFit::pass(const Vec3& here, float within_mm) {
   constexpr float kAlike = 1.05F;
   const Vec3 chord = here - last_;

@@ -6,13 +6,13 @@
 
 namespace cnc::path {
 
-/// How a fit sees the way from its start: along its direction, to the left of that, and upwards.
+/// Coordinate frame of a fit: along the direction at its start, to the left of it, and upwards.
 struct FitFrame {
   Vec3 ahead{1.0F, 0.0F, 0.0F};
   Vec3 left{0.0F, 1.0F, 0.0F};
   Vec3 up{0.0F, 0.0F, 1.0F};
-  /// Parts of the tolerance to the left and upwards, the root of whose squares' sum is 1. Without
-  /// any upwards nothing leaves the plane of the other two.
+  /// Shares of the tolerance to the left and upwards. The sum of their squares is 1. If `up_share`
+  /// is 0, all points lie in the plane of `ahead` and `left`.
   float left_share = 1.0F;
   float up_share = 0.0F;
 
@@ -25,11 +25,13 @@ struct FitFrame {
   }
 };
 
-/// A frame in space along a direction, which expects the way to bend towards another.
-/// @param ahead unit vector. @param towards null if nothing is expected
+/// Returns a frame in space along a direction, for a path that is expected to bend towards another
+/// direction.
+/// @param ahead unit vector.
+/// @param towards expected direction of the bend; null if no bend is expected
 [[nodiscard]] FitFrame frame_in_space(const Vec3& ahead, const Vec3& towards);
 
-/// A circle or line from the start of a fit, as the frame sees it.
+/// A circle or line from the start of a fit, in the coordinates of the frame.
 struct FitCircle {
   FanCircle left{};
   FanCircle up{};
@@ -38,23 +40,25 @@ struct FitCircle {
   [[nodiscard]] Vec3 tangent() const { return {1.0F, left.slope, up.slope}; }
 };
 
-/// All circles and lines from a start that pass a growing list of points and their chords within
-/// a tolerance; two fans, or one where all of it is flat.
+/// The set of all circles and lines from a start that pass a growing list of points and the chords
+/// between them within a tolerance. It consists of two fans, or of one where everything is flat.
 class CircleFit {
  public:
   void begin(const FitFrame& frame, float most_curvature);
   [[nodiscard]] const FitFrame& frame() const { return frame_; }
   [[nodiscard]] bool empty() const { return left_.empty() || (!frame_.flat() && up_.empty()); }
 
-  /// Takes the next point, as the frame sees it, and both ends of the chord to it.
+  /// Takes the next point, in the coordinates of the frame, and both ends of the chord to it.
   void pass(const Vec3& here, float within_mm);
 
   /// Circles that end at a point.
   struct Ending {
-    FitCircle best{};                   ///< A line if one will do, else the middle of all.
-    std::optional<FitCircle> smooth{};  ///< The one that begins in the frame's direction.
+    FitCircle best{};  ///< A line if one fits, else the middle of all circles.
+    /// The circle that begins in the direction of the frame, if one fits.
+    std::optional<FitCircle> smooth{};
   };
-  /// Empty where no circle passes the points and ends there.
+  /// Returns the circles that end at `here`. Empty where no circle passes the points and ends
+  /// there.
   [[nodiscard]] std::optional<Ending> ending_at(const Vec3& here) const;
 
  private:
@@ -64,7 +68,8 @@ class CircleFit {
   CircleFan left_{};
   CircleFan up_{};
   Vec3 last_{0.0F, 0.0F, 0.0F};
-  float chord_passed_ = 0.0F;  ///< mm, of the chords at the last point that are allowed for.
+  /// Greatest length of chords at the last point that is allowed for, mm.
+  float chord_passed_ = 0.0F;
 };
 
 }  // namespace cnc::path

@@ -11,15 +11,15 @@
 namespace cnc::path {
 namespace {
 
-/// Ends are rounded to nanometres, and single precision places them.
+/// Allowance for ends, which are rounded to nanometres, and for single precision.
 constexpr float kRoundingMm = 3.0e-6F;
-constexpr float kRelativeRounding = 4.0e-7F;  // Of the trim.
+constexpr float kRelativeRounding = 4.0e-7F;  // Share of the trim.
 
-/// An arc beside a corner is not trimmed by more than this many radians, which
-/// keeps the distances that are compared smooth.
+/// An arc next to a corner is not trimmed by more than this many radians. So the compared distances
+/// change smoothly.
 constexpr float kMostTurnOfLeg = 0.5F;
 
-/// Returns the plane in which the direction turns.
+/// Fills in the geometry of a corner. Returns the plane in which the direction turns.
 std::optional<ArcPlane> lay_out(const PathElement& before,
                                 const PathElement& after,
                                 Corner& corner) {
@@ -36,11 +36,11 @@ std::optional<ArcPlane> lay_out(const PathElement& before,
   return plane;
 }
 
-/// Radius at which v²/R is a quarter of the acceleration at the programmed feed,
-/// and so all of it when the operator doubles it.
+/// Returns the radius at which v²/R is a quarter of the acceleration at the programmed feed, and so
+/// all of it when the operator doubles the feed.
 float useful_radius(const ArcPlane& plane, float feed, const motion::Limits& limits) {
   constexpr float kShare = 4.0F;
-  constexpr float kMuch = 0.5F;  // Each plane has an axis of this size or more.
+  constexpr float kMuch = 0.5F;  // Each plane has an axis with a part of at least this size in it.
   float rate = 0.0F;
   float acceleration = 1.0e9F;
   for (const motion::AxisInPlane& each : motion::AxesInPlane{plane, 1.0F}) {
@@ -52,8 +52,8 @@ float useful_radius(const ArcPlane& plane, float feed, const motion::Limits& lim
   return kShare * square(speed) / acceleration;
 }
 
-/// What the tolerance leaves where both legs are straight: the arc is
-/// trim · tan(turn / 4) away from the corner.
+/// Returns the trim that the tolerance permits where both legs are straight. The arc is trim ·
+/// tan(turn / 4) away from the corner.
 float straight_trim(const Corner& corner, float most_mm) {
   const float share = tangent_of(0.25F * std::abs(corner.turn)) + kRelativeRounding;
   return std::min(most_mm, (corner.tolerance_mm - kRoundingMm) / share);
@@ -63,7 +63,7 @@ float chord_of(const PathElement& element) {
   return norm(travel_between(element.start, element.end));
 }
 
-/// Radians that are no corner.
+/// Returns the greatest turn, in radians, that does not count as a corner.
 float smooth_turn(const PathItem& before, const PathItem& after) {
   if (!after.continues) return motion::kTangentTurn;
   const float shorter = std::min(chord_of(before.request.element), chord_of(after.request.element));
@@ -85,8 +85,8 @@ bool stop_between(const PathItem& before, const PathItem& after) {
   return rapid_and_feed || a.fixed_feed || b.fixed_feed;
 }
 
-/// The deviation grows about in proportion to the trim beside straight legs, and
-/// with its square beside curved ones.
+/// Searches by trials: the deviation grows about in proportion to the trim next to straight legs,
+/// and with the square of the trim next to curved ones.
 float fitting_trim(const Corner& corner, float most_mm) {
   constexpr int kMostTrials = 12;
   constexpr float kLeastShrink = 0.2F;

@@ -8,22 +8,24 @@
 namespace cnc::path {
 namespace {
 
-/// Shorter blends, mm, are not divided: their halves would be rounding.
+/// Blends with a shorter trim, mm, are not divided, because their halves would be nothing but
+/// rounding.
 constexpr float kLeastDivided = 1.0e-3F;
 
-/// Ends are whole nanometres, mm.
+/// Allowance for ends, which are whole nanometres, mm.
 constexpr float kRoundedEndMm = 1.5e-6F;
 
-/// Of an element a corner may have so much more than its half as uses up the element
-/// before: halves of edges of nearly the same length leave pieces of line between two
-/// arcs that are too short for anything.
+/// A corner may exceed its allowance by this share of the element after it if the element before is
+/// then used up. Otherwise edges of nearly the same length would leave pieces of line between two
+/// arcs that are too short to be of use.
 constexpr float kMoreThanHalf = 0.03125F;
 
 motion::Joint joint_at(const Corner& corner) {
   return corner.kind == Corner::Kind::kSmooth ? motion::Joint::kSmooth : motion::Joint::kStop;
 }
 
-/// Something changes at the corner that has to change there. Pixels do so all along.
+/// Returns whether something changes at the corner that has to change exactly there. Pixels change
+/// all along their row.
 bool differ(const motion::MotionRequest& a, const motion::MotionRequest& b) {
   return a.feed_mm_s != b.feed_mm_s || !(a.beam == b.beam) || a.row.any() || b.row.any() ||
          !(b.outputs == motion::OutputChanges{});
@@ -77,14 +79,14 @@ void CornerRounder::put(const PathItem& item) {
   meet(item);
 }
 
-/// The item that the next one meets; null where the path begins.
+/// Returns the item that the next item meets; null where the path begins.
 const PathItem* CornerRounder::newest() const {
   if (second_) return &second_->item;
   if (first_) return &first_->item;
   return last_ ? &*last_ : nullptr;
 }
 
-/// At the next corner. @pre only the first is held
+/// Handles the next corner, which leads to `item`. @pre only the first element is held
 void CornerRounder::meet(const PathItem& item) {
   if (next_corner_.kind == Corner::Kind::kBlend) {
     corner_ = next_corner_;
@@ -109,7 +111,7 @@ void CornerRounder::expect(const PathItem& item) {
   if (newest && stop_between(newest->item, item)) flush();
 }
 
-/// What both sides have, and the tolerance allows.
+/// Returns the trim that both sides and the tolerance permit.
 float CornerRounder::granted(float allowance_mm) const {
   const float left = corner_.before.length - first_->used_mm;
   const float side = corner_.after.length;
@@ -119,10 +121,10 @@ float CornerRounder::granted(float allowance_mm) const {
   return most >= kCrumbMm ? fitting_trim(corner_, most) : 0.0F;
 }
 
-/// As much of each side as makes no more difference than rounding, or less: a blend
-/// takes all of a side or leaves more than a crumb. What it takes beyond its trim turns it by so
-/// much of its chord, which is short where it nearly turns back. A shorter trim for the
-/// second side can leave a crumb of the first, which is therefore checked again.
+/// Returns a trim that uses up a side or leaves more than a crumb of it. A side counts as used up
+/// if its rest makes no more difference than rounding. The rest turns the blend by its share of the
+/// blend's chord, which is short where the blend nearly turns back. A shorter trim for the second
+/// side can leave a crumb of the first side, which is therefore checked again.
 float CornerRounder::without_crumbs(float trim_mm) const {
   const AxisVector both =
       sum_of(corner_.before.direction(0.0F), 1.0F, corner_.after.direction(0.0F));
@@ -145,7 +147,7 @@ bool CornerRounder::is_stop_sooner_than(float trim_mm) const {
   return is_stop_sooner(corner_, rounded, limits_);
 }
 
-/// The corner between the two that are held; the second becomes the first.
+/// Settles the corner between the two held elements. The second element becomes the first.
 void CornerRounder::settle(float allowance_mm) {
   const float trim = without_crumbs(granted(allowance_mm));
   const bool in_halves = differ(first_->item.request, second_->item.request);
@@ -175,7 +177,7 @@ void CornerRounder::blend(float trim_mm, bool in_halves) {
   second_->joint = motion::Joint::kSmooth;
 }
 
-/// @param joint with what is before it.
+/// Gives out a blend. @param joint joint with the piece before
 void CornerRounder::give_blend(const Blend& blend,
                                motion::Joint joint,
                                float trim_mm,
@@ -194,7 +196,7 @@ void CornerRounder::give_blend(const Blend& blend,
   }
 }
 
-/// @param left_mm of the element; negative for all that is left.
+/// Gives out the rest of an element. @param left_mm its length; negative for all that is left
 void CornerRounder::give_rest(const HeldItem& held, const Position& end, float left_mm) {
   motion::MotionRequest& request = begin_giving(held);
   const PathElement& whole = held.item.request.element;
@@ -211,14 +213,14 @@ void CornerRounder::give_rest(const HeldItem& held, const Position& end, float l
   give(held.joint);
 }
 
-/// The next piece, which give() completes: all of an element as yet.
+/// Begins the next piece, as all of an element for now; give() completes it.
 motion::MotionRequest& CornerRounder::begin_giving(const HeldItem& held) {
   CNC_ASSERT(ready_count_ < kMostReady);
   return ready_[ready_count_].request = held.item.request;
 }
 
-/// A piece of which its corners left nothing is left out; its outputs went with
-/// the blend before it. A stop there is a stop at the next.
+/// Completes a piece. A piece of which its corners left nothing is omitted; its outputs went with
+/// the blend before it. A stop before an omitted piece becomes a stop before the next one.
 void CornerRounder::give(motion::Joint joint) {
   PathPiece& piece = ready_[ready_count_];
   stop_left_over_ = stop_left_over_ || joint == motion::Joint::kStop;

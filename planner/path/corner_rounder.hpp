@@ -9,51 +9,51 @@
 
 namespace cnc::path {
 
-/// An element whose corners are not both settled.
+/// An element of which at least one corner is not settled.
 struct HeldItem {
   PathItem item{};
-  Position start{};      ///< Of what the corner before has left of it.
-  float used_mm = 0.0F;  ///< By that corner, in the plane.
+  Position start{};      ///< Start of the part that the previous corner has left of the element.
+  float used_mm = 0.0F;  ///< Length that the previous corner takes of the element, mm in the plane.
   motion::Joint joint = motion::Joint::kStop;
 };
 
 /// Rounds the corners of a path, element by element as they come.
 ///
-/// An element is held until both its corners are settled: how much of it a
-/// corner may take depends on what the other one needs. Each may have about half
-/// of it, and what the other does not want. So the corners of a polygon that
-/// approximates a circle meet near the middles of its edges, and the circle that
-/// touches all of them is driven, without a piece of line between its arcs.
+/// An element is held until both its corners are settled, because the length that one corner may
+/// take depends on the need of the other. Each corner may take about half of the element, and also
+/// the part that the other corner does not need. So the corners of a polygon that approximates a
+/// circle meet near the middles of its edges. The circle that touches all edges is then driven,
+/// without pieces of line between its arcs.
 ///
-/// A corner lies at the middle of its blend: up to there speed, beam and line
-/// are the earlier element's, from there on the later one's, outputs included.
+/// A corner lies at the middle of its blend. Up to there speed, beam and source line are those of
+/// the earlier element; from there on they are those of the later one, outputs included.
 ///
-/// Pieces given out join exactly. Each joint is smooth or an exact stop.
+/// Consecutive pieces of the result join exactly. Each joint is smooth or an exact stop.
 class CornerRounder {
  public:
   /// @param limits must outlive this.
   explicit CornerRounder(const motion::Limits& limits) : limits_{limits} {}
 
-  /// The next piece, in order, until the next call of anything else; null when there is none
-  /// that is settled.
+  /// Returns the next piece in order, or null when none is settled. The piece is valid until the
+  /// next call of any member.
   [[nodiscard]] const PathPiece* next();
-  /// All that was settled has been given out: put() or flush() may be called.
+  /// Returns whether all settled pieces have been taken: put() or flush() may be called.
   [[nodiscard]] bool has_room() const { return taken_ == ready_count_; }
-  /// @pre has_room(), and it begins where the one before ended
+  /// Takes an element. @pre has_room(), and the element begins where the one before ended
   void put(const PathItem& item);
-  /// Settles what is held; the path ends here for now. What comes next begins
-  /// smoothly if it goes on in the same direction, and else from a stop.
+  /// Settles the held elements; the path ends here for now. The next element begins smoothly if it
+  /// continues in the same direction, and otherwise from a stop.
   /// @pre has_room()
   void flush();
-  /// What comes next is made of this: a corner that will be a stop anyway need
-  /// not be waited for. @pre has_room()
+  /// Announces the kind of the next element: a corner that will be a stop anyway need not wait for
+  /// it. @pre has_room()
   void expect(const PathItem& item);
   void clear();
 
   [[nodiscard]] bool empty() const { return !first_ && has_room(); }
-  /// What is held is to be driven without a stop before it.
+  /// Returns whether the held path is to be driven without a stop before it.
   [[nodiscard]] bool goes_on() const { return first_ && first_->joint == motion::Joint::kSmooth; }
-  /// Source line of the oldest element held; 0 for none.
+  /// Returns the source line of the oldest held element; 0 if none is held.
   [[nodiscard]] motion::SourceLine line() const;
 
  private:
@@ -69,19 +69,21 @@ class CornerRounder {
   [[nodiscard]] motion::MotionRequest& begin_giving(const HeldItem& held);
   void give(motion::Joint joint);
 
-  /// The rest of one element, a blend of two, and the one after.
+  /// Greatest number of pieces at a time: the rest of one element, a blend of two, and the element
+  /// after.
   static constexpr std::size_t kMostReady = 4;
 
   const motion::Limits& limits_;
   std::optional<HeldItem> first_{};
-  std::optional<HeldItem> second_{};  ///< Only where the corner between them is to be rounded.
-  Corner corner_{};                   ///< Between the two.
-  Corner next_corner_{};              ///< Before the item that is being put.
-  std::optional<PathItem> last_{};    ///< The last that was given out without a corner after it.
+  std::optional<HeldItem> second_{};  ///< Held only if the corner between the two is to be rounded.
+  Corner corner_{};                   ///< Corner between `first_` and `second_`.
+  Corner next_corner_{};              ///< Corner before the item that is being put.
+  /// The last element that was given out without a corner after it.
+  std::optional<PathItem> last_{};
   std::array<PathPiece, kMostReady> ready_{};
   std::size_t ready_count_ = 0;
   std::size_t taken_ = 0;
-  bool stop_left_over_ = false;  ///< Before a piece of which nothing is left.
+  bool stop_left_over_ = false;  ///< There was a stop before a piece of which nothing is left.
 };
 
 }  // namespace cnc::path

@@ -29,7 +29,7 @@ void PathStage::put_row(const PathItem& item, const RowPowers& powers) {
   static_cast<void>(move_on());
 }
 
-/// @pre row_takes(), or the row was closed for this
+/// @pre row_takes(), or the row was closed for this item
 void PathStage::put_in_row(const PathItem& item) {
   if (row_.empty()) {
     row_.begin(item);
@@ -65,7 +65,8 @@ void PathStage::row_left() {
   next_.reset();
 }
 
-/// One item from where it waits to where it goes next; false when none can go.
+/// Moves one item from the stage where it waits to the next stage. Returns whether anything
+/// changed.
 bool PathStage::move_on() {
   if (flushing_ && short_.has_room()) short_.flush();
   if (row_takes()) {
@@ -99,7 +100,7 @@ bool PathStage::move_on() {
 }
 
 const PathPiece* PathStage::next() {
-  // As many as one item may need to go all the way.
+  // Number of moves that one item may need to pass all stages.
   constexpr int kMostMoves = 5;
   for (int i = 0; i < kMostMoves; ++i) {
     if (const PathPiece* const piece = rounder_.next()) return piece;

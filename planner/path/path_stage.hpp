@@ -10,49 +10,52 @@
 
 namespace cnc::path {
 
-/// From the programmed path to the one that is driven: lines too short for a step are taken by the
-/// next, lines that go straight on are gathered, short ones welded, corners rounded or made stops;
-/// elements in, elements out. Some are held back until those after them are known.
+/// Turns the programmed path into the path that is driven. A line too short for a step is taken
+/// over by the next element; lines that continue in one direction are gathered; short lines are
+/// welded; corners are rounded or become stops. Elements come in and elements go out. Some elements
+/// are held back until those after them are known.
 ///
 /// Main loop only. No call does more than a bounded amount of work.
 class PathStage {
  public:
   /// @param limits must outlive this.
-  /// @param pixels of rows that are gathered; null to gather none. Must outlive this.
+  /// @param pixels storage for pixels of rows that are gathered; null to gather none. Must outlive
+  /// this.
   explicit PathStage(const motion::Limits& limits, motion::Pixels* pixels = nullptr)
       : short_{limits}, row_{pixels}, rounder_{limits} {}
 
   [[nodiscard]] bool has_room() const { return short_.has_room() && row_takes(); }
-  /// Takes an element that moves. @pre has_room(), and it begins where the one
-  /// before ended
+  /// Takes an element that moves. @pre has_room(), and the element begins where the one before
+  /// ended
   void put(const PathItem& item);
-  /// Lets what is held go on as far as it is known. Returns whether put_row() may be called: more
-  /// of it is known, and goes on, with time.
-  /// @param pixels of the row
+  /// Passes held elements on as far as they are settled. Returns whether put_row() may be called.
+  /// False may become true later, when more of the held elements have been passed on.
+  /// @param pixels number of pixels of the row
   [[nodiscard]] bool takes_row(std::size_t pixels);
-  /// Takes a line with several powers. @pre takes_row(), PixelRow::can_be_row(), and it begins
-  /// where the one before ended
+  /// Takes a line with several powers. @pre takes_row(), PixelRow::can_be_row(), and the line
+  /// begins where the element before ended
   void put_row(const PathItem& item, const RowPowers& powers);
-  /// The next piece to be driven, until the next call of anything else; null when there is
-  /// none yet.
+  /// Returns the next piece to be driven; null when there is none yet. The piece is valid until the
+  /// next call of any member.
   [[nodiscard]] const PathPiece* next();
 
-  /// How many lines wait to be gathered with more of them.
+  /// Returns how many lines wait to be gathered with more lines.
   [[nodiscard]] std::size_t gathered() const { return row_.lines(); }
-  /// They are not to wait any longer.
+  /// Ends the waiting of gathered lines for more lines.
   void end_row() { row_.close(); }
-  /// Nothing will come for a while: next() gives out all that is held.
+  /// Reports that no element will come for a while: next() gives out all that is held.
   void flush() { flushing_ = true; }
-  /// What has been welded so far is given out: the machine stands, or would have to brake
-  /// and does not stop there anyway.
+  /// Releases what has been welded so far, if the machine is at rest or if the path continues there
+  /// without a stop. Call this when the machine is at rest or would have to brake.
+  /// @param stands whether the machine is at rest
   void hurry(bool stands);
-  /// Forgets all that is held.
+  /// Forgets all held elements.
   void clear();
 
   [[nodiscard]] bool empty() const {
     return short_.empty() && row_.empty() && welder_.empty() && rounder_.empty();
   }
-  /// Source line of the oldest element held; 0 for none.
+  /// Returns the source line of the oldest held element; 0 if none is held.
   [[nodiscard]] motion::SourceLine line() const;
 
  private:
@@ -63,7 +66,7 @@ class PathStage {
 
   ShortLines short_;
   PixelRow row_;
-  std::optional<PathItem> next_{};  ///< Does not go on with the row.
+  std::optional<PathItem> next_{};  ///< An item that does not continue the row.
   Welder welder_{};
   CornerRounder rounder_;
   bool flushing_ = false;

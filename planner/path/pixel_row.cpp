@@ -9,9 +9,9 @@
 namespace cnc::path {
 namespace {
 
-/// Ends are whole nanometres, and single precision sees them.
+/// Allowance for ends, which are whole nanometres, and for single precision.
 constexpr float kRowRoundingMm = 3.0e-6F;
-constexpr float kRelativeError = 3.0e-7F;  // Of the way from the start.
+constexpr float kRelativeError = 3.0e-7F;  // Share of the distance from the start.
 
 bool can_be_gathered(const PathItem& item) {
   const motion::MotionRequest& request = item.request;
@@ -29,7 +29,7 @@ void PixelRow::begin(const PathItem& item) {
   CNC_ASSERT(empty());
   item_ = item;
   held_ = true;
-  // What was cut off for its length goes on as what it was.
+  // If this row continues a row that was full, it stays graded if the full row was graded.
   graded_ = graded_ && full_;
   full_ = false;
   has_pixels_ = false;
@@ -77,7 +77,8 @@ bool PixelRow::add(const PathItem& item) {
   return true;
 }
 
-/// Even lines that may be welded are left to the welder.
+/// Returns whether a line may continue the row. Lines of constant power that may be welded are left
+/// to the welder.
 bool PixelRow::may_go_on(const motion::MotionRequest& next, bool same_power) const {
   const motion::MotionRequest& row = item_.request;
   const bool for_welder = item_.tolerance.weld_mm > 0.0F && same_power && !graded_;
@@ -86,7 +87,7 @@ bool PixelRow::may_go_on(const motion::MotionRequest& next, bool same_power) con
          !for_welder;
 }
 
-/// The row to a new end passes all ends so far, goes ahead, and is not too long.
+/// Returns whether the row to a new end passes all ends so far, goes ahead, and is not too long.
 bool PixelRow::straight_on(const Way& way) const {
   const float so_far = way_.travel[leading_];
   const float reach = way.travel[leading_];
@@ -99,7 +100,7 @@ bool PixelRow::straight_on(const Way& way) const {
   return true;
 }
 
-/// So that the row passes its present end.
+/// Limits the slopes so that the row passes its present end.
 void PixelRow::limit_slopes(float aside_mm) {
   const float per_mm = 1.0F / way_.travel[leading_];
   for (std::size_t axis = 0; axis < kAxisCount; ++axis) {

@@ -8,7 +8,8 @@
 namespace cnc::path {
 namespace {
 
-/// An arc keeps its own start, which its radius depends on; and outputs need a motion.
+/// Returns whether the element after a short line may begin where the line does. An arc keeps its
+/// own start, on which its radius depends; and outputs need a motion.
 bool goes_with(const motion::MotionRequest& line, const motion::MotionRequest& next) {
   const bool comes_back = line.element.start == next.element.end;
   if (next.element.bulge != 0.0F || (comes_back && line.outputs.any())) return false;
@@ -41,7 +42,7 @@ void ShortLines::put(const PathItem& item) {
   drop_still();
 }
 
-/// The item takes the place of the line held, from where the line begins.
+/// Replaces the held line by the item, which then begins where the line does.
 void ShortLines::go_with_held(const PathItem& item) {
   PathItem& held = item_at(0);
   const Position start = held.request.element.start;
@@ -60,7 +61,7 @@ void ShortLines::flush() {
   drop_still();
 }
 
-/// A chain of lines that came back to where it began moves nowhere.
+/// Drops a chain of lines that came back to its beginning, because it moves nowhere.
 void ShortLines::drop_still() {
   const PathElement& element = item_at(0).request.element;
   if (settled_ > 0 && element.start == element.end) forget_oldest();

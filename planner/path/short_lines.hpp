@@ -7,29 +7,31 @@
 
 namespace cnc::path {
 
-/// Lets the element after a line that is shorter than half a step of each motor begin where the
-/// line does. No motor can follow such a line, but each of its corners would cost a near stop.
+/// Handles lines that are shorter than half a step of each motor: the element after such a line
+/// begins where the line does. No motor can follow such a line, but each of its corners would cost
+/// a near stop.
 ///
-/// An element thus begins at most half a step of each motor beside its programmed start, and ends
-/// at its programmed end; its tolerance is less by the distance of the two starts. A line at which
-/// beam, feed or outputs change stays as it is, and so does the last before a pause.
+/// So an element begins at most half a step of each motor away from its programmed start, and ends
+/// at its programmed end. Its tolerance is reduced by the distance between the two starts. A line
+/// at which beam, feed or outputs change stays as it is, and so does the last line before a pause.
 class ShortLines {
  public:
   /// @param limits must outlive this.
   explicit ShortLines(const motion::Limits& limits) : limits_{limits} {}
 
-  /// All that put() has settled has been taken.
+  /// Returns whether all items that put() has settled have been taken.
   [[nodiscard]] bool has_room() const { return settled_ == 0; }
-  /// @pre has_room(), and it begins where the one before ended
+  /// Takes an item. @pre has_room(), and the item begins where the one before ended
   void put(const PathItem& item);
-  /// The held line waits no longer. @pre has_room()
+  /// Settles the held line. @pre has_room()
   void flush();
   void clear() { count_ = settled_ = 0; }
 
   [[nodiscard]] bool empty() const { return count_ == 0; }
-  /// The next item in order, until the next call of anything else; null when there is none.
+  /// Returns the next item in order; null when there is none. The item is valid until the next call
+  /// of any member.
   [[nodiscard]] const PathItem* next();
-  /// Source line of the oldest item held; 0 for none.
+  /// Returns the source line of the oldest held item; 0 if none is held.
   [[nodiscard]] motion::SourceLine line() const;
 
  private:
@@ -40,7 +42,7 @@ class ShortLines {
   void drop_still();
 
   const motion::Limits& limits_;
-  /// Settled ones, then perhaps a short line, or several that are short together.
+  /// Settled items, followed perhaps by a short line, or by several lines that together are short.
   std::array<PathItem, 2> items_{};
   std::size_t oldest_ = 0;
   std::size_t count_ = 0;

@@ -6,8 +6,9 @@
 
 namespace cnc::path {
 
-/// With d the length of both tangents, from the ends to where each arc's tangents meet, the joint
-/// is the middle of those two places, which are 2 d apart: |chord − d (start + end)| = 2 d.
+/// Let d be the length of both tangents, each from an end to the point where the tangents of its
+/// arc meet. The joint is the middle of those two points, which are 2 d apart: |chord − d (start +
+/// end)| = 2 d.
 std::optional<AxisVector> space_joint(const AxisVector& start,
                                       const AxisVector& chord,
                                       const AxisVector& end) {

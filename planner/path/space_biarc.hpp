@@ -6,10 +6,11 @@
 
 namespace cnc::path {
 
-/// Where two arcs meet smoothly that begin with one tangent and end with another, both of which
-/// lie equally far from the joint: from the start. Nothing where no such arcs turn by less than
-/// half a turn.
-/// @param start, end unit vectors. @param chord from start to end
+/// Returns the joint, as a vector from the start, at which two arcs meet smoothly. The first arc
+/// begins with one tangent, and the second ends with another; both tangents have the same length.
+/// Empty where there are no such arcs of less than half a turn.
+/// @param start, end unit vectors.
+/// @param chord vector from start to end
 [[nodiscard]] std::optional<AxisVector> space_joint(const AxisVector& start,
                                                     const AxisVector& chord,
                                                     const AxisVector& end);

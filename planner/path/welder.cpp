@@ -10,22 +10,24 @@
 namespace cnc::path {
 namespace {
 
-/// Ends are whole nanometres, and single precision sees the points.
+/// Allowance for ends, which are whole nanometres, and for single precision.
 constexpr float kPointRoundingMm = 3.0e-6F;
-constexpr float kPointRelativeError = 6.0e-7F;  // Of the distance from the start.
-/// A tolerance below a tenth of a µm is all rounding.
+constexpr float kPointRelativeError = 6.0e-7F;  // Share of the distance from the start.
+/// Least tolerance of a weld. Below a tenth of a micrometre there is nothing but rounding.
 constexpr float kLeastToleranceMm = 1.0e-4F;
-/// Longer lines are meant as lines; beyond so far single precision eats up the tolerance.
+/// Lines longer than kLongestLineMm are meant as lines. Beyond kFarthestMm from the start, errors
+/// of single precision use up the tolerance.
 constexpr float kLongestLineMm = 20.0F;
 constexpr float kFarthestMm = 100.0F;
-/// Cosine of the turn that is a corner: 45°.
+/// Cosine of the turn from which on a joint is a corner: 45°.
 constexpr float kSharpTurnCosine = 0.7071F;
-/// Arcs end before they turn by 130°, where the distance from their start still
-/// grows fast enough to tell the points on them apart.
-constexpr float kWidestCosine = 0.4226F;  // Of 65°, from tangent to chord.
-/// A direction that differs more from that of the piece before begins anew: 17°.
+/// Arcs end before they turn by 130°, where the distance from their start still grows fast enough
+/// to distinguish the points on them.
+constexpr float kWidestCosine = 0.4226F;  // Cosine of 65°, the angle between tangent and chord.
+/// Cosine of 17°. If the direction differs by more from that of the piece before, the fit begins
+/// with a new direction.
 constexpr float kSameWayCosine = 0.955F;
-/// No radius below so many tolerances.
+/// Least radius, in tolerances.
 constexpr float kLeastRadii = 4.0F;
 
 Vec3 way_between(const Position& from, const Position& to) {
@@ -49,7 +51,7 @@ bool can_be_welded(const PathItem& item) {
   return way_between(request.element.start, request.element.end).norm() <= kLongestLineMm;
 }
 
-/// The first coordinate plane in which a way lies.
+/// Returns the first coordinate plane in which a vector lies.
 std::optional<Plane> coordinate_plane_of(const Vec3& way) {
   for (const Plane plane : {Plane::kXY, Plane::kZX, Plane::kYZ}) {
     if (way[static_cast<int>(axes_of(plane).normal)] == 0.0F) return plane;
@@ -57,7 +59,7 @@ std::optional<Plane> coordinate_plane_of(const Vec3& way) {
   return std::nullopt;
 }
 
-/// A frame in a coordinate plane, along a direction in it.
+/// Returns a frame in a coordinate plane, along a direction in that plane.
 FitFrame frame_in(Plane plane, const Vec3& ahead) {
   const auto first = static_cast<int>(axes_of(plane).first);
   const auto second = static_cast<int>(axes_of(plane).second);
@@ -131,14 +133,15 @@ const PathItem* Welder::next() {
 
 Vec3 Welder::way_to(const Point& point) const { return way_between(from_, place_of(point)); }
 
-/// Returns a way along X Y Z; the other axes do not move.
+/// Returns the position of a point, which has X Y Z only; the other axes do not move.
 Position Welder::place_of(const Point& point) const {
   Position place = from_;
   std::copy(point.place.begin(), point.place.end(), place.begin());
   return place;
 }
 
-/// Returns the tolerance of the line to a point, which the fit sees there.
+/// Returns the tolerance of the line to a point, where the frame of the fit has the point at
+/// `here`.
 float Welder::tolerance_of(const Point& point, const Vec3& here) const {
   constexpr float kLeast = 1.0e-6F;
   const float tolerance =
@@ -168,8 +171,8 @@ void Welder::begin_fit() {
   fitting_ = true;
 }
 
-/// Chooses the plane of the fit before if the way and its direction lie in it, too; else another,
-/// or none.
+/// Chooses the plane of the fit. The plane of the previous fit is kept if `way` and the direction
+/// lie in it, too; otherwise another coordinate plane is chosen, or none.
 void Welder::choose_plane(const Vec3& way) {
   const auto lies_in = [&](Plane plane) {
     const auto normal = static_cast<int>(axes_of(plane).normal);
@@ -180,9 +183,10 @@ void Welder::choose_plane(const Vec3& way) {
   if (plane_ && !lies_in(*plane_)) plane_.reset();
 }
 
-/// The way from the start grows, so that nothing is driven past and no point
-/// lies beyond the end. A short line may go anywhere, as long as the circles pass its end: programs
-/// on a grid, and offsets, have steps aside that are none of the curve's.
+/// Returns whether the fit may take the next point. The distance from the start must grow, so that
+/// nothing is driven past and no point lies beyond the end. A short line may go in any direction,
+/// as long as the circles pass its end: programs on a grid, and offsets, have sideward steps that
+/// do not belong to the curve.
 bool Welder::goes_on(const Vec3& here, const Vec3& chord) const {
   if (plane_ && here.z() != 0.0F) return false;
   if (points_fitted_ == 0 || is_short(chord.norm())) return true;
@@ -191,7 +195,7 @@ bool Welder::goes_on(const Vec3& here, const Vec3& chord) const {
   return chord.dot(last_) >= 0.0F && here.norm() <= kFarthestMm;
 }
 
-/// Takes the next point into the fit; false when there it ends.
+/// Takes the next point into the fit. Returns false when the fit ends before it.
 bool Welder::look() {
   const Vec3 here = fit_.frame().seen(way_to(point(looked_at_)));
   const Vec3 chord = here - last_;
@@ -223,7 +227,8 @@ void Welder::note_reach(const Vec3& here) {
   smooth_.circle = *ending->smooth;
 }
 
-/// Of the points only those after the ends that may be chosen are still needed.
+/// Forgets the points that no possible end needs any more: only those after the possible ends are
+/// still needed.
 void Welder::forget_points() {
   if (2 * smooth_.points < farthest_.points) smooth_ = {};
   const std::size_t needed =
@@ -243,7 +248,7 @@ void Welder::finish() {
   const bool smooth = smooth_.points > 0 && 2 * smooth_.points >= farthest_.points;
   Reach reach = smooth ? smooth_ : farthest_;
   if (reach.points == 0) {
-    // Not even one point is within reach of a circle: the line to it, as it is.
+    // No circle reaches even one point: the result is the line to the first point, as it is.
     reach = {.points = 1, .index = 1, .end = point(0)};
     reach.seen = fit_.frame().seen(way_to(point(0)));
     const float ahead = std::max(reach.seen.x(), 1.0e-9F);
@@ -273,13 +278,14 @@ PathElement Welder::element_to(const Reach& reach) const {
   const AxisVector start = along_axes(fit_.frame().way(tangent.normalized()));
   const AxisVector chord = along_axes(fit_.frame().way(reach.seen.normalized()));
   const auto frame = plane_through(start, chord);
-  if (!frame) return element;  // It turns by less than rounding.
+  if (!frame) return element;  // The arc turns by less than rounding.
   element.plane = ArcPlane{*frame};
   element.bulge = bulge_between(Vec2{1.0F, 0.0F}, element.plane.seen(element.start, element.end));
   return element;
 }
 
-/// The end's direction is the start's, mirrored at the chord.
+/// Continues from an end point. The direction there is the direction at the start, mirrored at the
+/// chord.
 void Welder::go_to(const Reach& reach) {
   const Vec3 chord = reach.seen.normalized();
   const Vec3 tangent = reach.circle.tangent().normalized();

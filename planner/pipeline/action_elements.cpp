@@ -65,7 +65,7 @@ ActionPart ActionElements::next() {
   return part;
 }
 
-/// Parts of a line are counted from 1: the line itself would be part 0.
+/// Returns the next part of a line. Parts are counted from 1: the line itself would be part 0.
 ActionPart ActionElements::next_of(const Line& line) const {
   ActionPart part{.element = {.start = here_, .end = line.end}, .feed_mm_s = feed_mm_s_};
   if (line.powers.empty() && line.parts == 1) return part;

@@ -14,11 +14,12 @@ namespace cnc {
 /// One element of an action's path.
 struct ActionPart {
   PathElement element{};
-  float feed_mm_s = 0.0F;          ///< As in motion::MotionRequest; 0 is a rapid.
+  float feed_mm_s = 0.0F;          ///< Feed as in motion::MotionRequest, mm/s; 0 is a rapid.
   bool continues = false;          ///< The element is part of one curve with the one before it.
   std::uint32_t index = 0;         ///< Number of the part for motion::SourceLine.
-  std::optional<float> power_s{};  ///< The S that holds from this part on; none if S stays.
-  /// Values of S of equal parts of a line that is one element, a row; empty for all others.
+  std::optional<float> power_s{};  ///< S from this part on; empty if S stays unchanged.
+  /// Values of S for equal parts of a line that is one element, a row; empty for all other
+  /// elements.
   std::span<const float> row{};
 };
 
@@ -26,22 +27,22 @@ struct ActionPart {
 /// element, a line with several powers into equal parts, an arc or a helix into elements of at
 /// most half a turn, a spline into arcs within a tolerance.
 ///
-/// The elements are computed one at a time, so that a caller without capacity for the next one
-/// goes on later. Consecutive elements join exactly, and the last one ends at the action's end.
+/// The elements are computed one at a time, so that a caller without capacity for the next one can
+/// continue later. Consecutive elements join exactly, and the last one ends at the action's end.
 /// Main loop only; nothing is allocated.
 class ActionElements {
  public:
   /// Returns whether begin() accepts the action: it moves along a path that the action alone
-  /// determines. A probe does not, because its contact ends it.
+  /// determines. A probing motion does not, because the contact ends it.
   [[nodiscard]] static bool accepts(const gcode::Action& action);
 
   /// Begins an action and forgets the one before.
   /// @param action its powers and its spline must stay until the last element is taken
-  /// @param from where the path so far ends, machine coordinates
-  /// @param spline_tolerance_mm distance of arcs from their spline; at least
+  /// @param from end of the path so far, machine coordinates
+  /// @param spline_tolerance_mm greatest distance of arcs from their spline; at least
   /// ArcFit::kLeastToleranceMm
-  /// @param least_parts into how many elements a line, each part of one with several powers, and an
-  /// arc are divided at least; at least 1
+  /// @param least_parts least number of elements into which a line, each part of a line with
+  /// several powers, and an arc are divided; at least 1
   /// @param rows whether a line with several powers may be one element
   /// @pre accepts(action)
   void begin(const gcode::Action& action,
@@ -57,18 +58,19 @@ class ActionElements {
   /// Returns whether no element is left. @pre active()
   [[nodiscard]] bool done() const;
 
-  /// Returns how many pixels the next element has that is a row; 0 for all others. @pre active()
+  /// Returns the number of pixels of the next element if it is a row; 0 for all other elements.
+  /// @pre active()
   [[nodiscard]] std::size_t pixels() const {
     return curve_ == Curve::kLine && line_.is_row ? line_.powers.size() : 0;
   }
 
-  /// Works on the next element; only that of a spline takes any work.
-  /// @param points budget of curve points, from which the points that were evaluated are taken;
-  /// exceeded by at most ArcFit::kPointsAtOnce
+  /// Works on the next element; only elements of a spline need any work.
+  /// @param points budget of curve points, from which the evaluated points are subtracted; exceeded
+  /// by at most ArcFit::kPointsAtOnce
   /// @return true when next() has the element ready
   /// @pre !done()
   [[nodiscard]] bool work(std::uint32_t& points);
-  /// Returns the next element and goes on to the one after it. @pre !done()
+  /// Returns the next element and advances to the one after it. @pre !done()
   [[nodiscard]] ActionPart next();
 
  private:
@@ -76,9 +78,9 @@ class ActionElements {
   struct Line {
     Position from{};
     Position end{};
-    std::span<const float> powers{};  ///< One for each of equal ways; empty where S stays.
-    std::uint32_t parts = 1;          ///< Elements of each such way.
-    bool is_row = false;              ///< One element, whatever its powers.
+    std::span<const float> powers{};  ///< One power for each equal part; empty where S stays.
+    std::uint32_t parts = 1;          ///< Number of elements of each such part.
+    bool is_row = false;              ///< The line is one element, whatever its powers are.
 
     [[nodiscard]] std::uint32_t count() const;
     [[nodiscard]] Position end_of(std::uint32_t part) const;
@@ -86,7 +88,8 @@ class ActionElements {
 
   [[nodiscard]] ActionPart next_of(const Line& line) const;
 
-  // Not a variant: to a compiler for size its accesses may end in abort().
+  // Not a variant: a compiler that optimizes for size may give accesses to a variant a call of
+  // abort().
   Curve curve_ = Curve::kNone;
   Line line_{};
   std::optional<ArcElements> arc_{};

@@ -8,15 +8,15 @@
 
 namespace cnc {
 
-/// Tolerances that hold where the program gives none, mm.
+/// Tolerances that hold where the program gives no tolerance, mm.
 struct UsualTolerance {
-  float path_mm = 0.01F;  ///< Of corners and welds together ($11).
-  float arc_mm = 0.002F;  ///< Of arcs that stand for a curve or for short lines ($12).
+  float path_mm = 0.01F;  ///< For corners and welds together ($11).
+  float arc_mm = 0.002F;  ///< For arcs that replace a curve or short lines ($12).
 };
 
-/// Returns how far the driven path may be from the programmed one: none under G61.1. G61 and a
-/// G64 alone keep corners and welds together within the usual tolerance. With a P, corners are
-/// rounded within P and short lines welded within Q; P alone stands for both.
+/// Returns the tolerances of the driven path: none under G61.1. G61, and G64 without P and Q, keep
+/// corners and welds together within the usual tolerance. With a P, corners are rounded within P
+/// and short lines are welded within Q; P without Q is the tolerance for both.
 [[nodiscard]] inline path::Tolerance path_tolerance(const gcode::PathControl& control,
                                                     const UsualTolerance& usual) {
   if (control.mode == gcode::PathMode::kStop) return {};
@@ -27,8 +27,8 @@ struct UsualTolerance {
           .weld_mm = control.naive_tolerance_mm.value_or(control.tolerance_mm.value_or(0.0F))};
 }
 
-/// Returns how far arcs may be from the spline that they stand for, mm: Q of G64, or the usual
-/// tolerance of arcs.
+/// Returns the greatest distance of arcs from the spline that they replace, mm: Q of G64, or the
+/// usual tolerance of arcs.
 [[nodiscard]] inline float spline_tolerance(const gcode::PathControl& control,
                                             const UsualTolerance& usual) {
   const float naive = control.naive_tolerance_mm.value_or(0.0F);

@@ -18,7 +18,8 @@ float least_acceleration(const motion::Limits& limits, const motion::Block& bloc
   return least;
 }
 
-/// Returns whether a place is less than a step from where the motion before it ends, per axis.
+/// Returns whether a position is less than a step, on each axis, from where the motion before it
+/// ends.
 bool joins(const motion::Limits& limits,
            const Position& start,
            const AxisArray<StepPosition>& end) {
@@ -33,7 +34,8 @@ bool joins(const motion::Limits& limits,
 }
 
 /// Returns whether the chord of an element, turned by 90 degrees, can be counted in steps of the
-/// axes that it then lies along. Only the path stage makes oblique arcs, from shorter lines.
+/// axes along which it then lies. Oblique arcs need no check: only the path stage makes them, from
+/// shorter lines.
 bool turns_within(const motion::Limits& limits, const PathElement& element) {
   if (element.bulge == 0.0F || element.plane.oblique()) return true;
   const PlaneAxes axes = axes_of(element.plane);
@@ -46,7 +48,8 @@ bool turns_within(const motion::Limits& limits, const PathElement& element) {
 /// Returns whether an element moves, or an error if its end is out of the motors' range.
 Result<bool, motion::MotionError> Pipeline::admit(const PathElement& element) const {
   for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
-    // The start was an end: if it is out of range now, memory has changed.
+    // The start was the end of an element that was admitted: if it is out of range now, memory has
+    // changed.
     CNC_ASSERT(limits_.scale[axis].reaches(element.start[axis]));
     const bool within = limits_.scale[axis].reaches(element.end[axis]);
     if (!within) return motion::MotionError::kBeyondMotorRange;
@@ -61,8 +64,8 @@ Result<bool, motion::MotionError> Pipeline::append(const path::PathItem& item) {
   supply_.restart();
   budget_.take_element();
   path_.put(item);
-  // A row has at most half as many lines as blocks are planned: so what is held back is short
-  // compared with the plan, and a program's start is known in small rows, the rest in large ones.
+  // A row has at most half as many lines as there are planned blocks. So the held part is short
+  // compared with the plan, and a program begins with small rows and continues with large ones.
   if (2 * path_.gathered() >= queue_.size()) path_.end_row();
   target_ = item.request.element.end;
   pump();
@@ -99,10 +102,11 @@ void Pipeline::pump() {
 void Pipeline::take(const path::PathPiece& piece) {
   const AxisArray<StepPosition>& end =
       queue_.empty() ? segmenter_.place() : queue_.at(queue_.size() - 1).end;
-  // Otherwise memory has changed, and a long distance would be driven on one place.
+  // Otherwise memory has changed, and the motors would have to cover a long distance at one point
+  // of the path.
   CNC_ASSERT(joins(limits_, piece.request.element.start, end));
   const auto block = motion::build_block(piece.request, limits_);
-  // Pieces lie between ends that were within range, to a tolerance.
+  // Pieces lie, within a tolerance, between ends that were within range.
   CNC_ASSERT(block.ok() || block.error() == motion::MotionError::kNothingToMove);
   if (!block.ok()) return;
   if (centre_.active()) {
@@ -131,10 +135,10 @@ void Pipeline::attend(std::int32_t elapsed_us) {
   if (path_.empty() && supply_.silent_at_rest()) queue_.expect_no_more();
 }
 
-/// Releases what is held back if the sender is silent, or if it has been gathered for long enough
-/// and the plan would soon brake for the want of it.
+/// Releases the held elements if the sender is silent, or if elements have been gathered for long
+/// enough and the plan would soon brake for lack of them.
 void Pipeline::release_held() {
-  // With this many blocks longer welds are worth more than more blocks.
+  // With this many blocks, longer welds are worth more than additional blocks.
   constexpr std::size_t kPlenty = 16;
   const bool idle = segmenter_.idle();
   const bool silent = idle ? supply_.silent_at_rest() : supply_.silent();
@@ -148,9 +152,10 @@ void Pipeline::release_held() {
   }
 }
 
-/// Returns whether the plan would soon have to brake for what is not planned yet. Its distance is
-/// then at most twice the braking distance, and what is driven in the next cycles, and, where jerk
-/// is limited, what the plan is ahead by and drives at constant speed before it brakes.
+/// Returns whether the plan would soon have to brake because no further element is planned. Its
+/// remaining distance is then at most the sum of three: twice the braking distance, the distance of
+/// the next cycles, and, where jerk is limited, the distance by which the plan is ahead and which
+/// it drives at constant speed before it brakes.
 bool Pipeline::runs_dry() const {
   constexpr float kCyclesAheadS = 0.05F;
   constexpr float kWindows = 1.5F;
@@ -167,13 +172,14 @@ bool Pipeline::runs_dry() const {
   return distance <= reach;
 }
 
-/// A row's pixels are all needed, as its power is not known without them.
+/// Returns whether a block can be taken back. All pixels of a row are needed, because its power is
+/// not known without them.
 bool Pipeline::can_take_back(const motion::Block& block) {
   return !block.row.any() || pixels_.take_back(block.row.first);
 }
 
 motion::PathUnits Pipeline::go_back(motion::PathUnits distance) {
-  // A shorter rest of a block is driven from a little earlier on.
+  // If the rest of a block would be shorter, it is driven from a point a little earlier.
   constexpr motion::PathUnits kShortestRest = motion::PathUnits{1} << 26;  // 1 µm.
   motion::PathUnits into = segmenter_.idle() ? 0 : segmenter_.into_block();
   motion::PathUnits left = distance;
@@ -189,7 +195,7 @@ motion::PathUnits Pipeline::go_back(motion::PathUnits distance) {
   const motion::PathUnits longest = std::max<motion::PathUnits>(0, length - kShortestRest);
   const motion::PathUnits place = std::min(into - (left - unknown), longest);
   segmenter_.go_back(place, distance - unknown);
-  // Without shapers and backlash the stage is not told of how the motors come there.
+  // Without shapers and backlash the stage does not learn how the motors reach that position.
   if (!motors_.active()) motors_.reset(segmenter_.motors(), {});
   return unknown;
 }
@@ -224,7 +230,7 @@ bool Pipeline::configure(const motion::MotorStageSetting& setting) {
 }
 
 void Pipeline::follow_kerf(const kerf::KerfCourse* course) {
-  // Without shapers and backlash the stage has not been told of the motions so far.
+  // Without shapers and backlash the stage has not learned of the motions so far.
   if (!motors_.active()) motors_.reset(segmenter_.motors(), {});
   segmenter_.follow_kerf(course);
 }

@@ -24,7 +24,7 @@ namespace cnc {
 /// Main loop only; no call blocks, allocates or works without a bound.
 class Pipeline {
  public:
-  /// @param limits of the machine; must outlive this, and changes only while empty()
+  /// @param limits limits of the machine; must outlive this, and may change only while empty()
   /// @param pixels storage of the rows' powers, which a chip may keep in a memory of its own; must
   /// outlive this
   Pipeline(const motion::Limits& limits, motion::Pixels& pixels)
@@ -33,41 +33,42 @@ class Pipeline {
         path_{limits, &pixels},
         segmenter_{queue_, limits, &pixels} {}
 
-  // Elements in.
+  // Input of elements.
 
-  /// Returns whether append() may be called in this cycle. What a cycle plans is bounded, so false
-  /// may become true with the next attend().
+  /// Returns whether append() may be called in this cycle. The planning work of a cycle is bounded,
+  /// so false may become true with the next attend().
   [[nodiscard]] bool has_room() const {
     return path_.has_room() && budget_.allows_element(queue_.looked_at());
   }
   /// Appends an element that starts at target(). The last elements are held back until the ones
   /// after them are known, or flush().
-  /// @return false for an element that does not move; an error if its end is out of the motors'
-  /// range, and then nothing has changed
+  /// @return false for an element that does not move, or an error if its end is out of the motors'
+  /// range. After an error nothing has changed.
   /// @pre has_room()
   Result<bool, motion::MotionError> append(const path::PathItem& item);
   /// Returns whether append_row() may be called in this cycle for a row of this many pixels; false
-  /// may become true with the next attend(). Lets what is held back go on.
+  /// may become true with the next attend(). Passes held elements on as far as possible.
   [[nodiscard]] bool takes_row(std::size_t pixels);
-  /// Appends a line that is a row of pixels by itself, whose powers need not stay.
-  /// @return as append()
+  /// Appends a line that is a row of pixels by itself. `powers` need not outlive the call.
+  /// @return false for a line that does not move, or an error if its end is out of the motors'
+  /// range. After an error nothing has changed.
   /// @pre has_room(), takes_row(), path::PixelRow::can_be_row()
   Result<bool, motion::MotionError> append_row(const path::PathItem& item,
                                                const path::RowPowers& powers);
-  /// Releases what is held back, because no element follows before the motion has ended. Call it
+  /// Releases the held elements, because no element follows before the motion has ended. Call this
   /// in each cycle until empty().
   void flush();
-  /// Passes time: releases what is held back before the motion would brake for the want of it, and
-  /// plans. Call it once in each cycle.
-  /// @param elapsed_us since the last call
+  /// Passes time: releases held elements before the motion would have to brake for lack of them,
+  /// and plans. Call this once in each cycle.
+  /// @param elapsed_us time since the last call
   void attend(std::int32_t elapsed_us);
   /// Returns the end of the elements so far, machine coordinates.
   [[nodiscard]] const Position& target() const { return target_; }
 
-  // Segments out.
+  // Output of segments.
 
   /// Makes the next segment, of at most a millisecond.
-  /// @return false if there is none: the motion is held, or no block is left until the next
+  /// @return false if there is no segment: the motion is held, or no block is left until the next
   /// attend(), or the motor stage drives another motion
   [[nodiscard]] bool next(motion::Segment& segment) {
     return motion::next_segment(segmenter_, motors_, segment);
@@ -79,76 +80,80 @@ class Pipeline {
   /// Returns whether halt() has taken effect: the last segment came to rest.
   [[nodiscard]] bool held() const { return segmenter_.halted() && motors_.at_rest(); }
 
-  // The operator.
+  // Actions of the operator.
 
   /// Slows down within the limits and holds the rest of the motion.
   void halt() { segmenter_.halt(); }
   /// Ends a halt.
   void go_on() { segmenter_.go_on(); }
-  /// Keeps the path of all segments taken from now on, and as much as is known of those before; or
-  /// no longer. While it is kept has_room() may become false for as long.
+  /// Keeps the path of all segments taken from now on, and of earlier segments as far as it is
+  /// known; or ends that. While the path is kept, has_room() may become false and stay so.
   void keep_path(bool keeps) { queue_.keep_all(keeps); }
-  /// Takes back the last `distance` of what was given out as segments: place() moves there, and
-  /// next() goes on from there, from rest, once the motors have been brought to motor_place().
-  /// @return part of the distance that is not known any more and stays given out
+  /// Takes back the last `distance` of the path that was given out as segments. place() moves back
+  /// by it. Once the motors have been brought to motor_place(), next() continues from there, from
+  /// rest.
+  /// @return part of the distance that is no longer known and stays given out
   /// @pre held() or empty()
   motion::PathUnits go_back(motion::PathUnits distance);
   void set_overrides(const motion::Overrides& overrides) { segmenter_.set_overrides(overrides); }
   [[nodiscard]] const motion::Overrides& overrides() const { return segmenter_.overrides(); }
 
-  // Standing.
+  // Calls for a machine at rest.
 
-  /// Drops all motion that is left; a halt stays.
-  /// @param tool where the axes stand, motor steps without backlash: the new target() is where
-  /// that puts the tip
-  /// @param motors where the motors stand, steps
+  /// Drops all remaining motion; a halt stays in effect.
+  /// @param tool position of the axes, motor steps without backlash. The new target() is the
+  /// position of the tip that results.
+  /// @param motors position of the motors, steps
   /// @pre no segment that was taken is still being driven
   void restart(const AxisArray<std::int32_t>& tool, const AxisArray<std::int32_t>& motors);
-  /// Sets input shaping and backlash. Afterwards the motors stand where the tool does.
+  /// Sets input shaping and backlash. Afterwards the motors are where the tool is.
   /// @return false if nothing has changed
-  /// @pre empty() or held(), or the setting is the one that holds
+  /// @pre empty() or held(), or the setting is already in effect
   bool configure(const motion::MotorStageSetting& setting);
-  /// Stage between plan and motors, which another motion may use while this one is held.
+  /// Returns the stage between plan and motors, which another motion may use while this one is
+  /// held.
   [[nodiscard]] motion::MotorStage& motors() { return motors_; }
   [[nodiscard]] const motion::MotorStage& motors() const { return motors_; }
-  /// Lets the motors follow, offset from the path, the kerf of the driven power and speed.
+  /// Lets the motors follow the kerf of the driven power and speed, as an offset from the path.
   /// @param course must outlive its use; null ends it
   /// @pre empty(), and on_path()
   void follow_kerf(const kerf::KerfCourse* course);
   [[nodiscard]] bool follows_kerf() const { return segmenter_.follows_kerf(); }
-  /// Lets the axes move so that the tip follows the path while rotary axes turn, from now on;
-  /// restart() has to follow. @pre as restart()
+  /// Lets the axes move so that from now on the tip follows the path while rotary axes turn.
+  /// restart() has to follow. @pre no segment that was taken is still being driven
   void set_tool_centre(const kinematics::ToolCentre& centre);
   [[nodiscard]] const kinematics::ToolCentre& tool_centre() const { return centre_; }
-  /// Returns whether the motors go elsewhere than place(): beside the path, or so that rotary axes
-  /// do not move the tip.
+  /// Returns whether the motors are driven to other positions than place(): offset from the path,
+  /// or such that rotary axes do not move the tip.
   [[nodiscard]] bool leaves_path() const { return segmenter_.leaves_path(); }
-  /// Returns whether the motors stand where place() says, not offset by a kerf.
+  /// Returns whether the motors are at place(), without an offset by a kerf.
   [[nodiscard]] bool on_path() const { return segmenter_.on_path(); }
 
   // Reports.
 
   /// Returns the end of the last segment, to the fraction of a step.
   [[nodiscard]] const AxisArray<StepPosition>& place() const { return segmenter_.place(); }
-  /// Returns where the motors stand after the last segment: place(), offset by a kerf and by what
-  /// rotary axes ask for.
+  /// Returns the position of the motors after the last segment: place(), offset by a kerf and by
+  /// what rotary axes require.
   [[nodiscard]] AxisArray<StepPosition> motor_place() const { return segmenter_.motors(); }
-  /// Returns the running length of all that was laid down (wraps). The motors come to its end
-  /// motors().ticks_ahead() after the last segment, where motors().between_cells().
+  /// Returns the running length of the path of all segments so far (wraps). Where
+  /// motors().between_cells(), the motors reach its end motors().ticks_ahead() after the last
+  /// segment.
   [[nodiscard]] std::uint64_t travelled() const { return segmenter_.travelled(); }
-  /// Returns the steps of a place that is within the motors' range.
+  /// Returns a position in steps. @pre it is within the motors' range
   [[nodiscard]] AxisArray<StepPosition> steps_of(const Position& place) const;
   /// Returns the machine coordinates of motor positions in steps.
   [[nodiscard]] Position place_of(const AxisArray<std::int32_t>& steps) const;
   /// Returns the speed at the end of the last segment, mm/s.
   [[nodiscard]] float speed() const { return segmenter_.speed(); }
-  /// Returns the source line of the oldest element that is not given out to its end; 0 for none.
+  /// Returns the source line of the oldest element that has not been given out completely; 0 if
+  /// there is none.
   [[nodiscard]] motion::SourceLine line() const {
     return queue_.empty() ? path_.line() : motion::line_of(queue_.front(), pixels_);
   }
-  /// Blocks that wait to be cut into segments.
+  /// Returns the blocks that wait to be cut into segments.
   [[nodiscard]] const motion::BlockQueue& queue() const { return queue_; }
-  /// Running count of the blocks so far.
+  /// Returns the running count of all blocks so far.
   [[nodiscard]] std::uint32_t blocks_taken() const { return blocks_taken_; }
   /// Reports every slice of the plan from now on; null ends it. @param observer must outlive this
   void observe(motion::SliceObserver* observer) { segmenter_.observe(observer); }

@@ -7,25 +7,25 @@ namespace cnc {
 
 /// Measures how long no element has come, and how long elements have been held back.
 ///
-/// A sender with more to send does so within a few milliseconds. Until then the last elements are
-/// held back, because the ones after them decide how they are welded and rounded.
+/// A sender with more to send does so within a few milliseconds. Until then the last whether
+/// elements are held back, because the ones after them decide how they are welded and rounded.
 class SupplyWatch {
  public:
-  /// An element has come.
+  /// Restarts the measurement, because an element has come.
   void restart() { silence_us_ = 0; }
-  /// Time has passed.
-  /// @param holds elements are held back
+  /// Adds time that has passed.
   void pass(std::int32_t elapsed_us, bool holds) {
     silence_us_ = std::min(silence_us_ + elapsed_us, kSilenceUs);
     held_us_ = holds ? std::min(held_us_ + elapsed_us, kGatheringUs) : 0;
   }
 
-  /// Returns whether a sender that could have sent an element to the standing machine has none.
+  /// Returns whether the sender has no element to send, given that the machine is at rest.
   [[nodiscard]] bool silent_at_rest() const { return silence_us_ >= kSilenceAtRestUs; }
-  /// The same while the machine moves, which leaves the sender more time.
+  /// Returns whether the sender has no element to send, given that the machine moves. A moving
+  /// machine leaves the sender more time.
   [[nodiscard]] bool silent() const { return silence_us_ >= kSilenceUs; }
-  /// Returns whether the first held element has waited long enough: a weld of few lines makes a
-  /// slow start.
+  /// Returns whether the first held element has waited long enough. (A weld of few lines makes a
+  /// slow start.)
   [[nodiscard]] bool has_gathered() const { return held_us_ >= kGatheringUs; }
 
  private:
@@ -33,8 +33,8 @@ class SupplyWatch {
   static constexpr std::int32_t kSilenceUs = 20'000;
   static constexpr std::int32_t kGatheringUs = 10'000;
 
-  std::int32_t silence_us_ = 0;  ///< Since the last element.
-  std::int32_t held_us_ = 0;     ///< Since elements have been held back.
+  std::int32_t silence_us_ = 0;  ///< Time since the last element.
+  std::int32_t held_us_ = 0;     ///< Time for which elements have been held back.
 };
 
 }  // namespace cnc

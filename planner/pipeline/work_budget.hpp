@@ -13,10 +13,10 @@ namespace cnc {
 /// is taken, pay for it.
 class WorkBudget {
  public:
-  /// Begins a cycle, which pays for its share of the work done so far.
+  /// Begins a cycle, which pays for its share of the work that was done before it.
   /// @param evaluated running count of evaluated spans (wraps)
   void begin_cycle(std::uint32_t evaluated) { paid_ += std::min(owed(evaluated), kSpansInCycle); }
-  /// Counts an element of the path. @param pixels of a row
+  /// Counts an element of the path. @param pixels number of pixels if the element is a row
   void take_element(std::uint32_t pixels = 0) {
     taken_ += kSpansForElement + kSpansForPixel * pixels;
   }
@@ -28,9 +28,9 @@ class WorkBudget {
  private:
   /// Reading an element takes as long as evaluating this many spans: a tenth of a cycle.
   static constexpr std::uint32_t kSpansForElement = 24;
-  /// Reading the power of a pixel takes as long as evaluating this many.
+  /// Reading the power of a pixel takes as long as evaluating this many spans.
   static constexpr std::uint32_t kSpansForPixel = 1;
-  /// Eight elements, or fewer of them and planning.
+  /// Spans that a cycle pays for: those of eight elements, or of fewer elements and some planning.
   static constexpr std::uint32_t kSpansInCycle = 8 * kSpansForElement;
 
   /// Returns the work, in spans, that no cycle has paid for yet.
@@ -38,8 +38,8 @@ class WorkBudget {
     return evaluated + taken_ - paid_;
   }
 
-  std::uint32_t taken_ = 0;  ///< Running sum of spans that elements are worth (wraps).
-  std::uint32_t paid_ = 0;   ///< Running sum of spans (wraps).
+  std::uint32_t taken_ = 0;  ///< Running sum of the spans charged for elements (wraps).
+  std::uint32_t paid_ = 0;   ///< Running sum of the spans that cycles have paid for (wraps).
 };
 
 }  // namespace cnc

@@ -14,7 +14,7 @@ using contour::FlatBox;
 bool AreaDistance::read(const contour::ContourView<double>& area) {
   count_ = loop_count_ = 0;
   double reach = 0.0;
-  double faults = 0.0;  // Stays 0 until it becomes NaN.
+  double faults = 0.0;  // Stays 0 until a value is not finite; then it is NaN.
   for (const contour::Vertex<double>& vertex : area.vertices) {
     reach = std::max({reach, std::abs(vertex.x), std::abs(vertex.y)});
     faults += 0.0 * (vertex.x + vertex.y + vertex.bulge);
@@ -56,8 +56,9 @@ std::uint32_t AreaDistance::previous(std::uint32_t index) const {
   return index > first ? index - 1 : space_.loop_ends[loop] - 1;
 }
 
-/// By the element that is nearest. A place whose nearest point is a corner is inside where the
-/// boundary turns right there. It faces neither of the corner's sides, or both of a cusp's.
+/// Decides by the nearest element. If the nearest point is a corner, the place is inside where the
+/// boundary turns right at the corner. Such a place faces neither side of the corner, or both sides
+/// of a cusp.
 bool AreaDistance::is_inside(const WideVec2& place, std::uint32_t element) const {
   const Curve<double>& curve = space_.elements[element];
   const bool at_start = (place - curve.start).squaredNorm() <= (place - curve.end).squaredNorm();
@@ -70,10 +71,11 @@ bool AreaDistance::is_inside(const WideVec2& place, std::uint32_t element) const
   const double to_corner = (place - after.start).norm();
   const bool is_ahead = is_cusp && to_corner <= (1.0 + kStraight) * curve.distance(place);
   if (!is_ahead && curve.faces(place, 0.0)) return curve.side(place) < 0.0;
-  // A cusp turns right where what leaves it bends more to the left than what reaches it.
+  // A cusp turns right where the leaving curve bends more to the left than the arriving curve, seen
+  // backwards.
   if (is_cusp) return before.curvature + after.curvature > 0.0;
   if (std::abs(turn) > kStraight) return turn < 0.0;
-  // The boundary goes straight on: rounding alone made the place face neither side.
+  // The boundary continues straight: the place faces neither side only by rounding.
   return cross(before.end_tangent, WideVec2{place - after.start}) > 0.0;
 }
 

@@ -11,27 +11,30 @@
 
 namespace cnc::pocket {
 
-/// The point of an area's boundary that is nearest to a place.
+/// The point of an area's boundary that is nearest to a given point.
 struct BoundaryPoint {
-  WideVec2 point{0.0, 0.0};  ///< On the boundary; one of them where several are as near.
-  double distance = 0.0;     ///< mm, never negative.
+  /// On the boundary. Where several points are equally near, one of them.
+  WideVec2 point{0.0, 0.0};
+  double distance = 0.0;  ///< mm, never negative.
   std::uint32_t element = 0;
-  bool inside = false;  ///< Whether the place is in the area; either answer on the boundary.
+  /// Whether the given point is in the area; on the boundary either answer may come.
+  bool inside = false;
 };
 
-/// Storage for the distances of an area.
+/// Sizes of the storage for the distances of an area.
 struct DistanceSizes {
-  std::size_t vertices;  ///< Of the area's contours.
+  std::size_t vertices;  ///< Number of vertices of the area's contours.
   std::size_t loops;
 
-  /// Arcs of more than half a turn are two.
+  /// Returns the greatest number of elements: an arc of more than half a turn counts as two.
   [[nodiscard]] constexpr std::size_t elements() const { return 2 * vertices; }
   [[nodiscard]] constexpr std::size_t boxes() const {
     return contour::BoxTree<double>::size_for(elements());
   }
 };
 
-/// What an AreaDistance works in; it has to outlive that.
+/// Storage that an AreaDistance works in. It must outlive the AreaDistance. The comment of each
+/// span gives its size by DistanceSizes.
 struct DistanceSpace {
   contour::Slice<contour::Vertex<double>> vertices;  ///< elements()
   contour::Slice<contour::Curve<double>> elements;   ///< elements()
@@ -39,7 +42,7 @@ struct DistanceSpace {
   contour::Slice<std::uint32_t> loop_ends;           ///< loops
 };
 
-/// Storage with its capacity in the type.
+/// Storage for the distances of an area, with its capacity in the type.
 template <std::size_t kVertices, std::size_t kLoops>
 class BoundedDistanceSpace {
  public:
@@ -56,37 +59,39 @@ class BoundedDistanceSpace {
 
 /// Distances from the boundary of an area of lines and arcs, by a tree of boxes.
 ///
-/// Guarantee: a distance is exact within 2e-11 of the greatest coordinate, as shorter elements
-/// count for nothing; a place farther than that from the boundary is on the right side of it. Of n
-/// elements in the order of a contour a search checks O(log n) boxes.
+/// Guarantee: a distance is exact within 2e-11 of the greatest coordinate, as shorter elements are
+/// ignored. For a point farther than that from the boundary, `inside` is right. Of n elements in
+/// the order of a contour, a search checks O(log n) boxes.
 class AreaDistance {
  public:
   explicit AreaDistance(const DistanceSpace& space) : space_{space}, tree_{space.boxes} {}
 
-  /// Reads contours with the area on their left that do not cross. Elements without length and
-  /// ways out and back along one line count for nothing.
+  /// Reads contours that have the area on their left and do not cross. Ignores elements without
+  /// length, and paths out and back along one line.
   /// @return false if the storage is too small, or a number is not finite
   [[nodiscard]] bool read(const contour::ContourView<double>& area);
 
-  /// Lines, and arcs of at most half a turn; 0 for an area without extent.
+  /// Returns the number of elements: lines, and arcs of at most half a turn; 0 for an area without
+  /// extent.
   [[nodiscard]] std::uint32_t element_count() const { return count_; }
-  /// @pre index < element_count()
+  /// Returns element `index`. @pre index < element_count()
   [[nodiscard]] const contour::Curve<double>& element(std::uint32_t index) const {
     return space_.elements[index];
   }
-  /// The element that begins where another ends.
+  /// Returns the element that begins where element `index` ends, or ends where it begins.
   [[nodiscard]] std::uint32_t next(std::uint32_t index) const;
   [[nodiscard]] std::uint32_t previous(std::uint32_t index) const;
 
-  /// @pre element_count() > 0
+  /// Returns the point of the boundary nearest to `place`. @pre element_count() > 0
   [[nodiscard]] BoundaryPoint nearest(const WideVec2& place) const;
-  /// Returns the distance, negative outside of the area. @pre element_count() > 0
+  /// Returns the distance from the boundary, mm, negative outside of the area.
+  /// @pre element_count() > 0
   [[nodiscard]] double depth(const WideVec2& place) const {
     const BoundaryPoint found = nearest(place);
     return found.inside ? found.distance : -found.distance;
   }
 
-  /// Calls `visit(element)` for each element whose box meets `box`, until one returns false.
+  /// Calls `visit(element)` for each element whose box overlaps `box`, until a call returns false.
   template <typename Visit>
   void search(const contour::FlatBox<double>& box, Visit&& visit) const {
     tree_.search(box, 0, [&](std::uint32_t index) { return visit(space_.elements[index]); });

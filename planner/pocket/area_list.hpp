@@ -7,14 +7,14 @@
 
 namespace cnc::pocket {
 
-/// Where a connected area begins in the storage of its list.
+/// Index of the first vertex and of the first loop of a connected area in its list.
 struct AreaRange {
   std::uint32_t first_vertex = 0;
   std::uint32_t first_loop = 0;
 };
 
-/// Connected areas in storage of the caller, each a contour of its own: an outline, which runs
-/// counter-clockwise, and after it the holes in it.
+/// Connected areas in storage of the caller. Each area is a contour of its own: first an outline,
+/// which runs counter-clockwise, then the holes in it.
 template <typename Scalar>
 class AreaList {
  public:
@@ -27,7 +27,7 @@ class AreaList {
   void clear() { vertex_count_ = loop_count_ = area_count_ = 0; }
   [[nodiscard]] std::size_t size() const { return area_count_; }
 
-  /// @pre area < size()
+  /// Returns the contour of an area. @pre area < size()
   [[nodiscard]] contour::ContourView<Scalar> operator[](std::size_t area) const {
     const AreaRange& range = ranges_[area];
     const bool last = area + 1 == area_count_;
@@ -37,14 +37,14 @@ class AreaList {
             {loop_ends_.begin() + range.first_loop, loop_end - range.first_loop}};
   }
 
-  /// Begins an area; those loops are its own that follow. False when the storage is full.
+  /// Begins an area, to which the loops that follow belong. Returns false when the storage is full.
   [[nodiscard]] bool begin_area() {
     if (area_count_ == ranges_.size()) return false;
     ranges_[area_count_++] = {static_cast<std::uint32_t>(vertex_count_),
                               static_cast<std::uint32_t>(loop_count_)};
     return true;
   }
-  /// Appends a loop of a contour to the last area. False when the storage is full.
+  /// Appends a loop of a contour to the last area. Returns false when the storage is full.
   /// @pre an area has begun
   [[nodiscard]] bool add_loop(const contour::ContourView<Scalar>& contour, std::size_t loop) {
     const std::uint32_t begin = contour.loop_begin(loop);

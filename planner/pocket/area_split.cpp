@@ -11,7 +11,8 @@ using contour::ContourView;
 using contour::kNone;
 using contour::Slice;
 
-/// A box around a loop. Each arc is inside of the box around both of its ends moved by its height.
+/// Returns a box around a loop. Each arc lies inside of the box around its ends, widened by its
+/// height.
 template <typename Scalar>
 contour::FlatBox<Scalar> box_around(const ContourView<Scalar>& contour, std::size_t loop) {
   const BasicVec2<Scalar> first = contour.vertices[contour.loop_begin(loop)].point();
@@ -28,7 +29,7 @@ contour::FlatBox<Scalar> box_around(const ContourView<Scalar>& contour, std::siz
   return box;
 }
 
-/// The middle of the longest element, which is the least likely to lie on another loop.
+/// Returns the middle of the longest element, which is the least likely to lie on another loop.
 template <typename Scalar>
 BasicVec2<Scalar> typical_point(const ContourView<Scalar>& contour, std::size_t loop) {
   LoopElement<Scalar> longest = element_at(contour, loop, contour.loop_begin(loop));

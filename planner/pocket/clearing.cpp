@@ -12,14 +12,14 @@ namespace {
 using contour::ContourView;
 using contour::kNone;
 
-/// A pass is as if the tool cleared this much more than its radius, mm: thinner rests count for
-/// nothing, so that none needs a pass of its own.
+/// The passes are computed as if the tool cleared this much more than its radius, mm. Thinner
+/// remains are ignored, so that none needs a pass of its own.
 constexpr double kThinRest = 1.0e-7;
 
-/// Sine of the least turn that counts as a corner; elements with one tangent have less.
+/// Sine of the least turn that counts as a corner; elements that join smoothly turn by less.
 constexpr double kCorner = 1.0e-4;
 
-/// Whether the boundary of an area turns away from it at a corner.
+/// Returns whether the boundary of an area has a corner that turns right.
 template <typename Scalar>
 bool has_inner_corner(const ContourView<Scalar>& area) {
   bool found = false;
@@ -65,8 +65,9 @@ class Clearing {
   ClearingSpace<Scalar> space_;
   PassList<Scalar>& passes_;
   Scalar cleared_;  ///< Distance on each side of a pass that counts as cleared, mm.
-  Scalar most_;     ///< The area left is moved inwards by no more; negative where passes overlap so
-                    ///< far that the next one is outside of it.
+  /// Greatest distance by which the remaining area is moved inwards, mm. It is negative where
+  /// passes overlap so much that the next pass lies outside of the remaining area.
+  Scalar most_;
 };
 
 template <typename Scalar>
@@ -83,7 +84,7 @@ std::optional<ClearingError> Clearing<Scalar>::run(const ContourView<Scalar>& po
   return {};
 }
 
-/// The areas of an offset.
+/// Splits the offset of an area into connected areas.
 template <typename Scalar>
 std::optional<ClearingError> Clearing<Scalar>::split_offset(const ContourView<Scalar>& area,
                                                             Scalar distance,
@@ -110,7 +111,7 @@ std::optional<ClearingError> Clearing<Scalar>::split(const ContourView<Scalar>& 
   return ClearingError{ClearingFault::kLoopsCross};
 }
 
-/// The areas in which the tool's centre may be.
+/// Finds the areas in which the tool's centre may be.
 template <typename Scalar>
 std::optional<ClearingError> Clearing<Scalar>::split_locus(const ContourView<Scalar>& pocket,
                                                            AreaList<Scalar>& list) const {
@@ -120,8 +121,8 @@ std::optional<ClearingError> Clearing<Scalar>::split_locus(const ContourView<Sca
 }
 
 /// Returns the goal grown by the corner radius. Parts of a goal that are less than twice this
-/// radius apart grow together with corners between them: arcs of the radius fill those, and the
-/// pass surrounds a little more than it must.
+/// radius apart merge, with corners between them. Arcs of the radius fill these corners, and the
+/// pass surrounds slightly more than it must.
 template <typename Scalar>
 Result<ContourView<Scalar>, contour::OffsetError> Clearing<Scalar>::pass_around(
     const ContourView<Scalar>& goal) const {
@@ -147,7 +148,7 @@ std::optional<ClearingError> Clearing<Scalar>::add_goals(const AreaList<Scalar>&
   return {};
 }
 
-/// Appends the passes within one pass, each as far inside as the part that it clears allows.
+/// Appends the passes within one pass. Each lies as far inside as its remaining part allows.
 template <typename Scalar>
 std::optional<ClearingError> Clearing<Scalar>::step_inwards(std::uint32_t pass) {
   AreaList<Scalar> left;
@@ -171,8 +172,8 @@ std::optional<ClearingError> Clearing<Scalar>::step_into(const ContourView<Scala
   return add_goals(goals, {passes_.note(pass).distance + base + inwards.value(), pass});
 }
 
-/// Appends the passes within one pass, all at the step-over, which is less than what a pass clears:
-/// each surrounds what is left.
+/// Appends the passes within one pass, all at the step-over, which is less than the width that a
+/// pass clears. Each surrounds a remaining area.
 template <typename Scalar>
 std::optional<ClearingError> Clearing<Scalar>::step_by_stepover(std::uint32_t pass) {
   AreaList<Scalar> goals;
@@ -191,7 +192,7 @@ std::optional<ClearingError> Clearing<Scalar>::step_by_stepover(std::uint32_t pa
   return add_goals(kept, {passes_.note(pass).distance + options_.stepover, pass});
 }
 
-/// Whether the pass outside of a goal has cleared all of it.
+/// Finds whether the pass outside of a goal has cleared the whole goal.
 template <typename Scalar>
 std::optional<ClearingError> Clearing<Scalar>::leaves_nothing(const ContourView<Scalar>& goal,
                                                               bool& nothing) const {

@@ -9,8 +9,8 @@
 
 namespace cnc::pocket {
 
-/// The capacity that the passes of a pocket need: `elements` and `cuts` as the offset of the
-/// pocket needs them, `loops` of a single offset, and what all passes have together.
+/// Capacities that the passes of a pocket need. `elements` and `cuts` are those of the offset of
+/// the pocket; `loops` is the greatest number of loops of one offset.
 struct ClearingSizes {
   std::size_t elements;
   std::size_t cuts;
@@ -19,7 +19,8 @@ struct ClearingSizes {
   [[nodiscard]] constexpr contour::OffsetSizes offset() const { return {elements, cuts}; }
 };
 
-/// Loops that are computed and not kept. All vertices: elements; all loop ends: loops.
+/// Storage for loops that are computed and not kept. All its vertices: elements; all its loop ends:
+/// loops.
 template <typename Scalar>
 struct LoopSpace {
   contour::Slice<contour::Vertex<Scalar>> vertices;
@@ -28,7 +29,7 @@ struct LoopSpace {
   [[nodiscard]] contour::ContourWriter<Scalar> writer() const { return {vertices, loop_ends}; }
 };
 
-/// Storage of an AreaList.
+/// Storage of an AreaList. The comment of each span gives its size by ClearingSizes.
 template <typename Scalar>
 struct AreaSpace {
   contour::Slice<contour::Vertex<Scalar>> vertices;  ///< elements
@@ -38,19 +39,20 @@ struct AreaSpace {
   [[nodiscard]] AreaList<Scalar> list() const { return {vertices, loop_ends, ranges}; }
 };
 
-/// Working storage of the passes; nothing in it outlives the call.
+/// Working storage of the passes. Nothing in it outlives the call.
 template <typename Scalar>
 struct ClearingSpace {
   contour::OffsetSpace<Scalar> offset;
-  LoopSpace<Scalar> loops;  ///< The result of the last offset that is split into areas.
-  LoopSpace<Scalar> inner;  ///< The area of a trial.
-  LoopSpace<Scalar> grown;  ///< What the tool clears from there; a goal grown too far.
-  AreaSpace<Scalar> left;   ///< What a pass leaves uncut.
-  AreaSpace<Scalar> goals;  ///< What the next pass surrounds.
+  LoopSpace<Scalar> loops;  ///< Result of the last offset, which is split into areas.
+  LoopSpace<Scalar> inner;  ///< The goal of a trial: the area moved inwards.
+  /// The area that the tool clears from the goal; in a pass, the goal grown by twice the radius.
+  LoopSpace<Scalar> grown;
+  AreaSpace<Scalar> left;                  ///< The areas that a pass leaves uncut.
+  AreaSpace<Scalar> goals;                 ///< The areas that the next pass surrounds.
   contour::Slice<LoopNote<Scalar>> notes;  ///< loops
 };
 
-/// Working storage with its capacity in the type.
+/// Working storage of the passes, with its capacity in the type.
 template <typename Scalar, std::size_t kElements, std::size_t kCuts, std::size_t kLoops>
 class BoundedClearingSpace {
  public:

@@ -12,7 +12,7 @@ namespace {
 constexpr double kHalfTurn = std::numbers::pi;
 constexpr double kQuarterTurn = 0.5 * kHalfTurn;
 
-/// How much of the angles within `half_width` of `middle` is within a quarter turn of 0.
+/// Returns how many radians of the range `middle` ± `half_width` are within a quarter turn of 0.
 double part_ahead(double middle, double half_width) {
   double part = 0.0;
   for (const double turn : {-2.0 * kHalfTurn, 0.0, 2.0 * kHalfTurn}) {
@@ -27,15 +27,16 @@ double arc_cosine(double cosine) {
   return wide_atan2(std::sqrt(std::max(0.0, 1.0 - cosine * cosine)), cosine);
 }
 
-/// Two circles that meet, seen from the centre of the first to that of the second.
+/// Two circles that meet, seen in the direction from the first centre to the second centre.
 struct CirclePair {
   WideVec2 ahead{1.0, 0.0};
-  double along = 0.0;       ///< Of the chord between both meetings, from the first centre.
-  double aside = 0.0;       ///< Half of that chord.
-  double half_sweep = 0.0;  ///< Of the second circle outside of the first, 0 to half a turn.
+  double along = 0.0;  ///< Distance from the first centre to the chord between both meetings.
+  double aside = 0.0;  ///< Half of this chord.
+  /// Half sweep of the second circle's part outside of the first circle, 0 to half a turn.
+  double half_sweep = 0.0;
 };
 
-/// @pre the circles meet
+/// Returns how two circles meet. @pre the circles meet
 CirclePair pair_of(const ToolCircle& first, const ToolCircle& second) {
   const WideVec2 way = second.centre - first.centre;
   const double distance = way.norm();
@@ -80,7 +81,7 @@ Crescent crescent_between(const ToolCircle& cleared, const ToolCircle& next) {
 double crescent_engagement(const ToolCircle& cleared,
                            const ToolCircle& next,
                            double tool_radius_mm) {
-  constexpr int kSamples = 64;  // Either side of the middle.
+  constexpr int kSamples = 64;  // Samples on each side of the middle.
   const ClearedDisc disc{cleared.centre, cleared.radius + tool_radius_mm};
   const CirclePair pair = pair_of(cleared, next);
   double greatest = 0.0;

@@ -18,7 +18,8 @@ template <typename Scalar>
 Scalar FarthestPoint<Scalar>::of(const contour::ContourView<Scalar>& area) {
   farthest_ = Scalar{0};
   for (std::size_t loop = 0; loop < area.loop_ends.size(); ++loop) {
-    std::uint32_t near = 0;  // Both contours run the same way: the next curve is soon after it.
+    // Both contours run in the same direction, so the next curve comes soon after `near`.
+    std::uint32_t near = 0;
     for (std::uint32_t i = area.loop_begin(loop); i < area.loop_ends[loop]; ++i) {
       contour::Curve<Scalar> wall;
       if (!make_curve(element_at(area, loop, i), wall)) continue;
@@ -35,8 +36,8 @@ Scalar FarthestPoint<Scalar>::of(const contour::ContourView<Scalar>& area) {
   return farthest_;
 }
 
-/// Whether a whole element, moved, is part of one of the next curves, which becomes `near`. The
-/// round join at a corner may come between.
+/// Returns whether a whole element, moved, is part of one of the next curves, and sets `near` to
+/// this curve. The round join of a corner may come between.
 template <typename Scalar>
 bool FarthestPoint<Scalar>::find_moved(const contour::Curve<Scalar>& wall,
                                        std::uint32_t& near) const {
@@ -53,7 +54,7 @@ bool FarthestPoint<Scalar>::find_moved(const contour::Curve<Scalar>& wall,
 template <typename Scalar>
 void FarthestPoint<Scalar>::search(const contour::Curve<Scalar>& wall, const Stretch& whole) {
   if (bound(wall, whole) <= farthest_ + Scalar{kFarthestError}) return;
-  constexpr std::size_t kMostOpen = 64;  // A double has no more halves.
+  constexpr std::size_t kMostOpen = 64;  // A double cannot be halved more often.
   std::array<Stretch, kMostOpen> open;
   std::size_t count = 0;
   open[count++] = whole;
@@ -72,7 +73,7 @@ void FarthestPoint<Scalar>::search(const contour::Curve<Scalar>& wall, const Str
   }
 }
 
-/// No point of the stretch is farther from the goal.
+/// Returns a distance from the goal that no point of the stretch exceeds.
 template <typename Scalar>
 Scalar FarthestPoint<Scalar>::bound(const contour::Curve<Scalar>& wall,
                                     const Stretch& stretch) const {
@@ -83,7 +84,7 @@ Scalar FarthestPoint<Scalar>::bound(const contour::Curve<Scalar>& wall,
                   bound_from(wall, stretch, stretch.at_to.point));
 }
 
-/// No point of the stretch is farther from `point`.
+/// Returns a distance from `point` that no point of the stretch exceeds.
 template <typename Scalar>
 Scalar FarthestPoint<Scalar>::bound_from(const contour::Curve<Scalar>& wall,
                                          const Stretch& stretch,
@@ -99,7 +100,7 @@ Scalar FarthestPoint<Scalar>::bound_from(const contour::Curve<Scalar>& wall,
   return ends + Scalar{0.5} * chord * std::abs(wall.bulge_between(stretch.from, stretch.to));
 }
 
-/// Whether the stretch, moved by `moved_`, is part of a curve of the goal.
+/// Returns whether the stretch, moved by `moved_`, is part of a curve of the goal.
 template <typename Scalar>
 bool FarthestPoint<Scalar>::is_moved(const contour::Curve<Scalar>& wall,
                                      const Stretch& stretch,
@@ -110,7 +111,8 @@ bool FarthestPoint<Scalar>::is_moved(const contour::Curve<Scalar>& wall,
   const Vector last = stretch.to + moved_ * left_normal(wall.tangent_at(stretch.to));
   constexpr Scalar kSame{kFarthestError};
   const contour::Curve<Scalar>& other = goal_[curve];
-  // The heights of both arcs over the chord differ by an eighth of its square times this.
+  // The heights of both arcs over the chord differ by `bend` times an eighth of the square of the
+  // chord.
   const Scalar bend = std::abs(other.curvature - wall.curvature / rest);
   if (bend * (last - first).squaredNorm() > Scalar{8} * kSame) return false;
   return other.distance(first) <= kSame && other.distance(last) <= kSame;

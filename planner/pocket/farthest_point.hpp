@@ -4,15 +4,16 @@
 
 namespace cnc::pocket {
 
-/// The greatest distance between the boundary of an area and an offset of the same area inwards.
+/// Finds the greatest distance between the boundary of an area and an inward offset of the same
+/// area.
 ///
-/// Each element of the boundary is halved until nothing on a part can be farther than the farthest
-/// point found. The bound is exact: along a line or an arc the distance from one point has its
-/// greatest value at an end, or where it stops growing, which an arc shows by its tangents. Where
-/// an element's own offset is part of the boundary of the goal, the distance is the offset's.
+/// Each element of the boundary is halved until no point of a part can be farther than the farthest
+/// point found. The bound of a part is exact: along a line or an arc, the distance from one point
+/// is greatest at an end, or where it stops growing, which an arc shows by its tangents. Where an
+/// element's own offset is part of the boundary of the goal, the distance is that of the offset.
 ///
-/// Guarantee: at most kFarthestError short of the greatest distance.
-/// Time: (n + m) log n for n elements of the goal, where m halvings are a few for each corner.
+/// Guarantee: the result is at most kFarthestError less than the greatest distance.
+/// Time: (n + m) log n for n elements of the goal and m halvings, a few for each corner.
 inline constexpr double kFarthestError = 1.0e-9;  // mm
 template <typename Scalar>
 class FarthestPoint {
@@ -27,7 +28,7 @@ class FarthestPoint {
  private:
   using Vector = BasicVec2<Scalar>;
 
-  /// A part of an element, with the points of the goal nearest to both ends.
+  /// A part of an element, with the points of the goal that are nearest to its ends.
   struct Stretch {
     Vector from{Scalar{0}, Scalar{0}};
     Vector to{Scalar{0}, Scalar{0}};

@@ -6,20 +6,20 @@
 
 namespace cnc::pocket {
 
-/// Returns the points that two whole circles or straight lines have in common, of which curves are
-/// parts. One point that both touch counts twice; parallel lines have none.
+/// Returns the common points of two whole circles or straight lines, of which the curves `a` and
+/// `b` are parts. A point where they touch counts twice; parallel lines have none.
 template <typename Scalar>
 [[nodiscard]] contour::Meetings<Scalar> full_meetings(const contour::Curve<Scalar>& a,
                                                       const contour::Curve<Scalar>& b) {
   using Vector = BasicVec2<Scalar>;
   contour::Meetings<Scalar> found;
   const bool swap = std::abs(a.curvature) < std::abs(b.curvature);
-  const contour::Curve<Scalar>& round = swap ? b : a;  // The one that bends more.
+  const contour::Curve<Scalar>& round = swap ? b : a;  // The curve that bends more.
   const contour::Curve<Scalar>& other = swap ? a : b;
   Vector foot = other.start;
   Vector direction = other.start_tangent;
   if (other.curvature != Scalar{0}) {
-    // The line through both meetings, as contour::detail::arcs_meet has it.
+    // The line through both meetings, as in contour::detail::arcs_meet.
     const Scalar share = other.curvature / round.curvature;
     const Vector normal = other.curvature * (round.start - other.start) -
                           left_normal(other.start_tangent) +

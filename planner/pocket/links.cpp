@@ -12,17 +12,18 @@ namespace cnc::pocket {
 namespace {
 
 constexpr double kLongestLink = 12.0;     ///< Tool radii.
-constexpr double kReachOfLandings = 6.0;  ///< Tool radii, from where the link begins.
+constexpr double kReachOfLandings = 6.0;  ///< Tool radii, from the beginning of the link.
 constexpr double kLandingStep = 0.5;      ///< Tool radii.
 constexpr int kLandingsEachWay = 6;
-constexpr int kMostTried = 16;  ///< Links, the shortest first, of one arc radius.
-/// Near its ends, within so many mm, a link touches the loops that it joins.
+/// Number of links that are tried for one arc radius, the shortest first.
+constexpr int kMostTried = 16;
+/// Within this distance of its ends, mm, a link touches the loops that it joins.
 constexpr double kContact = 1.0e-4;
 constexpr double kTouch = 1.0e-9;                                 ///< mm.
-constexpr std::array<double, 4> kArcShares{1.0, 0.5, 0.25, 0.1};  ///< Of the tool's radius.
+constexpr std::array<double, 4> kArcShares{1.0, 0.5, 0.25, 0.1};  ///< Shares of the tool's radius.
 
-/// An arc from a pose to a point of its circle by its bulge; a number above 1 is more than half a
-/// turn.
+/// Returns the bulge of an arc from a pose to a point of its circle. A bulge above 1 is more than
+/// half a turn.
 template <typename Scalar>
 Scalar bulge_from(const BasicVec2<Scalar>& tangent, const BasicVec2<Scalar>& chord) {
   const Scalar size = chord.norm();
@@ -31,9 +32,9 @@ Scalar bulge_from(const BasicVec2<Scalar>& tangent, const BasicVec2<Scalar>& cho
   return along > Scalar{0} ? cross(tangent, chord) / along : Scalar{2};
 }
 
-/// Circle, straight, circle: the path of Dubins that turns to sides `first` and `last`, +1 for
-/// left. None where the circles overlap that would have to be apart, or an arc is more than half a
-/// turn.
+/// Makes a link of circle, line and circle: the path of Dubins that turns to the sides `first` and
+/// `last`, +1 for left. Returns false where the circles overlap too far, or where an arc is more
+/// than half a turn.
 template <typename Scalar>
 bool make_link(const Pose<Scalar>& from,
                const Pose<Scalar>& to,
@@ -48,7 +49,8 @@ bool make_link(const Pose<Scalar>& from,
   const Scalar square = between.squaredNorm();
   const Scalar across = (first - last) * radius;
   if (square <= across * across || square < Scalar{kTouch}) return false;
-  // Tangents of both circles: on the outside where both turn to one side, else across.
+  // Common tangent of both circles: an outer one where both arcs turn to the same side, else an
+  // inner one.
   const Scalar along = std::sqrt(square - across * across);
   const Vector direction = (along * between + across * left_normal(between)) / square;
   const Vector aside = radius * left_normal(direction);
@@ -65,7 +67,8 @@ bool make_link(const Pose<Scalar>& from,
   return true;
 }
 
-/// The point of a curve so many mm after a point of it, or before, on its whole circle.
+/// Returns the point of a curve's whole circle that is `mm` after `place`, or before it if
+/// negative.
 template <typename Scalar>
 BasicVec2<Scalar> point_along(const contour::Curve<Scalar>& curve,
                               const BasicVec2<Scalar>& place,
@@ -98,7 +101,7 @@ std::optional<Link<Scalar>> LinkSearch<Scalar>::find(const Pose<Scalar>& from,
   return {};
 }
 
-/// The shortest link that is longer than `length`, in the area or not.
+/// Returns the shortest link that is longer than `length`, whether or not it stays in the area.
 template <typename Scalar>
 std::optional<Link<Scalar>> LinkSearch<Scalar>::shortest_beyond(const Wanted& wanted,
                                                                 Scalar length) const {
@@ -113,7 +116,7 @@ std::optional<Link<Scalar>> LinkSearch<Scalar>::shortest_beyond(const Wanted& wa
   return best;
 }
 
-/// The loop that a vertex of the area belongs to.
+/// Returns the loop that a vertex of the area belongs to.
 template <typename Scalar>
 std::size_t LinkSearch<Scalar>::loop_of(std::uint32_t vertex) const {
   return static_cast<std::size_t>(
@@ -133,7 +136,7 @@ void LinkSearch<Scalar>::try_element(const Wanted& wanted,
   const Scalar reach = Scalar{kReachOfLandings} * wanted.tool_radius;
   if ((nearest - wanted.from.point).squaredNorm() > reach * reach) return;
   const auto try_at = [&](const Vector& place) {
-    // Not at the ends of an element, where the loop may have a corner.
+    // Skips the ends of an element, where the loop may have a corner.
     if (!curve.faces(place, -Scalar{kContact})) return;
     try_landing(wanted, {loop, vertex, pose_on(curve, place, wanted.milling)}, beyond, best);
   };

@@ -8,8 +8,8 @@
 
 namespace cnc::pocket {
 
-/// An arc, a line and an arc from one pose to a place on a loop, with one tangent at every joint.
-/// Arcs turn by at most half a turn; any of the three may have no length.
+/// An arc, a line and an arc from a pose to a point on a loop. At every joint their tangents agree.
+/// Each arc turns by at most half a turn. Any of the three may have no length.
 template <typename Scalar>
 struct Link {
   std::array<BasicVec2<Scalar>, 4> points{};
@@ -18,32 +18,35 @@ struct Link {
   LoopPlace<Scalar> landing;
 };
 
-/// Finds links between passes, within an area that the tool's centre may be in.
+/// Finds links between passes, within the area that the tool's centre may be in.
 template <typename Scalar>
 class LinkSearch {
  public:
-  /// Working storage: one curve and BoxTree::size_for() boxes for the elements of an area.
+  /// Takes working storage: one curve for each element of an area, and BoxTree::size_for() boxes.
   LinkSearch(contour::Slice<contour::Curve<Scalar>> curves,
              contour::Slice<contour::FlatBox<Scalar>> boxes)
       : boundary_{curves, boxes} {}
 
-  /// Takes the area that links must not leave. False when the storage is full.
-  /// @pre `area` outlives the next calls
+  /// Sets the area that links must not leave. Returns false when the storage is full.
+  /// @pre `area` outlives all later calls of find()
   [[nodiscard]] bool enter(const contour::ContourView<Scalar>& area) {
     area_ = area;
     return boundary_.read(area);
   }
 
-  /// Returns a link to one of the loops; none if there is none of up to 12 tool radii.
+  /// Returns a link to one of the loops; none if there is no link of up to 12 tool radii.
   ///
-  /// Landings are the middle of each element, and points half a radius apart around the one that is
-  /// nearest, up to three radii away; the shortest link that stays in the area is taken. Its arcs
-  /// have the tool's radius, or the first of 1/2, 1/4 and 1/10 of it with which there is a link.
-  /// Arriving from inside the last arc turns to the side where the area is.
+  /// Landings are the middle of each element, and points half a radius apart on both sides of the
+  /// nearest point of the element, up to three radii away. The result is the shortest link that
+  /// stays in the area. Its arcs have the tool's radius, or the first of 1/2, 1/4 and 1/10 of this
+  /// radius with which there is a link. The last arc turns to the side where the area is, so that
+  /// the tool arrives from inside.
   ///
   /// Guarantee: no point of the link is outside of the area by more than 1e-7 mm.
-  /// Time: the elements within six radii times the links that are tried, at most 64.
-  /// @param left_out  for each loop of the area whether links may not lead there; empty: all may
+  /// Time: number of elements within six radii times the number of links that are tried, at most
+  /// 64.
+  /// @param left_out  for each loop of the area, whether links must not lead there; empty: no loop
+  /// is left out
   /// @pre 0 < tool_radius
   [[nodiscard]] std::optional<Link<Scalar>> find(const Pose<Scalar>& from,
                                                  contour::Slice<const bool> left_out,
@@ -53,7 +56,7 @@ class LinkSearch {
  private:
   using Vector = BasicVec2<Scalar>;
 
-  /// The query of one search.
+  /// Parameters of one search.
   struct Wanted {
     Pose<Scalar> from;
     contour::Slice<const bool> left_out;

@@ -5,8 +5,9 @@
 namespace cnc::pocket {
 namespace {
 
-/// Part `step` of a revolution: from the place to the end of its element, then all other elements,
-/// and at last from the start of the element to the place.
+/// Returns part `step` of a revolution. The first part leads from `place` to the end of its
+/// element. Then all other elements follow. The last part leads from the start of the first element
+/// to `place`.
 template <typename Scalar>
 LoopElement<Scalar> part_of(const contour::ContourView<Scalar>& contour,
                             const LoopPlace<Scalar>& place,

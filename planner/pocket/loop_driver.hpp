@@ -8,8 +8,8 @@ namespace cnc::pocket {
 /// One revolution around a loop.
 template <typename Scalar>
 struct LoopDrive {
-  Scalar z_from{};  ///< mm, where it begins.
-  Scalar z_to{};    ///< mm, where it ends; z changes in proportion to the length.
+  Scalar z_from{};  ///< Height at the beginning, mm.
+  Scalar z_to{};    ///< Height at the end, mm; z changes in proportion to the length.
   Use use = Use::kPass;
 };
 
@@ -17,8 +17,8 @@ struct LoopDrive {
 template <typename Scalar>
 [[nodiscard]] Scalar loop_length(const contour::ContourView<Scalar>& contour, std::size_t loop);
 
-/// Appends a revolution around a loop from a place on it. Its end, which is the same place, begins
-/// the next element and is not appended. False when the storage is full.
+/// Appends a revolution around a loop from `place`. The end of the revolution, which is `place`
+/// again, is not appended: the next element begins with it. Returns false when the storage is full.
 template <typename Scalar>
 [[nodiscard]] bool drive_loop(const contour::ContourView<Scalar>& contour,
                               const LoopPlace<Scalar>& place,

@@ -7,14 +7,14 @@
 
 namespace cnc::pocket {
 
-/// An element of a loop by its ends and its bulge, as contour::Vertex has it.
+/// An element of a loop, given by its ends and its bulge, as in contour::Vertex.
 template <typename Scalar>
 struct LoopElement {
   BasicVec2<Scalar> start{Scalar{0}, Scalar{0}};
   BasicVec2<Scalar> end{Scalar{0}, Scalar{0}};
   Scalar bulge{};
 
-  /// The point halfway along it.
+  /// Returns the point halfway along the element.
   [[nodiscard]] BasicVec2<Scalar> middle() const {
     return Scalar{0.5} * (start + end - bulge * left_normal(BasicVec2<Scalar>{end - start}));
   }
@@ -36,8 +36,8 @@ template <typename Scalar>
 template <typename Scalar>
 [[nodiscard]] Scalar signed_area(const contour::ContourView<Scalar>& contour, std::size_t loop);
 
-/// Returns how often a loop runs around a point counter-clockwise. Points within a rounding error
-/// of the loop may count for either side.
+/// Returns how many times a loop runs around a point, counter-clockwise turns positive. A point
+/// within a rounding error of the loop may count for either side.
 template <typename Scalar>
 [[nodiscard]] int turns_around(const contour::ContourView<Scalar>& contour,
                                std::size_t loop,
@@ -52,13 +52,14 @@ template <typename Scalar>
 template <typename Scalar>
 [[nodiscard]] Scalar length_of(const LoopElement<Scalar>& element);
 
-/// Returns the element as a curve; false, and `curve` is left alone, where its ends are one point.
-/// @pre the element is no more than half a turn, as offsets have them
+/// Sets `curve` to the element. Returns false and leaves `curve` unchanged where the ends of the
+/// element are one point.
+/// @pre the element is at most half a turn, like the elements of an offset
 template <typename Scalar>
 [[nodiscard]] bool make_curve(const LoopElement<Scalar>& element, contour::Curve<Scalar>& curve);
 
 /// Calls `visit(before, after)` with the curves on both sides of each corner of an area.
-/// @pre as for make_curve
+/// @pre each element is at most half a turn, like the elements of an offset
 template <typename Scalar, typename Visit>
 void for_each_corner(const contour::ContourView<Scalar>& area, Visit&& visit) {
   for (std::size_t loop = 0; loop < area.loop_ends.size(); ++loop) {

@@ -8,13 +8,14 @@
 
 namespace cnc::pocket {
 
-/// Which way loops are driven.
+/// Direction in which loops are driven.
 enum class Milling : std::uint8_t {
-  kClimb,         ///< As they run: stock is on the right of a tool that turns clockwise.
-  kConventional,  ///< Against it.
+  /// In the direction of the loops: stock is on the right of a tool that turns clockwise.
+  kClimb,
+  kConventional,  ///< Against the direction of the loops.
 };
 
-/// A point and a direction of travel there.
+/// A point and the direction of travel there.
 template <typename Scalar>
 struct Pose {
   BasicVec2<Scalar> point{Scalar{0}, Scalar{0}};
@@ -25,11 +26,11 @@ struct Pose {
 template <typename Scalar>
 struct LoopPlace {
   std::size_t loop = 0;
-  std::uint32_t vertex = 0;  ///< Where the element begins.
+  std::uint32_t vertex = 0;  ///< The vertex at which the element begins.
   Pose<Scalar> pose;
 };
 
-/// Returns the pose at a point of a curve that is driven so.
+/// Returns the pose at a point of a curve that is driven by `milling`.
 template <typename Scalar>
 [[nodiscard]] Pose<Scalar> pose_on(const contour::Curve<Scalar>& curve,
                                    const BasicVec2<Scalar>& point,

@@ -9,13 +9,13 @@ namespace {
 using contour::Curve;
 using contour::FlatBox;
 
-/// A moving disc by the length that it has gone.
+/// The motion of a disc as a function of its travelled length, mm.
 struct DiscWay {
   WideVec2 from{0.0, 0.0};
   WideVec2 along{1.0, 0.0};
   double length = 0.0;
-  double radius = 0.0;  ///< At its start.
-  double growth = 0.0;  ///< Of the radius, mm per mm.
+  double radius = 0.0;  ///< Radius at the start of the motion, mm.
+  double growth = 0.0;  ///< Growth of the radius, mm per mm.
 
   [[nodiscard]] WideVec2 at(double s) const { return from + s * along; }
   [[nodiscard]] double radius_at(double s) const { return radius + growth * s; }
@@ -29,7 +29,7 @@ DiscWay way_of(const MovingDisc& disc) {
   return {disc.from, chord / length, length, disc.from_radius, growth};
 }
 
-/// Where along the way the disc reaches farthest towards a point, or is least far from its edge.
+/// Returns the length at which the disc reaches farthest beyond a point, or comes nearest to it.
 double most_across(const DiscWay& way, const WideVec2& point) {
   const WideVec2 ahead = point - way.from;
   const double foot = way.along.dot(ahead);
@@ -39,19 +39,19 @@ double most_across(const DiscWay& way, const WideVec2& point) {
   return std::clamp(foot + lead, 0.0, way.length);
 }
 
-/// The excess at a length of the way across one element.
+/// Returns how far the disc reaches across one element after a length of the motion.
 double excess_at(const DiscWay& way, double s, const Curve<double>& element) {
   return way.radius_at(s) - element.distance(way.at(s));
 }
 
-/// The excess across one element at each length where it may be greatest.
+/// Returns the greatest excess across one element, from all lengths where it may be greatest.
 double excess_across(const DiscWay& way, const Curve<double>& element) {
   double excess = std::max(excess_at(way, 0.0, element), excess_at(way, way.length, element));
   for (const WideVec2& end : {element.start, element.end}) {
     excess = std::max(excess, excess_at(way, most_across(way, end), element));
   }
-  // Seen from outside of its circle, an arc is as far as the centre less a constant. Seen from
-  // inside, and from a line, there is no minimum between those above.
+  // From outside of its circle, the distance of an arc is that of the centre minus a constant. From
+  // inside, and for a line, there is no minimum besides those above.
   if (element.curvature != 0.0) {
     const WideVec2 centre = element.start + left_normal(element.start_tangent) / element.curvature;
     excess = std::max(excess, excess_at(way, most_across(way, centre), element));

@@ -4,21 +4,22 @@
 
 namespace cnc::pocket {
 
-/// A disc that moves along a straight line while its radius changes in proportion to the way: at
-/// any height, the cut of a V-shaped tool whose tip moves straight.
+/// A disc that moves along a straight line while its radius changes in proportion to the distance.
+/// At any height, it is the cut of a V-shaped tool whose tip moves straight.
 struct MovingDisc {
   WideVec2 from{0.0, 0.0};
   WideVec2 to{0.0, 0.0};
   double from_radius = 0.0;  ///< mm.
-  double to_radius = 0.0;    ///< mm; differs from the other by less than the length of the way.
+  /// mm; differs from `from_radius` by less than the length of the line.
+  double to_radius = 0.0;
 };
 
-/// Returns the greatest length by which the disc reaches across the boundary on its way, mm; 0 if
-/// it stays in the area. Exact but for rounding: the least of "distance from an element less
-/// radius" is at an end of the way, or where the way passes the end of an element, or is a minimum
-/// of the distance from a point, which has a closed form.
+/// Returns the greatest length by which the moving disc reaches across the boundary, mm; 0 if it
+/// stays in the area. The result is exact except for rounding. The least value of "distance from an
+/// element minus radius" is at one of three points: an end of the line, the passage past the end of
+/// an element, or the minimum for the distance from a point. That minimum has a closed form.
 ///
-/// @pre the way does not leave the area
+/// @pre the line does not leave the area
 [[nodiscard]] double excess_of(const MovingDisc& disc, const AreaDistance& area);
 
 }  // namespace cnc::pocket

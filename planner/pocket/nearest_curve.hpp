@@ -16,7 +16,7 @@ struct NearestPoint {
   std::uint32_t curve = contour::kNone;
 };
 
-/// The elements of a contour, ready for questions after the nearest point.
+/// The elements of a contour, prepared for queries for the nearest point.
 template <typename Scalar>
 class NearestCurve {
  public:
@@ -24,8 +24,8 @@ class NearestCurve {
                contour::Slice<contour::FlatBox<Scalar>> boxes)
       : curves_{curves}, boxes_{boxes}, tree_{boxes} {}
 
-  /// Takes the elements of a contour in place of those before: a curve for each vertex, a point
-  /// where an element has no length. False when the storage is full.
+  /// Takes the elements of a contour in place of the previous ones. Each vertex gives one curve; an
+  /// element without length gives a point. Returns false when the storage is full.
   [[nodiscard]] bool read(const contour::ContourView<Scalar>& contour);
 
   [[nodiscard]] std::uint32_t size() const { return count_; }
@@ -33,13 +33,13 @@ class NearestCurve {
     return curves_[index];
   }
 
-  /// Returns the nearest point. Time: log n.
-  /// @param guess  a curve that may be near, which saves time
+  /// Returns the point nearest to `place`. Time: log n.
+  /// @param guess  a curve that is perhaps near to `place`, which saves time
   /// @pre guess < size()
   [[nodiscard]] NearestPoint<Scalar> nearest_to(const BasicVec2<Scalar>& place,
                                                 std::uint32_t guess = 0) const;
 
-  /// Calls `visit(index)` for each curve whose box meets `box`, until one returns false.
+  /// Calls `visit(index)` for each curve whose box overlaps `box`, until a call returns false.
   template <typename Visit>
   void search(const contour::FlatBox<Scalar>& box, Visit&& visit) const {
     tree_.search(box, 0, visit);

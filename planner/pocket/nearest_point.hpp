@@ -7,7 +7,7 @@
 
 namespace cnc::pocket {
 
-/// Returns the square of the distance between a place and a box, mm²; 0 in the box.
+/// Returns the square of the distance between a point and a box, mm²; 0 inside the box.
 template <typename Scalar>
 [[nodiscard]] Scalar square_to_box(const contour::FlatBox<Scalar>& box,
                                    const BasicVec2<Scalar>& place) {
@@ -16,7 +16,7 @@ template <typename Scalar>
   return x * x + y * y;
 }
 
-/// Returns the point of a line or an arc that is nearest to a place.
+/// Returns the point of a line or an arc that is nearest to `place`.
 template <typename Scalar>
 [[nodiscard]] BasicVec2<Scalar> nearest_point_of(const contour::Curve<Scalar>& curve,
                                                  const BasicVec2<Scalar>& place) {
@@ -25,7 +25,8 @@ template <typename Scalar>
         (place - curve.start).squaredNorm() <= (place - curve.end).squaredNorm();
     return start_is_nearer ? curve.start : curve.end;
   }
-  // Half the gradient of Curve::side; its length is the distance from the centre over the radius.
+  // Half the gradient of Curve::side. Its length is the distance from the centre divided by the
+  // radius.
   const BasicVec2<Scalar> outwards =
       curve.curvature * (place - curve.start) - left_normal(curve.start_tangent);
   const Scalar size = outwards.norm();

@@ -12,7 +12,7 @@ constexpr int kHalvings = 3;
 constexpr double kMostRevolutions = 1000.0;
 constexpr double kFullTurn = 6.283185307179586;
 
-/// +1 where the area is on the left of travel, −1 where it is on the right.
+/// Returns +1 where the area is on the left of travel, −1 where it is on the right.
 template <typename Scalar>
 Scalar side_of_area(Milling milling) {
   return milling == Milling::kClimb ? Scalar{1} : Scalar{-1};
@@ -23,7 +23,7 @@ BasicVec2<Scalar> helix_centre(const Pose<Scalar>& pose, Scalar radius, Milling 
   return pose.point + side_of_area<Scalar>(milling) * radius * left_normal(pose.tangent);
 }
 
-/// The greatest of the radii whose circle fits at a pose and that is more than `least`; else 0.
+/// Returns the greatest radius above `least` whose circle fits at a pose; 0 if there is none.
 template <typename Scalar>
 Scalar fitting_radius(const contour::ContourView<Scalar>& locus,
                       const NearestCurve<Scalar>& boundary,
@@ -31,7 +31,7 @@ Scalar fitting_radius(const contour::ContourView<Scalar>& locus,
                       Milling milling,
                       Scalar greatest,
                       Scalar least) {
-  // The pose may be on the boundary: then the circle touches this from within.
+  // The pose may be on the boundary: then the circle touches the boundary from within.
   constexpr Scalar kTouching{1.0e-9};
   Scalar radius = greatest;
   for (int i = 0; i <= kHalvings && radius > least; ++i) {
@@ -43,7 +43,8 @@ Scalar fitting_radius(const contour::ContourView<Scalar>& locus,
   return Scalar{0};
 }
 
-/// The whole number of parts of a descent that are not steeper than the slope.
+/// Returns the number of revolutions of a descent: the least number that is not steeper than the
+/// slope.
 template <typename Scalar>
 Scalar parts_of_descent(Scalar descent, Scalar slope, Scalar length) {
   return std::max(Scalar{1}, std::ceil(descent / (slope * length)));

@@ -13,7 +13,7 @@ using contour::kNone;
 
 constexpr double kMostLevels = 10'000.0;
 
-/// Drives all passes of a pocket on one level after the other.
+/// Drives all passes of a pocket on one level after another.
 template <typename Scalar>
 class PathMaker {
  public:
@@ -65,10 +65,10 @@ class PathMaker {
   ToolPathWriter<Scalar>& out_;
   LinkSearch<Scalar> links_;
   NearestCurve<Scalar> locus_;
-  std::uint32_t locus_root_ = kNone;  ///< The pass that `locus_` has.
+  std::uint32_t locus_root_ = kNone;  ///< The pass whose loops `locus_` contains.
   Scalar z_above_{};
   Scalar z_{};
-  LoopPlace<Scalar> at_;  ///< Where the tool is.
+  LoopPlace<Scalar> at_;  ///< Position of the tool.
   bool in_row_ = false;
   std::uint32_t rows_ = 0;
   std::uint32_t link_count_ = 0;
@@ -88,7 +88,7 @@ std::optional<PocketFault> PathMaker<Scalar>::run_level(Scalar z_above, Scalar z
   z_above_ = z_above;
   z_ = z;
   reset();
-  std::uint32_t next = kNone;  // The pass around the last one, if it is ready.
+  std::uint32_t next = kNone;  // The pass around the last pass, if it is ready.
   for (std::size_t driven = 0; driven < passes_.size(); ++driven) {
     if (next == kNone) {
       if (Fault fault = end_row()) return fault;
@@ -103,7 +103,8 @@ std::optional<PocketFault> PathMaker<Scalar>::run_level(Scalar z_above, Scalar z
   return end_row();
 }
 
-/// Of the passes that wait for none the one with a vertex nearest to the tool.
+/// Returns the pass whose first vertex is nearest to the tool, of the passes that wait for no
+/// other.
 template <typename Scalar>
 std::uint32_t PathMaker<Scalar>::nearest_ready_pass() const {
   std::uint32_t best = kNone;
@@ -125,7 +126,7 @@ std::uint32_t PathMaker<Scalar>::root_of(std::uint32_t pass) const {
   return pass;
 }
 
-/// Goes down to the level by an entry to a loop.
+/// Descends to the level by an entry to a loop.
 template <typename Scalar>
 std::optional<PocketFault> PathMaker<Scalar>::begin_row(const Target& target) {
   const std::uint32_t root = root_of(target.pass);
@@ -156,7 +157,7 @@ std::optional<PocketFault> PathMaker<Scalar>::end_row() {
   return {};
 }
 
-/// Drives around all loops of a pass, each after a link if there is one.
+/// Drives around all loops of a pass. A link leads to each loop, if there is one.
 template <typename Scalar>
 std::optional<PocketFault> PathMaker<Scalar>::drive_pass(std::uint32_t pass) {
   const std::size_t loops = passes_.loops(pass).loop_ends.size();
@@ -172,7 +173,7 @@ std::optional<PocketFault> PathMaker<Scalar>::drive_pass(std::uint32_t pass) {
   return {};
 }
 
-/// Goes to a loop that is not driven: over a link, or in a new row.
+/// Moves to a loop that is not driven yet: over a link, or in a new row.
 template <typename Scalar>
 std::optional<PocketFault> PathMaker<Scalar>::go_to_loop_of(std::uint32_t pass, Target& target) {
   if (in_row_) {
@@ -195,7 +196,7 @@ template <typename Scalar>
 std::optional<PocketFault> PathMaker<Scalar>::follow(const Link<Scalar>& link) {
   for (std::size_t i = 0; i < 3; ++i) {
     const Vector& from = link.points[i];
-    // What is shorter is a rounding error.
+    // A shorter element is a rounding error.
     constexpr Scalar kShortest{1.0e-9};
     if ((link.points[i + 1] - from).norm() < kShortest) continue;
     if (!out_.add({from.x(), from.y(), z_, link.bulges[i], Use::kPass})) {
@@ -207,7 +208,8 @@ std::optional<PocketFault> PathMaker<Scalar>::follow(const Link<Scalar>& link) {
   return {};
 }
 
-/// Of the loops that are not driven the one with a vertex nearest to the tool.
+/// Returns the loop whose first vertex is nearest to the tool, of the loops that are not driven
+/// yet.
 template <typename Scalar>
 std::size_t PathMaker<Scalar>::nearest_loop(std::uint32_t pass) const {
   const auto area = passes_.loops(pass);

@@ -13,29 +13,31 @@ using contour::ContourView;
 using contour::OffsetError;
 using contour::OffsetFault;
 
-/// A trial that comes so near to the reach is as good as the greatest.
+/// Share of the reach from which a trial counts as good as the greatest.
 constexpr double kNearlyAll = 0.998;
-constexpr double kGap = 0.02;         ///< Of the reach, between trials that are near enough.
-constexpr double kFirstShare = 0.25;  ///< Of the reach: smaller corners may be mere roundings.
+/// Share of the reach: least gap between trials that is still searched.
+constexpr double kGap = 0.02;
+/// Share of the reach for the first trial: smaller corners may be mere rounding.
+constexpr double kFirstShare = 0.25;
 constexpr int kMostTrials = 10;
-/// A hole nearer to the boundary, mm, is a rounding error of the offset.
+/// A hole nearer to the boundary than this, mm, is a rounding error of the offset.
 constexpr double kShallowHole = 2.0e-7;
 
-/// The sine of half the smallest angle of a corner; 1 without any.
+/// Returns the sine of half the smallest angle of a corner; 1 without any corner.
 template <typename Scalar>
 Scalar sharpest_sine(const ContourView<Scalar>& area) {
   Scalar least{1};
   for_each_corner(area, [&least](const auto& before, const auto& after) {
     if (cross(before.end_tangent, after.start_tangent) <= Scalar{0}) return;
-    // Half of the angle and half of the turn are 90° together.
+    // Half of the angle plus half of the turn is 90°.
     const Scalar cosine = before.end_tangent.dot(after.start_tangent);
     least = std::min(least, std::sqrt(std::max(Scalar{0}, Scalar{0.5} * (cosine + Scalar{1}))));
   });
   return least;
 }
 
-/// Removes the loops that enclose nothing, which split_areas() leaves out: what a neck is that has
-/// just closed. `contour` is in `storage`, where the loops that are kept move up.
+/// Removes the loops that enclose nothing, which split_areas() omits; a neck that has just closed
+/// is such a loop. `contour` is in `storage`, where the kept loops move up.
 template <typename Scalar>
 ContourView<Scalar> without_slivers(const ContourView<Scalar>& contour,
                                     const LoopSpace<Scalar>& storage) {
@@ -73,8 +75,8 @@ NearestPoint<Scalar> deepest_vertex(const NearestCurve<Scalar>& boundary,
   return deepest;
 }
 
-/// Whether a point lies in an area: on the left of the nearest element, or, where that is nearest
-/// with one of its ends, by the turns of all loops.
+/// Returns whether a point lies in an area. It does if it is on the left of the nearest element.
+/// Where an end of the element is nearest, the turns of all loops decide.
 template <typename Scalar>
 bool lies_inside(const ContourView<Scalar>& area,
                  const NearestCurve<Scalar>& boundary,
@@ -93,7 +95,7 @@ Result<Scalar, OffsetError> StepSearch<Scalar>::find(const Area& area,
   const Scalar limit = std::min(most, reach_);
   Trial low;
   Trial high{limit, kNever};
-  bool bounded = false;  // Whether a trial has shown that y is less than high.y.
+  bool bounded = false;  // Whether a trial has shown that the wanted y is less than high.y.
   Scalar y = std::min(limit, reach_ * std::max(sharpest_sine(area), Scalar{kFirstShare}));
   for (int i = 0; i < kMostTrials; ++i) {
     const auto trial = look(area, y);
@@ -101,7 +103,7 @@ Result<Scalar, OffsetError> StepSearch<Scalar>::find(const Area& area,
     if (reaches(trial.value())) {
       low = trial.value();
       if (low.y == limit || low.farthest >= Scalar{kNearlyAll} * reach_) return y;
-      // Nothing is as wide as the empty trial, so that this pass is the last one here.
+      // No part of the area is as wide as the empty trial, so this pass is the last one here.
       if (high.empty && low.y + cleared_inwards >= high.y) return y;
     } else {
       high = trial.value();
@@ -114,7 +116,8 @@ Result<Scalar, OffsetError> StepSearch<Scalar>::find(const Area& area,
   return kept.ok() ? Result<Scalar, OffsetError>{low.y} : kept.error();
 }
 
-/// The next trial between two: where the distance would be the reach if it grew in proportion.
+/// Returns the y of the next trial between two trials: where the distance would equal the reach if
+/// it grew in proportion.
 template <typename Scalar>
 Scalar StepSearch<Scalar>::next(const Trial& low, const Trial& high, bool bounded) const {
   constexpr Scalar kMargin{0.1};
@@ -122,7 +125,8 @@ Scalar StepSearch<Scalar>::next(const Trial& low, const Trial& high, bool bounde
   if (!bounded) {
     return low.farthest > Scalar{0} ? std::min(high.y, low.y * reach_ / low.farthest) : high.y;
   }
-  // Much farther: a branch of the area has vanished, and the distance has jumped.
+  // The distance is much greater than the reach: a branch of the area has vanished, and the
+  // distance has jumped.
   if (high.farthest > Scalar{1.5} * reach_) return low.y + Scalar{0.5} * gap;
   const Scalar slope = (high.farthest - low.farthest) / gap;
   const Scalar y = low.y + (reach_ - low.farthest) / slope;
@@ -151,7 +155,8 @@ Result<typename StepSearch<Scalar>::Trial, OffsetError> StepSearch<Scalar>::look
   return trial;
 }
 
-/// Whether something within the area is out of reach of the goal though the boundary is not.
+/// Returns whether a point within the area is out of reach of the goal, though the boundary is in
+/// reach.
 template <typename Scalar>
 Result<bool, OffsetError> StepSearch<Scalar>::leaves_a_hole(const Area& area) {
   auto grown = space_.grown.writer();

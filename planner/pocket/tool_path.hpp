@@ -11,18 +11,19 @@ namespace cnc::pocket {
 /// The purpose of an element of a tool path.
 enum class Use : std::uint8_t {
   kPass,   ///< Cuts: the tool removes stock along it.
-  kLight,  ///< Cuts with no more of the tool's circumference than was asked for.
-  kLink,   ///< Moves at depth, at the cutting feed, over stock that is gone already.
-  /// A line or an arc back to the next cut at one depth. Along lines the tool may move at the rapid
-  /// rate: it touches stock at most at both ends.
+  kLight,  ///< Cuts with no more of the tool's circumference than the caller allowed.
+  kLink,   ///< Moves at depth, at the cutting feed, where the stock is gone already.
+  /// A line or an arc back to the next cut at the same depth. Along lines the tool may move at the
+  /// rapid rate: it touches stock at most at the two ends.
   kReturn,
-  kEntry,    ///< Descends into stock by a ramp or a helix.
-  kLeadIn,   ///< A line over cleared stock, at whose beginning a cutter compensation may begin.
-  kLeadOut,  ///< A line over cleared stock, at whose beginning it ends.
+  kEntry,  ///< Descends into stock by a ramp or a helix.
+  /// A line over cleared stock, at the beginning of which a cutter compensation may begin.
+  kLeadIn,
+  kLeadOut,  ///< A line over cleared stock, at the beginning of which the cutter compensation ends.
 };
 
-/// Where an element of a tool path begins. The element is the arc, or the line, to the next point
-/// of its row; z changes in proportion to the length. The last point of a row begins no element.
+/// The start of an element of a tool path. The element is the arc or the line to the next point of
+/// its row; z changes in proportion to the length. The last point of a row begins no element.
 template <typename Scalar>
 struct PathPoint {
   Scalar x{};      ///< mm.
@@ -45,7 +46,7 @@ struct ToolPathView {
   }
 };
 
-/// Rows that are being written into storage of the caller.
+/// Writes rows into storage of the caller.
 template <typename Scalar>
 class ToolPathWriter {
  public:
@@ -53,7 +54,7 @@ class ToolPathWriter {
       : points_{points}, row_ends_{row_ends} {}
 
   void clear() { point_count_ = row_count_ = 0; }
-  /// False, and nothing changes, when the storage is full.
+  /// Adds a point. Returns false and changes nothing when the storage is full.
   [[nodiscard]] bool add(const PathPoint<Scalar>& point) {
     if (point_count_ == points_.size()) return false;
     points_[point_count_++] = point;

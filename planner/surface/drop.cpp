@@ -10,8 +10,9 @@ namespace {
 
 double square(double x) { return x * x; }
 
-/// The tool in an upright plane beside its axis: its height over the distance from the foot of the
-/// axis in that plane. The height is convex, since the tool is, and the same on both sides.
+/// The tool cut by an upright plane parallel to its axis. The height is a function of the distance
+/// along the plane from the foot of the axis. It is convex, since the tool is convex, and equal on
+/// both sides of the foot.
 struct Section {
   const Profile& profile;
   double beside_square;  ///< Distance of the plane from the axis, squared.
@@ -22,14 +23,14 @@ struct Section {
 };
 
 /// Solves out · along / distance = slope · across for a quarter of a circle that is `out` beyond
-/// the flat and `across` below its centre: both sides are smooth, and their difference rises.
-/// Towards the rim it rises without bound, as across is the root of what is left to it. The root of
-/// that way is the unknown therefore: with the way itself Newton's steps beside the rim are too
-/// short by any factor.
+/// the flat and `across` below its centre. Both sides are smooth, and their difference rises with
+/// `along`. Towards the rim it rises without bound, as `across` is the square root of a length that
+/// vanishes there. Therefore the unknown is the square root of the remaining distance to the rim.
+/// With the distance itself, Newton's steps near the rim would be much too short.
 double place_on_corner(const Section& section, double slope, double begin, double most) {
   const Profile& profile = section.profile;
   const double width = most - begin;
-  double low = 0.0;  // At the rim.
+  double low = 0.0;  // The rim.
   double high = 1.0;
   double root = std::numbers::sqrt2 / 2.0;
   constexpr int kMostSteps = 60;
@@ -43,8 +44,8 @@ double place_on_corner(const Section& section, double slope, double begin, doubl
     (off < 0.0 ? high : low) = root;
     const double bend = out * section.beside_square / (distance * square(distance));
     const double steep = square(share) + slope * out * share / std::max(across, 1e-300) + bend;
-    // Newton's step is taken, or half of the way where it would leave the bounds. The height is off
-    // by the square of the rest only.
+    // Takes Newton's step, or half of the interval where the step would leave its bounds. The error
+    // of the height is only the square of the remaining error.
     const double before = root;
     root += off / (2.0 * width * root * steep);
     if (!(root > low && root < high)) root = 0.5 * (low + high);
@@ -53,17 +54,18 @@ double place_on_corner(const Section& section, double slope, double begin, doubl
   return most - width * square(root);
 }
 
-/// Finds where the section rises as steeply as the line, at least `most` mm away or nowhere: there
-/// the line is highest above the section. @pre slope > 0
+/// Finds the point where the section rises as steeply as the line: there the line is highest above
+/// the section. Returns `most` mm, or more, where no point is as steep.
+/// @pre slope > 0
 double place_of_slope(const Section& section, double slope, double most) {
   const Profile& profile = section.profile;
   const double flat_square = square(profile.flat_mm) - section.beside_square;
   const double begin = profile.flat_mm > 0.0 && flat_square > 0.0 ? std::sqrt(flat_square) : 0.0;
-  if (profile.corner_mm > 0.0 && profile.flat_mm == 0.0) {  // A ball's sections are circles.
+  if (profile.corner_mm > 0.0 && profile.flat_mm == 0.0) {  // The sections of a ball are circles.
     const double radius_square = square(profile.corner_mm) - section.beside_square;
     return std::sqrt(std::max(0.0, radius_square) * square(slope) / (1.0 + square(slope)));
   }
-  if (profile.corner_mm == 0.0) {  // A cone's sections are hyperbolas.
+  if (profile.corner_mm == 0.0) {  // The sections of a cone are hyperbolas.
     if (slope >= profile.rise) return most;
     const double beside = std::sqrt(section.beside_square);
     const double share = std::sqrt((profile.rise - slope) * (profile.rise + slope));
@@ -137,7 +139,7 @@ FacetContact::FacetContact(const Profile& profile,
   height_ = a.z() - contact.height;
   const double twice = first.x() * second.y() - first.y() * second.x();
   const double sign = twice < 0.0 ? -1.0 : 1.0;
-  // Shares of the corners b and c at a place, times `whole_`.
+  // Each is the share of the corner b or c at a point, times `whole_`.
   inwards_[0] = sign * Eigen::Vector2d{second.y(), -second.x()};
   inwards_[1] = sign * Eigen::Vector2d{-first.y(), first.x()};
   whole_ = std::abs(twice);

@@ -5,20 +5,22 @@
 
 namespace cnc::surface {
 
-/// The lower surface of a turning tool: height above the tip of the pose over the distance from
-/// the axis. It is flat up to `flat_mm`, then a quarter of a circle of radius `corner_mm`, or a
-/// cone that rises by `rise` per mm, and ends at `radius_mm`. Convex, and it never falls outwards.
+/// The lower surface of a rotating tool: the height above the pose's tip as a function of the
+/// distance from the axis. The surface is flat up to `flat_mm`. Then follows a quarter of a circle
+/// of radius `corner_mm`, or a cone that rises by `rise` per mm, up to `radius_mm`. The surface is
+/// convex and never falls outwards.
 ///
-/// With a corner, `flat_mm` may be below 0: the circle's centre is then beyond the axis.
+/// With a corner, `flat_mm` may be below 0: then the circle's centre is on the other side of the
+/// axis.
 struct Profile {
   double radius_mm = 0.0;
   double flat_mm = 0.0;
   double corner_mm = 0.0;  ///< 0 for a flat tool and a cone.
-  double rise = 0.0;       ///< 0 for all but a cone.
-  double tip_mm = 0.0;     ///< Height of the lowest point above the tip of the pose.
+  double rise = 0.0;       ///< 0 for all tools except a cone.
+  double tip_mm = 0.0;     ///< Height of the lowest point above the pose's tip.
 };
 
-/// Returns the height at `distance_mm` from the axis, 0 to the radius.
+/// Returns the height at `distance_mm` from the axis; the distance is 0 to the radius.
 [[nodiscard]] inline double height_at(const Profile& profile, double distance_mm) {
   const double out = distance_mm - profile.flat_mm;
   if (out <= 0.0) return profile.tip_mm;
@@ -28,12 +30,12 @@ struct Profile {
   return profile.tip_mm + std::min(out * out / (corner + across), corner);
 }
 
-/// Returns the height per mm outwards at `distance_mm` from the axis; infinite at the rim of a full
-/// quarter of a circle, 0 within the flat.
+/// Returns the slope, mm of height per mm outwards, at `distance_mm` from the axis. It is infinite
+/// at the rim of a full quarter of a circle, and 0 within the flat.
 [[nodiscard]] double rise_at(const Profile& profile, double distance_mm);
 
 /// Returns the radius up to which the surface lies below `height_mm` above the pose; at most the
-/// tool's. Negative where none of it does.
+/// tool's radius. Negative where no part of the surface lies below.
 [[nodiscard]] double radius_below(const Profile& profile, double height_mm);
 
 }  // namespace cnc::surface

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
-/// A point as the beam sees it: how far along the axis, and the way from the axis to it.
+/// A point as the beam sees it: its coordinate along the axis, and the vector from the axis to it.
 struct Seen {
   double along = 0.0;
   Eigen::Vector3d out = Eigen::Vector3d::Zero();
@@ -27,7 +27,8 @@ Seen seen_by(const Beam& beam, const Eigen::Vector3d& point) {
 
 using Corners = std::array<Seen, 3>;
 
-/// A part of a line as the beam sees it, by the way past the place that is nearest to the axis.
+/// A part of a line as the beam sees it. Its parameter is the distance past the point nearest to
+/// the axis.
 class SeenLine {
  public:
   SeenLine(const Seen& from, const Seen& to) {
@@ -44,10 +45,11 @@ class SeenLine {
     beside_ = (from.out - past_ * direction).norm();
   }
 
-  /// Returns the least signed distance from the cone between both ends, each a share of the line.
+  /// Returns the least signed distance from the cone between two shares `begin` and `end` of the
+  /// line.
   [[nodiscard]] double least(const Beam& beam, double begin, double end) const {
     double share = climb_ > 0.0 ? end : begin;
-    // Where the line climbs less than the cone's side, it is nearest at the foot of both.
+    // Where the line climbs less than the cone's side, it has a point that is nearest to the side.
     const double rise = climb_ * beam.sine;
     const double run = length_ * beam.cosine;
     if (std::abs(rise) < run) {
@@ -60,15 +62,15 @@ class SeenLine {
   }
 
  private:
-  double length_ = 0.0;  ///< Seen along the axis.
+  double length_ = 0.0;  ///< Length of the line, seen along the axis.
   double climb_ = 0.0;
   double from_along_ = 0.0;
   double beside_ = 0.0;
   double past_ = 0.0;
 };
 
-/// Returns the share of a line at which it passes a plane across the axis. @pre its ends are on
-/// both sides
+/// Returns the share of a line at which it passes a plane across the axis.
+/// @pre its ends are on different sides of the plane
 double share_at(const Seen& from, const Seen& to, double along) {
   return (along - from.along) / (to.along - from.along);
 }
@@ -85,10 +87,10 @@ struct Crossing {
   }
 };
 
-/// The least signed distance from the side of a beam, over all points between its planes.
+/// Finds the least signed distance from the side of a beam, over all points between its planes.
 class LeastDistance {
  public:
-  /// The planes are farther apart by the margin, so that rounding loses no point on one.
+  /// The planes are moved apart by the margin, so that rounding loses no point on a plane.
   explicit LeastDistance(const Beam& beam) : beam_{beam}, top_{beam.length_mm + kBeamMarginMm} {}
 
   void add_edge(const Seen& from, const Seen& to) {
@@ -104,7 +106,7 @@ class LeastDistance {
     tip_.add(from, to, kBottom);
   }
 
-  /// Takes the line along which the triangle passes each plane of the beam's ends.
+  /// Takes the lines in which the triangle crosses the planes of the beam's two ends.
   void add_planes() {
     for (const Crossing* crossing : {&lens_, &tip_}) {
       if (crossing->count < 2) continue;
@@ -113,7 +115,7 @@ class LeastDistance {
     }
   }
 
-  /// Takes the point where the axis passes the triangle.
+  /// Takes the point where the axis crosses the triangle.
   void add_axis(const Corners& corners) {
     std::array<double, 3> areas{};
     for (std::size_t i = 0; i < 3; ++i) {
@@ -122,7 +124,8 @@ class LeastDistance {
     const auto [low, high] = std::minmax({areas[0], areas[1], areas[2]});
     if (low < 0.0 && high > 0.0) return;
     const double whole = areas[0] + areas[1] + areas[2];
-    // A triangle that is seen from its edge has sides nearer to the axis than rounding tells.
+    // Where the triangle is seen edge-on, its sides are nearer to the axis than rounding can
+    // resolve.
     constexpr double kRounding = 1.0e-13;
     double reach_square = 0.0;
     for (const Seen& corner : corners) {
@@ -134,7 +137,7 @@ class LeastDistance {
     if (along >= kBottom && along <= top_) least_ = std::min(least_, -beam_.sine * along);
   }
 
-  /// Returns it, with the waist's radius taken off.
+  /// Returns the least distance, minus the part of the waist's radius.
   [[nodiscard]] double value() const { return least_ - beam_.cosine * beam_.waist_mm; }
 
  private:
@@ -159,8 +162,9 @@ double clearance_of(const Beam& beam, const Corners& corners) {
   return least.value();
 }
 
-/// Returns whether all corners are beyond a plane that touches the side of the beam. It is the one
-/// on the side of their middle: most triangles that the beam misses are told by it.
+/// Returns whether all corners are beyond a plane that touches the side of the beam. The plane is
+/// that on the side of the corners' middle. This test recognizes most triangles that the beam
+/// misses.
 bool is_apart(const Beam& beam, const Corners& corners) {
   const auto& [a, b, c] = corners;
   const Eigen::Vector3d towards = a.out + b.out + c.out;

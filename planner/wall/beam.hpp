@@ -5,13 +5,13 @@
 
 namespace cnc::wall {
 
-/// A focused beam as a solid: a cone from the focus up to the lens, cut off at the waist. Lengths
-/// are mm.
+/// A focused beam as a solid: a cone from the focus up to the lens, cut off at the waist. All
+/// lengths are in mm.
 struct Beam {
   Eigen::Vector3d tip = Eigen::Vector3d::Zero();    ///< Middle of the waist, on the work.
   Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();  ///< Unit vector from the tip to the lens.
-  double sine = 0.0;                                ///< That of the half angle, above 0.
-  double cosine = 1.0;                              ///< That of the half angle, above 0.
+  double sine = 0.0;                                ///< Sine of the half angle, above 0.
+  double cosine = 1.0;                              ///< Cosine of the half angle, above 0.
   double length_mm = 0.0;                           ///< From the tip to the lens, above 0.
   double waist_mm = 0.0;                            ///< Radius at the tip, at least 0.
 
@@ -30,18 +30,18 @@ struct Triangle {
   Eigen::Vector3d c = Eigen::Vector3d::Zero();
 };
 
-/// Distance below which a triangle counts as met, mm: more than what rounding makes of coordinates
-/// up to 1 m from the tip, at half angles from 0.5 to 89 degrees.
+/// Distance below which the beam counts as meeting a triangle, mm. It exceeds the rounding error of
+/// coordinates up to 1 m from the tip, at half angles from 0.5 to 89 degrees.
 inline constexpr double kBeamMarginMm = 1.0e-9;
 
-/// Returns the least signed distance of a triangle's points from the side of the beam, among the
-/// points between the planes of the tip and of the lens; infinite where there are none. It is below
-/// 0 where the triangle is in the beam, and how deep. A point's distance is measured to the cone
-/// that the side belongs to.
+/// Returns the least signed distance of a triangle's points from the side of the beam. Only points
+/// between the planes of the tip and of the lens count; without any, the result is infinite. A
+/// result below 0 tells how deep the triangle is in the beam. The distance of a point is measured
+/// to the cone that the side belongs to.
 [[nodiscard]] double clearance(const Beam& beam, const Triangle& triangle);
 
-/// Returns whether the beam meets or touches the triangle: never no where it does, and yes no
-/// farther than kBeamMarginMm beside it.
+/// Returns whether the beam meets or touches the triangle. The result is never false where the beam
+/// meets it, and never true farther than kBeamMarginMm from the beam.
 [[nodiscard]] bool meets(const Beam& beam, const Triangle& triangle);
 
 }  // namespace cnc::wall

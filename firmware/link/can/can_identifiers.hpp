@@ -6,52 +6,52 @@
 
 namespace cnc::can {
 
-/// Nodes of CANopen's predefined connection set (CiA 301), 11-bit identifiers. What is smaller
-/// wins the bus. A node is 1 to 127.
-inline constexpr std::uint32_t kNetwork = 0x000;  ///< NMT: command, node (0: all).
+/// Frames of CANopen's predefined connection set (CiA 301) with 11-bit identifiers. The smaller
+/// identifier wins the bus. A node number is 1 to 127.
+inline constexpr std::uint32_t kNetwork = 0x000;  ///< NMT: command, node (0 means all nodes).
 inline constexpr std::uint32_t kFailSafe =
-    0x001;  ///< Global fail-safe: whatever it holds, all stop.
+    0x001;  ///< Global fail-safe: all nodes stop, whatever its content.
 inline constexpr std::uint32_t kEmergency = 0x080;  ///< + node: error code, register, alarm.
-inline constexpr std::uint32_t kRealtime = 0x200;   ///< + node: realtime bytes to it.
-inline constexpr std::uint32_t kTextFrom = 0x480;   ///< + node: what it says, ISO 15765-2.
-inline constexpr std::uint32_t kTextTo = 0x500;     ///< + node: lines to it, ISO 15765-2.
-inline constexpr std::uint32_t kHeartbeat = 0x700;  ///< + node: its state.
+inline constexpr std::uint32_t kRealtime = 0x200;   ///< + node: realtime bytes to the node.
+inline constexpr std::uint32_t kTextFrom = 0x480;   ///< + node: text from the node, ISO 15765-2.
+inline constexpr std::uint32_t kTextTo = 0x500;     ///< + node: lines to the node, ISO 15765-2.
+inline constexpr std::uint32_t kHeartbeat = 0x700;  ///< + node: state of the node.
 inline constexpr std::uint32_t kHostHeartbeat = 0x77F;
-inline constexpr std::uint32_t kLssFrom = 0x7E4;  ///< What a node answers to
-inline constexpr std::uint32_t kLssTo = 0x7E5;    ///< whoever gives out numbers (CiA 305).
+inline constexpr std::uint32_t kLssFrom = 0x7E4;  ///< Answers of a node to the master (CiA 305).
+inline constexpr std::uint32_t kLssTo = 0x7E5;    ///< Frames of the master that sets node numbers.
 
-inline constexpr std::uint8_t kLastNode = 0x7E;  ///< 0x7F is the host.
+inline constexpr std::uint8_t kLastNode = 0x7E;  ///< 0x7F is the host's number.
 inline constexpr std::uint8_t kUsualNode = 0x11;
 
-/// What a node takes from the bus; everything else may be kept away from it. What is urgent
-/// first.
+/// Returns the identifiers that a node receives, the urgent ones first. A filter may keep all
+/// others away from it.
 inline constexpr std::size_t kUrgent = 3;
 [[nodiscard]] constexpr std::array<std::uint32_t, 6> heard_by_node(std::uint8_t node) {
   return {kNetwork, kFailSafe, kRealtime + node, kTextTo + node, kHostHeartbeat, kLssTo};
 }
 
-/// What a host takes that talks to this node.
+/// Returns the identifiers that a host receives from this node.
 [[nodiscard]] constexpr std::array<std::uint32_t, 3> heard_by_host(std::uint8_t node) {
   return {kEmergency + node, kTextFrom + node, kHeartbeat + node};
 }
 
 /// First byte of kNetwork.
 enum class NetworkCommand : std::uint8_t {
-  kStart = 0x01,  ///< A host is there.
+  kStart = 0x01,  ///< A host is present.
   kStop = 0x02,   ///< Emergency stop.
   kResetNode = 0x81,
   kResetCommunication = 0x82,
 };
 
-/// Byte of a heartbeat.
+/// Content of a heartbeat.
 enum class NodeState : std::uint8_t {
   kBooting = 0x00,
-  kStopped = 0x04,  ///< An alarm.
+  kStopped = 0x04,  ///< The node has an alarm.
   kOperational = 0x05,
-  kPreOperational = 0x7F,  ///< Nobody talks to it.
+  kPreOperational = 0x7F,  ///< No host communicates with the node.
 };
 
-/// Of an emergency message (CiA 301, 7.2.7.1).
+/// Error codes of an emergency message (CiA 301, 7.2.7.1).
 inline constexpr std::uint16_t kNoError = 0x0000;
 inline constexpr std::uint16_t kFramesLost = 0x8110;
 inline constexpr std::uint16_t kHostSilent = 0x8130;

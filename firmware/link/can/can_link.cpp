@@ -20,7 +20,8 @@ void CanLink::want_node(std::uint8_t node) {
   next_ = node;
 }
 
-/// A number never changes while somebody talks to it, or is about to set it.
+/// Takes on the next number, but not while a host communicates with the node or is about to set a
+/// number.
 void CanLink::follow_node() {
   if (next_ != 0 && session_ == 0 && !numbering_.configured_now()) {
     booting_ = booting_ || next_ != node_;
@@ -51,7 +52,7 @@ void CanLink::take(const hal::CanFrame& frame, hal::TickCount now) {
     host_heard_ = now;
   } else if (frame.id == can::kLssTo) {
     if (const auto reply = numbering_.take(payload, node_)) {
-      static_cast<void>(send(can::kLssFrom, *reply));  // A master that hears none asks again.
+      static_cast<void>(send(can::kLssFrom, *reply));  // Without an answer the master asks again.
     }
   }
 }
@@ -79,12 +80,12 @@ void CanLink::take_network(std::span<const std::byte> payload, hal::TickCount no
   }
 }
 
-/// A reset makes room by itself.
+/// Queues realtime bytes. A reset empties the queue first, so it always fits.
 void CanLink::take_realtime(std::span<const std::byte> payload) {
   for (const std::byte byte : payload) {
     if (static_cast<RealtimeByte>(byte) == RealtimeByte::kReset) {
       realtime_.clear();
-      receiver_.clear();  // All that came before it.
+      receiver_.clear();  // Drops all text before the reset.
       failed_ = false;
     }
     if (realtime_.room() == 0) return end_session(can::kFramesLost);
@@ -105,7 +106,7 @@ void CanLink::begin_session() {
   receiver_.clear();
   sender_.clear();
   ++sessions_;
-  if (sessions_ == 0) sessions_ = 1;  // 0 is nobody.
+  if (sessions_ == 0) sessions_ = 1;  // 0 would mean that no host is connected.
   session_ = sessions_;
 }
 
@@ -117,7 +118,8 @@ void CanLink::end_session(std::uint16_t error) {
   realtime_.clear();
 }
 
-/// Text of which a part is missing must not be gone on with.
+/// Ends the session if text was lost, because incomplete text must not be used, or if the host is
+/// silent.
 void CanLink::look_for_loss(hal::TickCount now) {
   const std::uint32_t lost =
       port_.health().lost_frames + receiver_.counts().lost + sender_.counts().given_up;
@@ -140,7 +142,7 @@ void CanLink::send_due(hal::TickCount now) {
   if (port_.room() == 0) return;
   if (const auto flow = receiver_.flow_due(now)) {
     const std::array payload = iso_tp::bytes_of(*flow);
-    static_cast<void>(send(can::kTextFrom + node_, payload));  // There is room.
+    static_cast<void>(send(can::kTextFrom + node_, payload));  // room() is above 0.
   }
   for (std::size_t n = 0; n < kFramesInATurn && port_.room() > 1; ++n) {
     const auto payload = sender_.next(now);
@@ -152,7 +154,8 @@ bool CanLink::send(std::uint32_t id, std::span<const std::byte> payload) {
   return port_.send(hal::can_frame(id, payload));
 }
 
-/// When the link has failed, and when an alarm begins or ends. True when nothing is left to tell.
+/// Sends an emergency message if the link has failed, or if an alarm begins or ends. Returns true
+/// if no message is left to be sent.
 bool CanLink::send_emergency() {
   if (error_ == can::kNoError && told_ == condition_) return true;
   const bool alarm = error_ == can::kNoError && condition_.stopped;

@@ -16,29 +16,31 @@
 
 namespace cnc {
 
-/// A controller on a CAN bus: the same text as on any link, in messages of ISO 15765-2; realtime
-/// bytes, emergency stop and heartbeats in frames of their own, which no text keeps waiting.
+/// A controller on a CAN bus. Text is the same as on any link, in messages of ISO 15765-2. Realtime
+/// bytes, emergency stop and heartbeats have separate frames, which never wait for text.
 ///
-/// Somebody is there from the first frame to this node on, until the network is told to reset
-/// its communication, the host's heartbeat, once heard, is silent for 80 ms, frames were lost, or
-/// nobody takes what is said. After what was lost, text counts again only after the network was
-/// started or the node reset: no line is put together from what is left. Main loop; no call blocks.
+/// A session lasts from the first frame to this node until one of these events: the network is
+/// commanded to reset its communication; the host's heartbeat, once received, is silent for 80 ms;
+/// frames were lost; or the other side does not take the answers. After a loss, text is accepted
+/// again only after the network was started or the node reset, so that no line is composed of
+/// remains. Main loop; no call blocks.
 class CanLink final : public hal::SessionStream {
  public:
-  /// A host that sends heartbeats sends one at least every 25 ms, or every third may be lost.
+  /// Silence of a host's heartbeat after which the host is gone. A host that sends heartbeats must
+  /// send one at least every 25 ms; then two of three may be lost.
   static constexpr std::uint32_t kHostSilenceUs = 80'000;
   static constexpr std::uint32_t kHeartbeatUs = 500'000;
 
-  /// What the machine is like, for heartbeats and emergency messages.
+  /// Condition of the machine, for heartbeats and emergency messages.
   struct Condition {
-    bool stopped = false;    ///< An alarm.
-    std::uint8_t alarm = 0;  ///< Its number, else 0.
+    bool stopped = false;    ///< The machine has an alarm.
+    std::uint8_t alarm = 0;  ///< Number of the alarm; 0 for none.
 
     bool operator==(const Condition&) const = default;
   };
 
-  /// @param port outlives this
-  /// @param node 1 to can::kLastNode, until another is wanted
+  /// @param port outlives this object
+  /// @param node 1 to can::kLastNode, until want_node() sets another number
   explicit CanLink(hal::CanPort& port,
                    std::uint8_t node = can::kUsualNode,
                    const LssSlave::Identity& identity = {})
@@ -48,31 +50,35 @@ class CanLink final : public hal::SessionStream {
   CanLink& operator=(const CanLink&) = delete;
   ~CanLink() = default;
 
-  /// Before each turn: takes the frames that have come, sends those that are due.
+  /// Takes the frames that have arrived and sends frames that are due. To be called before each
+  /// cycle.
   /// @param now microseconds
   void attend(hal::TickCount now);
 
-  /// True once after an emergency stop: ends all motion, dark, and leaves an alarm.
+  /// Returns true once after an emergency stop, which must end all motion with the beam off, and
+  /// leave an alarm.
   [[nodiscard]] bool take_stop() { return std::exchange(stop_, false); }
-  /// Realtime bytes in the order in which they came; they act whatever the text is in the middle
-  /// of.
+  /// Takes the oldest realtime byte; it acts even if a line of text is incomplete. Returns false if
+  /// there is none.
   [[nodiscard]] bool take_realtime(std::byte& byte);
 
-  /// Before attend(): of the time since then so much is no silence of the host's, because nobody
-  /// could have heard it. Microseconds.
+  /// Excludes `time` from the host's silence, because the controller could not receive frames
+  /// during it. To be called before attend().
+  /// @param time microseconds
   void excuse_host(std::uint32_t time) { host_heard_ = host_heard_.plus(time); }
 
-  /// The setting of this node's number, which it takes on as soon as nobody talks to it.
+  /// Sets the node number from the settings. It takes effect as soon as no host communicates with
+  /// the node.
   /// @param node 1 to can::kLastNode
   void want_node(std::uint8_t node);
-  /// The number that a master on the bus has set, once, when it is to be stored as the setting;
-  /// note_stored() says whether it was. 0: nothing is.
+  /// Returns, once, the number that a master on the bus has set and that is to be stored as the
+  /// setting; 0 if there is none. The caller reports the result by note_stored().
   [[nodiscard]] std::uint8_t take_node_to_store() {
     return numbering_.take_store_request() ? numbering_.set_node() : 0;
   }
   void note_stored(bool ok) { static_cast<void>(send(can::kLssFrom, LssSlave::stored(ok))); }
 
-  /// What is told to others from the next turn on.
+  /// Sets the state that is sent to other nodes from the next cycle on.
   void tell(const Condition& condition) { condition_ = condition; }
 
   [[nodiscard]] std::size_t read(std::span<std::byte> into) override;
@@ -110,19 +116,19 @@ class CanLink final : public hal::SessionStream {
   TextQueue realtime_{acts_};
   std::uint32_t session_ = 0;
   std::uint32_t sessions_ = 0;
-  std::uint32_t lost_ = 0;  ///< Frames, messages and answers lost so far, as last seen.
-  std::uint16_t error_ = can::kNoError;  ///< Of the link, not told yet.
+  std::uint32_t lost_ = 0;               ///< Last seen count of lost frames, messages and answers.
+  std::uint16_t error_ = can::kNoError;  ///< Error of the link that is not sent yet.
   bool stop_ = false;
   bool host_beats_ = false;
-  bool failed_ = false;  ///< Nobody is there until the network is started, or a reset comes.
+  bool failed_ = false;  ///< No session begins until the network is started, or a reset comes.
   bool booting_ = true;
-  std::uint8_t wanted_ = 0;  ///< The setting; 0: none.
-  std::uint8_t next_ = 0;    ///< What this node's number is to become; 0: what it is.
-  std::uint8_t heard_ = 0;   ///< The number that the port was told of.
+  std::uint8_t wanted_ = 0;  ///< Number from the settings; 0: none.
+  std::uint8_t next_ = 0;    ///< Next number of this node; 0: no change.
+  std::uint8_t heard_ = 0;   ///< Number for which the port filters frames.
   Condition condition_{};
   Condition told_{};
   hal::TickCount host_heard_{};
-  hal::TickCount beaten_{};  ///< The last heartbeat.
+  hal::TickCount beaten_{};  ///< Time of the last heartbeat.
 };
 
 }  // namespace cnc

@@ -12,15 +12,16 @@
 
 namespace cnc {
 
-/// The bytes of the messages that arrive. A message counts only when it is whole: of one in
-/// which a frame is missing nothing is ever read. Main loop; bounded work for each call.
+/// Collects the bytes of received messages. A message counts only when it is whole: if a frame of
+/// it is missing, none of its bytes is ever read. Main loop; the work of each call is bounded.
 ///
-/// Room is promised before it is used: a sender is allowed as many frames as fit, and waits for
-/// the next block. Single frames and first ones need no leave, so some room is kept for them.
+/// Free space is reserved before it is used: a sender is allowed as many frames as fit, and then
+/// waits for the next flow control. Single and first frames need no permission, so some space is
+/// reserved for them.
 class IsoTpReceiver {
  public:
   static constexpr std::uint32_t kBytes = 512;
-  /// For what comes without leave, while others wait for theirs.
+  /// Space for frames without permission, while other senders wait for theirs.
   static constexpr std::uint32_t kReserve = 64;
   static constexpr std::uint32_t kLongest = kBytes - kReserve;  ///< Longer messages are refused.
 
@@ -30,28 +31,30 @@ class IsoTpReceiver {
   ~IsoTpReceiver() = default;
 
   struct Counts {
-    std::uint32_t broken = 0;  ///< Messages of which frames were missing, or that nobody ended.
-    std::uint32_t lost = 0;    ///< Messages, or their beginnings, for which there was no room.
+    std::uint32_t broken = 0;  ///< Messages with missing frames, or without an end.
+    std::uint32_t lost = 0;    ///< Messages, or beginnings of messages, without free space.
   };
 
-  /// A frame of a message. Those of no known kind, or too short, are passed over, as the
-  /// standard says.
+  /// Takes a frame of a message. Frames of an unknown kind and frames that are too short are
+  /// ignored, as the standard requires.
   void take(std::span<const std::byte> payload, hal::TickCount now);
 
-  /// The flow control that is due, if one is. @param now microseconds
+  /// Returns the flow control that is due, if any.
+  /// @param now microseconds
   [[nodiscard]] std::optional<iso_tp::FlowControl> flow_due(hal::TickCount now);
 
-  /// Copies bytes of whole messages; returns how many.
+  /// Copies bytes of complete messages; returns how many.
   [[nodiscard]] std::size_t read(std::span<std::byte> into);
-  /// Forgets all there is.
+  /// Drops all messages.
   void clear();
 
   [[nodiscard]] const Counts& counts() const { return counts_; }
 
  private:
-  /// Shorter than N_Bs by far, which the sender waits for.
+  /// Interval between flow controls that say wait: much shorter than N_Bs, the timeout of the
+  /// sender.
   static constexpr std::uint32_t kWaitUs = 100'000;
-  /// A block that is worth a frame of flow control, unless the message ends with it.
+  /// Smallest block worth a frame of flow control, unless the block ends the message.
   static constexpr std::uint32_t kLeastBlock = 8;
 
   enum class Flow : std::uint8_t { kNone, kAsked, kWaiting, kOverflow };
@@ -65,11 +68,11 @@ class IsoTpReceiver {
 
   std::array<std::byte, kBytes> storage_{};
   TextQueue text_{storage_};
-  std::uint32_t left_ = 0;   ///< Bytes still to come of the message; 0: none is under way.
-  std::uint32_t block_ = 0;  ///< Frames that the sender was allowed and has not sent.
-  std::uint8_t number_ = 0;  ///< Of the next frame.
+  std::uint32_t left_ = 0;   ///< Bytes of the message still to come; 0: no message is incomplete.
+  std::uint32_t block_ = 0;  ///< Allowed frames that the sender has not sent yet.
+  std::uint8_t number_ = 0;  ///< Sequence number of the next frame.
   Flow flow_ = Flow::kNone;
-  hal::TickCount last_{};  ///< The last frame of the message, or the last flow control.
+  hal::TickCount last_{};  ///< Time of the message's last frame, or of the last flow control.
   Counts counts_{};
 };
 

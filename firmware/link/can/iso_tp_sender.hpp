@@ -11,43 +11,45 @@
 
 namespace cnc {
 
-/// Text on its way to the other side, in messages of what waits when one begins. Main
-/// loop; bounded work for each call.
+/// Sends text in messages. A message takes the bytes that wait when it begins. Main loop; the work
+/// of each call is bounded.
 ///
-/// A message leaves its place only with its last frame, so that it can be begun again.
+/// The bytes of a message stay in the queue until its last frame is sent, so that the message can
+/// be restarted.
 class IsoTpSender {
  public:
   struct Counts {
-    std::uint32_t again = 0;  ///< Messages begun anew because nobody answered.
+    std::uint32_t again = 0;  ///< Messages restarted for lack of an answer.
     std::uint32_t given_up = 0;
   };
 
-  /// @param storage outlives this; a power of two
-  /// @param longest message, unless the other side wants shorter ones; twice as much storage lets
-  /// the next one gather while one is under way
+  /// @param storage outlives this object; its size is a power of two
+  /// @param longest length of the longest message, unless the other side requires shorter ones.
+  ///   Storage of twice that length lets the next message gather while one is being sent.
   IsoTpSender(std::span<std::byte> storage, std::uint32_t longest)
       : text_{storage}, most_{longest}, longest_{longest} {}
 
-  /// Queues what there is room for; returns how many bytes.
+  /// Queues as many bytes as fit; returns how many.
   [[nodiscard]] std::size_t write(std::span<const std::byte> from);
-  /// Nothing waits and nothing is under way.
+  /// Returns whether no byte waits and no message is being sent.
   [[nodiscard]] bool empty() const { return text_.settled() == 0; }
 
-  /// A frame from the other side; only flow control concerns this one.
+  /// Takes a frame from the other side; only flow control has an effect.
   void take(std::span<const std::byte> payload, hal::TickCount now);
 
-  /// The next frame, if one may go now; it must go then. @param now microseconds
+  /// Returns the next frame if one may be sent now; the caller must then send it.
+  /// @param now microseconds
   [[nodiscard]] std::optional<iso_tp::Payload> next(hal::TickCount now);
 
-  /// Forgets all there is.
+  /// Drops all bytes.
   void clear();
 
   [[nodiscard]] const Counts& counts() const { return counts_; }
 
  private:
-  /// Of one message, until the other side counts as gone.
+  /// Number of attempts to send one message before the other side counts as gone.
   static constexpr std::uint8_t kTries = 3;
-  /// Flow controls in a row that say wait: 25 s of a receiver that asks every 100 ms.
+  /// Most flow controls in a row that say wait: 25 s for a receiver that sends one every 100 ms.
   static constexpr std::uint8_t kMostWaits = 250;
 
   enum class Step : std::uint8_t { kIdle, kAwaitsFlow, kSends };
@@ -60,17 +62,17 @@ class IsoTpSender {
 
   TextQueue text_;
   Step step_ = Step::kIdle;
-  std::uint32_t length_ = 0;  ///< Of the message under way.
-  std::uint32_t sent_ = 0;    ///< Bytes of it.
-  std::uint32_t block_ = 0;   ///< Frames that may go before the next flow control.
+  std::uint32_t length_ = 0;  ///< Length of the message being sent.
+  std::uint32_t sent_ = 0;    ///< Bytes of the message sent so far.
+  std::uint32_t block_ = 0;   ///< Frames allowed before the next flow control.
   std::uint32_t most_;
-  std::uint32_t longest_;  ///< That the other side has room for.
+  std::uint32_t longest_;  ///< Longest message that the other side can take.
   std::uint32_t separation_us_ = 0;
   std::uint8_t number_ = 0;
   std::uint8_t tries_ = 0;
   std::uint8_t waits_ = 0;
-  bool endless_ = false;    ///< No further flow control.
-  hal::TickCount since_{};  ///< The last frame either way.
+  bool endless_ = false;    ///< No further flow control is needed.
+  hal::TickCount since_{};  ///< Time of the last frame in either direction.
   Counts counts_{};
 };
 

@@ -9,31 +9,34 @@
 
 namespace cnc {
 
-/// Bytes on their way, of which those that were added last can still be taken back. One context.
-/// Counts run freely.
+/// A queue of bytes from which the bytes added last can be taken back until they are settled. One
+/// context. Counts run freely.
 class TextQueue {
  public:
-  /// @param storage outlives this; a power of two, so that % becomes a mask
+  /// @param storage outlives this object; its size is a power of two, so that % becomes a mask
   explicit TextQueue(std::span<std::byte> storage) : bytes_{storage} {
     CNC_ASSERT(std::has_single_bit(storage.size()));
   }
 
   [[nodiscard]] std::uint32_t capacity() const { return static_cast<std::uint32_t>(bytes_.size()); }
-  /// Bytes that can be added.
+  /// Returns the number of bytes that can be added.
   [[nodiscard]] std::uint32_t room() const { return capacity() - (added_ - taken_); }
-  /// Bytes that are settled and not taken.
+  /// Returns the number of settled bytes that are not yet taken.
   [[nodiscard]] std::uint32_t settled() const { return settled_ - taken_; }
 
+  /// Adds bytes.
   /// @pre bytes.size() is at most room()
   void add(std::span<const std::byte> bytes) {
     for (const std::byte byte : bytes) place(added_++) = byte;
   }
   void settle() { settled_ = added_; }
-  /// Forgets what is not settled.
+  /// Removes all bytes that are not settled.
   void take_back() { added_ = settled_; }
 
-  /// The n-th settled byte. @pre n < settled()
+  /// Returns the n-th settled byte.
+  /// @pre n < settled()
   [[nodiscard]] std::byte at(std::uint32_t n) const { return place(taken_ + n); }
+  /// Removes the oldest bytes.
   /// @pre count is at most settled()
   void drop(std::uint32_t count) { taken_ += count; }
 

@@ -7,9 +7,9 @@
 namespace hal::stm32f405 {
 
 /// BigTreeTech SKR 2, F407VG or F429VG. Pins as in grblHAL (STM32F4xx driver,
-/// boards/btt_skr_2.0_map.h), but B's limit switch: inputs are polled here, so it has E1's own
-/// connector (Marlin, pins_BTT_SKR_V2_0_common.h: E1DET). E0 is A, E1 is B. The board has no
-/// pull-down at the beam: fit one.
+/// boards/btt_skr_2.0_map.h), except B's limit switch: inputs are polled here, so B uses E1's own
+/// connector (Marlin, pins_BTT_SKR_V2_0_common.h: E1DET). The drivers E0 and E1 are axes A and B.
+/// The board has no pull-down at the beam: fit one.
 inline constexpr Board kBttSkr2{
     .name = "BTT SKR 2",
     .motors = {{{pe(2), pe(1), pe(3)},

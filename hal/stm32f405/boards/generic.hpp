@@ -4,9 +4,9 @@
 
 namespace hal::stm32f405 {
 
-/// Any board with an F405, F407 or F429 and its pins on headers. X, Y, Z, beam,
-/// coolant and buttons are where grblHAL has them (STM32F4xx driver,
-/// boards/generic_map.h); the rest is ours, on pins that a package of 64 has.
+/// Any board with an F405, F407 or F429 and its pins on headers. X, Y, Z, beam, coolant and buttons
+/// are where grblHAL has them (STM32F4xx driver, boards/generic_map.h); all other pins are our
+/// choice, among those of the 64-pin package.
 inline constexpr Board kGeneric{
     .name = "Generic F405/F407",
     .motors = {{{pa(0), pa(4)},
@@ -42,7 +42,8 @@ constexpr Board with_crystal(Board board, const char* name, std::uint32_t hz) {
 inline constexpr Board kGeneric12 = with_crystal(kGeneric, "Generic F405/F407, 12 MHz", 12'000'000);
 inline constexpr Board kGeneric25 = with_crystal(kGeneric, "Generic F405/F407, 25 MHz", 25'000'000);
 
-/// For senders of 0.1 mm lines at 100 mm/s, which 115,200 baud are too slow for.
+/// Returns the board with another baud rate, for senders of 0.1 mm lines at 100 mm/s: 115,200 baud
+/// is too slow for them.
 constexpr Board with_baud(Board board, const char* name, std::uint32_t baud) {
   board.name = name;
   board.baud = baud;
@@ -52,7 +53,8 @@ constexpr Board with_baud(Board board, const char* name, std::uint32_t baud) {
 inline constexpr Board kGeneric1MBaud =
     with_baud(kGeneric, "Generic F405/F407, 1 Mbaud", 1'000'000);
 
-/// With a transceiver at CAN1, on pins that packages of 100 and more have.
+/// Returns the board with a CAN transceiver at CAN1, on pins that packages of 100 pins and more
+/// have.
 constexpr Board with_can(Board board, const char* name) {
   board.name = name;
   board.can_transmit = pd(1);

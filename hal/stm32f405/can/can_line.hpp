@@ -15,12 +15,12 @@
 
 namespace hal::stm32f405 {
 
-/// CAN1: one interrupt routine, for all four of its interrupts, between the bus and two
-/// rings. Silent until it is told to speak: a node with a wrong rate would disturb
-/// all others.
+/// CAN1: one interrupt routine for all of its four interrupts, between the bus and two rings. The
+/// node is silent until speak() is called, because a node with a wrong rate would disturb all
+/// others.
 ///
-/// A frame is repeated until somebody has it. After bus-off the node comes back by itself,
-/// once it has seen 128 times 11 bits of silence, and goes on with what it had to send.
+/// A frame is repeated until another node has acknowledged it. After bus-off the node returns by
+/// itself, once it has seen 128 times 11 bits of silence, and continues with its queued frames.
 template <const Board& kBoard, RegisterBus Bus = MemoryBus>
 class CanLine final : public CanPort {
  public:
@@ -30,18 +30,19 @@ class CanLine final : public CanPort {
   static constexpr CanTiming kTiming = can_timing(kFullSpeed.apb1, kBoard.can_bit_rate);
 
   enum class Voice : std::uint8_t {
-    kSilent,    ///< Hears, acknowledges nothing, sends nothing.
-    kSpeaking,  ///< A node like others.
-    kToItself,  ///< Hears what it sends, and nothing else: for tests.
+    kSilent,    ///< Receives frames, but acknowledges and sends nothing.
+    kSpeaking,  ///< Receives, acknowledges and sends.
+    kToItself,  ///< Receives only its own frames: for tests.
   };
 
-  /// Once, with interrupts off: silent, taking the frames of these filters. False when the
-  /// controller does not answer, and without the crystal, whose rate the bus relies on.
-  /// @param filters at most bxcan::kBanks; none: no frame is taken.
+  /// Sets up the controller as a silent node that takes the frames of `filters`. Returns false if
+  /// the controller does not answer, or if the clock is not the crystal, on whose accuracy the bus
+  /// relies. To be called once, with interrupts off.
+  /// @param filters at most bxcan::kBanks; with none, no frame is taken
   [[nodiscard]] bool set_up(const Clocks& clocks, std::span<const CanFilter> filters) noexcept {
     if (clocks.source != ClockSource::kCrystal || filters.size() > bxcan::kBanks) return false;
     set<Bus>(rcc::kApb1Enr, bxcan::kClock);
-    static_cast<void>(Bus::read(rcc::kApb1Enr));  // Two cycles for the clock, ES0182, 2.2.13.
+    static_cast<void>(Bus::read(rcc::kApb1Enr));  // Gives the clock two cycles, ES0182, 2.2.13.
     PinSetUp<Bus>::hand_over(kPins.receive, kFunction, true);
     PinSetUp<Bus>::hand_over(kPins.transmit, kFunction, false);
     use(filters);
@@ -50,8 +51,9 @@ class CanLine final : public CanPort {
     return true;
   }
 
-  /// Main loop: leaves the bus and joins it again. False when it does not get there within
-  /// some 10 ms, as where the receive pin is stuck low; it joins as soon as it can.
+  /// Leaves the bus and joins it again. Returns false if that takes more than some 10 ms, for
+  /// example because the receive pin is stuck low; the node then joins as soon as it can. Main
+  /// loop.
   [[nodiscard]] bool speak(Voice voice) noexcept {
     Bus::write(bxcan::kControl, kMode | bxcan::kInitialise);
     if (!reached(bxcan::kInitialise)) return false;
@@ -66,9 +68,9 @@ class CanLine final : public CanPort {
     return reached(0);
   }
 
-  // Main loop.
+  // Functions for the main loop.
 
-  /// From now on receive() hands out what had come when this turn began.
+  /// Begins a cycle: from now on receive() returns only frames that had arrived by its boundary.
   void begin_turn(std::uint32_t turn) {
     in_turns_ = true;
     marks_.begin_turn(turn);
@@ -115,19 +117,19 @@ class CanLine final : public CanPort {
     use(std::span{filters}.first(count));
   }
 
-  /// An interrupt above its own: a turn begins.
+  /// Marks the boundary of a cycle. To be called from an interrupt of higher priority than CAN's.
   void note_turn(std::uint32_t turn) noexcept { marks_.note(turn, received_.place()); }
 
-  // Its interrupts.
+  // Function for all CAN interrupts.
 
   void on_interrupt() noexcept {
     if ((Bus::read(bxcan::kStatus) & bxcan::kErrorAsked) != 0) {
       Bus::write(bxcan::kStatus, bxcan::kErrorAsked);
-      // Only bus-off asks.
+      // Bus-off is the only error that raises this interrupt.
       if ((Bus::read(bxcan::kErrors) & bxcan::kBusOff) != 0) count(bus_offs_);
     }
     for (unsigned number = 0; number < bxcan::kFifos; ++number) empty(number);
-    // Also clears what the mailboxes asked for.
+    // Also clears the interrupt request of the mailboxes.
     Bus::write(bxcan::kTransmit, bxcan::kRequestsDone);
     fill_mailboxes();
   }
@@ -138,8 +140,9 @@ class CanLine final : public CanPort {
   static_assert(kTiming.exists(), "this rate is not within reach");
   static constexpr unsigned kFunction = 9;
   static constexpr Word kMode = bxcan::kRecoverAlone | bxcan::kInOrder | bxcan::kKeepOldest;
-  /// It waits for a frame that is under way, then for 11 bits of silence: 2 ms at 125 kbit/s.
-  /// A look takes at least 4 clocks of 168 MHz.
+  /// Reads until a change of mode is given up. The controller waits for the end of the current
+  /// frame, then for 11 bits of silence: 2 ms at 125 kbit/s. One read takes at least 4 clocks of
+  /// 168 MHz.
   static constexpr std::uint32_t kLooks = 420'000;
 
   static bool reached(Word mode) noexcept {
@@ -178,7 +181,7 @@ class CanLine final : public CanPort {
       if ((state & bxcan::kPending) == 0) return;
       if (!received_.try_push(frame_in(bxcan::received(number)))) count(lost_);
       Bus::write(bxcan::fifo(number), bxcan::kRelease);
-      // Until it is released there is no next one (RM0090, 32.9.2).
+      // The next frame is available only after the release is complete (RM0090, 32.9.2).
       static_cast<void>(wait_for<Bus>(bxcan::fifo(number), bxcan::kRelease, 0, kFewLooks));
     }
   }
@@ -191,7 +194,7 @@ class CanLine final : public CanPort {
     frame.remote = (identifier & bxcan::kRemote) != 0;
     frame.id = frame.extended ? identifier >> 3 : identifier >> 21;
     const Word length = Bus::read(place + 4) & 0xFU;
-    frame.length = static_cast<std::uint8_t>(length < 8 ? length : 8);  // 9 to 15 mean 8.
+    frame.length = static_cast<std::uint8_t>(length < 8 ? length : 8);  // Codes 9 to 15 mean 8.
     const std::array<Word, 2> words{Bus::read(place + 8), Bus::read(place + 12)};
     for (std::size_t at = 0; at < frame.length && !frame.remote; ++at) {
       frame.data[at] = static_cast<std::byte>(words[at / 4] >> (8 * (at % 4)) & 0xFFU);

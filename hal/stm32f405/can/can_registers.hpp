@@ -8,7 +8,7 @@
 namespace hal::stm32f405::bxcan {
 
 inline constexpr Address kBase = 0x4000'6400;
-inline constexpr Word kClock = bit(25);  ///< Of rcc::kApb1Enr.
+inline constexpr Word kClock = bit(25);  ///< In rcc::kApb1Enr.
 inline constexpr unsigned kTransmitInterrupt = 19;
 inline constexpr unsigned kFifo0Interrupt = 20;
 inline constexpr unsigned kFifo1Interrupt = 21;
@@ -23,7 +23,7 @@ constexpr Address fifo(unsigned number) { return kBase + 0x0C + 4 * number; }
 inline constexpr Address kInterrupts = kBase + 0x14;
 inline constexpr Address kErrors = kBase + 0x18;
 inline constexpr Address kTiming = kBase + 0x1C;
-/// Four words each: identifier, length, data.
+/// Mailboxes have four words each: identifier, length, data.
 constexpr Address mailbox(unsigned number) { return kBase + 0x180 + 0x10 * number; }
 constexpr Address received(unsigned number) { return kBase + 0x1B0 + 0x10 * number; }
 inline constexpr Address kFilterControl = kBase + 0x200;
@@ -34,38 +34,38 @@ inline constexpr Address kFiltersOn = kBase + 0x21C;
 constexpr Address filter(unsigned bank) { return kBase + 0x240 + 8 * bank; }
 inline constexpr unsigned kMailboxes = 3;
 inline constexpr unsigned kFifos = 2;
-inline constexpr unsigned kBanks = 14;  ///< The other half is CAN2's.
+inline constexpr unsigned kBanks = 14;  ///< The other 14 belong to CAN2.
 
-// kControl; the first two are acknowledged in kStatus at the same places.
+// Bits of kControl. The first two are acknowledged by the same bits of kStatus.
 inline constexpr Word kInitialise = bit(0);
 inline constexpr Word kSleep = bit(1);
-inline constexpr Word kInOrder = bit(2);     ///< Mailboxes as they were filled, not by identifier.
-inline constexpr Word kKeepOldest = bit(3);  ///< What overruns a FIFO is lost, not what is in it.
+inline constexpr Word kInOrder = bit(2);     ///< Sends mailboxes as filled, not by identifier.
+inline constexpr Word kKeepOldest = bit(3);  ///< A full FIFO drops new frames, not old ones.
 inline constexpr Word kRecoverAlone = bit(6);
-// kStatus
+// Bits of kStatus.
 inline constexpr Word kErrorAsked = bit(2);
-// kTransmit
+// Bits of kTransmit.
 constexpr Word empty(unsigned number) { return bit(26 + number); }
 inline constexpr Word kRequestsDone = bit(0) | bit(8) | bit(16);
-// fifo
+// Bits of fifo().
 inline constexpr Word kPending = 3;
 inline constexpr Word kOverrun = bit(4);
 inline constexpr Word kRelease = bit(5);
-// kInterrupts
+// Bits of kInterrupts.
 inline constexpr Word kAllInterrupts =
-    bit(0) | bit(1) | bit(4) | bit(10) | bit(15);  ///< Empty, two FIFOs, bus-off, errors.
-// kErrors
+    bit(0) | bit(1) | bit(4) | bit(10) | bit(15);  ///< Empty mailbox, two FIFOs, bus-off, errors.
+// Bits of kErrors.
 inline constexpr Word kWarning = bit(0);
 inline constexpr Word kPassive = bit(1);
 inline constexpr Word kBusOff = bit(2);
-// kTiming
+// Bits of kTiming.
 inline constexpr Word kLoopBack = bit(30);
 inline constexpr Word kSilent = bit(31);
-// Identifiers, of frames and filters.
+// Bits of the identifier in frames and filters.
 inline constexpr Word kGo = bit(0);
 inline constexpr Word kRemote = bit(1);
 inline constexpr Word kExtended = bit(2);
-// kFilterControl
+// Values of kFilterControl.
 inline constexpr Word kFiltersSetUp = 0x2A1C'0E01;
 inline constexpr Word kFiltersUsed = 0x2A1C'0E00;
 

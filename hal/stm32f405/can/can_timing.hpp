@@ -6,30 +6,32 @@
 
 namespace hal::stm32f405 {
 
-/// How a bit is cut into quanta of time (RM0090, 32.7.7): one to begin with, `before`
-/// until it is looked at, `after` until it ends.
+/// Division of a bit into quanta of time (RM0090, 32.7.7): one quantum for synchronisation,
+/// `before` quanta until the sample point, `after` quanta until the end.
 struct CanTiming {
-  std::uint32_t prescaler = 0;  ///< Clocks in a quantum, 1 to 1024; 0: no such timing.
-  std::uint32_t before = 0;     ///< 1 to 16 quanta.
-  std::uint32_t after = 0;      ///< 1 to 8 quanta.
+  std::uint32_t prescaler = 0;  ///< Clocks in a quantum, 1 to 1024; 0 if there is no timing.
+  std::uint32_t before = 0;     ///< Quanta before the sample point, 1 to 16.
+  std::uint32_t after = 0;      ///< Quanta after the sample point, 1 to 8.
 
   [[nodiscard]] constexpr bool exists() const { return prescaler != 0; }
   [[nodiscard]] constexpr std::uint32_t quanta() const { return 1 + before + after; }
-  /// Where in the bit it is looked at, in thousandths.
+  /// Returns the position of the sample point within the bit, in thousandths.
   [[nodiscard]] constexpr std::uint32_t sample_point() const {
     return 1000 * (1 + before) / quanta();
   }
-  /// Resynchronisation by as much as the bit's end allows: crystals may differ the more.
+  /// Returns the greatest resynchronisation step in quanta. It is as large as `after` allows,
+  /// because a larger step tolerates a larger difference between crystals.
   [[nodiscard]] constexpr std::uint32_t jump() const { return after < 4 ? after : 4; }
   [[nodiscard]] constexpr Word word() const {
     return (jump() - 1) << 24 | (after - 1) << 20 | (before - 1) << 16 | (prescaler - 1);
   }
 };
 
-inline constexpr std::uint32_t kCanSamplePoint = 875;  ///< Thousandths; CiA 301, table 1.
+inline constexpr std::uint32_t kCanSamplePoint = 875;  ///< In thousandths; CiA 301, table 1.
 
-/// The timing of exactly this rate that is looked at nearest to kCanSamplePoint, of
-/// equals the finest; none where the clock does not divide.
+/// Returns, of all timings with exactly this rate, the one whose sample point is nearest to
+/// kCanSamplePoint; among equals the one with the most quanta. Returns a timing that does not exist
+/// if no division of the clock gives the rate.
 constexpr CanTiming can_timing(std::uint32_t clock_hz, std::uint32_t bit_rate) {
   CanTiming best;
   std::uint32_t best_distance = 1000;

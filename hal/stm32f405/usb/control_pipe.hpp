@@ -10,8 +10,9 @@
 
 namespace hal::stm32f405::usb {
 
-/// Endpoint 0: a request, its data one way or the other, and the nod at the end
-/// (USB 2.0, 8.5.3). A new request ends one that is not over. Its interrupt.
+/// Endpoint 0: a request, its data in one direction, and the empty status packet at the end (USB
+/// 2.0, 8.5.3), which is called the nod. A new request ends an unfinished one. All functions run in
+/// the USB interrupt.
 template <RegisterBus Bus>
 class ControlPipe {
  public:
@@ -23,9 +24,9 @@ class ControlPipe {
     stage_ = Stage::kIdle;
   }
 
-  // As the core received them, in order.
+  // Events, in the order in which the core received them.
 
-  /// Bytes of a request have arrived; the last of several requests counts.
+  /// Takes the bytes of a request. If several requests arrive, the last counts.
   void take_request(std::size_t bytes) noexcept {
     received_ = 0;
     std::size_t at = 0;
@@ -33,7 +34,7 @@ class ControlPipe {
       if (at < kSetUpBytes) request_[at++] = byte;
     });
   }
-  /// Data have arrived, or the nod, which is empty.
+  /// Takes data that have arrived, or the nod, which is empty.
   void take_data(std::size_t bytes) noexcept {
     Core::receive(bytes, [&](std::byte byte) {
       if (received_ < incoming_.size()) incoming_[received_] = byte;
@@ -41,7 +42,7 @@ class ControlPipe {
     });
   }
 
-  /// The request is complete. Returns the answer, whose effect is for the caller.
+  /// Answers the complete request. Returns the answer; the caller carries out its effect.
   Answer on_request() noexcept {
     Core::stop_sending(0);
     const SetUp asked = set_up_of(request_);
@@ -60,16 +61,17 @@ class ControlPipe {
       case Answer::Kind::kSend:
         stage_ = Stage::kSend;
         to_send_ = answer.data;
-        // A host that wants more than there is sees the end by a packet that is not full.
+        // If the host asked for more data than there are, a packet that is not full marks their
+        // end.
         ends_short_ = answer.data.size() < asked.length;
-        Core::allow_receiving(0);  // It may nod before it has fetched everything.
+        Core::allow_receiving(0);  // The host may send its nod before it has fetched all data.
         send_next();
         break;
     }
     return answer;
   }
 
-  /// What was taken in since allow_receiving is complete.
+  /// Handles the end of the data or nod that arrived after allow_receiving.
   void on_received() noexcept {
     if (stage_ == Stage::kReceive) {
       if (received_ != Device::kLineCodingBytes) return stall();
@@ -79,11 +81,12 @@ class ControlPipe {
       Core::stop_sending(0);
       finish();
     }
-    // A packet whose acknowledgement was lost comes again, and wants another.
+    // If the acknowledgement of a packet was lost, the host sends the packet again and expects
+    // another acknowledgement.
     Core::allow_receiving(0);
   }
 
-  /// The host has fetched a packet.
+  /// Continues after the host has fetched a packet.
   void on_sent() noexcept {
     if (stage_ == Stage::kNod) {
       finish();

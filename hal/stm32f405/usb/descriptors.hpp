@@ -6,16 +6,17 @@
 
 #include "hal/stm32f405/usb/identity.hpp"
 
-/// What the device says about itself (USB 2.0, chapter 9; CDC 1.2 and its
-/// PSTN120, chapter 5): a serial line that asks for no driver of its own.
+/// The device's description of itself (USB 2.0, chapter 9; CDC 1.2 and its PSTN120, chapter 5): a
+/// serial line that needs no special driver on the host.
 namespace hal::stm32f405::usb {
 
-inline constexpr std::size_t kPacketBytes = 64;  ///< Of endpoints 0 and kData; full speed's most.
-inline constexpr unsigned kData = 1;             ///< Bulk, in and out.
-inline constexpr unsigned kNews = 2;             ///< By interrupt, in: what drivers expect to see.
+inline constexpr std::size_t kPacketBytes = 64;  ///< For endpoints 0 and kData; greatest at full
+                                                 ///< speed.
+inline constexpr unsigned kData = 1;             ///< Bulk endpoint, in and out.
+inline constexpr unsigned kNews = 2;             ///< Interrupt, in; unused, but drivers expect it.
 inline constexpr std::size_t kNewsBytes = 8;
 inline constexpr std::uint8_t kOnlyConfiguration = 1;
-inline constexpr std::uint8_t kInterfaces = 2;  ///< 0 controls, 1 has the data.
+inline constexpr std::uint8_t kInterfaces = 2;  ///< 0 is control, 1 carries the data.
 
 enum class DescriptorType : std::uint8_t {
   kDevice = 1,
@@ -40,17 +41,17 @@ constexpr auto device_descriptor(const Identity& identity) {
   return bytes_of(18,
                   DescriptorType::kDevice,
                   0x00,
-                  0x02,  // USB 2.0
+                  0x02,  // USB release 2.0
                   2,
                   0,
-                  0,  // Communications, by its interfaces
+                  0,  // Communications class, defined by its interfaces
                   kPacketBytes,
                   low(identity.vendor),
                   high(identity.vendor),
                   low(identity.product),
                   high(identity.product),
                   0x00,
-                  0x01,  // Release 1.00
+                  0x01,  // Device release 1.00
                   StringIndex::kMaker,
                   StringIndex::kProduct,
                   StringIndex::kSerial,
@@ -67,7 +68,7 @@ inline constexpr auto kConfigurationDescriptor =
              kInterfaces,
              kOnlyConfiguration,
              0,
-             0xC0,  // The board has a supply of its own
+             0xC0,  // The board has its own supply
              50,    // and takes 100 mA at most.
              // Interface 0: an abstract control model without commands.
              9,
@@ -88,11 +89,11 @@ inline constexpr auto kConfigurationDescriptor =
              DescriptorType::kClassInterface,
              0x01,
              0x00,
-             1,  // Calls are nobody's business.
+             1,  // Call management is not supported.
              4,
              DescriptorType::kClassInterface,
              0x02,
-             0x02,  // Line coding and state, no breaks.
+             0x02,  // Line coding and line state, but no breaks.
              5,
              DescriptorType::kClassInterface,
              0x06,
@@ -105,7 +106,7 @@ inline constexpr auto kConfigurationDescriptor =
              kNewsBytes,
              0,
              255,
-             // Interface 1: the bytes.
+             // Interface 1: data.
              9,
              DescriptorType::kInterface,
              1,
@@ -132,14 +133,14 @@ inline constexpr auto kConfigurationDescriptor =
 
 inline constexpr auto kLanguages = bytes_of(4, DescriptorType::kString, 0x09, 0x04);
 
-/// Each descriptor says its length, and they end where all ends.
+/// Checks that the lengths in the descriptors lead exactly to the end of `bytes`.
 template <std::size_t Count>
 constexpr bool is_chain(const std::array<std::byte, Count>& bytes) {
   std::size_t at = 0;
   while (at + 1 < Count && bytes[at] != std::byte{0}) at += static_cast<std::size_t>(bytes[at]);
   return at == Count;
 }
-/// How many descriptors of a type are in such a chain.
+/// Returns the number of descriptors of one type in a chain (see is_chain).
 template <std::size_t Count>
 constexpr int count_of(const std::array<std::byte, Count>& bytes, DescriptorType type) {
   int count = 0;

@@ -10,41 +10,43 @@
 
 namespace hal::stm32f405::usb {
 
-/// What is to be done about a request, besides its data.
+/// Action that the caller must take after a request, besides sending data.
 enum class Effect : std::uint8_t {
   kNone,
-  kAddress,    ///< Answer to `address()` from now on.
-  kConfigure,  ///< Begin with the data endpoints anew, or do without: `configured()`.
+  kAddress,    ///< Use `address()` from now on.
+  kConfigure,  ///< Restart the data endpoints, or stop them if not `configured()`.
   kHalt,       ///< Stall `endpoint`.
-  kUnhalt,     ///< No longer, and begin with DATA0.
-  kLineState,  ///< `line_is_open()` may be another.
+  kUnhalt,     ///< End the stall of `endpoint` and restart with DATA0.
+  kLineState,  ///< `line_is_open()` may have changed.
 };
 
 struct Answer {
   enum class Kind : std::uint8_t { kStall, kDone, kSend, kReceive };
 
-  Kind kind = Kind::kStall;  ///< What is not understood is stalled.
+  Kind kind = Kind::kStall;  ///< Unknown requests are stalled.
   Effect effect = Effect::kNone;
-  std::uint8_t endpoint = 0;          ///< Bit 7: in.
-  std::span<const std::byte> data{};  ///< To be sent, no more of it than was asked for.
+  std::uint8_t endpoint = 0;          ///< Bit 7 is set for an in endpoint.
+  std::span<const std::byte> data{};  ///< Data to send, at most the requested length.
 };
 
-/// Says what a serial line answers to each request; knows no registers. One
+/// Computes a serial line's answer to each request, without access to registers. To be used in one
 /// context at a time.
 class Device {
  public:
   static constexpr std::size_t kLineCodingBytes = 7;
 
-  /// Once. @param maker, product zero-terminated, at most kLongestString; not copied.
+  /// Sets the identity; to be called once.
+  /// @param maker,product zero-terminated, at most kLongestString letters; not copied
   constexpr void introduce(const Identity& identity, const char* maker, const char* product) {
     descriptor_ = device_descriptor(identity);
     maker_ = maker;
     product_ = product;
   }
-  /// @param serial 96 bits that no other device of the kind has.
+  /// Sets the serial number.
+  /// @param serial 96 bits that are unique among devices of this kind
   constexpr void set_serial(const std::array<std::uint32_t, 3>& serial) { serial_ = serial; }
 
-  /// As after power-on; who it is stays.
+  /// Restores the state after power-on; identity and serial number stay.
   constexpr void reset() {
     address_ = configuration_ = 0;
     halted_ = 0;
@@ -54,7 +56,7 @@ class Device {
   [[nodiscard]] constexpr Answer answer(const SetUp& asked) {
     return asked.to_host() ? tell(asked) : obey(asked);
   }
-  /// The data of a request that was answered by kReceive.
+  /// Takes the data of a request that was answered by kReceive.
   constexpr void take_data(std::span<const std::byte> data) {
     for (std::size_t at = 0; at < data.size() && at < kLineCodingBytes; ++at) {
       line_coding_[at] = data[at];
@@ -63,7 +65,7 @@ class Device {
 
   [[nodiscard]] constexpr std::uint8_t address() const { return address_; }
   [[nodiscard]] constexpr bool configured() const { return configuration_ != 0; }
-  /// Some program at the host has the line open and says so: DTR.
+  /// Returns whether a program on the host has opened the line, which it reports by DTR.
   [[nodiscard]] constexpr bool line_is_open() const { return line_is_open_; }
 
  private:
@@ -76,7 +78,7 @@ class Device {
       case request::kDescriptor:
         return send(descriptor(asked), asked);
       case request::kDeviceStatus:
-        return send(two_bytes(1), asked);  // A supply of its own.
+        return send(two_bytes(1), asked);  // The device has its own supply.
       case request::kInterfaceStatus:
         if (!configured() || asked.index >= kInterfaces) return {};
         return send(two_bytes(0), asked);
@@ -141,7 +143,7 @@ class Device {
     if (!configured()) return false;
     return index == kData || index == (kIn | kData) || index == (kIn | kNews);
   }
-  /// A bit of `halted_`.
+  /// Returns the endpoint's bit in `halted_`.
   static constexpr std::uint8_t mark(std::uint16_t index) {
     return static_cast<std::uint8_t>(1U << ((index & 3U) + ((index & kIn) != 0 ? 4U : 0U)));
   }
@@ -157,7 +159,7 @@ class Device {
       case DescriptorType::kString:
         return string(static_cast<StringIndex>(index));
       default:
-        return {};  // Such as the qualifier, which only a device of high speed has.
+        return {};  // For example the qualifier, which only high-speed devices have.
     }
   }
 
@@ -210,7 +212,7 @@ class Device {
   const char* product_ = "";
   std::array<std::uint32_t, 3> serial_{};
   std::array<std::byte, 2 + 2 * kLongestString> scratch_{};
-  /// 115,200 baud, 8N1: what a host reads before it has set another.
+  /// 115,200 baud, 8N1: the value that a host reads before it has set another.
   std::array<std::byte, kLineCodingBytes> line_coding_ = bytes_of(0x00, 0xC2, 0x01, 0, 0, 0, 8);
   std::uint8_t address_ = 0;
   std::uint8_t configuration_ = 0;

@@ -4,12 +4,12 @@
 
 namespace hal::stm32f405::usb {
 
-/// Whose product a device says it is.
+/// Vendor and product numbers that a device reports.
 ///
-/// The numbers that stand here are pid.codes' for tests: right for a board on
-/// one's own desk, and not to be given away or sold. Who ships a board names its
-/// own in the board's header; an open one gets a number from pid.codes. ST's
-/// 0483:5740 belongs to ST, however many use it.
+/// The default numbers are pid.codes' numbers for tests. They may be used for a board on one's own
+/// desk, but not for boards that are given away or sold. The supplier of a board puts its own
+/// numbers into the board's header; an open-source board can get a number from pid.codes. ST's
+/// 0483:5740 belongs to ST, although many products use it.
 struct Identity {
   std::uint16_t vendor = 0x1209;
   std::uint16_t product = 0x0001;

@@ -10,8 +10,9 @@
 
 namespace hal::stm32f405::usb {
 
-/// The full-speed core by its registers: a packet at a time, in and out, without
-/// DMA. Keeps nothing itself. Its interrupt, and set_up() before that.
+/// The full-speed USB core, by its registers: one packet at a time in each direction, without DMA.
+/// The class has no state of its own. Functions are called in the USB interrupt, and set_up()
+/// before that interrupt is enabled.
 template <RegisterBus Bus>
 class OtgCore {
  public:
@@ -19,14 +20,14 @@ class OtgCore {
                                       otg::kInEndpoints | otg::kOutEndpoints | otg::kSuspended |
                                       otg::kWakeUp;
 
-  /// Takes the core from reset to a device that shows itself to the host, with
-  /// its clock at 48 MHz. False when it does not answer. Some 25 ms at most.
+  /// Takes the core from reset to a device that is visible to the host, with its clock at 48 MHz.
+  /// Returns false if the core does not answer. Takes some 25 ms at most.
   ///
-  /// VBUS is not sensed, since its pin, PA9, is a serial line's: a host that is
-  /// not there is a bus that is suspended.
+  /// VBUS is not sensed, because its pin, PA9, belongs to a serial line. So an absent host looks
+  /// like a suspended bus.
   [[nodiscard]] static bool set_up() noexcept {
     set<Bus>(rcc::kAhb2Enr, otg::kClock);
-    static_cast<void>(Bus::read(rcc::kAhb2Enr));  // Two cycles for the clock, ES0182, 2.2.13.
+    static_cast<void>(Bus::read(rcc::kAhb2Enr));  // Gives the clock two cycles, ES0182, 2.2.13.
     if (!wait_for<Bus>(otg::kResets, otg::kBusIdle, otg::kBusIdle, kLooks)) return false;
     Bus::write(otg::kUsbConfig, otg::kPhysical);
     Bus::write(otg::kResets, otg::kCoreReset);
@@ -49,7 +50,7 @@ class OtgCore {
     return true;
   }
 
-  /// The host has reset the bus: nothing but requests is heard, at address 0.
+  /// Restarts after the host has reset the bus: only requests are received, at address 0.
   static void begin_anew() noexcept {
     close_data();
     flush(otg::kFlushToSend | otg::kAllToSend);
@@ -63,8 +64,8 @@ class OtgCore {
     }
   }
 
-  /// The core wants it before the host knows: it goes on with the old one until
-  /// the request is over.
+  /// Sets the device's address. To be called before the host is answered: the core keeps the old
+  /// address until the request is complete.
   static void set_address(std::uint8_t address) noexcept {
     modify<Bus>(otg::kDeviceConfig, otg::kAssignedMask, Word{address} << 4);
   }
@@ -87,9 +88,10 @@ class OtgCore {
     Bus::write(otg::kEndpointsMask, bit(0));
   }
 
-  /// Takes one packet; until then, and after it, the host is told to wait.
+  /// Allows one packet to be received. Before and after that packet the host is made to wait.
   static void allow_receiving(unsigned endpoint) noexcept {
-    // One that a bus reset found open is still so, and its size must not change.
+    // An endpoint that was enabled before a bus reset is still enabled, and its size must not
+    // change.
     const bool open = (Bus::read(otg::out_control(endpoint)) & otg::kEnable) != 0;
     const Word requests = endpoint == 0 ? otg::kThreeSetUps : 0;
     if (endpoint == 0 || !open) {
@@ -97,10 +99,11 @@ class OtgCore {
     }
     set<Bus>(otg::out_control(endpoint), otg::kEnable | otg::kClearNak);
   }
-  /// Requests are taken at any time; three of them may come in a row.
+  /// Allows requests, up to three in a row, at any time.
   static void allow_requests() noexcept { Bus::write(otg::out_size(0), kRequests); }
 
-  /// Sends one packet. @pre none is on its way from this endpoint
+  /// Sends one packet.
+  /// @pre no packet of this endpoint is waiting to be fetched
   static void send(unsigned endpoint, std::span<const std::byte> packet) noexcept {
     Bus::write(otg::in_size(endpoint), otg::kOnePacket | static_cast<Word>(packet.size()));
     set<Bus>(otg::in_control(endpoint), otg::kEnable | otg::kClearNak);
@@ -113,14 +116,14 @@ class OtgCore {
     }
   }
 
-  /// Takes back a packet that the host has not fetched (RM0090, 34.17.6).
+  /// Withdraws a packet that the host has not fetched (RM0090, 34.17.6).
   static void stop_sending(unsigned endpoint) noexcept {
     const Address control = otg::in_control(endpoint);
     if ((Bus::read(control) & otg::kEnable) != 0) {
       change(control, 0, otg::kSetNak);
       await(otg::in_status(endpoint), otg::kNakEffective);
     }
-    // It may have been fetched just before.
+    // The host may have fetched the packet just before.
     if ((Bus::read(control) & otg::kEnable) != 0) {
       set<Bus>(control, otg::kSetNak | otg::kDisable);
       await(otg::in_status(endpoint), otg::kDisabled);
@@ -129,7 +132,7 @@ class OtgCore {
     Bus::write(otg::in_status(endpoint), otg::kDisabled | otg::kDone);
   }
 
-  /// Hands the bytes of a packet that was received to `keep`, all of them.
+  /// Passes all bytes of a received packet to `keep`.
   template <typename Keep>
   static void receive(std::size_t bytes, Keep&& keep) noexcept {
     for (std::size_t at = 0; at < bytes; at += 4) {
@@ -140,7 +143,7 @@ class OtgCore {
     }
   }
 
-  /// On endpoint 0 until the next request, which the core sees to.
+  /// Stalls an endpoint. On endpoint 0 the core ends the stall at the next request.
   static void stall(unsigned endpoint, bool in) noexcept {
     change(in ? otg::in_control(endpoint) : otg::out_control(endpoint), 0, otg::kStall);
   }
@@ -151,22 +154,24 @@ class OtgCore {
   }
 
  private:
-  // A look takes at least 4 clocks of 168 MHz.
+  // One read takes at least 4 clocks of 168 MHz.
   static constexpr std::uint32_t kLooks = 20'000;
-  static constexpr std::uint32_t kModeLooks = 1'100'000;  ///< 25 ms, RM0090, 34.16.1.
-  static constexpr std::uint32_t kFewLooks = 200;         ///< Some clocks of 48 MHz are enough.
+  static constexpr std::uint32_t kModeLooks = 1'100'000;  ///< Reads in 25 ms, RM0090, 34.16.1.
+  static constexpr std::uint32_t kFewLooks = 200;         ///< Some clocks of 48 MHz suffice.
   static constexpr Word kFromReset = otg::kActive | otg::kSetNak | otg::kFirstIsData0;
   static constexpr Word kRequests = otg::kThreeSetUps | otg::kOnePacket | kPacketBytes;
 
-  // In words. Received: 10 for requests, 1, and the rest for 6 packets with their entries.
+  // FIFO sizes in words. The receive FIFO has 10 words for requests, 1 for global NAK, and the rest
+  // for 6 packets with their status entries.
   static constexpr Word kReceiveWords = 128;
   static constexpr Word kControlWords = 32;
   static constexpr Word kDataWords = 128;
-  static constexpr Word kNewsWords = 16;  ///< The least there may be.
+  static constexpr Word kNewsWords = 16;  ///< Smallest FIFO size allowed.
   static_assert(kReceiveWords + kControlWords + kDataWords + kNewsWords <= otg::kFifoWords);
   static_assert(kReceiveWords >= 10U + 1U + 2U * (kPacketBytes / 4 + 1) + 4U, "RM0090, 34.13.1");
 
-  /// Does not write the enable back that it has read: the packet may be over by then.
+  /// Changes bits of a control register. Does not write back the enable bit that it has read,
+  /// because the packet may be complete by then.
   static void change(Address control, Word off, Word on) noexcept {
     modify<Bus>(control, off | otg::kEnable, on);
   }

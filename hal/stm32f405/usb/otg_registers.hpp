@@ -10,28 +10,29 @@ namespace hal::stm32f405::otg {
 
 inline constexpr Address kBase = 0x5000'0000;
 inline constexpr unsigned kInterrupt = 67;
-inline constexpr Word kClock = bit(7);  ///< Of rcc::kAhb2Enr.
+inline constexpr Word kClock = bit(7);  ///< In rcc::kAhb2Enr.
 
-// Global.
+// Global registers.
 inline constexpr Address kAhbConfig = kBase + 0x008;
 inline constexpr Address kUsbConfig = kBase + 0x00C;
 inline constexpr Address kResets = kBase + 0x010;
 inline constexpr Address kStatus = kBase + 0x014;
 inline constexpr Address kMask = kBase + 0x018;
 inline constexpr Address kReceivedPop = kBase + 0x020;
-inline constexpr Address kReceiveSize = kBase + 0x024;  ///< In words, as all sizes of memory.
+inline constexpr Address kReceiveSize = kBase + 0x024;  ///< In words, like all FIFO sizes.
 inline constexpr Address kGeneral = kBase + 0x038;
-/// Where an IN endpoint's memory begins, and from bit 16 on how much there is.
+/// Returns the register of an IN endpoint's FIFO: its start in the lower half, its size from bit 16
+/// on.
 constexpr Address transmit_size(unsigned endpoint) {
   return kBase + (endpoint == 0 ? 0x028 : 0x100 + 4 * endpoint);
 }
 
-// Device.
+// Device registers.
 inline constexpr Address kDeviceConfig = kBase + 0x800;
 inline constexpr Address kDeviceControl = kBase + 0x804;
 inline constexpr Address kInMask = kBase + 0x810;
 inline constexpr Address kOutMask = kBase + 0x814;
-inline constexpr Address kEndpoints = kBase + 0x818;  ///< OUT ones from bit 16 on.
+inline constexpr Address kEndpoints = kBase + 0x818;  ///< OUT endpoints from bit 16 on.
 inline constexpr Address kEndpointsMask = kBase + 0x81C;
 constexpr Address in_control(unsigned endpoint) { return kBase + 0x900 + 0x20 * endpoint; }
 constexpr Address in_status(unsigned endpoint) { return kBase + 0x908 + 0x20 * endpoint; }
@@ -40,24 +41,25 @@ constexpr Address out_control(unsigned endpoint) { return kBase + 0xB00 + 0x20 *
 constexpr Address out_status(unsigned endpoint) { return kBase + 0xB08 + 0x20 * endpoint; }
 constexpr Address out_size(unsigned endpoint) { return kBase + 0xB10 + 0x20 * endpoint; }
 inline constexpr Address kPowerAndClock = kBase + 0xE00;
-/// Written: what the endpoint sends next. Read, at 0: what was received first.
+/// Returns the FIFO register. A write appends to the endpoint's next packet; a read of FIFO 0 takes
+/// the oldest received word.
 constexpr Address fifo(unsigned endpoint) { return kBase + 0x1000 * (endpoint + 1); }
 inline constexpr unsigned kFifoWords = 320;
 
-// kAhbConfig
+// Bits of kAhbConfig.
 inline constexpr Word kInterruptOn = bit(0);
-// kUsbConfig
+// Bits of kUsbConfig.
 inline constexpr Word kPhysical = bit(6);
-inline constexpr Word kTurnaround = 6 << 10;  ///< For a bus clock from 32 MHz on, table 202.
+inline constexpr Word kTurnaround = 6 << 10;  ///< For a bus clock of 32 MHz and more, table 202.
 inline constexpr Word kForceDevice = bit(30);
-// kResets
+// Bits of kResets.
 inline constexpr Word kCoreReset = bit(0);
 inline constexpr Word kFlushReceived = bit(4);
 inline constexpr Word kFlushToSend = bit(5);
 inline constexpr Word kAllToSend = 0x10 << 6;
 constexpr Word to_send_of(unsigned endpoint) { return endpoint << 6; }
 inline constexpr Word kBusIdle = bit(31);
-// kStatus and kMask
+// Bits of kStatus and kMask.
 inline constexpr Word kHostMode = bit(0);
 inline constexpr Word kReceived = bit(4);
 inline constexpr Word kSuspended = bit(11);
@@ -66,20 +68,20 @@ inline constexpr Word kSpeedKnown = bit(13);
 inline constexpr Word kInEndpoints = bit(18);
 inline constexpr Word kOutEndpoints = bit(19);
 inline constexpr Word kWakeUp = bit(31);
-// kReceivedPop
+// Fields of kReceivedPop.
 enum class Received : std::uint8_t { kOut = 2, kOutDone = 3, kSetUpDone = 4, kSetUp = 6 };
 constexpr unsigned endpoint_in(Word entry) { return entry & 0xFU; }
 constexpr std::size_t bytes_in(Word entry) { return entry >> 4 & 0x7FFU; }
 constexpr Received kind_in(Word entry) { return static_cast<Received>(entry >> 17 & 0xFU); }
-// kGeneral
+// Bits of kGeneral.
 inline constexpr Word kTransceiverOn = bit(16);
 inline constexpr Word kNoVbusSensing = bit(21);
-// kDeviceConfig
+// Bits of kDeviceConfig.
 inline constexpr Word kFullSpeed = 3;
 inline constexpr Word kAssignedMask = 0x7F << 4;
-// kDeviceControl
+// Bits of kDeviceControl.
 inline constexpr Word kDisconnect = bit(1);
-// in_control and out_control
+// Bits of in_control and out_control.
 inline constexpr Word kActive = bit(15);
 inline constexpr Word kStall = bit(21);
 inline constexpr Word kClearNak = bit(26);
@@ -90,11 +92,11 @@ inline constexpr Word kEnable = bit(31);
 inline constexpr Word kBulk = 2 << 18;
 inline constexpr Word kByInterrupt = 3 << 18;
 constexpr Word fifo_number(unsigned endpoint) { return endpoint << 22; }
-// in_status, out_status and their masks
+// Bits of in_status, out_status and their masks.
 inline constexpr Word kDone = bit(0);
 inline constexpr Word kDisabled = bit(1);
-inline constexpr Word kNakEffective = bit(6);  ///< Of IN endpoints.
-// in_size and out_size
+inline constexpr Word kNakEffective = bit(6);  ///< IN endpoints only.
+// Bits of in_size and out_size.
 inline constexpr Word kOnePacket = bit(19);
 inline constexpr Word kThreeSetUps = 3 << 29;
 

@@ -8,13 +8,13 @@ namespace hal::stm32f405::usb {
 
 inline constexpr std::size_t kSetUpBytes = 8;
 
-/// What a host asks of endpoint 0 (USB 2.0, 9.3).
+/// A host's request to endpoint 0 (USB 2.0, 9.3).
 struct SetUp {
   std::uint8_t type = 0;
   std::uint8_t request = 0;
   std::uint16_t value = 0;
   std::uint16_t index = 0;
-  std::uint16_t length = 0;  ///< Of the data that follow, in bytes.
+  std::uint16_t length = 0;  ///< Length of the data that follow, in bytes.
 
   [[nodiscard]] constexpr bool to_host() const { return (type & 0x80U) != 0; }
 };
@@ -27,7 +27,7 @@ constexpr SetUp set_up_of(const std::array<std::byte, kSetUpBytes>& bytes) {
   return {byte(0), byte(1), half(2), half(4), half(6)};
 }
 
-/// Type and request as one number.
+/// Returns type and request as one number.
 constexpr std::uint16_t request_of(std::uint8_t type, std::uint8_t request) {
   return static_cast<std::uint16_t>(type << 8 | request);
 }

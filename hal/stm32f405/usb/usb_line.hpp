@@ -15,13 +15,13 @@
 
 namespace hal::stm32f405 {
 
-/// The board's USB socket as a serial line: an interrupt between the core and two
-/// rings. Only the interrupt touches the core; the main loop asks for it.
+/// The board's USB socket as a serial line: an interrupt between the USB core and two rings. Only
+/// the interrupt accesses the core; the main loop requests the interrupt.
 ///
-/// No byte is dropped: a host that sends more than there is room for is told to
-/// wait (NAK), packet by packet. A session begins when a program at the host opens
-/// the line (DTR), or, with programs that do not say so, speaks; it ends when the line
-/// is closed, and when the bus is reset or suspended, as it is without a host.
+/// No byte is dropped: if a host sends more than there is free space for, it is made to wait (NAK),
+/// packet by packet. A session begins when a program on the host opens the line (DTR) or, for
+/// programs that do not use DTR, sends bytes. It ends when the line is closed, or when the bus is
+/// reset or suspended, as it is without a host.
 template <const Board& kBoard, RegisterBus Bus = MemoryBus>
 class UsbLine final : public SessionStream {
  public:
@@ -31,8 +31,8 @@ class UsbLine final : public SessionStream {
   constexpr explicit UsbLine(UsbRings& rings)
       : received_{rings.received}, to_send_{rings.to_send} {}
 
-  /// Once, with interrupts off. Nothing is there without the crystal: the host wants
-  /// its 48 MHz within 0.25 %.
+  /// Sets up USB; to be called once, with interrupts off. Without the crystal USB stays off,
+  /// because it requires 48 MHz within 0.25 %.
   void set_up(const Clocks& clocks) noexcept {
     if (!kBoard.has_usb || clocks.source != ClockSource::kCrystal) return;
     for (const Pin pin : kUsbPins) PinSetUp<Bus>::hand_over(pin, kFunction, false);
@@ -41,9 +41,9 @@ class UsbLine final : public SessionStream {
     if (Core::set_up()) enable_interrupt<Bus>(kInterrupt, kPriority);
   }
 
-  // Main loop.
+  // Functions for the main loop.
 
-  /// From now on read() hands out what had come when this turn began.
+  /// Begins a cycle: from now on read() returns only bytes that had arrived by its boundary.
   void begin_turn(std::uint32_t turn) { marks_.begin_turn(turn); }
 
   [[nodiscard]] std::uint32_t session() const override {
@@ -75,18 +75,19 @@ class UsbLine final : public SessionStream {
     return count;
   }
 
-  /// A host that is told to wait keeps a hold behind its lines.
+  /// A host that is made to wait would send a feed hold only after its waiting lines.
   [[nodiscard]] bool may_wait() const override { return false; }
 
-  /// Everything that was written is with the host, or nobody is there.
+  /// Returns whether the host has fetched all written bytes, or no host is connected.
   [[nodiscard]] bool sent() const {
     return session() == 0 || (to_send_.size() == 0 && !sending_.load(std::memory_order_relaxed));
   }
 
-  /// An interrupt above its own: a turn begins.
+  /// Marks the boundary of a cycle. To be called from an interrupt of higher priority than this
+  /// line's.
   void note_turn(std::uint32_t turn) noexcept { marks_.note(turn, received_.place()); }
 
-  // Its interrupt.
+  // Function for the line's own interrupt.
 
   void on_interrupt() noexcept {
     for (unsigned turn = 0; turn < kMostTurns; ++turn) {
@@ -101,16 +102,16 @@ class UsbLine final : public SessionStream {
   using Core = usb::OtgCore<Bus>;
   using Effect = usb::Effect;
   static constexpr unsigned kFunction = 10;
-  /// Whatever is left has the core ask again.
+  /// Bounds of the loops. For work that is left over, the core raises the interrupt again.
   static constexpr unsigned kMostTurns = 8;
   static constexpr unsigned kMostEntries = 16;
 
   void attend(Word status) noexcept {
-    // The others are flags of what is underneath, and go with that.
+    // The other flags are cleared at their sources.
     Bus::write(otg::kStatus,
                status & (otg::kBusReset | otg::kSpeedKnown | otg::kSuspended | otg::kWakeUp));
-    // In this order: a reset forgets what came before it, and what was asked last ends what
-    // was being sent.
+    // The order matters: a bus reset discards the packets that came before it, and the latest
+    // request ends an earlier answer.
     if ((status & otg::kReceived) != 0) take_packets();
     if ((status & otg::kBusReset) != 0) on_bus_reset();
     if ((status & otg::kSuspended) != 0) suspended_ = true;
@@ -135,8 +136,8 @@ class UsbLine final : public SessionStream {
     }
   }
 
-  /// What endpoint 0 does goes by these entries alone: they are in the order of the wire, which
-  /// the flags of its interrupts do not tell.
+  /// Handles one received entry. Endpoint 0 is driven by these entries alone, because they are in
+  /// the order of the wire. The flags of its interrupts do not show that order.
   void take(Word entry) noexcept {
     const bool data = otg::endpoint_in(entry) == usb::kData;
     switch (otg::kind_in(entry)) {
@@ -156,9 +157,9 @@ class UsbLine final : public SessionStream {
 
   void keep(std::size_t bytes) noexcept {
     if (bytes > 0) spoken_ = true;
-    judge_session();  // Before the bytes, which belong to it.
+    judge_session();  // Before the bytes are stored, because they belong to the new session.
     Core::receive(bytes, [this](std::byte byte) {
-      // There is room: the endpoint takes a packet only when there is.
+      // There is free space: the endpoint accepts a packet only if it fits.
       static_cast<void>(received_.try_push(byte));
     });
   }
@@ -171,7 +172,7 @@ class UsbLine final : public SessionStream {
     }
   }
 
-  /// Whether a transfer is over; told once.
+  /// Returns whether a transfer is complete; clears its flags, so each transfer is reported once.
   static bool take_done(Address status) noexcept {
     const Word flags = Bus::read(status);
     Bus::write(status, flags);
@@ -200,7 +201,7 @@ class UsbLine final : public SessionStream {
     }
   }
 
-  /// The endpoints are as new.
+  /// Restores the initial state of the data endpoints.
   void forget_data() noexcept {
     spoken_ = listening_ = ends_full_ = false;
     sending_.store(false, std::memory_order_relaxed);
@@ -239,7 +240,8 @@ class UsbLine final : public SessionStream {
     std::array<std::byte, usb::kPacketBytes> packet{};
     std::size_t count = 0;
     while (count < packet.size() && to_send_.try_pop(packet[count])) ++count;
-    // A transfer ends with a packet that is not full, or the host's driver waits for more.
+    // A transfer must end with a packet that is not full; otherwise the host's driver waits for
+    // more.
     if (count == 0 && !ends_full_) return;
     ends_full_ = count == packet.size();
     sending_.store(true, std::memory_order_relaxed);
@@ -251,17 +253,17 @@ class UsbLine final : public SessionStream {
   SpscRing<std::byte, UsbRings::kSendBytes>& to_send_;
   TurnMarks marks_{};
   std::atomic<std::uint32_t> session_{0};
-  /// Where in `received_` begins what came after the last change of session.
+  /// Position in `received_` of the first byte after the last change of session.
   std::atomic<std::uint32_t> begin_{0};
   std::atomic<bool> waits_for_room_{false};
-  std::atomic<bool> sending_{false};  ///< A packet is with the core.
-  std::uint32_t read_session_ = 0;    ///< Main loop: the one that was read last.
+  std::atomic<bool> sending_{false};  ///< The core has a packet to send.
+  std::uint32_t read_session_ = 0;    ///< Session of the last read(); main loop.
 
-  // The interrupt's.
+  // Used in the interrupt only.
   std::uint32_t sessions_ = 0;
   bool suspended_ = false;
-  bool spoken_ = false;     ///< The host sent bytes, whether it opened the line or not.
-  bool listening_ = false;  ///< The core may take a packet.
+  bool spoken_ = false;     ///< The host sent bytes, with or without opening the line.
+  bool listening_ = false;  ///< The core may receive a packet.
   bool ends_full_ = false;  ///< The last packet was full.
 };
 

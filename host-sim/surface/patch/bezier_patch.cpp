@@ -6,7 +6,8 @@ namespace {
 using Eigen::Vector3d;
 using Four = std::array<Vector3d, 4>;
 
-/// Returns the blossom of a cubic: de Casteljau with a parameter of its own for each step.
+/// Returns the blossom of a cubic: de Casteljau's algorithm with a separate parameter for each
+/// step.
 Vector3d blossom(const Four& controls, double first, double second, double third) {
   const auto between = [](const Vector3d& a, const Vector3d& b, double t) -> Vector3d {
     return (1.0 - t) * a + t * b;

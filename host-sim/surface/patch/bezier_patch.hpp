@@ -20,21 +20,22 @@ struct BezierCurve {
                                           Eigen::Vector3d::Zero()};
 
   [[nodiscard]] Eigen::Vector3d at(double t) const;
-  /// Returns the same curve over a part of its parameter, by de Casteljau. The curves of two
-  /// intervals that share an end share that end's point to the last bit.
+  /// Returns the same curve over a part of its parameter, by de Casteljau. If two intervals share
+  /// an end, their curves share the point there to the last bit.
   [[nodiscard]] BezierCurve part(Interval interval) const;
 };
 
-/// The point of a patch with its derivatives by the patch's own parameters.
+/// The point of a patch with its derivatives with respect to the patch's own parameters.
 struct PatchJet {
   Eigen::Vector3d point = Eigen::Vector3d::Zero();
   Eigen::Vector3d along_u = Eigen::Vector3d::Zero();
   Eigen::Vector3d along_v = Eigen::Vector3d::Zero();
-  Eigen::Vector3d twist = Eigen::Vector3d::Zero();  ///< By both parameters.
+  /// Mixed derivative with respect to both parameters.
+  Eigen::Vector3d twist = Eigen::Vector3d::Zero();
 };
 
-/// A bicubic Bézier patch; both parameters run from 0 to 1. Its 16 control points are four rows, u
-/// outer and v inner.
+/// A bicubic Bézier patch; both parameters run from 0 to 1. Its 16 control points are four rows:
+/// the outer index belongs to u, the inner to v.
 struct BezierPatch {
   std::array<BezierCurve, 4> rows{};
 

@@ -11,23 +11,25 @@
 
 namespace sim::surface::patch {
 
-/// Numbers of flat pieces by the tests and splits that paper 4 compares, and by ours.
+/// Numbers of flat pieces that result from the tests and splits that paper 4 compares, and from
+/// ours.
 struct PieceCounts {
-  std::size_t control_hull = 0;     ///< Splits in four until the control points are flat.
-  std::size_t fat_plane = 0;        ///< Splits in four by the paper's fat plane.
-  std::size_t both_orders = 0;      ///< Splits in four by the fat plane in both orders.
-  std::size_t fewest_halvings = 0;  ///< Splits in two by the fat plane in both orders.
+  std::size_t control_hull = 0;     ///< Pieces by splits in four until the control points are flat.
+  std::size_t fat_plane = 0;        ///< Pieces by splits in four with the paper's fat plane.
+  std::size_t both_orders = 0;      ///< Pieces by splits in four with the fat plane in both orders.
+  std::size_t fewest_halvings = 0;  ///< Pieces by splits in two with the fat plane in both orders.
 };
 
 [[nodiscard]] PieceCounts piece_counts(const PatchSurface& surface, double flatness_mm);
 
-/// Tolerances and layout of paths in parallel upright planes. The first tolerance holds between the
+/// Tolerances and layout of paths in parallel vertical planes. The first tolerance is between the
 /// points and the surface, the second between the surface and the chords.
 struct PathOptions {
-  double fit_tolerance_mm = 0.005;    ///< Largest distance of a point from the surface.
-  double chord_tolerance_mm = 0.005;  ///< Largest distance of a chord in its plane.
-  double spacing_mm = 0.5;            ///< Between planes.
-  double angle = 0.0;                 ///< Radians from +X to the paths, counter-clockwise.
+  double fit_tolerance_mm = 0.005;  ///< Largest distance of a point from the surface.
+  /// Largest distance of a chord from the surface, in the chord's plane.
+  double chord_tolerance_mm = 0.005;
+  double spacing_mm = 0.5;  ///< Distance between planes.
+  double angle = 0.0;       ///< Angle in radians from +X to the paths, counter-clockwise.
 };
 
 /// A fitted surface and the paths over it.
@@ -36,13 +38,15 @@ struct CartesianPaths {
   FitReport report;
   std::size_t pieces = 0;
   Eigen::Vector3d plane_normal = Eigen::Vector3d::UnitY();
-  std::vector<double> plane_distances_mm;     ///< From the origin, ascending.
-  std::vector<std::vector<SlicePath>> paths;  ///< For each plane, its paths.
+  /// Distances of the planes from the origin, ascending.
+  std::vector<double> plane_distances_mm;
+  std::vector<std::vector<SlicePath>> paths;  ///< Paths of each plane.
 };
 
-/// Fits a surface to points, such as positions of a tool, and slices it (paper 4). The planes lie
-/// in the middle of the surface's width, so that the outer ones are at most half a spacing from it.
-/// @pre the grid has two rows and columns at least, its coordinates are finite; tolerances and
+/// Fits a surface to points, such as positions of a tool, and slices it (paper 4). The planes are
+/// centred over the surface's width, so that the outer planes are at most half a spacing from its
+/// ends.
+/// @pre the grid has at least two rows and columns, and its coordinates are finite; tolerances and
 /// spacing are above 0
 [[nodiscard]] CartesianPaths cartesian_paths(const PointGrid& grid, const PathOptions& options);
 

@@ -12,7 +12,7 @@ struct Cell {
   std::uint32_t column = 0;
   std::uint32_t end_row = 0;
   std::uint32_t end_column = 0;
-  std::uint32_t depth = 0;  ///< Number of splits that made it.
+  std::uint32_t depth = 0;  ///< Number of splits from the whole grid to this cell.
 
   [[nodiscard]] std::uint32_t height() const { return end_row - row; }
   [[nodiscard]] std::uint32_t width() const { return end_column - column; }
@@ -22,30 +22,33 @@ struct Cell {
   }
 };
 
-/// The cells into which adaptive subdivision divides a grid, at first one, by splits in four at the
-/// middle row and column. A cell of one row or column is split in two. Neighbours across a border
-/// differ by one split at most, so that a coarse patch does not bind many fine ones.
+/// The cells into which adaptive subdivision divides a grid. It starts with one cell and splits a
+/// cell in four at the middle row and column. A cell of one row or column is split in two.
+/// Neighbours across a border differ by at most one split, so that a coarse patch does not
+/// constrain many fine ones.
 ///
-/// A corner of a cell that lies within the border of another cell hangs there. The other cell then
-/// has fewer splits: all cells of a depth are divided at the same rows and columns, so that the
-/// border of a coarse cell holds those of its finer neighbours in full.
+/// A corner of a cell may lie within the border of another cell; it is then a hanging corner. The
+/// other cell has fewer splits: all cells of a depth are divided at the same rows and columns, so
+/// that the border of a coarse cell contains the complete borders of its finer neighbours.
 class CellTree {
  public:
-  /// @pre two rows and columns of points at least
+  /// @pre rows and columns of points are at least two
   CellTree(std::size_t rows, std::size_t columns);
 
-  /// Cells keep their number, except that a split cell's number goes on to its first part.
+  /// Returns all cells. A cell keeps its number, and the first part of a split cell takes over the
+  /// cell's number.
   [[nodiscard]] const std::vector<Cell>& cells() const { return cells_; }
-  /// Returns the number of the cell that holds the quadrilateral from a point to the next row and
-  /// column.
+  /// Returns the number of the cell that holds the quadrilateral between a point and the next row
+  /// and column.
   [[nodiscard]] std::uint32_t cell_at(std::uint32_t row, std::uint32_t column) const {
     return numbers_[std::size_t{row} * width_ + column];
   }
-  /// Returns the numbers of the cells that a point lies in or at the border of, some repeatedly.
+  /// Returns the numbers of the cells that contain a point in their interior or border. A number
+  /// may occur repeatedly.
   [[nodiscard]] std::vector<std::uint32_t> cells_around(std::uint32_t row,
                                                         std::uint32_t column) const;
 
-  /// Splits the cell and those neighbours that would differ from its parts by two splits.
+  /// Splits a cell, and those neighbours that would otherwise differ from its parts by two splits.
   /// @pre the cell can be split
   void split(std::uint32_t number);
 
@@ -54,10 +57,10 @@ class CellTree {
   void add(const Cell& cell, std::uint32_t number);
   [[nodiscard]] std::vector<std::uint32_t> coarser_neighbours(const Cell& cell) const;
 
-  std::uint32_t height_ = 0;  ///< Quadrilaterals in a column.
-  std::uint32_t width_ = 0;   ///< Quadrilaterals in a row.
+  std::uint32_t height_ = 0;  ///< Number of quadrilaterals in a column.
+  std::uint32_t width_ = 0;   ///< Number of quadrilaterals in a row.
   std::vector<Cell> cells_;
-  std::vector<std::uint32_t> numbers_;  ///< The cell of each quadrilateral, row by row.
+  std::vector<std::uint32_t> numbers_;  ///< Cell number of each quadrilateral, row by row.
 };
 
 }  // namespace sim::surface::patch

@@ -5,8 +5,8 @@
 
 namespace sim::surface::patch {
 
-/// A cubic over 0 to 1 by its Bernstein coefficients, such as the distances of a Bézier curve's
-/// control points from a plane.
+/// A cubic polynomial over 0 to 1, given by its Bernstein coefficients. Example: the distances of a
+/// Bézier curve's control points from a plane.
 using Cubic = std::array<double, 4>;
 
 /// Lowest and highest value.
@@ -30,16 +30,18 @@ struct Parameters {
 /// Returns the parameters strictly between 0 and 1 at which the derivative is 0.
 [[nodiscard]] Parameters turning_points(const Cubic& cubic);
 
-/// Returns the extremes over 0 to 1, at the ends or where the derivative is 0 (paper 4, 4.1).
+/// Returns the extremes over 0 to 1; they are at the ends or where the derivative is 0 (paper 4,
+/// 4.1).
 [[nodiscard]] Range range_of(const Cubic& cubic);
 
-/// Returns the parameters at which the sign changes, where 0 counts as positive. Their number is
-/// odd if and only if the signs of the first and the last coefficient differ; a double root, at
-/// which the sign does not change, counts as none or as two close ones.
+/// Returns the parameters at which the sign changes; 0 counts as positive. Their number is odd if
+/// and only if the signs of the first and the last coefficient differ. A double root, at which the
+/// sign does not change, counts as no root or as two close roots.
 ///
-/// The roots come from the closed formula for A t³ + B t² + C t + D (paper 4, 4.2). Rounding spoils
-/// it near double roots, so that each root is kept between the turning points that enclose it, and
-/// improved there until its error is a few units in the last place of the coefficients.
+/// The roots come from the closed formula for A t³ + B t² + C t + D (paper 4, 4.2). Rounding makes
+/// the formula inexact near double roots. Therefore each root is kept between the turning points
+/// that enclose it, and is improved there until its error is a few units in the last place of the
+/// coefficients.
 [[nodiscard]] Parameters sign_changes(const Cubic& cubic);
 
 }  // namespace sim::surface::patch

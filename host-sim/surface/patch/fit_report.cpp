@@ -15,8 +15,8 @@ double share_of(Interval interval, double value) {
   return (value - interval.from) / (interval.to - interval.from);
 }
 
-/// Returns the first whole number from a limit on, and the number behind the last below `end`, or
-/// up to it where it is the last of all.
+/// The whole numbers of an interval without its end; the end belongs to it if it is the last of all
+/// `count` numbers. `behind` is the number after the last one.
 struct WholeNumbers {
   std::size_t first;
   std::size_t behind;
@@ -28,7 +28,8 @@ struct WholeNumbers {
   }
 };
 
-/// Calls visit(row, column, point of the surface at the same row and column) for each point once.
+/// Calls visit(row, column, point) for each point of the grid once. `point` is the point of the
+/// surface at the same row and column.
 template <typename Visit>
 void for_each_point(const PatchSurface& surface, const PointGrid& grid, const Visit& visit) {
   for (std::uint32_t number = 0; number < surface.patches.size(); ++number) {
@@ -60,7 +61,7 @@ void measure_points(const SurfaceDistance& distance,
   });
 }
 
-/// Samples one patch of the surface.
+/// Measures the distances of samples of one patch from the grid's triangles.
 void measure_patch(const GridDistance& distance,
                    const PointGrid& grid,
                    const GridPatch& patch,

@@ -8,10 +8,10 @@ namespace sim::surface::patch {
 namespace {
 
 using Eigen::Vector3d;
-/// Distances of the control points, u outer.
+/// Distances of the control points; the outer index belongs to u.
 using Distances = std::array<Cubic, 4>;
 
-/// Sine of the angle between diagonals below which their normal is mostly rounding.
+/// Sine of the angle between the diagonals below which their normal is mostly rounding error.
 constexpr double kLeastSine = 1.0e-9;
 
 Distances transposed(const Distances& distances) {
@@ -32,8 +32,9 @@ Range hull_range(const Distances& distances) {
   return range;
 }
 
-/// Returns Dminₘᵢₙ and Dmaxₘₐₓ of paper 4: the extremes along the outer parameter of the curves
-/// whose coefficients are the extremes along the inner one.
+/// Returns Dminₘᵢₙ and Dmaxₘₐₓ of paper 4. The extremes along the inner parameter are the
+/// coefficients of two curves along the outer parameter. The result is the lowest and highest value
+/// of these curves.
 Range nested_range(const Distances& distances) {
   Cubic lowest{};
   Cubic highest{};

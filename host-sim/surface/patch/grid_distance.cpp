@@ -17,7 +17,7 @@ double square_from_segment(const Vector3d& point, const Vector3d& from, const Ve
   return (point - from - share * along).squaredNorm();
 }
 
-/// Returns the triangles of the quadrilateral from (row, column) on.
+/// Returns the triangles of the quadrilateral whose first corner is (row, column).
 std::array<Triangle, 2> triangles_of(const PointGrid& grid, std::size_t row, std::size_t column) {
   const Vector3d& first = grid.at(row, column);
   const Vector3d& last = grid.at(row + 1, column + 1);

@@ -11,11 +11,12 @@ namespace sim::surface::patch {
 
 using Triangle = std::array<Eigen::Vector3d, 3>;
 
-/// Returns the square of the distance of a point from a triangle, which may have no area; mm².
+/// Returns the square of the distance between a point and a triangle, mm². The triangle may have no
+/// area.
 [[nodiscard]] double square_distance(const Eigen::Vector3d& point, const Triangle& triangle);
 
-/// Returns the square of the distance from the two triangles of the quadrilateral between a point
-/// of the grid and the next row and column; mm².
+/// Returns the square of the distance between `point` and a quadrilateral's two triangles, mm². The
+/// quadrilateral lies between `row` and `column` and the next row and column.
 [[nodiscard]] double square_distance_from(const PointGrid& grid,
                                           std::uint32_t row,
                                           std::uint32_t column,
@@ -24,16 +25,16 @@ using Triangle = std::array<Eigen::Vector3d, 3>;
 /// Distances of points from the triangles of a grid (triangulated() states the diagonal).
 class GridDistance {
  public:
-  /// @pre the grid has two rows and columns at least. It must live as long as this object.
+  /// @pre the grid has at least two rows and columns; it lives as long as this object
   explicit GridDistance(const PointGrid& grid);
 
   /// Returns the square of the distance from the whole grid, mm².
-  /// @param known the square of a distance from some quadrilateral
+  /// @param known the square of the distance from some quadrilateral
   [[nodiscard]] double square_distance_from_all(const Eigen::Vector3d& point, double known) const;
 
  private:
   const PointGrid* grid_;
-  BoxTree tree_;  ///< The quadrilaterals, row by row.
+  BoxTree tree_;  ///< Boxes of the quadrilaterals, row by row.
 };
 
 }  // namespace sim::surface::patch

@@ -9,23 +9,25 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Weights of points in a row: their sums are value and derivative of the fitted polynomial.
+/// Weights of the points in a row or column. The weighted sums of the points are value and
+/// derivative of the fitted polynomial.
 struct Filter {
   std::size_t first = 0;
   std::vector<double> value;
   std::vector<double> slope;
 };
 
-/// @param place of the node among `count` points, @param reach of the window to both sides
+/// @param place index of the node among `count` points
+/// @param reach number of points of the window on each side
 Filter filter_at(std::size_t place, std::size_t reach, std::size_t count) {
   const std::size_t length = std::min(2 * reach + 1, count);
   const std::size_t behind = std::min(reach, place);
   Filter filter{.first = std::min(place - behind, count - length), .value = {}, .slope = {}};
-  // Powers of the distance from the node over the reach, so that all are of the same size.
+  // Distances from the node are divided by the reach, so that all powers have a similar size.
   const double scale = 1.0 / static_cast<double>(reach);
   const auto powers_at = [&](std::size_t i) {
     const double x = scale * (static_cast<double>(filter.first + i) - static_cast<double>(place));
-    // Few points determine fewer powers.
+    // A window of few points determines only the lower powers.
     return Eigen::Vector4d{1.0, x, length > 2 ? x * x : 0.0, length > 3 ? x * x * x : 0.0};
   };
   Eigen::Matrix4d normal = Eigen::Matrix4d::Zero();

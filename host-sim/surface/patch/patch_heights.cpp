@@ -15,7 +15,7 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-/// Returns the numbers of the patches that cover each quadrilateral.
+/// Returns for each quadrilateral the number of the patch that covers it.
 std::vector<std::uint32_t> numbers_of(const PatchSurface& surface) {
   const std::size_t width = surface.columns - 1;
   std::vector<std::uint32_t> numbers((surface.rows - 1) * width, 0);
@@ -32,7 +32,7 @@ std::vector<std::uint32_t> numbers_of(const PatchSurface& surface) {
   return numbers;
 }
 
-/// Returns the boxes of patches, in the plan.
+/// Returns the boxes of the patches in plan.
 std::vector<Eigen::AlignedBox3d> boxes_of(const PatchSurface& surface) {
   std::vector<Eigen::AlignedBox3d> boxes;
   boxes.reserve(surface.patches.size());
@@ -95,7 +95,8 @@ void PatchHeights::require_no_fold() const {
   }
 }
 
-/// Beyond the last row and column the surface goes on straight, in the direction of its derivative.
+/// Returns the point and derivatives at a row and column. Beyond the last row and column the
+/// surface continues straight, in the direction of its derivative.
 PatchHeights::Jet PatchHeights::jet_at(const Hint& at) const {
   const double on_row = std::clamp(at.row, 0.0, last_.row);
   const double on_column = std::clamp(at.column, 0.0, last_.column);
@@ -121,7 +122,8 @@ std::optional<double> PatchHeights::height_from(const Vector2d& place,
                                                 const Hint& most,
                                                 Hint& at) const {
   constexpr int kMostSteps = 24;
-  // The error of the height is that of the square of such a step.
+  // Length of the last step, in rows or columns. The error of the height is of the order of the
+  // square of this step.
   constexpr double kLastStep = 1.0e-7;
   for (int i = 0; i < kMostSteps; ++i) {
     const Jet jet = jet_at(at);
@@ -143,7 +145,7 @@ bool PatchHeights::is_on(const Hint& at) const {
   return at.row >= 0.0 && at.row <= last_.row && at.column >= 0.0 && at.column <= last_.column;
 }
 
-/// Looks for the place within all patches whose box in the plan holds it.
+/// Searches for the point in all patches whose box in plan contains it.
 std::optional<double> PatchHeights::height_within(const Vector2d& place, Hint& at) const {
   constexpr std::array<double, 3> kStarts{0.5, 0.1, 0.9};
   std::optional<double> found;
@@ -187,7 +189,8 @@ std::optional<double> PatchHeights::height(const Vector2d& place, Hint& hint) co
   std::optional<double> found = height_from(place, last_, at);
   if (!found || !is_on(at)) found = height_within(place, at);
   if (!found) {
-    // Beside a bent rim there are several answers: the start depends on the place alone.
+    // Outside a curved rim there are several solutions. The start depends on the point alone, so
+    // that the result does, too.
     at = nearest_of_rim(place);
     found = height_from(place, last_, at);
   }

@@ -11,25 +11,26 @@
 
 namespace sim::surface::patch {
 
-/// The heights of a composite surface over places in the plan, mm. Any thread may ask, as nothing
-/// changes.
+/// The heights of a composite surface over points in plan, mm. All threads may call the const
+/// functions at once.
 class PatchHeights {
  public:
-  /// Row and column of the surface at which the search for a height starts, those of a place near
-  /// by. They change a height by rounding alone.
+  /// Row and column of the surface at which the search for a height starts, taken from a point near
+  /// by. They change the result by rounding alone.
   struct Hint {
     double row = 0.0;
     double column = 0.0;
   };
 
-  /// Throws std::invalid_argument, with row and column, for a surface that folds in the plan.
+  /// Throws std::invalid_argument, with row and column, for a surface that folds in plan.
   /// @pre the ends of all patches are whole rows and columns, as those of fitted_surface()
   explicit PatchHeights(PatchSurface surface);
 
   [[nodiscard]] const PatchSurface& surface() const { return surface_; }
 
-  /// Returns the height over a place. Beside its rim the surface goes on straight, so that heights
-  /// have no step there. Nothing where no search arrives, as far beside a rim that is bent.
+  /// Returns the height of the surface over a point in plan. Beyond its rim the surface continues
+  /// straight, so that heights have no step there. Returns nothing if no search converges, for
+  /// example far outside a curved rim.
   [[nodiscard]] std::optional<double> height(const Eigen::Vector2d& place, Hint& hint) const;
 
  private:
@@ -39,7 +40,7 @@ class PatchHeights {
     Eigen::Vector3d by_row;
     Eigen::Vector3d by_column;
 
-    /// Returns the area in the plan that a row and a column span, with its sign.
+    /// Returns the signed area in plan that the two derivatives span.
     [[nodiscard]] double area() const {
       return by_row.x() * by_column.y() - by_row.y() * by_column.x();
     }
@@ -56,11 +57,11 @@ class PatchHeights {
   void require_no_fold() const;
 
   PatchSurface surface_;
-  std::vector<std::uint32_t> numbers_;  ///< The patch of each quadrilateral, row by row.
+  std::vector<std::uint32_t> numbers_;  ///< Patch number of each quadrilateral, row by row.
   Hint last_;                           ///< The last row and column.
-  BoxTree tree_;                        ///< The patches in the plan.
-  std::vector<Hint> rim_;               ///< Points of the grid's rim.
-  BoxTree rim_tree_;                    ///< The same in the plan.
+  BoxTree tree_;                        ///< Boxes of the patches in plan.
+  std::vector<Hint> rim_;               ///< Rows and columns of the points of the grid's rim.
+  BoxTree rim_tree_;                    ///< Boxes of the points of the rim in plan.
 };
 
 }  // namespace sim::surface::patch

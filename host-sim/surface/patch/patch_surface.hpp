@@ -7,8 +7,8 @@
 
 namespace sim::surface::patch {
 
-/// A patch over a rectangle of a grid's rows (u) and columns (v). The ends are whole numbers or
-/// halves, quarters and so on of them, so that patches that meet have equal ends.
+/// A patch over a rectangle of a grid's rows (u) and columns (v). The ends are whole numbers,
+/// halves, quarters and so on, so that patches that meet have equal ends.
 struct GridPatch {
   Interval u;
   Interval v;

@@ -29,7 +29,7 @@ BezierCurve curve_of(const BezierPatch& shape, std::size_t side) {
 
 }  // namespace
 
-/// Divides all sides at all corners on them.
+/// Divides all sides at all corners that lie on them.
 class PieceNet::Builder {
  public:
   explicit Builder(PieceNet& net) : net_{net} {
@@ -59,7 +59,7 @@ class PieceNet::Builder {
  private:
   /// A corner of a piece as a point of the line of fixed u or fixed v through it.
   struct Stop {
-    bool is_at_u = false;  ///< The line has fixed u.
+    bool is_at_u = false;  ///< Whether u is fixed on the line; otherwise v is.
     double line = 0.0;
     double along = 0.0;
 
@@ -71,13 +71,14 @@ class PieceNet::Builder {
     bool is_at_u = false;
     double line = 0.0;
     Interval along;
-    bool is_reversed = false;  ///< Around the piece it runs from its end to its start.
+    /// Whether the border of the piece runs along the side from its end to its start.
+    bool is_reversed = false;
 
     [[nodiscard]] Stop from() const { return {is_at_u, line, along.from}; }
     [[nodiscard]] Stop to() const { return {is_at_u, line, along.to}; }
   };
 
-  /// Returns the sides of a piece in the order in which they are around it.
+  /// Returns the sides of a piece in their order around it.
   static std::array<Side, 4> sides_of(const GridPatch& piece) {
     return {Side{true, piece.u.from, piece.v, false},
             Side{false, piece.v.to, piece.u, false},
@@ -113,7 +114,7 @@ class PieceNet::Builder {
     return static_cast<std::uint32_t>(net_.edges_.size() - 1);
   }
 
-  /// Returns the point of a corner as it was first computed.
+  /// Returns the corner at a stop as it was first computed; `point` if the stop is new.
   const Vector3d& corner(const Stop& stop, const Vector3d& point) {
     const std::pair place{stop.is_at_u ? stop.line : stop.along,
                           stop.is_at_u ? stop.along : stop.line};
@@ -121,8 +122,9 @@ class PieceNet::Builder {
   }
 
   PieceNet& net_;
-  std::vector<Stop> stops_;               ///< Sorted, each once.
-  std::vector<std::uint32_t> edge_from_;  ///< The edge from a stop to the next of its line.
+  std::vector<Stop> stops_;  ///< All stops, sorted, without duplicates.
+  /// Number of the edge from each stop to the next stop of its line.
+  std::vector<std::uint32_t> edge_from_;
   std::map<std::pair<double, double>, Vector3d> corners_;
 };
 

@@ -15,33 +15,34 @@ using Eigen::Vector3d;
 
 constexpr std::uint32_t kNoChord = std::numeric_limits<std::uint32_t>::max();
 
-/// The line between two hits that share a piece.
+/// The line between two hits of one piece.
 struct Chord {
   std::array<std::uint32_t, 2> hits{};
   double error_bound = 0.0;
 };
 
-/// A point at which the plane cuts an edge. One chord at each side of the edge ends there; at the
-/// rim of the surface there is one side.
+/// A point at which the plane cuts an edge. A chord ends there on each side of the edge; at the rim
+/// of the surface there is only one side.
 struct Hit {
   Vector3d point = Vector3d::Zero();
   std::array<std::uint32_t, 2> chords{kNoChord, kNoChord};
 };
 
-/// The hits of an edge, which are in the order of the edge.
+/// The hits of one edge, in the order along the edge.
 struct HitRun {
   std::uint32_t first = 0;
   std::uint32_t count = 0;
-  std::size_t of_plane = std::numeric_limits<std::size_t>::max();  ///< Number of the plane.
+  /// Number of the plane that these hits belong to.
+  std::size_t of_plane = std::numeric_limits<std::size_t>::max();
 };
 
-/// Cuts a net by one plane after the other.
+/// Cuts a net with one plane after another.
 class Slicer {
  public:
   Slicer(const PieceNet& net, const Vector3d& normal)
       : net_{net}, normal_{normal}, runs_(net.edges().size()) {}
 
-  /// @param pieces those that the plane may cut
+  /// @param pieces the pieces that the plane may cut
   std::vector<SlicePath> paths(double distance, const std::vector<std::uint32_t>& pieces) {
     ++plane_;
     distance_ = distance;
@@ -63,7 +64,8 @@ class Slicer {
     if (around.empty()) return;
     const BezierPatch& shape = net_.pieces()[piece].shape;
     const double bound = chord_error_bound(shape, {.slicing_normal = normal_, .least_sine = 0.0});
-    // The signs of the parts of the border alternate; the last part holds the border's start.
+    // The hits divide the border into parts with alternating signs. The border's start lies in the
+    // last part.
     const BorderEdge start = net_.border(piece).front();
     const BezierCurve& curve = net_.edges()[start.edge];
     const bool starts_above = is_above(curve.controls[start.is_reversed ? 3 : 0]);
@@ -103,7 +105,7 @@ class Slicer {
     }
   }
 
-  /// Joins the chords: first the chains that begin at the rim, then the closed ones.
+  /// Joins the chords: first the chains that begin at the rim, then the closed chains.
   std::vector<SlicePath> chained() {
     std::vector<SlicePath> paths;
     done_.assign(hits_.size(), 0);
@@ -116,7 +118,7 @@ class Slicer {
     return paths;
   }
 
-  /// Follows the chords from a hit to the rim or back to it.
+  /// Follows the chords from a hit to the rim, or around a closed chain back to the hit.
   SlicePath path_from(std::uint32_t hit) {
     SlicePath path;
     path.is_closed = true;
@@ -141,13 +143,14 @@ class Slicer {
   Vector3d normal_;
   double distance_ = 0.0;
   std::size_t plane_ = 0;
-  std::vector<HitRun> runs_;  ///< Edge by edge, for the plane that they name.
+  /// Hits of each edge; each entry is valid for the plane that it names.
+  std::vector<HitRun> runs_;
   std::vector<Hit> hits_;
   std::vector<Chord> chords_;
   std::vector<std::uint8_t> done_;
 };
 
-/// Returns the distances of a piece along the normal: its extremes are those of control points.
+/// Returns the range of a piece along the normal: the extremes of its control points.
 Range reach_of(const BezierPatch& shape, const Vector3d& normal) {
   Range range{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
   for (const BezierCurve& row : shape.rows) {
@@ -171,7 +174,8 @@ std::vector<std::vector<SlicePath>> plane_slices(const PieceNet& net,
     return distances_mm[a] < distances_mm[b];
   });
   for (std::uint32_t piece = 0; piece < net.pieces().size(); ++piece) {
-    // An edge's end may be that of a neighbour, which differs by rounding.
+    // The end of an edge may come from a neighbour and differ by rounding, so that the edges widen
+    // the range.
     Range reach = reach_of(net.pieces()[piece].shape, normal);
     const double slack =
         1.0e-12 * (1.0 + std::max(std::abs(reach.lowest), std::abs(reach.highest)));

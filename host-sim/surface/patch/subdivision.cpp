@@ -14,9 +14,10 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// The worse direction of a split is tried if its halves have less than this share of the whole's
-/// flatness. Halving the curved parameter of a ruled patch leaves a quarter of it, halving the
-/// straight one all of it.
+/// A direction of a split helps if its halves have at most this share of the whole's flatness. The
+/// worse direction is tried if it helps, too, or if neither direction helps. Halving the curved
+/// parameter of a ruled patch leaves a quarter of the flatness; halving the straight parameter
+/// leaves all of it.
 constexpr double kHelpfulShare = 0.9;
 
 /// Part number `index` of the 2^halvings equal parts of an interval.
@@ -68,8 +69,8 @@ double diameter(const BezierPatch& patch) {
   return box.diagonal().norm();
 }
 
-/// Finds the fewest pieces by dynamic programming over the rectangles that halvings make. A count
-/// is given up once it exceeds a number that another split has reached.
+/// Finds the fewest pieces by dynamic programming over the rectangles that result from halvings.
+/// Counting stops once the count exceeds the number of pieces of another split.
 class FewestPieces {
  public:
   FewestPieces(const GridPatch& patch, const FlatnessLimit& limit) : patch_{patch}, limit_{limit} {}
@@ -97,12 +98,13 @@ class FewestPieces {
 
   struct Choice {
     double error = 0.0;
-    std::uint32_t pieces = 0;     ///< 0 as long as they are not counted.
-    std::uint32_t more_than = 0;  ///< A count that was given up has shown this.
+    std::uint32_t pieces = 0;  ///< Number of pieces; 0 until it is known.
+    /// Number that the count is known to exceed, from a stopped count.
+    std::uint32_t more_than = 0;
     Split split = Split::kNone;
   };
 
-  /// Returns the entry of a rectangle, which has its error.
+  /// Returns the entry of a rectangle; the error of the rectangle is computed.
   Choice& choice_of(const Rectangle& part) {
     const auto [place, is_new] = choices_.try_emplace(part.key());
     if (is_new) place->second.error = chord_error_bound(part.of(patch_).shape, limit_);
@@ -121,8 +123,8 @@ class FewestPieces {
     choice.pieces = pieces;
   }
 
-  /// Returns the number of pieces of a rectangle; kMore where it exceeds `most`. Calls itself at
-  /// most 2 kMaxHalvings deep, as each level has a halving more.
+  /// Returns the number of pieces of a rectangle; kMore if it exceeds `most`. The recursion is at
+  /// most 2 kMaxHalvings deep, because each level adds a halving.
   std::uint32_t count(const Rectangle& part,  // NOLINT(misc-no-recursion): bounded by the halvings.
                       std::uint32_t most) {
     Choice& choice = choice_of(part);

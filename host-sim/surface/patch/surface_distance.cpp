@@ -10,10 +10,11 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Gauss-Newton converges at a rate of distance over radius of curvature. Slower feet are left to
-/// the divisions of the patch.
+/// Maximum number of Gauss-Newton steps. They converge at a rate of distance divided by radius of
+/// curvature. If a foot converges more slowly, divisions of the patch find it.
 constexpr int kMaxFootSteps = 12;
-/// Divisions of a patch in four; its parts are then as small as the rounding of its points.
+/// Maximum number of divisions of a patch in four. The parts are then as small as the rounding
+/// error of their points.
 constexpr int kMaxDivisions = 24;
 
 Eigen::AlignedBox3d box_of(const BezierPatch& patch) {
@@ -24,8 +25,9 @@ Eigen::AlignedBox3d box_of(const BezierPatch& patch) {
   return box;
 }
 
-/// Returns a step of u and v towards the foot. It leaves out a parameter at whose border it would
-/// leave the patch, and the weaker one where both lead in the same direction.
+/// Returns a step of u and v towards the foot. The step does not change a parameter that is at its
+/// limit if the step would leave the patch there. If both parameters lead in the same direction,
+/// only the stronger one changes.
 Eigen::Vector2d step_to_foot(const PatchJet& jet, const Vector3d& away, double u, double v) {
   const double uu = jet.along_u.squaredNorm();
   const double uv = jet.along_u.dot(jet.along_v);
@@ -42,8 +44,8 @@ Eigen::Vector2d step_to_foot(const PatchJet& jet, const Vector3d& away, double u
   return {(du * vv - dv * uv) / determinant, (dv * uu - du * uv) / determinant};
 }
 
-/// Returns a distance that no point of the patch is nearer than: that of its control points from
-/// the plane through the point across the line from the foot.
+/// Returns a lower bound of the distance between the point and the patch: the least distance of its
+/// control points from the plane through the point that is perpendicular to the line from the foot.
 double least_distance(const BezierPatch& patch, const Vector3d& point, const Vector3d& foot) {
   const Vector3d away = point - foot;
   const double length = away.norm();
@@ -84,7 +86,7 @@ struct SurfaceDistance::Part {
   Interval u;
   Interval v;
   int divisions = 0;
-  double least = 0.0;  ///< No point of the part is nearer.
+  double least = 0.0;  ///< Lower bound of the distance to the part.
 
   [[nodiscard]] Part quarter(bool far_u, bool far_v) const {
     const auto half = [](Interval whole, bool far) {
@@ -97,15 +99,15 @@ struct SurfaceDistance::Part {
             divisions + 1,
             least};
   }
-  /// Orders a heap so that the part that could be nearest comes first.
+  /// Orders a heap so that the part with the smallest lower bound comes first.
   bool operator<(const Part& other) const { return least > other.least; }
 };
 
 struct SurfaceDistance::Search {
   Vector3d point = Vector3d::Zero();
   SurfacePoint best;
-  double enough = 0.0;       ///< A distance below which no nearer one is looked for.
-  double too_far = 0.0;      ///< A distance above which none is of interest.
+  double enough = 0.0;       ///< Distance at which the search stops: a nearer point is not needed.
+  double too_far = 0.0;      ///< Distance above which points are of no interest.
   std::vector<Part> open{};  ///< A heap of parts of the current patch.
 
   [[nodiscard]] bool is_over() const { return best.distance_mm <= enough; }
@@ -113,8 +115,8 @@ struct SurfaceDistance::Search {
     return is_over() ? -1.0 : std::min(too_far, best.distance_mm - kDistanceErrorMm);
   }
 
-  /// Moves a point of a part, of its parameters `u` and `v`, to its foot, keeps it if it is the
-  /// nearest one so far, and returns it.
+  /// Moves a point of a part, given by the part's parameters `u` and `v`, to its foot. Stores the
+  /// foot if it is the nearest one so far. Returns the foot.
   Vector3d try_foot(std::uint32_t patch, const Part& part, double u, double v) {
     const double distance = move_to_foot(part.shape, point, u, v);
     if (distance < best.distance_mm) {
@@ -126,7 +128,7 @@ struct SurfaceDistance::Search {
     return part.shape.at(u, v);
   }
 
-  /// Adds a part unless it is too far away.
+  /// Adds a part unless it is too far away to matter.
   void add(std::uint32_t patch, Part part) {
     part.least = std::max(part.least, std::sqrt(box_of(part.shape).squaredExteriorDistance(point)));
     if (part.least > bound()) return;
@@ -152,7 +154,7 @@ void SurfaceDistance::search_patch(std::uint32_t number, Search& search) const {
     std::pop_heap(search.open.begin(), search.open.end());
     const Part part = search.open.back();
     search.open.pop_back();
-    if (part.least > search.bound()) return;  // And so are all others.
+    if (part.least > search.bound()) return;  // All other parts are at least as far.
     for (const bool far_u : {false, true}) {
       for (const bool far_v : {false, true}) search.add(number, part.quarter(far_u, far_v));
     }
@@ -161,7 +163,7 @@ void SurfaceDistance::search_patch(std::uint32_t number, Search& search) const {
 
 void SurfaceDistance::search(Search& search) const {
   const auto bound = [&search] { return search.bound(); };
-  // A good first distance spares the proofs that worse ones are the least of their patch.
+  // A good first distance saves the proofs of least distance for patches that are farther.
   tree_.visit_near(search.point, bound, [&](std::uint32_t number) {
     const Part whole{surface_->patches[number].shape, {}, {}, 0, 0.0};
     for (const double u : {0.1, 0.5, 0.9}) {

@@ -8,11 +8,11 @@
 
 namespace sim::surface::patch {
 
-/// Largest error of a distance, mm, but for rounding.
+/// Largest error of a distance, mm, apart from rounding.
 inline constexpr double kDistanceErrorMm = 1.0e-7;
 
-/// A point of a surface, by a patch and its parameters from 0 to 1, and its distance from another
-/// point.
+/// A point of a surface, given by a patch and its parameters from 0 to 1, and its distance from
+/// another point.
 struct SurfacePoint {
   std::uint32_t patch = 0;
   double u = 0.5;
@@ -22,22 +22,23 @@ struct SurfacePoint {
 
 /// Distances of points from a composite surface.
 ///
-/// A search starts at a known point of the surface, mostly the one with the same row and column,
-/// and moves it to the foot of the perpendicular. Where that does not settle it, a tree of boxes
-/// leaves few patches. These are divided in four as long as a part could be nearer: all its control
-/// points and thus the part lie beyond a plane across the line to its foot.
+/// A search starts at a known point of the surface, usually the one with the same row and column,
+/// and moves it to the foot of the perpendicular. If that does not decide, a tree of boxes leaves
+/// few patches. These are divided in four while a part could be nearer than the nearest foot so
+/// far. A part cannot be nearer if all its control points lie beyond a plane at that distance,
+/// perpendicular to the line from the point to the part's foot.
 class SurfaceDistance {
  public:
-  /// @pre the surface has a patch. It must live as long as this object.
+  /// @pre the surface has a patch; it lives as long as this object
   explicit SurfaceDistance(const PatchSurface& surface);
 
   /// Returns a nearest point of the surface.
-  /// @param near a point of the surface to start at; its distance is not used
+  /// @param near a point of the surface at which the search starts; its distance is not used
   [[nodiscard]] SurfacePoint nearest(const Eigen::Vector3d& point, const SurfacePoint& near) const;
-  /// Returns a nearest point of the surface without a known one to start at.
+  /// Returns a nearest point of the surface. The search needs no starting point.
   [[nodiscard]] SurfacePoint nearest(const Eigen::Vector3d& point) const;
-  /// Returns whether the surface comes within the tolerance of the point. This is exact unless the
-  /// distance differs from the tolerance by less than kDistanceErrorMm.
+  /// Returns whether the surface is within the tolerance of the point. The answer is exact unless
+  /// the distance differs from the tolerance by less than kDistanceErrorMm.
   [[nodiscard]] bool is_within(const Eigen::Vector3d& point,
                                double tolerance_mm,
                                const SurfacePoint& near) const;
@@ -53,8 +54,8 @@ class SurfaceDistance {
   BoxTree tree_;
 };
 
-/// Moves a point of a patch, u and v within 0 to 1, by Gauss-Newton steps to where no step makes it
-/// nearer, and returns the distance.
+/// Moves a point of a patch, u and v within 0 to 1, by Gauss-Newton steps until no step makes the
+/// distance smaller. Returns the distance.
 double move_to_foot(const BezierPatch& patch, const Eigen::Vector3d& point, double& u, double& v);
 
 }  // namespace sim::surface::patch

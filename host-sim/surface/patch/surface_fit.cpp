@@ -17,8 +17,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Returns the patch of a cell from its corners: (row, column), (row, end column), (end row,
-/// column), (end row, end column).
+/// Returns the patch of a cell from its corners in the order (row, column), (row, end column), (end
+/// row, column), (end row, end column).
 BezierPatch hermite_patch(const Cell& cell, const std::array<const Node*, 4>& corners) {
   BezierPatch patch;
   for (std::size_t corner = 0; corner < 4; ++corner) {
@@ -41,7 +41,7 @@ BezierPatch hermite_patch(const Cell& cell, const std::array<const Node*, 4>& co
   return patch;
 }
 
-/// The patches of all cells of a tree, by the number of the cell.
+/// Builds the patches of all cells of a tree, in the order of the cells' numbers.
 class PatchBuilder {
  public:
   PatchBuilder(const PointGrid& grid, const CellTree& tree)
@@ -51,7 +51,7 @@ class PatchBuilder {
     const std::vector<Cell>& cells = tree_.cells();
     std::vector<std::uint32_t> order(cells.size());
     for (std::uint32_t i = 0; i < order.size(); ++i) order[i] = i;
-    // Coarse cells first: where a corner hangs, the border that it hangs in is known.
+    // Coarse cells come first, so that the border in which a corner hangs is known.
     std::stable_sort(order.begin(), order.end(), [&cells](std::uint32_t a, std::uint32_t b) {
       return cells[a].depth < cells[b].depth;
     });
@@ -93,7 +93,7 @@ class PatchBuilder {
     return estimated_node(grid_, {row, column, height, width});
   }
 
-  /// Returns a corner of other cells within a border of a coarser one.
+  /// Returns the node of a hanging corner from the border of the coarser cell `number`.
   Node hanging_node(std::uint32_t number, std::uint32_t row, std::uint32_t column) const {
     const Cell& cell = tree_.cells()[number];
     const double height = cell.height();
@@ -110,7 +110,8 @@ class PatchBuilder {
   std::vector<BezierPatch> patches_;
 };
 
-/// A point of the grid that a patch is farther from than the tolerance, at the same row and column.
+/// A point of the grid whose distance from the patch, at the same row and column, exceeds the
+/// tolerance.
 struct Suspect {
   std::uint32_t row = 0;
   std::uint32_t column = 0;
@@ -125,7 +126,7 @@ class AdaptiveFit {
 
   PatchSurface surface() {
     build();
-    // Each round splits a cell at least, and no cell is smaller than a quadrilateral.
+    // Each pass splits at least one cell, and no cell is smaller than a quadrilateral.
     while (split_failing_cells()) build();
     return std::move(surface_);
   }
@@ -164,7 +165,7 @@ class AdaptiveFit {
     return has_split;
   }
 
-  /// Returns a point of a cell that is beyond the tolerance from the whole surface.
+  /// Returns a point of a cell that is farther from the whole surface than the tolerance.
   std::optional<Suspect> failing_point(std::uint32_t number) {
     std::vector<Suspect> suspects = suspects_of(number);
     std::sort(suspects.begin(), suspects.end(), [](const Suspect& a, const Suspect& b) {
@@ -186,7 +187,8 @@ class AdaptiveFit {
   }
 
   /// Returns whether the surface at a row and column is within tolerance of the quadrilaterals
-  /// around. Without this a surface could bulge beyond the points and still pass near them.
+  /// around that place. Without this check a surface could bulge beyond the points and still pass
+  /// near them.
   bool is_near_grid(const SurfacePoint& place, std::uint32_t row, std::uint32_t column) const {
     const Vector3d point = surface_.patches[place.patch].shape.at(place.u, place.v);
     const auto last_row = static_cast<std::uint32_t>(grid_.rows - 2);
@@ -209,7 +211,8 @@ class AdaptiveFit {
       for (std::uint32_t column = cell.column; column <= cell.end_column; ++column) {
         const Vector3d off = grid_.at(row, column) -
                              curve.at((column - cell.column) / static_cast<double>(cell.width()));
-        // NaN and infinity, of a surface beyond the range of numbers, are beyond the tolerance.
+        // NaN and infinity, from a surface beyond the range of numbers, count as beyond the
+        // tolerance.
         if (!(off.squaredNorm() <= tolerance_ * tolerance_)) {
           suspects.push_back({row, column, off.norm()});
         }
@@ -222,7 +225,7 @@ class AdaptiveFit {
   double tolerance_;
   CellTree tree_;
   PatchSurface surface_;
-  std::optional<SurfaceDistance> distance_;  ///< Made for the current surface when first needed.
+  std::optional<SurfaceDistance> distance_;  ///< Created for the current surface when first needed.
 };
 
 }  // namespace

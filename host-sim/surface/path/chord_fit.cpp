@@ -11,21 +11,22 @@ namespace {
 using Place = cnc::WideVec2;
 using cnc::cross;
 
-/// Directions from a right one to a left one, less than half a turn.
+/// Directions from `right` counter-clockwise to `left`, less than half a turn apart.
 struct Cone {
   Place right;
   Place left;
 };
 
-/// Places of the curve that are near enough to each other that a line which passes two of them
-/// within a tolerance does so between them.
+/// Returns places of the curve. They are so close to each other that a line that passes two
+/// neighbours within a tolerance also passes the curve between them within the tolerance.
 std::vector<Place> places_of(const cnc::contour::PlaneCurve& curve,
                              const SpanRange& spans,
                              double tolerance_mm) {
   constexpr double kShareOfTolerance = 0.02;
   std::vector<Place> places{curve.at(spans.from, 0.0).place};
   for (std::size_t span = spans.from; span < spans.to; ++span) {
-    // A cubic leaves a chord of 1 / n of it by at most its second derivative / 8 n².
+    // The distance of a cubic from the chord over 1 / n of it is at most its second derivative / 8
+    // n².
     const double bend =
         std::max(curve.at(span, 0.0).second.norm(), curve.at(span, 1.0).second.norm());
     const double parts = std::ceil(std::sqrt(bend / (8.0 * kShareOfTolerance * tolerance_mm)));
@@ -37,7 +38,7 @@ std::vector<Place> places_of(const cnc::contour::PlaneCurve& curve,
   return places;
 }
 
-/// Lines through places within a tolerance, in their order.
+/// Finds lines that pass places, in order, within a tolerance.
 class ChordFinder {
  public:
   ChordFinder(std::vector<Place> places, double tolerance_mm)
@@ -55,10 +56,10 @@ class ChordFinder {
   }
 
  private:
-  /// A line that passes the places from `begin` up to `end`, which it does not.
+  /// A line that passes the places from `begin` up to but not including `end`.
   struct Line {
     Place from;
-    Place direction;  ///< Unit vector.
+    Place direction;  ///< Unit vector of the line's direction.
     std::size_t begin = 0;
     std::size_t end = 0;
   };
@@ -67,12 +68,12 @@ class ChordFinder {
     out.push_back({.x = place.x(), .y = place.y(), .bulge = 0.0});
   }
 
-  /// Returns the line from a place that passes most of the places from `begin` on. It ends at the
-  /// curve's end exactly where it can.
+  /// Returns the line from `from` that passes the greatest number of places from `begin` on. If
+  /// possible, the line passes exactly through the curve's end.
   [[nodiscard]] Line farthest(const Place& from, std::size_t begin) const {
     Line line{.from = from, .direction = Place::UnitX(), .begin = begin, .end = begin};
     Cone cone{};
-    bool open = true;  // All directions.
+    bool open = true;  // All directions are possible so far.
     Place reached = from;
     for (std::size_t i = begin; i < places_.size(); ++i) {
       const Place seen = places_[i] - from;
@@ -87,8 +88,8 @@ class ChordFinder {
     return line;
   }
 
-  /// Leaves the directions that pass a place within `most`; false, and nothing changes, if none is
-  /// left.
+  /// Restricts the cone to the directions that pass a place within `most`. Returns false and
+  /// changes nothing if no direction is left.
   static bool narrow(const Place& seen, double distance, double most, bool open, Cone& cone) {
     const double sine = most / distance;
     const double cosine = std::sqrt(1.0 - sine * sine);
@@ -99,7 +100,7 @@ class ChordFinder {
       cone = now;
       return true;
     }
-    // The path never turns back in one line.
+    // One line never continues past a place where the curve turns back.
     if (unit.dot(cone.right + cone.left) <= 0.0) return false;
     const Cone both{cross(cone.right, now.right) > 0.0 ? now.right : cone.right,
                     cross(cone.left, now.left) < 0.0 ? now.left : cone.left};
@@ -108,7 +109,8 @@ class ChordFinder {
     return true;
   }
 
-  /// The direction towards the last place where the cone has it, else its nearest side.
+  /// Returns the direction towards the last place if the cone contains it, else the nearest side of
+  /// the cone.
   static Place direction_in(const Cone& cone, const Place& towards) {
     Place unit = towards.normalized();
     if (cross(cone.right, unit) < 0.0) return cone.right;
@@ -118,7 +120,7 @@ class ChordFinder {
 
   [[nodiscard]] Line best_from_start() const { return farthest(places_.front(), 1); }
 
-  /// Returns the best of the lines that begin on a line, beside one of its last places.
+  /// Returns the best of the lines that begin on a line, next to one of its last places.
   [[nodiscard]] Line best_after(const Line& line) const {
     constexpr std::size_t kTried = 12;
     const std::size_t last = line.end - 1;
@@ -130,7 +132,7 @@ class ChordFinder {
       if (other.end > best.end) best = other;
     }
     if (best.end > line.end) return best;
-    // The next place is out of reach from all of them: the path goes through the last one.
+    // No such line reaches the next place: the path goes through the last place itself.
     return farthest(places_[last], line.end);
   }
 

@@ -7,10 +7,11 @@
 
 namespace sim::surface {
 
-/// Appends few lines within a tolerance of some spans of a curve, from start to end. Each begins
-/// where the one before still is within the tolerance and the line itself gets farthest, so that
-/// their joints are beside the curve: on a bend they are half again as long as chords with both
-/// ends on it. @param tolerance_mm above 0
+/// Appends lines within a tolerance of some spans of a curve, from start to end, and tries to use
+/// few of them. Each line begins on the previous one, at a point still within the tolerance from
+/// which the new line gets farthest. The joints thus lie next to the curve: on a bend the lines are
+/// 1.5 times as long as chords with both ends on the curve.
+/// @param tolerance_mm tolerance, above 0
 void fit_chords(const cnc::contour::PlaneCurve& curve,
                 const SpanRange& spans,
                 double tolerance_mm,

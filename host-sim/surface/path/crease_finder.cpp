@@ -10,10 +10,10 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-/// Width to which a crease is narrowed down, mm: rises are differences over less than that.
+/// Width to which a crease is narrowed down, mm. Rises are differences over shorter distances.
 constexpr double kCreaseWidth = 5.0e-5;
-/// Rise above which the heights may jump, mm per mm, and the one at which they do so over
-/// kCreaseWidth.
+/// Rise above which the heights may jump, mm per mm, and rise above which they count as jumping
+/// over kCreaseWidth.
 constexpr double kMaybeWall = 3.0;
 constexpr double kSurelyWall = 1.0e3;
 
@@ -45,7 +45,8 @@ std::optional<CreasePlace> CreaseFinder::between(const ToolPose& from, const Too
   return bottom_between(from, to);
 }
 
-/// Halves towards the greatest step of the heights. The wall's own normal is level.
+/// Searches for the foot of a wall by halving towards the greatest step of the heights. The wall's
+/// own normal is horizontal.
 std::optional<CreasePlace> CreaseFinder::foot_between(ToolPose low, ToolPose high) const {
   while (width_of(low, high) > kCreaseWidth) {
     const ToolPose middle = pose_at(0.5 * (low.place + high.place));
@@ -60,7 +61,8 @@ std::optional<CreasePlace> CreaseFinder::foot_between(ToolPose low, ToolPose hig
   return CreasePlace{low.place, true};
 }
 
-/// Halves towards the greatest turn of the normal. In a valley the heights rise more behind it.
+/// Searches for the bottom of a valley by halving towards the greatest change of the normal. In a
+/// valley the rise is greater after the crease than before it.
 std::optional<CreasePlace> CreaseFinder::bottom_between(ToolPose from, ToolPose to) const {
   while (width_of(from, to) > kCreaseWidth) {
     const ToolPose middle = pose_at(0.5 * (from.place + to.place));

@@ -10,10 +10,10 @@ namespace {
 
 using Eigen::Vector2d;
 
-/// Gaps of up to that many cells are bridged.
+/// Maximum length of a gap that is bridged, in cells.
 constexpr double kBridgedCells = 2.0;
 
-/// Creases as places that are linked to their neighbours.
+/// Places on creases that are linked to their neighbours.
 class CreaseGraph {
  public:
   std::size_t add(const CreasePlace& place) {
@@ -31,7 +31,7 @@ class CreaseGraph {
     return (places_[one].place - places_[other].place).norm();
   }
 
-  /// Links ends to the nearest end that is no farther than a distance and not linked to them.
+  /// Links each end to the nearest end that is at most `most_mm` away and not already linked to it.
   void bridge(double most_mm) {
     std::vector<std::size_t> ends;
     for (std::size_t i = 0; i < links_.size(); ++i) {
@@ -50,7 +50,8 @@ class CreaseGraph {
     }
   }
 
-  /// Takes lines out of the graph: first those between ends and branches, then closed ones.
+  /// Removes lines from the graph and returns them: first the lines between ends and branches, then
+  /// closed lines.
   std::vector<CreaseLine> take_lines() {
     std::vector<CreaseLine> lines;
     for (const bool is_closed : {false, true}) {
@@ -64,7 +65,8 @@ class CreaseGraph {
   }
 
  private:
-  /// Follows links from a place to the next that is an end or a branch, or back to it.
+  /// Follows links from a place to the next place that is an end or a branch, or around a closed
+  /// line back to the first place.
   CreaseLine take_line(std::size_t first) {
     CreaseLine line{places_[first]};
     std::size_t at = first;
@@ -83,7 +85,7 @@ class CreaseGraph {
   std::vector<std::vector<std::size_t>> links_;
 };
 
-/// Looks for creases on the edges of a grid, row by row.
+/// Searches for creases on the edges of a grid, row by row.
 class CreaseGrid {
  public:
   CreaseGrid(const Mesh& mesh, const CreaseFinder& finder, double pitch_mm)
@@ -94,7 +96,7 @@ class CreaseGrid {
       least_ = least_.cwiseMin(point.head<2>());
       most_ = most_.cwiseMax(point.head<2>());
     }
-    // A valley along an axis does not run along the edges of the grid then.
+    // With this offset a valley along an axis does not run along the edges of the grid.
     first_ = least_ - 0.37 * pitch_mm_ * Vector2d{1.0, 0.9};
     columns_ = 2 + static_cast<std::size_t>(std::ceil((most_.x() - first_.x()) / pitch_mm_));
     rows_ = 2 + static_cast<std::size_t>(std::ceil((most_.y() - first_.y()) / pitch_mm_));
@@ -118,7 +120,7 @@ class CreaseGrid {
   }
 
  private:
-  /// Places in the graph of the crossings of edges.
+  /// For each edge the index in the graph of its crossing, if it has one.
   using Crossings = std::vector<std::optional<std::size_t>>;
 
   std::vector<ToolPose> row_of(std::size_t row) const {
@@ -149,7 +151,7 @@ class CreaseGrid {
     return found;
   }
 
-  /// Links the crossings of a cell: opposite ones first, a third to the nearer of both.
+  /// Links the crossings of a cell: opposite ones first, and a third one to the nearer of both.
   void link_cell(const std::array<std::optional<std::size_t>, 4>& edges) {
     std::vector<std::size_t> found;
     for (const auto& edge : edges) {
@@ -171,7 +173,8 @@ class CreaseGrid {
 
   const CreaseFinder& finder_;
   double pitch_mm_;
-  Vector2d least_ = Vector2d::Zero();  ///< The box of the mesh: its borders are edges, too.
+  /// Corner of the mesh's box; the borders of the box are edges, too.
+  Vector2d least_ = Vector2d::Zero();
   Vector2d most_ = Vector2d::Zero();
   Vector2d first_ = Vector2d::Zero();
   std::size_t columns_ = 0;

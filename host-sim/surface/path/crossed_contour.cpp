@@ -16,10 +16,10 @@ namespace {
 using Curve = cnc::contour::Curve<double>;
 
 constexpr double kTouchMm = 1.0e-9;
-/// Where neighbours meet at a sharp angle, their joint is uncertain by as much.
+/// Uncertainty of a joint at which neighbours meet at a sharp angle, mm.
 constexpr double kJointMm = 1.0e-6;
 
-/// Returns whether two elements meet at a place that is no joint of theirs.
+/// Returns whether two elements meet at a place that is not their common joint.
 bool meet(const Curve& a, const Curve& b) {
   const auto is_joint = [&](const cnc::WideVec2& place) {
     const bool ends_there =
@@ -39,12 +39,12 @@ double length_between(const ContourVertex& from, const ContourVertex& to) {
   return (to.point() - from.point()).norm();
 }
 
-/// One loop that is cut where it comes back to itself after a short way.
+/// Cuts off the detours of one loop.
 class LoopUntangler {
  public:
   explicit LoopUntangler(std::vector<ContourVertex> loop) : loop_{std::move(loop)} {}
 
-  /// Cuts off all short ways round, but those over the loop's first vertex.
+  /// Cuts off all short detours, except those that include the loop's first vertex.
   void cut(double reach_mm) {
     for (std::size_t i = 0; i + 2 < loop_.size(); ++i) {
       while (cut_after(i, reach_mm)) {
@@ -63,7 +63,8 @@ class LoopUntangler {
     return cnc::pocket::make_curve({loop_[i].point(), end.point(), loop_[i].bulge}, curve);
   }
 
-  /// Cuts from an element to the farthest within reach that it meets. False if it meets none.
+  /// Cuts from an element to the farthest element within reach that it meets. Returns false if it
+  /// meets none.
   bool cut_after(std::size_t i, double reach_mm) {
     Curve first;
     if (!make(i, first)) return false;

@@ -24,7 +24,7 @@ class InnerParts {
     }
   }
 
-  /// Returns the greatest distance in the part that a node within it belongs to.
+  /// Returns the greatest distance in the part that contains a node.
   [[nodiscard]] double greatest_around(std::size_t node) const { return greatest_[part_of_[node]]; }
 
  private:
@@ -97,7 +97,7 @@ LevelLoop loop_of(const DistanceMap& distances, const IsoLine& line, double valu
   return loop;
 }
 
-/// Lays lines, and notes the nodes beside them.
+/// Collects lines, and the distances of the nodes next to them.
 class LoopLayer {
  public:
   explicit LoopLayer(const TipGrid& tips) : tips_{tips} {}
@@ -116,13 +116,13 @@ class LoopLayer {
     }
   }
 
-  /// Distances, from one up to another.
+  /// Distances above `from_mm` and up to `to_mm`.
   struct Range {
     double from_mm = 0.0;
     double to_mm = 0.0;
   };
 
-  /// Adds the lines of a value round those parts whose greatest distance is in a range.
+  /// Adds the lines of a value around those parts whose greatest distance is in a range.
   void add_round(const DistanceMap& distances, double value_mm, Range range, std::size_t level) {
     const InnerParts parts{distances, value_mm};
     for (const IsoLine& line : lines_at(distances, value_mm)) {
@@ -132,11 +132,12 @@ class LoopLayer {
     }
   }
 
-  /// Returns the nodes beside the lines, with their distances from them.
+  /// Returns the nodes next to the lines, with their distances from the lines.
   [[nodiscard]] std::vector<DistanceSource> beside() const {
     std::vector<DistanceSource> sources;
     for (const auto& [node, ways] : beside_) {
-      // A line through two places on the edges of a node is nearer to it than both.
+      // A line that crosses edges of a node along X and along Y is nearer to the node than both
+      // crossings.
       const double least = std::min(ways[0], ways[1]);
       const double ratio = least > 0.0 ? least / std::max(ways[0], ways[1]) : 0.0;
       sources.push_back({node, least / std::sqrt(1.0 + ratio * ratio)});
@@ -146,7 +147,7 @@ class LoopLayer {
   [[nodiscard]] std::vector<LevelLoop> take() { return std::move(loops_); }
 
  private:
-  /// Notes how far a line is from a node along one of its edges.
+  /// Notes the distance of a line from a node along one of the node's edges.
   void note(std::size_t node, const CrossedEdge& edge, double way_mm) {
     constexpr double kInfinite = std::numeric_limits<double>::infinity();
     const bool is_along_x = std::max(edge.low, edge.high) - std::min(edge.low, edge.high) == 1;
@@ -157,7 +158,8 @@ class LoopLayer {
 
   const TipGrid& tips_;
   std::vector<LevelLoop> loops_;
-  std::map<std::size_t, std::array<double, 2>> beside_;  ///< Ways along X and along Y.
+  /// For each node the distances along X and along Y.
+  std::map<std::size_t, std::array<double, 2>> beside_;
 };
 
 }  // namespace
@@ -166,19 +168,19 @@ std::vector<LevelLoop> distance_loops(const SurfaceTracer& tracer,
                                       const TipGrid& tips,
                                       double step_mm,
                                       double most_mm) {
-  constexpr double kFirst = 0.25;  // Steps from the border.
+  constexpr double kFirst = 0.25;  // Distance of the first line from the border, in steps.
   LoopLayer layer{tips};
   const DistanceMap distances{tips, border_sources(tracer, tips)};
   const double greatest = distances.greatest();
   for (std::size_t level = 0; static_cast<double>(level) * step_mm < greatest; ++level) {
     const double value = (static_cast<double>(level) + kFirst) * step_mm;
     for (const IsoLine& line : lines_at(distances, value)) layer.add(distances, line, value, level);
-    // Half a step within the line before, in parts that this line does not reach.
+    // Adds lines half a step inside the previous line, in parts that this line does not reach.
     if (level == 0) continue;
     layer.add_round(distances, value - 0.5 * step_mm, {0.0, value}, level);
   }
-  // At a corner of lines a place is farther from them than half a step, which is as far as it is
-  // from straight ones: a line goes round those that are too far.
+  // Between straight lines a place is at most half a step from a line. At corners of lines places
+  // may be farther. Further lines surround those that are too far.
   const double middle = 0.5 * (0.5 * step_mm + most_mm);
   const DistanceMap left{tips, layer.beside()};
   const auto last = static_cast<std::size_t>(std::ceil(greatest / step_mm));

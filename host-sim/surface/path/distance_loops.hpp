@@ -7,11 +7,12 @@
 
 namespace sim::surface {
 
-/// Returns the lines of equal distance from the border of an area, over its surface: the first a
-/// quarter of a step within the border, then one every step. More lines go round whatever is
-/// farther than `most_mm` from these: the middle of the area, and places at ridges of the distance,
-/// where lines have corners. The farther side is on their right, and the levels count from the
-/// border inwards. @param most_mm greatest distance from a line, at least half a step
+/// Returns the lines of equal distance from the border of an area, measured over its surface. The
+/// first line is a quarter of a step from the border, the next ones a step from each other. Further
+/// lines surround all places that are farther than `most_mm` from these lines: the middle of the
+/// area, and ridges of the distance, where lines have corners. The side with greater distance is on
+/// the right of each line, and the levels count from the border inwards.
+/// @param most_mm greatest distance from a line, at least half a step
 [[nodiscard]] std::vector<LevelLoop> distance_loops(const SurfaceTracer& tracer,
                                                     const TipGrid& tips,
                                                     double step_mm,

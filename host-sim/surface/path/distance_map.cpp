@@ -16,8 +16,9 @@ using Eigen::Vector3d;
 
 constexpr double kNowhere = std::numeric_limits<double>::infinity();
 
-/// Returns the least distance at the origin of a front that has two values at two places, and
-/// between them those of a straight line: a ray comes from there straight.
+/// Returns the least distance at the origin of a front that crosses a straight side. The front has
+/// two values at the ends of the side and varies linearly between them. A straight ray leads from
+/// the side to the origin.
 double distance_from_side(const Vector3d& first,
                           double first_value,
                           const Vector3d& second,
@@ -34,8 +35,8 @@ double distance_from_side(const Vector3d& first,
   return first_value + rise * along + std::hypot(across, along - foot);
 }
 
-/// Returns the distance of a node to the border between it and a neighbour without contact,
-/// infinity if it has none.
+/// Returns the distance from a node to the border between it and a neighbour without contact;
+/// infinity if all neighbours have contact.
 double beside_border(const SurfaceTracer& tracer, const TipGrid& tips, std::size_t node) {
   constexpr double kNear = 1.0e-6;
   const PlanGrid& grid = tips.grid();
@@ -58,8 +59,8 @@ double beside_border(const SurfaceTracer& tracer, const TipGrid& tips, std::size
 
 }  // namespace
 
-/// Lets a front go over the nodes, the nearest next. Where a node turns out to be nearer than was
-/// found first, it is looked at again.
+/// Moves a front over the nodes, the nearest node first. A node that turns out to be nearer than
+/// first found is processed again.
 class DistanceMap::March {
  public:
   explicit March(DistanceMap& map) : map_{map} {}
@@ -70,7 +71,8 @@ class DistanceMap::March {
     while (!front_.empty()) {
       const auto [distance, node] = front_.top();
       front_.pop();
-      if (distance > map_.distances_[node]) continue;  // It has become nearer since.
+      // A shorter distance of the node was found after this entry.
+      if (distance > map_.distances_[node]) continue;
       for (std::size_t i = 0; i < 8; ++i) update(node, i);
     }
   }
@@ -78,8 +80,8 @@ class DistanceMap::March {
  private:
   using Open = std::pair<double, std::size_t>;
 
-  /// Returns the neighbour of a node, counter-clockwise from the one along X; the node itself where
-  /// there is none.
+  /// Returns neighbour `number` of a node, counted counter-clockwise from the one in +X. Returns
+  /// the node itself if the grid ends there.
   [[nodiscard]] std::size_t neighbour(std::size_t node, std::size_t number) const {
     constexpr std::array<std::array<int, 2>, 8> kSteps{
         {{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}}};
@@ -94,7 +96,7 @@ class DistanceMap::March {
                                     y * static_cast<std::ptrdiff_t>(columns));
   }
 
-  /// Lets the front go on from a node to one of its neighbours, by the triangles that both have.
+  /// Moves the front from a node to one of its neighbours, over the triangles that contain both.
   void update(std::size_t from, std::size_t number) {
     const std::size_t to = neighbour(from, number);
     if (to == from || !map_.tips_->has_contact(to)) return;
@@ -103,7 +105,8 @@ class DistanceMap::March {
     const Vector3d here = map_.tips_->tip(to);
     const Vector3d first = map_.tips_->tip(from) - here;
     double least = distance + first.norm();
-    // Seen from `to` the other corner is the next or the last of its neighbours.
+    // Seen from `to`, the triangle's third corner is next to `from` on either side, among its
+    // neighbours.
     for (const std::size_t beside : {std::size_t{3}, std::size_t{5}}) {
       const std::size_t other = neighbour(to, number + beside);
       if (other == to || map_.distances_[other] == kNowhere) continue;

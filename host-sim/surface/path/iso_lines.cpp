@@ -8,7 +8,7 @@
 namespace sim::surface {
 namespace {
 
-/// An edge by its first node, doubled, and one more if it goes along Y.
+/// An edge as twice the number of its first node, plus 1 if it goes along Y.
 using Edge = std::size_t;
 
 /// Collects the steps of lines from edge to edge, and joins them.
@@ -34,7 +34,7 @@ class LineFinder {
   }
 
  private:
-  /// Corners and edges of a cell, counter-clockwise: edge i leads from corner i to the next.
+  /// Corners or edges of a cell, counter-clockwise: edge i leads from corner i to the next.
   using Corners = std::array<std::size_t, 4>;
 
   [[nodiscard]] Corners corners_of(std::size_t node) const {
@@ -47,8 +47,8 @@ class LineFinder {
     return edges[number];
   }
 
-  /// Adds the steps within a cell. A line comes in where the corners, counter-clockwise, change
-  /// from low to high: then the high ones are on its right.
+  /// Adds the steps of lines within a cell. A line enters where the corners, counter-clockwise,
+  /// change from low to high, so that the high corners are on its right.
   void step_through(std::size_t node) {
     const Corners corners = corners_of(node);
     const auto side = [&](std::size_t i) { return sides_[corners[i % 4]]; };
@@ -62,7 +62,8 @@ class LineFinder {
     const bool joins_highs = alternates && has_high_middle_(node);
     for (std::size_t i = 0; i < 4; ++i) {
       if (side(i) != NodeSide::kHigh || side(i + 3) != NodeSide::kLow) continue;
-      // The line goes round the highs from corner i on; where they are joined, round the low.
+      // The line goes around the high corners from corner i on. If high corners are connected
+      // through the middle, it goes around the low corner instead.
       std::size_t last = i;
       while (side(last + 1) == NodeSide::kHigh) ++last;
       if (joins_highs) last = i + 2;
@@ -86,7 +87,7 @@ class LineFinder {
     return starts;
   }
 
-  /// Returns the first edge in the order of the grid from which a step is left.
+  /// Returns the first edge in the order of the grid that still has a step.
   Edge first_left() {
     while (!next_.contains(order_[taken_])) ++taken_;
     return order_[taken_];

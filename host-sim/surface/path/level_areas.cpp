@@ -14,12 +14,12 @@ namespace {
 
 using Eigen::Vector2d;
 
-/// Ends of lines that are nearer to each other are one place.
+/// Distance below which ends of lines are one place.
 constexpr double kOnePlaceMm = 1.0e-6;
 
 Vector2d place_of(const ContourVertex& vertex) { return {vertex.x, vertex.y}; }
 
-/// Returns the area that places enclose, negative where they run clockwise.
+/// Returns the area inside the closed line through `places`; negative if they run clockwise.
 double area_of(const std::vector<Vector2d>& places) {
   double twice = 0.0;
   for (std::size_t i = 0; i < places.size(); ++i) {
@@ -79,7 +79,7 @@ std::optional<std::vector<Contour>> LevelAreas::areas_at(double level_mm) {
   return pocket::areas_of(*contour);
 }
 
-/// Returns the lines of a level; nothing where one is not closed.
+/// Returns the lines of a level; nothing if a line is not closed or has no contour.
 std::optional<Contour> LevelAreas::contour_at(double level_mm) {
   const LevelSet set{*tracer_, level_mm, border_};
   const auto side_of = [&](std::size_t node) {
@@ -90,13 +90,13 @@ std::optional<Contour> LevelAreas::contour_at(double level_mm) {
     if (!loop.is_closed) return std::nullopt;
     if (append_loop(loop, set, contour)) continue;
     if (!is_tiny(loop)) return std::nullopt;
-    // An area of a cell or less may be left out, an island may not.
+    // An area as small as a cell may be left out; an island may not.
     if (area_of(loop.places) < 0.0 && !append_circle(loop, set, contour)) return std::nullopt;
   }
   return contour;
 }
 
-/// Appends a closed loop as arcs and lines. False where it has none within the band.
+/// Appends a closed loop as arcs and lines. Returns false if it has no contour within the band.
 bool LevelAreas::append_loop(LevelLoop& loop, const LevelSet& set, Contour& to) {
   open_near(loop.places.front(), loop);
   std::vector<ContourVertex> vertices;
@@ -120,8 +120,9 @@ std::vector<ContourVertex> LevelAreas::fitted_to(const LevelCurve& curve) {
   return arcs.empty() || lines.size() < arcs.size() ? lines : arcs;
 }
 
-/// Returns whether a line may go on at a place: it is there already, and loses its end, or the tip
-/// may go there straight.
+/// Returns whether a line may continue at a place. The line may continue if it already ends at the
+/// place; its last vertex is then removed. The line may also continue if the tip may go straight to
+/// the place.
 bool LevelAreas::joins(std::vector<ContourVertex>& line,
                        const ContourVertex& next,
                        const LevelSet& set) const {
@@ -135,8 +136,8 @@ bool LevelAreas::is_tiny(const LevelLoop& loop) const {
   return circle_around(loop.places).radius < 1.5 * tips_->grid().diagonal();
 }
 
-/// Appends a circle around a tiny island in place of its line. False where the tip may not go
-/// around it.
+/// Appends a circle around a tiny island in place of its line. Returns false if the tip may not go
+/// around the island.
 bool LevelAreas::append_circle(const LevelLoop& loop, const LevelSet& set, Contour& to) const {
   constexpr int kTries = 8;
   constexpr double kGrowth = 1.3;
@@ -159,8 +160,8 @@ bool LevelAreas::append_circle(const LevelLoop& loop, const LevelSet& set, Conto
   return false;
 }
 
-/// Returns whether the tip may go straight from one place to another: nowhere is it higher above
-/// the level than the band.
+/// Returns whether the tip may go straight from one place to another: nowhere on that path is it
+/// above the level by more than the band.
 bool LevelAreas::is_free(const LevelSet& set, const Vector2d& from, const Vector2d& to) const {
   const double looks = std::ceil((to - from).norm() / tracer_->density().pitch_mm) + 1.0;
   for (double i = 1.0; i < looks; i += 1.0) {

@@ -14,25 +14,26 @@
 
 namespace sim::surface {
 
-/// Finds the areas of levels: where within a border the grown tool's tip, and so the tool, may be
-/// at a height. Lengths are mm.
+/// Finds for each level the areas within a border in which the grown tool's tip is nowhere above
+/// the level, so that the tool may be there. Lengths are mm.
 class LevelAreas {
  public:
   /// @param band_mm distance by which the lines of an area may leave the level set
-  /// @pre tracer, tips and border outlive this; the border's box lies two cells within the grid
+  /// @pre tracer, tips and border outlive this object; the border's box is at least two cells
+  /// inside the grid
   LevelAreas(const SurfaceTracer& tracer,
              const TipGrid& tips,
              const LevelBorder& border,
              double band_mm);
 
-  /// Returns the lowest height of the grown tool's tip within the border, as seen at the nodes of
-  /// the grid; nothing where the surface is under none.
+  /// Returns the lowest height of the grown tool's tip within the border, at the nodes of the grid;
+  /// nothing if the surface is under none of these nodes.
   [[nodiscard]] std::optional<double> lowest_mm() const;
 
   /// Returns the areas of a level as contours of arcs and lines, each an outline and its islands;
-  /// none where the tip may be nowhere. Nothing where a line has no closed contour within the band,
-  /// as where a gap is narrower than the cells of the grid. Areas about as small as a cell may be
-  /// left out, and round islands as small as that a circle may go.
+  /// an empty vector if there are none. Returns nothing if a line has no closed contour within the
+  /// band, for example where a gap is narrower than the cells of the grid. Areas about as small as
+  /// a cell may be left out. An island as small as that may be replaced by a circle around it.
   [[nodiscard]] std::optional<std::vector<Contour>> areas_at(double level_mm);
 
  private:
@@ -52,7 +53,7 @@ class LevelAreas {
   const TipGrid* tips_;
   const LevelBorder* border_;
   double band_mm_;
-  std::vector<bool> is_beyond_;  ///< The border, of each node.
+  std::vector<bool> is_beyond_;  ///< Whether each node is beyond the border.
   SliceFitter fitter_;
 };
 

@@ -10,15 +10,16 @@
 
 namespace sim::surface {
 
-/// Limits in the plan for the tool's tip: a rectangle, and drawn areas within it.
+/// Limits in plan for the tool's tip: a rectangle, and drawn areas within it.
 class LevelBorder {
  public:
   /// @param box the rectangle, mm
-  /// @param drawn contours with their area on the left, of which any may hold the tip; none: all do
-  /// @param inset_mm distance by which the tip stays within all of them, at least 0
+  /// @param drawn contours with their area on the left; the tip must be in at least one of them.
+  /// With no contours the rectangle alone limits the tip.
+  /// @param inset_mm distance by which the tip stays inside all limits, at least 0
   LevelBorder(const pocket::StockBox& box, const std::vector<Contour>& drawn, double inset_mm);
 
-  /// Returns how far a place is beyond the limits, mm; negative within.
+  /// Returns the distance in mm by which a place is beyond the limits; negative inside.
   [[nodiscard]] double beyond(const Eigen::Vector2d& place) const;
   [[nodiscard]] const pocket::StockBox& box() const { return box_; }
 

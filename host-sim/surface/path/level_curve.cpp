@@ -13,7 +13,7 @@ using Eigen::Vector2d;
 
 Vector2d left_of(const Vector2d& way) { return {-way.y(), way.x()}; }
 
-/// Returns a place of the cubic between two nodes, with derivatives by the share.
+/// Returns a place of the cubic between two nodes, with derivatives with respect to the share.
 CurveJet cubic_at(const LevelNode& from, const LevelNode& to, double share) {
   const Vector2d way = to.place - from.place;
   const double length = way.norm();
@@ -26,7 +26,7 @@ CurveJet cubic_at(const LevelNode& from, const LevelNode& to, double share) {
           2.0 * square + 6.0 * share * cube};
 }
 
-/// Follows a level set along places of it.
+/// Follows a level set along given places of it.
 class CurveFollower {
  public:
   CurveFollower(const LevelSet& set,
@@ -37,7 +37,7 @@ class CurveFollower {
 
   std::vector<LevelCurve> run() {
     constexpr std::size_t kMostPlacesAtOnce = 12;
-    // A short loop that ends where it begins is not one step.
+    // A short loop that ends where it begins is divided into at least two steps.
     const std::size_t at_once =
         std::clamp((places_.size() - 1) / 2, std::size_t{1}, kMostPlacesAtOnce);
     nodes_.push_back({places_.front(), tangent_after(0), tangent_after(0)});
@@ -51,7 +51,7 @@ class CurveFollower {
   }
 
  private:
-  /// A node ahead, and the last of the given places that is not behind it.
+  /// A node ahead, and the index of the last given place that is not after it.
   struct Pending {
     LevelNode node;
     std::size_t place = 0;
@@ -69,9 +69,9 @@ class CurveFollower {
     return tangent(places_[place], places_[place] - places_[place - 1], -1.0);
   }
 
-  /// Returns the tangent at a place of the set, as seen over a very short way.
-  /// @param way about the tangent
-  /// @param sense 1 if the set is looked at ahead of the place, -1 behind it
+  /// Returns the tangent at a place of the set, from a second place at a very short distance.
+  /// @param way approximate direction of the tangent
+  /// @param sense 1 if the second place is ahead of the place, -1 if it is behind
   [[nodiscard]] Vector2d tangent(const Vector2d& place, const Vector2d& way, double sense) const {
     const double ahead = 0.1 * density_.error_mm;
     const Vector2d unit = way.normalized();
@@ -79,7 +79,7 @@ class CurveFollower {
     return seen && *seen != place ? Vector2d{sense * (*seen - place).normalized()} : unit;
   }
 
-  /// Takes the nearest pending node if one cubic leads to it, or puts another before it.
+  /// Accepts the nearest pending node if one cubic leads to it. Otherwise inserts a node before it.
   void settle() {
     const Pending next = pending_.back();
     const LevelNode& last = nodes_.back();
@@ -89,7 +89,7 @@ class CurveFollower {
       pending_.push_back(node_at((place_ + next.place) / 2));
       return;
     }
-    constexpr double kReach = 4.0;  // Lengths: into a narrow notch.
+    constexpr double kReach = 4.0;  // Reach in lengths, which is enough for a narrow notch.
     const Vector2d way = (next.node.place - last.place) / length;
     const auto middle =
         set_.near(0.5 * (last.place + next.node.place), left_ * left_of(way), kReach * length);
@@ -138,8 +138,9 @@ class CurveFollower {
     return above >= -error && leaves_little(jet.place, to_low);
   }
 
-  /// Returns whether a place on the low side is so near that no more than the error is left of what
-  /// a tool on the line would take away: a flat bottom is at the level at any distance from a wall.
+  /// Returns whether a place on the low side is near enough: at most the error is left of what a
+  /// tool on the line would remove. The height alone does not show this, because a flat bottom is
+  /// at the level at any distance from a wall.
   [[nodiscard]] bool leaves_little(const Vector2d& place, const Vector2d& to_low) const {
     constexpr double kReach = 32.0;
     const double error = 0.5 * density_.error_mm;
@@ -155,8 +156,9 @@ class CurveFollower {
   SliceDensity density_;
   std::vector<LevelCurve> curves_;
   std::vector<LevelNode> nodes_;
-  std::vector<Pending> pending_;  ///< The nearest last.
-  std::size_t place_ = 0;         ///< The last of the given places that is not behind the node.
+  std::vector<Pending> pending_;  ///< Nodes still to be reached; the nearest is last.
+  /// Index of the last given place that is not after the last node.
+  std::size_t place_ = 0;
 };
 
 }  // namespace

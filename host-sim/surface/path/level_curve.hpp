@@ -11,19 +11,19 @@
 
 namespace sim::surface {
 
-/// A place of a level set, with the unit tangents of its two sides, which differ at a corner.
+/// A place of a level set, with the unit tangents before and after it, which differ at a corner.
 struct LevelNode {
   Eigen::Vector2d place = Eigen::Vector2d::Zero();
   Eigen::Vector2d before = Eigen::Vector2d::UnitX();
   Eigen::Vector2d after = Eigen::Vector2d::UnitX();
 };
 
-/// A part of a level set as a smooth curve in the plan: cubics whose ends have the places and the
-/// tangents there.
+/// A part of a level set as a smooth curve in plan. The curve consists of cubics whose ends have
+/// the places and tangents of the set.
 class LevelCurve final : public cnc::contour::PlaneCurve {
  public:
-  /// @param nodes in order, at least two, all different
-  /// @param least_mm shorter spans are straight
+  /// @param nodes nodes in order, at least two, all different
+  /// @param least_mm length below which spans are straight
   LevelCurve(std::vector<LevelNode> nodes, double least_mm)
       : nodes_{std::move(nodes)}, least_mm_{least_mm} {}
 
@@ -38,11 +38,12 @@ class LevelCurve final : public cnc::contour::PlaneCurve {
   double least_mm_;
 };
 
-/// Returns the curves along a row of places of a level set, in their order. At every look, which
-/// are as near to each other as `density` says, the set is within its error of the curve, or the
-/// tip's height within it of the level. Where no curve can be found like that, as in a gap that is
-/// narrower than the places are apart, one curve ends and the next begins.
-/// @param places in order, at least two, the low side on their left if `is_low_left`
+/// Returns the curves along a row of places of a level set, in order. The curve is checked at
+/// places as close as `density` requires. At each of them the set is within the error of the curve,
+/// or the tip's height is within the error of the level. If no such curve can be found, for example
+/// in a gap that is narrower than the distance between places, one curve ends and the next begins.
+/// @param places places in order, at least two
+/// @param is_low_left whether the low side is on their left
 [[nodiscard]] std::vector<LevelCurve> level_curves(const LevelSet& set,
                                                    const std::vector<Eigen::Vector2d>& places,
                                                    bool is_low_left,

@@ -4,9 +4,10 @@
 
 namespace sim::surface {
 
-/// Returns the distance of levels in Z between which a tool leaves no more than `scallop_mm`, at
-/// right angles to the surface, where that is as steep as 45 degrees or more. Less steep ones have
-/// more left between levels. @param scallop_mm above 0
+/// Returns the distance between levels in Z at which a tool leaves at most `scallop_mm`, measured
+/// perpendicular to the surface, on slopes of at least 45 degrees. On flatter slopes more stock is
+/// left between levels.
+/// @param scallop_mm greatest height of the stock, above 0
 [[nodiscard]] double level_distance(const cnc::surface::Profile& tool, double scallop_mm);
 
 }  // namespace sim::surface

@@ -7,8 +7,8 @@ namespace sim::surface {
 
 using Eigen::Vector2d;
 
-/// Takes a share of the way by both heights, or half of it where they say little: beside jumps, and
-/// whenever two looks have not halved the way.
+/// Divides the path by both heights, or halves it if the heights give little information: next to
+/// jumps, and whenever two samples have not halved the path.
 Vector2d LevelSet::crossing(Vector2d low, Vector2d high) const {
   constexpr int kMostLooks = 200;
   double below = above(low);

@@ -18,20 +18,20 @@ namespace {
 
 using Eigen::Vector2d;
 
-/// Greatest length of a link over the surface, in steps; a farther line begins with a lift.
+/// Maximum length of a link over the surface, in steps; a farther line begins with a lift.
 constexpr double kLinkSteps = 4.0;
-/// Share of a step by which the ways between two places of a line may leave it.
+/// Share of a step by which the straight path between two places may leave a line.
 constexpr double kStraightShare = 0.01;
-/// Nodes of the grid for each step.
+/// Number of nodes of the grid for each step.
 constexpr double kNodesPerStep = 7.0;
-/// Distance of lines in steps. Where two lines have a right angle, a place between them is 0.59 of
-/// their distance from both.
+/// Distance between lines, in steps. If two lines have a right angle, a place between them is 0.59
+/// of their distance from both.
 constexpr double kNearer = 0.9;
-/// Greatest distance of a place from a line, in steps: more than between two right angles, as lines
-/// of their own for those would be many.
+/// Maximum distance of a place from a line, in steps. It is greater than the distance between two
+/// right angles, because additional lines for those places would be many.
 constexpr double kFarthest = 0.53;
 
-/// Drives the lines of equal distance one after the other.
+/// Drives the lines of equal distance one after another.
 class ParallelPlanner {
  public:
   ParallelPlanner(const Mesh& mesh, const RowOptions& options)
@@ -69,7 +69,7 @@ class ParallelPlanner {
   }
 
  private:
-  /// Adds a line, a closed one from its place that is nearest.
+  /// Adds a line. A closed line begins at its place that is nearest to `here`.
   void add_loop(LevelLoop& loop, const Vector2d& here) {
     if (loop.is_closed) open_near(here, loop);
     const std::vector<Vector2d> corners = straightened(loop.places, kStraightShare * step_mm_);
@@ -77,7 +77,7 @@ class ParallelPlanner {
     for (std::size_t i = 1; i < corners.size(); ++i) add_way(corners[i - 1], corners[i]);
   }
 
-  /// Adds those parts of a straight way that are over the surface.
+  /// Adds those parts of a straight path that are over the surface.
   void add_way(const Vector2d& from, const Vector2d& to) {
     const Slice slice = slice_between(from, to);
     for (const auto& [begin, end] :
@@ -86,7 +86,7 @@ class ParallelPlanner {
     }
   }
 
-  /// Leads to a place over the surface, where it is near and the surface goes on.
+  /// Leads to a place over the surface if the place is near and the surface continues up to it.
   void lead_to(const Vector2d& place) {
     if (path_.stretches.empty()) return;
     const Vector2d here = path_.stretches.back().end().head<2>();
@@ -99,7 +99,7 @@ class ParallelPlanner {
     add_stretch(tracer_.trace(slice, 0.0, slice.length, StretchUse::kLink));
   }
 
-  /// Adds a stretch, behind a lift if it does not begin where the tip is.
+  /// Adds a stretch, after a lift if it does not begin at the position of the tip.
   void add_stretch(SurfaceStretch stretch) {
     constexpr double kSameTip = 1.0e-6;
     if (!path_.stretches.empty() &&

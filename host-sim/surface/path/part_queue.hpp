@@ -7,23 +7,26 @@
 
 namespace sim::surface {
 
-/// Parts of rows that are still to be milled, from which the nearest is taken next. A search begins
-/// at the row of the last place and goes on to both sides, so that near parts are found at once.
+/// Parts of rows that are still to be milled; the nearest part is taken next. A search begins at
+/// the row of the last place and continues to both sides, so that near parts are found quickly.
 class PartQueue {
  public:
   struct Next {
     RowPart part;
-    bool goes_back = false;  ///< The end of the part is where it begins.
+    bool goes_back = false;  ///< Whether the part is driven from its end to its begin.
   };
 
   explicit PartQueue(std::vector<RowPart> parts);
 
   [[nodiscard]] bool empty() const { return count_ == 0; }
 
-  /// Takes the part whose begin, or end if it may go back, is nearest to a place.
-  /// @param seen the place along and across the rows, mm @pre not empty
+  /// Takes the part whose begin is nearest to a place. If `may_go_back`, the end of a part counts,
+  /// too.
+  /// @param seen the place along and across the rows, mm
+  /// @pre not empty
   Next take_nearest(const Eigen::Vector2d& seen, bool may_go_back);
-  /// Takes the first part of the lowest row, or of the highest. @pre not empty
+  /// Takes the first part of the lowest row, or of the highest row if `is_highest`.
+  /// @pre not empty
   Next take_outermost(bool is_highest);
 
  private:
@@ -39,9 +42,12 @@ class PartQueue {
   void consider(std::size_t index, const Eigen::Vector2d& seen, bool may_go_back, Found& found);
   Next take(std::size_t index, bool goes_back);
 
-  std::vector<RowPart> parts_;      ///< By row, then along it.
-  std::vector<std::size_t> above_;  ///< Where the next waiting part may be; itself if it waits.
-  std::vector<std::size_t> below_;  ///< The same downwards, one more than the index; 0: none.
+  std::vector<RowPart> parts_;  ///< Parts sorted by row, then along the row.
+  /// For each part an index from which the next waiting part is found; its own index if the part
+  /// waits.
+  std::vector<std::size_t> above_;
+  /// The same in the other direction; an entry is the part's index plus one, 0 for none.
+  std::vector<std::size_t> below_;
   std::size_t count_;
 };
 

@@ -9,23 +9,24 @@
 
 namespace sim::surface {
 
-/// The heights that paths over a surface follow: those of a tool's tip, or of a smooth surface
-/// that stands for them.
+/// The heights that paths over a surface follow: those of a tool's tip, or those of a smooth
+/// surface in their place.
 class PathHeights {
  public:
-  /// Where the last height was found, with which the next place near by begins.
+  /// The result of the last search. The search at a place near by begins with this result.
   struct Hint {
     DropCutter::Hint exact{};
     SmoothTips::Hint smooth{};
   };
 
-  /// @param smooth of the same mesh and tool; empty: the tip's own heights
+  /// @param smooth smooth surface of the same mesh and tool; if empty, the tip's own heights are
+  /// used
   PathHeights(const Mesh& mesh,
               const cnc::surface::Profile& tool,
               std::shared_ptr<const SmoothTips> smooth)
       : cutter_{mesh, tool}, smooth_{std::move(smooth)} {}
 
-  /// Returns the height over a place; cnc::surface::kNoContact where nothing is under the tool.
+  /// Returns the height over a place; cnc::surface::kNoContact if nothing is under the tool.
   [[nodiscard]] double operator()(const Eigen::Vector2d& place, Hint& hint) const {
     const double exact = cutter_.tip_height(place, hint.exact);
     return smooth_ ? smooth_->height(place, exact, hint.smooth) : exact;

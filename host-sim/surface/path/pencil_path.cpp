@@ -15,7 +15,7 @@ namespace {
 using Eigen::Vector2d;
 using PlanLine = std::vector<Vector2d>;
 
-/// Share of the tool's radius that is the pitch of the grid.
+/// Pitch of the grid as a share of the tool's radius.
 constexpr double kGridShare = 0.125;
 
 double length_of(const CreaseLine& line) {
@@ -26,8 +26,8 @@ double length_of(const CreaseLine& line) {
   return length;
 }
 
-/// Joins lines that end where another begins or ends, within a distance: a branch that was left out
-/// has divided them.
+/// Joins lines whose ends are within a distance of each other: a branch that was left out has
+/// divided them.
 void join_lines(std::vector<CreaseLine>& lines, double most_mm) {
   const auto is_near = [most_mm](const CreasePlace& one, const CreasePlace& other) {
     return (one.place - other.place).norm() <= most_mm;
@@ -58,7 +58,7 @@ double distance_to(const Vector2d& place, const Vector2d& from, const Vector2d& 
   return (place - from - share * way).norm();
 }
 
-/// Appends the places between two of a line that it needs to stay within a distance.
+/// Appends the places between two places of a line that the line needs to stay within a distance.
 void add_needed(
     const PlanLine& line, std::size_t from, std::size_t to, double most_mm, PlanLine& out) {
   std::vector<std::pair<std::size_t, std::size_t>> pending{{from, to}};
@@ -82,17 +82,17 @@ void add_needed(
   }
 }
 
-/// Returns a line with fewer places, within a distance of all.
+/// Returns a line with fewer places that stays within a distance of all places.
 PlanLine simplified(const PlanLine& line, double most_mm) {
   PlanLine out{line.front()};
-  // A closed line has no chord between its ends.
+  // A closed line has no chord between its ends, so that it is divided in the middle.
   const std::size_t middle = line.size() / 2;
   if (middle > 0) add_needed(line, 0, middle, most_mm, out);
   add_needed(line, middle, line.size() - 1, most_mm, out);
   return out;
 }
 
-/// Makes plan lines of creases: within a share of the tolerance, and beside walls on their low
+/// Converts creases to plan lines: within a share of the tolerance, and next to walls on their low
 /// side.
 class CreaseDrawer {
  public:
@@ -109,7 +109,7 @@ class CreaseDrawer {
   }
 
  private:
-  /// Returns the line with another place in each piece that leaves the crease.
+  /// Returns the line with an additional place in each piece that leaves the crease.
   [[nodiscard]] CreaseLine refined(const CreaseLine& line, double reach_mm) const {
     CreaseLine fine{line.front()};
     for (std::size_t i = 1; i < line.size(); ++i) {
@@ -126,7 +126,8 @@ class CreaseDrawer {
     return fine;
   }
 
-  /// Moves a place at a wall by half the tolerance to the low side, so that chords stay there.
+  /// Returns a place at a wall, moved by half the tolerance to the low side, so that chords stay on
+  /// that side.
   [[nodiscard]] Vector2d shifted(const CreaseLine& line, std::size_t index) const {
     const Vector2d& place = line[index].place;
     if (!line[index].is_wall) return place;
@@ -144,7 +145,7 @@ class CreaseDrawer {
   double tolerance_mm_;
 };
 
-/// Drives along lines, the nearest next.
+/// Drives along lines, always to the nearest line next.
 class PencilDriver {
  public:
   PencilDriver(const Mesh& mesh, const RowOptions& options)

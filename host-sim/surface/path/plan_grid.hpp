@@ -7,17 +7,17 @@
 
 namespace sim::surface {
 
-/// A regular grid of nodes over a rectangle in the plan, along X and Y; its border is that of the
-/// rectangle. Lengths are mm.
+/// A regular grid of nodes over a rectangle in plan, along X and Y. The border nodes lie on the
+/// border of the rectangle. Lengths are mm.
 class PlanGrid {
  public:
-  /// More nodes take more memory than a common machine has.
+  /// Maximum number of nodes, for the memory of a common computer.
   static constexpr double kMostNodes = 4.0e7;
 
-  /// Lays the grid over the box of a surface in the plan.
-  /// @param margin_mm distance by which the grid is larger to all sides
-  /// @param most_pitch_mm greatest distance of two nodes along X and along Y, above 0
-  /// Throws std::invalid_argument for more than kMostNodes.
+  /// Lays the grid over the box of a surface in plan.
+  /// @param margin_mm distance by which the grid is larger on all sides
+  /// @param most_pitch_mm greatest distance between two nodes along X and along Y, above 0
+  /// Throws std::invalid_argument for more than kMostNodes nodes.
   PlanGrid(const Mesh& mesh, double margin_mm, double most_pitch_mm);
 
   [[nodiscard]] std::size_t columns() const { return columns_; }
@@ -37,7 +37,7 @@ class PlanGrid {
     const Eigen::Vector2d cells{static_cast<double>(column), static_cast<double>(row)};
     return least_ + cells.cwiseProduct(pitch_);
   }
-  /// Returns whether a place is within the rectangle, its border included.
+  /// Returns whether a place is inside the rectangle or on its border.
   [[nodiscard]] bool holds(const Eigen::Vector2d& place) const {
     const Eigen::Array2d inside = place - least_;
     const Eigen::Array2d rest = at(columns_ - 1, rows_ - 1) - place;

@@ -11,19 +11,19 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// The ramp stays that far above the run, mm, and its lines leave arcs by less.
+/// Height of the ramp above the run, mm. Lines of the ramp leave arcs by less than this.
 constexpr double kAboveMm = 0.02;
-/// A run that is shorter in the plan is no place for a ramp, mm.
+/// Minimum length in plan of a run for a ramp, mm.
 constexpr double kLeastLengthMm = 0.2;
 
-/// A place of the run, and the way to it in the plan.
+/// A place of the run, and its distance in plan along the run.
 struct RampPlace {
   Vector3d tip = Vector3d::Zero();
   double way = 0.0;
 };
 
-/// Adds places of a stretch up to a way in the plan, so near to each other that lines between them
-/// leave its arcs by half of kAboveMm at most.
+/// Adds places of a stretch up to a distance in plan. Lines between the places leave the stretch's
+/// arcs by at most half of kAboveMm.
 void add_places(const SurfaceStretch& stretch, double most_way, std::vector<RampPlace>& places) {
   for (std::size_t i = 0; i + 1 < stretch.vertices.size(); ++i) {
     const ContourVertex& from = stretch.vertices[i];
@@ -46,7 +46,7 @@ void add_places(const SurfaceStretch& stretch, double most_way, std::vector<Ramp
   }
 }
 
-/// Returns places of a run up to a way in the plan, or all of it.
+/// Returns places of a run up to a distance in plan, or of the whole run.
 std::vector<RampPlace> places_up_to(std::span<const SurfaceStretch> run, double most_way) {
   std::vector<RampPlace> places{{run.front().start(), 0.0}};
   for (const SurfaceStretch& stretch : run) {

@@ -8,12 +8,12 @@
 
 namespace sim::surface {
 
-/// Returns places of a tip on a ramp into the stock, above the first part of a run, there and back
-/// as often as it takes, from `top_mm` at its start down to just above its start. Lines between
-/// them are nowhere below the run. Empty where the run is too short for a ramp, or begins above the
-/// top.
+/// Returns places of a tip on a ramp into the stock. The ramp is above the first part of a run and
+/// goes back and forth as often as needed, from `top_mm` at the run's start down to just above the
+/// run's start. Lines between the places are nowhere below the run. Returns an empty vector if the
+/// run is too short for a ramp or begins above `top_mm`.
 /// @param run stretches without a lift between them, at least one
-/// @param slope mm per mm in the plan, above 0
+/// @param slope slope of the ramp in plan, mm per mm, above 0
 [[nodiscard]] std::vector<Eigen::Vector3d> ramp_entry(std::span<const SurfaceStretch> run,
                                                       double top_mm,
                                                       double slope);

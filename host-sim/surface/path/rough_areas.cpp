@@ -10,7 +10,7 @@
 namespace sim::surface {
 namespace {
 
-/// Returns whether any place of an area's border or rows is in another one, or near it.
+/// Returns whether any place of an area's border or rows is inside another area, or near it.
 bool meets(const RoughArea& lower, const pocket::OwnedArea& upper, double near_mm) {
   const auto is_in = [&](const auto& vertex) { return upper->depth(vertex.point()) >= -near_mm; };
   return std::ranges::any_of(lower.locus.vertices, is_in) ||

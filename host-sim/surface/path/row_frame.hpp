@@ -9,17 +9,17 @@
 
 namespace sim::surface {
 
-/// A part of a row: where the row lies across, and from where to where along it, mm.
+/// A part of a row: the position of the row across the rows, and begin and end along the row, mm.
 struct RowPart {
   double row = 0.0;
   double begin = 0.0;
   double end = 0.0;
 };
 
-/// The box of a surface in the plan, seen along its rows.
+/// The box of a surface in plan, in coordinates along and across its rows.
 class RowFrame {
  public:
-  /// @param margin_mm distance by which the box is larger to all sides
+  /// @param margin_mm distance by which the box is larger on all sides
   RowFrame(const Mesh& mesh, double angle_rad, double margin_mm)
       : along_{direction_of(angle_rad)},
         across_{-along_.y(), along_.x()},
@@ -42,12 +42,13 @@ class RowFrame {
     return way * along_ + row * across_;
   }
 
-  /// Returns a place along and across the rows.
+  /// Returns the coordinates of a place along and across the rows.
   [[nodiscard]] Eigen::Vector2d seen(const Eigen::Vector2d& place) const {
     return {along_.dot(place), across_.dot(place)};
   }
 
-  /// Returns the slice over a part of a row, towards its end or back.
+  /// Returns the slice over a part of a row. It goes from begin to end, or from end to begin if
+  /// `goes_back`.
   [[nodiscard]] Slice slice(const RowPart& part, bool goes_back) const {
     const double length = part.end - part.begin;
     return goes_back ? Slice{at(part.end, part.row), -along_, length}
@@ -55,7 +56,8 @@ class RowFrame {
   }
 
  private:
-  /// Unit vector of an angle; exact along the axes, so that their rows are.
+  /// Returns the unit vector of an angle. It is exact along the axes, so that rows along the axes
+  /// are exact.
   static Eigen::Vector2d direction_of(double angle_rad) {
     Eigen::Vector2d direction{std::cos(angle_rad), std::sin(angle_rad)};
     constexpr double kAlongAxis = 1.0e-12;
@@ -68,7 +70,7 @@ class RowFrame {
 
   Eigen::Vector2d along_;
   Eigen::Vector2d across_;
-  Eigen::Vector2d least_;  ///< Along and across.
+  Eigen::Vector2d least_;  ///< Least coordinates along and across the rows.
   Eigen::Vector2d most_;
 };
 

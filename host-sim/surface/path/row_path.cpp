@@ -17,9 +17,9 @@ namespace {
 
 using Eigen::Vector2d;
 
-/// Greatest length of a link over the surface, in steps; a farther row begins with a lift.
+/// Maximum length of a link over the surface, in steps; a farther row begins with a lift.
 constexpr double kMostLinkSteps = 4.0;
-/// Share of the work that it takes to find the parts of rows.
+/// Share of the work for finding the parts of rows.
 constexpr double kSearchShare = 0.25;
 
 /// Lays rows over a surface and links them.
@@ -32,7 +32,7 @@ class RowPlanner {
         tracer_{mesh, options},
         stock_top_mm_{options.stock_top_mm.value_or(top_of(mesh))} {
     if (options.scallop_mm == 0.0 || options.layer_mm > 0.0) return;
-    // A path is above its exact place by the tolerance and as much again at most.
+    // A path is above its exact place by the tolerance, and by at most another tolerance.
     between_.emplace(tracer_, frame_, options.tool, options.scallop_mm - options.tolerance_mm);
   }
 
@@ -57,7 +57,7 @@ class RowPlanner {
     return "nothing of it is under the tool";
   }
 
-  /// Adds layers from the top of the stock on, until one has nothing to mill.
+  /// Adds layers from the top of the stock downwards, until a layer has nothing to mill.
   void add_layers() {
     constexpr int kMostLayers = 10'000;
     for (int layer = 0; layer < kMostLayers; ++layer) {
@@ -72,7 +72,8 @@ class RowPlanner {
     }
   }
 
-  /// Adds all rows: those between others after these, as they mill what these have left.
+  /// Adds all rows. Rows between other rows come after these, because they mill the stock that
+  /// these have left.
   void add_rows() {
     std::vector<RowPart> rows;
     std::vector<RowPart> between;
@@ -107,13 +108,13 @@ class RowPlanner {
     wanted_.clear();
   }
 
-  /// Adds the stretch over a slice, which is traced later.
+  /// Adds the stretch over a slice; the slice is traced later.
   void want(const Slice& slice, StretchUse use) {
     wanted_.push_back({slice, use});
     path_.stretches.emplace_back();
   }
 
-  /// Adds what of a part is over the surface and in all regions.
+  /// Adds those pieces of a part that are over the surface and in all regions.
   void add_parts(const RowPart& part, std::vector<RowPart>& parts) const {
     constexpr double kLeastPart = 1.0e-3;
     const Slice slice = frame_.slice(part, false);
@@ -125,13 +126,13 @@ class RowPlanner {
     }
   }
 
-  /// Mills parts of rows from the lowest row on, each time the nearest of the rest; those with a
-  /// direction row by row.
+  /// Mills parts of rows from the lowest row on, always the nearest part next. With a milling
+  /// direction, mills row by row.
   void mill(std::vector<RowPart> parts) {
     const bool is_climb = options_.direction == cnc::pocket::Milling::kClimb;
     PartQueue queue{std::move(parts)};
     for (bool is_first = true; !queue.empty(); is_first = false) {
-      // On the right of a row is the one below it: stock is there while that is not milled.
+      // The row below a row is on its right: stock is there until that row is milled.
       mill(options_.direction || is_first ? queue.take_outermost(is_climb)
                                           : queue.take_nearest(frame_.seen(here_), may_go_back()));
     }
@@ -145,8 +146,8 @@ class RowPlanner {
     here_ = slice.at(slice.length);
   }
 
-  /// Returns whether stock stands on both sides of a part: in a layer, where no row beside it was
-  /// milled along half of it.
+  /// Returns a slot if stock stands on both sides of a part, else a row. Stock stands there in a
+  /// layer, if no neighbouring row was milled along at least half of the part.
   [[nodiscard]] StretchUse use_of(const RowPart& part) const {
     if (options_.layer_mm == 0.0) return StretchUse::kRow;
     double below = 0.0;
@@ -161,8 +162,9 @@ class RowPlanner {
     return is_open ? StretchUse::kRow : StretchUse::kSlot;
   }
 
-  /// Leads to the next stretch over the surface, where it is near, the surface goes on and no
-  /// region bars the link: straight, or along one of both rows and across, as beside an island.
+  /// Leads to the next stretch over the surface, if it is near, the surface continues up to it and
+  /// no region bars the link. The link is straight, or goes along one of both rows and across, for
+  /// example next to an island. Otherwise ends the run.
   void lead_to(const Vector2d& place) {
     if (path_.stretches.empty()) return;
     if (may_go_back() && place != here_) {
@@ -176,7 +178,8 @@ class RowPlanner {
     end_run();
   }
 
-  /// Adds straight links between places if all of them may be driven and are short.
+  /// Adds straight links between places if they are short and allowed. Returns whether it added
+  /// them.
   bool links_over(const std::vector<Vector2d>& places) {
     constexpr double kLeastLink = 1.0e-6;
     std::vector<Slice> slices;
@@ -217,9 +220,9 @@ class RowPlanner {
   SurfaceTracer tracer_;
   std::optional<ScallopRows> between_;
   double stock_top_mm_;         ///< Top of the stock that no layer has milled yet.
-  std::vector<RowPart> layer_;  ///< Parts of rows that are milled, of this layer.
+  std::vector<RowPart> layer_;  ///< Parts of rows that are milled in this layer.
   SurfacePath path_;
-  std::vector<WantedStretch> wanted_;  ///< The last of the path's, not traced yet.
+  std::vector<WantedStretch> wanted_;  ///< The last slices of the path, which are not traced yet.
   Vector2d here_ = Vector2d::Zero();
 };
 

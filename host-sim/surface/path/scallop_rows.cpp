@@ -10,7 +10,8 @@
 namespace sim::surface {
 namespace {
 
-/// Rows are halved so often at most: where walls are upright no number of rows is enough.
+/// Maximum number of halvings of the distance between rows: at vertical walls no number of rows is
+/// enough.
 constexpr int kMostHalvings = 7;
 
 }  // namespace
@@ -42,11 +43,12 @@ ScallopRows::ScallopRows(const SurfaceTracer& tracer,
       frame_{frame},
       tool_{tool},
       scallop_mm_{scallop_mm},
-      // Poses of a row that are so near to each other leave little more than all of it.
+      // At this distance between poses, a row leaves little more stock than continuous motion.
       look_mm_{std::min(0.125 * tool.radius_mm, std::sqrt(0.24 * tool.radius_mm * scallop_mm))} {}
 
-/// Two rows and ways between them, by the heights of the tip at the same ways along. A ball leaves
-/// the most half way; a tool with a flat bottom touches elsewhere from each place between.
+/// Two rows and the lines between them, given by the heights of the tip at equal distances along
+/// them. A ball leaves the most stock half way between the rows. A tool with a flat bottom touches
+/// at other points, so that it needs more lines between.
 class ScallopRows::Strip {
  public:
   Strip(const ScallopRows& rows, const Gap& gap)
@@ -70,7 +72,8 @@ class ScallopRows::Strip {
   [[nodiscard]] int last() const { return around_ + looks_; }
   [[nodiscard]] double along(int index) const { return begin_ + index * rows_.look_mm_; }
 
-  /// Returns the height that both rows leave where the tool would touch between them.
+  /// Returns the height of the stock that both rows leave at the points that the tool would touch
+  /// between them.
   [[nodiscard]] double scallop(int index) const {
     double greatest = 0.0;
     for (std::size_t row = 1; row + 1 < heights_.size(); ++row) {
@@ -91,12 +94,13 @@ class ScallopRows::Strip {
     return heights_[row][static_cast<std::size_t>(index)];
   }
 
-  /// Returns how far a way is from the low row, mm.
+  /// Returns the distance of a line from the low row, mm.
   [[nodiscard]] double across(std::size_t row) const {
     return width_ * static_cast<double>(row) / static_cast<double>(heights_.size() - 1);
   }
 
-  /// Returns the height that is left above the place of contact, for a rise of the surface there.
+  /// Returns the height of the stock that is left above the point of contact, for a given rise of
+  /// the surface there.
   [[nodiscard]] double left_beside(std::size_t from, int index, const Eigen::Vector2d& rise) const {
     const double slope = rise.norm();
     const cnc::surface::PlaneContact contact = contact_with_plane(rows_.tool_, slope);
@@ -119,7 +123,8 @@ class ScallopRows::Strip {
   int around_;
   double begin_;
   int looks_;
-  std::vector<std::vector<double>> heights_;  ///< Both rows and ways between, the low one first.
+  /// Heights along both rows and the lines between; the low row is first.
+  std::vector<std::vector<double>> heights_;
 };
 
 void ScallopRows::divide(const Gap& gap,

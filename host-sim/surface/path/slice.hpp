@@ -4,16 +4,17 @@
 
 namespace sim::surface {
 
-/// A straight way in the plan, above which a path goes up and down; mm.
+/// A straight line in plan above which a path goes up and down; mm.
 struct Slice {
   Eigen::Vector2d from = Eigen::Vector2d::Zero();
-  Eigen::Vector2d direction = Eigen::Vector2d::UnitX();  ///< Unit vector.
+  Eigen::Vector2d direction = Eigen::Vector2d::UnitX();  ///< Unit vector of the direction.
   double length = 0.0;
 
   [[nodiscard]] Eigen::Vector2d at(double along) const { return from + along * direction; }
 };
 
-/// Returns the slice between two places. @pre they differ
+/// Returns the slice between two places.
+/// @pre the places differ
 [[nodiscard]] inline Slice slice_between(const Eigen::Vector2d& from, const Eigen::Vector2d& to) {
   const double length = (to - from).norm();
   return {.from = from, .direction = (to - from) / length, .length = length};

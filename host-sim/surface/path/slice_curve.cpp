@@ -9,13 +9,13 @@ namespace {
 
 using Node = SliceCurve::Node;
 
-/// A cubic, by its ends.
+/// A cubic, given by its ends.
 struct Cubic {
   Node from;
   Node to;
 
-  /// Slopes so steep that the cubic would rise far above both ends are lessened: beside a jump
-  /// they are those of the jump.
+  /// Reduces slopes that are so steep that the cubic would rise far above both ends. Next to a
+  /// jump, such slopes are those of the jump.
   Cubic(const Node& begin, const Node& end, double error_mm) : from{begin}, to{end} {
     const double most = (3.0 * std::abs(to.height - from.height) + 6.0 * error_mm) / width();
     from.slope = std::clamp(from.slope, -most, most);
@@ -23,7 +23,7 @@ struct Cubic {
   }
 
   [[nodiscard]] double width() const { return to.along - from.along; }
-  /// Height, and its derivatives by the share.
+  /// Returns the height and its derivatives with respect to the share.
   [[nodiscard]] std::array<double, 3> at(double share) const {
     const double begin = width() * from.slope;
     const double rise = to.height - from.height;
@@ -58,7 +58,8 @@ class CurveBuilder {
   }
 
  private:
-  /// Central differences, one-sided at the ends.
+  /// Returns the node at a distance along the slice. Its slope is a central difference, one-sided
+  /// at the ends of the slice.
   [[nodiscard]] Node node_at(double along) {
     constexpr double kBeside = 1.0e-5;
     const double before = std::max(begin_, along - kBeside);
@@ -68,7 +69,7 @@ class CurveBuilder {
     return {along, height, (heights_(after) - low) / (after - before)};
   }
 
-  /// Takes the nearest pending node if one cubic leads to it, or puts another before it.
+  /// Accepts the nearest pending node if one cubic leads to it. Otherwise inserts a node before it.
   void settle() {
     const Cubic cubic{nodes_.back(), pending_.back(), density_.error_mm};
     if (cubic.width() <= density_.least_mm || follows(cubic)) {
@@ -80,8 +81,8 @@ class CurveBuilder {
   }
 
   [[nodiscard]] bool follows(const Cubic& cubic) {
-    // The curve bends where the tool passes from facet to facet: between two of eight looks it is
-    // no farther off than twice as far as at them.
+    // The curve bends where the tool passes from facet to facet. Between two of eight samples its
+    // error is at most twice the error at the samples.
     constexpr int kLeastLooks = 8;
     const int looks =
         std::max(kLeastLooks, static_cast<int>(std::ceil(cubic.width() / density_.pitch_mm)));
@@ -89,7 +90,7 @@ class CurveBuilder {
       const double along = cubic.from.along + cubic.width() * i / looks;
       return is_near(along, cubic.height_at(along));
     };
-    // A cubic that leaves the heights mostly does so half way.
+    // A cubic that leaves the heights usually does so half way.
     if (!is_near_at(looks / 2)) return false;
     for (int i = 1; i < looks; ++i) {
       if (i != looks / 2 && !is_near_at(i)) return false;
@@ -97,9 +98,10 @@ class CurveBuilder {
     return true;
   }
 
-  /// Returns whether the heights pass within the error of a place of the curve. Where they are
-  /// steep they may pass beside it: how far the curve itself is from a height does not tell, as
-  /// that of a corner between a jump and a plateau is on the plateau while the curve cuts it off.
+  /// Returns whether the heights pass within the error of a place of the curve. Where heights are
+  /// steep they may pass next to the place. The distance from a height to the curve would not show
+  /// the error: at a corner between a jump and a plateau the height lies on the plateau, while the
+  /// curve cuts the corner off.
   [[nodiscard]] bool is_near(double along, double height) {
     const double error = 0.5 * density_.error_mm;
     const double off = height - heights_(along);
@@ -115,7 +117,7 @@ class CurveBuilder {
   double begin_;
   double end_;
   std::vector<Node> nodes_;
-  std::vector<Node> pending_;  ///< The nearest last.
+  std::vector<Node> pending_;  ///< Nodes still to be reached; the nearest is last.
 };
 
 }  // namespace

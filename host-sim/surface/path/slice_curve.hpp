@@ -8,31 +8,33 @@
 
 namespace sim::surface {
 
-/// How closely a curve follows the heights that it is made of.
+/// Limits on how far a curve may leave the heights from which it is made.
 struct SliceDensity {
-  double pitch_mm = 0.1;     ///< Distance of the places at which heights are looked at, at most.
-  double error_mm = 1.0e-3;  ///< Of the curve beside those places, across it.
-  double least_mm = 1.0e-4;  ///< Spans of this length are straight: heights jump there.
+  double pitch_mm = 0.1;  ///< Maximum distance between the places at which heights are sampled.
+  /// Maximum error of the curve between those places, perpendicular to the curve.
+  double error_mm = 1.0e-3;
+  double least_mm = 1.0e-4;  ///< Length up to which spans are straight: heights jump there.
 };
 
 /// Returns the density at which nothing between two places reaches into the tool by more than
-/// `error_mm`: a round tool leaves its chord by the sagitta, a cone by the height of its sides.
+/// `error_mm`. A round tool leaves its chord by the sagitta, a cone by the height of its sides.
 [[nodiscard]] SliceDensity density_for(const cnc::surface::Profile& profile, double error_mm);
 
-/// Spans of a curve, from one up to another that is not of them.
+/// Spans of a curve from `from` up to but not including `to`.
 struct SpanRange {
   std::size_t from = 0;
   std::size_t to = 0;
 };
 
-/// The heights of a slice as a smooth curve: cubics of the way, whose ends have the heights and
-/// the slopes there. The curve's first coordinate is the way along the slice.
+/// The heights of a slice as a smooth curve. It consists of cubics over the distance along the
+/// slice, whose ends have the heights and slopes of the slice. The curve's first coordinate is the
+/// distance along the slice.
 class SliceCurve final : public cnc::contour::PlaneCurve {
  public:
   struct Node {
     double along = 0.0;
     double height = 0.0;
-    double slope = 0.0;  ///< mm per mm.
+    double slope = 0.0;  ///< Slope, mm per mm.
   };
 
   /// @pre every place from `begin` to `end` has a height, and begin < end

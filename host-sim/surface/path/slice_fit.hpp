@@ -10,17 +10,20 @@
 namespace sim::surface {
 
 enum class SliceElements : std::uint8_t {
-  kArcs,   ///< Arcs and lines with one tangent.
-  kLines,  ///< Lines only, as where no plane of arcs holds the slice.
+  kArcs,   ///< Tangent-continuous arcs and lines.
+  kLines,  ///< Lines only, for example if the slice lies in no plane that allows arcs.
 };
 
-/// Replaces the curves of slices by few arcs or lines, each within a tolerance of its curve, from
-/// the curve's start to its end. Corners stay where they are. Holds the room that fits work with.
+/// Replaces the curves of slices by few arcs or lines. Each element is within a tolerance of its
+/// curve, from the curve's start to its end. Corners keep their places. The object holds the memory
+/// that fits reuse.
 class SliceFitter {
  public:
-  /// Appends the elements: places by the way along the slice and the height, arcs by their bulge.
-  /// @param tolerance_mm above 0
-  /// @return how many pieces between corners had no arcs within the tolerance and became lines.
+  /// Appends the elements. A vertex has the distance along the slice and the height; an arc has its
+  /// bulge.
+  /// @param tolerance_mm tolerance, above 0
+  /// @return the number of pieces between corners for which no arcs are within the tolerance, so
+  /// that they became lines
   std::size_t fit(const cnc::contour::PlaneCurve& curve,
                   double tolerance_mm,
                   SliceElements elements,

@@ -8,18 +8,19 @@
 
 namespace sim::surface {
 
-/// The heights of a tool's tip over a slice. Neighbours are asked for one after the other, as each
-/// begins with the facet that the last one touched.
+/// The heights of a tool's tip over a slice. Heights should be requested from neighbour to
+/// neighbour, because each search begins with the facet that was touched last.
 class SliceHeights {
  public:
-  /// @param floor_mm the tip is never lower, and there where nothing is under the tool; without
-  /// one such places have no height. @pre the heights outlive this
+  /// @param floor_mm lowest height of the tip, and its height where nothing is under the tool.
+  /// Without a floor such places have no height.
+  /// @pre the heights outlive this object
   SliceHeights(const PathHeights& heights, const Slice& slice, std::optional<double> floor_mm)
       : heights_{&heights}, slice_{slice}, floor_mm_{floor_mm.value_or(cnc::surface::kNoContact)} {}
 
   [[nodiscard]] const Slice& slice() const { return slice_; }
 
-  /// Returns the height, cnc::surface::kNoContact where there is none.
+  /// Returns the height; cnc::surface::kNoContact if the place has none.
   [[nodiscard]] double operator()(double along) {
     return std::max(floor_mm_, (*heights_)(slice_.at(along), hint_));
   }

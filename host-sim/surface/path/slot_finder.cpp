@@ -10,13 +10,13 @@ namespace {
 
 using Eigen::Vector2d;
 
-/// Shares of the tool's radius.
+/// Lengths as shares of the tool's radius.
 constexpr double kCell = 0.125;
 constexpr double kStep = 0.25;
 constexpr double kBeside = 0.75;
-/// Steps that are not taken yet.
+/// Number of steps whose stock is not removed yet.
 constexpr std::size_t kStepsBehind = 4;
-/// More cells take more memory than it is worth: cells become larger.
+/// Maximum number of cells. A larger area has larger cells, to save memory.
 constexpr double kMostCells = 4.0e7;
 
 double cell_for(const pocket::StockBox& box, double radius_mm) {

@@ -10,16 +10,16 @@
 
 namespace sim::surface {
 
-/// Finds where a tool that goes through a level has stock on both sides. It marks cells of the plan
-/// that the tool has been over, so that answers are good to an eighth of its radius.
+/// Finds where a tool that moves through a level has stock on both sides. It marks the cells of the
+/// plan that the tool has passed over, so that results are exact to an eighth of its radius.
 class SlotFinder {
  public:
-  /// @param box the stock, mm; beside it there is none
-  /// @param radius_mm of the tool's disc, above 0
+  /// @param box the stock, mm; there is no stock outside it
+  /// @param radius_mm radius of the tool's disc, above 0
   SlotFinder(const pocket::StockBox& box, double radius_mm);
 
-  /// Returns what an element in a level plane is, and takes the stock under the tool: a slot where
-  /// stock is on both sides of any of its places, else a row.
+  /// Classifies an element in a level plane, and removes the stock under the tool. Returns a slot
+  /// if stock is on both sides of any place of the element, else a row.
   [[nodiscard]] StretchUse use_of(const ContourVertex& from, const ContourVertex& to);
 
   /// Ends a run: the next element does not begin where the last one ended.
@@ -35,8 +35,8 @@ class SlotFinder {
   std::size_t columns_;
   std::size_t rows_;
   std::vector<bool> is_taken_;
-  /// Places of the tool of the last way of about a radius. They are taken later: the disc around a
-  /// place also reaches ahead of it.
+  /// The last places of the tool, over a distance of about its radius. Stock is removed there with
+  /// a delay, because the disc around a place also reaches ahead of it.
   std::deque<Eigen::Vector2d> last_;
 };
 

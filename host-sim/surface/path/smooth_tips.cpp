@@ -9,8 +9,8 @@
 namespace sim::surface {
 namespace {
 
-/// Returns a larger tool: its raised tip is as far as `farthest_mm` from a place where the tool
-/// itself touches, at most, in space. The rim of a cone goes outwards and down at once.
+/// Returns a larger tool. Its raised tip is at most `farthest_mm`, in space, from a place where the
+/// tool itself touches. The rim of a cone moves outwards and downwards at the same time.
 cnc::surface::GrownTool grown_within(const cnc::surface::Profile& tool, double farthest_mm) {
   const cnc::surface::GrownTool whole = cnc::surface::grown(tool, farthest_mm);
   if (tool.rise == 0.0) return whole;
@@ -18,7 +18,7 @@ cnc::surface::GrownTool grown_within(const cnc::surface::Profile& tool, double f
   return cnc::surface::grown(tool, share * farthest_mm);
 }
 
-/// Returns the places of the tip over all points: something is under the tool at each.
+/// Returns the tip positions over all points. At each point something is under the tool.
 PointGrid tips_over(const PointGrid& grid, const cnc::surface::GrownTool& tool, double lift_mm) {
   const DropCutter cutter{triangulated(grid), tool.profile};
   DropCutter::Hint hint;
@@ -44,7 +44,7 @@ double SmoothTips::height(const Eigen::Vector2d& place, double exact_mm, Hint& h
   const std::optional<double> found = heights_.height(place, hint.patches);
   const double smooth = found ? *found - lift_mm_ : exact_mm;
   if (smooth <= exact_mm) return exact_mm;
-  // The larger tool touches no later.
+  // The larger tool touches at least as high, so that its exact height is not needed.
   if (smooth <= exact_mm + ceiling_lift_mm_) return smooth;
   return std::clamp(smooth, exact_mm, ceiling_.tip_height(place, hint.ceiling) + ceiling_lift_mm_);
 }

@@ -9,12 +9,13 @@
 
 namespace sim::surface {
 
-/// A smooth surface that a path follows in place of the heights of a tool's tip: bicubic patches
-/// in the middle of a band above these heights (paper 4). Noise of the points within half of the
-/// band is not milled.
+/// A smooth surface that a path follows in place of the heights of a tool's tip: bicubic patches in
+/// the middle of a band above these heights (paper 4). Noise of the points within half of the band
+/// is not milled.
 ///
-/// Where the patches leave the band, as between points at a wall, its border is followed: a path
-/// thus cuts in no deeper than without patches, and is higher by no more than the band, in space.
+/// Where the patches leave the band, for example between points at a wall, the path follows the
+/// border of the band. The path thus cuts no deeper than without patches, and is higher by at most
+/// the band, in space.
 class SmoothTips {
  public:
   struct Hint {
@@ -22,22 +23,23 @@ class SmoothTips {
     patch::PatchHeights::Hint patches{};
   };
 
-  /// Fits the patches, within half of the band, to the tips of a tool that is larger by as much,
-  /// over all points of the grid.
-  /// @param tool that the path follows
-  /// @param band_mm at right angles to the surface of the tips, above 0
-  /// Throws std::invalid_argument for patches that fold in the plan.
-  /// @pre the grid has two rows and columns at least
+  /// Fits patches, within half of the band, to the tip positions of a tool that is larger by half
+  /// of the band, over all points of the grid.
+  /// @param tool the tool that the path follows
+  /// @param band_mm width of the band perpendicular to the surface of the tips, above 0
+  /// Throws std::invalid_argument for patches that fold in plan.
+  /// @pre the grid has at least two rows and columns
   SmoothTips(const PointGrid& grid, const cnc::surface::GrownTool& tool, double band_mm);
 
-  /// Returns the height over a place, that of the tool's tip before it is raised: at least
-  /// `exact_mm`, and cnc::surface::kNoContact where that is.
+  /// Returns the height of the tool's tip over a place before the tip is raised. It is at least
+  /// `exact_mm`; if `exact_mm` is cnc::surface::kNoContact, that is returned.
   /// @param exact_mm height of the tool's tip there
   [[nodiscard]] double height(const Eigen::Vector2d& place, double exact_mm, Hint& hint) const;
 
-  /// Returns the patches; they are the way of the tip, raised.
+  /// Returns the patches; they are the surface on which the raised tip moves.
   [[nodiscard]] const patch::PatchSurface& patches() const { return heights_.surface(); }
-  /// Returns the raised tips that the patches fit, and how closely they do.
+  /// tips() returns the raised tip positions to which the patches are fitted, fit_mm() the
+  /// tolerance of the fit.
   [[nodiscard]] const PointGrid& tips() const { return tips_; }
   [[nodiscard]] double fit_mm() const { return 0.5 * band_mm_; }
 
@@ -45,7 +47,7 @@ class SmoothTips {
   double lift_mm_;
   double band_mm_;
   DropCutter ceiling_;      ///< The tool that is larger by the band.
-  double ceiling_lift_mm_;  ///< By which its tip is raised.
+  double ceiling_lift_mm_;  ///< Height by which the tip of that tool is raised.
   PointGrid tips_;
   patch::PatchHeights heights_;
 };

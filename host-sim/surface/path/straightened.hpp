@@ -5,8 +5,8 @@
 
 namespace sim::surface {
 
-/// Returns some of the places of a line, its ends among them, between which straight ways leave it
-/// by no more than a tolerance.
+/// Returns some of the places of a line, including its ends. Straight lines between them leave the
+/// line by at most a tolerance.
 [[nodiscard]] std::vector<Eigen::Vector2d> straightened(const std::vector<Eigen::Vector2d>& places,
                                                         double tolerance_mm);
 

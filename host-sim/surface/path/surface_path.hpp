@@ -12,27 +12,27 @@
 namespace sim::surface {
 
 enum class StretchUse : std::uint8_t {
-  kRow,   ///< Cuts, beside its neighbours.
-  kSlot,  ///< Cuts with stock on both sides, as the first row of a layer.
-  kLink,  ///< Leads over the surface from one row to the next.
+  kRow,   ///< The tool cuts next to neighbouring rows.
+  kSlot,  ///< The tool cuts with stock on both sides, as in the first row of a layer.
+  kLink,  ///< The tool moves over the surface from one row to the next.
 };
 
-/// The plane in which a tip stays at one height.
+/// The level plane in which a tip stays at one height.
 struct LevelPlane {
   double height_mm = 0.0;
 };
 
-/// A plane that holds a stretch: an upright one, or a level one.
+/// The plane that contains a stretch: vertical (a slice) or level.
 using StretchPlane = std::variant<Slice, LevelPlane>;
 
-/// Lines and arcs of a tool's tip in one plane. A vertex in a slice has the way along it as x and
-/// the height as y; in a level plane X and Y. The last vertex is the end.
+/// Lines and arcs of a tool's tip in one plane. In a slice a vertex has the distance along it as x
+/// and the height as y; in a level plane a vertex has X and Y. The last vertex is the end.
 struct SurfaceStretch {
   StretchPlane plane;
   StretchUse use = StretchUse::kRow;
   std::vector<ContourVertex> vertices;
 
-  /// Returns where the tip is at a vertex.
+  /// Returns the position of the tip at a vertex.
   [[nodiscard]] Eigen::Vector3d place_of(const ContourVertex& vertex) const {
     if (const auto* level = std::get_if<LevelPlane>(&plane)) {
       return {vertex.x, vertex.y, level->height_mm};
@@ -46,15 +46,15 @@ struct SurfaceStretch {
 
 /// Stretches that are driven without a lift between them.
 struct SurfaceRun {
-  std::size_t end = 0;    ///< Number of the stretch behind its last one.
-  double stock_mm = 0.0;  ///< Up to where stock may stand over its start.
+  std::size_t end = 0;    ///< Index after the last stretch of the run.
+  double stock_mm = 0.0;  ///< Height up to which stock may stand over the run's start.
 };
 
 /// Stretches in the order in which they are driven, mm.
 struct SurfacePath {
   std::vector<SurfaceStretch> stretches;
   std::vector<SurfaceRun> runs;
-  /// Stretches that no arcs fit, which are lines.
+  /// Number of stretches that are lines because no arcs fit.
   std::size_t without_arcs = 0;
 };
 

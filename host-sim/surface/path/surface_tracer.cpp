@@ -12,14 +12,14 @@
 namespace sim::surface {
 namespace {
 
-/// Returns the share of the band by which the surface may reach into the tool between looks, and by
-/// which the curve may leave the heights that are looked at. A cone needs looks as near to each
-/// other as that.
+/// Returns a share of the band. It limits the distance by which the surface may reach into the tool
+/// between samples, and the distance by which the curve may leave the sampled heights. A cone needs
+/// samples as close to each other as that distance.
 double error_share_of(const cnc::surface::Profile& profile) {
   return profile.rise > 0.0 ? 0.15 : 0.05;
 }
 
-/// Digits of the program by which an arc moves as its end and its centre are rounded.
+/// Number of last digits by which an arc moves because its end and its centre are rounded.
 constexpr double kRoundingDigits = 1.0;
 
 double lowest_of(const Mesh& mesh) {
@@ -40,7 +40,7 @@ double band_within(const cnc::surface::GrownTool& tool, const RowOptions& option
                   options.digit_mm)};
 }
 
-/// Whether arcs of a slice lie in a plane that G18 or G19 names.
+/// Returns whether the arcs of a slice lie in a plane of G18 or G19.
 bool lies_along_axis(const Slice& slice) {
   return slice.direction.x() == 0.0 || slice.direction.y() == 0.0;
 }
@@ -52,7 +52,8 @@ cnc::surface::GrownTool traced_tool(const RowOptions& options) {
   double lift_mm = 0.0;
   if (options.allowance_mm > 0.0) {
     const cnc::surface::GrownTool larger = cnc::surface::grown(tool, options.allowance_mm);
-    // A cone's growth by its band would leave less.
+    // A cone that is grown by the allowance leaves less stock than the allowance, so that it is
+    // grown by more.
     const double share = options.allowance_mm / larger.band_mm;
     const cnc::surface::GrownTool whole = cnc::surface::grown(tool, share * options.allowance_mm);
     tool = whole.profile;
@@ -96,7 +97,8 @@ double SurfaceTracer::touched(const Eigen::Vector2d& place, PathHeights::Hint& h
   return std::max(lowest_mm_, height);
 }
 
-/// Finds where something is under the tool for the last time, from a place where it is on.
+/// Returns the last place with something under the tool, between a place that has contact and a
+/// place without.
 double SurfaceTracer::border(const Slice& slice, double over, double beside) const {
   constexpr double kNear = 1.0e-6;
   PathHeights::Hint hint;

@@ -19,13 +19,14 @@ class TipGrid {
           const std::function<void(double)>& progress);
 
   [[nodiscard]] const PlanGrid& grid() const { return grid_; }
-  /// Returns the height over a node; cnc::surface::kNoContact where nothing is under the tool and
+  /// Returns the height over a node; cnc::surface::kNoContact if nothing is under the tool and
   /// there is no floor.
   [[nodiscard]] double height(std::size_t node) const { return heights_[node]; }
   [[nodiscard]] bool has_contact(std::size_t node) const {
     return heights_[node] != cnc::surface::kNoContact;
   }
-  /// Returns the place of the tip over a node. @pre has_contact()
+  /// Returns the position of the tip over a node.
+  /// @pre has_contact()
   [[nodiscard]] Eigen::Vector3d tip(std::size_t node) const {
     const Eigen::Vector2d seen = grid_.at(node);
     return {seen.x(), seen.y(), heights_[node]};
@@ -33,7 +34,8 @@ class TipGrid {
 
   /// Returns whether any node has a height.
   [[nodiscard]] bool has_any() const { return highest_mm_ >= lowest_mm_; }
-  /// Returns the lowest and the highest of them. @pre has_any()
+  /// lowest_mm() and highest_mm() return the lowest and the highest height of all nodes.
+  /// @pre has_any()
   [[nodiscard]] double lowest_mm() const { return lowest_mm_; }
   [[nodiscard]] double highest_mm() const { return highest_mm_; }
 

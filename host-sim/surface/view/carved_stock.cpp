@@ -12,7 +12,7 @@
 namespace sim::surface {
 namespace {
 
-/// Cells of a block, about.
+/// Approximate number of cells of a block.
 constexpr double kBlockCells = 6.0e5;
 constexpr double kLeastBlockCellMm = 0.01;
 

@@ -10,18 +10,21 @@
 namespace sim::surface {
 
 struct BlockOptions {
-  std::optional<double> top_mm{};   ///< Top of the stock; none: the surface's highest point.
-  std::optional<double> cell_mm{};  ///< Length of a cell's sides; none: there are 600,000 cells.
+  /// Top of the stock; without a value the surface's highest point.
+  std::optional<double> top_mm{};
+  /// Length of a cell's sides; without a value there are about 600,000 cells.
+  std::optional<double> cell_mm{};
 };
 
-/// Returns the block that a path carves a surface from: the box of the surface in the plan, from
-/// the top of the stock to below the path.
-/// Throws std::invalid_argument for a surface that no stock holds, and for too small cells.
+/// Returns the block from which a path carves a surface: the box of the surface in plan, from the
+/// top of the stock to below the path. Throws std::invalid_argument for a surface that fits no
+/// stock, and for cells that are too small.
 [[nodiscard]] stock::Stock block_for(const Mesh& mesh,
                                      const SurfacePath& path,
                                      const BlockOptions& options);
 
-/// Carves a block by the motions of a path that cut: stretches, and descents to their first points.
+/// Carves a block by the cutting motions of a path: stretches, and descents to the first points of
+/// runs.
 void carve(stock::Stock& block, const SurfacePath& path, const stock::Cutter& cutter);
 
 }  // namespace sim::surface

@@ -5,8 +5,8 @@
 
 namespace sim::surface {
 
-/// Returns the way of the tip over a stretch as points in space, between which chords leave its
-/// arcs by no more than `chord_mm`, above 0.
+/// Returns the path of the tip over a stretch as points in space. Chords between the points leave
+/// the stretch's arcs by at most `chord_mm`, above 0.
 [[nodiscard]] SpaceLine line_of(const SurfaceStretch& stretch, double chord_mm);
 
 }  // namespace sim::surface

@@ -21,7 +21,7 @@ using Eigen::Vector3d;
 constexpr const char* kWireColour = "#30363d";
 constexpr double kWirePx = 0.7;
 
-/// Returns rows and columns as lines, of large grids each n-th, and appends a note of that.
+/// Returns rows and columns as lines; of large grids only every n-th one, with a note in the key.
 SpaceLines wire_of(const PointGrid& grid, const char* label, PictureKey& key) {
   constexpr std::size_t kMostLines = 130;
   SpaceLines wire{.sample = {.colour = kWireColour, .width_px = kWirePx, .label = label},
@@ -87,7 +87,7 @@ Mesh mesh_of(const PointGrid& grid) {
     return std::ranges::any_of(
         facet, [&](std::uint32_t point) { return !std::isfinite(mesh.points[point].z()); });
   });
-  // Points that no facet has count for boxes and scales.
+  // Boxes and scales include points that belong to no facet.
   for (Vector3d& point : mesh.points) {
     if (!std::isfinite(point.z())) point = mesh.points[mesh.facets.front().front()];
   }
@@ -105,12 +105,12 @@ bool has_level_facet(const PointGrid& grid) {
   return false;
 }
 
-/// Returns the length of the longer side of a patch in quadrilaterals of the grid.
+/// Returns the length of the longer side of a patch, in quadrilaterals of the grid.
 double side_of(const patch::GridPatch& patch) {
   return std::max(patch.u.to - patch.u.from, patch.v.to - patch.v.from);
 }
 
-/// Adds a patch as facets between points of its own.
+/// Adds a patch as facets. It shares no points with other patches.
 void add_patch(const patch::GridPatch& patch, const Colour& colour, SpaceScene& scene) {
   const auto steps = static_cast<std::uint32_t>(std::clamp(4.0 * side_of(patch), 6.0, 32.0));
   const auto first = static_cast<std::uint32_t>(scene.mesh.points.size());
@@ -147,8 +147,8 @@ Colour patch_colour(double share) {
   return {between(low.red, high.red), between(low.green, high.green), between(low.blue, high.blue)};
 }
 
-/// Adds the sides of a block below the rim of its upper surface, which are `columns` × `rows`
-/// points.
+/// Adds the sides of a block below the rim of its upper surface. The upper surface has `columns` ×
+/// `rows` points.
 void add_sides(Mesh& mesh, std::uint32_t columns, std::uint32_t rows, double bottom_mm) {
   std::vector<std::uint32_t> rim;
   for (std::uint32_t i = 0; i + 1 < columns; ++i) rim.push_back(i);

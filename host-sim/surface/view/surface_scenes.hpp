@@ -15,9 +15,9 @@ namespace sim::surface {
 /// Returns the picture of the surface as it was read, with the rows and columns of a grid.
 [[nodiscard]] SpaceScene data_scene(const Mesh& mesh, const std::optional<PointGrid>& grid);
 
-/// Returns the picture of the places of a tool's tip: over the points of a grid, of a mesh over a
-/// lattice of its box, where something is under the tool. Throws std::invalid_argument where
-/// nothing is.
+/// Returns the picture of the positions of a tool's tip over the points of a grid. For a mesh the
+/// points are a lattice over its box, without those where nothing is under the tool. Throws
+/// std::invalid_argument if nothing is under the tool anywhere.
 [[nodiscard]] SpaceScene offset_scene(const Mesh& mesh,
                                       const std::optional<PointGrid>& grid,
                                       const cnc::surface::Profile& tool);
@@ -25,7 +25,8 @@ namespace sim::surface {
 /// Returns the picture of patches, coloured by their size, with their borders.
 [[nodiscard]] SpaceScene patch_scene(const patch::PatchSurface& patches);
 
-/// Returns the picture of a path over a surface. @param safe_mm Z of rapids
+/// Returns the picture of a path over a surface.
+/// @param safe_mm Z of rapids
 [[nodiscard]] SpaceScene path_scene(const Mesh& mesh, const SurfacePath& path, double safe_mm);
 
 /// Returns the picture of a carved block.

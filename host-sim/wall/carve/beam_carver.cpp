@@ -12,16 +12,16 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Sides that lean more are divided as if they leant by that, radians.
+/// Angle in radians: beams whose sides lean more are divided as if their sides leant by this angle.
 constexpr double kSteepest = 1.4;
 
-/// Returns the number of the first cell whose middle is at or behind a place, from 0 to `count`.
+/// Returns the number of the first cell whose middle is at or after a place, from 0 to `count`.
 int first_cell(double place, double start, double cell_mm, int count) {
   return static_cast<int>(
       std::clamp(std::ceil((place - start) / cell_mm - 0.5), 0.0, static_cast<double>(count)));
 }
 
-/// Returns the pose at a share of the way from one to another.
+/// Returns the pose at a share of the motion from one pose to another.
 BeamPose between(const BeamPose& from, const BeamPose& to, double share) {
   const double angle = angle_between(from.axis, to.axis);
   BeamPose pose{
@@ -46,11 +46,11 @@ void BeamCarver::move(const BeamPose& from, const BeamPose& to) {
   const double side = beam_.half_angle_rad + beam_.heat_rad;
   const double height =
       std::max(columns_.box().top - std::min(from.tip.z(), to.tip.z()), kSwingErrorMm);
-  // The side moves at `height` by that and no more.
+  // The side moves at `height` by at most kSwingErrorMm.
   const double lean = side + std::acos(std::min({1.0, from.axis.z(), to.axis.z()}));
   const double cosine = std::cos(std::min(lean, kSteepest));
   const double most_turn = kSwingErrorMm / height * cosine * cosine;
-  // A turn beyond a rounding of the axes.
+  // A smaller turn comes from rounding of the axes.
   constexpr double kLeastTurn = 1.0e-12;
   const auto parts =
       turn < kLeastTurn ? std::size_t{1} : static_cast<std::size_t>(turn / most_turn) + 1;

@@ -7,32 +7,35 @@
 
 namespace sim::wall {
 
-/// The cone of a beam that burns, and how heat widens it.
+/// The cone of a beam that burns, and the angle by which heat widens it.
 struct BurningBeam {
-  double half_angle_rad = 0.0;  ///< Above 0, below a right angle.
-  /// By which heat widens the cone, on each side; with the half angle below a right angle.
+  double half_angle_rad = 0.0;  ///< Half angle of the cone, above 0, below a right angle.
+  /// Angle by which heat widens the cone on each side; its sum with the half angle is below a right
+  /// angle.
   double heat_rad = 0.0;
   double waist_mm = 0.0;  ///< Radius at the tip, at least 0.
 };
 
-/// By which a beam whose axis turns along its stroke burns too far at the height of the stock's
-/// top, at most, mm.
+/// Maximum excess in mm, at the height of the stock's top, that is burned by a beam whose axis
+/// turns along its stroke.
 inline constexpr double kSwingErrorMm = 1.0e-3;
 
 /// Burns the strokes of a beam into columns.
 ///
-/// Everything is burned that is within the cone above the tip, up to the lens, which is above the
-/// stock, and within the waist down to the depth below the tip. Between two poses the tip moves on
-/// a line and the axis turns in one plane. Where the axis stays, heights are exact. Where it turns,
-/// the stroke is divided and the cone widened by what the axis turns in a part, so that never less
-/// is burned, and at the stock's top no more than kSwingErrorMm too far.
+/// The beam burns everything within the cone from the tip up to the lens, which is above the stock,
+/// and within the waist down to the depth below the tip. Between two poses the tip moves on a line
+/// and the axis turns in one plane. If the axis keeps its direction, heights are exact. If it
+/// turns, the stroke is divided, and the cone is widened by the turn of the axis within a part.
+/// Thus the result is never less than the beam burns, and at the stock's top at most kSwingErrorMm
+/// too wide.
 class BeamCarver {
  public:
   BeamCarver(Columns& columns, const BurningBeam& beam) : columns_{columns}, beam_{beam} {}
 
   void carve(const BeamStroke& stroke);
 
-  /// Returns how many lines of the tip were carved, and from how many parts.
+  /// moves() returns the number of carved lines of the tip, parts() the number of parts into which
+  /// they were divided.
   [[nodiscard]] std::size_t moves() const { return moves_; }
   [[nodiscard]] std::size_t parts() const { return parts_; }
 

@@ -16,10 +16,10 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// An axis that rises less than that, of a length of 1, is level.
+/// Minimum rise of an axis of length 1; with less the axis counts as horizontal.
 constexpr double kLeastRise = 1.0e-3;
 
-/// Returns whether a line that is no beam ends the stroke before it.
+/// Returns whether a line that is not a beam ends the stroke before it.
 bool ends_stroke(std::string_view line) {
   return line.empty() || line == "# off" || line.ends_with("is out of reach");
 }

@@ -13,7 +13,8 @@ namespace {
 
 using Ranges = std::vector<HeightRange>;
 
-/// Returns the parts of `solid` that are not in `other`. Both are in order, from below upwards.
+/// Returns the parts of `solid` that are not in `other`. The ranges of both are sorted from below
+/// upwards.
 Ranges without(const Ranges& solid, const Ranges& other) {
   Ranges parts;
   for (HeightRange range : solid) {
@@ -27,19 +28,20 @@ Ranges without(const Ranges& solid, const Ranges& other) {
   return parts;
 }
 
-/// The rest of the columns as a closed body of upright bars, without the faces that two bars share.
-/// Edges are divided where a neighbour's end, so that each facet has one on the other side of each
-/// edge, or three where bars touch along an edge only.
+/// The material that is left of the columns, as a closed body of upright bars without the faces
+/// that two bars share. Edges are divided where a neighbour's edges end. Each edge of a facet thus
+/// has one facet on its other side, or three if bars touch only along that edge.
 class CarvedMesh {
  public:
-  /// Takes each column that stands for a square of `step` by `step`.
+  /// Uses one column for each square of `step` by `step` columns.
   CarvedMesh(const Columns& columns, int step);
 
   [[nodiscard]] std::uint32_t point_count() const { return first_.back(); }
   [[nodiscard]] std::uint32_t triangle_count() const { return triangle_count_; }
   [[nodiscard]] Eigen::Vector3d point(std::uint32_t index) const;
 
-  /// Calls `take(triangle)` with three indices of points, counter-clockwise from outside.
+  /// Calls `take(triangle)` for each triangle, given as three indices of points, counter-clockwise
+  /// from outside.
   template <typename Take>
   void each_triangle(Take take) const {
     for (int row = -1; row < rows_; ++row) {
@@ -49,7 +51,7 @@ class CarvedMesh {
 
  private:
   [[nodiscard]] Ranges ranges(int column, int row) const;
-  /// Returns the number of the corner on the lower sides of a cell.
+  /// Returns the number of the corner at the lower X and Y of a cell.
   [[nodiscard]] std::size_t corner(int column, int row) const {
     return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_ + 1) +
            static_cast<std::size_t>(column);
@@ -69,8 +71,10 @@ class CarvedMesh {
   int step_;
   int columns_;
   int rows_;
-  std::vector<std::uint32_t> first_;  ///< Of each corner's points; and their count at the end.
-  std::vector<double> heights_;       ///< Of points, from the lowest of each corner upwards.
+  /// For each corner the index of its first point, and the number of points at the end.
+  std::vector<std::uint32_t> first_;
+  /// Heights of the points, from the lowest point of each corner upwards.
+  std::vector<double> heights_;
   std::uint32_t triangle_count_ = 0;
 };
 
@@ -91,7 +95,7 @@ CarvedMesh::CarvedMesh(const Columns& columns, int step)
   each_triangle([this](const stock::MeshTriangle&) { ++triangle_count_; });
 }
 
-/// Returns the ends of the ranges of the columns around a corner, in order, each once.
+/// Returns the ends of the ranges of all columns around a corner, sorted, without duplicates.
 std::vector<double> CarvedMesh::heights_at(int column, int row) const {
   std::vector<double> heights;
   for (const int x : {column - 1, column}) {
@@ -118,7 +122,7 @@ Eigen::Vector3d CarvedMesh::point(std::uint32_t index) const {
           heights_[index]};
 }
 
-/// Returns what is left of a column, from below upwards; nothing beside the block.
+/// Returns the ranges that are left of a column, from below upwards; none outside the block.
 Ranges CarvedMesh::ranges(int column, int row) const {
   Ranges ranges;
   if (column < 0 || row < 0 || column >= columns_ || row >= rows_) return ranges;
@@ -138,7 +142,8 @@ std::uint32_t CarvedMesh::index_of(std::size_t corner, double z) const {
   return static_cast<std::uint32_t>(std::lower_bound(begin, end, z) - heights_.begin());
 }
 
-/// Takes the faces of a column's ends, and those between it and the next ones along X and Y.
+/// Passes to `take` the top and bottom faces of a column, and the faces between it and the next
+/// columns along X and Y.
 template <typename Take>
 void CarvedMesh::add_cell(int column, int row, Take& take) const {
   const Ranges own = ranges(column, row);
@@ -171,8 +176,9 @@ void CarvedMesh::add_cell(int column, int row, Take& take) const {
   }
 }
 
-/// Takes the faces of a column where another one has nothing. @param a the corner on the left, and
-/// `b` that on the right, seen from the other column
+/// Passes to `take` the faces of a column at heights where the neighbour has no material.
+/// @param a the corner on the left, seen from the neighbour
+/// @param b the corner on the right, seen from the neighbour
 template <typename Take>
 void CarvedMesh::add_side(
     const Ranges& solid, const Ranges& other, std::size_t a, std::size_t b, Take& take) const {

@@ -7,11 +7,11 @@
 
 namespace sim::wall {
 
-/// Columns that a file of a carved body shows, at most; finer ones are thinned.
+/// Maximum number of columns in the file of a carved body; finer columns are thinned out.
 inline constexpr std::size_t kMostMeshColumns = 250'000;
 
-/// Writes what is left as a closed body of upright bars: binary PLY where the name ends in `.ply`,
-/// else binary STL. Throws std::system_error naming the file.
+/// Writes the material that is left as a closed body of upright bars: binary PLY if the name ends
+/// in `.ply`, else binary STL. Throws std::system_error with the name of the file.
 void write_carved(const std::string& file, const Columns& columns);
 
 }  // namespace sim::wall

@@ -12,7 +12,8 @@ namespace {
 
 constexpr double kNothing = -std::numeric_limits<double>::infinity();
 
-/// Returns how many cells divide a side. @pre both are above 0
+/// Returns the number of cells that divide a side.
+/// @pre both lengths are above 0
 double cells_along(double side_mm, double cell_mm) {
   constexpr double kRounding = 1.0e-9;
   return std::max(1.0, std::ceil(side_mm / cell_mm - kRounding));
@@ -77,14 +78,15 @@ Columns::Index Columns::add(const Span& span) {
   return static_cast<Index>(spans_.size() - 1);
 }
 
-/// Leaves the parts above and below a range that is within a span.
+/// Removes a range that lies inside a span, and keeps the parts of the span above and below it.
 void Columns::split(std::size_t at, const HeightRange& range) {
   const Index below = add({spans_[at].low, range.low, spans_[at].below});
   spans_[at].low = range.high;
   spans_[at].below = below;
 }
 
-/// Takes a span out of its column: the next one takes its place, or the one above ends the column.
+/// Removes a span from its column. The next span below is copied into its place; without one, the
+/// span above becomes the column's last.
 void Columns::erase(std::size_t at, std::size_t above) {
   const Index below = spans_[at].below;
   if (below != kNone) {

@@ -10,18 +10,19 @@
 
 namespace sim::wall {
 
-/// Bytes that the columns of a stock take, at most.
+/// Maximum number of bytes for the columns of a stock.
 inline constexpr std::size_t kMostColumnBytes = std::size_t{1} << 30;
 
-/// A block as upright columns through the middles of equal cells, each with the ranges of heights
-/// that are left of it, so that hollows below material are possible. A column takes 24 bytes, and
-/// each range beyond its first one 24 more.
+/// A block as upright columns through the middles of equal cells. Each column has the ranges of
+/// heights that are left of it, so that hollows below material are possible. A column takes 24
+/// bytes, and each range after its first one takes 24 more.
 class Columns {
  public:
-  /// Returns the reason, with a remedy, for which there are no such columns; empty for none.
+  /// Returns the reason why such columns are not possible, with a remedy; an empty text if they
+  /// are.
   [[nodiscard]] static std::string fault_of(const stock::StockBox& box, double cell_mm);
 
-  /// Cells divide the sides of the block and are no longer than `cell_mm`.
+  /// Divides the sides of the block into equal cells that are no longer than `cell_mm`.
   /// @pre fault_of(box, cell_mm) is empty
   Columns(const stock::StockBox& box, double cell_mm);
 
@@ -34,13 +35,14 @@ class Columns {
   [[nodiscard]] double y_of(int row) const { return box_.y_min + (row + 0.5) * cell_y_mm_; }
   [[nodiscard]] std::size_t bytes() const { return spans_.capacity() * sizeof(Span); }
 
-  /// Returns the height of the highest point that is left, minus infinity where nothing is.
+  /// Returns the height of the highest point that is left; minus infinity if nothing is left.
   [[nodiscard]] double top(int column, int row) const { return head(column, row).high; }
 
-  /// Takes all heights of a range away. Throws std::length_error beyond kMostColumnBytes.
+  /// Removes all heights of a range. Throws std::length_error if the columns need more than
+  /// kMostColumnBytes.
   void remove(int column, int row, const HeightRange& range);
 
-  /// Calls `visit(range)` with the ranges that are left, from the highest one downwards.
+  /// Calls `visit(range)` for each range that is left, from the highest one downwards.
   template <typename Visit>
   void each_range(int column, int row, Visit visit) const {
     const Span* span = &head(column, row);
@@ -52,15 +54,15 @@ class Columns {
     }
   }
 
-  /// Returns whether a height of a column is left.
+  /// Returns whether the material of a column at a height is left.
   [[nodiscard]] bool has(int column, int row, double z) const;
 
  private:
   using Index = std::uint32_t;
   static constexpr Index kNone = 0xffff'ffff;
 
-  /// A range that is left, and the next one below it. An empty column has one from 0 to minus
-  /// infinity.
+  /// A range that is left, and the index of the next range below it. An empty column has one range
+  /// from 0 to minus infinity.
   struct Span {
     double low = 0.0;
     double high = 0.0;
@@ -83,8 +85,9 @@ class Columns {
   int rows_;
   double cell_x_mm_;
   double cell_y_mm_;
-  std::vector<Span> spans_;  ///< First the highest of each column, then all further ones.
-  std::vector<Index> free_;  ///< Further ones that are in no column.
+  /// All ranges: first the highest range of each column, then the others.
+  std::vector<Span> spans_;
+  std::vector<Index> free_;  ///< Indices of unused entries of spans_.
 };
 
 }  // namespace sim::wall

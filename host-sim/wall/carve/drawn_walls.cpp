@@ -14,18 +14,18 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double kRadian = std::numbers::pi / 180.0;
-constexpr double kSteepestSine = 0.7072;  ///< Of a wall's angle: that of 45 degrees.
+constexpr double kSteepestSine = 0.7072;  ///< Sine of the greatest angle of a wall, 45 degrees.
 
-/// Facets of one plane.
+/// The facets of one plane.
 struct PlaneFacets {
   Vector3d normal = Vector3d::Zero();
   double low_mm = std::numeric_limits<double>::infinity();
   double high_mm = -std::numeric_limits<double>::infinity();
-  double area = 0.0;  ///< Twice that of the largest facet.
+  double area = 0.0;  ///< Twice the area of the largest facet.
   Vector3d middle = Vector3d::Zero();
 };
 
-/// Numbers that are equal for facets of one plane: its normal and its distance, rounded.
+/// The normal and the distance of a plane, rounded: equal numbers for all facets of one plane.
 using PlaneKey = std::array<long long, 4>;
 
 PlaneKey key_of(const Vector3d& normal, double distance_mm) {
@@ -67,7 +67,8 @@ std::vector<PlaneFacets> planes_of(const surface::Mesh& part) {
 
 std::vector<DrawnWall> drawn_walls(const surface::Mesh& part, const WallSearch& search) {
   constexpr double kLeastCells = 5.0;
-  constexpr double kRim = 0.1;  ///< Left out above and below, as a share of the height.
+  /// Share of the height that is left out at the top and at the bottom.
+  constexpr double kRim = 0.1;
   std::vector<DrawnWall> walls;
   for (const PlaneFacets& plane : planes_of(part)) {
     const double low = std::max(plane.low_mm, search.low_mm);

@@ -10,23 +10,23 @@
 
 namespace sim::wall {
 
-/// A wall of a part, between the depths at which it can be measured.
+/// A wall of a part, between the heights at which it can be measured.
 struct DrawnWall {
   WallPlace place;
-  double angle_deg = 0.0;  ///< From the vertical; above 0 where the part is wider below.
+  double angle_deg = 0.0;  ///< Angle from the vertical; above 0 if the part is wider below.
 };
 
-/// How walls are looked for.
+/// Limits of the search for walls.
 struct WallSearch {
   double low_mm = 0.0;    ///< Height of the lowest tip.
   double high_mm = 0.0;   ///< Height of the stock's top.
-  double cell_mm = 0.0;   ///< Side of a column.
-  double burn_deg = 0.0;  ///< By which a carved wall leans off the drawn one, at most.
+  double cell_mm = 0.0;   ///< Side length of a column.
+  double burn_deg = 0.0;  ///< Maximum angle between a carved wall and the drawn one.
 };
 
-/// Returns the walls of a part that lean by no more than 45 degrees, facets of one plane as one,
-/// in the order of the part's facets. A wall is measured at its largest facet, over the middle 80 %
-/// of its height within the search; walls lower than five cells there are left out.
+/// Returns the walls of a part that lean by at most 45 degrees, in the order of the part's facets.
+/// Facets of one plane are one wall. A wall is measured at its largest facet, over the middle 80 %
+/// of its height within the search. Walls lower than five cells within the search are left out.
 [[nodiscard]] std::vector<DrawnWall> drawn_walls(const surface::Mesh& part,
                                                  const WallSearch& search);
 

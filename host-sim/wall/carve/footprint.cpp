@@ -11,14 +11,15 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr int kSides = 16;  ///< Of the polygon around a disc, which is 2 % wider than it.
+/// Number of sides of the polygon around a disc, which is 2 % wider than the disc.
+constexpr int kSides = 16;
 
-/// Returns twice the area of a triangle, above 0 where it turns to the left.
+/// Returns twice the area of a triangle; above 0 if the triangle turns left.
 double turn(const Vector2d& a, const Vector2d& b, const Vector2d& c) {
   return (b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x());
 }
 
-/// Appends one half of the hull to `hull`, from the first of sorted points to the last.
+/// Appends one half of the convex hull to `hull`, from the first of the sorted points to the last.
 template <typename Iterator>
 void add_half(Iterator point, Iterator end, std::vector<Vector2d>& hull) {
   const std::size_t first = hull.size();
@@ -38,7 +39,7 @@ Footprint::Footprint(const std::array<SweptCone::Disc, 4>& discs) {
   std::vector<Vector2d> points;
   points.reserve(kSides * discs.size());
   for (const SweptCone::Disc& disc : discs) {
-    // A little more, so that rounding leaves no column out.
+    // The radius is slightly larger, so that rounding leaves no column out.
     const double radius = disc.radius_mm / std::cos(0.5 * kStep) + 1.0e-9;
     for (int i = 0; i < kSides; ++i) {
       points.emplace_back(disc.middle +

@@ -11,8 +11,8 @@ using Eigen::Vector3d;
 
 constexpr double kEndlessMm = std::numeric_limits<double>::infinity();
 
-/// Returns the lower and the upper root of a x² + 2 b x + c; where it is no parabola, the ends of
-/// the range in which it is at most 0; nothing where it has no root.
+/// Returns the lower and the upper root of a x² + 2 b x + c. If a is 0, returns the ends of the
+/// range in which the polynomial is at most 0. Returns nothing if there is no root.
 std::optional<HeightRange> roots_of(double a, double b, double c) {
   if (a == 0.0) {
     if (b == 0.0 && c > 0.0) return {};
@@ -70,12 +70,12 @@ std::optional<HeightRange> SweptCone::heights(double x, double y) const {
   return HeightRange{range.low + from_.z(), range.high + from_.z()};
 }
 
-/// Takes the heights within the cone at a share of the way.
+/// Extends `range` by the heights within the cone at a share of the tip's path.
 void SweptCone::take_share(const Line& line, double share, HeightRange& range) const {
   const auto roots =
       roots_of(a_, b_ * share + line.d, (c_ * share + 2.0 * line.e) * share + line.g);
   if (!roots) return;
-  // A line that is steeper than the side of the cone goes on within it.
+  // A line that is steeper than the side of the cone stays inside the cone above the upper root.
   const double first = a_ >= 0.0 ? roots->low : roots->high;
   double last = kEndlessMm;
   if (a_ >= 0.0) last = roots->high;
@@ -87,7 +87,7 @@ void SweptCone::take_share(const Line& line, double share, HeightRange& range) c
   take(high, range);
 }
 
-/// Takes the heights at which a level line through the plane touches the conic.
+/// Extends `range` by the heights at which a line of constant height touches the conic.
 void SweptCone::take_tangents(const Line& line, HeightRange& range) const {
   if (!(c_ > 0.0)) return;
   const auto roots =
@@ -103,12 +103,12 @@ void SweptCone::take_tangents(const Line& line, HeightRange& range) const {
   }
 }
 
-/// Takes the heights of the line on the discs that cut the cone off.
+/// Extends `range` by the heights of the line on the discs that cut off the cone.
 void SweptCone::take_end(const Line& line,
                          const Vector2d& out,
                          double along_mm,
                          HeightRange& range) const {
-  // The line's point on the plane of the disc, for shares s of the way, is start + s pace.
+  // For a share s of the tip's path, the line's point on the plane of the disc is start + s pace.
   const double start_height = (along_mm - line.along) / cone_.axis.z();
   const double pace_height = climb_ / cone_.axis.z();
   const Vector3d start = Vector3d{out.x(), out.y(), start_height} - along_mm * cone_.axis;
@@ -132,12 +132,12 @@ void SweptCone::take_end(const Line& line,
 std::optional<std::array<SweptCone::Disc, 4>> SweptCone::plan_below(double top) const {
   const double tilt_sine = cone_.axis.head<2>().norm();
   const double lowest = from_.z() + std::min(0.0, way_.z());
-  // A point of the cone is below the axis by no more than its distance from it.
+  // A point of the cone is below the axis by at most its distance from the axis.
   const double rise = cone_.axis.z() - cone_.slope * tilt_sine;
   const double room = top - lowest + cone_.radius_mm * tilt_sine;
   double until = rise > 0.0 ? room / rise : kEndlessMm;
   if (until < cone_.from_mm) return {};
-  // No stock is as wide as that.
+  // No stock is as wide as this.
   constexpr double kWidestMm = 1.0e5;
   until = std::min({until, cone_.until_mm, kWidestMm});
   const Vector2d begin = from_.head<2>();

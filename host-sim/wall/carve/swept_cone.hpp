@@ -8,7 +8,7 @@
 
 namespace sim::wall {
 
-/// The heights of an upright line that are within a body, mm.
+/// The heights at which a vertical line is inside a body, mm.
 struct HeightRange {
   double low = 0.0;
   double high = 0.0;
@@ -16,28 +16,32 @@ struct HeightRange {
 
 /// A cone that is cut off at both ends, about an axis that rises.
 struct CutCone {
-  Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();  ///< Unit vector, z above 0.
-  double radius_mm = 0.0;                           ///< At the tip, at least 0.
-  double slope = 0.0;    ///< By which the radius grows along the axis: tan of the half angle.
-  double from_mm = 0.0;  ///< Along the axis from the tip; the radius is at least 0 there.
+  Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();  ///< Unit vector of the axis, z above 0.
+  double radius_mm = 0.0;                           ///< Radius at the tip, at least 0.
+  double slope = 0.0;  ///< Growth of the radius per length along the axis: tan of the half angle.
+  /// Lower end along the axis, measured from the tip; the radius there is at least 0.
+  double from_mm = 0.0;
   double until_mm = std::numeric_limits<double>::infinity();
 };
 
-/// The points that a cut cone passes while its tip moves along a line and its axis stays.
+/// The points that a cut cone passes while its tip moves along a line and its axis keeps its
+/// direction.
 ///
-/// The heights on an upright line are exact but for rounding: with the way of the tip as a second
-/// unknown they are a convex region of the plane, between lines and a conic, whose lowest and
-/// highest points are among few candidates.
+/// The heights on a vertical line are exact apart from rounding. With the share of the tip's path
+/// as a second unknown, they are a convex region of a plane, between lines and a conic. The lowest
+/// and highest points of this region are among few candidates.
 class SweptCone {
  public:
-  /// @param way of the tip, of any length
+  /// @param from start of the tip
+  /// @param way displacement of the tip, of any length
   SweptCone(const CutCone& cone, const Eigen::Vector3d& from, const Eigen::Vector3d& way);
 
-  /// Returns the heights at X, Y; nothing where the body is not. The upper one may be infinite.
+  /// Returns the heights of the body at X, Y; nothing if the body is not there. The upper height
+  /// may be infinite.
   [[nodiscard]] std::optional<HeightRange> heights(double x, double y) const;
 
-  /// Returns true only where the body has no point at X, Y up to a height, and soon: a plane that
-  /// touches the side of the cone is between them.
+  /// Returns true only if the body has no point at X, Y up to a height. The check is fast: it looks
+  /// for a plane that touches the side of the cone and separates it from these points.
   [[nodiscard]] bool misses_below(double x, double y, double z) const {
     const Eigen::Vector3d point = Eigen::Vector3d{x, y, z} - from_;
     const Eigen::Vector3d middle = point - 0.5 * way_;
@@ -54,15 +58,15 @@ class SweptCone {
     Eigen::Vector2d middle = Eigen::Vector2d::Zero();
     double radius_mm = 0.0;
   };
-  /// Returns discs whose convex hull is around the plan of all points of the body below a height;
-  /// nothing where there are none.
+  /// Returns discs whose convex hull encloses the plan of all points of the body below a height;
+  /// nothing if there are no such points.
   [[nodiscard]] std::optional<std::array<Disc, 4>> plan_below(double top) const;
 
  private:
-  /// The terms of the conic that depend on the upright line: heights h and shares s of the way with
-  /// a_ h² + 2 b_ h s + c_ s² + 2 d h + 2 e s + g <= 0 are within the sides of the cone.
+  /// The terms of the conic that depend on the vertical line. Heights h and shares s of the tip's
+  /// path are within the sides of the cone if a_ h² + 2 b_ h s + c_ s² + 2 d h + 2 e s + g <= 0.
   struct Line {
-    double along = 0.0;  ///< Along the axis, of the line's point at the height of the tip.
+    double along = 0.0;  ///< Distance along the axis of the line's point at the height of the tip.
     double d = 0.0;
     double e = 0.0;
     double g = 0.0;
@@ -78,8 +82,8 @@ class SweptCone {
   CutCone cone_;
   Eigen::Vector3d from_;
   Eigen::Vector3d way_;
-  double square_;  ///< 1 and the square of the slope.
-  double climb_;   ///< Part of the way along the axis.
+  double square_;  ///< 1 plus the square of the slope.
+  double climb_;   ///< Component of the tip's displacement along the axis.
   double a_;
   double b_;
   double c_;

@@ -15,15 +15,16 @@ namespace {
 
 /// A measured wall, degrees.
 struct MeasuredCut {
-  double over_deg = 0.0;  ///< By which the beam leant more than its cone needs.
-  double off_deg = 0.0;   ///< By which the wall leans more than drawn.
+  double over_deg = 0.0;  ///< Angle by which the beam leant more than its cone needs.
+  double off_deg = 0.0;   ///< Angle by which the wall leans more than drawn.
 };
 
 constexpr const char* kRemedy =
     "give `drawn carved gain`: two angles from the vertical between -89 and 89 degrees, and a gain "
     "from 0 to 12, or none";
 
-/// Returns the three numbers of a line; nothing if it has others.
+/// Returns the drawn angle, the carved angle and the gain of a line; nothing if the line is not a
+/// cut.
 std::optional<std::array<double, 3>> numbers_of_cut(std::string_view line) {
   surface::TextWords words{line, 1};
   std::array<double, 3> numbers{};
@@ -38,7 +39,7 @@ std::optional<std::array<double, 3>> numbers_of_cut(std::string_view line) {
   return numbers;
 }
 
-/// Returns the cuts that tell of the beam's lean, and counts the others.
+/// Returns the cuts whose wall depends on the beam's lean, and counts the others.
 std::vector<MeasuredCut> read_cuts(std::string_view text,
                                    double half_angle_deg,
                                    const std::string& name,

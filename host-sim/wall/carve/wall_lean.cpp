@@ -13,12 +13,13 @@ using Eigen::Vector2d;
 
 constexpr double kInDegrees = 180.0 / std::numbers::pi;
 
-/// Beyond the reach of a place, cells: so far some column's middle is before the wall.
+/// Distance beyond the reach of a place, in cells, within which the middle of at least one column
+/// lies outside the wall.
 constexpr double kSightCells = 1.0;
 
 /// A column near a section.
 struct NearColumn {
-  double out = 0.0;  ///< From the wall's place outwards.
+  double out = 0.0;  ///< Distance outwards from the wall's place.
   int column = 0;
   int row = 0;
 };
@@ -28,7 +29,7 @@ struct SectionPoint {
   double z = 0.0;
 };
 
-/// Returns the columns about a section through a place, the outermost one first.
+/// Returns the columns near a section through a place, the outermost one first.
 std::vector<NearColumn> columns_near(const Columns& columns, const WallPlace& place) {
   const double cell = std::max(columns.cell_x_mm(), columns.cell_y_mm());
   const double outward =
@@ -59,14 +60,14 @@ std::vector<NearColumn> columns_near(const Columns& columns, const WallPlace& pl
   return near;
 }
 
-/// The wall's section as the columns tell it.
+/// The section of the wall, as derived from the columns.
 struct Section {
   std::vector<SectionPoint> points;
   double last_free = std::numeric_limits<double>::infinity();
   double first_full = -std::numeric_limits<double>::infinity();
 };
 
-/// Returns which share of a place's upper half a column fills.
+/// Returns the share of a place's upper half that a column fills.
 double share_of(const Columns& columns, const NearColumn& near, const WallPlace& place) {
   const double middle = place.middle_mm();
   double filled = 0.0;
@@ -76,7 +77,7 @@ double share_of(const Columns& columns, const NearColumn& near, const WallPlace&
   return filled / (place.high_mm - middle);
 }
 
-/// Takes the ends of a column's ranges that are seen from before the drawn wall.
+/// Adds the ends of a column's ranges that are visible from outside the drawn wall.
 void add_points(const Columns& columns,
                 const std::vector<NearColumn>& near,
                 const NearColumn& column,
@@ -96,7 +97,8 @@ void add_points(const Columns& columns,
   });
 }
 
-/// @param near the outermost one first
+/// Returns the section through a place.
+/// @param near columns near the section, the outermost one first
 Section section_of(const Columns& columns,
                    const std::vector<NearColumn>& near,
                    const WallPlace& place) {
@@ -111,7 +113,8 @@ Section section_of(const Columns& columns,
   return section;
 }
 
-/// Returns the line by least squares. @pre there are two points or more, of different heights
+/// Returns the lean of the line that fits the points best, by least squares.
+/// @pre there are at least two points, of different heights
 WallLean fitted(const std::vector<SectionPoint>& points, double cell_mm) {
   const auto count = static_cast<double>(points.size());
   SectionPoint mean;
@@ -131,21 +134,21 @@ WallLean fitted(const std::vector<SectionPoint>& points, double cell_mm) {
     const double error = point.out - mean.out - slope * (point.z - mean.z);
     off += error * error;
   }
-  // Two points are on a line, whatever they are worth.
+  // A line through two points has no deviations, so that half a cell stands for their deviation.
   const double rest = points.size() > 2 ? off / (count - 2.0) : 0.25 * cell_mm * cell_mm;
   const double deviation = std::sqrt(rest / square);
   return {std::atan(-slope) * kInDegrees, 2.0 * std::atan(deviation) * kInDegrees, points.size()};
 }
 
-/// Returns the middle of the lines that pass between two columns, and through a point where there
-/// are any.
+/// Returns the middle of the lines that pass between two columns, and through the points of the
+/// section if there are any.
 std::optional<WallLean> between_columns(const Section& section, const WallPlace& place) {
   const double height = place.high_mm - place.low_mm;
   const double gap = section.last_free - section.first_full;
   if (!std::isfinite(gap)) return {};
   double most = std::atan(gap / height) * kInDegrees;
   if (section.points.empty()) return WallLean{0.0, most, 0};
-  // The line is vertical or leans within both gaps beside the point.
+  // The line is vertical, or leans within the gaps to both columns next to the point.
   const SectionPoint& point = section.points.front();
   const double up = (point.out - section.first_full) / (place.high_mm - point.z);
   const double down = (section.last_free - point.out) / (point.z - place.low_mm);

@@ -8,38 +8,42 @@
 
 namespace sim::wall {
 
-/// A place of a wall between two heights, and how far the carved wall may be from it.
+/// A place of a wall between two heights, and the distance within which the carved wall is
+/// searched.
 struct WallPlace {
-  Eigen::Vector2d at = Eigen::Vector2d::Zero();        ///< On the wall half-way up, mm.
-  Eigen::Vector2d outward = Eigen::Vector2d::UnitX();  ///< Level unit vector off the part.
+  Eigen::Vector2d at = Eigen::Vector2d::Zero();  ///< Point of the wall half way up, mm.
+  /// Horizontal unit vector away from the part.
+  Eigen::Vector2d outward = Eigen::Vector2d::UnitX();
   double low_mm = 0.0;
-  double high_mm = 0.0;     ///< Above `low_mm`.
-  double slope = 0.0;       ///< By which the drawn wall goes outward for 1 mm downwards.
-  double inward_mm = 0.0;   ///< From `at` into the part, at least 0.
-  double outward_mm = 0.0;  ///< From the drawn wall off the part, at least 0.
+  double high_mm = 0.0;  ///< Upper height, above `low_mm`.
+  /// Distance by which the drawn wall moves outwards for each 1 mm downwards.
+  double slope = 0.0;
+  double inward_mm = 0.0;  ///< Distance of the search from `at` into the part, at least 0.
+  /// Distance of the search from the drawn wall away from the part, at least 0.
+  double outward_mm = 0.0;
 
   [[nodiscard]] double middle_mm() const { return 0.5 * (low_mm + high_mm); }
-  /// Returns how far off `at` the carved wall is looked for at a height.
+  /// Returns the distance outwards from `at` up to which the carved wall is searched at a height.
   [[nodiscard]] double reach_mm(double z) const { return outward_mm + slope * (middle_mm() - z); }
 };
 
 /// The angle of a carved wall.
 struct WallLean {
-  double angle_deg = 0.0;  ///< From the vertical; above 0 where the part is wider below.
-  /// Two standard deviations of the angle by what the points are off their line; where the
-  /// columns leave several lines, half of the angle between the outermost two.
+  double angle_deg = 0.0;  ///< Angle from the vertical; above 0 if the part is wider below.
+  /// Two standard deviations of the angle, from the deviations of the points from their line. If
+  /// the columns allow several lines, half of the angle between the outermost two.
   double spread_deg = 0.0;
-  std::size_t points = 0;  ///< Ends of columns through which the line was laid.
+  std::size_t points = 0;  ///< Number of ends of columns to which the line was fitted.
 };
 
-/// Returns the lean of the wall that is seen from just before the drawn one at a place.
+/// Returns the lean of the carved wall at a place, as seen from just outside the drawn wall.
 ///
 /// The section there has a point for each end of a range of heights of the columns near it, unless
-/// material is before it on the same height; a line is laid through them by least squares. On a
-/// wall that no column ends on, the line is between the last column without material in the upper
-/// half and the first one that is full there, so it is good to a cell over the height. Returns
-/// nothing where no wall was carved: no column has material, or there is some before the drawn wall
-/// half-way up.
+/// other material hides the end at the same height. A line is fitted to these points by least
+/// squares. If no column ends on the wall, the line lies between two columns: the last one without
+/// material in the upper half and the first one that is full there. It is then exact to a cell
+/// divided by the height. Returns nothing if no wall was carved: no column has material, or there
+/// is material outside the drawn wall half way up.
 [[nodiscard]] std::optional<WallLean> lean_at(const Columns& columns, const WallPlace& place);
 
 }  // namespace sim::wall

@@ -9,21 +9,21 @@
 
 namespace sim::wall {
 
-/// Walls of a part as one or two carved blocks have them.
+/// Walls of a part, measured in one or two carved blocks.
 struct WallReport {
   std::string text;  ///< A heading, and a line for each wall.
 
-  /// A carved block's walls, compared with the drawn ones.
+  /// Comparison of a carved block's walls with the drawn ones.
   struct Figures {
-    std::size_t carved = 0;     ///< Walls that are there to be measured.
-    std::size_t missing = 0;    ///< Walls at which nothing was carved.
+    std::size_t carved = 0;     ///< Number of walls that can be measured.
+    std::size_t missing = 0;    ///< Number of walls at which nothing was carved.
     double most_off_deg = 0.0;  ///< Greatest difference from the drawn angle.
-    double mean_off_deg = 0.0;  ///< Mean difference, with its sign.
+    double mean_off_deg = 0.0;  ///< Mean difference from the drawn angle, with its sign.
   };
-  std::vector<Figures> figures;  ///< One for each block.
+  std::vector<Figures> figures;  ///< Figures of each block.
 };
 
-/// Measures all walls in each block.
+/// Measures all walls in each block and reports them.
 [[nodiscard]] WallReport report_walls(const std::vector<DrawnWall>& walls,
                                       const std::vector<const Columns*>& blocks);
 

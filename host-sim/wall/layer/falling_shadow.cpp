@@ -21,13 +21,13 @@ using Polygon = bp::polygon_data<int>;
 using Holed = bp::polygon_with_holes_data<int>;
 using PolygonSet = bp::polygon_set_data<int>;
 
-/// A place is off the line between its neighbours by at most that where it is left out, in steps
-/// of the grid.
+/// A place is left out if its distance from the line between its neighbours is at most this, in
+/// steps of the grid.
 constexpr double kStraight = 2.0;
-/// A facet that leans by less than that, seen along it, is upright: 1 um in 200 mm, which the
-/// single precision of STL files makes.
+/// A facet counts as upright if its slope from the vertical is less than this. This slope is 1 um
+/// in 200 mm, an error that the single precision of STL files causes.
 constexpr double kUpright = 5.0e-6;
-/// Rounding to the grid changes areas by no more, as a share of the stock's.
+/// Maximum change of areas by rounding to the grid, as a share of the stock's area.
 constexpr double kAreaError = 1.0e-6;
 
 double cross(const Point& from, const Point& over, const Point& to) {
@@ -42,7 +42,7 @@ double distance(const Point& from, const Point& to) {
   return std::hypot(static_cast<double>(to.x()) - from.x(), static_cast<double>(to.y()) - from.y());
 }
 
-/// Returns the corners of a loop, those left out that rounding to the grid has made.
+/// Returns the corners of a loop without those that result from rounding to the grid.
 std::vector<Point> corners_of(const auto& polygon) {
   std::vector<Point> all(polygon.begin(), polygon.end());
   if (all.size() > 1 && all.front() == all.back()) all.pop_back();
@@ -94,7 +94,8 @@ std::vector<Contour> areas_of(const WholeGrid& grid, const PolygonSet& set) {
 
 double area_in(const PolygonSet& set) { return static_cast<double>(bp::area(set)); }
 
-/// Returns all that is in any of some sets. @param is_swapped whether X and Y are for the while
+/// Returns the union of some sets.
+/// @param is_swapped whether X and Y are swapped during the computation
 PolygonSet sum_of(std::initializer_list<const PolygonSet*> sets, bool is_swapped) {
   const bp::axis_transformation swap{bp::axis_transformation::SWAP_XY};
   PolygonSet sum;
@@ -105,7 +106,7 @@ PolygonSet sum_of(std::initializer_list<const PolygonSet*> sets, bool is_swapped
   return sum;
 }
 
-/// Returns all of a set that is not in another, which is cleaned.
+/// Returns the part of a set that is not in another set, which must be clean.
 PolygonSet difference_of(const PolygonSet& whole, const PolygonSet& taken, bool is_swapped) {
   const bp::axis_transformation swap{bp::axis_transformation::SWAP_XY};
   PolygonSet left;
@@ -150,10 +151,11 @@ std::vector<Contour> FallingShadow::lower_to(double height_mm) {
   stock.insert(bp::rectangle_data<int>{
       stock_.first.x(), stock_.first.y(), stock_.second.x(), stock_.second.y()});
   const double stock_area = area_in(stock);
-  // Sweeps along one axis and, where that lost its way, along the other; areas tell.
+  // The sweep runs along one axis, and along the other axis if that sweep fails. The areas show a
+  // failure.
   for (const bool is_swapped : {false, true}) {
     const PolygonSet cleaned = sum_of({&section}, is_swapped);
-    // Without overhangs all of the part above is within the section.
+    // Without overhangs the whole part above the plane is within the section.
     const PolygonSet shadow =
         passed_ == 0 ? cleaned : sum_of({&cleaned, &hidden_, &crossed}, is_swapped);
     const PolygonSet left = difference_of(stock, shadow, is_swapped);
@@ -193,7 +195,7 @@ double FallingShadow::top_of(std::uint32_t facet) const {
   return std::max({points[a].z(), points[b].z(), points[c].z()});
 }
 
-/// Inserts a loop: the inside of one that turns left, and that of others as a hole.
+/// Inserts the inside of a loop that turns left; inserts a loop that turns right as a hole.
 void FallingShadow::insert(const SectionLoop& loop, PolygonSet& set) const {
   std::vector<Point> points;
   points.reserve(loop.size());
@@ -202,8 +204,9 @@ void FallingShadow::insert(const SectionLoop& loop, PolygonSet& set) const {
   if (area != 0.0) set.insert(polygon_of(points), area < 0.0);
 }
 
-/// Takes the overhanging facets that reach above a height. Those that are wholly above it hide what
-/// is below them for good; their corners are those of their neighbours.
+/// Adds the overhanging facets that reach above a height. Facets that are completely above it hide
+/// the places below them permanently. They share their corners with their neighbours, so that no
+/// gaps remain between them.
 void FallingShadow::pass_facets(double height_mm) {
   while (passed_ < overhanging_.size() && top_of(overhanging_[passed_]) > height_mm) {
     open_.push_back(overhanging_[passed_++]);
@@ -218,7 +221,7 @@ void FallingShadow::pass_facets(double height_mm) {
   hidden_.clean();
 }
 
-/// Returns the part of a facet above a height, as seen from below and turning left from above.
+/// Returns the part of a facet above a height, in plan. Seen from above, the loop turns left.
 SectionLoop FallingShadow::part_above(std::uint32_t facet, double height_mm) const {
   SectionLoop loop;
   const auto& corners = part_->facets[facet];

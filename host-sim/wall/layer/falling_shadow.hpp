@@ -14,25 +14,28 @@
 
 namespace sim::wall {
 
-/// A place where the part overhangs what is below it.
+/// A place where the part overhangs material below it.
 struct Undercut {
-  double area_mm2 = 0.0;  ///< That no beam from above reaches, seen from above.
-  Eigen::Vector3d place = Eigen::Vector3d::Zero();  ///< On the largest overhanging facet.
+  double area_mm2 = 0.0;  ///< Area in plan that no beam from above reaches.
+  Eigen::Vector3d place = Eigen::Vector3d::Zero();  ///< Point on the largest overhanging facet.
 };
 
-/// The part above a falling plane as it is seen from above.
+/// The part above a falling plane, as seen from above.
 ///
-/// It is the section of the part, and all that facets which look down hide below them.
+/// The shadow consists of the section of the part and of everything that downward-facing facets
+/// hide below them.
 class FallingShadow {
  public:
-  /// @param part must outlive this @pre require_solid() accepts it
+  /// @param part the part; it outlives this object
+  /// @pre require_solid() accepts the part
   FallingShadow(const surface::Mesh& part, const Eigen::AlignedBox2d& stock);
 
-  /// Lets the plane fall to a height, mm. Returns the areas of the stock that nothing is above.
-  /// Throws std::invalid_argument for a part that crosses itself beyond repair.
+  /// Lowers the plane to a height, mm. Returns the areas of the stock that have no part of the
+  /// solid above them. Throws std::invalid_argument for a part that crosses itself beyond repair.
   [[nodiscard]] std::vector<Contour> lower_to(double height_mm);
 
-  /// Returns by how much the shadow is larger than the last section.
+  /// Returns the undercut: the area by which the shadow exceeds the last section, and a point on
+  /// the largest overhanging facet.
   [[nodiscard]] Undercut undercut() const;
 
  private:
@@ -45,14 +48,16 @@ class FallingShadow {
 
   const surface::Mesh* part_;
   WholeGrid grid_;
-  std::pair<WholePoint, WholePoint> stock_;  ///< Least and greatest corner.
+  std::pair<WholePoint, WholePoint> stock_;  ///< Least and greatest corner of the stock.
   SectionSweep sweep_;
-  PolygonSet hidden_;          ///< By overhanging facets that are wholly above the plane.
-  double section_area_ = 0.0;  ///< That of the last section, in squares of the grid.
+  /// Area hidden by overhanging facets that are completely above the plane.
+  PolygonSet hidden_;
+  double section_area_ = 0.0;  ///< Area of the last section, in squares of the grid.
   double shadow_area_ = 0.0;
-  std::vector<std::uint32_t> overhanging_;  ///< Facets that look down, the highest first.
-  std::size_t passed_ = 0;                  ///< Those of them that reach above the plane.
-  std::vector<std::uint32_t> open_;         ///< Those of these that the plane crosses.
+  std::vector<std::uint32_t> overhanging_;  ///< Facets that face downwards, the highest first.
+  /// Number of overhanging facets that reach above the plane.
+  std::size_t passed_ = 0;
+  std::vector<std::uint32_t> open_;  ///< Overhanging facets that the plane crosses.
 };
 
 }  // namespace sim::wall

@@ -15,7 +15,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// A floor whose height is off by that is still that of its layer, mm.
+/// Maximum height above a floor that still counts as on the floor, mm.
 constexpr double kFloorMm = 0.5 * kTouchMm;
 
 }  // namespace

@@ -13,28 +13,30 @@ namespace sim::wall {
 class FallingShadow;
 struct Undercut;
 
-/// The stock that a part is cut from, and the layers by which it is. Lengths are mm.
+/// The stock from which a part is cut, and the layers in which it is cut. Lengths are mm.
 struct LayerOptions {
   double layer_mm = 0.0;   ///< Depth of a layer, above 0.
-  double margin_mm = 0.0;  ///< By which the stock is larger than the part to all sides.
-  double above_mm = 0.0;   ///< By which the stock is higher than the part.
-  double depth_mm = 0.0;   ///< From the top of the stock; 0: as deep as the part.
+  double margin_mm = 0.0;  ///< Distance by which the stock is larger than the part on all sides.
+  double above_mm = 0.0;   ///< Distance by which the stock is higher than the part.
+  double depth_mm = 0.0;   ///< Depth of cutting from the top of the stock; 0: as deep as the part.
 };
 
-/// The areas that are removed down to one height.
+/// The areas from which material is removed down to one height.
 struct Layer {
-  double height_mm = 0.0;      ///< Height of the layer's floor, where the beam's tip is.
-  std::vector<Contour> areas;  ///< Connected areas, material to remove on the left of their loops.
+  double height_mm = 0.0;  ///< Height of the layer's floor, where the beam's tip is.
+  /// Connected areas, with the material to remove on the left of their loops.
+  std::vector<Contour> areas;
 };
 
 /// The layers of a stock around a part, from the top down.
 ///
 /// A layer is the rectangle of the stock without the part at that height, and without all of the
 /// part above it: material below an overhang stays. Heights up to half a micrometre above a floor
-/// count as on it. Places are on a grid of a nanometre, on a coarser one for parts above 1 m.
+/// count as on it. Places are on a grid of a nanometre, or on a coarser grid for parts above 1 m.
 class LayerRegions {
  public:
-  /// Throws std::invalid_argument for more than kMostLayers. @param part must outlive this
+  /// Throws std::invalid_argument for more than kMostLayers layers.
+  /// @param part the part; it outlives this object
   LayerRegions(const surface::Mesh& part, const LayerOptions& options);
   LayerRegions(const LayerRegions&) = delete;
   LayerRegions& operator=(const LayerRegions&) = delete;
@@ -46,10 +48,11 @@ class LayerRegions {
   [[nodiscard]] const Eigen::AlignedBox2d& stock() const { return stock_; }
   [[nodiscard]] double top_mm() const { return top_mm_; }
 
-  /// Returns the next layer, whose areas may be none. @pre fewer than count() were returned
+  /// Returns the next layer; it may have no areas.
+  /// @pre fewer than count() layers were returned
   [[nodiscard]] Layer next();
 
-  /// Returns how much the layers so far leave below overhangs.
+  /// Returns the undercut that the layers so far leave below overhangs.
   [[nodiscard]] Undercut undercut() const;
 
  private:

@@ -20,12 +20,12 @@ namespace {
 
 using Eigen::Vector2d;
 
-/// Lines shorter than that are none, mm.
+/// Lines shorter than this are left out, mm.
 constexpr double kLeastMm = 1.0e-5;
-/// Places that are nearer to the border of the stock are on it, mm.
+/// Distance within which places count as on the border of the stock, mm.
 constexpr double kBorderMm = 1.0e-5;
 
-/// Turns places so that hatch lines are along X; exact for quarters of a turn.
+/// Rotates places so that hatch lines are along X; rotations by quarters of a turn are exact.
 class HatchFrame {
  public:
   explicit HatchFrame(double angle_rad) : angle_{cnc::sin_cos(angle_rad)} {
@@ -61,7 +61,7 @@ void add_lines(const pocket::OwnedArea& area,
                double hatch_mm,
                std::vector<surface::RowPart>& lines) {
   const auto box = pocket::box_of(area);
-  // Lines of all areas are those of one raster, and none lies on the border of a stock around zero.
+  // Lines of all areas belong to one raster, and no line lies on the border of a stock around zero.
   const double first = std::floor(box.y0 / hatch_mm - 0.5) + 0.5;
   for (double number = first; number * hatch_mm < box.y1; number += 1.0) {
     const double row = number * hatch_mm;
@@ -73,8 +73,8 @@ void add_lines(const pocket::OwnedArea& area,
   }
 }
 
-/// Returns the points of a loop; arcs become chords that are off them by no more than the touch of
-/// a wall.
+/// Returns the points of a loop. Arcs become chords that leave them by no more than the touch
+/// distance of a wall.
 std::vector<Vector2d> places_of(const Contour& area, std::size_t loop) {
   std::vector<Vector2d> places;
   const std::uint32_t begin = area.view().loop_begin(loop);
@@ -103,11 +103,12 @@ std::vector<Vector2d> places_of(const Contour& area, std::size_t loop) {
   return places;
 }
 
-/// Appends the parts of a closed loop whose sides are walls; all of it ends where it begins.
+/// Appends the parts of a closed loop whose sides are walls. If all sides are walls, the stroke
+/// ends where it begins.
 template <typename IsWall>
 void add_walls(const std::vector<Vector2d>& loop, const IsWall& is_wall, std::vector<Stroke>& to) {
   const std::size_t count = loop.size();
-  std::size_t first = 0;  // Behind a side that is none, where there is one.
+  std::size_t first = 0;  // Index after a side that is not a wall, if there is one.
   while (first < count && is_wall(loop[(first + count - 1) % count], loop[first])) ++first;
   first %= count;
   Stroke stroke{StrokeUse::kContour, {}};
@@ -124,7 +125,8 @@ void add_walls(const std::vector<Vector2d>& loop, const IsWall& is_wall, std::ve
   if (!stroke.places.empty()) to.push_back(std::move(stroke));
 }
 
-/// Returns the number of the place of a stroke at which it is best begun: any of a closed one.
+/// Returns the distance and the index of the place at which a stroke begins nearest to `here`. A
+/// closed stroke may begin at any place.
 std::pair<double, std::size_t> best_begin(const Stroke& stroke, const Vector2d& here) {
   const std::vector<Vector2d>& places = stroke.places;
   const bool is_closed = places.front() == places.back();

@@ -9,37 +9,39 @@
 namespace sim::wall {
 
 enum class StrokeUse : std::uint8_t {
-  kHatch,    ///< Over the area of a layer.
-  kContour,  ///< Along its walls.
+  kHatch,    ///< A line over the area of a layer.
+  kContour,  ///< A line along the walls of a layer.
 };
 
-/// A line of the beam's tip at one height, mm: a beam that is on all along.
+/// A line of the beam's tip at one height, mm; the beam is on over its whole length.
 struct Stroke {
   StrokeUse use = StrokeUse::kHatch;
-  std::vector<Eigen::Vector2d> places;  ///< Two at least.
+  std::vector<Eigen::Vector2d> places;  ///< Places of the line, at least two.
 };
 
-/// How the layers are filled.
+/// Options for filling the layers.
 struct StrokeOptions {
-  double hatch_mm = 0.0;   ///< Distance of hatch lines; 0: none.
-  double angle_deg = 0.0;  ///< Direction of the first layer's lines from X.
-  double turn_deg = 0.0;   ///< By which the lines of each layer turn from those of the one before.
-  double waist_mm = 0.0;   ///< Radius of the beam at its tip, by which all stays off the walls.
+  double hatch_mm = 0.0;   ///< Distance between hatch lines; 0: no hatch.
+  double angle_deg = 0.0;  ///< Direction of the first layer's lines from +X.
+  double turn_deg = 0.0;   ///< Rotation of each layer's lines from those of the previous layer.
+  /// Radius of the beam at its tip; all strokes stay this distance off the walls.
+  double waist_mm = 0.0;
   bool has_contour = true;
 };
 
-/// Lays the strokes of layers, one layer after the other: first the hatch, the nearest part of a
-/// line next, then the contours along the walls. The borders of the stock are no walls.
+/// Makes the strokes of layers, one layer after another: first the hatch, always the nearest part
+/// of a line next, then the contours along the walls. The borders of the stock do not count as
+/// walls.
 class LayerStrokes {
  public:
   /// @param stock rectangle of the stock
   LayerStrokes(const Eigen::AlignedBox2d& stock, const StrokeOptions& options)
       : stock_{stock}, options_{options} {}
 
-  /// Returns the strokes of a layer in the order in which they are burnt, from where the last layer
-  /// ended on.
-  /// @param number of the layer, from 0 at the top
-  /// Throws NoOffset where the areas cannot be offset.
+  /// Returns the strokes of a layer in the order in which they are burnt. The first stroke begins
+  /// near the end of the previous layer.
+  /// @param number number of the layer, from 0 at the top
+  /// Throws NoOffset if the areas cannot be offset.
   [[nodiscard]] std::vector<Stroke> strokes_of(const Layer& layer, std::size_t number);
 
  private:

@@ -8,7 +8,7 @@ namespace sim::wall {
 
 using WholePoint = boost::polygon::point_data<int>;
 
-/// Whole numbers for the places around a stock: half of what 32 bits hold.
+/// Converts places around a stock to whole numbers. The stock takes half of the range of 32 bits.
 class WholeGrid {
  public:
   explicit WholeGrid(const Eigen::AlignedBox2d& stock) : middle_{stock.center()} {

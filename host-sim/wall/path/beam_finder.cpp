@@ -7,9 +7,9 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Angles are found within that, radians.
+/// Tolerance of the search for angles, radians.
 constexpr double kAngleStep = 2.0e-5;
-/// The waist is in the part by no more than that, mm.
+/// Maximum depth of the waist in the part, mm.
 constexpr double kWaistDepthMm = 0.25 * kTouchMm;
 
 }  // namespace
@@ -37,7 +37,8 @@ std::optional<TipBeam> BeamFinder::leaning_by(const Vector3d& tip, double half) 
   return TipBeam{.tip = tip, .axis = beam->axis};
 }
 
-/// Returns the beam for the least half angle above the given one that keeps the waist clear, too.
+/// Returns the beam for the smallest half angle, at least the given one, at which the waist is
+/// clear, too; nothing if there is none.
 std::optional<TipBeam> BeamFinder::clear_of_waist(const TipBeam& beam) const {
   const auto is_clear_of_all = [this](const std::optional<TipBeam>& found) {
     return found && is_clear(*found, kWaistDepthMm);
@@ -72,8 +73,8 @@ std::optional<TipBeam> BeamFinder::nearest_to(const Vector3d& axis, const Vector
   return found;
 }
 
-/// Returns the beam for the greatest half angle that some axis clears, and what is left to the
-/// given one; the upright beam where none does.
+/// Returns the beam for the greatest half angle that some axis clears, with the difference to the
+/// required half angle. Returns the upright beam if no axis clears any half angle.
 TipBeam BeamFinder::least_overlap(const Vector3d& tip) const {
   const double whole = rules_.tilt.half_angle_rad;
   TipBeam best{.tip = tip, .left_rad = whole};

@@ -11,41 +11,46 @@ namespace sim::wall {
 struct TipBeam {
   Eigen::Vector3d tip = Eigen::Vector3d::Zero();
   Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();
-  double left_rad = 0.0;  ///< Angle by which its side is in the part at most: 0, it clears all.
+  /// Maximum angle by which the beam's side is in the part; 0 if the beam clears the part.
+  double left_rad = 0.0;
 };
 
 /// How beams avoid a part.
 struct BeamRules {
   TiltRules tilt;
-  double waist_mm = 0.0;        ///< Radius at the tip, at least 0.
-  bool avoids = true;           ///< Else all beams are upright.
-  bool allows_overlap = false;  ///< Where no axis clears all, the one that is in the part least.
+  double waist_mm = 0.0;  ///< Radius of the beam at its tip, at least 0.
+  /// Whether beams lean to avoid the part; otherwise all beams are upright.
+  bool avoids = true;
+  /// Whether to use, if no axis clears the part, the axis with the least overlap.
+  bool allows_overlap = false;
 };
 
-/// Finds the beams of tips.
+/// Finds for each tip a beam that avoids the part.
 class BeamFinder {
  public:
-  /// @param obstacles must outlive this
+  /// @param obstacles facets of the part; they outlive this object
   BeamFinder(const Obstacles& obstacles, const BeamRules& rules)
       : BeamFinder{obstacles, obstacles, rules} {}
-  /// @param touched the same facets, of which those that the waist may touch are touched by the tip
+  /// @param touched the same facets with a greater touch distance: facets that the waist may touch
+  /// count as touched by the tip
   BeamFinder(const Obstacles& obstacles, const Obstacles& touched, const BeamRules& rules)
       : obstacles_{&obstacles}, touched_{&touched}, rules_{rules} {}
 
   [[nodiscard]] const BeamRules& rules() const { return rules_; }
 
-  /// Returns the distance of the upright beam from all, below 0 where it meets something, and at
-  /// most `most_mm`.
+  /// Returns the clearance of the upright beam from all obstacles, at most `most_mm`. It is below 0
+  /// if the beam meets an obstacle.
   [[nodiscard]] double upright_clearance(const Eigen::Vector3d& tip, double most_mm) const;
 
-  /// Returns the beam of least tilt; nothing where the tip is out of reach.
+  /// Returns the beam of least tilt; nothing if the tip is out of reach.
   [[nodiscard]] std::optional<TipBeam> leaning(const Eigen::Vector3d& tip) const;
 
-  /// Returns the beam from a tip on the clear axis that is nearest to another.
+  /// Returns the beam from a tip on the clear axis that is nearest to `axis`; nothing if no axis is
+  /// clear.
   [[nodiscard]] std::optional<TipBeam> nearest_to(const Eigen::Vector3d& axis,
                                                   const Eigen::Vector3d& tip) const;
 
-  /// Returns whether no point of the part is deeper in a beam than that, mm.
+  /// Returns whether no point of the part is deeper in a beam than `depth_mm`.
   [[nodiscard]] bool is_clear(const TipBeam& beam, double depth_mm) const;
 
  private:

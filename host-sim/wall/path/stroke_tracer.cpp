@@ -14,9 +14,9 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Angles are off by that through rounding, radians.
+/// Rounding error of angles, radians.
 constexpr double kAngleRounding = 1.0e-9;
-/// Distances are off by that through rounding, mm.
+/// Rounding error of distances, mm.
 constexpr double kStrokeRoundingMm = 1.0e-9;
 
 bool is_upright(const TipBeam& beam) { return beam.axis == Vector3d::UnitZ(); }
@@ -32,18 +32,20 @@ StrokeTracer::Sample StrokeTracer::sample_at(const Vector3d& tip, double most_mm
   return {.tip = tip, .free_mm = 0.0, .beam = finder_.leaning(tip)};
 }
 
-/// Appends the tips of a side but its first, as far apart as the upright beam is from all.
+/// Appends the tips of a side except the first. Their spacing is the clearance of the upright beam,
+/// at least the step.
 void StrokeTracer::add_side(const Vector3d& from, const Vector3d& to, Samples& samples) const {
   const double length = (to - from).norm();
   const Vector3d way = (to - from) / length;
   double done = 0.0;
   while (done < length) {
     const double step = std::max(rules_.step_mm, samples.back().free_mm);
-    // The last two steps are equal, so that none is tiny.
+    // The last two steps are equal, so that no step is tiny.
     const double left = length - done;
     const double next = left <= step ? left : std::min(step, std::max(0.5 * left, kGapMm));
     done = next == left ? length : done + next;
-    // At its end the side looks back over itself, for the next side to begin with.
+    // At its end the side needs the clearance over its whole length, for the next side to begin
+    // with.
     const bool is_end = done == length;
     samples.push_back(
         sample_at(is_end ? to : Vector3d{from + done * way}, is_end ? length : length - done));
@@ -55,7 +57,8 @@ bool StrokeTracer::turns_slowly(const Sample& from, const Sample& to) const {
   return angle_between(from.beam->axis, to.beam->axis) <= most + kAngleRounding;
 }
 
-/// Returns whether the beam is clear at the quarters of the way, as the rotary axes turn it.
+/// Returns whether the beam is clear at the quarters of the path between two tips, with rotary axes
+/// that turn linearly.
 bool StrokeTracer::is_clear_between(const Sample& from, const Sample& to) const {
   const double length = (to.tip - from.tip).norm();
   const bool are_upright = is_upright(*from.beam) && is_upright(*to.beam);
@@ -63,7 +66,7 @@ bool StrokeTracer::is_clear_between(const Sample& from, const Sample& to) const 
   RotaryWords begin = first_words_of(rules_.axes, from.beam->axis);
   if (begin.tilt == 0.0) begin.turn = first_words_of(rules_.axes, to.beam->axis).turn;
   const RotaryWords end = words_of(rules_.axes, to.beam->axis, begin);
-  // A beam that hardly turns is as clear everywhere as half way.
+  // For a beam that hardly turns the check half way is enough.
   constexpr double kStill = 0.01;
   const bool is_still = angle_between(from.beam->axis, to.beam->axis) <= kStill;
   return std::ranges::all_of(std::array{0.5, 0.25, 0.75}, [&](double share) {
@@ -80,9 +83,9 @@ bool StrokeTracer::is_joined(const Sample& from, const Sample& to) const {
   if (!from.beam && !to.beam) return true;
   if (!from.beam || !to.beam) return false;
   if (!finder_.rules().avoids) return true;
-  // There is one axis on which a beam is in the part least: it turns as it must.
+  // Only one axis has the least overlap with the part, so that the beam has to follow that axis.
   if (from.beam->left_rad > 0.0 || to.beam->left_rad > 0.0) return true;
-  // Where walls leave no room to turn in time the machine slows down, but it does not swing.
+  // If walls leave no space to turn in time, the machine slows down, but the beam does not swing.
   const bool is_short = (to.tip - from.tip).norm() <= kGapMm;
   const bool may_turn =
       turns_slowly(from, to) ||
@@ -90,8 +93,9 @@ bool StrokeTracer::is_joined(const Sample& from, const Sample& to) const {
   return may_turn && is_clear_between(from, to);
 }
 
-/// Turns a beam towards one with no less tilt: to the clear axis nearest to the one that the rate
-/// just allows, or to the one nearest to the other axis.
+/// Turns a beam towards another one with at least as much tilt. The new axis is the clear axis
+/// nearest to the one that the rate just allows, or else the clear axis nearest to the other beam's
+/// axis.
 void StrokeTracer::lean_towards(const Sample& other, Sample& sample) const {
   if (!sample.beam || !other.beam || turns_slowly(sample, other)) return;
   const Vector3d& axis = sample.beam->axis;
@@ -114,8 +118,8 @@ void StrokeTracer::lean_towards(const Sample& other, Sample& sample) const {
   sample.beam = best;
 }
 
-/// Returns whether the axes of least tilt jump between two samples from one wall to another: their
-/// tilts are about the same.
+/// Returns whether the axes of least tilt jump between two samples from one wall to another. Their
+/// tilts are then about the same.
 bool StrokeTracer::is_jump(const Sample& from, const Sample& to) const {
   if (!from.beam || !to.beam || (to.tip - from.tip).norm() > kGapMm) return false;
   constexpr double kSameTilt = 0.1;
@@ -138,15 +142,15 @@ StrokeTracer::Samples StrokeTracer::smoothed(const Samples& least) const {
   return samples;
 }
 
-/// Returns for each sample but the last whether the beam may go on to the next.
+/// Returns for each sample except the last whether the beam may continue to the next sample.
 StrokeTracer::Flags StrokeTracer::joints_of(const Samples& samples) const {
   Flags joints(samples.size() - 1);
   for (std::size_t i = 0; i < joints.size(); ++i) joints[i] = is_joined(samples[i], samples[i + 1]);
   return joints;
 }
 
-/// Returns for each sample but the last whether the axis of least tilt jumps nowhere up to the
-/// next.
+/// Returns for each sample except the last whether the axis of least tilt does not jump before the
+/// next sample.
 StrokeTracer::Flags StrokeTracer::small_turns_of(const Samples& least) const {
   Flags are_small(least.size() - 1, true);
   for (std::size_t i = 0; i < are_small.size(); ++i) {
@@ -157,7 +161,8 @@ StrokeTracer::Flags StrokeTracer::small_turns_of(const Samples& least) const {
   return are_small;
 }
 
-/// Inserts tips where neighbours that are not joined are apart. @return whether there were any
+/// Inserts tips between neighbours that are not joined and are farther apart than the gap.
+/// @return whether it inserted any
 bool StrokeTracer::refine(const Flags& is_joined, Samples& samples) const {
   Samples finer;
   finer.reserve(samples.size() + 8);
@@ -190,8 +195,8 @@ std::vector<BeamRun> StrokeTracer::runs_of(const Stroke& stroke, double height_m
   return runs_between(samples, joints, stroke.use);
 }
 
-/// Cuts samples into runs. The beam is never on at one tip only: such a tip is lost, too, unless
-/// it lies in the gap beside a run.
+/// Cuts samples into runs. The beam is never on at one tip only: such a tip is lost, too, unless it
+/// lies in the gap next to a run.
 std::vector<BeamRun> StrokeTracer::runs_between(const Samples& samples,
                                                 const Flags& joints,
                                                 StrokeUse use) {

@@ -11,45 +11,47 @@
 
 namespace sim::wall {
 
-/// Beams in a row with the beam on from the first to the last, behind tips that are out of reach.
+/// Successive beams with the beam on from the first to the last, and the tips before them that are
+/// out of reach.
 struct BeamRun {
   StrokeUse use = StrokeUse::kHatch;
   std::vector<Eigen::Vector3d> lost;
-  std::vector<TipBeam> beams;  ///< Two at least, or none.
+  std::vector<TipBeam> beams;  ///< At least two beams, or none.
 };
 
-/// How beams turn along a stroke.
+/// Limits for the turning of beams along a stroke.
 struct TurnRules {
   RotaryAxes axes = RotaryAxes::kAC;
-  double step_mm = 0.0;               ///< Greatest distance of tips beside a wall, above 0.
-  double turn_rate_rad_per_mm = 0.0;  ///< Greatest change of the axis where there is room.
-  /// Where the axis of least tilt jumps by more, the beam swings while it is off.
+  double step_mm = 0.0;  ///< Maximum distance between tips next to a wall, above 0.
+  /// Maximum change of the axis where the part leaves enough space.
+  double turn_rate_rad_per_mm = 0.0;
+  /// If the axis of least tilt jumps by more than this angle, the beam swings while it is off.
   double swing_rad = 3.0 * std::numbers::pi / 180.0;
-  double depth_mm = 1.0e-3;  ///< Between tips a beam is no deeper in the part.
+  double depth_mm = 1.0e-3;  ///< Maximum depth of a beam in the part between tips.
 };
 
-/// Gives each tip of a stroke its beam, so that the axis turns no faster than the rules say.
+/// Gives each tip of a stroke its beam, so that the axis turns no faster than the rules allow.
 ///
 /// Tips are at the ends of all sides of the stroke, and between them as densely as the axis needs.
-/// Where the axis of least tilt turns too fast, the axes before and behind lean more, as long as
-/// those clear all. Where walls leave no room for that the axis turns faster, as the part needs.
-/// Where it jumps the run ends, and the next one begins within two gaps: the beam swings while it
-/// is off.
+/// If the axis of least tilt turns too fast, the axes before and after that place lean more, as
+/// long as their beams clear the part. If walls leave no space for that, the axis turns faster, as
+/// the part requires. If the axis jumps, the run ends, and the next run begins within two gaps: the
+/// beam swings while it is off.
 class StrokeTracer {
  public:
-  /// Tips that no run joins are no farther apart, mm.
+  /// Maximum distance between neighbouring tips that no run joins, mm.
   static constexpr double kGapMm = 2.0e-3;
 
   StrokeTracer(const BeamFinder& finder, const TurnRules& rules) : finder_{finder}, rules_{rules} {}
 
-  /// Returns the runs of a stroke at a height. The last one may only have lost tips.
+  /// Returns the runs of a stroke at a height. The last run may have only lost tips.
   [[nodiscard]] std::vector<BeamRun> runs_of(const Stroke& stroke, double height_mm) const;
 
  private:
   /// A tip, with its beam of least tilt if there is one.
   struct Sample {
     Eigen::Vector3d tip = Eigen::Vector3d::Zero();
-    double free_mm = 0.0;  ///< By which the tip may move with an upright beam.
+    double free_mm = 0.0;  ///< Distance by which the tip may move with an upright beam.
     std::optional<TipBeam> beam;
   };
   using Samples = std::vector<Sample>;

@@ -18,10 +18,11 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Digits after the point of angles: 2e-9 mm at the tip's side 1 mm up.
+/// Digits after the decimal point of angles. Their rounding moves the beam's side by 9e-8 mm at 1
+/// mm above the tip.
 constexpr int kAngleDecimals = 5;
 
-/// Returns a number with a fixed count of decimals, without zeros at its end and without -0.
+/// Returns a number with a fixed number of decimals, without zeros at its end and without -0.
 std::string number_text(double value, int decimals) {
   std::string text = fmt::format("{:.{}f}", value, decimals);
   text.erase(text.find_last_not_of('0') + 1);
@@ -35,7 +36,8 @@ struct Knot {
   RotaryWords words;
 };
 
-/// Returns whether all that a machine does is the same on the ways to and from a knot.
+/// Returns whether the machine moves in the same way before and after a knot, so that the knot can
+/// be left out.
 bool goes_straight_on(const Knot& before, const Knot& here, const Knot& after) {
   constexpr double kSameMm = 1.0e-9;
   constexpr double kSameDeg = 1.0e-7;
@@ -66,8 +68,8 @@ WallProgram::WallProgram(const BurnSettings& settings, const std::vector<std::st
                        settings.follows_speed ? "M4" : "M3");
 }
 
-/// Returns the words of each beam of a run. Over an upright stretch C turns to where the next lean
-/// needs it.
+/// Returns the words of each beam of a run. Over an upright stretch C turns to the angle that the
+/// next lean needs.
 std::vector<RotaryWords> WallProgram::words_of_run(const std::vector<TipBeam>& beams) const {
   std::vector<RotaryWords> words;
   RotaryWords last = last_;
@@ -112,8 +114,8 @@ void WallProgram::write_move(const char* motion, const Vector3d& tip, const Rota
   if (!line.empty()) text_ += motion + line;
 }
 
-/// Turns C of an upright beam that is off to where the next lean needs it: no stretch before was
-/// long enough.
+/// Turns C of an upright beam to the angle that the next lean needs, while the beam is off. This is
+/// needed if no stretch before was long enough.
 void WallProgram::write_swing(const Eigen::Vector3d& tip,
                               const RotaryWords& from,
                               const RotaryWords& to) {
@@ -122,11 +124,11 @@ void WallProgram::write_swing(const Eigen::Vector3d& tip,
   text_ += '\n';
 }
 
-/// Returns the feed at which the axis turns no faster than it does at the rate and the full feed.
+/// Returns the feed at which the axis turns no faster than the rate allows at the full feed.
 double WallProgram::feed_of(const TipBeam& from, const TipBeam& to) const {
   const double most = settings_.turn_rate_rad_per_mm * (to.tip - from.tip).norm();
   const double angle = angle_between(from.axis, to.axis);
-  // Angles this much above the rate are rounding.
+  // Angles above the rate by less than this factor come from rounding.
   constexpr double kAlmost = 1.0001;
   if (angle <= kAlmost * most) return settings_.feed_mm_min;
   return settings_.feed_mm_min * most / angle;
@@ -137,7 +139,7 @@ void WallProgram::write_run(const std::vector<TipBeam>& beams) {
   const std::size_t before = text_.size();
   write_move("G0", beams.front().tip, words.front());
   if (text_.size() > before) text_ += '\n';
-  std::size_t written = 0;  // The last of the beams that was.
+  std::size_t written = 0;  // Index of the last beam that was written.
   bool has_power = false;
   for (std::size_t i = 1; i < beams.size(); ++i) {
     const bool is_last = i + 1 == beams.size();

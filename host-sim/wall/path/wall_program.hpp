@@ -9,42 +9,45 @@
 
 namespace sim::wall {
 
-/// How a machine burns the runs of a beam.
+/// Settings of a machine that burns the runs of a beam.
 struct BurnSettings {
   RotaryAxes axes = RotaryAxes::kAC;
-  double feed_mm_min = 0.0;           ///< Speed of the tip over the part, above 0.
-  double power_s = 0.0;               ///< S word of the beam.
-  bool follows_speed = true;          ///< M4: power by the speed really driven; else M3.
-  double turn_rate_rad_per_mm = 0.0;  ///< Where the axis turns faster, the tip is slower; above 0.
-  double safe_mm = 0.0;               ///< Z at the begin and the end, above the stock.
-  int decimals = 4;                   ///< Digits after the point of X, Y and Z.
+  double feed_mm_min = 0.0;  ///< Speed of the tip over the part, above 0.
+  double power_s = 0.0;      ///< S word of the beam.
+  /// Whether power follows the actual speed (M4); otherwise M3.
+  bool follows_speed = true;
+  /// Rate of the axis above which the tip is slowed down; above 0.
+  double turn_rate_rad_per_mm = 0.0;
+  double safe_mm = 0.0;  ///< Z at the begin and at the end, above the stock.
+  int decimals = 4;      ///< Digits after the decimal point of X, Y and Z.
 };
 
 /// Lengths and angles of a program.
 struct BurnFigures {
   std::size_t runs = 0;
   std::size_t beams = 0;
-  std::size_t lost = 0;      ///< Tips out of reach.
-  std::size_t overlaps = 0;  ///< Beams whose side is in the part.
+  std::size_t lost = 0;      ///< Number of tips out of reach.
+  std::size_t overlaps = 0;  ///< Number of beams whose side is in the part.
   double burnt_mm = 0.0;
-  double dark_mm = 0.0;  ///< From run to run.
+  double dark_mm = 0.0;  ///< Distance driven with the beam off, from run to run.
   double most_tilt_rad = 0.0;
-  double tilt_mm = 0.0;  ///< Tilt times the length burnt with it, rad mm.
+  double tilt_mm = 0.0;  ///< Sum of tilt times the length burnt with it, rad mm.
   double most_overlap_rad = 0.0;
   double most_turn_rad_per_mm = 0.0;
-  double slowed_mm = 0.0;  ///< Length on which the axis turns faster than the rate.
+  /// Length on which the axis turns faster than the rate, so that the tip is slowed down.
+  double slowed_mm = 0.0;
 };
 
 /// Writes runs of a beam as G-code under control of the tool's centre (G43.4), and measures them.
-/// X, Y and Z are the tip, A or B and C the axis. Between runs the beam is off.
+/// X, Y and Z are the tip; A or B, and C, are the axis. Between runs the beam is off.
 class WallProgram {
  public:
-  /// @param heading lines of comment at the top
+  /// @param heading comment lines at the top
   WallProgram(const BurnSettings& settings, const std::vector<std::string>& heading);
 
   void add(const std::vector<BeamRun>& runs);
 
-  /// Ends the program. Returns its text, which is given away. Call it once.
+  /// Ends the program and returns its text. The text is moved out: call this function only once.
   [[nodiscard]] std::string take_text();
 
   [[nodiscard]] const BurnFigures& figures() const { return figures_; }
@@ -62,12 +65,12 @@ class WallProgram {
   BurnFigures figures_;
   RotaryWords last_;
   Eigen::Vector3d here_ = Eigen::Vector3d::Zero();
-  std::vector<std::string> shown_;  ///< Words of the axes as last written.
-  std::string feed_;                ///< The same of F.
+  std::vector<std::string> shown_;  ///< Axis words as last written.
+  std::string feed_;                ///< F word as last written.
 };
 
-/// Appends `x y z i j k` for each beam of the runs, in order, and `# x y z is out of reach` for
-/// each lost tip, with 17 digits.
+/// Appends `x y z i j k` with 17 digits for each beam of the runs, in order, and `# x y z is out of
+/// reach` for each lost tip.
 void append_beam_lines(const std::vector<BeamRun>& runs, std::string& text);
 
 }  // namespace sim::wall

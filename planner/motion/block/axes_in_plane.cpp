@@ -35,8 +35,8 @@ DirectionRange::DirectionRange(float start, float end) : all_{end - start >= kHa
   end_ = sin_cos(end);
 }
 
-// Within less than half a turn a share is greatest at one of the ends, or where the share of the
-// normal, which is its derivative, changes sign.
+// Each of the two shares is the derivative of the other one, except for the sign. So over less than
+// half a turn a share is greatest at one of the ends, or where the other share changes sign.
 AxisShares DirectionRange::greatest_shares(const AxisInPlane& axis) const {
   if (all_) return {axis.size, axis.size};
   const float tangent_start = axis.share(start_);

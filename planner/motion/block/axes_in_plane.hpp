@@ -10,31 +10,31 @@
 
 namespace cnc::motion {
 
-/// How an axis lies in the plane of an arc: of a speed in the plane whose direction has the angle
-/// φ there, the axis has the share first · cos φ + second · sin φ.
+/// How an axis lies in the plane of an arc. A speed in the plane whose direction has the angle φ
+/// gives the axis the share first · cos φ + second · sin φ.
 struct AxisInPlane {
   std::uint8_t axis = 0;
   float first = 0.0F;
   float second = 0.0F;
-  float size = 0.0F;  ///< The greatest of those shares, at most 1.
+  float size = 0.0F;  ///< Greatest value of the share over all φ, at most 1.
 
   [[nodiscard]] float share(const SinCos& angle) const {
     return angle.cosine * first + angle.sine * second;
   }
-  /// Returns the share that it has of the normal, a quarter turn to the left of the direction.
+  /// Returns the share of the axis in the normal, a quarter turn to the left of the direction.
   [[nodiscard]] float normal_share(const SinCos& angle) const {
     return angle.cosine * second - angle.sine * first;
   }
-  /// Returns the angle at which its share is greatest, in quarter turns, 0 ≤ … < 2.
+  /// Returns the angle at which the share of the axis is greatest in magnitude, in quarter turns.
+  /// The angle is at least 0 and below 2.
   [[nodiscard]] float quarters() const;
 };
 
-/// The axes that a motion in a plane may move: two of a coordinate plane.
+/// The axes that a motion in a plane may move. In a coordinate plane there are two.
 class AxesInPlane {
  public:
   AxesInPlane() = default;
-  /// @param side −1 to see the plane from behind, where what turns clockwise has growing angles;
-  /// else 1
+  /// @param side −1 to see the plane from behind, so that angles grow along a clockwise arc; else 1
   AxesInPlane(const ArcPlane& plane, float side);
 
   [[nodiscard]] const AxisInPlane* begin() const { return axes_.data(); }
@@ -45,23 +45,25 @@ class AxesInPlane {
   std::size_t count_ = 0;
 };
 
-/// The greatest shares that an axis has of a speed in some directions, and of its normal.
+/// Greatest shares that an axis has, over a range of directions, in the direction of travel and in
+/// its normal.
 struct AxisShares {
   float tangent = 0.0F;
   float normal = 0.0F;
 };
 
-/// Directions in a plane from one angle to another.
+/// A range of directions in a plane, from one angle to another.
 class DirectionRange {
  public:
-  /// All directions.
+  /// Makes the range of all directions.
   DirectionRange() = default;
-  /// @param start, end radians, start ≤ end
+  /// Makes a range of angles. @param start, end radians, start ≤ end
   DirectionRange(float start, float end);
-  /// From one direction to another less than a quarter turn farther.
+  /// Makes the range from `start` to `end`. @pre `end` is less than a quarter turn after `start`
   DirectionRange(const SinCos& start, const SinCos& end) : start_{start}, end_{end}, all_{false} {}
 
-  /// Of a quarter turn or more an axis is taken to have all that it has of any direction.
+  /// Returns the greatest shares of an axis in these directions. For a range of a quarter turn or
+  /// more, these are its greatest shares in any direction.
   [[nodiscard]] AxisShares greatest_shares(const AxisInPlane& axis) const;
 
  private:

@@ -11,7 +11,7 @@ namespace {
 
 constexpr float kRadiansPerDegree = kPi / 180.0F;
 
-/// Places on a block with their derivatives.
+/// Evaluates positions along a block with their derivatives by path length.
 class BlockWay {
  public:
   BlockWay(const Block& block, const Position& start) : block_{block}, start_{start} {
@@ -44,7 +44,7 @@ class BlockWay {
   float per_mm_ = 0.0F;  ///< rad of turn per mm of path.
 };
 
-/// Returns the greatest rate of both rotary axes together on any part of a block, rad/mm.
+/// Returns the greatest sum of the rates of both rotary axes on any part of a block, in rad/mm.
 float rotary_rate(const Block& block, const BlockWay& way) {
   constexpr std::array<float, 3> kShares{0.0F, 0.5F, 1.0F};
   float greatest = 0.0F;
@@ -62,8 +62,9 @@ float rotary_rate(const Block& block, const BlockWay& way) {
 
 }  // namespace
 
-// Between places that are looked at, the nearest of which is an eighth of the block away, a
-// derivative differs by at most that way times the bound of the next one.
+// The axes are evaluated at kLooks positions. No position of the block is farther than an eighth of
+// its length from one of these. Over that distance a derivative changes by at most the distance
+// times the bound of the next higher derivative.
 AxisCourse axis_course(const Block& block,
                        const Position& start,
                        const kinematics::ToolCentre& centre) {
@@ -84,7 +85,8 @@ AxisCourse axis_course(const Block& block,
   const float third = kinematics::ToolCentre::third_derivative(lever, rate, way.curvature());
   course.second.array() += between * third;
   course.first += between * course.second;
-  // From a chord between two looks a curve is at most as far as an arc of its greatest curvature.
+  // Between two evaluated points, a curve is at most as far from its chord as an arc of its
+  // greatest curvature.
   const Vec3 beyond = 0.5F * square(between) * course.second;
   const float anywhere = 2.0F * lever + block.length;
   course.least -= beyond.cwiseMin(anywhere);

@@ -13,13 +13,15 @@
 
 namespace cnc::motion {
 
-/// An edge that a beam goes half a kerf beside: seen along its way, the beam is on this side.
+/// The side of an edge on which the beam is driven, at an offset of half a kerf. The side is seen
+/// in the direction of travel.
 enum class Beside : std::uint8_t { kNothing, kLeft, kRight };
 
 /// The beam or spindle output that goes with a motion.
 struct BeamCommand {
-  float duty = 0.0F;           ///< 0…1 of full power at the programmed feed; a beam's light.
-  bool follows_speed = false;  ///< M4: scaled by speed / programmed feed.
+  /// Share of full power at the programmed feed, 0…1; of a beam, of its light.
+  float duty = 0.0F;
+  bool follows_speed = false;  ///< M4: the power is scaled by speed / programmed feed.
   Beside beside = Beside::kNothing;
   constexpr bool operator==(const BeamCommand&) const = default;
 };
@@ -27,70 +29,71 @@ struct BeamCommand {
 /// The planar part of a block that turns. For a straight block `half_sweep` is 0.
 struct Turn {
   ArcPlane plane{};
-  float half_sweep = 0.0F;   ///< Radians, positive counter-clockwise.
-  float start_angle = 0.0F;  ///< Of the tangent at the start, in the plane.
+  float half_sweep = 0.0F;   ///< In radians, positive counter-clockwise.
+  float start_angle = 0.0F;  ///< Angle of the tangent at the start, in the plane, in radians.
   float plane_share = 1.0F;  ///< Plane speed / path speed; below 1 on a helix.
   float curvature = 0.0F;    ///< |κ| of the plane circle, 1/mm.
 };
 
-/// Limits that reach beyond the block they come from. The motion is the mean of
-/// the plan over a window of time T, so the plan must keep within the limits of a
-/// place from about v · T / 2 before it to as much behind it.
+/// Limits of a block that reach into its neighbours. The motion is the mean of the plan over a
+/// window of time T. So the plan must keep the limits of a position from about v · T / 2 before it
+/// to about v · T / 2 after it.
 struct LimitZone {
-  float length = 0.0F;           ///< mm; 0 is no zone.
-  float speed_square = 1.0e12F;  ///< v² at most.
-  float acceleration = 1.0e9F;   ///< mm/s² at most, of which turning takes a part.
+  float length = 0.0F;           ///< mm; 0 means that there is no zone.
+  float speed_square = 1.0e12F;  ///< Greatest v².
+  float acceleration = 1.0e9F;   ///< Greatest acceleration, mm/s²; turning takes a part of it.
   Turning turning{};
   constexpr bool operator==(const LimitZone&) const = default;
 };
 
-/// What the backward pass of the look-ahead knows at a place.
+/// State of the look-ahead's backward pass at one point of the path.
 ///
-/// Under a window T, whoever speeds up must be able to go on level for T before
-/// braking. With X, the v² on the braking curve extended beyond the caps that cut
-/// it off, and a, the steepest braking ahead, that is so up to the speed
+/// Under a window T, a motion that speeds up must be able to keep its speed for T before it brakes.
+/// X is v² on the braking curve, extended beyond the caps that cut the curve off. a is the steepest
+/// braking ahead. The condition holds up to the speed
 ///   sqrt(X + a² T²) − a T,
-/// because braking by a over the way v T takes 2 a v T from X. Up to a speed that
-/// may be kept ahead there is no need for braking.
+/// because braking by a over the distance v T takes 2 a v T from X. Up to a speed that may be kept
+/// ahead, no braking is needed.
 struct BrakingState {
-  float speed_square = 0.0F;   ///< v² from which the rest can be driven.
-  float commit_square = 0.0F;  ///< X.
-  float steepest = 0.0F;       ///< a, mm/s².
-  float kept = 0.0F;           ///< The speed that may be kept, mm/s; 0 without a window.
+  float speed_square = 0.0F;   ///< Greatest v² from which the rest of the path can be driven.
+  float commit_square = 0.0F;  ///< X, see above.
+  float steepest = 0.0F;       ///< a, see above, in mm/s².
+  float kept = 0.0F;           ///< Speed that may be kept ahead, mm/s; 0 without a window.
   constexpr bool operator==(const BrakingState&) const = default;
 };
 
-/// At most two that reach into a block from one of its ends.
+/// Zones that reach into a block from one of its ends; at most two.
 using BlockZones = std::array<LimitZone, 2>;
 
-/// One line, arc or helix as the planner keeps it: geometry in steps for
-/// whoever makes the pulses, limits in mm and seconds for whoever plans speed.
+/// One line, arc or helix as the planner keeps it. The geometry is in steps, for making pulses. The
+/// limits are in mm and seconds, for planning the speed.
 ///
-/// Path length, speed and acceleration are measured in the Euclidean metric of
-/// all six axes; for X Y Z motion that is millimetres along the tool path.
+/// Path length, speed and acceleration are measured in the Euclidean metric of all six axes. For X
+/// Y Z motion that is millimetres along the tool path.
 struct Block {
   AxisArray<StepPosition> end{};
   /// The chord turned a quarter turn left in its plane; see ChordFrame.
   AxisArray<StepPosition> normal{};
   Turn turn{};
 
-  AxisArray<float> direction{};     ///< Unit tangent; for an arc only its part off the plane.
+  AxisArray<float> direction{};     ///< Unit tangent; of an arc, only its part off the plane.
   float length = 0.0F;              ///< mm.
   float feed = 0.0F;                ///< Programmed speed along the path, mm/s; 0 is a rapid.
-  bool from_rest = true;            ///< The machine stands still at its start.
-  bool fixed_feed = false;          ///< Overrides of feed and rapid do not touch it.
-  OutputChanges outputs{};          ///< At its start.
-  float acceleration = 0.0F;        ///< mm/s², by the axes whose direction is constant.
-  float speed_limit_square = 0.0F;  ///< From rates, step rates and centripetal acceleration.
-  /// What the look-ahead finds; changes as blocks are added.
-  BrakingState entry{};  ///< Of the backward pass, at its start.
-  /// v² that it may be left with when all the way from the last rest is for speeding up.
+  bool from_rest = true;            ///< The machine is at rest at the start of the block.
+  bool fixed_feed = false;          ///< Overrides of feed and rapid do not change the feed.
+  OutputChanges outputs{};          ///< Changes at the start of the block.
+  float acceleration = 0.0F;        ///< Limit by the axes of constant direction, mm/s².
+  float speed_limit_square = 0.0F;  ///< Limit of v² by axis and step rates; Spans adds turning.
+  /// The members from here to `tail` are results of the look-ahead. They change as blocks are
+  /// added.
+  BrakingState entry{};  ///< State of the backward pass at the start of the block.
+  /// Greatest v² at the end of the block if the motion speeds up all the way from the last rest.
   float reachable_square = 1.0e12F;
-  BlockZones head{};  ///< From blocks before it.
-  BlockZones tail{};  ///< From blocks behind it.
+  BlockZones head{};  ///< Zones of earlier blocks.
+  BlockZones tail{};  ///< Zones of later blocks.
 
   BeamCommand beam{};
-  RowPart row{};  ///< Where there is one, its pixels say the duty.
+  RowPart row{};  ///< If row.any(), the pixels of the row set the duty.
   SourceLine line{};
 
   [[nodiscard]] bool is_rapid() const { return feed <= 0.0F; }

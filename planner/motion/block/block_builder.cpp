@@ -9,14 +9,15 @@
 namespace cnc::motion {
 namespace {
 
-/// Returns the length along the axes X Y Z alone.
+/// Returns the length of the part of a vector along X Y Z.
 float linear_norm(const AxisVector& vector) {
   float sum = 0.0F;
   for (std::size_t axis = 0; axis < kLinearAxisCount; ++axis) sum += square(vector[axis]);
   return std::sqrt(sum);
 }
 
-/// False when an end is out of reach of the step counters.
+/// Sets the end of the block in steps. Returns false if the end is outside the range of the step
+/// counters.
 bool place_in_steps(const PathElement& element, const Limits& limits, Block& block) {
   for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
     const auto end = limits.scale[axis].steps_at(element.end[axis]);
@@ -26,7 +27,8 @@ bool place_in_steps(const PathElement& element, const Limits& limits, Block& blo
   return true;
 }
 
-/// The chord turned by a quarter turn in an oblique plane.
+/// Sets the normal of the block: the chord turned by a quarter turn in an oblique plane. Returns
+/// false if the normal is outside the range of the step counters.
 bool place_oblique_normal(const AxisVector& chord, const Limits& limits, Block& block) {
   const ArcPlane& plane = block.turn.plane;
   const AxisVector normal = plane.vector(left_normal(plane.seen(chord)));
@@ -38,8 +40,9 @@ bool place_oblique_normal(const AxisVector& chord, const Limits& limits, Block& 
   return true;
 }
 
-/// The turned chord in steps: (first, second) becomes (−second, first), each on
-/// the scale of the axis it now lies along.
+/// Sets the normal of the block: the chord turned by a quarter turn, in steps. The chord (first,
+/// second) becomes (−second, first), and each part has the scale of the axis along which it now
+/// lies. Returns false if the normal is outside the range of the step counters.
 bool place_normal(const PathElement& element, const Limits& limits, Block& block) {
   if (element.plane.oblique()) {
     return place_oblique_normal(travel_between(element.start, element.end), limits, block);
@@ -55,8 +58,8 @@ bool place_normal(const PathElement& element, const Limits& limits, Block& block
   return true;
 }
 
-/// Replaces the chord by the arc in `travel`: afterwards it has no part in the plane
-/// and the returned arc length stands for that.
+/// Sets `turn` to the arc. Removes the part of `travel` in the plane of the arc, and returns the
+/// length of the arc, which stands for that part.
 float lay_out_turn(const Arc& arc, AxisVector& travel, Turn& turn) {
   travel = turn.plane.oblique() ? AxisVector{} : turn.plane.off(travel);
   const Vec2 tangent = arc.start_tangent();
@@ -66,15 +69,15 @@ float lay_out_turn(const Arc& arc, AxisVector& travel, Turn& turn) {
   return arc.length().in_mm_and_s();
 }
 
-/// An arc within a millionth of a nanometre of its chord is a line: its sweep
-/// and curvature would leave the range of a float.
+/// Returns whether an arc is farther than a millionth of a nanometre from its chord. A flatter arc
+/// is driven as a line: its sweep and curvature would leave the range of a float.
 bool leaves_its_chord(float bulge, const Arc& arc) {
   constexpr float kLeastSagitta = 1.0e-12F;  // mm
   return std::abs(bulge) * arc.end().norm() > 2.0F * kLeastSagitta;
 }
 
-/// Limit of v² that holds all along the block: rates of the axes whose
-/// direction is constant, and the step rate of all motors together.
+/// Returns the limit of v² on the whole block. It comes from the rates of the axes whose direction
+/// is constant and from the step rate of all motors together.
 float speed_limit_square(const Block& block, const Limits& limits) {
   float limit = 1.0e12F;
   float steps_per_mm = 0.0F;
@@ -94,7 +97,7 @@ float speed_limit_square(const Block& block, const Limits& limits) {
   return std::min(limit, square(limits.steps_per_s_all_motors / steps_per_mm));
 }
 
-/// The greatest along the path by the axes whose direction is constant.
+/// Returns the greatest acceleration along the path that the axes of constant direction allow.
 float acceleration_limit(const Block& block, const Limits& limits) {
   float most = 1.0e9F;
   for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
@@ -105,14 +108,14 @@ float acceleration_limit(const Block& block, const Limits& limits) {
   return most;
 }
 
-/// F counts along X Y Z (along A B C when those alone move); the planner
-/// measures along all six.
+/// Converts a programmed feed to the speed along all six axes, in which the planner measures. F
+/// counts along X Y Z, or along A B C when only these move.
 float six_axis_feed(float feed, float linear_length, float length) {
   return linear_length > 0.0F ? feed * (length / linear_length) : feed;
 }
 
-/// The share of an arc's length in its plane that lies along X Y Z; with rotary axes in the plane,
-/// that of its chord.
+/// Returns the share of an arc's length in its plane that lies along X Y Z. With rotary axes in the
+/// plane, it is the share of the chord instead.
 float linear_share(const ArcPlane& plane, const AxisVector& chord) {
   return plane.oblique() ? linear_norm(chord) / norm(chord) : 1.0F;
 }

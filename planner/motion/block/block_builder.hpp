@@ -8,28 +8,28 @@
 namespace cnc::motion {
 
 enum class MotionError : std::uint8_t {
-  kNothingToMove,     ///< Start and end agree to the nanometre: skip it.
-  kBeyondMotorRange,  ///< An end lies outside what the step counters hold.
-  kBulgeTooLarge,     ///< More than half a turn: split the arc first.
+  kNothingToMove,     ///< Start and end are equal to the nanometre: skip the element.
+  kBeyondMotorRange,  ///< The end or the normal is outside the range of the step counters.
+  kBulgeTooLarge,     ///< The arc has more than half a turn: split it first.
 };
 
-/// What to move, how fast and with what beam.
+/// A path element with its feed, beam and outputs.
 struct MotionRequest {
   PathElement element{};
-  float feed_mm_s = 0.0F;  ///< Along X Y Z, or degrees/s when only A B C move; 0 is a rapid.
+  float feed_mm_s = 0.0F;  ///< Along X Y Z, or in degrees/s when only A B C move; 0 is a rapid.
   BeamCommand beam{};
-  RowPart row{};  ///< Where there is one, its pixels say the duty.
+  RowPart row{};  ///< If row.any(), the pixels of the row set the duty.
   OutputChanges outputs{};
   SourceLine line{};
-  bool fixed_feed = false;  ///< Overrides do not touch it: jogs, homing, parking.
+  bool fixed_feed = false;  ///< Overrides do not change the feed: jogs, homing, parking.
 };
 
-/// Turns a path element into a block: one for one, line, arc or helix.
-/// The corner speed is left at 0; it needs the block before.
+/// Builds the block of one path element: a line, an arc or a helix. The results of the look-ahead
+/// keep their defaults, because they depend on the neighbouring blocks.
 [[nodiscard]] Result<Block, MotionError> build_block(const MotionRequest& request,
                                                      const Limits& limits);
 
-/// Unit tangents in the six-axis metric.
+/// Return the unit tangent at the start and at the end of a block, in the six-axis metric.
 [[nodiscard]] AxisArray<float> entry_tangent(const Block& block);
 [[nodiscard]] AxisArray<float> exit_tangent(const Block& block);
 

@@ -6,12 +6,12 @@
 
 namespace cnc::motion {
 
-/// Returns the part of `block` beyond `place`. The outputs that change at the start of the whole
-/// block do not change again at a place beyond it.
+/// Returns the part of `block` after `place`. The outputs that change at the start of the whole
+/// block do not change again at a later position.
 ///
-/// It runs within 1e-6 of its length and 2 nm of the whole block: angles and the turned chord are
-/// in single precision, the end is exact.
-/// @param start where the motors are at `place`
+/// The returned block deviates from the whole block by at most 1e-6 of its length plus 2 nm,
+/// because angles and the turned chord are in single precision. The end is exact.
+/// @param start position of the motors at `place`
 /// @pre 0 ≤ place < length_in_units(block)
 [[nodiscard]] Block rest_of(const Block& block,
                             const AxisArray<StepPosition>& start,

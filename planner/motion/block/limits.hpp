@@ -8,25 +8,26 @@
 
 namespace cnc::motion {
 
-/// What the machine can do. Rotary axes read degrees for mm.
+/// Limits of the machine. For rotary axes, mm means degrees.
 struct Limits {
   AxisArray<AxisScale> scale{};
-  AxisArray<float> rate_mm_s{};           ///< $110…$115.
-  AxisArray<float> acceleration_mm_s2{};  ///< $120…$125.
-  AxisArray<float> jerk_mm_s3{};          ///< $800…$805; 0 is no limit.
+  AxisArray<float> rate_mm_s{};           ///< Greatest speeds, $110…$115.
+  AxisArray<float> acceleration_mm_s2{};  ///< Greatest accelerations, $120…$125.
+  AxisArray<float> jerk_mm_s3{};          ///< Greatest jerks, $800…$805; 0 is no limit.
   float junction_deviation_mm = 0.01F;    ///< $11.
   float steps_per_s_one_motor = 100'000.0F;
   float steps_per_s_all_motors = 200'000.0F;
   BeamResponse beam{};
 };
 
-/// Greatest speed of an axis, mm/s: its rate, or what its motor can be stepped at.
+/// Returns the greatest speed of an axis in mm/s: its rate, or the speed at the greatest step rate
+/// of its motor, whichever is lower.
 [[nodiscard]] inline float motor_rate(const Limits& limits, std::size_t axis) {
   return std::min(limits.rate_mm_s[axis],
                   limits.steps_per_s_one_motor / limits.scale[axis].steps_per_mm());
 }
 
-/// What an operator turns while the job runs, as factors of the programmed values.
+/// Overrides that the operator sets while the job runs, as factors of the programmed values.
 struct Overrides {
   float feed = 1.0F;
   float rapid = 1.0F;

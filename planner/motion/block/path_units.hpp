@@ -9,30 +9,29 @@
 
 namespace cnc::motion {
 
-/// Way along a path of many blocks, in units of 2^-36 mm: integers, so that it
-/// adds up without error and its differences are as good as itself; and so fine
-/// that an arc of 10 nm has a million places.
+/// Distance along a path of many blocks, in units of 2^-36 mm. Sums of integers have no error, and
+/// differences are as exact as the distances. An arc of 10 nm still has 687,000 units.
 using PathUnits = std::int64_t;
 
 inline constexpr float kUnitsPerMm = 68'719'476'736.0F;
 inline constexpr float kMmPerUnit = 1.0F / kUnitsPerMm;
 
-/// @pre 0 ≤ mm < 2^27
+/// Converts mm to units, rounded down. @pre 0 ≤ mm < 2^27
 [[nodiscard]] PathUnits to_units(float mm);
 [[nodiscard]] inline float to_mm(PathUnits units) { return nearest_float(units) * kMmPerUnit; }
 
-/// To the nanometre below. @pre 0 ≤ units < 2^59
+/// Returns the distance in whole nanometres, rounded down. @pre 0 ≤ units < 2^59
 [[nodiscard]] constexpr Coordinate to_coordinate(PathUnits units) {
   return Coordinate{((units >> 16) * 1'000'000) >> 20};
 }
 
-/// At least one, so that each block has a beginning and an end.
+/// Returns the length of a block in units; at least one, so that each block has a start and an end.
 [[nodiscard]] inline PathUnits length_in_units(const Block& block) {
   return std::max<PathUnits>(1, to_units(block.length));
 }
 
-/// Places within a block as fractions of its length in Q32, 2^32 is its end.
-/// Monotonic; off by at most 2^-31 of the length, and not at all at the ends.
+/// Converts positions within a block to fractions of its length in Q32; 2^32 is its end. The
+/// fraction is monotonic. Its error is at most 2^-31 of the length, and zero at both ends.
 class BlockFraction {
  public:
   static constexpr std::uint64_t kEnd = std::uint64_t{1} << 32;
@@ -40,7 +39,7 @@ class BlockFraction {
   BlockFraction() = default;
   explicit BlockFraction(PathUnits length) : length_{length} {}
 
-  /// @pre 0 ≤ place ≤ length
+  /// Returns the fraction that stands for a position. @pre 0 ≤ place ≤ length
   [[nodiscard]] std::uint64_t of(PathUnits place) {
     if (place >= length_) return kEnd;
     if (reciprocal_q31_ == 0) divide();
@@ -59,12 +58,13 @@ class BlockFraction {
       scaled <<= 1;
       ++left_;
     }
-    // Rounded down, so that no place within is the end.
+    // Rounded down, so that a position before the end has a fraction below kEnd.
     reciprocal_q31_ = static_cast<std::uint32_t>(((std::uint64_t{1} << 63) - 1) / scaled);
   }
 
   PathUnits length_ = 1;
-  /// 0 until a place within is asked for: the division is long.
+  /// Reciprocal of the length; 0 until a position within the block is converted, because the
+  /// division is slow.
   std::uint32_t reciprocal_q31_ = 0;
   unsigned right_ = 0;
   unsigned left_ = 0;

@@ -10,21 +10,21 @@
 
 namespace cnc::motion {
 
-/// A stretch of a row on which the power is the same.
+/// A part of a row with one power.
 struct Pixel {
-  float end_mm = 0.0F;  ///< From the start of its row, at most 100 mm; to 1e-5 mm.
-  float duty = 0.0F;    ///< As in BeamCommand.
+  float end_mm = 0.0F;  ///< Distance from the start of its row, at most 100 mm, to 1e-5 mm.
+  float duty = 0.0F;    ///< As BeamCommand::duty.
   SourceLine line{};
 };
 
-/// What an element drives of a row of pixels; nothing where its power is all the same.
+/// The part of a row of pixels that an element drives. An element with one power has none.
 struct RowPart {
   std::uint32_t first = 0;  ///< Number of the row's first pixel, see Pixels.
-  float from_mm = 0.0F;     ///< From the start of the row…
-  float to_mm = 0.0F;       ///< …up to here. 0: no row.
+  float from_mm = 0.0F;     ///< Start of the part, from the start of the row.
+  float to_mm = 0.0F;       ///< End of the part, from the start of the row; 0 means no row.
 
   [[nodiscard]] constexpr bool any() const { return to_mm > 0.0F; }
-  /// A part of the part. @param from, to 0…1 of this one.
+  /// Returns a part of this part. @param from, to its ends as shares of this part, 0…1
   [[nodiscard]] constexpr RowPart part(float from, float to) const {
     const float length = to_mm - from_mm;
     return {.first = first,
@@ -33,52 +33,57 @@ struct RowPart {
   }
 };
 
-/// The pixels of all rows that wait to be driven, in the order in which they are.
+/// The pixels of all rows that wait to be driven, in the order in which they are driven.
 ///
-/// A row is one block however many powers it has: blocks say where their pixels
-/// begin, and the look-ahead need not know of them. Pixels are numbered as they
-/// come; numbers run on when all are forgotten. When it is full, rows wait before
-/// it until some are driven. Driven pixels are kept until newer ones take their place.
+/// A row is one block, however many powers it has. Each block has the number of its first pixel,
+/// and the look-ahead does not need the pixels. Pixels are numbered in the order of arrival; the
+/// numbers continue after clear(). When the store is full, further rows wait until some pixels are
+/// driven. Driven pixels are kept until newer ones overwrite them.
 ///
 /// Main loop only.
 class Pixels {
  public:
-  /// At 20,000 per second what 5000 mm/s² need to brake from 300 mm/s, and 8 ms more.
+  /// More than the pixels of a braking from 300 mm/s at 5000 mm/s² and of 8 ms more, at 20,000
+  /// pixels per second.
   static constexpr std::size_t kMost = 1536;
 
-  /// Driven pixels that are kept at least: those of 25 ms at 20,000 per second, and of two rows.
+  /// Least number of driven pixels that are kept: those of 25 ms at 20,000 per second and of two
+  /// rows.
   static constexpr std::size_t kKept = 640;
 
   [[nodiscard]] std::size_t room() const { return size() < kMost ? kMost - size() : 0; }
   [[nodiscard]] bool empty() const { return end_ == first_; }
-  /// Of the oldest pixel, and the one that the next will get.
+  /// Return the number of the oldest pixel, and the number that the next pixel will get.
   [[nodiscard]] std::uint32_t first() const { return first_; }
   [[nodiscard]] std::uint32_t next() const { return end_; }
 
-  /// @pre room() > 0; the two pixels of a row that is held may be pushed after take_back(), too
+  /// Adds a pixel.
+  /// @pre room() > 0. After take_back() there may be no room for the two pixels of a row that is
+  /// held; these may be pushed all the same.
   void push(const Pixel& pixel) {
     CNC_ASSERT(size() < kStored);
     kept_ = std::min(kept_, kStored - 1 - size());
     pixels_[slot_of(size())] = pixel;
     ++end_;
   }
-  /// The oldest. @pre !empty()
+  /// Returns the oldest pixel. @pre !empty()
   [[nodiscard]] const Pixel& front() const {
     CNC_ASSERT(!empty());
     return pixels_[slot_];
   }
-  /// @pre !empty()
+  /// Moves the oldest pixel to the driven ones that are kept. @pre !empty()
   void pop() {
     CNC_ASSERT(!empty());
     ++first_;
     ++kept_;
     slot_ = slot_of(1);
   }
-  /// @param number of a pixel that is there, or the next one's
+  /// Moves all pixels before `number` to the driven ones that are kept.
+  /// @param number of a stored pixel, or next()
   void drop_before(std::uint32_t number) {
     while (!empty() && static_cast<std::int32_t>(number - first_) > 0) pop();
   }
-  /// Makes a driven pixel the oldest again. Returns false if it is not kept any more.
+  /// Makes a driven pixel the oldest again. Returns false if the pixel is no longer kept.
   [[nodiscard]] bool take_back(std::uint32_t number) {
     const std::uint32_t count = first_ - number;
     if (static_cast<std::int32_t>(count) <= 0) return true;
@@ -95,7 +100,7 @@ class Pixels {
   }
 
  private:
-  /// Pixels that a row may push although there is no room: it was begun when there was.
+  /// Number of pixels that a row may push without free space, if there was some when the row began.
   static constexpr std::uint32_t kHeldBack = 2;
   static constexpr std::uint32_t kStored = kMost + kKept + kHeldBack;
 
@@ -108,8 +113,8 @@ class Pixels {
   std::array<Pixel, kStored> pixels_{};
   std::uint32_t first_ = 0;
   std::uint32_t end_ = 0;
-  std::uint32_t slot_ = 0;  ///< Of the oldest pixel that is not driven.
-  std::uint32_t kept_ = 0;  ///< Driven ones before it.
+  std::uint32_t slot_ = 0;  ///< Index of the oldest pixel that is not driven.
+  std::uint32_t kept_ = 0;  ///< Number of driven pixels before that one.
 };
 
 }  // namespace cnc::motion

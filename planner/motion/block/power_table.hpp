@@ -9,8 +9,8 @@
 
 namespace cnc::motion {
 
-/// What a beam gave when it was measured. Integers, so that what is stored is
-/// what was said.
+/// A measured point of a beam: an output duty and its power. Both are integers, so that the stored
+/// values are exactly those that were entered.
 struct PowerPoint {
   static constexpr std::uint32_t kFullDuty = 10'000;
   static constexpr std::uint32_t kMostMilliwatts = 10'000'000;
@@ -24,15 +24,15 @@ enum class PowerTableError : std::uint8_t {
   kTooManyPoints,
   kBeyondRange,       ///< A duty above 100 %, or more than 10 kW.
   kLightWithoutDuty,  ///< Watts at a duty of 0.
-  kDutyNotRising,     ///< Each duty is greater than the one before…
-  kWattsNotRising,    ///< …and so are the watts.
+  kDutyNotRising,     ///< A duty is not greater than the one before it.
+  kWattsNotRising,    ///< A power is not greater than the one before it, or the last is 0 W.
 };
 
-/// How much light an output duty gives: points from dark to the greatest power, straight
-/// between them. It begins at 0 % with 0 W, so a first point of 0 W is a threshold.
-/// Strictly rising, so that it can be read from either side.
+/// How much light an output duty gives: points from no power to the greatest, with straight lines
+/// between them. The table begins at 0 % with 0 W, so a first point of 0 W is a threshold. Duty and
+/// power both rise strictly, so the table can be read in both directions.
 ///
-/// S means the share of the last point's watts; without points it is the duty.
+/// S means the share of the last point's watts. Without points S is the duty.
 class PowerTable {
  public:
   static constexpr std::size_t kMostPoints = 16;
@@ -42,10 +42,11 @@ class PowerTable {
 
   [[nodiscard]] std::span<const PowerPoint> points() const { return {points_.data(), count_}; }
 
-  /// The duty that gives a share of the greatest light, both 0…1; just short of
-  /// the threshold for none. Error at most 3e-7. Rises with the share.
+  /// Returns the duty that gives a share of the greatest light, both 0…1. The duty rises with the
+  /// share; for a share of 0 it is the threshold, up to which there is no light. Error at most
+  /// 3e-7.
   [[nodiscard]] float duty_for(float share) const;
-  /// The share of the greatest light that a duty gives, both 0…1. Error at most 3e-7.
+  /// Returns the share of the greatest light that a duty gives, both 0…1. Error at most 3e-7.
   [[nodiscard]] float share_of(float duty) const;
 
   bool operator==(const PowerTable&) const = default;
@@ -55,10 +56,11 @@ class PowerTable {
   std::size_t count_ = 0;
 };
 
-/// From the light that is wanted to the output.
+/// How the output duty of a beam follows from the required light.
 struct BeamResponse {
   PowerTable table{};
-  float least_duty = 0.0F;  ///< 0…1; of a beam that follows the speed, as long as its S is not 0.
+  /// Least duty, 0…1, of a beam that follows the speed, while its S is not 0.
+  float least_duty = 0.0F;
   bool operator==(const BeamResponse&) const = default;
 };
 

@@ -4,14 +4,14 @@
 
 namespace cnc::motion {
 
-/// Where in the program a motion comes from: the N of its line, and which part of the line it is,
-/// because a circle passes its start twice.
+/// Where in the program a motion comes from: the N word of its line, and the part of the line. The
+/// part is needed because a circle passes its start twice.
 struct SourceLine {
   static constexpr std::uint32_t kMostParts = 255;
 
   constexpr SourceLine() = default;
   /// @param line_number 0 for none; G-code has 9999999 at most
-  /// @param which counted from 0; all from kMostParts on are one
+  /// @param which number of the part, from 0; all parts from kMostParts on count as one
   // NOLINTNEXTLINE(google-explicit-constructor): a number is a line's first part.
   constexpr SourceLine(std::uint32_t line_number, std::uint32_t which = 0)
       : number{line_number & 0xFF'FFFFU}, part{(which < kMostParts ? which : kMostParts) & 0xFFU} {}

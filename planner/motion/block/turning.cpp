@@ -24,7 +24,7 @@ float Turning::speed_limit_square(float window_s) const {
   if (curvature <= 0.0F || window_s <= 0.0F) return kNoLimit;
   const float centripetal = 1.0F / speed_ratio;
   constexpr float kJerkShare = 0.95F;
-  constexpr float kCubes = 1.0e25F;  // Of what a cube root may be asked for.
+  constexpr float kCubes = 1.0e25F;  // Greatest argument of cube_root(); 1 / kCubes is the least.
   const float cube = kJerkShare / (window_s * jerk_ratio);
   return std::min(centripetal, square(cube_root(std::clamp(cube, 1.0F / kCubes, kCubes))));
 }
@@ -45,7 +45,7 @@ float Turning::steepest(float acceleration,
   return steepest_within(most, within);
 }
 
-/// α² + (κ / A)² (v² + 2 α A d)² = 1, solved for α.
+/// Solves α² + (κ / A)² (v² + 2 α A d)² = 1 for α and returns a = α A.
 float Turning::within_acceleration(float acceleration, float distance, float speed_square) const {
   const float normal = speed_ratio * speed_square;
   const float left = 1.0F - square(normal);
@@ -56,7 +56,7 @@ float Turning::within_acceleration(float acceleration, float distance, float spe
   return acceleration * left / (half + std::sqrt(square(half) + leading * left));
 }
 
-/// (α + r)² + (α q)² = 1 with r and q in units of 1 / T, solved for α.
+/// Solves (α + r)² + (α q)² = 1 for α and returns a = α A. r and q are in units of 1 / T.
 float Turning::within_jerk(float acceleration, float speed_square, float window_s) const {
   const float speed = std::sqrt(speed_square);
   const float r = jerk_ratio * speed * speed_square * window_s;

@@ -8,38 +8,38 @@
 
 namespace cnc::motion {
 
-/// From the plan to the motion: the place of the motion is the mean of the
-/// plan's over the window of time that ends now.
+/// Makes the motion from the plan. The position of the motion is the mean of the plan's position
+/// over the window of time that ends now.
 ///
-/// Time goes on in cells. The plan is laid down stretch by stretch until a cell
-/// is full; then the motion in the time of that cell can be taken. Means are
-/// exact integers, so that the motion ends where the plan does, to the unit;
-/// speeds and accelerations are those of the exact mean at the ends of cells.
+/// Time is divided into cells. The plan is added stretch by stretch until a cell is full; then the
+/// motion in the time of that cell can be taken. Means are exact integers, so the motion ends where
+/// the plan does, to the unit. Speeds and accelerations are those of the exact mean at the ends of
+/// cells.
 class MotionFilter {
  public:
-  /// Begins anew with another window. @pre window.filters()
+  /// Restarts with another window. @pre window.filters()
   void begin(const TimeWindow& window);
 
-  /// ns until the present cell is full.
+  /// Returns the time in ns until the present cell is full.
   [[nodiscard]] std::uint32_t room_ns() const { return window_.cell_ns - used_ns_; }
-  /// The plan goes on. @pre the stretch is at most room_ns() long
+  /// Adds a stretch of the plan. @pre the stretch is at most room_ns() long
   void add(const Stretch& stretch);
-  /// The plan stands still for the rest of the cell.
+  /// Fills the rest of the cell with a plan at rest.
   void rest();
 
-  /// The motion within the cell just filled; shorter than a cell when it comes
-  /// to rest within. @pre room_ns() == 0
+  /// Returns the motion within the cell just filled. It is shorter than a cell if the motion comes
+  /// to rest within the cell. @pre room_ns() == 0
   [[nodiscard]] Stretch take();
 
-  /// The motion stands still, and will until the plan moves.
+  /// Returns whether the motion is at rest, and stays so until the plan moves.
   [[nodiscard]] bool at_rest() const { return window_way_ == 0 && used_ns_ == 0; }
 
  private:
-  /// Places wrap round; only differences are looked at.
+  /// A cell of the plan. Positions wrap; only their differences are used.
   struct Cell {
-    PathUnits mean = 0;          ///< Of the plan's place.
-    PathUnits end = 0;           ///< The plan's place at its end.
-    std::uint32_t moved_ns = 0;  ///< How long into the cell the plan moved.
+    PathUnits mean = 0;          ///< Mean of the plan's position in the cell.
+    PathUnits end = 0;           ///< The plan's position at the end of the cell.
+    std::uint32_t moved_ns = 0;  ///< Time from the start of the cell for which the plan moved.
   };
 
   [[nodiscard]] PathUnits next_way(const Cell& newest, const Cell& oldest);
@@ -48,16 +48,16 @@ class MotionFilter {
   std::array<Cell, TimeWindow::kMostCells> cells_{};
   std::uint32_t oldest_ = 0;
 
-  // Of the plan, in the cell being filled.
-  PathUnits from_ = 0;  ///< Its place at the start.
+  // The plan in the cell being filled.
+  PathUnits from_ = 0;  ///< Position at the start of the cell.
   PathUnits place_ = 0;
-  float mean_way_ = 0.0F;  ///< mm from there in the mean, as far as the cell is full.
+  float mean_way_ = 0.0F;  ///< Mean distance from from_ in mm, weighted by the filled part.
   std::uint32_t used_ns_ = 0;
   std::uint32_t moved_ns_ = 0;
 
-  // Of the motion.
-  PathUnits remainder_ = 0;   ///< Of the division by the number of cells.
-  PathUnits window_way_ = 0;  ///< What the plan drives within the window.
+  // The motion.
+  PathUnits remainder_ = 0;   ///< Remainder of the division by the number of cells.
+  PathUnits window_way_ = 0;  ///< Distance that the plan drives within the window.
   float speed_ = 0.0F;        ///< mm/s.
 };
 

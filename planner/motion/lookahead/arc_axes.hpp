@@ -11,15 +11,15 @@ namespace cnc::motion {
 /// An axis of the plane in which an arc turns.
 struct ArcAxis {
   AxisInPlane in_plane{};
-  float acceleration = 0.0F;  ///< mm/s² at most.
-  float rate = 0.0F;          ///< mm/s at most.
+  float acceleration = 0.0F;  ///< Greatest acceleration, mm/s².
+  float rate = 0.0F;          ///< Greatest speed, mm/s.
 };
 
-/// All axes of that plane, with their limits.
+/// All axes of the plane in which an arc turns, with their limits.
 class ArcAxes {
  public:
   ArcAxes() = default;
-  /// A straight block has none.
+  /// Takes the axes of the block's plane. A straight block has none.
   ArcAxes(const Block& block, const Limits& limits, const TimeWindow& window);
 
   [[nodiscard]] const ArcAxis* begin() const { return axes_.data(); }
@@ -32,12 +32,12 @@ class ArcAxes {
   [[nodiscard]] float acceleration_in_any_direction() const { return in_any_direction_; }
   /// Returns the greatest acceleration of an axis, in mm/s².
   [[nodiscard]] float greatest_acceleration() const;
-  /// Returns the acceleration along any tangent, in mm/s², that is left of `share` of each axis's
-  /// limit by `normal` mm/s² along any normal.
+  /// Returns the acceleration in mm/s² that is possible along any tangent of `directions`, if
+  /// `normal` mm/s² is used along any normal. Each axis may use `share` of its limit.
   [[nodiscard]] float left_along(const DirectionRange& directions, float normal, float share) const;
 
-  /// Scales the acceleration of each axis. Returns the square of the length of the vector of all
-  /// of them, which no motion exceeds.
+  /// Multiplies the acceleration of each axis by `factor`. Returns the squared length of the vector
+  /// of these accelerations. No motion exceeds that length.
   float scale_accelerations(float factor);
 
  private:

@@ -8,7 +8,7 @@
 namespace cnc::motion {
 namespace {
 
-/// Radians. Boundaries nearer than this to an end of the arc are left out: a reversal this near to
+/// In radians. A boundary nearer than this to an end of the arc is left out: a reversal so near to
 /// an end moves an axis by R · 5e-11, far below a step.
 constexpr float kSliver = 1.0e-5F;
 

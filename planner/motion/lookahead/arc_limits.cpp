@@ -8,13 +8,13 @@
 namespace cnc::motion {
 namespace {
 
-/// Returns the share of an acceleration limit that is left for use where limits are evaluated at
-/// places at most `angle` radians apart: a grid step, or the reach of the window.
+/// Returns the share of an acceleration limit that may be used if limits are evaluated at positions
+/// at most `angle` radians apart. The angle is a grid step or the reach of the window.
 ///
-/// Between them an axis acceleration f can rise by at most (angle)² / 8 · |f″| with
-/// |f″| ≤ 5 times the limit (differentiate t·a + t′·v² twice, with v² linear in the
-/// angle): 0.27 % for 3.75°. A thousandth at least is left for rounding, and for measurements
-/// by steps.
+/// Between two such positions, the acceleration f of an axis can rise by at most (angle)² / 8 ·
+/// |f″|, and |f″| is at most 5 times the limit (differentiate t·a + t′·v² twice, with v² linear in
+/// the angle). That is 0.27 % for 3.75°. At least a thousandth is left for rounding and for
+/// measurements by steps.
 float margin_for(float angle) {
   constexpr float kRounding = 2.0e-4F;
   constexpr float kLeast = 1.0e-3F;
@@ -41,11 +41,11 @@ ArcLimits::ArcLimits(const Block& block,
   divide_between_turning_and_speed(arc, any_direction, block.reachable_square, window.seconds());
 }
 
-/// Limits the speed to that of turning in any direction. Leaves in reach_ how far the window spans
-/// at that speed before the last of these limits.
+/// Limits the speed so that it can turn in any direction. Sets reach_ to the angle that the window
+/// spans at that speed, before kTurningShare lowers it.
 void ArcLimits::limit_speed(const ArcShape& arc, const TimeWindow& window) {
-  /// At this share of the v² that would need all acceleration for turning, a third of it is left
-  /// for slowing down when an override is lowered or the feed held.
+  /// At this share of the v² that would need all acceleration for turning, a third of the
+  /// acceleration is left for slowing down when an override is lowered or the feed is held.
   constexpr float kTurningShare = 0.95F;
   const float to_plane = square(arc.plane_share());
   speed_square_ = std::min(speed_square_, turning_.speed_limit_square(window.seconds()) / to_plane);
@@ -55,19 +55,20 @@ void ArcLimits::limit_speed(const ArcShape& arc, const TimeWindow& window) {
   speed_square_ = std::min(speed_square_, kTurningShare * centripetal);
 }
 
-/// Divides the acceleration between turning and the change of speed. Where an arc has few
-/// directions there is more than the lesser of its axes' limits. The need of turning is held
-/// against all of its normals, and the rest of each axis's limit against all of its tangents: an
-/// ellipse of both fits in where
+/// Divides the acceleration between turning and the change of speed.
+///
+/// An arc with few directions has more acceleration than the least of its axes' limits. The need of
+/// turning is compared with the limits along all normals of the arc. The rest of each axis's limit
+/// is compared along all tangents. The ellipse of a tangential a and a normal b is possible where
 ///   (T_i a)² + (N_i b)² ≤ A_i²
-/// for the greatest shares T and N that either has of axis i.
+/// for the greatest shares T and N that axis i has of the tangents and of the normals.
 void ArcLimits::divide_between_turning_and_speed(const ArcShape& arc,
                                                  float any_direction,
                                                  float reachable_square,
                                                  float window_s) {
   constexpr float kWorthIt = 1.01F;
-  /// Turning has this many times the acceleration that it needs on the way; with less there is
-  /// little left for speeding up.
+  /// Turning gets this many times the acceleration that it needs along the arc. With less, little
+  /// is left for speeding up.
   constexpr float kRoom = 2.0F;
   const DirectionRange directions{arc.start_angle(), arc.end_angle()};
   const float margin = plane_acceleration_ / any_direction;
@@ -102,7 +103,7 @@ Turning ArcLimits::turning_along_path(const ArcShape& arc) const {
 }
 
 float ArcLimits::shortest_time(const ArcShape& arc, float length) const {
-  // However fast it may be driven: one axis alone may turn the motion.
+  // A bound for any speed at which the arc may be driven: at best, one axis alone turns the motion.
   const float turned =
       axes_.greatest_acceleration() / (arc.curvature() * square(arc.plane_share()));
   return length / std::sqrt(std::min(speed_square_, turned));

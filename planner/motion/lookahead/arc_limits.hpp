@@ -7,44 +7,46 @@
 
 namespace cnc::motion {
 
-/// Limits of an arc as a whole, and those of its axes, from which the limits of each span come: by
+/// Limits of an arc as a whole and of its axes. The limits of each span come from these: by
 /// DirectionLimits where the window spans few directions, else by ManyDirectionLimits.
 class ArcLimits {
  public:
   ArcLimits() = default;
-  /// @param line limits of the same block, which hold on the arc, too
+  /// @param line limits of the same block; these hold on the arc, too
   ArcLimits(const Block& block, const ArcShape& arc, const Limits& limits, const LineLimits& line);
-  /// Leaves a margin of each axis's acceleration for the places between those at which limits are
-  /// evaluated. @param spacing radians between the boundaries of spans
+  /// Reduces each axis's acceleration by a margin for positions between those at which limits are
+  /// evaluated.
+  /// @param spacing angle between the boundaries of spans, in radians
   void leave_margin(float spacing);
 
   [[nodiscard]] const ArcAxes& axes() const { return axes_; }
-  /// Returns the angle either way, in radians, that the window spans; 0 without a window.
+  /// Returns the angle to either side that the window spans, in radians; 0 without a window.
   [[nodiscard]] float reach() const { return reach_; }
-  /// Checks whether the window spans so many directions that they are not told apart.
+  /// Checks whether the window spans so many directions that these are not distinguished.
   [[nodiscard]] bool many_directions() const { return reach_ > kFarReach; }
   /// Returns how turning and the change of speed share the acceleration within the plane.
   [[nodiscard]] const Turning& turning() const { return turning_; }
-  /// Returns the same with speed and acceleration along the path.
+  /// Returns turning() for speed and acceleration along the path.
   [[nodiscard]] Turning turning_along_path(const ArcShape& arc) const;
-  /// Returns the acceleration within the plane, in mm/s², that all directions of the arc allow,
-  /// with the turning.
+  /// Returns the acceleration within the plane, in mm/s², that all directions of the arc allow in
+  /// addition to turning.
   [[nodiscard]] float plane_acceleration() const { return plane_acceleration_; }
-  /// Returns the greatest acceleration within the plane, in mm/s², if it did not turn.
+  /// Returns the greatest acceleration within the plane, in mm/s², that would be possible without
+  /// turning.
   [[nodiscard]] float most_acceleration() const { return most_acceleration_; }
-  /// Returns the shortest time, in s, in which the arc can be driven. It holds until
+  /// Returns the shortest time, in s, in which the arc can be driven. The result holds only before
   /// leave_margin().
   [[nodiscard]] float shortest_time(const ArcShape& arc, float length) const;
 
-  /// Returns the greatest v² in some directions.
-  /// @param turning_limits with the centripetal acceleration of each axis; under a window the
-  /// limits of the whole arc have it already
+  /// Returns the greatest v² in a range of directions.
+  /// @param turning_limits whether to limit the centripetal acceleration of each axis; under a
+  /// window the limits of the whole arc include it already
   [[nodiscard]] float speed_square(const ArcShape& arc,
                                    const DirectionRange& directions,
                                    bool turning_limits) const;
 
  private:
-  /// Radians that the window may span either way while directions are told apart.
+  /// Angle in radians that the window may span to either side while directions are distinguished.
   static constexpr float kFarReach = kTwoPi / 48.0F;
 
   void limit_speed(const ArcShape& arc, const TimeWindow& window);
@@ -61,7 +63,8 @@ class ArcLimits {
   float reach_ = 0.0F;               ///< Radians.
 };
 
-/// Returns the greatest shares that an axis of the plane has of a speed along the path.
+/// Returns the greatest shares that an axis has, over `directions`, of a speed along the path and
+/// of its normal.
 [[nodiscard]] inline AxisShares shares_along_path(const ArcShape& arc,
                                                   const DirectionRange& directions,
                                                   const ArcAxis& axis) {

@@ -7,16 +7,16 @@
 
 namespace cnc::motion {
 
-/// A place on an arc as the acceleration limits see it: the direction of travel in its plane. With
-/// path speed v and path acceleration a, axis i accelerates by tangent_i · a + bend_i · v², where
-/// the bend is d tangent / d path length. On a line it means nothing.
+/// A position on an arc as the acceleration limits need it: the direction of travel in the plane of
+/// the arc. With path speed v and path acceleration a, axis i accelerates by tangent_i · a + bend_i
+/// · v², where the bend is d tangent / d path length. On a line, a Place has no meaning.
 using Place = SinCos;
 
-/// The shape of an arc as its limits see it: the angle of the tangent in the arc's plane. The plane
-/// of a clockwise arc is seen from behind, so the angle always grows along the path.
+/// The shape of an arc as its limits need it: the angle of the tangent in the arc's plane. The
+/// plane of a clockwise arc is seen from behind, so the angle always grows along the path.
 class ArcShape {
  public:
-  /// A line: it has no sweep.
+  /// Makes the shape of a line, which has no sweep.
   ArcShape() = default;
   explicit ArcShape(const Block& block) {
     if (!block.turns()) return;
@@ -29,7 +29,7 @@ class ArcShape {
   }
 
   [[nodiscard]] bool turns() const { return sweep_ > 0.0F; }
-  /// Returns the angle of the tangent at the start and at the end, in radians.
+  /// Return the angle of the tangent at the start and at the end, in radians.
   [[nodiscard]] float start_angle() const { return start_angle_; }
   [[nodiscard]] float end_angle() const { return start_angle_ + sweep_; }
   /// Returns end_angle() − start_angle() in radians; 0 on a line.
@@ -50,7 +50,7 @@ class ArcShape {
   }
   [[nodiscard]] Place place_at(float distance) const;
 
-  /// Returns the side from which the plane of a block's arc is seen: −1 is from behind.
+  /// Returns 1 if the plane of a block's arc is seen from the front, and −1 from behind.
   [[nodiscard]] static float side_of(const Turn& turn) {
     return turn.half_sweep < 0.0F ? -1.0F : 1.0F;
   }

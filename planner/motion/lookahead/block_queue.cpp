@@ -60,7 +60,7 @@ void BlockQueue::clear(const AxisArray<StepPosition>& place) {
 
 namespace {
 
-/// The greatest v² anywhere on a block, whatever the pace may become.
+/// Returns the greatest v² anywhere on a block, at the greatest pace that may hold.
 float most_square(const Spans& spans, const Block& block, const PlanTerms& terms) {
   const SpeedCap greatest{block, terms.greatest};
   float most = 0.0F;
@@ -70,8 +70,8 @@ float most_square(const Spans& spans, const Block& block, const PlanTerms& terms
   return most;
 }
 
-/// What a block asks of those before and behind it: the least of its speed
-/// limits, as far as the greatest reaches.
+/// Returns the zone that a block imposes on the blocks before and after it: the least of its speed
+/// limits, as far as the greatest of them reaches.
 LimitZone zone_of(const Spans& spans, const Block& block, const PlanTerms& terms) {
   const SpeedCap cap{block, terms.overrides};
   float least = LimitZone{}.speed_square;
@@ -83,7 +83,7 @@ LimitZone zone_of(const Spans& spans, const Block& block, const PlanTerms& terms
   return zone;
 }
 
-/// v² that a block may be left with at most, from that of the one before.
+/// Returns the greatest v² at the end of a block, from that at the end of the block before.
 float reachable_after(Block& block,
                       float before_square,
                       const Limits& limits,
@@ -97,8 +97,8 @@ float reachable_after(Block& block,
   return std::min(most, most_square(spans, block, terms));
 }
 
-/// Computes the zones that later blocks impose on `block`. Returns false when they have changed, or
-/// may have changed for blocks before it.
+/// Computes the zones that later blocks impose on `block`. Returns false if these zones have
+/// changed, or may have changed for blocks before `block`.
 bool lay_tail(ZoneTrail& ahead, Block& block, const Limits& limits, const PlanTerms& terms) {
   const Spans spans{block, limits, terms.window};
   const LimitZone own = zone_of(spans, block, terms);
@@ -125,11 +125,12 @@ void BlockQueue::stop_before_newest() {
   forget_plan();
 }
 
-/// Of the blocks that were not planned before.
+/// Sets the heads of the blocks up to `end` that were not planned before.
 void BlockQueue::lay_heads(const Limits& limits, const PlanTerms& terms, std::size_t end) {
   if (!terms.window.filters()) return;
   if (unplanned_ == size()) {
-    // What blocks that are gone ask for stays as it was: who takes back a plan finds the old one.
+    // The zones of removed blocks stay as they were, so that a plan that is taken back is found
+    // again.
     trail_ = front_trail_;
     reachable_square_ = left_square_;
   }
@@ -152,7 +153,8 @@ void BlockQueue::lay_heads(const Limits& limits, const PlanTerms& terms, std::si
 
 namespace {
 
-/// What a block can be entered with, its corner aside.
+/// Returns the state at the start of a block from which `exit` can be reached, apart from the joint
+/// before the block.
 BrakingState entry_for(const Block& block,
                        const Limits& limits,
                        const PlanTerms& terms,
@@ -164,7 +166,7 @@ BrakingState entry_for(const Block& block,
     return {.speed_square = brake_over_line(block, cap, exit.speed_square)};
   }
   const Spans spans{block, limits, terms.window};
-  constexpr std::uint32_t kCostOfSpan = 2;  // In calculations for a line without a time window.
+  constexpr std::uint32_t kCostOfSpan = 2;  // Relative to a line without a time window.
   looked_at += kCostOfSpan * static_cast<std::uint32_t>(spans.count());
   return brake_backwards(spans, cap, exit);
 }
@@ -178,8 +180,9 @@ void BlockQueue::plan(const Limits& limits, const PlanTerms& terms, std::size_t 
 
 namespace {
 
-/// Of the entry that was found before, the new one may keep it: it is no more than a little
-/// below. On arcs driven at their limit what lies ahead dies away but never ends.
+/// Returns whether a block may keep its entry: the new entry is equal or, without a window, greater
+/// by only a little. On arcs driven at their limit, the effect of later blocks fades but never
+/// ends.
 bool as_good(const BrakingState& before, const BrakingState& now, const TimeWindow& window) {
   constexpr float kNegligible = 1.0F + 5.0e-5F;
   if (before == now) return true;
@@ -210,8 +213,9 @@ void BlockQueue::plan_chain(const Limits& limits,
   plan_backwards(limits, terms, lead, end);
 }
 
-// From the newest block. Where a block that was planned before gets the same entry again, and
-// nothing reaches beyond it that did not before, all older ones would, too.
+// Plans from the newest block backwards. Stops at a block that was planned before and gets the same
+// entry again, unless a zone reaches beyond it that did not before: all older blocks would get the
+// same entries, too.
 void BlockQueue::plan_backwards(const Limits& limits,
                                 const PlanTerms& terms,
                                 std::size_t lead,

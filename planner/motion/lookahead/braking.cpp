@@ -3,14 +3,14 @@
 namespace cnc::motion {
 
 BrakingState start_of(const BrakingPoint& point, float length, float window_s) {
-  // Rounded down, so that the speeds as stored never ask for more.
+  // Rounded down, so that the stored speeds never need more than the deceleration.
   const float end_square = point.end.speed_square;
   const float from = next_below(end_square + 2.0F * point.deceleration * length);
   BrakingState start;
   start.speed_square = std::min(point.cap_square, std::max(end_square, from));
   start.steepest = point.steepest;
   start.commit_square = point.commit_square(length);
-  // Where the cap is reached in time, what lies behind it no longer matters.
+  // If braking reaches the cap in time, the path after the span no longer matters.
   if (window_s <= 0.0F) return start;
   const float cap = std::sqrt(point.cap_square);
   start.kept = std::min(cap, point.committed(length, window_s));

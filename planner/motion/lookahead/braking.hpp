@@ -12,55 +12,55 @@ namespace cnc::motion {
 /// A gain in v² or a level stretch smaller than this share is rounding.
 inline constexpr float kNegligibleShare = 1.0e-5F;
 
-/// The greatest speed, mm/s, up to which one may speed up; see BrakingState.
+/// Returns the greatest speed, in mm/s, up to which the motion may speed up; see BrakingState.
 [[nodiscard]] inline float commit_speed(float commit_square, float steepest, float window_s) {
   const float lead = steepest * window_s;
-  // Without cancellation: (X) / (sqrt(X + l²) + l).
+  // Computed without cancellation, as X / (sqrt(X + lead²) + lead).
   const float sum = std::sqrt(commit_square + square(lead)) + lead;
   return sum > 0.0F ? commit_square / sum : 0.0F;
 }
 
 /// The braking curve within a span.
 struct BrakingPoint {
-  BrakingState end{};         ///< At its end, v² within its cap.
-  float deceleration = 0.0F;  ///< Towards its end, mm/s² ≥ 0.
-  float cap_square = 0.0F;    ///< Within the span, after feed and overrides.
-  float steepest = 0.0F;      ///< Of the braking here and ahead.
+  BrakingState end{};         ///< State at the end of the span, with v² within the span's cap.
+  float deceleration = 0.0F;  ///< Deceleration towards the end of the span, mm/s² ≥ 0.
+  float cap_square = 0.0F;    ///< Greatest v² within the span, after feed and overrides.
+  float steepest = 0.0F;      ///< Steepest braking in the span and ahead, mm/s².
 
-  /// X with `left` mm of the span to go.
+  /// Returns X of BrakingState with `left` mm of the span to go.
   [[nodiscard]] float commit_square(float left) const {
     if (cap_square <= end.speed_square) return end.commit_square + 2.0F * steepest * left;
     const float slope = end.speed_square + 2.0F * deceleration * left;
     if (slope <= cap_square || deceleration <= 0.0F) return slope;
     return cap_square + (slope - cap_square) * (steepest / deceleration);
   }
-  /// The greatest speed, mm/s, with `left` mm to go, from which all ahead is met
-  /// when braking does not begin for `wait_s` yet.
+  /// Returns the greatest speed, in mm/s, with `left` mm to go, from which all limits ahead can be
+  /// kept if braking does not begin for another `wait_s`.
   [[nodiscard]] float committed(float left, float wait_s) const {
-    // As far below as speeds are rounded: of v / a = 2 s a digit of v is 0.2 µs of the wait.
+    // Lower by as much as speeds are rounded: with v / a = 2 s, a digit of v is 0.2 µs of the wait.
     constexpr float kSurely = 1.0F - 4.8e-7F;
     const float braked = kSurely * commit_speed(commit_square(left), steepest, wait_s);
     return std::max(braked, std::min(end.kept, std::sqrt(cap_square)));
   }
-  /// Whether a motion with v² = `speed_square` can neither speed up within the span nor has to
-  /// brake in it. @pre no time window
+  /// Returns whether a motion with v² = `speed_square` can neither speed up within the span nor has
+  /// to brake in it. @pre no time window
   [[nodiscard]] bool stays_level(float speed_square) const {
     return cap_square >= speed_square && cap_square <= speed_square * (1.0F + kNegligibleShare) &&
            end.speed_square >= speed_square;
   }
 };
 
-/// What is known at the start of a span so long, as the pass goes back over it.
+/// Returns the state at the start of a span of `length` mm, from that at its end.
 [[nodiscard]] BrakingState start_of(const BrakingPoint& point, float length, float window_s);
 
-/// Backward pass over one block: visits its spans from last to first with their
-/// BrakingPoints and returns what is known at the start of the block, so that
-/// `exit` can be met at its end; as far back as the span `first`.
+/// Backward pass over one block. Visits its spans from last to first, as far back as the span
+/// `first`, with their BrakingPoints. Returns the state at the start of the block from which `exit`
+/// can be reached at its end.
 ///
-/// Because the acceleration limits are linear in (a, v²) and allow a = 0 below
-/// the speed limit, what can be braked from is always an interval from 0, and
-/// taking the largest value span by span is optimal (Pham and Pham, "A new
-/// approach to time-optimal path parameterization", IEEE T-RO 34(3), 2018).
+/// The acceleration limits are linear in (a, v²) and allow a = 0 below the speed limit. So the v²
+/// from which braking is possible always form an interval from 0, and taking the largest value span
+/// by span is optimal (Pham and Pham, "A new approach to time-optimal path parameterization", IEEE
+/// T-RO 34(3), 2018).
 template <typename Visitor>
 BrakingState brake_backwards(const Spans& spans,
                              const SpeedCap& cap,
@@ -94,7 +94,8 @@ BrakingState brake_backwards(const Spans& spans,
   return state;
 }
 
-/// The same over a straight block that no zone reaches into, as most are.
+/// Returns the greatest v² at the start of a straight block into which no zone reaches. Most blocks
+/// are of this kind.
 [[nodiscard]] inline float brake_over_line(const Block& block,
                                            const SpeedCap& cap,
                                            float exit_square) {

@@ -6,7 +6,7 @@
 namespace cnc::motion {
 namespace {
 
-constexpr float kNoLength = 1.0e12F;  // No vector is as long.
+constexpr float kNoLength = 1.0e12F;  // Longer than any vector.
 
 }  // namespace
 
@@ -39,9 +39,10 @@ float DirectionBox::most_along() const {
   return most;
 }
 
-/// Returns the part along an axis of a vector with these parts along it and across, turned towards
-/// the axis by up to half the angle. Where half the angle is more than from the vector to the axis,
-/// returns more than all of the vector.
+/// Returns the part along an axis of a vector that is turned towards the axis by up to half the
+/// angle of the range. If it could be turned as far as the axis, returns more than all of the
+/// vector.
+/// @param own, other parts of the vector along the axis and across it
 float DirectionBox::turned(float own, float other) const {
   const bool beside = other * half_.cosine > own * half_.sine;
   return beside ? own * half_.cosine + other * half_.sine : kNoLength;

@@ -4,15 +4,16 @@
 
 namespace cnc::motion {
 
-/// The vectors, given by their parts along the tangent and along its normal, that are within the
-/// accelerations of all axes wherever the tangent is within an angle. Lives only as long as `axes`.
+/// The vectors that are within the accelerations of all axes for every tangent in a range of
+/// angles. A vector is given by its parts along the tangent and along the normal. Lives only as
+/// long as `axes`.
 class DirectionBox {
  public:
-  /// @param first, last radians, of the tangent
+  /// @param first, last angles of the tangent, in radians
   DirectionBox(float first, float last, const ArcAxes& axes);
 
   [[nodiscard]] bool holds(float tangent, float normal) const;
-  /// Returns the length of the longest vector along the tangent that it holds.
+  /// Returns the length of the longest vector along the tangent that the box holds.
   [[nodiscard]] float most_along() const;
 
  private:

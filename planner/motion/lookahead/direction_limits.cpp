@@ -6,8 +6,9 @@
 namespace cnc::motion {
 namespace {
 
-/// Returns the greatest x ≥ 0 with |gradient · x + offset| ≤ limit, or `most` if smaller.
-/// No x mends an offset that rounding put beyond the limit where gradient = 0.
+/// Returns the greatest x ≥ 0 with |gradient · x + offset| ≤ limit, or `most` if smaller. If
+/// gradient = 0, no x can correct an offset that rounding put beyond the limit; the result is then
+/// `most`.
 float tighten(float most, float limit, float gradient, float offset) {
   const float room = limit - (gradient > 0.0F ? offset : -offset);
   const float steepness = std::abs(gradient);
@@ -32,8 +33,8 @@ float DirectionLimits::at(const Place& place, Speeds speeds, float most) const {
   return most;
 }
 
-/// An axis along which the tangent has the share t and its normal the share n has the jerk
-/// t (a / T + κ² v³) + n 3 κ v a at most.
+/// An axis with the share t of the tangent and the share n of the normal has the jerk t (a / T + κ²
+/// v³) + n 3 κ v a at most.
 float DirectionLimits::within_jerk(const DirectionRange& directions,
                                    float most,
                                    float window_s) const {
@@ -54,7 +55,7 @@ float DirectionLimits::within_jerk_at(float speed,
                                       const AxisArray<AxisShares>& shares,
                                       float most,
                                       float window_s) const {
-  // In units of A = J T, as accelerations are limited by it too.
+  // Jerk is in units of A = J T, because A limits the accelerations, too.
   const float along = arc_.curvature() * bend_ * speed * square(speed) * window_s;
   const float across = 3.0F * bend_ * speed * window_s;
   const ArcAxes& axes = limits_.axes();

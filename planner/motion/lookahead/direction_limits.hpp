@@ -5,8 +5,8 @@
 
 namespace cnc::motion {
 
-/// Limits of a change of speed on a span of an arc whose directions are told apart: each axis takes
-/// its own share of the tangent and of its normal. Lives only as long as its arguments.
+/// Limits of a change of speed on a span of an arc whose directions are distinguished: each axis
+/// takes its own share of the tangent and of the normal. Lives only as long as its arguments.
 class DirectionLimits {
  public:
   DirectionLimits(const ArcShape& arc, const ArcLimits& limits, const SpeedChange& change)
@@ -17,17 +17,19 @@ class DirectionLimits {
         sign_{static_cast<float>(change.change)},
         twice_along_{2.0F * change.distance * static_cast<float>(change.travel)} {}
 
-  /// Returns the greatest acceleration ≤ `most` mm/s² for which no axis exceeds its own at `from`,
-  /// where the speed is known, nor at `to`, nor would if it stood still there.
+  /// Returns the greatest acceleration ≤ `most` mm/s² for which no axis exceeds its limit at
+  /// `from`, where the speed is known, nor at `to`, nor at either of them at speed 0.
   [[nodiscard]] float between(const Place& from, const Place& to, float most) const {
     return at(to, Speeds::kReached, at(from, Speeds::kKnown, most));
   }
-  /// Returns the same for both speeds at a place that is not told from either end of the span.
+  /// Returns the greatest acceleration ≤ `most` mm/s² at a position that may have the known or the
+  /// reached speed. No axis exceeds its limit at either speed, nor at speed 0.
   [[nodiscard]] float at_both_speeds(const Place& place, float most) const {
     return at(place, Speeds::kBoth, most);
   }
   /// Returns the greatest acceleration ≤ `most` mm/s² with which no axis exceeds its jerk in these
-  /// directions. @param window_s above 0
+  /// directions.
+  /// @param window_s above 0
   [[nodiscard]] float within_jerk(const DirectionRange& directions,
                                   float most,
                                   float window_s) const;
@@ -44,9 +46,9 @@ class DirectionLimits {
   const ArcShape& arc_;
   const ArcLimits& limits_;
   const SpeedChange& change_;
-  float bend_;         ///< Along the path, 1/mm.
-  float sign_;         ///< Of the change of speed.
-  float twice_along_;  ///< mm, twice the distance along the path, against it below 0.
+  float bend_;         ///< Bend along the path, 1/mm.
+  float sign_;         ///< Sign of the change of speed.
+  float twice_along_;  ///< Twice the distance along the path, mm; below 0 against it.
 };
 
 }  // namespace cnc::motion

@@ -6,14 +6,14 @@
 namespace cnc::motion {
 namespace {
 
-/// `zone` asks for nothing that `other` does not ask for as far.
+/// Returns whether `other` has all limits of `zone`, at least as far as `zone` reaches.
 bool is_within(const LimitZone& zone, const LimitZone& other) {
   return zone.length <= other.length && zone.speed_square >= other.speed_square &&
          zone.acceleration >= other.acceleration &&
          both(zone.turning, other.turning) == other.turning;
 }
 
-/// What both ask for, as far as the longer reaches.
+/// Returns a zone with the limits of both, as far as the longer one reaches.
 LimitZone both(const LimitZone& a, const LimitZone& b) {
   return {.length = std::max(a.length, b.length),
           .speed_square = std::min(a.speed_square, b.speed_square),
@@ -26,13 +26,14 @@ bool binds(const LimitZone& zone, const LimitZone& own) {
          zone.turning.curvature > 0.0F;
 }
 
-/// s/mm that a zone costs: by its speed, and by that at which turning takes all acceleration,
-/// which no override changes.
+/// Returns the time per distance that a zone costs, in s/mm. It depends on the zone's speed, and on
+/// the speed at which turning takes all acceleration, which no override changes.
 float pace_within(const LimitZone& zone) {
   return 1.0F / std::sqrt(zone.speed_square) + std::sqrt(zone.turning.speed_ratio);
 }
 
-/// s that are lost when the limits of the shorter zone hold as far as the longer reaches.
+/// Returns the time in s that is lost if the limits of the shorter zone hold as far as the longer
+/// one reaches.
 float price_of_both(const LimitZone& a, const LimitZone& b) {
   const LimitZone& longer = a.length < b.length ? b : a;
   return std::abs(a.length - b.length) * (pace_within(both(a, b)) - pace_within(longer));
@@ -52,7 +53,8 @@ void ZoneTrail::add(const LimitZone& zone) {
   if (count_ > kCapacity) merge_cheapest();
 }
 
-/// Of two one is made: it asks for more than they did, nowhere for less.
+/// Merges the two zones for which this costs the least time. The result is at least as strict as
+/// both zones everywhere.
 void ZoneTrail::merge_cheapest() {
   std::size_t first = 0;
   std::size_t second = 1;
@@ -71,8 +73,9 @@ void ZoneTrail::merge_cheapest() {
   remove(second);
 }
 
-/// A plan that has been beyond a place for the whole window leaves none of its mean before it,
-/// however short the way was; one that is as fast all along, for half of it.
+/// If a plan has been beyond a position for the whole window, none of its mean is before the
+/// position, however short the distance was. If the plan keeps its speed, half of the window is
+/// enough.
 void ZoneTrail::advance(float length, float reach) {
   const float window_share = reach > 0.0F ? 0.5F * length / reach : 0.0F;
   for (std::size_t i = count_; i-- > 0;) {

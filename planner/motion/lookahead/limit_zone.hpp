@@ -7,17 +7,17 @@
 
 namespace cnc::motion {
 
-/// Collects, along the path, what blocks that are left behind still ask for.
+/// Collects, along the path, the zones of blocks that were passed.
 class ZoneTrail {
  public:
   void clear() { count_ = 0; }
   [[nodiscard]] bool empty() const { return count_ == 0; }
-  /// A block of the path begins to be left: its limits reach so far.
+  /// Adds the zone of a block at its end, where the zone begins to reach into the neighbours.
   void add(const LimitZone& zone);
-  /// So many mm further, which the plan drives at most so fast that half a window is
-  /// `reach` mm: where it is slow, limits end for the time that it takes.
+  /// Moves on by `length` mm. The plan drives this distance at most so fast that half a window is
+  /// `reach` mm. Where the plan is slow, zones end after the time of a window.
   void advance(float length, float reach);
-  /// What reaches into a block whose own limits are these.
+  /// Returns the zones that reach into a block whose own limits are `own`.
   [[nodiscard]] BlockZones reaching(const LimitZone& own) const;
 
  private:
@@ -25,7 +25,7 @@ class ZoneTrail {
 
   struct Reaching {
     LimitZone zone{};
-    float whole = 0.0F;  ///< mm, how far it reached at first.
+    float whole = 0.0F;  ///< Length of the zone at first, mm.
   };
 
   void remove(std::size_t index);

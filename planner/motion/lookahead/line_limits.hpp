@@ -6,8 +6,8 @@
 
 namespace cnc::motion {
 
-/// Limits along the path that the axes of constant direction set. A line has no others; to an arc
-/// those of its plane come.
+/// Limits along the path that the axes of constant direction set. A line has no other limits. An
+/// arc also has those of its plane.
 class LineLimits {
  public:
   LineLimits() = default;
@@ -18,8 +18,8 @@ class LineLimits {
   [[nodiscard]] float acceleration() const { return acceleration_; }
   /// Returns the greatest v².
   [[nodiscard]] float speed_square() const { return speed_square_; }
-  /// Returns the distance in mm to either side of a place of the block in which its limits hold; 0
-  /// without a window.
+  /// Returns the distance in mm to either side of a position of the block within which the
+  /// position's limits hold; 0 without a window.
   /// @param cap_square the greatest v² there
   /// @param reachable_square the greatest v² with which the block may be left
   [[nodiscard]] float reach_within(float cap_square, float reachable_square) const;
@@ -27,7 +27,7 @@ class LineLimits {
  private:
   float acceleration_ = 0.0F;
   float speed_square_ = 0.0F;
-  float all_axes_ = 0.0F;  ///< mm/s² that no block exceeds; under a window.
+  float all_axes_ = 0.0F;  ///< Acceleration that no block exceeds under a window, mm/s².
   TimeWindow window_{};
 };
 

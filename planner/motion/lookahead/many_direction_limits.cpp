@@ -33,9 +33,10 @@ float ManyDirectionLimits::steepest(float most) const {
 /// Checks whether the box holds the acceleration and the jerk of the motion where the plan has the
 /// acceleration `steep` along the path.
 ///
-/// A plan's a makes, somewhere within the window, the acceleration a along the tangent and κ v²
-/// across it; and the jerk a / T − κ² v³, then −a / T − κ² v³, along it and up to 3 κ v a across
-/// it. (Jerk in units of 1 / T, as accelerations are limited by it, too.)
+/// Somewhere within the window, an acceleration a of the plan gives the motion the acceleration a
+/// along the tangent and κ v² across it. The jerk is first a / T − κ² v³ and then −a / T − κ² v³
+/// along the tangent, and up to 3 κ v a across it. (Jerk is in units of 1 / T, because the limits
+/// of acceleration limit it, too.)
 bool ManyDirectionLimits::holds(float steep) const {
   const float curvature = arc_.curvature();
   const float sign = static_cast<float>(change_.change);

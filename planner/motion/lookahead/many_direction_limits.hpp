@@ -11,7 +11,7 @@ namespace cnc::motion {
 /// as long as its arguments.
 class ManyDirectionLimits {
  public:
-  /// @param box of the directions that the window spans around the span
+  /// @param box for the directions that the window spans around the span
   /// @param window_s above 0
   ManyDirectionLimits(const ArcShape& arc,
                       const ArcLimits& limits,
@@ -19,8 +19,8 @@ class ManyDirectionLimits {
                       const SpeedChange& change,
                       float window_s);
 
-  /// Returns an acceleration ≤ `most` mm/s² along the path that the box holds. The greatest one is
-  /// found by bisection, from an acceleration that turning leaves in any direction.
+  /// Returns an acceleration ≤ `most` mm/s² along the path that the box holds. A bisection looks
+  /// for the greatest one, from an acceleration that turning leaves in any direction.
   [[nodiscard]] float steepest(float most) const;
 
  private:
@@ -32,7 +32,7 @@ class ManyDirectionLimits {
   const DirectionBox& box_;
   const SpeedChange& change_;
   float window_s_;
-  float cap_;  ///< The greatest speed on the way, mm/s.
+  float cap_;  ///< Greatest speed during the change, mm/s.
   float lag_;  ///< s, see lag_of.
 };
 

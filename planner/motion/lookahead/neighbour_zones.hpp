@@ -8,7 +8,7 @@ namespace cnc::motion {
 /// Zones of a block's neighbours that reach into it, under a time window.
 class NeighbourZones {
  public:
-  /// Takes the zones of a block instead of none.
+  /// Takes the zones that reach into a block.
   void take(const Block& block) {
     head_ = block.head;
     tail_ = block.tail;
@@ -16,8 +16,10 @@ class NeighbourZones {
 
   [[nodiscard]] const BlockZones& head() const { return head_; }
   [[nodiscard]] const BlockZones& tail() const { return tail_; }
-  /// Returns the limits that all zones together set between two distances from the start.
-  /// @param from, to, length mm, the last of the block
+  /// Returns the limits that all zones together set between two distances from the start of the
+  /// block.
+  /// @param from, to the distances in mm
+  /// @param length of the block in mm
   [[nodiscard]] LimitZone between(float from, float to, float length) const;
 
  private:

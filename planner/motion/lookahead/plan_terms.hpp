@@ -7,16 +7,16 @@
 
 namespace cnc::motion {
 
-/// What a plan is made for, besides the machine and the path.
+/// Terms of a plan, besides the machine and the path.
 struct PlanTerms {
   Overrides overrides{};
-  /// The greatest since the last rest: as far as these ask for, the limits of a
-  /// block reach beyond it, for it may yet be left as fast.
+  /// The greatest overrides since the last rest. The limits of a block reach beyond it as far as
+  /// these overrides require, because the block may still be left at that speed.
   Overrides greatest{};
   TimeWindow window{};
 };
 
-/// The lesser and the greater of both, of feed and of rapids.
+/// Return the lesser and the greater of two overrides, each for feed and for rapids.
 [[nodiscard]] inline Overrides lesser_pace(const Overrides& a, const Overrides& b) {
   return {.feed = std::min(a.feed, b.feed), .rapid = std::min(a.rapid, b.rapid)};
 }

@@ -19,14 +19,14 @@ class SpanBoundaries {
     grid_ = grid;
     count_ = grid.count();
   }
-  /// Divides the block at the edges of zones, too. @pre not called before
+  /// Divides the block at the edges of zones, too. @pre cut_at_zones() was not called before
   void cut_at_zones(const BlockZones& head, const BlockZones& tail);
 
   [[nodiscard]] const ArcShape& arc() const { return arc_; }
   [[nodiscard]] const ArcGrid& grid() const { return grid_; }
   /// Returns the length of the block in mm.
   [[nodiscard]] float length() const { return length_; }
-  /// Returns the number of spans. Boundaries are 0…count().
+  /// Returns the number of spans. The boundaries are numbered 0…count().
   [[nodiscard]] int count() const { return count_; }
   /// Returns the distance of a boundary from the start of the block, in mm.
   [[nodiscard]] float distance(int boundary) const;
@@ -34,7 +34,8 @@ class SpanBoundaries {
   [[nodiscard]] float angle(int boundary) const;
   [[nodiscard]] Place place(int boundary) const;
 
-  /// Returns the angle `reach` radians before a span and behind it, at most to the end of the arc.
+  /// Return the angle `reach` radians before the start and after the end of a span, at most up to
+  /// the end of the arc.
   [[nodiscard]] float angle_before(int span, float reach) const;
   [[nodiscard]] float angle_behind(int span, float reach) const;
 

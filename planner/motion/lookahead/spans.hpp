@@ -10,21 +10,21 @@
 
 namespace cnc::motion {
 
-/// Divides a block into spans on which one acceleration can hold, see SpanBoundaries, and finds
-/// the limits of each. Only limits are divided here. The path stays one arc.
+/// Divides a block into spans on which one acceleration can hold, see SpanBoundaries, and finds the
+/// limits of each span. Only limits are divided here. The path stays one arc.
 ///
-/// Under a time window the limits of a place hold around it, up to the ends of the arc; neighbours
-/// have theirs in zones. An arc of which the window spans more than 7.5° either way has equal
-/// spans of at most 3.75°, and each keeps the limits of all directions that the window may span
-/// around it.
+/// Under a time window, the limits of a position hold around it, up to the ends of the arc. In the
+/// neighbouring blocks they hold as zones. If the window spans more than 7.5° to either side, the
+/// arc has equal spans of at most 3.75°. Each of these spans keeps the limits of all directions
+/// that the window may span around it.
 class Spans {
  public:
   static constexpr int kGridPerTurn = ArcGrid::kPerTurn;
   static constexpr int kMostSpans = ArcGrid::kMostSpans + ZoneEdges::kMost;
 
-  /// The fine grid has up to 16 spans instead of one, at most kMostFineSpans in all, and each span
-  /// takes 0.7 ms at least: more is left of limits that change along the arc. With a time window
-  /// there is none.
+  /// The fine grid has up to 16 spans in place of one, and at most kMostFineSpans in all. Each of
+  /// its spans takes at least 0.7 ms. It can use more of limits that change along the arc. With a
+  /// time window there is no fine grid.
   enum class Grid : std::uint8_t { kUsual, kFine };
   static constexpr int kMostFineSpans = ArcGrid::kMostFineSpans;
 
@@ -35,7 +35,7 @@ class Spans {
         Grid grid = Grid::kUsual);
 
   [[nodiscard]] int count() const { return boundaries_.count(); }
-  /// Checks whether they are shorter than those of the usual grid.
+  /// Checks whether the spans are shorter than those of the usual grid.
   [[nodiscard]] bool fine() const { return boundaries_.grid().fine(); }
   /// Returns the zones of later blocks.
   [[nodiscard]] const BlockZones& tail() const { return zones_.tail(); }
@@ -49,12 +49,13 @@ class Spans {
   [[nodiscard]] float speed_limit_square(int span) const {
     return speed_limit_square(span, place_at_boundary(span), place_at_boundary(span + 1));
   }
-  /// Returns the same for a caller that has the places of its ends already.
+  /// Returns the limit of v² inside a span for a caller that has the places of the span's ends
+  /// already.
   [[nodiscard]] float speed_limit_square(int span, const Place& from, const Place& to) const;
   /// Returns the limit of v² from neighbours' zones, their feeds included.
   [[nodiscard]] float zone_speed_square(int span) const { return zone_on(span).speed_square; }
 
-  /// Returns the greatest acceleration along the path in mm/s². @pre there is a time window
+  /// Returns the greatest acceleration along the path, in mm/s². @pre there is a time window
   [[nodiscard]] float greatest_acceleration() const;
   /// Returns the zone that this block imposes on its neighbours.
   /// @param cap_square the greatest v² on the block and in its zone
@@ -66,10 +67,10 @@ class Spans {
     return boundaries_.arc().place_at(distance);
   }
 
-  /// Returns the greatest rate of change of speed, mm/s² ≥ 0, constant from `from` to
-  /// `to`, for which no axis exceeds its acceleration (or, under a window, its
-  /// jerk) at either end nor would if it stood still there.
-  /// @param span that both lie in.
+  /// Returns the greatest rate of change of speed, in mm/s² ≥ 0, that may hold from `from` to `to`.
+  /// At either end no axis exceeds its acceleration (or, under a window, its jerk), nor would it at
+  /// speed 0.
+  /// @param span the span in which both positions lie
   [[nodiscard]] float steepest(int span,
                                const Place& from,
                                const Place& to,

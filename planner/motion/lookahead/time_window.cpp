@@ -9,10 +9,10 @@
 namespace cnc::motion {
 namespace {
 
-constexpr float kShortest = 0.25e-3F;  // s: shorter than what the step timing resolves.
-constexpr float kLongest = 0.256F;     // s.
-/// A window that is chosen is at least so long, where the axes need one as long: few cells
-/// make a coarse mean.
+// s; a shorter window is below the resolution of step timing.
+constexpr float kShortest = 0.25e-3F;
+constexpr float kLongest = 0.256F;  // s.
+/// Least length of a chosen window in s, unless the axes need less: few cells make a coarse mean.
 constexpr float kShortestChosen = 1.0e-3F;
 constexpr float kLongestCell = 1.0e-3F;
 constexpr float kShortestCell = 0.5e-3F;
@@ -33,7 +33,7 @@ std::uint8_t moving_axes(const Block& block) {
 
 namespace {
 
-/// s, the greatest A / J of these axes.
+/// Returns the greatest A / J of these axes, in s.
 float longest_rise(const Limits& limits, std::uint8_t axes) {
   float seconds = 0.0F;
   for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
@@ -44,7 +44,7 @@ float longest_rise(const Limits& limits, std::uint8_t axes) {
   return seconds;
 }
 
-/// @pre wanted_s ≥ kShortest
+/// Divides a window of `wanted_s`, at most kLongest, into cells. @pre wanted_s ≥ kShortest
 TimeWindow divided(float wanted_s) {
   const float seconds = std::min(wanted_s, kLongest);
   constexpr auto kMost = static_cast<float>(TimeWindow::kMostCells);
@@ -54,7 +54,8 @@ TimeWindow divided(float wanted_s) {
           .cell_ns = static_cast<std::uint32_t>(std::ceil(seconds / cells * 1.0e9F))};
 }
 
-/// Along the path of a block: what its axes allow, in all directions that an arc has.
+/// Returns the limit along the path of a block that the limits of its axes allow, in all directions
+/// of an arc.
 float along_path(const Block& block, const AxisArray<float>& of_axes) {
   constexpr float kNoLimit = 1.0e12F;
   float most = kNoLimit;
@@ -87,7 +88,7 @@ void WindowChoice::add(const Block& block, float length, float speed_square) {
   const float acceleration = along_path(block, limits_.acceleration_mm_s2);
   float rise = std::min(acceleration / jerk, std::sqrt(std::sqrt(speed_square) / jerk));
   const float bend = block.turn.curvature * square(block.turn.plane_share);
-  // On an arc of radius R speed keeps v²/R = A and v³/R² = J.
+  // On an arc of radius R, v²/R is at most A and v³/R² is at most J.
   if (bend > 0.0F) {
     const float by_acceleration = std::sqrt(acceleration / bend);
     rise = std::min(
@@ -100,7 +101,8 @@ void WindowChoice::add(const Block& block, float length, float speed_square) {
 TimeWindow WindowChoice::window(float share) const {
   const float longest = longest_rise(limits_, axes_);
   if (longest < kShortest) return {};
-  // mm, less than any step: the rest of a way that was halted may be a hundred-millionth.
+  // In mm, less than any step. The rest of a halted path may be a hundred-millionth of a
+  // millimetre.
   constexpr float kLeastLength = 1.0e-4F;
   const float by_length = bounded_cube_root(std::max(length_, kLeastLength) / (2.0F * jerk_));
   const float shortest = std::min(kShortestChosen, longest);

@@ -32,7 +32,7 @@ void Backlash::stand(StepPosition tool, std::int32_t offset) {
   const std::int32_t end = towards_plus_ ? low_ + setting_.steps : low_;
   from_ = offset;
   to_ = end;
-  // What was not taken up goes with the next motion.
+  // Play that is not taken up yet is taken up with the next motion.
   duration_ = seconds_for(end - offset);
   elapsed_ = 0.0F;
 }
@@ -50,7 +50,7 @@ std::int64_t Backlash::follow(StepPosition tool, float seconds) {
   return StepPosition::whole(from_).q32() + truncated(way * kQ16) * 65'536;
 }
 
-/// Follows the tool's farthest place, too.
+/// Returns whether the tool has reversed. Updates the farthest position of the tool, too.
 bool Backlash::reverses(StepPosition tool) {
   if (!active()) return false;
   const std::int64_t back = towards_plus_ ? farthest_q32_ - tool.q32() : tool.q32() - farthest_q32_;
@@ -67,7 +67,7 @@ void Backlash::turn_round(StepPosition tool) {
   elapsed_ = 0.0F;
 }
 
-/// The least time within rate, acceleration and jerk.
+/// Returns the shortest time for moving the offset by `steps` within rate, acceleration and jerk.
 float Backlash::seconds_for(std::int32_t steps) const {
   const auto way = static_cast<float>(std::abs(steps));
   if (steps == 0) return 0.0F;

@@ -6,17 +6,17 @@
 
 namespace cnc::motion {
 
-/// The line that is driven, where motion goes out a number of cells of time after it was planned:
-/// that one, or one that came at most as many cells before it.
+/// The source line that is driven, where motion goes out a number of cells of time after it was
+/// planned. The result is that line, or one that came at most the same number of cells before it.
 class LineDelay {
  public:
-  /// From rest. @param cells from what is planned to what goes out
+  /// Begins from rest. @param cells number of cells from planning to output
   void begin(SourceLine line, std::uint32_t cells) {
     older_ = newer_ = line;
     cells_ = cells;
     age_ = 0;
   }
-  /// A cell of this line is planned.
+  /// Adds a cell that was planned, with its line.
   void add(SourceLine line) {
     if (++age_ < cells_) return;
     older_ = newer_;
@@ -29,7 +29,7 @@ class LineDelay {
   SourceLine older_{};
   SourceLine newer_{};
   std::uint32_t cells_ = 0;
-  std::uint32_t age_ = 0;  ///< Cells since newer_.
+  std::uint32_t age_ = 0;  ///< Number of cells since newer_ was set.
 };
 
 }  // namespace cnc::motion

@@ -5,9 +5,9 @@
 
 namespace cnc::motion {
 
-/// The next segment of the motors: the plan's own where no shaper and no backlash is set.
-/// False when there is none: everything driven to its end, halted and come to rest, or
-/// the stage is another segmenter's.
+/// Makes the next segment of the motors. It is the plan's own where no shaper and no backlash is
+/// set and slices do not leave the path. Returns false if there is none: everything is driven to
+/// its end, the motion is halted and has come to rest, or another segmenter owns the stage.
 [[nodiscard]] bool next_segment(Segmenter& plan, MotorStage& motors, Segment& segment);
 
 }  // namespace cnc::motion

@@ -59,7 +59,7 @@ float MotorStage::cell_seconds() const {
   return static_cast<float>(grid_.cell_ticks) / static_cast<float>(kTicksPerSecond);
 }
 
-/// What goes out first is the time before the motion, in which shapers begin.
+/// Begins a motion. First the time before the motion goes out, in which shapers begin.
 void MotorStage::begin(const PlannedSlice& slice, const void* owner) {
   at_rest_ = false;
   owner_ = owner;
@@ -109,8 +109,8 @@ void MotorStage::close_cell() {
   comes_to_rest_ = comes_to_rest_ && settled();
 }
 
-/// The speed at its start lets it neither turn round within the cell nor end faster than
-/// the motor can.
+/// Lays the motion of a motor in the cell that goes out. The start speed is limited so that the
+/// motor neither reverses within the cell nor ends it faster than the motor can run.
 void MotorStage::lay_course(std::size_t axis, StepPosition tool) {
   Course& course = courses_[axis];
   const float before = course.way;

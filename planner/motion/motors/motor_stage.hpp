@@ -12,24 +12,25 @@
 
 namespace cnc::motion {
 
-/// What the motors do so that the tool does what is planned.
+/// Settings for making the motors move so that the tool moves as planned.
 struct MotorStageSetting {
   AxisArray<ShaperSetting> shapers{};
   AxisArray<BacklashSetting> backlash{};
-  AxisArray<float> most_steps_per_s{};  ///< Of each motor.
-  bool dark_at_rest = false;            ///< A beam; a spindle turns before a motion and after it.
+  AxisArray<float> most_steps_per_s{};  ///< Greatest step rate of each motor.
+  /// True for a beam; a spindle turns before and after a motion.
+  bool dark_at_rest = false;
   constexpr bool operator==(const MotorStageSetting&) const = default;
 };
 
-/// The end of a cell, before and after shaping. Motor steps without backlash.
+/// Positions at the end of a cell before and after shaping, in motor steps without backlash.
 struct ShapedCell {
-  const AxisArray<StepPosition>& planned;  ///< Of the newest cell…
-  const AxisArray<StepPosition>& shaped;   ///< … and of that which goes out.
-  std::uint32_t reach;                     ///< Cells whose places count for it.
+  const AxisArray<StepPosition>& planned;  ///< End of the newest planned cell.
+  const AxisArray<StepPosition>& shaped;   ///< End of the cell that goes out.
+  std::uint32_t reach;                     ///< Number of cells whose positions count for it.
   std::uint32_t duration_ns;
 };
 
-/// Whoever wants to see what shaping does.
+/// Receives the results of shaping.
 class ShapingObserver {
  public:
   virtual void on_cell(const ShapedCell& cell) = 0;
@@ -38,72 +39,75 @@ class ShapingObserver {
   ~ShapingObserver() = default;
 };
 
-/// Between the planned motion and the motors: input shaping, and then backlash.
+/// Makes the motion of the motors from the planned motion: input shaping, and then backlash.
 ///
-/// Time goes on in cells (ShaperGrid). The plan is laid down slice by slice until a cell is
-/// full; then the cell that lies `ahead` of it in time goes out, in as many segments as
-/// the output has pieces in it. In a cell each motor goes along the parabola from place to
-/// place that leaves with the mean speed of this cell and the one before.
+/// Time is divided into cells (ShaperGrid). The plan is added slice by slice until a cell is full.
+/// Then the cell that was planned ShaperGrid::ahead cells before goes out, in as many segments as
+/// its output has pieces. In a cell, each motor moves along a parabola from position to position.
+/// The start speed of the parabola is the mean speed of this cell and the one before.
 ///
-/// Whoever begins a motion has the stage until it has come to rest. Main loop only.
+/// An owner that begins a motion has the stage until the motion has come to rest. Main loop only.
 class MotorStage {
  public:
   using Places = AxisArray<StepPosition>;
   using Steps = AxisArray<std::int32_t>;
 
-  /// Motors are where their tools are from now on; reset() follows. @pre at_rest()
+  /// Applies a setting. The motors' counters give the positions of their tools from now on, and
+  /// reset() must follow. @pre at_rest()
   void configure(const MotorStageSetting& setting);
-  /// Any shaper or backlash is set; else segments are best made from the plan.
+  /// Returns whether any shaper or backlash is set. Otherwise it is best to make segments directly
+  /// from the plan.
   [[nodiscard]] bool active() const { return active_; }
 
-  /// The tool stands here, and the motors ahead of it by so much.
+  /// Sets the state at rest: the tool is at `tool`, and the motors are ahead of it by `ahead`.
   void reset(const Places& tool, const Steps& ahead);
 
-  /// Nothing is left of any motion.
+  /// Returns whether nothing is left of any motion.
   [[nodiscard]] bool at_rest() const { return at_rest_; }
-  /// Who began the motion that is not at rest.
+  /// Returns the owner of the motion that is not at rest.
   [[nodiscard]] const void* owner() const { return owner_; }
 
-  /// All backlash is taken up.
+  /// Returns whether all backlash is taken up.
   [[nodiscard]] bool settled() const;
 
-  // What is planned.
+  // Input: the planned motion.
 
-  /// ns until the present cell is full.
+  /// Returns the time in ns until the present cell is full.
   [[nodiscard]] std::uint32_t room_ns() const { return cell_ns() - used_ns_; }
-  /// The plan goes on, for `owner`. @pre the slice is at most room_ns() long; at_rest() or
-  /// owner() is the same
+  /// Adds a slice of the plan for `owner`.
+  /// @pre the slice is at most room_ns() long; at_rest(), or `owner` is owner()
   void add(const PlannedSlice& slice, const void* owner);
-  /// It stands still for the rest of the cell.
+  /// Fills the rest of the cell with a plan at rest.
   void rest();
-  /// The next cell goes out. @pre room_ns() == 0, and take() has found nothing more
+  /// Closes the cell that is full, so that the next cell goes out.
+  /// @pre room_ns() == 0, and take() has returned false
   void close_cell();
 
-  // What goes out.
+  // Output: the segments.
 
-  /// The next segment; false when the cell is used up.
+  /// Takes the next segment. Returns false if the cell that goes out is used up.
   [[nodiscard]] bool take(Segment& segment);
 
-  /// Returns whether all of the cell that goes out was taken: the plan and the output are at the
-  /// ends of cells.
+  /// Returns whether all of the cell that goes out was taken. Then the plan and the output are both
+  /// at the end of a cell.
   [[nodiscard]] bool between_cells() const { return out_tick_ == grid_.cell_ticks; }
-  /// Returns the time in ticks from when a place is laid down until it goes out.
+  /// Returns the time in ticks from when a position is added until it goes out.
   [[nodiscard]] std::uint32_t ticks_ahead() const { return grid_.ahead * grid_.cell_ticks; }
 
-  /// Tells `observer` of every cell from now on; null for nobody.
+  /// Reports every cell to `observer` from now on; null stops the reports.
   void observe(ShapingObserver* observer) { observer_ = observer; }
 
   [[nodiscard]] const Backlash& backlash(std::size_t axis) const { return backlash_[axis]; }
-  /// The axis's counter is set to say the tool's place. @pre at_rest(); reset() follows
+  /// Sets an axis's counter to the position of its tool. @pre at_rest(); reset() must follow
   void rebase(std::size_t axis) { backlash_[axis].rebase(); }
 
  private:
-  /// A motor within the cell that goes out.
+  /// Motion of a motor within the cell that goes out.
   struct Course {
     StepPosition from{};
     StepPosition to{};
-    float way = 0.0F;   ///< Steps.
-    float lead = 0.0F;  ///< Steps in the cell at the speed of its start.
+    float way = 0.0F;   ///< Steps in the cell.
+    float lead = 0.0F;  ///< Steps that the cell would have at its start speed.
   };
 
   [[nodiscard]] std::uint32_t cell_ns() const;
@@ -120,12 +124,12 @@ class MotorStage {
   const void* owner_ = nullptr;
   ShapingObserver* observer_ = nullptr;
 
-  // Of the cell being filled.
+  // The cell being filled.
   std::uint32_t used_ns_ = 0;
-  bool rests_ = true;       ///< No slice so far.
-  Places tool_{};           ///< Where the plan has come to…
-  SourceLine line_{};       ///< …and on which line.
-  float rest_duty_ = 0.0F;  ///< When it stands still.
+  bool rests_ = true;       ///< No slice was added so far.
+  Places tool_{};           ///< Position that the plan has reached…
+  SourceLine line_{};       ///< …and the source line there.
+  float rest_duty_ = 0.0F;  ///< Duty at rest.
   std::uint32_t cells_at_rest_ = 0;
 
   PlaceHistory history_{};
@@ -133,10 +137,10 @@ class MotorStage {
   LineDelay lines_{};
   AxisArray<Backlash> backlash_{};
 
-  // Of the cell that goes out.
+  // The cell that goes out.
   AxisArray<Course> courses_{};
-  Places motors_{};             ///< Where the last segment ends.
-  std::uint32_t out_tick_ = 0;  ///< How much of it is used; all where there is none.
+  Places motors_{};             ///< Positions at the end of the last segment.
+  std::uint32_t out_tick_ = 0;  ///< Ticks of the cell that are taken; all if there is no cell.
   bool comes_to_rest_ = false;
 };
 

@@ -10,41 +10,42 @@
 
 namespace cnc::motion {
 
-/// The beam or spindle output over a part of a cell, and the outputs at its start.
+/// The beam or spindle output over a part of a cell, and the output changes at its start.
 struct OutputPiece {
   std::uint16_t ticks = 0;
-  std::uint16_t start = 0;  ///< Duty, 65535 is full.
+  std::uint16_t start = 0;  ///< Duty at the start, 65535 is full.
   std::uint16_t end = 0;
   OutputChanges outputs{};
 
   [[nodiscard]] bool constant() const { return start == end; }
 };
 
-/// What the outputs are to do, from when it is planned until the shaped motion comes
-/// there: a queue of pieces, cell by cell.
+/// Delays the outputs until the shaped motion reaches the position for which they were planned. It
+/// is a queue of pieces, cell by cell.
 ///
-/// Boundaries between pieces keep their tick. What goes on evenly is one piece. Where pieces come
-/// so fast that a queue of segments would not last, or more than there is room for (blocks of a few
-/// µm at full speed under M4, for long), those of one cell become one with the same energy; for
-/// want of room, outputs change with it.
+/// Boundaries between pieces keep their tick. An output that stays constant is one piece. Pieces of
+/// a cell become one piece with the same energy where they come so fast that a queue of segments
+/// would not last, or where the queue here is full. (That takes blocks of a few µm at full speed
+/// under M4, for long.) Where the queue is full, output changes move to the start of the joined
+/// piece, too.
 class OutputDelay {
  public:
   static constexpr std::size_t kMostPieces = 384;
 
-  /// Forgets everything.
-  /// @param cells_held between what is planned and what goes out, at most kMostPlaces
+  /// Forgets all pieces.
+  /// @param cells_held number of cells from planning to output, at most kMostPlaces
   void clear(std::uint32_t cells_held);
 
-  /// The output goes on until `end_tick` of the cell being filled.
+  /// Adds the output of a slice, up to `end_tick` of the cell being filled.
   void add(const PlannedSlice& slice, std::uint32_t end_tick);
-  /// It stays at `duty` until there.
+  /// Keeps the output at `duty` up to `end_tick`.
   void hold(float duty, std::uint32_t end_tick) {
     add({.start_duty = duty, .end_duty = duty}, end_tick);
   }
-  /// @pre add() has come to the end of the cell
+  /// Closes the cell being filled. @pre add() has come to the end of the cell
   void close_cell();
 
-  /// The oldest piece. @pre there is a whole cell
+  /// Takes the oldest piece. @pre there is a whole cell
   [[nodiscard]] OutputPiece take();
 
  private:
@@ -56,10 +57,10 @@ class OutputDelay {
   std::array<OutputPiece, kMostPieces> pieces_{};
   std::size_t oldest_ = 0;
   std::size_t count_ = 0;
-  std::size_t in_cell_ = 0;        ///< Of the cell being filled.
-  std::size_t most_joinable_ = 0;  ///< With more, pieces of a cell are joined whatever they are.
-  std::uint32_t tick_ = 0;         ///< How far it is filled.
-  OutputChanges pending_{};        ///< Of slices shorter than a tick.
+  std::size_t in_cell_ = 0;        ///< Number of pieces in the cell being filled.
+  std::size_t most_joinable_ = 0;  ///< From this count on, all pieces of a cell are joined.
+  std::uint32_t tick_ = 0;         ///< Tick up to which the cell is filled.
+  OutputChanges pending_{};        ///< Changes of slices shorter than a tick.
   SegmentRate rate_{};
 };
 

@@ -8,13 +8,12 @@
 
 namespace cnc::motion {
 
-/// The places of all axes at the ends of the last cells of time, and their
-/// weighted means.
+/// Positions of all axes at the ends of the last cells of time, and their weighted means.
 class PlaceHistory {
  public:
   using Places = AxisArray<StepPosition>;
 
-  /// It has stood here for ever.
+  /// Fills the history as if the machine had always been at rest at `places`.
   void fill(const Places& places) { ring_.fill(places); }
 
   void push(const Places& places) {
@@ -22,9 +21,10 @@ class PlaceHistory {
     ring_[newest_] = places;
   }
 
-  /// To 2^-16 step; exact where all places with a weight are the same.
-  /// @pre they lie less than 2^17 steps from the newest one: motors at 200,000 steps/s go a quarter
-  /// of that within the longest reach (ShaperGrid), 150 ms
+  /// Returns the weighted mean of the positions of an axis, to 2^-16 step. The mean is exact if all
+  /// positions with a weight are equal.
+  /// @pre these positions are less than 2^17 steps from the newest one: motors at 200,000 steps/s
+  /// move a quarter of that within the longest reach (ShaperGrid), 150 ms
   [[nodiscard]] StepPosition mean(std::size_t axis, const ShaperTaps& taps) const {
     const std::int64_t newest_q32 = ring_[newest_][axis].q32();
     std::int64_t sum_q46 = 0;
@@ -40,7 +40,7 @@ class PlaceHistory {
   static constexpr std::size_t kCells = ShaperGrid::kMostPlaces;
 
   std::array<Places, kCells> ring_{};
-  std::size_t newest_ = 0;  ///< Index of the newest places; older ones follow.
+  std::size_t newest_ = 0;  ///< Index of the newest positions; older ones follow.
 };
 
 }  // namespace cnc::motion

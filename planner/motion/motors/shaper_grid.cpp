@@ -10,7 +10,8 @@ namespace {
 
 constexpr float kTickRate = static_cast<float>(kTicksPerSecond);
 
-/// s from the moment at which a place belongs: negative is earlier.
+/// Times of the positions that a shaper needs, in s, relative to the shaped position. A negative
+/// time is earlier.
 struct TimeReach {
   float earliest = 0.0F;
   float latest = 0.0F;
@@ -23,7 +24,7 @@ TimeReach reach_of(const ShaperImpulses& impulses) {
 
 std::uint32_t cell_ticks_for(const AxisArray<ShaperSetting>& settings, const TimeReach& reach) {
   constexpr float kCellsPerPeriod = 24.0F;
-  // Both ends of the reach lie between two cells.
+  // Each end of the reach may lie between two cells, so that both of these are needed.
   constexpr auto kCells = static_cast<float>(ShaperGrid::kMostPlaces - 4);
   float cell = ShaperGrid::kLongestCell;
   for (const ShaperSetting& setting : settings) {
@@ -34,7 +35,7 @@ std::uint32_t cell_ticks_for(const AxisArray<ShaperSetting>& settings, const Tim
   return static_cast<std::uint32_t>(cell * kTickRate) + 1U;
 }
 
-/// The impulses by cells, with ages counted from the newest place known.
+/// Returns the impulses of a shaper on the grid. Ages count from the newest known position.
 ShaperTaps taps_of(const ShaperImpulses& impulses, std::uint32_t ahead, float cell) {
   ShaperTaps taps{.count = 0};
   const float mean = impulses.mean_delay_s();

@@ -7,7 +7,7 @@
 namespace cnc::motion {
 namespace {
 
-/// The swing that EI leaves at its frequency, so that it leaves no more around it.
+/// Swing that EI leaves at its frequency, so that it leaves no more at frequencies nearby.
 constexpr float kTolerance = 0.05F;
 constexpr float kHalfSqrt2 = 0.70710678F;
 

@@ -6,39 +6,39 @@
 
 namespace cnc::motion {
 
-/// Input shapers; the numbers are those of `$810`.
+/// Kinds of input shapers. Their numbers are the values of `$810`.
 enum class ShaperKind : std::uint8_t { kNone, kZv, kZvd, kMzv, kEi };
 
-/// What an axis swings like, and the shaper that keeps it from swinging.
+/// The swing of an axis, and the shaper that keeps the axis from swinging.
 struct ShaperSetting {
   static constexpr float kLeastFrequency = 10.0F;
   static constexpr float kMostFrequency = 200.0F;
   static constexpr float kMostDamping = 0.5F;
 
   ShaperKind kind = ShaperKind::kNone;
-  float frequency_hz = 40.0F;  ///< Undamped.
-  float damping = 0.0F;        ///< Ratio; 1 would be critical.
+  float frequency_hz = 40.0F;  ///< Frequency without damping.
+  float damping = 0.0F;        ///< Damping ratio; 1 would be critical.
   constexpr bool operator==(const ShaperSetting&) const = default;
 };
 
-/// A shaped place is Σ amplitude · place(t − delay).
+/// A shaped position is Σ amplitude · position(t − delay).
 ///
-/// With amplitudes above 0 that sum to 1 it is a mean of places that were: no
-/// derivative of it is ever greater than the greatest of the place's own, and
-/// it comes to rest where the place does.
+/// Amplitudes are above 0 and sum to 1, so a shaped position is a mean of earlier positions. No
+/// derivative of it ever exceeds the greatest one of the original motion, and it comes to rest
+/// where that motion does.
 struct ShaperImpulses {
   static constexpr std::size_t kMost = 3;
 
   std::size_t count = 1;
   std::array<float, kMost> amplitude{1.0F};
-  std::array<float, kMost> delay_s{};  ///< From 0, increasing.
+  std::array<float, kMost> delay_s{};  ///< Delays in s, from 0, increasing.
 
-  /// s: how far the shaped place of an even motion is behind.
+  /// Returns the time, in s, by which the shaped position lags in a motion at constant speed.
   [[nodiscard]] float mean_delay_s() const;
 };
 
-/// The impulses of a shaper. With the damped period T = 1 / (f √(1 − ζ²)) and
-/// K = e^(−πζ / √(1 − ζ²)), the decay of a swing in half of it:
+/// Returns the impulses of a shaper. T = 1 / (f √(1 − ζ²)) is the damped period, and K = e^(−πζ /
+/// √(1 − ζ²)) is the decay of a swing in half of T:
 ///
 /// | kind | amplitudes before scaling | delays | residual swing at f, source |
 /// |---|---|---|---|

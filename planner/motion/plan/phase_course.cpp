@@ -12,10 +12,11 @@ namespace {
 constexpr std::uint64_t kOneQ30 = std::uint64_t{1} << 30;
 constexpr std::uint64_t kOneQ63 = std::uint64_t{1} << 63;
 
-/// A reciprocal of so many ticks is good to 2^-30 of the whole.
+/// Up to this number of ticks, the reciprocal is exact to 2^-30 of the whole.
 constexpr std::uint64_t kMostTicks = std::uint64_t{1} << 33;
 
-/// With 24 bits more it is good to 2^-47, of 18 minutes in nanoseconds.
+/// With these additional bits the reciprocal is exact to 2^-47, for up to 18 minutes in
+/// nanoseconds.
 constexpr unsigned kRestBits = 24;
 constexpr std::uint64_t kMostFineTicks = std::uint64_t{1} << (64U - kRestBits);
 
@@ -50,7 +51,7 @@ PathUnits PhaseCourse::way_within(std::uint64_t ns) {
   return std::min(static_cast<PathUnits>(multiply_high(whole << 3, share_q61)), whole_.way);
 }
 
-/// The same with no digits left out.
+/// Computes the same as way_within(), but with no digits left out.
 std::uint64_t PhaseCourse::fine_way(std::uint64_t ticks) const {
   const std::uint64_t x_q63 = ticks * per_tick_q63_ + ((ticks * rest_q24_) >> kRestBits);
   const bool slows_down = start_slope_q30_ > kOneQ30;
@@ -64,7 +65,7 @@ std::uint64_t PhaseCourse::fine_way(std::uint64_t ticks) const {
 }
 
 float PhaseCourse::speed_within(std::uint64_t ns) const {
-  // From the nearer end: what is left of a long braking is small.
+  // Computed from the nearer end, because the speed near the end of a long braking is small.
   const float change = whole_.end_speed - whole_.start_speed;
   if (ns <= whole_.duration_ns / 2) {
     return whole_.start_speed + change * (nearest_float(ns) / duration_);

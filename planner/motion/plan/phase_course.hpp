@@ -8,37 +8,37 @@ namespace cnc::motion {
 
 /// A stretch of motion along the path with constant acceleration.
 struct Stretch {
-  PathUnits way = 0;  ///< ≥ 0.
+  PathUnits way = 0;  ///< Distance, ≥ 0.
   std::uint64_t duration_ns = 0;
   float start_speed = 0.0F;  ///< mm/s, ≥ 0.
   float end_speed = 0.0F;
   float acceleration = 0.0F;  ///< mm/s², signed.
 
-  /// Else it stands for none.
+  /// Returns whether there is a stretch: a duration of 0 stands for none.
   [[nodiscard]] bool lasts() const { return duration_ns > 0; }
 };
 
 inline constexpr float kSecondsPerNanosecond = 1.0e-9F;
 inline constexpr float kNanosecondsPerSecond = 1.0e9F;
 
-/// Way and speed as functions of time where the acceleration is constant.
+/// Distance and speed as functions of time at constant acceleration.
 ///
-/// With x = time / duration and α = 2 · start speed / (start speed + end speed),
-/// way = distance · x (α + (1 − α) x). In fixed point, so that an hour ends as
-/// exactly as it began: the way is monotonic, meets both ends exactly and is
-/// smooth to 2^-32 of the distance; or to two units where it is to be fine.
+/// With x = time / duration and α = 2 · start speed / (start speed + end speed), the distance after
+/// that time is distance · x (α + (1 − α) x). It is computed in fixed point, so that an hour ends
+/// as exactly as it began. It is monotonic and exact at both ends. It is smooth to 2^-32 of the
+/// whole distance or, with Grain::kFine, to two units.
 class PhaseCourse {
  public:
-  /// Jerk is the third difference of ways over cells of a millisecond: of a phase of ten
-  /// seconds 2^-32 are seen there.
+  /// How smooth the distance is. Jerk is the third difference of distances over cells of a
+  /// millisecond. Of a phase of ten seconds, 2^-32 is visible in this difference.
   enum class Grain : std::uint8_t { kUsual, kFine };
 
   PhaseCourse() = default;
-  /// @pre the duration is positive
+  /// Makes a course of a stretch. @pre the duration is positive
   explicit PhaseCourse(const Stretch& stretch, Grain grain = Grain::kUsual) {
     begin(stretch, grain);
   }
-  /// Another course. @pre the duration is positive
+  /// Begins another course. @pre the duration is positive
   void begin(const Stretch& stretch, Grain grain = Grain::kUsual) {
     whole_ = stretch;
     duration_ = nearest_float(stretch.duration_ns);
@@ -47,15 +47,15 @@ class PhaseCourse {
   }
 
   [[nodiscard]] std::uint64_t duration_ns() const { return whole_.duration_ns; }
-  /// @pre ns ≤ duration_ns()
+  /// Returns the distance after `ns`. @pre ns ≤ duration_ns()
   [[nodiscard]] PathUnits way_after(std::uint64_t ns) {
     return ns >= whole_.duration_ns ? whole_.way : way_within(ns);
   }
-  /// mm/s.
+  /// Returns the speed after `ns`, in mm/s.
   [[nodiscard]] float speed_after(std::uint64_t ns) const {
     return ns >= whole_.duration_ns ? whole_.end_speed : speed_within(ns);
   }
-  /// ns after `from_ns` until `way` more is driven; not beyond the end.
+  /// Returns the ns after `from_ns` in which another `way` is driven, at most up to the end.
   [[nodiscard]] std::uint64_t time_of(PathUnits way, std::uint64_t from_ns) const;
   [[nodiscard]] const Stretch& whole() const { return whole_; }
 
@@ -67,12 +67,12 @@ class PhaseCourse {
 
   Stretch whole_{};
   float duration_ = 0.0F;  ///< ns.
-  /// 2^63 / duration in ticks of 2^shift_ ns; 0 until a place inside is asked for,
-  /// for the division is long, and most courses are driven in one go.
+  /// 2^63 / duration, with the duration in ticks of 2^shift_ ns. It is 0 until a position inside is
+  /// evaluated, because the division is slow and most courses are driven in one go.
   std::uint64_t per_tick_q63_ = 0;
   std::uint64_t start_slope_q30_ = 0;  ///< α, 0…2.
-  std::uint64_t rest_q24_ = 0;         ///< What per_tick_q63_ leaves out, where it is to be fine.
-  unsigned shift_ = 0;                 ///< Known with per_tick_q63_.
+  std::uint64_t rest_q24_ = 0;         ///< With kFine, the digits that per_tick_q63_ lacks.
+  unsigned shift_ = 0;                 ///< Set together with per_tick_q63_.
   Grain grain_ = Grain::kUsual;
 };
 

@@ -6,7 +6,8 @@
 namespace cnc::motion {
 namespace {
 
-/// So much less as the time is longer for being rounded: the speeds stay.
+/// Returns the acceleration of a phase whose time was rounded up. It is smaller in the same ratio
+/// as the time is longer, so that the speeds stay.
 float acceleration_of(const Phase& phase, std::uint64_t duration_ns) {
   const float duration = nearest_float(duration_ns) * kSecondsPerNanosecond;
   return phase.acceleration * std::min(1.0F, phase.duration / duration);
@@ -37,7 +38,7 @@ Stretch PlanCursor::next(std::uint32_t most_ns, Drive drive, bool may_start) {
   return follow(most_ns, drive, may_start);
 }
 
-/// The next stretch of the plan as it is.
+/// Returns the next stretch of the present plan.
 Stretch PlanCursor::follow(std::uint32_t most_ns, Drive drive, bool may_start) {
   if (!driving_) stand_at_stop();
   if (speed_ <= 0.0F) {
@@ -54,7 +55,7 @@ Stretch PlanCursor::follow(std::uint32_t most_ns, Drive drive, bool may_start) {
   return stretch;
 }
 
-/// At most so long, within the phase.
+/// Drives the present phase for at most `most_ns`, and returns that stretch.
 Stretch PlanCursor::pass(std::uint32_t most_ns) {
   const std::uint64_t left_ns = course_.duration_ns() - elapsed_ns_;
   const std::uint64_t duration_ns = std::min<std::uint64_t>(most_ns, left_ns);
@@ -63,7 +64,7 @@ Stretch PlanCursor::pass(std::uint32_t most_ns) {
   elapsed_ns_ += duration_ns;
   speed_ = course_.speed_after(elapsed_ns_);
   place_ = phase_from_ + course_.way_after(elapsed_ns_);
-  // Who is at the end has left the block.
+  // The end of the block is reached only at the end of a phase.
   if (duration_ns < left_ns) place_ = std::min(place_, length_ - 1);
   return {.way = terms_.window.filters() ? way_in_time(place_ - from) : place_ - from,
           .duration_ns = duration_ns,
@@ -79,8 +80,9 @@ void PlanCursor::end_phase() {
   if (profile_.at_end()) end_block();
 }
 
-/// As far as the plan would go if phases did not last whole nanoseconds; not beyond a stop. A
-/// cell of the window may end just where a phase does, so who is late leads into the next one.
+/// Returns the distance that the plan would have driven if phases did not last whole nanoseconds,
+/// at most up to a stop. A cell of the window may end exactly where a phase does, so the lead of a
+/// late phase reaches into the next one.
 PathUnits PlanCursor::way_in_time(PathUnits way) {
   const float late_mm = speed_ * clock_.late_ns(elapsed_ns_) * kSecondsPerNanosecond;
   const bool stops = index_ + 1 == queue_.size() || queue_.at(index_ + 1).from_rest;
@@ -114,7 +116,7 @@ void PlanCursor::note_change(const Stretch& stretch) {
   pass(since_braking_ns_, stretch.acceleration < 0.0F);
 }
 
-/// Cutting a phase short may have rounded what was left of it to nothing.
+/// Ends a block after a cut phase, of which rounding may have left nothing.
 Stretch PlanCursor::finish_block() {
   end_block();
   return {.way = length_ - place_, .duration_ns = 1, .start_speed = speed_, .end_speed = speed_};
@@ -126,7 +128,7 @@ bool PlanCursor::begin_phase(Drive drive) {
     if (index_ == queue_.size()) return false;
     begin_block();
   }
-  // Until the braking has ended the motion may be faster than the plan, and than the lower pace.
+  // Until braking has ended, the motion may be faster than the plan, and than the lower pace.
   overtaken_ = overtaken_ && (since_braking_ns_ == 0 || profile_.too_fast(patience()));
   phase_ = profile_.next_phase(drive, patience());
   phase_drive_ = drive;
@@ -146,9 +148,9 @@ bool PlanCursor::begin_phase(Drive drive) {
   return true;
 }
 
-/// Where on the block the phase ends. From the nearer end of the block, so that
-/// rounding never falls on a short phase at its start or end; and by its own
-/// length where the place is settled afterwards.
+/// Returns the position on the block where the phase ends. The position counts from the nearer end
+/// of the block, so that rounding never falls on a short phase at either end. Where the position is
+/// settled afterwards, it counts by the phase's own length.
 PathUnits PlanCursor::place_after(const Phase& phase) const {
   const float left = profile_.left_of_block(phase);
   if (left <= 0.0F) return length_;
@@ -166,9 +168,9 @@ float PlanCursor::phase_distance_left() const {
   return phase_.distance * (left / whole);
 }
 
-/// A hold or an override under a window may make the plan miss a stop by a little. It
-/// is one nevertheless: the window spreads what speed is left, and the motion stands
-/// before the path turns.
+/// Sets the speed to zero at a stop. A hold or an override under a window may make the plan miss a
+/// stop by a little. It is a stop all the same: the window spreads the speed that is left, and the
+/// motion is at rest before the path turns.
 void PlanCursor::stand_at_stop() {
   if (index_ == queue_.size() || !queue_.at(index_).from_rest) return;
   speed_ = 0.0F;

@@ -9,47 +9,47 @@
 
 namespace cnc::motion {
 
-/// Drives the plan through the blocks of a queue as time goes on: the place and
+/// Drives the plan through the blocks of a queue as time goes on. The plan is the position and the
 /// speed that the limits of speed and acceleration allow.
 ///
-/// Blocks are taken from the queue by whoever drives the motors, which may be
-/// later; block_left() tells that one has gone. A change of plan, override or
-/// hold takes effect with the next stretch.
+/// The object that drives the motors removes blocks from the queue, maybe later; it calls
+/// block_left() for each. A change of the plan, an override or a hold takes effect with the next
+/// stretch.
 ///
 /// Main loop only.
 class PlanCursor {
  public:
   PlanCursor(BlockQueue& queue, const Limits& limits) : queue_{queue}, limits_{limits} {}
 
-  /// The next stretch, at most `most_ns` long, within one block and phase; of no
-  /// duration when the plan stands still: everything planned, or halted, or it stands
-  /// and may not start yet.
+  /// Returns the next stretch, at most `most_ns` long, within one block and phase. It has no
+  /// duration when the plan is at rest: everything is planned, or the plan is halted, or it may not
+  /// start yet.
   [[nodiscard]] Stretch next(std::uint32_t most_ns, Drive drive, bool may_start);
 
-  /// Under a window a lower pace holds at once, a higher one as soon as the place
-  /// and the speed are such that its plan can be taken up.
+  /// Sets the overrides. Under a window, a lower pace holds at once. A higher one holds as soon as
+  /// position and speed allow a change to its plan.
   void set_overrides(const Overrides& overrides);
-  /// As asked for.
+  /// Returns the overrides as last requested.
   [[nodiscard]] const Overrides& overrides() const { return overrides_; }
 
-  /// The motion is the mean of the plan over so long from now on. @pre at rest
+  /// Sets the window over which the motion is the mean of the plan from now on. @pre at rest
   void set_window(const TimeWindow& window);
-  /// The window that suits the way to the next stop; the longest where it is not known. It
-  /// stays so: nothing that comes later joins that way.
+  /// Returns the window that suits the path to the next stop, or the longest window if that stop is
+  /// not known. The choice is final: blocks that come later do not join this path.
   /// @pre at rest, not at_end()
   [[nodiscard]] TimeWindow choose_window();
 
-  /// The front of the queue is about to be taken away. @pre the plan has left it
+  /// Prepares for the removal of the block at the front of the queue. @pre the plan has left it
   void block_left();
-  /// Returns how many blocks at the front of the queue the plan has left: the next stretch is of
-  /// the block behind them.
+  /// Returns the number of blocks at the front of the queue that the plan has left. The next
+  /// stretch lies in the block after them.
   [[nodiscard]] std::size_t blocks_left() const { return index_; }
-  /// Forgets everything; the queue is empty.
+  /// Forgets all of the plan; index 0 of the queue is the next block.
   void reset();
 
-  /// mm/s.
+  /// Returns the speed of the plan, in mm/s.
   [[nodiscard]] float speed() const { return speed_; }
-  /// Nothing is left to plan.
+  /// Returns whether nothing is left to plan.
   [[nodiscard]] bool at_end() const { return !driving_ && index_ == queue_.size(); }
 
  private:
@@ -86,36 +86,36 @@ class PlanCursor {
 
   BlockQueue& queue_;
   const Limits& limits_;
-  SpeedProfile profile_{};  ///< Of the block that is being planned through.
+  SpeedProfile profile_{};  ///< Profile of the block that is being planned through.
   /// Overrides as last requested; the current plan may still use older ones.
   Overrides overrides_{};
   PlanTerms terms_{};
-  std::uint64_t untried_ns_ = 0;    ///< Since a higher pace was last tried.
-  std::uint64_t postponed_ns_ = 0;  ///< Until a lower pace is tried again.
-  std::uint32_t followed_ = 0;      ///< The queue's plan that the present phase is of.
+  std::uint64_t untried_ns_ = 0;    ///< Time since a higher pace was last tried.
+  std::uint64_t postponed_ns_ = 0;  ///< Time until a lower pace is tried again.
+  std::uint32_t followed_ = 0;      ///< Number of the queue's plan that the present phase follows.
   bool replan_ = false;
 
-  // The block.
-  std::size_t index_ = 0;      ///< Of the block that is or will be planned through.
-  bool driving_ = false;       ///< It has been begun.
-  PathUnits length_ = 0;       ///< Of the block.
-  PathUnits place_ = 0;        ///< Within the block.
+  // The block that is or will be planned through.
+  std::size_t index_ = 0;      ///< Index of the block in the queue.
+  bool driving_ = false;       ///< The block has been begun.
+  PathUnits length_ = 0;       ///< Length of the block.
+  PathUnits place_ = 0;        ///< Position within the block.
   float speed_ = 0.0F;         ///< mm/s.
   float entry_square_ = 0.0F;  ///< v² with which the next block is begun.
 
-  // Its present phase.
+  // The present phase of the block.
   Drive phase_drive_ = Drive::kOn;
   Phase phase_{};
   PathUnits phase_from_ = 0;
   PhaseCourse course_{};
-  std::uint64_t elapsed_ns_ = 0;  ///< Of the course.
+  std::uint64_t elapsed_ns_ = 0;  ///< Time since the start of the course.
   PhaseClock clock_{};
-  PathUnits lead_ = 0;  ///< Distance by which what was handed out is beyond the place.
+  PathUnits lead_ = 0;  ///< Distance by which the motion handed out is beyond place_.
 
-  // What Patience is made of.
+  // Values for patience().
   std::uint32_t since_speeding_up_ns_ = kLongAgo;
   std::uint32_t since_braking_ns_ = kLongAgo;
-  float braking_from_ = 0.0F;  ///< mm/s, the speed when the plan last did not brake.
+  float braking_from_ = 0.0F;  ///< Speed when the plan last did not brake, mm/s.
   bool overtaken_ = false;
 };
 

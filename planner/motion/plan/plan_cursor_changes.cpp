@@ -1,4 +1,4 @@
-// How a plan begins, and what happens to it while it is driven: more blocks, other overrides,
+// How a plan begins, and how it changes while it is driven: by more blocks, other overrides and
 // holds.
 
 #include <algorithm>
@@ -9,21 +9,22 @@
 namespace cnc::motion {
 namespace {
 
-/// Trying a pace is to plan all blocks, and twice if it is refused.
+/// Least time between two tries of a pace. A try plans all blocks, and does so twice if the pace is
+/// refused.
 constexpr std::uint64_t kBetweenTriesNs = 20'000'000;
 
 }  // namespace
 
-/// The end of the chain of blocks that begins at the present one: the next that begins
-/// from rest, or the end of the queue.
+/// Returns the end of the chain of blocks that begins at the present one: the index of the next
+/// block that begins from rest, or the end of the queue.
 std::size_t PlanCursor::chain_end() const {
   std::size_t end = index_ + 1;
   while (end < queue_.size() && !queue_.at(end).from_rest) ++end;
   return end;
 }
 
-/// ns that the plan takes from the present block to that one under a window, which it leaves set.
-/// @pre at rest, and no block is begun
+/// Returns the time in ns that the plan takes from the present block to block `end` under a window.
+/// The window stays set. @pre at rest, and no block is begun
 std::uint64_t PlanCursor::time_to(std::size_t end, const TimeWindow& window) {
   constexpr std::uint32_t kAnyNs = 1'000'000'000;
   const std::size_t first = index_;
@@ -42,11 +43,12 @@ std::uint64_t PlanCursor::time_to(std::size_t end, const TimeWindow& window) {
   return took_ns;
 }
 
-/// Of the window that suits a single move and shorter ones, until they become slower again.
+/// Returns the quickest window for the blocks up to `end`: tries the window that suits a single
+/// move, then shorter ones until the plan takes longer again.
 TimeWindow PlanCursor::quickest(const WindowChoice& choice, std::size_t end) {
   constexpr std::array<float, 7> kShares{0.84F, 0.7F, 0.59F, 0.5F, 0.42F, 0.35F, 0.25F};
-  /// Planning takes some 4,000 instructions a block on the controller: 5 ms for few blocks under
-  /// all windows and, with two tries, for most.
+  /// Planning takes some 4,000 instructions per block on the controller. That is 5 ms for
+  /// kFewBlocks under all windows, and for kMostBlocks under two.
   constexpr std::size_t kFewBlocks = 16;
   constexpr std::size_t kMostBlocks = 64;
   constexpr std::size_t kWideStep = 3;
@@ -78,7 +80,7 @@ TimeWindow PlanCursor::choose_window() {
   const TimeWindow longest = window_for(limits_, axes);
   const bool stop_known = end < queue_.size() || queue_.ends();
   if (!longest.filters() || !stop_known) return longest;
-  // A pace that is lower than programmed may yet be raised.
+  // An override below the programmed pace may still be raised.
   const Overrides greatest = greater_pace(overrides_, {});
   WindowChoice choice{limits_};
   for (std::size_t index = index_; index < end; ++index) {
@@ -113,14 +115,14 @@ void PlanCursor::set_overrides(const Overrides& overrides) {
   if (!terms_.window.filters() && !same_pace(overrides, terms_.overrides)) take_up_overrides();
 }
 
-/// All that was planned is to be planned anew.
+/// Sets the terms of the plan, and marks all blocks as unplanned.
 void PlanCursor::plan_for(const PlanTerms& terms) {
   terms_ = terms;
   queue_.forget_plan();
   replan_ = true;
 }
 
-/// @pre at rest, or nothing reaches from one block into another
+/// Takes up the requested overrides. @pre at rest, or no limits of a block reach into another
 void PlanCursor::take_up_overrides() {
   plan_for({.overrides = overrides_, .greatest = overrides_, .window = terms_.window});
 }
@@ -139,19 +141,19 @@ void PlanCursor::stop_phase_short() {
   settle_place();
 }
 
-/// The profile counts in floats, of which each phase rounds one. Set right in one
-/// phase much later, the sum would be a jump of speed.
+/// Corrects the position of the profile. The profile counts in floats, of which each phase rounds
+/// one. If the sum were corrected only much later, in one phase, the speed would jump there.
 void PlanCursor::settle_place() {
   if (terms_.window.filters()) profile_.settle(to_mm(length_ - place_));
 }
 
-/// Into the next block, which was planned before: whatever changes the plan now finds the
-/// block begun, and is judged by where the motion is.
+/// Returns whether the plan continues without rest into the next block, which was planned before.
+/// If that block is begun first, any change of the plan is judged by the position of the motion.
 bool PlanCursor::goes_on() const {
   return !driving_ && index_ < queue_.size() && !queue_.at(index_).from_rest;
 }
 
-/// More blocks, an override or a hold may have changed what lies ahead.
+/// Adapts the profile to more blocks, an override or a hold that may have changed the plan ahead.
 /// @pre driving_
 void PlanCursor::follow_plan(Drive drive) {
   if (queue_.plans() == followed_ && !replan_ && drive == phase_drive_) return;
@@ -174,15 +176,17 @@ void PlanCursor::follow_plan(Drive drive) {
   replan_ = false;
 }
 
-/// Blocks that are not planned yet are judged by the plan as it was.
+/// Brings the plan up to date, so that blocks that are not planned yet are judged by the plan as it
+/// was.
 void PlanCursor::bring_up_to_date(Drive drive) {
   queue_.plan_all(limits_, terms_, index_);
   if (driving_) follow_plan(drive);
 }
 
-/// At once: who is too fast for it slows down. But where zones that are taken together have
-/// changed, one that the speed is too high to turn in may reach farther than it did. No way to
-/// brake is left in it, so there the plan for the lower pace has to wait.
+/// Takes up a lower pace at once: if the motion is too fast for it, it slows down. But where zones
+/// that are taken together have changed, a zone in which the speed is too high to turn may reach
+/// farther than before. Such a zone leaves nothing for braking, so the plan for the lower pace has
+/// to wait there.
 void PlanCursor::lower_pace(std::uint64_t passed_ns, Drive drive) {
   postponed_ns_ -= std::min(postponed_ns_, passed_ns);
   PlanTerms lower = terms_;
@@ -199,7 +203,7 @@ void PlanCursor::lower_pace(std::uint64_t passed_ns, Drive drive) {
   postponed_ns_ = kBetweenTriesNs;
 }
 
-/// As soon as the plan for it is one that can be gone over to here.
+/// Takes up a higher pace as soon as the motion can change to its plan at the present position.
 void PlanCursor::try_higher_pace(std::uint64_t passed_ns, Drive drive) {
   untried_ns_ += passed_ns;
   if (untried_ns_ < kBetweenTriesNs || same_pace(terms_.overrides, overrides_)) return;
@@ -227,8 +231,9 @@ void PlanCursor::replan() {
   profile_.replan(queue_.at(index_), limits_, terms_, queue_.exit_of(index_));
 }
 
-/// Blocks came so late that the plan is too fast already for what they ask for
-/// ahead of their start. Nothing is, for a stop there, as was planned without them.
+/// Refuses blocks that came so late that the plan is already too fast for the limits that they
+/// impose before their start. The plan is not too fast for a stop before them, because it was made
+/// without them.
 void PlanCursor::refuse_late_blocks() {
   if (!queue_.has_newest_behind(index_)) return;
   queue_.stop_before_newest();

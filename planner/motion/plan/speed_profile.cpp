@@ -8,22 +8,24 @@
 namespace cnc::motion {
 namespace {
 
-/// Where no jerk is measured a gain of ten times what is negligible is rounding, too: it has four
-/// digits at most, and so would the acceleration.
+/// Least gain of v², as a share, that is worth a phase without a jerk limit. Ten times the
+/// negligible share is rounding there, too: such a gain has four digits at most, and so would the
+/// acceleration.
 constexpr float kLeastGain = 1.0e-4F;
 
-/// A speed above the cap, or a braking steeper than planned, by more than this
-/// means that an override has lowered the plan; else it is rounding.
+/// If the speed exceeds the cap, or the braking exceeds the planned one, by more than these
+/// factors, an override has lowered the plan. A smaller excess is rounding.
 constexpr float kAbovePlan = 1.0F + 1.0e-4F;
 constexpr float kSteeperThanPlan = 1.0F + 5.0e-4F;
 
-/// As much too fast for braking as rounding of the wait for it can make one.
+/// Factor by which rounding of the wait for braking can make the speed too high.
 constexpr float kLate = 1.0005F;
 
 /// Two units in the last place of a float.
 constexpr float kSpeedSquareRounding = 2.4e-7F;
 
-/// (1 µm/s)²: slower than a step in a second; and what jerk allows within a cell of a window.
+/// v² that counts as rest: (1 µm/s)², slower than a step per second. Under a window it is the v²
+/// that jerk allows within a cell.
 constexpr float kStandstillSquare = 1.0e-6F;
 constexpr float kFilteredStandstillSquare = 1.0e-9F;
 
@@ -36,7 +38,7 @@ void SpeedProfile::begin(const Block& block,
                          float speed_square) {
   speed_square_ = speed_square;
   lay_out(block, limits, terms, exit, block.length, grid_for(block, terms, exit));
-  // What was planned on the usual grid may be a little above the finer one's curve.
+  // A speed planned on the usual grid may be a little above the braking curve of the finer grid.
   const float curve = end_target_square() + 2.0F * here().deceleration * left_;
   if (!spans_.fine() || speed_square_ <= std::min(curve, here().cap_square)) return;
   lay_out(block, limits, terms, exit, block.length, Spans::Grid::kUsual);
@@ -62,8 +64,9 @@ void SpeedProfile::lay_out(const Block& block,
   brake_from_the_end(block, terms.overrides);
 }
 
-/// To the end of the block: what can be braked from on the fine grid cannot on the other. Only
-/// from rest and to rest: along a way of many arcs it would gain thousandths, for a third more of
+/// Returns the grid for a block. It holds up to the end of the block, because braking from the
+/// speeds of the fine grid is not possible on the usual one. The fine grid is used only from rest
+/// or to rest: along a path of many arcs it would gain thousandths of the time, for a third more
 /// segments.
 Spans::Grid SpeedProfile::grid_for(const Block& block,
                                    const PlanTerms& terms,
@@ -73,7 +76,7 @@ Spans::Grid SpeedProfile::grid_for(const Block& block,
   return rests ? Spans::Grid::kFine : Spans::Grid::kUsual;
 }
 
-/// As far back as the present span.
+/// Computes the braking curve from the end of the block back to the present span.
 void SpeedProfile::brake_from_the_end(const Block& block, const Overrides& overrides) {
   const SpeedCap cap{block, overrides};
   const auto keep = [this](int span, const BrakingPoint& point) {
@@ -90,7 +93,7 @@ void SpeedProfile::brake_from_the_end(const Block& block, const Overrides& overr
   static_cast<void>(brake_backwards(spans_, cap, exit_, keep, span_));
 }
 
-/// Other zones make other spans: the one with so much of the block to go.
+/// Finds the span with `left_of_block` mm of the block to go, as other zones make other spans.
 void SpeedProfile::find_span(float left_of_block) {
   const float length = spans_.boundary(spans_.count());
   span_ = 0;
@@ -113,7 +116,8 @@ Phase SpeedProfile::phase_to(float end_square, float distance, float left) const
   const float start = std::sqrt(speed_square_);
   const float sum = start + std::sqrt(end_square);
   if (!(sum > 0.0F) || !(distance > 0.0F)) return {};
-  // From the squares: the difference of two nearly equal speeds has no digits.
+  // Computed from the squares, because the difference of two nearly equal speeds has no exact
+  // digits.
   return {.start_speed = start,
           .acceleration = (end_square - speed_square_) / (2.0F * distance),
           .duration = 2.0F * distance / sum,
@@ -157,7 +161,8 @@ bool SpeedProfile::too_fast_to_turn(const BlockZones& before) const {
   });
 }
 
-/// Speed up, hold the cap or follow the braking curve, whichever comes first.
+/// Returns the phase that speeds up, holds the cap or follows the braking curve, whichever comes
+/// first.
 Phase SpeedProfile::change_speed(const Patience& patience) const {
   if (patience.before_braking > 0.0F && patience.overtaken) {
     return level_for(patience.before_braking);
@@ -166,14 +171,16 @@ Phase SpeedProfile::change_speed(const Patience& patience) const {
     return level_or_follow(std::sqrt(speed_square_) * patience.before_speeding_up);
   }
   const Phase up = committed(speed_up());
-  // All along a span any gain counts: a chain of very short ones is sped up along, too.
+  // Any gain counts up to the end of a span, so that the speed also rises along a chain of very
+  // short spans.
   const float least_gain = spans_.window_s() > 0.0F ? kNegligibleShare : kLeastGain;
   const bool worth_it =
       up.left <= 0.0F || up.end_speed_square > speed_square_ * (1.0F + least_gain);
   return worth_it && up.distance > 0.0F ? up : level_or_follow(left_);
 }
 
-/// As far as the cap, the braking curve and the end of the span let it.
+/// Returns the phase that speeds up as far as the cap, the braking curve and the end of the span
+/// allow.
 Phase SpeedProfile::speed_up() const {
   const float cap = here().cap_square;
   if (speed_square_ >= cap) return {};
@@ -183,13 +190,14 @@ Phase SpeedProfile::speed_up() const {
   if (reach <= target && reach <= cap) {
     return phase_to(std::max(reach, speed_square_), left_, 0.0F);
   }
-  // Where the speeding-up line meets the braking curve.
+  // The point where the speeding-up line meets the braking curve.
   const float curve = target + 2.0F * here().deceleration * left_;
   const float slopes = acceleration + here().deceleration;
   const float gain = slopes > 0.0F ? (curve - speed_square_) * (acceleration / slopes) : 0.0F;
   const float peak = std::clamp(speed_square_ + gain, speed_square_, cap);
   if (peak <= speed_square_) return {};
-  // Of the gain and the drop, small beside v², the steeper one tells its way with more digits.
+  // Gain and drop are small compared to v². The steeper one of them gives its distance with more
+  // digits.
   const float fall = fall_from(peak);
   float rise = (peak - speed_square_) / (2.0F * acceleration);
   const bool steeper_fall = acceleration < here().deceleration;
@@ -197,7 +205,7 @@ Phase SpeedProfile::speed_up() const {
   return phase_to(peak, rise, std::max(left_ - rise, fall));
 }
 
-/// What of a phase ends early enough to be level before braking.
+/// Returns the part of a phase that ends early enough for a level speed before braking.
 Phase SpeedProfile::committed(const Phase& phase) const {
   const float window_s = spans_.window_s();
   if (window_s <= 0.0F || phase.distance <= 0.0F) return phase;
@@ -214,12 +222,12 @@ Phase SpeedProfile::committed(const Phase& phase) const {
     const float middle = 0.5F * (short_of + beyond);
     (too_fast(middle) ? beyond : short_of) = middle;
   }
-  // What is left is too little to be told from nothing, and must be driven, too.
+  // The rest cannot be distinguished from nothing, but must be driven, too.
   if (short_of <= 0.0F && speed_square_ <= 0.0F) return phase;
   return phase_to(speed_square_ + gain * short_of, short_of, left_ - short_of);
 }
 
-/// How far before the end of the span braking from v² has to begin.
+/// Returns the distance in mm before the end of the span at which braking from v² has to begin.
 float SpeedProfile::fall_from(float speed_square) const {
   const float drop = std::max(0.0F, speed_square - end_target_square());
   const float deceleration = here().deceleration;
@@ -237,7 +245,8 @@ Phase SpeedProfile::level_or_follow(float longest_level) const {
   return phase_to(std::min(end_target_square(), speed_square_), left_, 0.0F);
 }
 
-/// To the end of the span, and over those behind it on which nothing changes either.
+/// Returns the phase that keeps the speed to the end of the span, and over later spans in which
+/// nothing changes either.
 Phase SpeedProfile::level_on() const {
   int last = span_;
   if (spans_.window_s() <= 0.0F) {
@@ -256,12 +265,13 @@ Phase SpeedProfile::level_for(float seconds) const {
   return phase_to(speed_square_, distance, left_ - distance);
 }
 
-/// Below the braking curve the plan's own deceleration is feasible in the share
-/// in which v² is below it, for the limits are linear in (a, v²) and hold at
-/// standstill; so what the plan can stop from here can stop. (Within a span
-/// the limits at the very place may be tighter than at its ends, by the margin.)
-/// Above it, or under a window above the cap where turning leaves less, the plan is not made for
-/// this speed: an override has lowered it.
+/// Returns the deceleration of the plan for the present speed, or 0 if the plan is not made for it.
+///
+/// Below the braking curve, the plan's own deceleration is feasible in the share v² / curve,
+/// because the limits are linear in (a, v²) and hold at rest. So if the plan can stop from here,
+/// the motion can, too. (Within a span the limits at the exact position may be tighter than at its
+/// ends, by the margin.) Above the curve, or under a window above the cap, where turning leaves
+/// less, the plan is not made for this speed: an override has lowered it.
 float SpeedProfile::planned_deceleration() const {
   const float planned = here().deceleration;
   const bool beyond_cap = speed_square_ > here().cap_square * kAbovePlan;
@@ -271,11 +281,13 @@ float SpeedProfile::planned_deceleration() const {
   return speed_square_ <= curve * kLate ? planned * (speed_square_ / curve) : 0.0F;
 }
 
-/// Slow down as hard as the limits allow until v² is `target_square` or the span ends.
+/// Returns the phase that slows down as hard as the limits allow, until v² is `target_square` or
+/// the span ends.
 Phase SpeedProfile::brake_to(float target_square, const Patience& patience) const {
   if (patience.before_braking > 0.0F) return level_for(patience.before_braking);
-  // Who is too fast already needs all there is; else the motion, which is the mean
-  // and so faster than the plan, is left a part. It may be faster than the lowered cap, too.
+  // If the speed is too high already, braking needs all of the limits. Otherwise a part is left to
+  // the motion, which is the mean and therefore faster than the plan. The motion may be faster than
+  // the lowered cap, too.
   const float growing = patience.overtaken ? 0.0F : left_;
   float cap = std::max(here().cap_square, speed_square_);
   if (patience.overtaken) cap = std::max(cap, square(patience.braking_from));
@@ -285,7 +297,7 @@ Phase SpeedProfile::brake_to(float target_square, const Patience& patience) cons
   const float possible = 2.0F * deceleration * left_;
   if (needed <= 0.0F) return {};
   if (needed >= possible) {
-    // A standstill that is missed by rounding alone is met.
+    // A rest that is missed only by rounding counts as reached.
     const float standstill =
         spans_.window_s() > 0.0F ? kFilteredStandstillSquare : kStandstillSquare;
     const float rounding = possible * 1.0e-3F + speed_square_ * kSpeedSquareRounding + standstill;
@@ -296,8 +308,7 @@ Phase SpeedProfile::brake_to(float target_square, const Patience& patience) cons
   return phase_to(target_square, distance, std::max(0.0F, left_ - distance));
 }
 
-/// The square of a speed is rounded; it must not leave the phase, whose ends
-/// are within the caps.
+/// The square of a speed is rounded. It must not leave the phase, whose ends are within the caps.
 void SpeedProfile::stop_short(const Phase& phase, float distance, float speed) {
   const auto [least, most] = std::minmax(speed_square_, phase.end_speed_square);
   const float speed_square = std::clamp(speed * speed, least, most);

@@ -19,7 +19,7 @@ bool has_steps(const Segment& segment) {
 }  // namespace
 
 void JoinedSlices::time(const AxisArray<StepPosition>& to, Segment& segment) {
-  // What takes no time is a rounding of the stretch: a step of it is due at once.
+  // A segment of no duration comes from rounding of the stretch. A step in it is due at once.
   const float ticks = static_cast<float>(std::max<std::uint32_t>(1, duration_ns_)) * kTicksPerNs;
   const float shift = static_cast<float>(remainder_ns_) * kTicksPerNs;
   for (std::size_t axis = 0; axis < kAxisCount; ++axis) {

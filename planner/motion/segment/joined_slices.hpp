@@ -8,38 +8,40 @@
 
 namespace cnc::motion {
 
-/// Slices of the plan that go out as one segment: where the motors were and how fast at its
-/// start, and how long it has become.
+/// Slices of the plan that go out as one segment. Holds the positions and speeds of the motors at
+/// the start of the segment, and its duration so far.
 ///
-/// Segments last whole ticks; what planned time is left of one goes to the next.
+/// Segments last whole ticks. The planned time that remains of one segment goes to the next.
 class JoinedSlices {
  public:
-  /// The motors stand at `from`, and those of which no speed is said do not move.
+  /// Begins a segment with the motors at `from`. A motor starts at speed 0 unless set_speed() is
+  /// called.
   void begin(const AxisArray<StepPosition>& from) {
     from_ = from;
     speeds_ = {};
     duration_ns_ = 0;
   }
-  /// @param steps_per_tick at the start, signed
+  /// Sets the speed of a motor. @param steps_per_tick at the start of the segment, signed
   void set_speed(std::size_t axis, float steps_per_tick) { speeds_[axis] = steps_per_tick; }
   void add(std::uint32_t duration_ns) { duration_ns_ += duration_ns; }
 
   [[nodiscard]] std::uint32_t duration_ns() const { return duration_ns_; }
-  /// Planned time, ns, that the segments so far have left to this one; negative: that they took.
-  /// @pre time() has not been called
+  /// Returns the planned time, in ns, that earlier segments have left to this one. A negative time
+  /// was taken in advance by them. @pre time() has not been called
   [[nodiscard]] std::int32_t rest_ns() const { return remainder_ns_; }
-  /// Q32 steps from the start to `here`.
+  /// Returns the distance from the start of the segment to `here`, in Q32 steps.
   [[nodiscard]] std::int64_t gone(std::size_t axis, StepPosition here) const {
     return here.q32() - from_[axis].q32();
   }
 
-  /// Trains, directions and ticks of the segment, which ends with the motors at `to`. Less than a
-  /// tick without a step is none. @pre no train of it has a step
+  /// Sets trains, directions and ticks of the segment, which ends with the motors at `to`. A
+  /// segment of less than a tick and without a step gets no ticks. @pre no train of the segment has
+  /// a step
   void time(const AxisArray<StepPosition>& to, Segment& segment);
-  /// The segment lasts a tick, for which the next one is the shorter.
+  /// Makes the segment last one tick. The next segment is shorter by that tick.
   void lend_tick(Segment& segment);
 
-  /// Forgets what time is left.
+  /// Forgets the planned time that remains.
   void reset() { remainder_ns_ = 0; }
 
  private:
@@ -48,7 +50,7 @@ class JoinedSlices {
   AxisArray<StepPosition> from_{};
   AxisArray<float> speeds_{};  ///< Steps per tick.
   std::uint32_t duration_ns_ = 0;
-  std::int32_t remainder_ns_ = 0;  ///< Planned time beyond the whole ticks handed out.
+  std::int32_t remainder_ns_ = 0;  ///< Planned time beyond the whole ticks of the segments so far.
 };
 
 }  // namespace cnc::motion

@@ -12,34 +12,35 @@ namespace {
 
 using Vector = std::array<float, 2>;
 
-/// In the plane; a block that is beside an edge lies in it.
+/// Returns the part of a tangent in the plane. A block next to an edge lies in the plane.
 Vector in_plane(const AxisArray<float>& tangent, Plane plane) {
   const PlaneAxes axes = axes_of(plane);
   return {tangent[axes.first], tangent[axes.second]};
 }
 
-/// To the left of a way.
+/// Returns 1 for a beam to the left of an edge, −1 to the right, and 0 without an edge.
 float side_of(Beside beside) {
   if (beside == Beside::kNothing) return 0.0F;
   return beside == Beside::kLeft ? 1.0F : -1.0F;
 }
 
-/// From the edge to the beam.
+/// Returns the unit vector from the edge to the beam.
 Vector off_edge(const Vector& tangent, Beside beside) {
   return {-side_of(beside) * tangent[1], side_of(beside) * tangent[0]};
 }
 
 float dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1]; }
 
-/// To where two straight ways meet of which each is shifted by its own normal; not farther than
-/// four times the shift, as the tip of a needle is.
+/// Returns the vector from the corner to the point where two straight paths meet if each is shifted
+/// by its own normal. Its length is at most four times the shift; the tip of a needle would be
+/// farther away.
 Vector meeting(const Vector& before, const Vector& after) {
   constexpr float kLeastShare = 0.125F;
   const float share = std::max(kLeastShare, 1.0F + dot(before, after));
   return {(before[0] + after[0]) / share, (before[1] + after[1]) / share};
 }
 
-/// Along a tangent and across it, to the left.
+/// Returns the parts of a vector along a tangent and across it, to the left.
 Vector seen_from(const Vector& vector, const SinCos& tangent) {
   return {vector[0] * tangent.cosine + vector[1] * tangent.sine,
           vector[1] * tangent.cosine - vector[0] * tangent.sine};
@@ -53,13 +54,14 @@ void KerfShift::reset() {
   steps_q32_ = {};
 }
 
-/// Takes the plane of a block beside an edge. An oblique arc joins blocks of one plane to others.
+/// Takes the plane of a block next to an edge. An oblique arc joins blocks of one plane to others;
+/// its plane is not taken.
 void KerfShift::take_plane(const Block& block, Beside beside) {
   const ArcPlane& plane = block.turn.plane;
   if (beside != Beside::kNothing && !plane.oblique()) plane_ = plane.coordinate_plane();
 }
 
-/// Along the axes of the plane.
+/// Returns the present vector along the axes of the plane.
 KerfShift::Vector KerfShift::vector() const {
   return {now_[0] * tangent_.cosine - now_[1] * tangent_.sine,
           now_[0] * tangent_.sine + now_[1] * tangent_.cosine};
@@ -91,7 +93,7 @@ void KerfShift::meet(const Block& next) {
   end_ = seen_from(there, sin_cos(start_angle_ + sweep_));
 }
 
-/// A share of what is left, but not more than so much.
+/// Returns `from`, moved towards `to` by a share of the difference, but by at most `most`.
 float KerfShift::approach(float from, float to, float share, float most) {
   return from + std::clamp(share * (to - from), -most, most);
 }

@@ -11,44 +11,48 @@
 
 namespace cnc::motion {
 
-/// Where a beam is that goes half a kerf beside an edge, while its kerf is wider or narrower than
-/// that of the programmed speed: off the planned path, by half of the difference.
+/// Shifts a beam that is driven at an offset of half a kerf from an edge. While its kerf is wider
+/// or narrower than that of the programmed speed, the beam is off the planned path by half of the
+/// difference.
 ///
-/// The shift is that difference times a vector of the plane. Beside an edge the vector is the
-/// normal, so that the edge of the cut stays on the part's, plus whatever along the block makes it
-/// lead to the shifted corner: at a joint both blocks have the vector to where their shifted ways
-/// meet. Blocks that are not beside an edge lead from the last shift to the next or to none.
+/// The shift is this distance times a vector in the plane. On a block next to an edge, the part of
+/// the vector across the path is the normal, so that the edge of the cut stays on the edge of the
+/// part. The part along the path leads to the shifted corner: at a joint, the vectors of both
+/// blocks lead to the point where their shifted paths meet. On a block that is not next to an edge,
+/// the vector changes from the last one to that of the next block, or to zero.
 ///
-/// Nothing changes faster than a quarter of the way: where a machine brakes harder than a steep
-/// kerf could be followed, or a corner is known late, the shift lags.
+/// Shift and vector change by at most a quarter of the distance driven. The shift lags where the
+/// machine brakes so hard that a steep kerf cannot be followed, or where a corner is known late.
 ///
-/// The motors are where plan and shift together say. Main loop only.
+/// The position of the motors is that of the plan plus the shift. Main loop only.
 class KerfShift {
  public:
-  /// From now on, or not any more for null. @param course outlives its use @pre settled()
+  /// Follows `course` from now on; null stops following.
+  /// @param course must outlive its use
+  /// @pre settled()
   void follow(const kerf::KerfCourse* course) { course_ = course; }
   [[nodiscard]] bool follows() const { return course_ != nullptr; }
   [[nodiscard]] const kerf::KerfCourse& course() const { return *course_; }
-  /// The motors are on the planned path now.
+  /// Sets the shift to zero: the motors are on the planned path now.
   void reset();
-  /// They are.
+  /// Returns whether the motors are on the planned path.
   [[nodiscard]] bool settled() const { return steps_q32_[0] == 0 && steps_q32_[1] == 0; }
 
-  // @pre follows()
+  // The functions below require follows().
 
-  /// The plan comes to a block, and ends with it so far.
+  /// Begins a block of the plan. It counts as the last one until meet() is called.
   void begin(const Block& block);
-  /// Whether meet() was not called since.
+  /// Returns whether meet() was not called since begin().
   [[nodiscard]] bool ends() const { return ends_; }
-  /// The block goes on to another.
+  /// Prepares for `next`, the block after the present one.
   void meet(const Block& next);
-  /// It has come to a place of the block.
-  /// @param fraction of its length, 0…1
-  /// @param way_mm from the last place
-  /// @param heat of the programmed one, finite
+  /// Computes the shift at a position on the block.
+  /// @param fraction of the block's length, 0…1
+  /// @param way_mm distance from the last position
+  /// @param heat heat input divided by the programmed one, finite
   void move(float fraction, float way_mm, float heat, const Limits& limits);
 
-  /// From the planned place to that of the motors.
+  /// Adds the shift to a planned position, which gives that of the motors.
   void add_to(AxisArray<StepPosition>& place) const;
 
  private:
@@ -60,17 +64,17 @@ class KerfShift {
 
   const kerf::KerfCourse* course_ = nullptr;
   Plane plane_ = Plane::kXY;
-  Beside beside_ = Beside::kNothing;  ///< Of the block.
+  Beside beside_ = Beside::kNothing;  ///< Side of the beam on the present block.
   bool ends_ = false;
   bool turns_ = false;
   float fraction_ = 0.0F;
-  float start_angle_ = 0.0F;  ///< Of the tangent.
+  float start_angle_ = 0.0F;  ///< Angle of the tangent at the start.
   float sweep_ = 0.0F;
   Vector exit_{1.0F, 0.0F};  ///< The tangent at the end.
   SinCos tangent_{0.0F, 1.0F};
-  Vector now_{};        ///< The vector along the tangent and across it, to the left…
-  Vector end_{};        ///< …and at the end of the block.
-  float aside_ = 0.0F;  ///< mm.
+  Vector now_{};        ///< Present vector: parts along the tangent and across, to the left.
+  Vector end_{};        ///< Vector at the end of the block, in the same parts.
+  float aside_ = 0.0F;  ///< Length by which the vector is multiplied, mm.
   std::array<std::int64_t, 2> steps_q32_{};
 };
 

@@ -18,7 +18,7 @@ void PixelCourse::begin(const Block& block, PathUnits length) {
   pass(0);
 }
 
-/// A pixel that ends with the row is used up with it.
+/// At the end of the block, a pixel that ends within its part of the row is used up, too.
 void PixelCourse::pass(PathUnits place) {
   if (!row_.any()) return;
   while (change_ <= place && change_ < length_) {

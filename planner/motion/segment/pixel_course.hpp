@@ -6,26 +6,26 @@
 
 namespace cnc::motion {
 
-/// The power along the block that is being driven: of the whole block, or of the
-/// pixels of a row, which it uses up as they are passed.
+/// The power along the block that is being driven. It is the power of the whole block or, in a row,
+/// that of the pixels, which are used up as the motion passes them.
 class PixelCourse {
  public:
-  /// @param pixels of the blocks' rows; null where no block has any
+  /// @param pixels of the blocks' rows; null if no block has a row
   explicit PixelCourse(Pixels* pixels) : pixels_{pixels} {}
 
-  /// The block begins. @param length of it
+  /// Begins a block. @param length of the block
   void begin(const Block& block, PathUnits length);
-  /// The place on the block is this now.
+  /// Sets the present position on the block.
   void pass(PathUnits place);
-  /// Where the power changes next, or the end of the block.
+  /// Returns the position of the next change of power, or the end of the block.
   [[nodiscard]] PathUnits next_change() const { return change_; }
-  /// Returns whether that is within the block, and before `place`.
+  /// Returns whether the power changes within the block and before `place`.
   [[nodiscard]] bool changes_before(PathUnits place) const {
     return change_ < place && change_ < length_;
   }
-  /// Of the beam at the present place, see BeamCommand.
+  /// Returns the duty of the beam at the present position, see BeamCommand.
   [[nodiscard]] float duty() const { return duty_; }
-  /// Where that comes from.
+  /// Returns the source line of the present position.
   [[nodiscard]] SourceLine line() const { return line_; }
 
  private:
@@ -34,13 +34,13 @@ class PixelCourse {
   Pixels* pixels_;
   RowPart row_{};
   float scale_ = 1.0F;    ///< mm of the block per mm of the row.
-  PathUnits length_ = 0;  ///< Of the block.
+  PathUnits length_ = 0;  ///< Length of the block.
   PathUnits change_ = 0;
   float duty_ = 0.0F;
   SourceLine line_{};
 };
 
-/// The source line that is being driven, or comes first. @param block the oldest
+/// Returns the source line that is being driven, or that comes first. @param block the oldest block
 [[nodiscard]] SourceLine line_of(const Block& block, const Pixels& pixels);
 
 }  // namespace cnc::motion

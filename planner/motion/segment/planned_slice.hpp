@@ -8,17 +8,18 @@
 
 namespace cnc::motion {
 
-/// A slice of the planned motion, for whoever makes pulses of it later.
+/// A slice of the planned motion, from which pulses are made later.
 struct PlannedSlice {
   AxisArray<StepPosition> end{};
   std::uint32_t duration_ns = 0;
-  float start_duty = 0.0F;  ///< Of the output, 0…1; it changes evenly.
+  float start_duty = 0.0F;  ///< Duty of the output at the start, 0…1; it changes evenly.
   float end_duty = 0.0F;
-  OutputChanges outputs{};  ///< At its start.
+  OutputChanges outputs{};  ///< Changes at the start of the slice.
   SourceLine line{};
 };
 
-/// Of two changes before the same segment the later wins, output by output.
+/// Adds `later` to the changes that are pending. If both change the same output before a segment,
+/// the later change wins.
 inline void merge(OutputChanges& pending, const OutputChanges& later) {
   pending.raise = static_cast<std::uint8_t>((pending.raise & ~later.lower) | later.raise);
   pending.lower = static_cast<std::uint8_t>((pending.lower & ~later.raise) | later.lower);

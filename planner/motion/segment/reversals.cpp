@@ -8,11 +8,12 @@
 namespace cnc::motion {
 namespace {
 
-/// Nearer to an end of the block than this a reversal counts as there: it moves
-/// the axis by R · 1e-10.
+/// A reversal nearer than this to an end of the block counts as being at that end: in between, the
+/// axis moves by R · 1e-10.
 constexpr float kSliverQuarters = 1.0e-5F;
 
-/// A little more than a span of the plan's grid, so that who begins at its boundary is near.
+/// A little more than a span of the plan's grid, so that a slice that begins at the boundary of
+/// such a span counts as near.
 constexpr float kNearQuarters = 1.01F / 24.0F;
 
 }  // namespace
@@ -34,7 +35,7 @@ PathUnits Reversals::place_of(float quarters) const {
   return std::min(to_units(share * to_mm(length_)), length_);
 }
 
-/// The last reversal up to an angle.
+/// Returns the last reversal up to an angle, both in quarter turns.
 float Reversals::last_until(float quarters) const {
   float last = quarters - 2.0F;
   for (const float at : turns()) {

@@ -41,7 +41,7 @@ void SegmentPower::write(std::int32_t rest_ns, Segment& segment) const {
     const std::uint32_t from =
         static_cast<std::uint32_t>(std::max<std::int32_t>(0, from_ns)) / kNsPerTick;
     if (from >= segment.ticks) return;
-    // A piece that lasts no tick leaves its place to the next.
+    // A piece shorter than a tick is replaced by the next piece.
     if (from > last) segment.levels[segment.level_count++].from = static_cast<std::uint16_t>(from);
     last = from;
     const std::uint16_t output = pieces_[i].output();

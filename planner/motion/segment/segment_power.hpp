@@ -9,11 +9,11 @@
 
 namespace cnc::motion {
 
-/// Output over the slices of the segment that is being made: one even slope, or where the duty
-/// jumps between two slices a level for each of them.
+/// Output over the slices of the segment that is being made. It is one even slope or, if the duty
+/// jumps between two slices, one level for each slice.
 ///
-/// Slices beyond the levels that a segment has, or that LevelRate allows, share one with the energy
-/// of all of them. Main loop only.
+/// If there are more slices than a segment has levels, or than LevelRate allows, several slices
+/// share one level with the energy of them all. Main loop only.
 class SegmentPower {
  public:
   void begin() {
@@ -22,17 +22,18 @@ class SegmentPower {
   }
   /// Adds a slice in which the duty goes evenly from `start` to `end`, 0…1.
   void add(float start, float end, std::uint32_t duration_ns);
-  /// Returns the duty with which the slice added last ends, 0…1. @pre one has been added
+  /// Returns the duty at the end of the slice that was added last, 0…1. @pre a slice has been added
   [[nodiscard]] float end_duty() const { return end_; }
-  /// Writes the output over the whole segment, of which the ticks are known.
-  /// @param rest_ns planned time that segments before have left to it; negative: that they took
+  /// Writes the output over the whole segment. The ticks of the segment are set already.
+  /// @param rest_ns planned time that earlier segments have left to this one; a negative time was
+  /// taken in advance by them
   /// @pre a slice has been added
   void write(std::int32_t rest_ns, Segment& segment) const;
 
  private:
   struct Piece {
     std::uint32_t duration_ns = 0;
-    float energy_ns = 0.0F;  ///< Duty over time.
+    float energy_ns = 0.0F;  ///< Integral of the duty over time.
 
     [[nodiscard]] std::uint16_t output() const;
   };

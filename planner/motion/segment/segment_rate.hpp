@@ -7,20 +7,21 @@
 
 namespace cnc::motion {
 
-/// How many short parts in a row a queue to the step interrupt can take.
+/// Limits how many short parts in a row go into a queue to the step interrupt.
 ///
-/// The queue holds a number of parts, and they have to last until the next ones come in. So parts
-/// last a shortest time each on average: longer ones save up for shorter ones, up to kMostShort of
-/// them. A part of the motion of time T has T / shortest + kMostShort parts at most.
+/// The queue holds a fixed number of parts, which have to last until the next ones come in. So on
+/// average each part must last a shortest time. Longer parts save time for shorter ones, up to the
+/// time of kMostShort parts. A motion that takes the time T has at most T / shortest + kMostShort
+/// parts.
 class PartRate {
  public:
   static constexpr std::int32_t kMostShort = 12;
 
   /// Returns whether the next part may be shorter than the shortest time.
   [[nodiscard]] bool allows_short() const { return spare_ >= shortest_; }
-  /// Counts a part.
+  /// Counts the beginning of a part.
   void begin() { spare_ -= shortest_; }
-  /// Counts time of the part that was begun last.
+  /// Adds time to the part that was begun last.
   void pass(std::uint32_t time) {
     spare_ = std::min(spare_ + static_cast<std::int32_t>(time), kMostShort * shortest_);
   }
@@ -30,11 +31,11 @@ class PartRate {
 
  private:
   std::int32_t shortest_;
-  std::int32_t spare_ = kMostShort * shortest_;  ///< Time by which the parts so far were longer.
+  std::int32_t spare_ = kMostShort * shortest_;  ///< Time that earlier parts have saved.
 };
 
-/// Segments, in ticks: of these motors and beams take no notice, and 63 of them are six
-/// milliseconds.
+/// Limits the rate of segments; times are in ticks. Motors and beams do not react to segments of
+/// the shortest time, and 63 of these last six milliseconds.
 class SegmentRate : public PartRate {
  public:
   static constexpr std::int32_t kShortest = kTicksPerSecond / 10'000;
@@ -43,7 +44,8 @@ class SegmentRate : public PartRate {
   SegmentRate() : PartRate{kShortest} {}
 };
 
-/// Levels of the output, in nanoseconds: 32,000 a second, of which 256 are eight milliseconds.
+/// Limits the rate of levels of the output; times are in nanoseconds. At 32,000 levels a second,
+/// 256 of them last eight milliseconds.
 class LevelRate : public PartRate {
  public:
   static constexpr std::int32_t kShortest = 31'250;

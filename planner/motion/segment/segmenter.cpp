@@ -11,13 +11,13 @@ namespace cnc::motion {
 namespace {
 
 constexpr std::uint32_t kLongestSliceNs = 1'000'000;
-/// Where speed changes a lot.
+/// Longest slice where the speed changes much.
 constexpr std::uint32_t kShortSliceNs = 250'000;
-/// Shorter slices are joined, to segments that one parabola fits.
+/// Shorter slices are joined to segments, each of which one parabola fits.
 constexpr std::uint32_t kShortestNs = SegmentRate::kShortest * kNsPerTick;
 constexpr std::uint32_t kLongestJoinedNs = 2 * kShortestNs;
 
-/// Radians of half a turn that a slice may have: a 48th of a turn.
+/// Greatest half sweep of a slice in radians: a slice turns by at most a 48th of a turn.
 constexpr float kWidestSlice = kTwoPi / 96.0F;
 constexpr float kFar = 1.0e12F;  // mm
 
@@ -45,7 +45,7 @@ void Segmenter::go_back(PathUnits place, PathUnits distance) {
   stand(place_steps_);
 }
 
-/// Nothing of the motion so far is left.
+/// Forgets the motion so far; the motors are at rest at `place`.
 void Segmenter::stand(const AxisArray<StepPosition>& place) {
   plan_.reset();
   window_ = {};
@@ -71,10 +71,10 @@ AxisArray<StepPosition> Segmenter::motors() const {
 }
 
 bool Segmenter::next(Segment& segment) {
-  // A slice shorter than a tick is driven but not handed out; blocks of a few
-  // nanometres at full speed need several of them for one segment.
+  // A segment shorter than a tick is driven but not handed out. Blocks of a few nanometres at full
+  // speed need several of these for one segment.
   constexpr int kMostShortSlices = 64;
-  // The last slice before standstill is always handed out: it says so.
+  // The last segment before rest is always handed out, because it carries comes_to_rest.
   for (int slices = 0; slices < kMostShortSlices; ++slices) {
     if (!ready_stretch()) {
       if (slices == 0) return false;
@@ -122,7 +122,7 @@ void Segmenter::make_segment(Segment& segment) {
     joined_.time(place_steps_, segment);
     output_.write(rest_ns, segment);
   } else {
-    // Says so in no time.
+    // Reports the rest in a segment of one tick, which the next one gives back.
     pass_to_rest();
     segment.power = {};
     segment.level_count = 0;
@@ -143,7 +143,7 @@ void Segmenter::begin_joined() {
   }
 }
 
-/// Cuts the next slice, of one pixel or of several that are short, and joins it.
+/// Cuts the next slice, over one pixel or over several short ones, and joins it to the segment.
 void Segmenter::join_next(std::uint32_t most_ns) {
   if (pixels_are_short()) {
     const End end = end_of_slice(reversals_.next(), kShortSliceNs);
@@ -162,8 +162,8 @@ bool Segmenter::pixels_are_short() {
   return power_.changes_before(least);
 }
 
-/// Adds the powers up to the end of a slice. Within it, speed is taken to grow evenly along the
-/// way: at 10,000 mm/s² a power changes 0.1 µm from its place at most.
+/// Adds the powers of pixels up to the end of a slice. Within the slice, speed is taken to grow
+/// evenly with distance: at 10,000 mm/s² a change of power is at most 0.1 µm from its position.
 void Segmenter::add_pixels(const End& end) {
   const float way_mm = to_mm(end.place - place_);
   const float ns_per_mm = static_cast<float>(end.ns - elapsed_ns_) / way_mm;
@@ -191,7 +191,8 @@ void Segmenter::join(const Cut& cut) {
   }
 }
 
-/// Makes sure that there is a slice to join, where one is wanted and the motion goes on alike.
+/// Returns whether a slice is to be joined to the segment: the segment is short, and the motion
+/// continues in the same way. Makes sure that there is such a slice.
 bool Segmenter::joins_next() {
   if (joined_.duration_ns() >= kShortestNs || speed_ <= 0.0F || !ready_stretch()) return false;
   if (!driving_ && (queue_.empty() || queue_.front().outputs.any())) return false;
@@ -200,7 +201,8 @@ bool Segmenter::joins_next() {
   return (is_even || !rate_.allows_short()) && goes_on_as_joined();
 }
 
-/// No axis turns round until the next reversal, so its way to there tells where it goes.
+/// Returns whether each motor continues in the direction of the joined slices. No axis reverses
+/// before the next reversal, so the distance up to there gives the direction.
 bool Segmenter::goes_on_as_joined() {
   const PathUnits next = reversals_.next();
   if (place_ > 0 && next == monotonic_to_) return true;
@@ -215,9 +217,9 @@ bool Segmenter::goes_on_as_joined() {
   return true;
 }
 
-/// Makes sure there is a stretch with time left; false when there is no motion.
+/// Makes sure that there is a stretch with time left. Returns false if there is no motion.
 bool Segmenter::ready_stretch() {
-  // At its end a stretch may have no time left for its last few units.
+  // At its end, a stretch may have no time left for its last few units of distance.
   const bool driven = place_ == stretch_from_ + course_.whole().way;
   if (!driven || elapsed_ns_ < course_.duration_ns()) return true;
   const Stretch stretch = next_stretch();
@@ -231,7 +233,7 @@ bool Segmenter::ready_stretch() {
   return true;
 }
 
-/// From the plan itself, or from what the filter makes of it.
+/// Returns the next stretch: of the plan itself or, under a window, of the filtered motion.
 Stretch Segmenter::next_stretch() {
   const bool stands = plan_.speed() <= 0.0F && filter_.at_rest();
   if (stands && drive_ == Drive::kOn) choose_window();
@@ -241,7 +243,7 @@ Stretch Segmenter::next_stretch() {
   return stretch;
 }
 
-/// From rest to rest it stays the same.
+/// Chooses the window for the motion from this rest to the next.
 void Segmenter::choose_window() {
   if (plan_.at_end()) return;
   const TimeWindow window = plan_.choose_window();
@@ -251,7 +253,7 @@ void Segmenter::choose_window() {
   filter_.begin(window);
 }
 
-/// False when neither plan nor motion move.
+/// Fills the present cell of the filter. Returns false if neither plan nor motion move.
 bool Segmenter::fill_cell() {
   const bool may_start = filter_.at_rest();
   bool moves = !may_start;
@@ -269,7 +271,8 @@ bool Segmenter::fill_cell() {
   return true;
 }
 
-/// Of the time in which the motion comes to rest nothing may be left to drive.
+/// Begins the front block unless it is begun. Returns false if there is none: in the time in which
+/// the motion comes to rest, nothing may be left to drive.
 bool Segmenter::ready_block() {
   if (driving_) return true;
   if (queue_.empty()) return false;
@@ -283,7 +286,7 @@ void Segmenter::begin_block() {
   length_ = length_in_units(block);
   fraction_ = BlockFraction{length_};
   reversals_ = Reversals{block, length_};
-  // Under a window stretches are short.
+  // Under a window, stretches are short anyway.
   const bool widely = block.turns() && !window_.filters();
   widest_mm_ = widely ? kWidestSlice * block.length / std::abs(block.turn.half_sweep) : kFar;
   power_.begin(block, length_);
@@ -304,9 +307,9 @@ void Segmenter::end_block() {
   place_ = 0;
 }
 
-/// Where the speed of the path or of an axis changes by more than a third of
-/// itself slices are shorter, and on an arc they turn by a 48th at most, so that a parabola in
-/// the step index fits. Slices of a stretch are equally long.
+/// Returns the longest time of the next slice. Slices are shorter where the speed of the path or of
+/// an axis changes by more than a third of itself. On an arc they turn by at most a 48th of a turn.
+/// So a parabola in the step index fits. All slices of a stretch are equally long.
 std::uint32_t Segmenter::longest_slice_ns() const {
   const auto left = static_cast<std::uint32_t>(course_.duration_ns()) - elapsed_ns_;
   std::uint32_t longest = kShortSliceNs;
@@ -325,13 +328,13 @@ std::uint32_t Segmenter::longest_slice_ns() const {
   return (left + slices - 1) / slices;
 }
 
-/// The next slice ends with the stretch, where the block does, where an axis
-/// reverses, or where the power changes.
+/// Cuts the next slice. It ends with the stretch, at the end of the block, where an axis reverses,
+/// or where the power changes, whichever comes first.
 Segmenter::Cut Segmenter::cut_slice(std::uint32_t most_ns) {
   return cut(end_of_slice(std::min(reversals_.next(), power_.next_change()), most_ns));
 }
 
-/// Returns the end of a slice that ends at `stop`, if it is not over before.
+/// Returns the end of the next slice: at `stop`, or earlier if its time is over before.
 Segmenter::End Segmenter::end_of_slice(PathUnits stop, std::uint32_t most_ns) {
   End end{.ns = elapsed_ns_ + std::min(longest_slice_ns(), most_ns)};
   end.place = stretch_from_ + course_.way_after(end.ns);
@@ -385,7 +388,8 @@ void Segmenter::follow_kerf_to(PathUnits end, std::uint64_t fraction) {
   kerf_.move(fraction_of(fraction), to_mm(end - place_), heat(), limits_);
 }
 
-/// Of the programmed one: power by power over speed by speed, as M3 or M4 have it here.
+/// Returns the heat input divided by the programmed one: the ratio of powers, divided by the ratio
+/// of speeds. M3 or M4 decides how the power follows the speed here.
 float Segmenter::heat() const {
   constexpr float kSlowest = 1.0e-3F;  // mm/s
   const Block& block = queue_.front();
@@ -393,7 +397,7 @@ float Segmenter::heat() const {
   const float speed = std::max(speed_, kSlowest);
   const bool by_speed = block.beam.follows_speed && block.feed > 0.0F;
   const float heat = plan_.overrides().power * (feed / (by_speed ? block.feed : speed));
-  // There is no more than full power.
+  // The power cannot exceed full power.
   return block.beam.duty > 0.0F ? std::min(heat, feed / (block.beam.duty * speed)) : heat;
 }
 
@@ -402,7 +406,7 @@ bool Segmenter::power_follows_speed() const {
   return block.beam.follows_speed && block.feed > 0.0F;
 }
 
-/// Returns the duty at a speed of the path, in mm/s, with the power of the present place.
+/// Returns the duty at a path speed in mm/s, for the power at the present position.
 float Segmenter::duty_at(float speed) const {
   if (power_.duty() <= 0.0F) return 0.0F;
   const auto duty_for = [this](float share) {

@@ -19,15 +19,16 @@ namespace cnc::motion {
 
 /// A slice of the plan as driven: constant acceleration along one block.
 struct Slice {
-  std::uint32_t block = 0;          ///< Counted from 0 since the last reset.
-  std::uint64_t from_fraction = 0;  ///< Of the block's length; 2^32 is its end.
+  std::uint32_t block = 0;  ///< Number of the block since the last reset, from 0.
+  /// Fraction of the block's length at the start; 2^32 is its end.
+  std::uint64_t from_fraction = 0;
   std::uint64_t to_fraction = 0;
   float start_speed = 0.0F;   ///< mm/s.
   float acceleration = 0.0F;  ///< mm/s².
   float duration = 0.0F;      ///< s.
 };
 
-/// Whoever wants to see the plan itself rather than its pulses.
+/// Receives the slices of the plan, before they become pulses.
 class SliceObserver {
  public:
   virtual void on_slice(const Slice& slice) = 0;
@@ -38,29 +39,30 @@ class SliceObserver {
 
 /// Cuts the planned motion into segments for the step interrupt.
 ///
-/// Takes the blocks from the front of a queue as the motors come to their ends,
-/// and slices the stretches of the plan so that a slice lies in one block and one
-/// pixel, lasts at most a millisecond and reverses no axis. A change of plan, override or
-/// hold takes effect at the next stretch.
+/// Takes each block from the front of a queue when the motors reach its end. Cuts the stretches of
+/// the plan so that a slice lies in one block and one pixel, lasts at most a millisecond and
+/// reverses no axis. A change of the plan, an override or a hold takes effect at the next stretch.
 ///
-/// Slices shorter than SegmentRate::kShortest go out as one segment with those after them, so that
-/// a queue of segments lasts. Only where an axis turns round, the power jumps, outputs change or
-/// the motion ends is a segment shorter; where the power jumps so often that the queue would not
-/// last, a segment has a level for each of its slices. A slice goes on over pixels that are shorter
-/// than that, each of which has a level, too.
+/// A slice shorter than SegmentRate::kShortest goes out in one segment with the slices after it, so
+/// that a queue of segments lasts long enough. A segment is shorter than that only where an axis
+/// reverses, the power jumps, outputs change or the motion ends. Where the power jumps so often
+/// that the queue would not last, a segment has a level for each of its slices. A slice continues
+/// over pixels that are shorter than kShortest; each of these has a level, too.
 ///
-/// Main loop only. All state is where the last slice handed out has ended.
+/// Main loop only. All state is that at the end of the last slice handed out.
 class Segmenter {
  public:
   static constexpr float kLongestSlice = 1.0e-3F;  ///< s.
 
-  /// @param pixels of the blocks' rows; null where no block has any
+  /// @param pixels of the blocks' rows; null if no block has a row
   Segmenter(BlockQueue& queue, const Limits& limits, Pixels* pixels = nullptr)
       : queue_{queue}, limits_{limits}, plan_{queue, limits}, power_{pixels} {}
 
-  /// The next slice; false when there is none: everything driven, or halted.
+  /// Makes the next segment. Returns false if there is none: everything is driven, or the motion is
+  /// halted.
   [[nodiscard]] bool next(Segment& segment);
-  /// The same slice, at most `most_ns` long, for whoever makes the pulses.
+  /// Makes the next slice, of at most `most_ns`, for a caller that makes the pulses itself. Returns
+  /// false if there is none.
   [[nodiscard]] bool next(std::uint32_t most_ns, PlannedSlice& slice);
 
   void set_overrides(const Overrides& overrides) { plan_.set_overrides(overrides); }
@@ -69,54 +71,59 @@ class Segmenter {
   void halt() { drive_ = Drive::kHalt; }
   void go_on() { drive_ = Drive::kOn; }
 
-  /// Nothing left to hand out.
+  /// Returns whether nothing is left to hand out.
   [[nodiscard]] bool idle() const { return !driving_ && queue_.empty(); }
-  /// Standing still; while driving_ this means halted within a block.
+  /// Returns whether the motion is at rest. If driving_ is set, it is halted within a block.
   [[nodiscard]] bool at_rest() const { return speed_ <= 0.0F; }
-  /// Where the last slice handed out ends.
+  /// Returns the position at the end of the last slice handed out.
   [[nodiscard]] const AxisArray<StepPosition>& place() const { return place_steps_; }
-  /// mm to the end of the oldest block. @pre !idle()
+  /// Returns the distance to the end of the oldest block, in mm. @pre !idle()
   [[nodiscard]] float left_of_block() const {
     return driving_ ? to_mm(length_ - place_) : queue_.front().length;
   }
-  /// Distance from the start of the oldest block. @pre !idle()
+  /// Returns the distance from the start of the oldest block. @pre !idle()
   [[nodiscard]] PathUnits into_block() const { return driving_ ? place_ : 0; }
-  /// Running length of all that was handed out (wraps); what is taken back counts no longer.
+  /// Returns the running length of all motion that was handed out (wraps). Motion that was taken
+  /// back no longer counts.
   [[nodiscard]] std::uint64_t travelled() const {
     return ended_ + static_cast<std::uint64_t>(place_);
   }
-  /// mm/s at the end of the last slice handed out.
+  /// Returns the speed at the end of the last slice handed out, in mm/s.
   [[nodiscard]] float speed() const { return speed_; }
-  /// mm/s of the plan, which is ahead of what was handed out where jerk is limited:
-  /// the motion is its mean over the window.
+  /// Returns the speed of the plan, in mm/s. Where jerk is limited, the plan is ahead of the motion
+  /// that was handed out, because the motion is the mean of the plan over the window.
   [[nodiscard]] float planned_speed() const { return plan_.speed(); }
   [[nodiscard]] const TimeWindow& window() const { return window_; }
   [[nodiscard]] bool halted() const { return drive_ == Drive::kHalt && at_rest(); }
 
-  /// Beside edges the motors follow the kerf of the power and speed that are driven: slices end
-  /// off the path by so much. Segments do not. Null: not any more.
-  /// @param course outlives its use @pre at rest, and on the path
+  /// Lets the motors follow the kerf of the driven power and speed on blocks that have an edge.
+  /// Slices then end off the path, but segments do not. Null stops following.
+  /// @param course must outlive its use
+  /// @pre at rest, and on the path
   void follow_kerf(const kerf::KerfCourse* course) { kerf_.follow(course); }
   [[nodiscard]] bool follows_kerf() const { return kerf_.follows(); }
-  /// The motors are where place() says, but for a tool's centre.
+  /// Returns whether the motors are at place(), apart from the correction for a tool's centre.
   [[nodiscard]] bool on_path() const { return kerf_.settled(); }
 
-  /// Lets slices end where the axes have to be so that the tip is at place(). Segments do not.
-  /// @param centre outlives its use; null where rotary axes do not move the tip @pre at rest
+  /// Lets slices end at the axis positions at which the tip is at place(). Segments do not.
+  /// @param centre must outlive its use; null if rotary axes do not move the tip
+  /// @pre at rest
   void follow_centre(const kinematics::ToolCentre* centre) { centre_ = centre; }
-  /// Returns whether slices end elsewhere than at place().
+  /// Returns whether slices may end elsewhere than at place().
   [[nodiscard]] bool leaves_path() const { return follows_kerf() || centre_ != nullptr; }
 
-  /// Forgets all motion; the motors stand at `place` now. A halt stays.
+  /// Forgets all motion; the motors are at `place` now. A halt remains.
   void reset(const AxisArray<StepPosition>& place);
-  /// Goes on from rest at `place` on the block at the front of the queue, to which blocks were
-  /// taken back. @param distance that was handed out beyond it @pre at rest; 0 ≤ place < its length
+  /// Continues from rest at `place` on the block at the front of the queue, after blocks were taken
+  /// back.
+  /// @param distance that was handed out beyond `place`
+  /// @pre at rest; 0 ≤ place < length of that block
   void go_back(PathUnits place, PathUnits distance);
-  /// Returns where the motors stand after the last slice: place(), with what follows the kerf and
-  /// what rotary axes ask for.
+  /// Returns the position of the motors after the last slice: place(), with the shift for the kerf
+  /// and the correction for rotary axes.
   [[nodiscard]] AxisArray<StepPosition> motors() const;
 
-  /// Tells `observer` of every slice from now on; null for nobody.
+  /// Reports every slice to `observer` from now on; null stops the reports.
   void observe(SliceObserver* observer) { observer_ = observer; }
 
  private:
@@ -125,12 +132,12 @@ class Segmenter {
   [[nodiscard]] Stretch next_stretch();
   void choose_window();
   [[nodiscard]] bool fill_cell();
-  /// Of the output, 0…1, at the start and at the end of a slice.
+  /// Duties of the output, 0…1, at the start and at the end of a slice.
   struct Duties {
     float start = 0.0F;
     float end = 0.0F;
   };
-  /// What a slice was.
+  /// A slice that was cut.
   struct Cut {
     MotorPath::Point to{};
     std::uint32_t duration_ns = 0;
@@ -142,7 +149,7 @@ class Segmenter {
   void begin_block();
   void end_block();
   [[nodiscard]] std::uint32_t longest_slice_ns() const;
-  /// Where a slice ends: a time of the stretch and a place of the block.
+  /// The end of a slice: a time within the stretch and a position on the block.
   struct End {
     std::uint32_t ns = 0;
     PathUnits place = 0;
@@ -170,17 +177,18 @@ class Segmenter {
   const Limits& limits_;
   PlanCursor plan_;
   TimeWindow window_{};
-  MotionFilter filter_{};  ///< Of the plan, under a window.
+  MotionFilter filter_{};  ///< Makes the motion from the plan, under a window.
   Drive drive_ = Drive::kOn;
 
-  PhaseCourse course_{};          ///< Of the stretch being cut.
-  PathUnits stretch_from_ = 0;    ///< Like place_; below 0 when it began in an earlier block.
-  std::uint32_t elapsed_ns_ = 0;  ///< Of the stretch.
+  PhaseCourse course_{};  ///< Position and speed within the stretch being cut.
+  /// Start of the stretch, like place_; below 0 in an earlier block.
+  PathUnits stretch_from_ = 0;
+  std::uint32_t elapsed_ns_ = 0;  ///< Time since the start of the stretch.
 
   bool driving_ = false;    ///< The front block has been begun.
-  PathUnits length_ = 0;    ///< Of the front block.
-  PathUnits place_ = 0;     ///< Within it.
-  float widest_mm_ = 0.0F;  ///< As long as a slice may be for its turning.
+  PathUnits length_ = 0;    ///< Length of the front block.
+  PathUnits place_ = 0;     ///< Position within the front block.
+  float widest_mm_ = 0.0F;  ///< Greatest length of a slice because of its turning.
   BlockFraction fraction_{};
   Reversals reversals_{};
   PixelCourse power_;
@@ -191,17 +199,17 @@ class Segmenter {
   KerfShift kerf_{};
   const kinematics::ToolCentre* centre_ = nullptr;
 
-  // Of the segment being made.
+  // The segment being made.
   JoinedSlices joined_{};
-  PathUnits monotonic_to_ = 0;  ///< On the block begun last: no axis turns round before.
+  PathUnits monotonic_to_ = 0;  ///< Up to here no axis reverses on the block begun last.
   SourceLine line_{};
   SegmentPower output_{};
   SegmentRate rate_{};
 
   SliceObserver* observer_ = nullptr;
   std::uint32_t blocks_ended_ = 0;
-  std::uint64_t ended_ = 0;  ///< Length of the blocks that ended.
-  OutputChanges outputs_{};  ///< Not handed out yet.
+  std::uint64_t ended_ = 0;  ///< Total length of the blocks that ended.
+  OutputChanges outputs_{};  ///< Changes that are not handed out yet.
 };
 
 }  // namespace cnc::motion

@@ -11,7 +11,7 @@ namespace {
 constexpr float kToQ16 = 65536.0F;
 constexpr std::int64_t kHalfStep = std::int64_t{1} << 31;
 
-/// The parabola distance(t) = speed · t + ½ acceleration · t², solved for t.
+/// Solves the parabola distance(t) = speed · t + ½ acceleration · t² for t.
 class Parabola {
  public:
   Parabola(float distance, float speed, float ticks)
@@ -19,7 +19,8 @@ class Parabola {
         twice_acceleration_{4.0F * (distance - speed_ * ticks) / (ticks * ticks)},
         ticks_{ticks} {}
 
-  /// Stable for any sign of the acceleration; clamped to the slice.
+  /// Returns the time at which `distance` is reached, at most the end of the slice. The formula is
+  /// stable for any sign of the acceleration.
   [[nodiscard]] float time_to(float distance) const {
     const float discriminant = speed_ * speed_ + twice_acceleration_ * distance;
     const float sum = speed_ + std::sqrt(std::max(0.0F, discriminant));
@@ -34,7 +35,7 @@ class Parabola {
 
 std::int32_t to_q16(float ticks) { return static_cast<std::int32_t>(ticks * kToQ16); }
 
-/// @pre distance ≥ 0
+/// Converts Q32 steps to steps. @pre distance ≥ 0
 float to_steps(std::int64_t distance) {
   const auto whole = static_cast<std::uint32_t>(distance >> 32);
   const auto rest = static_cast<std::uint32_t>(distance);
@@ -48,12 +49,13 @@ StepTrain time_steps(const AxisSlice& slice, float shift) {
   const std::int32_t steps = slice.to.nearest_step() - start_step;
   if (steps == 0) return {};
   const bool forward = steps > 0;
-  // More than one step each tick, and one by rounding, was not planned: memory has changed.
+  // The plan has at most one step per tick, plus one by rounding. More means that memory has
+  // changed.
   CNC_ASSERT(static_cast<float>(forward ? steps : -steps) <= slice.ticks + 1.0F);
   const std::int64_t from = slice.from.q32();
   const std::int64_t travel = slice.to.q32() - from;
   const std::int64_t from_centre = from - StepPosition::whole(start_step).q32();
-  // To the first half step in the direction of travel.
+  // Distance to the first half step in the direction of travel.
   const float first_edge = to_steps(kHalfStep - (forward ? from_centre : -from_centre));
   const Parabola motion{to_steps(forward ? travel : -travel),
                         forward ? slice.speed_steps_per_tick : -slice.speed_steps_per_tick,
@@ -71,7 +73,8 @@ StepTrain time_steps(const AxisSlice& slice, float shift) {
     train.interval_q16 = to_q16(mean);
     return train;
   }
-  // Through first, middle m and last n: mean interval up to k is I + (k − 1)/2 · G.
+  // The parabola goes through the first step, the middle step m and the last step n. The mean
+  // interval up to step k is I + (k − 1)/2 · G.
   const auto middle_index = static_cast<float>(train.count >> 1U);
   const float middle = motion.time_to(first_edge + middle_index);
   const float mean_to_middle = (middle - first) / middle_index;

@@ -7,23 +7,23 @@
 
 namespace cnc::motion {
 
-/// One axis over one slice: from place to place with a speed at the start.
+/// Motion of one axis over one slice: its start, its end and its speed at the start.
 struct AxisSlice {
   StepPosition from{};
   StepPosition to{};
-  float speed_steps_per_tick = 0.0F;  ///< At `from`, signed.
+  float speed_steps_per_tick = 0.0F;  ///< Speed at `from`, signed.
   float ticks = 0.0F;                 ///< Planned duration.
 };
 
-/// Steps fall where the planned position crosses half a step, so that the
-/// motor is always at the step nearest to the plan. Position is taken as a
-/// parabola through `from`, `to` and the start speed.
+/// Returns the times of the steps of a slice. A step is due where the planned position crosses half
+/// a step, so that the motor is always at the step nearest to the plan. The position is taken to be
+/// a parabola through `from` and `to` with the start speed.
 ///
-/// Exact for up to three steps; for more, the times of the first, middle and
-/// last are exact and the rest on a parabola through them. With slices that
-/// change speed by at most half, the error stays below 2 % of the slice.
+/// The times of up to three steps are exact. For more steps, the times of the first, the middle and
+/// the last one are exact, and the others lie on a parabola through these. If the speed changes by
+/// at most half within the slice, the error stays below 2 % of the slice.
 ///
-/// @param shift ticks by which the slice starts after its first whole tick.
+/// @param shift ticks by which the slice starts after its first whole tick
 [[nodiscard]] StepTrain time_steps(const AxisSlice& slice, float shift);
 
 }  // namespace cnc::motion

@@ -9,10 +9,10 @@ namespace {
 
 using Curve = cnc::contour::Curve<double>;
 
-/// Crossings that are so near to each other are one, mm; also the half width of a boundary.
+/// Distance below which crossings are one, mm; also the half width of a boundary.
 constexpr double kOneCrossingMm = 1.0e-6;
 
-/// Returns the line of a slice, longer by 1 mm to both sides.
+/// Returns the line of a slice, extended by 1 mm at both ends.
 Curve line_of(const Slice& slice, double begin, double end) {
   Curve line;
   line.start = slice.at(begin - 1.0);
@@ -22,7 +22,7 @@ Curve line_of(const Slice& slice, double begin, double end) {
   return line;
 }
 
-/// Returns a box that no element which a line only touches misses.
+/// Returns a larger box, so that an element that a line only touches is not missed.
 cnc::contour::FlatBox<double> widened(const cnc::contour::FlatBox<double>& box) {
   constexpr double kMore = 10.0 * kOneCrossingMm;
   return {box.x0 - kMore, box.y0 - kMore, box.x1 + kMore, box.y1 + kMore};
@@ -34,7 +34,8 @@ void add_parts_in(const pocket::OwnedArea& area,
                   SliceParts& parts) {
   const Curve line = line_of(slice, whole.first, whole.second);
   std::vector<double> crossings{whole.first, whole.second};
-  // A line that misses the boundary by so little that its place counts as inside touches it.
+  // A line touches the boundary if it misses the boundary by so little that its place counts as
+  // inside.
   area->search(widened(line.box()), [&](const Curve& curve) {
     const auto found = cnc::contour::meetings_of(curve, line, 2.0 * kOneCrossingMm);
     for (std::uint32_t i = 0; i < found.count; ++i) {

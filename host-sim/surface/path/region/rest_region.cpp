@@ -14,12 +14,12 @@ using cnc::surface::Profile;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-/// Greatest rise for which a search goes on, mm per mm.
+/// Maximum rise for which a search continues, mm per mm.
 constexpr double kSteepestSearch = 6.0;
 /// Share of the larger tool's radius that counts as its rim.
 constexpr double kAlmostRim = 1.0 - 1.0e-9;
 
-/// Returns the tool whose heights leave an allowance everywhere, also beside a cone.
+/// Returns the tool whose heights leave an allowance everywhere, also next to a cone.
 cnc::surface::GrownTool leaving(const Profile& tool, double allowance_mm) {
   if (allowance_mm == 0.0) return {.profile = tool};
   const double band = cnc::surface::grown(tool, allowance_mm).band_mm;
@@ -31,8 +31,8 @@ Vector2d direction_of(int index, int count) {
   return {std::cos(angle), std::sin(angle)};
 }
 
-/// Returns the height of a tool that is smaller by a depth all round, above the tip of the whole
-/// tool: the highest point within the depth of its lower surface.
+/// Returns the height of a tool that is reduced by a depth on all sides, above the tip of the whole
+/// tool. It is the highest point within the depth of the tool's lower surface.
 double inner_height(const Profile& tool, double distance_mm, double depth_mm) {
   constexpr int kSteps = 32;
   double height = 0.0;
@@ -45,19 +45,21 @@ double inner_height(const Profile& tool, double distance_mm, double depth_mm) {
   return height;
 }
 
-/// Share of the larger tool's radius that is the raster's pitch.
+/// Pitch of the raster as a share of the larger tool's radius.
 constexpr double kRasterShare = 1.0 / 32.0;
-/// Steps of the clearances.
+/// Number of steps of the clearances.
 constexpr int kClearances = 256;
 
-/// Returns the share of the reach at an index: the steps are quadratic towards the end.
+/// Returns the share of the reach that belongs to an index. Towards the end the steps become
+/// shorter, by a quadratic law.
 double share_at(int index) {
   const double rest = 1.0 - static_cast<double>(index) / kClearances;
   return 1.0 - rest * rest;
 }
 
-/// Returns the height of the larger tool's tip above the tool's by which nothing of the smaller
-/// tool, less a depth, is beyond the larger one. It is a convex function of the distance.
+/// Returns the height of the larger tool's tip above the tool's tip at which no point of the tool,
+/// reduced by a depth, is beyond the larger tool. It is a convex function of the distance between
+/// the axes.
 double clearance_at(const Profile& tool, const Profile& larger, double depth_mm, double distance) {
   constexpr int kSteps = 256;
   const double rim = std::max(0.0, tool.radius_mm - depth_mm);
@@ -99,7 +101,8 @@ RestRegion::RestRegion(const Mesh& mesh, const Profile& tool, const RestOptions&
   }
 }
 
-/// Checks each point of the tool at its place, first the one in `memory` that was left last time.
+/// Checks each point of the tool at its place. The first one is the point in `memory`, at which the
+/// last call found stock.
 bool RestRegion::holds(const Vector2d& place, std::size_t& memory) const {
   const std::optional<Vector2d> rise = heights_.rise(place);
   if (!rise) return false;
@@ -116,8 +119,8 @@ bool RestRegion::holds(const Vector2d& place, std::size_t& memory) const {
   return false;
 }
 
-/// Returns whether one place of the larger tool takes all of the tool: that where both touch one
-/// plane with this rise, or the best of the raster.
+/// Returns whether one place of the larger tool removes everything that the tool does. Tries the
+/// place where both tools touch one plane with this rise, and the best place of the raster.
 bool RestRegion::is_taken_at_once(const Vector3d& tip, const Vector2d& rise) const {
   const Vector2d axis = tip.head<2>();
   const double slope = rise.norm();
@@ -138,7 +141,8 @@ bool RestRegion::is_all_taken(const Vector3d& tip, const Vector2d& place) const 
          height + larger_lift_mm_ + clearance((place - tip.head<2>()).norm()) <= tip.z();
 }
 
-/// Interpolates between steps, which a convex function is never above.
+/// Returns a clearance, interpolated between steps. The exact clearance is never above this value,
+/// because it is a convex function.
 double RestRegion::clearance(double distance_mm) const {
   const double distance = std::min(distance_mm, reach_mm_);
   const double index = kClearances * (1.0 - std::sqrt(1.0 - distance / reach_mm_));
@@ -147,7 +151,7 @@ double RestRegion::clearance(double distance_mm) const {
   return clearances_[before] + share * (clearances_[before + 1] - clearances_[before]);
 }
 
-/// Returns how much the larger tool at a place leaves above a point, mm.
+/// Returns the height of the stock above a point that the larger tool leaves from a place, mm.
 double RestRegion::excess(const Vector3d& point, const Vector2d& place) const {
   const double distance = (place - point.head<2>()).norm();
   const double tip = larger_heights_(place);
@@ -171,7 +175,7 @@ bool RestRegion::is_taken(const Vector3d& point, const Vector2d& out, const Vect
   return is_taken_by_search(point);
 }
 
-/// Searches from the best point of the raster on in ever shorter steps.
+/// Searches from the best point of the raster on, in ever shorter steps.
 bool RestRegion::is_taken_by_search(const Vector3d& point) const {
   constexpr int kHalvings = 4;
   constexpr int kDirections = 8;

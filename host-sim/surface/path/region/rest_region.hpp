@@ -10,28 +10,31 @@
 
 namespace sim::surface {
 
-/// An earlier, larger tool, and the stock for which it is worth to go on.
+/// An earlier, larger tool, and the limits of the stock that is worth another pass.
 struct RestOptions {
-  cnc::surface::Profile larger;  ///< Its radius is above that of the tool.
+  /// Profile of the larger tool; its radius is above that of the tool.
+  cnc::surface::Profile larger;
   double larger_allowance_mm = 0.0;
-  double depth_mm = 0.03;     ///< Thicker stock is a rest, measured at right angles to the tool.
-  double allowance_mm = 0.0;  ///< Stock that the tool leaves.
-  std::optional<double> floor_mm{};  ///< For both tools.
+  /// Stock thicker than this, perpendicular to the tool, is rest stock.
+  double depth_mm = 0.03;
+  double allowance_mm = 0.0;         ///< Stock that the tool leaves.
+  std::optional<double> floor_mm{};  ///< Lowest height of the tip, for both tools.
 };
 
-/// The places at which a tool touches the surface where a larger one, in whatever place, leaves
-/// more than a depth: where that tool, smaller by the depth all round, reaches beyond all that the
-/// larger one can take.
+/// The places at which a tool touches the surface and a larger tool leaves stock thicker than a
+/// depth, wherever the larger tool goes. At these places the tool, reduced by the depth on all
+/// sides, reaches beyond everything that the larger tool can remove.
 ///
-/// Where one place of the larger tool takes all of the smaller one, nothing is left. Elsewhere 37
-/// points of the tool are checked, each by a search for a place of the larger tool that takes it. A
-/// search that misses such a place makes the region larger, never smaller.
+/// If one place of the larger tool removes everything that the reduced tool does, nothing is left.
+/// Otherwise 37 points of the tool are checked, each by a search for a place of the larger tool
+/// that removes the stock there. A search that misses such a place makes the region larger, never
+/// smaller.
 class RestRegion final : public SampledRegion {
  public:
   RestRegion(const Mesh& mesh, const cnc::surface::Profile& tool, const RestOptions& options);
 
  private:
-  /// A point of the tool, seen from its tip.
+  /// A point of the tool, relative to its tip.
   struct ToolPoint {
     Eigen::Vector2d out;
     double height;
@@ -48,16 +51,18 @@ class RestRegion final : public SampledRegion {
   [[nodiscard]] double excess(const Eigen::Vector3d& point, const Eigen::Vector2d& place) const;
   [[nodiscard]] bool is_taken_by_search(const Eigen::Vector3d& point) const;
 
-  ToolHeights heights_;         ///< With the allowance, less its lift.
-  ToolHeights larger_heights_;  ///< The same of the larger tool.
+  ToolHeights heights_;  ///< Heights of the tool with its allowance, without its lift.
+  /// Heights of the larger tool with its allowance, without its lift.
+  ToolHeights larger_heights_;
   cnc::surface::Profile tool_;
   cnc::surface::Profile larger_;
   double lift_mm_;
   double larger_lift_mm_;
   TipRaster raster_;
   std::vector<ToolPoint> points_;
-  /// Heights of the larger tool's tip above the tool's by which it takes all of it, by the distance
-  /// of their axes: 0 to the difference of the radii in steps that become shorter.
+  /// Heights of the larger tool's tip above the tool's tip at which the larger tool removes
+  /// everything that the tool does, by the distance between their axes. The distances go from 0 to
+  /// the difference of the radii in steps that become shorter.
   std::vector<double> clearances_;
   double reach_mm_;
 };

@@ -6,7 +6,7 @@
 namespace sim::surface {
 namespace {
 
-/// Returns what parts leave between two places.
+/// Returns the gaps between parts, from one place to another.
 SliceParts gaps_of(const SliceParts& parts, double begin, double end) {
   SliceParts gaps;
   double from = begin;
@@ -25,7 +25,8 @@ class SampledRegion::Sampler {
  public:
   Sampler(const SampledRegion& region, const Slice& slice) : region_{region}, slice_{slice} {}
 
-  /// Adds the parts that begin or end up to `more_mm` beside a gap, longer by that at both ends.
+  /// Adds the parts that begin or end in a gap or up to `more_mm` outside it. The parts are
+  /// extended by `more_mm` at both ends.
   void add_parts(const std::pair<double, double>& gap, double more_mm, SliceParts& parts) {
     const double from = gap.first - more_mm;
     const double length = gap.second + more_mm - from;
