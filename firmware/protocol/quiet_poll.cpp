@@ -1,17 +1,17 @@
 #include "firmware/protocol/line_protocol.hpp"
 
-/// Polls that would do nothing, which are most of a simulated job. It is for hosts: no board calls
-/// it. Each condition stands for a step of LineProtocol::poll() that does nothing where it holds.
+/// Decides which polls would do nothing; in a simulated job most would. For hosts: no board calls
+/// it. Each condition stands for a step of LineProtocol::poll() that does nothing if it holds.
 namespace cnc {
 
-/// All that was received is done, or what is done waits for the machine.
+/// Returns whether everything received is done, or waits for the machine.
 bool LineProtocol::waits_for_machine() const {
   if (machine_.busy()) return true;
   const bool all_is_done = owed_ == Owed::kNothing && !beginning_ && startup_line_ >= kStartupDone;
   return all_is_done && !machine_.idle();
 }
 
-/// Something is to be reported, stored or judged, or may be soon.
+/// Returns whether something is to be reported, stored or judged, or may be soon.
 bool LineProtocol::has_to_tell() const {
   if (!outbox_.empty() || listing_.active() || auto_report_ || modes_wanted_ || greeting_due_ ||
       startup_trial_ || !tool_refusal_.empty()) {

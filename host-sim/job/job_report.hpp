@@ -34,8 +34,8 @@ namespace sim {
                                std::string_view text);
 
 /// Warns of each axis whose rate ($110 to $115) its motor does not reach, because the pulses ($0)
-/// and the step interrupt leave too little time for so many steps. Warns only if the job names
-/// settings.
+/// and the step interrupt leave too little time for the steps of that rate. Warns only if the job
+/// names settings.
 void warn_of_step_rates(const Job& job, const cnc::Settings& settings, Report& report);
 
 void warn(const Job& job, const std::vector<LineNote>& notes, Report& report);

@@ -14,7 +14,8 @@ from source_files import ROOT, source_files
 
 PRODUCT = ("planner/", "firmware/", "hal/", "host-sim/")
 COMMENT = re.compile(r"^\s*///?<?\s?|\s///?<?\s")
-FIRST = re.compile(r"(?:Of|Who|Whoever|Whatever|What is|What was|What has|All that|That which|As asked|With it)\b(?! course)")
+FIRST = re.compile(r"(?:Of|Who|Whoever|Whatever|What (?:is|was|has)|All that|That which|As asked|With it)\b"
+                   r"(?! course)")
 EXCLUDED = (
     (re.compile(r"\b(?:some|no)body\b", re.I), "names nothing: write which part or person it is"),
     (re.compile(r"\bwho(?:ever|m|se)?\b", re.I), "is for persons: name the code, the tool, the caller"),
@@ -22,7 +23,8 @@ EXCLUDED = (
     (re.compile(r"\banew\b", re.I), "write `again`, `restart` or `recompute`"),
     (re.compile(r"\bmind changer\b", re.I), "write `revisit if`"),
 )
-PERSONS = re.compile(r"\b(?:operator|user|caller|owner|sender|people|person|engineer|host|listener|client|those)\b", re.I)
+PERSONS = re.compile(r"\b(?:operator|user|caller|owner|sender|people|person|engineer|host|listener|client|"
+                     r"those)\b", re.I)
 
 
 def comments_of(text: str) -> Iterator:
