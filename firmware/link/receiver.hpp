@@ -114,8 +114,6 @@ class Receiver {
            !full_status_.load() && !late_hold_.load() && lost_lines_.load() == 0;
   }
 
-  // True once after each.
-  [[nodiscard]] bool take_reset();  ///< Also forgets the lines before the reset.
   // Each returns true once after its realtime byte.
   [[nodiscard]] bool take_reset();  ///< Also drops lines before the reset.
   [[nodiscard]] bool take_status_request() { return status_.exchange(false); }
