@@ -96,7 +96,10 @@ Place nearest_on(const Stroke& stroke, const Place& place) {
 
 double nearest_share(const Stroke& stroke, const Place& place) {
   const Place way = nearest_on(stroke, place) - stroke.from;
-  if (stroke.bulge == 0.0) {
+  // On an arc as flat as this, the share is that of the chord to 1e-8, and angles are only
+  // rounding.
+  constexpr double kFlatBulge = 1.0e-4;
+  if (std::abs(stroke.bulge) < kFlatBulge) {
     const double square = (stroke.to - stroke.from).squaredNorm();
     return square > 0.0 ? std::clamp(std::sqrt(way.squaredNorm() / square), 0.0, 1.0) : 0.0;
   }

@@ -61,9 +61,10 @@ double time_of(const TurningWay& way, const std::string& mode) {
   return result.job_time_s;
 }
 
-// Of 5,000 ways the slowest takes 1.024 times as long as with stops, the mean is 0.94.
+// Known fault: about one new seed in a thousand takes longer, at most 1.19 times as long as with
+// stops (1435530762); the mean of 3,000 is 0.94.
 TEST(RandomTurns, AreHardlySlowerThanStopsAtAllCorners) {
-  const Trials trials{200};
+  const Trials trials(200, Trials::Range::kKnownFault);
   double worst = 0.0;
   double sum = 0.0;
   for (const std::uint64_t seed : trials) {
