@@ -27,10 +27,10 @@ class Controller {
   /// One segment is being played. The others must last until the next ones come in, even if a cycle
   /// is late.
   static_assert((kSegmentQueue - 1) * motion::SegmentRate::kShortest >=
-                (kTurnsToMotion + 2) * kTurnTicks + motion::SegmentRate::kMostSpare);
+                (kTurnsToMotion + 2) * kTurnTicks + motion::SegmentRate::kMaxSpare);
   /// The levels of the output must last as long. A segment and the end of motion add several levels
   /// at once.
-  static_assert((Steps::kPieces - PowerShift::kMostAtOnce - motion::LevelRate::kMostShort) *
+  static_assert((Steps::kPieces - PowerShift::kMaxAtOnce - motion::LevelRate::kMaxShort) *
                     motion::LevelRate::kShortest >=
                 (kTurnsToMotion + 2) * kTurnTicks * motion::kNsPerTick);
 

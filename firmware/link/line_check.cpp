@@ -15,7 +15,7 @@ struct LineCheck::Checked {
 
 namespace {
 
-constexpr std::uint32_t kMostNumber = 9'999'999;  // Limit of G-code's N.
+constexpr std::uint32_t kMaxNumber = 9'999'999;  // Limit of G-code's N.
 constexpr std::uint32_t kMinusOne = ~std::uint32_t{0};
 constexpr std::uint32_t kRestart = 110;
 
@@ -38,7 +38,7 @@ bool begins_with_number(std::string_view text) {
 std::optional<std::uint32_t> whole_number(const gcode::Decimal& value) {
   constexpr gcode::Decimal kBeforeZero{.whole = 1, .minus = true};
   if (value == kBeforeZero) return kMinusOne;
-  if (!value.is_integer() || value.is_negative() || value.whole > kMostNumber) return std::nullopt;
+  if (!value.is_integer() || value.is_negative() || value.whole > kMaxNumber) return std::nullopt;
   return value.whole;
 }
 

@@ -9,7 +9,7 @@ namespace cnc {
 namespace {
 
 constexpr std::size_t kCrcDigits = 8;
-constexpr std::size_t kMostSumDigits = 3;
+constexpr std::size_t kMaxSumDigits = 3;
 
 constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
@@ -32,8 +32,7 @@ std::string_view tail_of(std::size_t place, std::string_view text) {
 /// CRC.
 bool looks_like_check(std::string_view digits) {
   if (digits.size() == kCrcDigits) return true;
-  return !digits.empty() && digits.size() <= kMostSumDigits &&
-         std::ranges::all_of(digits, is_digit);
+  return !digits.empty() && digits.size() <= kMaxSumDigits && std::ranges::all_of(digits, is_digit);
 }
 
 void put_digits(std::uint32_t crc, char* digits) {

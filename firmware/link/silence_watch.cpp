@@ -41,7 +41,7 @@ bool SilenceWatch::gone(hal::TickCount now, float allowed_ms, bool owes) {
   const std::int32_t unheard_us = now.since(heard_);
   if (polls()) {
     const auto interval_us = static_cast<float>(longest_interval());
-    const float expected_us = std::min(kIntervals * interval_us, static_cast<float>(kMostUs));
+    const float expected_us = std::min(kIntervals * interval_us, static_cast<float>(kMaxUs));
     return static_cast<float>(unheard_us) > std::max(allowed_us, expected_us);
   }
   const std::int32_t silent_us = std::min(unheard_us, now.since(answered_));

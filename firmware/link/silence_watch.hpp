@@ -13,7 +13,7 @@ namespace cnc {
 ///
 /// A sender that polls (`?`) continues to poll. It is gone if no byte came for 1.2 times the
 /// allowed time, or for 2.5 times the longest of its last intervals if that is longer, but at most
-/// kMostUs. A sender that does not poll owes a byte only after everything it sent has been
+/// kMaxUs. A sender that does not poll owes a byte only after everything it sent has been
 /// answered. It is gone if the allowed time has passed since its last byte and since the last
 /// answer.
 ///
@@ -24,9 +24,9 @@ class SilenceWatch {
   /// CNCjs and gSender poll four times a second by a timer, and are at times a little late.
   static constexpr float kGrace = 1.2F;
   /// Longest time to wait after an interval, in microseconds.
-  static constexpr std::int32_t kMostUs = 2'000'000;
+  static constexpr std::int32_t kMaxUs = 2'000'000;
   /// Longest interval that counts as regular polling; longer ones come from a user who checks now
-  /// and then. A fifth below kMostUs.
+  /// and then. A fifth below kMaxUs.
   static constexpr std::int32_t kLongestIntervalUs = 1'600'000;
 
   /// Notes that bytes of any kind came. To be called before poll().

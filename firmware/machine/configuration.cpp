@@ -13,7 +13,7 @@ namespace {
 constexpr float kTicksPerMicrosecond = static_cast<float>(motion::kTicksPerSecond) * 1.0e-6F;
 
 /// Limit of all motors' steps together, for which the step interrupt is budgeted.
-constexpr float kMostStepsPerSecond = 200'000.0F;
+constexpr float kMaxStepsPerSecond = 200'000.0F;
 
 /// Time from a due tick to its edges, in ticks. Pulse and pause count from their real edges, and on
 /// a processor the interrupt takes most of a microsecond to reach each of the two.
@@ -25,10 +25,10 @@ constexpr float kSlotUse = 0.97F;
 /// Farthest step of an axis: half of what AxisScale holds, so that the distance between both ends
 /// still fits, with the offset of a tool. Linear axes have the same reserve in nanometres for their
 /// arcs.
-constexpr std::int32_t kFarthestStep = AxisScale::kMostSteps / 2 - (1 << 24);
+constexpr std::int32_t kFarthestStep = AxisScale::kMaxSteps / 2 - (1 << 24);
 constexpr Coordinate farthest_on(std::size_t axis) {
-  constexpr std::int64_t kMost = Coordinate::kFarthestNanometres;
-  return Coordinate{axis < kLinearAxisCount ? kMost / 2 : kMost};
+  constexpr std::int64_t kMax = Coordinate::kFarthestNanometres;
+  return Coordinate{axis < kLinearAxisCount ? kMax / 2 : kMax};
 }
 
 /// Returns the greatest distance of an axis from machine zero. All linear axes have the distance of
@@ -54,7 +54,7 @@ std::int32_t backlash_steps(const Settings& settings, std::size_t axis) {
 }
 
 /// Returns the greatest step rate of a single motor, in steps/s.
-float most_of_one_motor(const Settings& settings) {
+float max_of_one_motor(const Settings& settings) {
   const float slot = static_cast<float>(2U * step_timing_from(settings).pulse) + kTicksToEdges;
   return kSlotUse * static_cast<float>(motion::kTicksPerSecond) / slot;
 }
@@ -99,8 +99,8 @@ motion::Limits limits_from(const Settings& settings) {
     limits.jerk_mm_s3[axis] = settings.get(setting::kJerk, axis);
   }
   limits.junction_deviation_mm = settings.get(setting::kJunctionDeviation);
-  limits.steps_per_s_one_motor = most_of_one_motor(settings);
-  limits.steps_per_s_all_motors = kMostStepsPerSecond;
+  limits.steps_per_s_one_motor = max_of_one_motor(settings);
+  limits.steps_per_s_all_motors = kMaxStepsPerSecond;
   for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
     if (backlash_steps(settings, axis) > 0) leave_room_for_backlash(axis, limits);
   }
@@ -112,8 +112,8 @@ motion::MotorStageSetting motor_stage_from(const Settings& settings) {
   for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
     const float rate = settings.get(setting::kRate, axis) / kSecondsPerMinute *
                        settings.get(setting::kStepsPerMm, axis);
-    stage.most_steps_per_s[axis] = std::min(rate, most_of_one_motor(settings));
-    stage.backlash[axis] = backlash_from(settings, axis, stage.most_steps_per_s[axis]);
+    stage.max_steps_per_s[axis] = std::min(rate, max_of_one_motor(settings));
+    stage.backlash[axis] = backlash_from(settings, axis, stage.max_steps_per_s[axis]);
     const auto kind = static_cast<std::uint8_t>(settings.get(setting::kShaper, axis));
     if (kind == 0) continue;
     stage.shapers[axis] = {.kind = static_cast<motion::ShaperKind>(kind),
@@ -132,7 +132,7 @@ BeamTiming beam_timing_from(const Settings& settings) {
 
 motion::BeamResponse beam_response_from(const Settings& settings, const motion::PowerTable& table) {
   if (settings.get(setting::kLaserMode) == 0.0F) return {};
-  return {.table = table, .least_duty = 0.01F * settings.get(setting::kLeastBeamPower)};
+  return {.table = table, .min_duty = 0.01F * settings.get(setting::kMinBeamPower)};
 }
 
 gcode::Options gcode_options_from(const Settings& settings) {
@@ -172,8 +172,8 @@ kinematics::RotaryMachine rotary_machine_from(const Settings& settings) {
           .turn_reversed = (reversed & 2U) != 0,
           .tilt_point = point(setting::kTiltPoint),
           .turn_point = point(setting::kTurnPoint),
-          .least_tilt_deg = settings.get(setting::kLeastTilt),
-          .most_tilt_deg = settings.get(setting::kMostTilt)};
+          .min_tilt_deg = settings.get(setting::kMinTilt),
+          .max_tilt_deg = settings.get(setting::kMaxTilt)};
 }
 
 RestLight::Allowance rest_light_from(const Settings& settings) {

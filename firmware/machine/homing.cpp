@@ -18,8 +18,8 @@ constexpr float kLongestSearchMm = 400'000.0F;
 constexpr float kFullTurnDegrees = 360.0F;
 /// Greatest distance between two motors of an axis, as a share of the travel; Grbl's default.
 constexpr float kSkewShare = 0.05F;
-constexpr float kLeastSkewMm = 2.5F;
-constexpr float kMostSkewMm = 25.0F;
+constexpr float kMinSkewMm = 2.5F;
+constexpr float kMaxSkewMm = 25.0F;
 
 }  // namespace
 
@@ -203,7 +203,7 @@ Coordinate Homing::search_distance(std::size_t axis) const {
 
 Coordinate Homing::greatest_skew(std::size_t axis) const {
   const float travel = settings_.get(setting::kTravel, axis);
-  return from_mm(std::clamp(kSkewShare * travel, kLeastSkewMm, kMostSkewMm));
+  return from_mm(std::clamp(kSkewShare * travel, kMinSkewMm, kMaxSkewMm));
 }
 
 Coordinate Homing::pull_off_distance() const {

@@ -14,7 +14,7 @@ void LightGap::begin() {
 }
 
 /// Adds the distance by chords; their sum is shorter than an arc by less than a hundredth.
-void LightGap::follow(float least_mm) {
+void LightGap::follow(float min_mm) {
   const AxisArray<std::int32_t> here = motion_.tool_steps();
   const Position to = motion_.place_of(here);
   const Position from = motion_.place_of(followed_);
@@ -23,7 +23,7 @@ void LightGap::follow(float least_mm) {
     const float way = (to[axis] - from[axis]).mm();
     square += way * way;
   }
-  if (square < least_mm * least_mm) return;
+  if (square < min_mm * min_mm) return;
   gap_.distance += motion::to_units(std::sqrt(square));
   followed_ = here;
 }

@@ -56,7 +56,7 @@ class LightGap {
   /// Shortest chord to add; shorter ones are mostly rounding to steps.
   static constexpr float kChordMm = 0.05F;
 
-  void follow(float least_mm);
+  void follow(float min_mm);
   void close();
 
   StepDrive& drive_;

@@ -8,7 +8,7 @@ Result<float, SettingError> Machine::change_setting(std::uint16_t number, float 
   const bool other_scale =
       number >= setting::kStepsPerMm && number < setting::kStepsPerMm + kAxisCount;
   const float before = other_scale ? settings_.get(number) : 0.0F;
-  const bool is_rotary = number >= setting::kRotaryAxes && number <= setting::kMostTilt;
+  const bool is_rotary = number >= setting::kRotaryAxes && number <= setting::kMaxTilt;
   if (tool_centre_.active() && (is_rotary || other_scale)) return SettingError::kInUse;
   const auto stored = settings_.set(number, value);
   if (!stored.ok()) return stored;
@@ -56,8 +56,8 @@ void Machine::apply_settings() {
   apply_motor_settings();
   apply_language_settings();
   drive_.set_second_motors(static_cast<std::uint8_t>(settings_.get(setting::kSquaredAxes)));
-  tool_.configure({.most_speed = settings_.get(setting::kMostSpindleSpeed),
-                   .least_speed = settings_.get(setting::kLeastSpindleSpeed),
+  tool_.configure({.max_speed = settings_.get(setting::kMaxSpindleSpeed),
+                   .min_speed = settings_.get(setting::kMinSpindleSpeed),
                    .laser = settings_.get(setting::kLaserMode) != 0.0F});
   rest_light_.configure(rest_light_from(settings_));
   memory_.trust_settings(settings_.sound());
@@ -79,7 +79,7 @@ void Machine::apply_language_settings() {
   options.block_delete =
       (settings_.get(setting::kBlockDelete) != 0.0F) != switches_.block_delete_turned;
   options.kerf = &kerf_;
-  options.full_power_speed = settings_.get(setting::kMostSpindleSpeed);
+  options.full_power_speed = settings_.get(setting::kMaxSpindleSpeed);
   const auto points = power_table_.points();
   if (!points.empty()) options.greatest_power_mw = points.back().milliwatts;
   interpreter_.set_options(options);

@@ -7,7 +7,7 @@
 namespace cnc {
 
 void MemoryWatch::add(Part part) {
-  CNC_ASSERT(count_ < kMostParts);
+  CNC_ASSERT(count_ < kMaxParts);
   parts_[count_++] = part;
 }
 

@@ -14,11 +14,11 @@ namespace cnc {
 /// correct content. Main loop only.
 class MemoryWatch {
  public:
-  static constexpr std::size_t kMostParts = 8;
+  static constexpr std::size_t kMaxParts = 8;
   using Part = std::span<const std::byte>;
 
   /// Adds a part, which must not move.
-  /// @pre fewer than kMostParts parts were added
+  /// @pre fewer than kMaxParts parts were added
   void add(Part part);
   template <typename Object>
   void add_object(const Object& object) {
@@ -43,7 +43,7 @@ class MemoryWatch {
   [[nodiscard]] std::uint32_t checksum() const;
   void begin_round();
 
-  std::array<Part, kMostParts> parts_{};
+  std::array<Part, kMaxParts> parts_{};
   std::size_t count_ = 0;
   std::uint32_t expected_ = 0;  ///< Initially the CRC-32 of no parts.
   // State of the present pass.

@@ -20,7 +20,7 @@ bool Reentry::may_hold(motion::SourceLine line) const {
 
 Reentry::Verdict Reentry::judge(path::PathItem& item, float beside_mm) {
   const motion::SourceLine line = item.request.line;
-  if (line.number > line_.number + kMostLines) return Verdict::kLost;
+  if (line.number > line_.number + kMaxLines) return Verdict::kLost;
   if (!may_hold(line)) return Verdict::kDark;
   PathElement& element = item.request.element;
   const path::Passing passing = path::passing_of(element, place_);

@@ -13,7 +13,7 @@ class Reentry {
  public:
   /// Greatest number of lines between the known line and the point: lines of a weld, or lines that
   /// shapers delay.
-  static constexpr std::uint32_t kMostLines = 4096;
+  static constexpr std::uint32_t kMaxLines = 4096;
 
   enum class Verdict : std::uint8_t {
     kDark,   ///< Beam off for the whole element, which may end at the point.

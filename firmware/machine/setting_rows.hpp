@@ -15,12 +15,12 @@ using Group = SettingGroup;
 using Type = SettingType;
 using motion::ShaperSetting;
 
-inline constexpr float kLeastRate = 1.0F;           // mm/min
-inline constexpr float kMostRate = 1.0e6F;          // mm/min
-inline constexpr float kMostAcceleration = 1.0e6F;  // mm/s²
-inline constexpr float kMostBeamDelay = 5000.0F;    // µs
-inline constexpr float kMostTravel = 1.0e6F;        // mm
-inline constexpr float kMostPivot = 10'000.0F;      // mm
+inline constexpr float kMinRate = 1.0F;            // mm/min
+inline constexpr float kMaxRate = 1.0e6F;          // mm/min
+inline constexpr float kMaxAcceleration = 1.0e6F;  // mm/s²
+inline constexpr float kMaxBeamDelay = 5000.0F;    // µs
+inline constexpr float kMaxTravel = 1.0e6F;        // mm
+inline constexpr float kMaxPivot = 10'000.0F;      // mm
 
 inline constexpr const char* kWhole = "#####0";
 inline constexpr const char* kThousandths = "#####0.000";
@@ -165,25 +165,25 @@ inline constexpr std::array<SettingInfo, 83> kRows{{
      0.01F, 1.0e5F, 100.0F, kThousandths,
      "Steps of the motor for a millimetre or degree."},
     SettingInfo{110, Group::kX, Type::kDecimal, "maximum rate", "mm/min",
-     kLeastRate, kMostRate, 12000.0F, kThousandths,
+     kMinRate, kMaxRate, 12000.0F, kThousandths,
      "No motion is faster along this axis."},
     SettingInfo{113, Group::kA, Type::kDecimal, "maximum rate", "deg/min",
-     kLeastRate, kMostRate, 12000.0F, kThousandths,
+     kMinRate, kMaxRate, 12000.0F, kThousandths,
      "No motion is faster along this axis."},
     SettingInfo{120, Group::kX, Type::kDecimal, "acceleration", "mm/s^2",
-     0.1F, kMostAcceleration, 500.0F, kThousandths,
+     0.1F, kMaxAcceleration, 500.0F, kThousandths,
      "No motion speeds up or brakes faster along this axis."},
     SettingInfo{123, Group::kA, Type::kDecimal, "acceleration", "deg/s^2",
-     0.1F, kMostAcceleration, 500.0F, kThousandths,
+     0.1F, kMaxAcceleration, 500.0F, kThousandths,
      "No motion speeds up or brakes faster along this axis."},
     SettingInfo{130, Group::kX, Type::kDecimal, "maximum travel", "mm",
-     0.0F, kMostTravel, 300.0F, kThousandths,
+     0.0F, kMaxTravel, 300.0F, kThousandths,
      "From end to end; 0 is endless."},
     SettingInfo{132, Group::kZ, Type::kDecimal, "maximum travel", "mm",
-     0.0F, kMostTravel, 100.0F, kThousandths,
+     0.0F, kMaxTravel, 100.0F, kThousandths,
      "From end to end; 0 is endless."},
     SettingInfo{133, Group::kA, Type::kDecimal, "maximum travel", "deg, 0 is endless",
-     0.0F, kMostTravel, 0.0F, kThousandths,
+     0.0F, kMaxTravel, 0.0F, kThousandths,
      "From end to end; 0 is endless."},
     SettingInfo{160, Group::kX, Type::kDecimal, "backlash", "mm",
      0.0F, 2.0F, 0.0F, kThousandths,
@@ -216,10 +216,10 @@ inline constexpr std::array<SettingInfo, 83> kRows{{
      0.0F, 4.0F, 0.0F, "None,ZV,ZVD,MZV,EI",
      "Keeps the axis from swinging; beam and all axes stay in step."},
     SettingInfo{820, Group::kX, Type::kDecimal, "shaper frequency", "Hz",
-     ShaperSetting::kLeastFrequency, ShaperSetting::kMostFrequency, 40.0F, kThousandths,
+     ShaperSetting::kMinFrequency, ShaperSetting::kMaxFrequency, 40.0F, kThousandths,
      "At which the axis swings, undamped."},
     SettingInfo{830, Group::kX, Type::kDecimal, "shaper damping", "ratio",
-     0.0F, ShaperSetting::kMostDamping, 0.1F, kThousandths,
+     0.0F, ShaperSetting::kMaxDamping, 0.1F, kThousandths,
      "Damping ratio of the swing."},
     SettingInfo{850, Group::kArcs, Type::kDecimal, "Arc repair, distance", "mm",
      0.0F, 0.5F, 0.05F, kThousandths,
@@ -237,13 +237,13 @@ inline constexpr std::array<SettingInfo, 83> kRows{{
      0.0F, 100.0F, 0.0F, kThousandths,
      "Least duty of a lit beam under M4: many lasers do not fire below one."},
     SettingInfo{855, Group::kSpindle, Type::kDecimal, "Beam on delay", "microseconds",
-     0.0F, kMostBeamDelay, 0.0F, kThousandths,
+     0.0F, kMaxBeamDelay, 0.0F, kThousandths,
      "Delay of light when the beam goes on, beyond the lag, by which the output is earlier."},
     SettingInfo{856, Group::kSpindle, Type::kDecimal, "Beam off delay", "microseconds",
-     0.0F, kMostBeamDelay, 0.0F, kThousandths,
+     0.0F, kMaxBeamDelay, 0.0F, kThousandths,
      "The same when the beam goes off."},
     SettingInfo{857, Group::kSpindle, Type::kDecimal, "Beam lag", "microseconds",
-     -kMostBeamDelay, kMostBeamDelay, 0.0F, kThousandths,
+     -kMaxBeamDelay, kMaxBeamDelay, 0.0F, kThousandths,
      "How far the light lags behind the motors; negative where it leads."},
     SettingInfo{858, Group::kGeneral, Type::kInteger, "Link watchdog", "milliseconds",
      0.0F, 60000.0F, 250.0F, kWhole,
@@ -277,11 +277,11 @@ inline constexpr std::array<SettingInfo, 83> kRows{{
      0.0F, 3.0F, 0.0F, "Tilting axis,Turning axis",
      "Axes that count the other way round."},
     SettingInfo{910, Group::kX, Type::kDecimal, "of tilting axis", "mm",
-     -kMostPivot, kMostPivot, 0.0F, kThousandths,
+     -kMaxPivot, kMaxPivot, 0.0F, kThousandths,
      "A point of the axis that tilts: of a table in machine coordinates, of a head from the tip of "
      "a tool of no length."},
     SettingInfo{913, Group::kX, Type::kDecimal, "of turning axis", "mm",
-     -kMostPivot, kMostPivot, 0.0F, kThousandths,
+     -kMaxPivot, kMaxPivot, 0.0F, kThousandths,
      "The same of C, where the tilting axis is at 0."},
     SettingInfo{916, Group::kAxes, Type::kDecimal, "Least tilt", "deg",
      -360.0F, 0.0F, -360.0F, kThousandths,

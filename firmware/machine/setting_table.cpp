@@ -24,7 +24,7 @@ constexpr std::size_t kCount = [] {
   for (std::size_t row = 0; row < kRows.size(); ++row) count += settings_of(row);
   return count;
 }();
-static_assert(kCount <= Settings::kMostSettings);
+static_assert(kCount <= Settings::kMaxSettings);
 
 /// Row of each setting.
 constexpr std::array<std::uint8_t, kCount> kRowOf = [] {

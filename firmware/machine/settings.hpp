@@ -160,7 +160,7 @@ class SettingTable {
 /// The values of all settings.
 class Settings {
  public:
-  static constexpr std::size_t kMostSettings = 128;
+  static constexpr std::size_t kMaxSettings = 128;
 
   Settings();
 
@@ -181,7 +181,7 @@ class Settings {
   [[nodiscard]] bool sound() const;
 
  private:
-  std::array<float, kMostSettings> values_{};
+  std::array<float, kMaxSettings> values_{};
   std::uint32_t sum_ = 0;  ///< Checksum of the values' bits, updated by each set().
   std::uint32_t revision_ = 1;
 };
@@ -210,8 +210,8 @@ inline constexpr std::uint16_t kHomingSeekRate = 25;
 inline constexpr std::uint16_t kHomingDebounce = 26;
 inline constexpr std::uint16_t kHomingPullOff = 27;
 inline constexpr std::uint16_t kDirectionSetUp = 29;
-inline constexpr std::uint16_t kMostSpindleSpeed = 30;
-inline constexpr std::uint16_t kLeastSpindleSpeed = 31;
+inline constexpr std::uint16_t kMaxSpindleSpeed = 30;
+inline constexpr std::uint16_t kMinSpindleSpeed = 31;
 inline constexpr std::uint16_t kLaserMode = 32;
 inline constexpr std::uint16_t kKeptMotors = 37;
 inline constexpr std::uint16_t kJogLimited = 40;
@@ -241,7 +241,7 @@ inline constexpr std::uint16_t kArcRepairMm = 850;
 inline constexpr std::uint16_t kArcRepairPercent = 851;
 inline constexpr std::uint16_t kSquaredAxes = 852;
 inline constexpr std::uint16_t kReportedAxes = 853;
-inline constexpr std::uint16_t kLeastBeamPower = 854;
+inline constexpr std::uint16_t kMinBeamPower = 854;
 inline constexpr std::uint16_t kBeamOnDelay = 855;
 inline constexpr std::uint16_t kBeamOffDelay = 856;
 inline constexpr std::uint16_t kBeamLag = 857;
@@ -256,8 +256,8 @@ inline constexpr std::uint16_t kRotaryAxes = 900;
 inline constexpr std::uint16_t kRotaryReversed = 901;
 inline constexpr std::uint16_t kTiltPoint = 910;
 inline constexpr std::uint16_t kTurnPoint = 913;
-inline constexpr std::uint16_t kLeastTilt = 916;
-inline constexpr std::uint16_t kMostTilt = 917;
+inline constexpr std::uint16_t kMinTilt = 916;
+inline constexpr std::uint16_t kMaxTilt = 917;
 }  // namespace setting
 
 }  // namespace cnc

@@ -45,7 +45,7 @@ void ToolOutput::set_override(float factor) {
 /// Returns the share of full output, 0…1: S divided by $30. Below $31 a running tool uses $31.
 float ToolOutput::duty() const {
   if (mode_ == gcode::SpindleMode::kOff || speed_ <= 0.0F) return 0.0F;
-  return std::clamp(speed_, least_speed(), settings_.most_speed) / settings_.most_speed;
+  return std::clamp(speed_, min_speed(), settings_.max_speed) / settings_.max_speed;
 }
 
 float ToolOutput::share_now() const { return std::min(1.0F, duty() * override_); }

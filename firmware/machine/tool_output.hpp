@@ -17,8 +17,8 @@ namespace cnc {
 
 /// Settings of the tool ($30…$32).
 struct ToolSettings {
-  float most_speed = 1000.0F;
-  float least_speed = 0.0F;
+  float max_speed = 1000.0F;
+  float min_speed = 0.0F;
   bool laser = false;
 };
 
@@ -55,7 +55,7 @@ class ToolOutput {
 
   /// Returns the powers that command_for() would give for values of S while a beam works.
   [[nodiscard]] path::RowPowers powers_of(std::span<const float> speeds) const {
-    return {.values = speeds, .least = least_speed(), .full = settings_.most_speed};
+    return {.values = speeds, .least = min_speed(), .full = settings_.max_speed};
   }
   /// Returns the beam command of the next motion.
   [[nodiscard]] motion::BeamCommand command_for(bool rapid) const;
@@ -74,12 +74,12 @@ class ToolOutput {
   /// Returns the settings of configure().
   [[nodiscard]] const ToolSettings& settings() const { return settings_; }
   /// Returns the S that gives full output.
-  [[nodiscard]] float most_speed() const { return settings_.most_speed; }
+  [[nodiscard]] float max_speed() const { return settings_.max_speed; }
   [[nodiscard]] float speed() const { return speed_; }
 
  private:
-  [[nodiscard]] float least_speed() const {
-    return std::min(settings_.least_speed, settings_.most_speed);
+  [[nodiscard]] float min_speed() const {
+    return std::min(settings_.min_speed, settings_.max_speed);
   }
   [[nodiscard]] float duty() const;
   void apply();

@@ -37,8 +37,8 @@ void Travel::configure(const Settings& settings, std::uint8_t homed) {
     if ((homed & bit) == 0 || settings.get(setting::kTravel, axis) <= 0.0F) continue;
     judged_ = static_cast<std::uint8_t>(judged_ | bit);
     const AxisTravel travel = travel_of(settings, axis);
-    least_[axis] = travel.least;
-    most_[axis] = travel.most;
+    min_[axis] = travel.least;
+    max_[axis] = travel.most;
   }
 }
 
@@ -79,7 +79,7 @@ bool Travel::left_by(gcode::Actions actions,
     const std::uint32_t parts = machine.centre.parts_of(here, action.end);
     elements.begin(action,
                    here,
-                   ArcFit::kLeastToleranceMm,
+                   ArcFit::kMinToleranceMm,
                    turns ? std::max(parts, kPartsOfATurn * action.turns) : parts);
     while (stays && !elements.done()) stays = contains_axes(elements.next().element, machine);
     elements.clear();
@@ -91,7 +91,7 @@ bool Travel::left_by(gcode::Actions actions,
 bool Travel::contains_axes(const PathElement& element, const FiveAxes& machine) const {
   const kinematics::RotaryMachine& axes = machine.centre.machine();
   const float tilt = element.end[index_of(axes.tilting)].mm();
-  if (tilt < axes.least_tilt_deg || tilt > axes.most_tilt_deg) return false;
+  if (tilt < axes.min_tilt_deg || tilt > axes.max_tilt_deg) return false;
   if (judged_ == 0) return true;
   const auto block = motion::build_block({.element = element}, machine.limits);
   if (!block.ok()) return block.error() == motion::MotionError::kNothingToMove;
@@ -110,7 +110,7 @@ bool Travel::contains_axes(const PathElement& element, const FiveAxes& machine) 
 bool Travel::contains(const Position& place) const {
   for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
     if ((judged_ >> axis & 1U) == 0) continue;
-    if (place[axis] < least_[axis] - kSlack || place[axis] > most_[axis] + kSlack) return false;
+    if (place[axis] < min_[axis] - kSlack || place[axis] > max_[axis] + kSlack) return false;
   }
   return true;
 }
@@ -131,8 +131,8 @@ bool Travel::contains_spline(const Position& start, const gcode::Action& spline)
   std::array<Coordinate, 2> most{kAnywhere, kAnywhere};
   for (std::size_t axis = 0; axis < least.size(); ++axis) {
     if ((judged_ >> axis & 1U) == 0) continue;
-    least[axis] = least_[axis] - kSlack - start[axis];
-    most[axis] = most_[axis] + kSlack - start[axis];
+    least[axis] = min_[axis] - kSlack - start[axis];
+    most[axis] = max_[axis] + kSlack - start[axis];
   }
   return stays_within(*spline.spline,
                       {.least = {least[0].nanometres(), least[1].nanometres()},
@@ -143,7 +143,7 @@ Position Travel::clamped(const Position& place) const {
   Position inside = place;
   for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
     if ((judged_ >> axis & 1U) == 0) continue;
-    inside[axis] = std::clamp(place[axis], least_[axis], most_[axis]);
+    inside[axis] = std::clamp(place[axis], min_[axis], max_[axis]);
   }
   return inside;
 }

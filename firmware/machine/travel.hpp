@@ -51,8 +51,8 @@ class Travel {
   [[nodiscard]] bool contains_arc(const Position& start, const gcode::Action& arc) const;
 
   std::uint8_t judged_ = 0;
-  Position least_{};
-  Position most_{};
+  Position min_{};
+  Position max_{};
 };
 
 /// Travel of an axis in machine coordinates. As in Grbl, it is on the negative side of zero. If

@@ -99,9 +99,9 @@ void LineProtocol::ask_kerf(const Statement& statement) {
     put_kerf_refusal(reason, width.error());
     return refuse(error_number::kBadNumber, reason);
   }
-  constexpr std::uint32_t kLeastDecimals = 3;
+  constexpr std::uint32_t kMinDecimals = 3;
   Reply reply = begin_answer();
-  reply.text("[KERF:").text(question->name).letter('|').value(width.value(), kLeastDecimals);
+  reply.text("[KERF:").text(question->name).letter('|').value(width.value(), kMinDecimals);
   answer(reply.text(" mm]").end());
   acknowledge();
 }

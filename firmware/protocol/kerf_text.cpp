@@ -25,8 +25,8 @@ bool take_thousandths(std::string_view& text, std::uint32_t& thousandths) {
   const auto reading = gcode::read_decimal(text);
   if (!reading.ok()) return false;
   const gcode::Decimal& value = reading.value().value;
-  constexpr std::uint32_t kMostWhole = 1'000'000;
-  if (value.is_negative() || value.whole > kMostWhole) return false;
+  constexpr std::uint32_t kMaxWhole = 1'000'000;
+  if (value.is_negative() || value.whole > kMaxWhole) return false;
   if (value.billionths % kBillionthsOfPart != 0) return false;
   thousandths = value.whole * kPartsOfUnit + value.billionths / kBillionthsOfPart;
   text.remove_prefix(reading.value().length);
@@ -59,8 +59,8 @@ void put_span(Reply& reply, std::uint32_t least, std::uint32_t most) {
 
 bool read_kerf_part(std::string_view text, KerfPart& part) {
   const std::size_t colon = text.find(':');
-  constexpr std::size_t kMostDigits = 2;
-  if (colon == 0 || colon == std::string_view::npos || colon > kMostDigits) return false;
+  constexpr std::size_t kMaxDigits = 2;
+  if (colon == 0 || colon == std::string_view::npos || colon > kMaxDigits) return false;
   part.number = 0;
   for (const char c : text.substr(0, colon)) {
     if (c < '0' || c > '9') return false;
@@ -100,7 +100,7 @@ std::optional<KerfQuestion> read_kerf_question(std::string_view text) {
 }
 
 void put_kerf_table(Reply& reply, const kerf::TableView<float>& table, bool built_in) {
-  std::uint32_t least = kerf::kMostPowerMw;
+  std::uint32_t least = kerf::kMaxPowerMw;
   std::uint32_t most = 0;
   for (const kerf::Band& band : table.bands) {
     least = std::min(least, band.power_mw);

@@ -55,7 +55,7 @@ class LineProtocol {
   void poll(hal::TickCount now);
 
   /// Returns whether poll() would send nothing and change nothing, if the link has no byte. A host
-  /// that knows its link leaves out such polls, except one in each kMostQuietUs.
+  /// that knows its link leaves out such polls, except one in each kMaxQuietUs.
   [[nodiscard]] bool is_quiet(hal::TickCount now) const;
 
   /// Handles a realtime byte that came apart from the stream. Its order relative to lines is
@@ -83,7 +83,7 @@ class LineProtocol {
   /// End of the start-up lines. One more position follows the last line, to report its fault.
   static constexpr std::size_t kStartupDone = StoredState::kStartupLines + 1;
   /// Times that are measured from now_ and the last bytes wrap far later.
-  static constexpr std::int32_t kMostQuietUs = 1'000'000;
+  static constexpr std::int32_t kMaxQuietUs = 1'000'000;
 
   /// Answer that the last line still waits for.
   enum class Owed : std::uint8_t { kNothing, kAck, kHoming };

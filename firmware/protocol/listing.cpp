@@ -92,7 +92,7 @@ bool Listing::kerf_row(Reply& reply) {
   if (row_ > count) return false;
   if (row_ == count) {
     reply.text("[KERFROOM:").number(static_cast<std::uint32_t>(kerf_.stored())).text(" of ");
-    reply.number(KerfTables::kMostStored).text(" stored]").end();
+    reply.number(KerfTables::kMaxStored).text(" stored]").end();
     return true;
   }
   const auto table = kerf_.table(row_);
@@ -107,14 +107,14 @@ bool Listing::kerf_row(Reply& reply) {
 
 /// Writes the image as statements that can be sent back.
 bool Listing::kerf_image_row(Reply& reply) {
-  if (row_ > KerfTables::kMostParts) return false;
+  if (row_ > KerfTables::kMaxParts) return false;
   std::array<std::byte, KerfTables::kPartBytes> bytes{};
   const std::size_t size = kerf_.read_part(argument_, row_, bytes);
   if (size > 0) {
     put_kerf_part(reply, row_, std::span{bytes}.first(size));
   } else {
     reply.text("$KS");
-    row_ = KerfTables::kMostParts;  // This was the last row.
+    row_ = KerfTables::kMaxParts;  // This was the last row.
   }
   reply.end();
   return true;

@@ -36,8 +36,8 @@ std::optional<std::uint32_t> take_number(std::string_view& text, std::uint32_t p
   const auto reading = gcode::read_decimal(text);
   if (!reading.ok()) return std::nullopt;
   const gcode::Decimal& value = reading.value().value;
-  constexpr std::uint32_t kMostWhole = 1'000'000;
-  if (value.is_negative() || value.whole > kMostWhole) return std::nullopt;
+  constexpr std::uint32_t kMaxWhole = 1'000'000;
+  if (value.is_negative() || value.whole > kMaxWhole) return std::nullopt;
   const std::uint32_t part = kBillion / parts;
   if (value.billionths % part != 0) return std::nullopt;
   text.remove_prefix(reading.value().length);
@@ -63,7 +63,7 @@ std::optional<PowerPoint> take_point(std::string_view& text) {
 }  // namespace
 
 Result<PowerTable, PowerTableRefusal> read_power_table(std::string_view text) {
-  std::array<PowerPoint, PowerTable::kMostPoints> points{};
+  std::array<PowerPoint, PowerTable::kMaxPoints> points{};
   std::size_t count = 0;
   std::string_view rest = text;
   const auto here = [&] { return static_cast<std::uint32_t>(text.size() - rest.size()); };

@@ -27,7 +27,7 @@ bool LineProtocol::has_to_tell() const {
 bool LineProtocol::is_quiet(hal::TickCount now) const {
   if (!receiver_.is_empty() || !waits_for_machine() || has_to_tell()) return false;
   if (check_.active() || takes_part_ || machine_.changes_tool()) return false;
-  if (now.since(now_) >= kMostQuietUs) return false;
+  if (now.since(now_) >= kMaxQuietUs) return false;
   const float allowed_ms = machine_.settings().get(setting::kLinkWatchdog);
   return allowed_ms <= 0.0F || silence_.heard_within(now, allowed_ms);
 }

@@ -5,12 +5,12 @@
 namespace cnc {
 namespace {
 
-constexpr int kLeastFeed = 10;
-constexpr int kMostFeed = 200;
+constexpr int kMinFeed = 10;
+constexpr int kMaxFeed = 200;
 
 /// Returns the percentage after a step. A step that would leave the range goes to the end of the
 /// range, as in Grbl.
-int stepped(int percent, int step) { return std::clamp(percent + step, kLeastFeed, kMostFeed); }
+int stepped(int percent, int step) { return std::clamp(percent + step, kMinFeed, kMaxFeed); }
 
 /// Changes an override. Returns whether the byte is an override.
 bool change(RealtimeByte command, OverridePercent& percent) {

@@ -42,11 +42,11 @@ inline void delay(motion::Segment& segment, std::uint32_t ticks) {
 class PowerShift {
  public:
   /// Capacity for the pieces of 5 ms at 20,000 pixels per second, and of a segment.
-  static constexpr std::size_t kMostHeld = 128;
+  static constexpr std::size_t kMaxHeld = 128;
 
   /// Places in the stream for a segment and for its end. Each level of the segment may move an
   /// edge.
-  static constexpr std::uint32_t kMostAtOnce = 5 + 2 * motion::Segment::kMostLevels;
+  static constexpr std::uint32_t kMaxAtOnce = 5 + 2 * motion::Segment::kMaxLevels;
 
   /// Sets the delays.
   /// @pre settled()
@@ -67,7 +67,7 @@ class PowerShift {
   /// Returns the number of places in the stream that add() of all pieces of a segment and settle()
   /// may need together.
   [[nodiscard]] std::uint32_t room_needed() const {
-    return static_cast<std::uint32_t>(count_) + kMostAtOnce;
+    return static_cast<std::uint32_t>(count_) + kMaxAtOnce;
   }
 
   /// Adds the next piece of the output.
@@ -109,7 +109,7 @@ class PowerShift {
     return delay() + std::max(timing_.on_delay, timing_.off_delay);
   }
 
-  [[nodiscard]] PowerPiece& back() { return pieces_[(first_ + count_ - 1) % kMostHeld]; }
+  [[nodiscard]] PowerPiece& back() { return pieces_[(first_ + count_ - 1) % kMaxHeld]; }
 
   [[gnu::noinline]] void append(const PowerPiece& piece) {
     ++count_;
@@ -145,19 +145,19 @@ class PowerShift {
   /// space.
   template <typename Stream>
   void release(std::uint32_t keep, Stream& stream) {
-    constexpr std::size_t kMostAppended = 3;
+    constexpr std::size_t kMaxAppended = 3;
     while (count_ > 0) {
       const PowerPiece& oldest = pieces_[first_];
-      if (ticks_ - oldest.ticks < keep && count_ + kMostAppended <= kMostHeld) return;
+      if (ticks_ - oldest.ticks < keep && count_ + kMaxAppended <= kMaxHeld) return;
       stream.push(oldest);
       ticks_ -= oldest.ticks;
-      first_ = (first_ + 1) % kMostHeld;
+      first_ = (first_ + 1) % kMaxHeld;
       --count_;
     }
   }
 
   BeamTiming timing_{};
-  std::array<PowerPiece, kMostHeld> pieces_{};  ///< Ring of kept pieces.
+  std::array<PowerPiece, kMaxHeld> pieces_{};  ///< Ring of kept pieces.
   std::size_t first_ = 0;
   std::size_t count_ = 0;
   std::uint32_t ticks_ = 0;  ///< Length of all kept pieces.

@@ -14,10 +14,10 @@ constexpr std::uint16_t kKerfParts = 0x6100;  ///< + 32 · bank + part.
 constexpr std::uint16_t kBankStride = 32;
 
 /// One bank more than tables, so that there is always one that the directory does not name.
-constexpr std::size_t kBanks = KerfTables::kMostStored + 1;
+constexpr std::size_t kBanks = KerfTables::kMaxStored + 1;
 constexpr std::size_t kEntryBytes = 3;
-static_assert(KerfTables::kMostParts <= kBankStride);
-static_assert(KerfTables::kMostStored * kEntryBytes <= hal::RecordStore::kLongestRecord);
+static_assert(KerfTables::kMaxParts <= kBankStride);
+static_assert(KerfTables::kMaxStored * kEntryBytes <= hal::RecordStore::kLongestRecord);
 
 constexpr std::array<kerf::TableView<float>, 2> kBuiltInTables{kerf::kCsp1n<float>,
                                                                kerf::kCsp1nPhysical<float>};
@@ -57,7 +57,7 @@ class StoredImage final : public kerf::ImageSource {
   hal::RecordStore& store_;
   std::size_t bank_;
   std::size_t bytes_;
-  std::size_t fetched_ = KerfTables::kMostParts;  ///< Number of the part in memory; initially none.
+  std::size_t fetched_ = KerfTables::kMaxParts;  ///< Number of the part in memory; initially none.
   PartBytes part_{};
 };
 
@@ -105,7 +105,7 @@ KerfTables::Trouble KerfTables::take_part(std::size_t part, std::span<const std:
   if (bytes.empty() || bytes.size() > kPartBytes || before != part * kPartBytes) {
     return {.tables = KerfTablesError::kOutOfOrder};
   }
-  if (before + bytes.size() > kerf::table_image::kMostBytes) {
+  if (before + bytes.size() > kerf::table_image::kMaxBytes) {
     return {.table = kerf::TableFault{kerf::TableError::kBadSize}};
   }
   if (part == 0) {
@@ -162,7 +162,7 @@ std::size_t KerfTables::spare_bank() const {
 /// Erases the parts of a bank to free their space. Failures are ignored, because these parts are
 /// never read.
 void KerfTables::forget_parts(std::size_t bank) {
-  for (std::size_t part = 0; part < kMostParts; ++part) {
+  for (std::size_t part = 0; part < kMaxParts; ++part) {
     PartBytes record{};
     const std::uint16_t number = part_record(bank, part);
     if (store_.load(number, record) > 0) static_cast<void>(store_.save(number, {}));
@@ -179,23 +179,23 @@ KerfTables::Directory KerfTables::load_directory() const {
   PartBytes record{};
   const std::size_t size = store_.load(kKerfDirectory, record);
   Directory directory{};
-  if (size != kMostStored * kEntryBytes) return directory;
-  for (std::size_t i = 0; i < kMostStored; ++i) {
+  if (size != kMaxStored * kEntryBytes) return directory;
+  for (std::size_t i = 0; i < kMaxStored; ++i) {
     const auto bytes = std::span{record}.subspan(i * kEntryBytes);
     const auto low = std::to_integer<std::uint16_t>(bytes[1]);
     const auto high = std::to_integer<std::uint16_t>(bytes[2]);
     const Entry entry{std::to_integer<std::uint8_t>(bytes[0]),
                       static_cast<std::uint16_t>(low | (high << 8))};
-    if (entry.bank < kBanks && entry.bytes <= kerf::table_image::kMostBytes) directory[i] = entry;
+    if (entry.bank < kBanks && entry.bytes <= kerf::table_image::kMaxBytes) directory[i] = entry;
   }
   return directory;
 }
 
 bool KerfTables::save_directory(const Directory& directory) {
   ++revision_;
-  std::array<std::byte, kMostStored * kEntryBytes> record{};
+  std::array<std::byte, kMaxStored * kEntryBytes> record{};
   bool any = false;
-  for (std::size_t i = 0; i < kMostStored; ++i) {
+  for (std::size_t i = 0; i < kMaxStored; ++i) {
     const Entry& entry = directory[i];
     any = any || entry.bytes != 0;
     record[i * kEntryBytes] = static_cast<std::byte>(entry.bank);

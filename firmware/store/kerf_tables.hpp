@@ -37,10 +37,10 @@ enum class KerfTablesError : std::uint8_t {
 /// forget() and forget_all() are allowed only while nothing moves. Main loop context.
 class KerfTables {
  public:
-  static constexpr std::size_t kMostStored = 4;
+  static constexpr std::size_t kMaxStored = 4;
   static constexpr std::size_t kPartBytes = hal::RecordStore::kLongestRecord;
-  static constexpr std::size_t kMostParts =
-      (kerf::table_image::kMostBytes + kPartBytes - 1) / kPartBytes;
+  static constexpr std::size_t kMaxParts =
+      (kerf::table_image::kMaxBytes + kPartBytes - 1) / kPartBytes;
 
   explicit KerfTables(hal::RecordStore& store) : store_{store} {}
 
@@ -86,7 +86,7 @@ class KerfTables {
     std::uint8_t bank = 0;
     std::uint16_t bytes = 0;  ///< Length of the image; 0: free entry.
   };
-  using Directory = std::array<Entry, kMostStored>;
+  using Directory = std::array<Entry, kMaxStored>;
 
   [[nodiscard]] Directory load_directory() const;
   [[nodiscard]] bool save_directory(const Directory& directory);

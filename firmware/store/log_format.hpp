@@ -51,7 +51,7 @@ inline std::uint32_t head_crc(const SectorHead& head, std::uint32_t magic = kMag
 struct RecordHead {
   static constexpr unsigned kSizeShift = 21;
   static constexpr unsigned kCheckShift = 16;
-  static constexpr std::uint32_t kMostBytes = 1023;
+  static constexpr std::uint32_t kMaxBytes = 1023;
 
   std::uint16_t number = 0;
   std::uint16_t size = 0;  ///< Length in bytes; 0 erases the number's record.
@@ -66,7 +66,7 @@ struct RecordHead {
   /// not.
   [[nodiscard]] static constexpr bool read(std::uint32_t word, RecordHead& head) {
     head.number = static_cast<std::uint16_t>(word);
-    head.size = static_cast<std::uint16_t>((word >> kSizeShift) & kMostBytes);
+    head.size = static_cast<std::uint16_t>((word >> kSizeShift) & kMaxBytes);
     return head.word() == word;
   }
 
@@ -78,7 +78,7 @@ struct RecordHead {
   }
 };
 
-static_assert(hal::RecordStore::kLongestRecord <= RecordHead::kMostBytes);
+static_assert(hal::RecordStore::kLongestRecord <= RecordHead::kMaxBytes);
 
 /// Returns the CRC with which a record, seal or mark at `place` begins. It covers sequence and
 /// place, so that bytes that only look like a record do not count. Examples are bytes of a record

@@ -21,7 +21,7 @@ constexpr std::size_t kPlaceBytes = kAxisCount * sizeof(std::uint64_t);
 constexpr std::size_t kProgressBytes = (1 + kAxisCount) * sizeof(std::uint32_t);
 constexpr std::size_t kPointBytes = sizeof(std::uint16_t) + sizeof(std::uint32_t);
 using Record = std::array<std::byte, hal::RecordStore::kLongestRecord>;
-static_assert(motion::PowerTable::kMostPoints * kPointBytes <= hal::RecordStore::kLongestRecord);
+static_assert(motion::PowerTable::kMaxPoints * kPointBytes <= hal::RecordStore::kLongestRecord);
 static_assert(kPlaceBytes <= hal::RecordStore::kLongestRecord);
 
 /// Writes a word in little-endian order on every machine, so that a store can be moved to another
@@ -125,7 +125,7 @@ bool StoredState::forget_places() {
 motion::PowerTable StoredState::load_power_table() {
   Record record{};
   const std::size_t size = store_.load(kPowerTable, record);
-  std::array<motion::PowerPoint, motion::PowerTable::kMostPoints> points{};
+  std::array<motion::PowerPoint, motion::PowerTable::kMaxPoints> points{};
   const std::size_t count = std::min(size / kPointBytes, points.size());
   for (std::size_t i = 0; i < count; ++i) {
     const auto bytes = std::span{record}.subspan(i * kPointBytes);

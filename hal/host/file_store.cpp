@@ -125,9 +125,9 @@ void FileStore::release() {
 }
 
 bool FileStore::open_and_lock() {
-  constexpr int kMostTries = 100;  // Another process may replace the file at times.
+  constexpr int kMaxTries = 100;  // Another process may replace the file at times.
   const std::string target = without_links(path_);
-  for (int i = 0; i < kMostTries; ++i) {
+  for (int i = 0; i < kMaxTries; ++i) {
     release();
     lock_ = open_file(target, O_RDWR | O_CLOEXEC | O_NOCTTY);
     if (lock_ < 0 && errno == ENOENT) {

@@ -98,7 +98,7 @@ std::optional<int> own_stream(std::string_view path) {
 /// ENXIO if there is no reader.
 int open_with_reader(const std::string& target) {
   constexpr int kPeriodMs = 20;
-  constexpr int kMostTries = 5000 / kPeriodMs;
+  constexpr int kMaxTries = 5000 / kPeriodMs;
   constexpr int kMode = O_WRONLY | O_CLOEXEC | O_NOCTTY;
   for (int i = 0;; ++i) {
     const int file = open_file(target, kMode | O_NONBLOCK);
@@ -107,7 +107,7 @@ int open_with_reader(const std::string& target) {
       if (control_file(file, F_SETFL, flags & ~O_NONBLOCK) != 0) errno = 0;
       return file;
     }
-    if (errno != ENXIO || i >= kMostTries) return -1;
+    if (errno != ENXIO || i >= kMaxTries) return -1;
     static_cast<void>(::poll(nullptr, 0, kPeriodMs));
   }
 }
@@ -115,9 +115,9 @@ int open_with_reader(const std::string& target) {
 }  // namespace
 
 std::string without_links(const std::string& path) {
-  constexpr int kMostLinks = 40;  // The limit of Linux.
+  constexpr int kMaxLinks = 40;  // The limit of Linux.
   std::filesystem::path followed{path};
-  for (int links = 0; links < kMostLinks; ++links) {
+  for (int links = 0; links < kMaxLinks; ++links) {
     std::error_code is_none;
     const std::filesystem::path next = std::filesystem::read_symlink(followed, is_none);
     if (is_none) return followed.string();
@@ -160,10 +160,10 @@ void ReplacingFile::open_in_place() {
 
 void ReplacingFile::open_beside() {
   static std::atomic<unsigned> count{0};
-  constexpr int kMostNames = 1000;  // Killed processes with the same number may have left files.
+  constexpr int kMaxNames = 1000;  // Killed processes with the same number may have left files.
   const std::string folder = std::filesystem::path{target_}.parent_path().string();
   const SignalsHeldBack held_back;
-  for (int i = 0; i < kMostNames; ++i) {
+  for (int i = 0; i < kMaxNames; ++i) {
     std::string beside = folder.empty() ? folder : folder + "/";
     beside.append(".kerfline-").append(std::to_string(::getpid()));
     beside.append("-").append(std::to_string(count++)).append(".part");

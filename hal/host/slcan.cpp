@@ -19,7 +19,7 @@ bool Slcan::send(const CanFrame& frame) {
 }
 
 std::size_t Slcan::room() const {
-  return to_say_.size() >= kMostToSay ? 0 : (kMostToSay - to_say_.size()) / kLongestSlcanLine;
+  return to_say_.size() >= kMaxToSay ? 0 : (kMaxToSay - to_say_.size()) / kLongestSlcanLine;
 }
 
 void Slcan::hear(std::span<const std::byte> bytes) {

@@ -49,7 +49,7 @@ class Slcan final : public CanPort {
   void close();
 
  private:
-  static constexpr std::size_t kMostToSay = 2048;
+  static constexpr std::size_t kMaxToSay = 2048;
 
   [[nodiscard]] bool obey(std::string_view line);
   [[nodiscard]] bool take_frame(std::string_view line);

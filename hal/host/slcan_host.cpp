@@ -16,7 +16,7 @@ bool SlcanHost::send(const CanFrame& frame) {
 }
 
 std::size_t SlcanHost::room() const {
-  return to_say_.size() >= kMostToSay ? 0 : (kMostToSay - to_say_.size()) / kLongestSlcanLine;
+  return to_say_.size() >= kMaxToSay ? 0 : (kMaxToSay - to_say_.size()) / kLongestSlcanLine;
 }
 
 void SlcanHost::hear(std::span<const char> bytes) {

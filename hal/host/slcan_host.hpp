@@ -39,7 +39,7 @@ class SlcanHost final : public CanPort {
   void close() { to_say_ += "C\r"; }
 
  private:
-  static constexpr std::size_t kMostToSay = 2048;
+  static constexpr std::size_t kMaxToSay = 2048;
 
   void take_line();
 

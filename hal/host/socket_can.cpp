@@ -150,8 +150,8 @@ void SocketCan::hear_only(std::span<const std::uint32_t> heard, std::size_t /*ur
 }
 
 bool SocketCan::receive(CanFrame& frame) {
-  constexpr int kMostErrors = 64;  // Bounds the time of a call; more errors wait for the next.
-  for (int errors = 0; errors < kMostErrors; ++errors) {
+  constexpr int kMaxErrors = 64;  // Bounds the time of a call; more errors wait for the next.
+  for (int errors = 0; errors < kMaxErrors; ++errors) {
     KernelFrame raw{};
     iovec place{&raw, sizeof raw};
     alignas(cmsghdr) std::array<char, CMSG_SPACE(sizeof(std::uint32_t))> control{};

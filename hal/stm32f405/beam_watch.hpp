@@ -20,7 +20,7 @@ class BeamWatch {
  public:
   /// Greatest lateness of the step interrupt, in ticks, that itself and interrupts of equal urgency
   /// can cause.
-  static constexpr std::int32_t kMostLate = StepTimer<Bus>::kTicksPerSecond / 10'000;
+  static constexpr std::int32_t kMaxLate = StepTimer<Bus>::kTicksPerSecond / 10'000;
 
   /// Returns whether the beam is on although the step interrupt is overdue, or its next time is too
   /// far ahead for motion. May be called from any interrupt, also while it interrupts the step
@@ -30,7 +30,7 @@ class BeamWatch {
   [[nodiscard]] static bool lit_at_rest(std::uint32_t longest_wait) noexcept {
     if (!PowerPin<kBoard, Bus>::lit()) return false;
     const std::int32_t left = StepTimer<Bus>::ticks_left();
-    return left < -kMostLate || left > static_cast<std::int32_t>(longest_wait);
+    return left < -kMaxLate || left > static_cast<std::int32_t>(longest_wait);
   }
 
   /// Returns whether the beam's duty exceeds `allowed`, the duty allowed at rest. If `allowed` is

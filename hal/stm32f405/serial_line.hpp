@@ -76,7 +76,7 @@ class SerialLine final : public ByteStream {
   // Function for the line's own interrupt.
 
   void on_interrupt() noexcept {
-    for (std::uint32_t byte = 0; byte < kMostAtOnce; ++byte) {
+    for (std::uint32_t byte = 0; byte < kMaxAtOnce; ++byte) {
       const Word status = Bus::read(kPins.base + usart::kStatus);
       if ((status & (usart::kReceived | usart::kDamaged)) == 0) break;
       // Reading the data after the status clears both flags.
@@ -91,7 +91,7 @@ class SerialLine final : public ByteStream {
   static constexpr Word kAtRest =
       usart::kOn | usart::kReceiver | usart::kTransmitter | usart::kReceivedInterrupt;
   /// The hardware holds two bytes; an emulator may deliver a whole file at once.
-  static constexpr std::uint32_t kMostAtOnce = 16;
+  static constexpr std::uint32_t kMaxAtOnce = 16;
 
   void keep(std::byte byte, bool damaged) noexcept {
     if (damaged) count_lost();

@@ -19,9 +19,9 @@ std::string bounds_text(const Report& report, std::size_t first, std::size_t las
   std::string text;
   for (std::size_t axis = first; axis < last; ++axis) {
     const AxisReport& bounds = report.axes[axis];
-    if (bounds.least_mm == bounds.greatest_mm) continue;
+    if (bounds.min_mm == bounds.greatest_mm) continue;
     text += fmt::format(
-        "  {} {:.3f} to {:.3f}", cnc::kAxisLetters[axis], bounds.least_mm, bounds.greatest_mm);
+        "  {} {:.3f} to {:.3f}", cnc::kAxisLetters[axis], bounds.min_mm, bounds.greatest_mm);
   }
   return text;
 }

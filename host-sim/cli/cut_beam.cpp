@@ -38,8 +38,8 @@ void expect_whole_call(const CutCommandOptions& options) {
 double greatest_watts(const std::vector<cut::LayerSettings>& wishes) {
   double greatest = 0.0;
   for (const cut::LayerSettings& wish : wishes) {
-    greatest = std::max(
-        {greatest, wish.power_w.value_or(0.0), wish.image.least_power.watts.value_or(0.0)});
+    greatest =
+        std::max({greatest, wish.power_w.value_or(0.0), wish.image.min_power.watts.value_or(0.0)});
   }
   return greatest;
 }
@@ -50,7 +50,7 @@ void guess_full_power(cut::Beam& beam,
                       std::vector<std::string>& notes) {
   const double watts = greatest_watts(wishes);
   const bool has_shares = std::ranges::any_of(wishes, [](const cut::LayerSettings& wish) {
-    return wish.power_share.has_value() || wish.image.least_power.share.has_value();
+    return wish.power_share.has_value() || wish.image.min_power.share.has_value();
   });
   if (watts > 0.0 && has_shares) {
     throw std::invalid_argument(
@@ -166,7 +166,7 @@ cut::Beam beam_of(const CutCommandOptions& options,
                  .follows_speed = !options.constant_power,
                  .kerf_table = options.kerf_table};
   for (const SettingChange& change : settings) {
-    if (change.number == cnc::setting::kMostSpindleSpeed) {
+    if (change.number == cnc::setting::kMaxSpindleSpeed) {
       beam.full_power_s = static_cast<double>(change.value);
     }
   }

@@ -86,7 +86,7 @@ cut::Condition chosen_condition(const CutSource& source, const LayerSettings& se
   const CutCommandOptions& options = source.options;
   const std::uint32_t most = options.full_power_w > 0.0
                                  ? thousandths_of("--full-power", options.full_power_w, 4.0e6, "W")
-                                 : cnc::kerf::kMostPowerMw;
+                                 : cnc::kerf::kMaxPowerMw;
   std::optional<std::uint32_t> power;
   std::optional<std::uint32_t> speed;
   if (settings.power_w) power = power_option(*settings.power_w);

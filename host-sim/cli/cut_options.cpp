@@ -129,7 +129,7 @@ void add_cut_options(CLI::App& command, const std::shared_ptr<CutCommandOptions>
       .add_option("--full-power",
                   options->full_power_w,
                   "What the laser gives at $30; else the machine's or the record's")
-      ->check(in_range(0.001, from_thousandths(cnc::kerf::kMostPowerMw), "W"))
+      ->check(in_range(0.001, from_thousandths(cnc::kerf::kMaxPowerMw), "W"))
       ->type_name("W");
   command
       .add_option("--kerf-table",
@@ -147,7 +147,7 @@ void add_cut_options(CLI::App& command, const std::shared_ptr<CutCommandOptions>
   command.add_flag("--check", options->check, "Drive it and measure how well the parts fit");
   options->post.add_to(command);
   command.add_option("--decimals", options->decimals, "Of places, mm")
-      ->check(in_whole_range(cnc::gcode::PrintGrid::kFewest, cnc::gcode::PrintGrid::kMost))
+      ->check(in_whole_range(cnc::gcode::PrintGrid::kFewest, cnc::gcode::PrintGrid::kMax))
       ->capture_default_str();
   add_file(FileRole::kInput, "--settings", options->settings_file, "The machine's $N=value lines");
   command.add_option("--set", options->set, "One setting of the machine; may be repeated")

@@ -60,7 +60,7 @@ constexpr std::array kBesideOnController{
 };
 
 /// Greatest time of a job that is simulated.
-constexpr double kMostSimulatedS = 3.0 * 3600.0;
+constexpr double kMaxSimulatedS = 3.0 * 3600.0;
 
 ProgramCheck judge(const CutJob& job,
                    const CutRun& run,
@@ -95,7 +95,7 @@ ProgramCheck check_program(const CutJob& job,
                            const std::vector<std::string>& heading,
                            const std::string& name) {
   const bool needs_tables = job.beam.kerf_table.has_value();
-  if (!needs_tables && job.plan.order.predicted_s() > kMostSimulatedS) {
+  if (!needs_tables && job.plan.order.predicted_s() > kMaxSimulatedS) {
     return judge(job, run, heading, name);
   }
   const SimulatedProgram program = simulated(job, run, heading);

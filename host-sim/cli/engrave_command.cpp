@@ -31,7 +31,7 @@ using engrave::EngraveProgram;
 using engrave::EngraveSettings;
 
 /// Greatest time of a job that is simulated; the time of longer jobs is estimated.
-constexpr double kMaxSimulatedS = 1800.0;
+constexpr double kMaxPreviewS = 1800.0;
 
 /// Returns the settings of the machine, the profile's first.
 std::vector<SettingChange> machine_settings(const EngraveOptions& options,
@@ -46,7 +46,7 @@ std::vector<SettingChange> machine_settings(const EngraveOptions& options,
 double greatest_s(const std::vector<SettingChange>& settings) {
   double greatest = 1000.0;
   for (const SettingChange& change : settings) {
-    if (change.number == cnc::setting::kMostSpindleSpeed) {
+    if (change.number == cnc::setting::kMaxSpindleSpeed) {
       greatest = static_cast<double>(change.value);
     }
   }
@@ -93,8 +93,8 @@ std::vector<std::string> heading_of(const EngraveOptions& options,
                   raster.rows));
   add(fmt::format("{:g} mm/min, S{:g} to S{:g}, overscan {:.2f} mm",
                   settings.feed_mm_min,
-                  options.tone.least_power * settings.full_power_s,
-                  options.tone.most_power * settings.full_power_s,
+                  options.tone.min_power * settings.full_power_s,
+                  options.tone.max_power * settings.full_power_s,
                   settings.overscan_mm));
   for (const ProgramDigest& digest : inputs.digests()) add(text_of(digest));
   return lines;
@@ -111,7 +111,7 @@ struct EngraveTime {
 EngraveTime time_of(const EngraveProgram& program,
                     const std::vector<SettingChange>& settings,
                     ExitStatus& status) {
-  if (program.figures.estimated_s > kMaxSimulatedS) return {program.figures.estimated_s, false};
+  if (program.figures.estimated_s > kMaxPreviewS) return {program.figures.estimated_s, false};
   const Report report = check({.file = "the program", .text = program.text, .settings = settings});
   for (const Fault& fault : report.faults) terminal::print(stderr, "{}\n", to_string(fault));
   if (!report.faults.empty()) status = ExitStatus::kFaults;
@@ -140,7 +140,7 @@ ExitStatus engrave_picture(const CLI::App& command, EngraveOptions& options) {
   const auto machine = machine_profile_of(options.place.machine);
   const std::vector<SettingChange> settings = machine_settings(options, machine);
   InputFiles inputs{options.output};
-  unsigned decimals = cnc::gcode::PrintGrid::kMost;
+  unsigned decimals = cnc::gcode::PrintGrid::kMax;
   options.post.read(command, inputs, decimals);
   const std::string bytes = read_bytes(options.file);
   inputs.add("picture", options.file, bytes);

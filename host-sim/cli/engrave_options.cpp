@@ -151,10 +151,10 @@ engrave::EngraveSettings engrave_settings_of(EngraveOptions& options,
                                              double full_power_s) {
   const double machine_w = machine ? machine->full_power_w : 0.0;
   const double full_power_w = options.full_power_w > 0.0 ? options.full_power_w : machine_w;
-  options.tone.most_power = power_share("--power", options.power, full_power_w, full_power_s);
-  options.tone.least_power =
+  options.tone.max_power = power_share("--power", options.power, full_power_w, full_power_s);
+  options.tone.min_power =
       power_share("--min-power", options.min_power, full_power_w, full_power_s);
-  if (options.tone.least_power > options.tone.most_power) {
+  if (options.tone.min_power > options.tone.max_power) {
     throw std::invalid_argument("--min-power: is more than --power");
   }
   options.tone.shading = engrave::shading_named(options.shading).value_or(engrave::Shading::kGrey);

@@ -14,7 +14,7 @@ namespace {
 constexpr const char* kAutoGap = "auto";
 
 CLI::Validator gap_values() {
-  const CLI::Validator range = in_range(drawing::kLeastGapMm, drawing::kGreatestGapMm, "mm");
+  const CLI::Validator range = in_range(drawing::kMinGapMm, drawing::kGreatestGapMm, "mm");
   const auto check = [range](const std::string& text) -> std::string {
     if (text == kAutoGap) return {};
     const std::string wrong = range(text);
@@ -24,7 +24,7 @@ CLI::Validator gap_values() {
 }
 
 CLI::Validator unit_values() {
-  const CLI::Validator range = in_range(drawing::kLeastUnitMm, drawing::kGreatestUnitMm, "mm");
+  const CLI::Validator range = in_range(drawing::kMinUnitMm, drawing::kGreatestUnitMm, "mm");
   const auto check = [range](const std::string& text) -> std::string {
     if (drawing::drawing_unit_mm(text) || range(text).empty()) return {};
     return fmt::format(

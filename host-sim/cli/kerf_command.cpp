@@ -103,7 +103,7 @@ void add_fit_command(CLI::App& kerf, ExitStatus&) {
   command
       ->add_option(
           "--law-correlation",
-          criterion.least_correlation,
+          criterion.min_correlation,
           "Or where the correlation is at least this and no mean is farther than --law-far")
       ->check(in_range(0.0, 1.0, ""))
       ->capture_default_str();

@@ -63,10 +63,10 @@ std::optional<OperationRecord> operation_of(const drawing::LibraryEntry& entry,
   if (settings.power_share.value_or(0.0) > 0.0) {
     operation.power_percent = kFull * *settings.power_share;
   }
-  constexpr double kMostSpeed = from_thousandths(cnc::kerf::kMostSpeedUmMin);
+  constexpr double kMaxSpeed = from_thousandths(cnc::kerf::kMaxSpeedUmMin);
   constexpr double kSecondsPerMinute = 60.0;
   const double speed = kSecondsPerMinute * settings.speed_mm_s.value_or(0.0);
-  if (speed >= from_thousandths(cnc::kerf::kLeastSpeedUmMin) && speed <= kMostSpeed) {
+  if (speed >= from_thousandths(cnc::kerf::kMinSpeedUmMin) && speed <= kMaxSpeed) {
     operation.speed_um_min = to_thousandths(speed);
   }
   if (settings.passes) operation.passes = static_cast<std::uint32_t>(*settings.passes);

@@ -21,9 +21,9 @@ namespace {
 constexpr const char* kPrinted = "printed";
 constexpr const char* kJoules = "J/mm";
 
-constexpr double kMostThicknessMm = from_thousandths(cnc::kerf::kMostThicknessUm);
-constexpr double kMostPowerW = from_thousandths(cnc::kerf::kMostPowerMw);
-constexpr double kMostSpeedMmMin = from_thousandths(cnc::kerf::kMostSpeedUmMin);
+constexpr double kMaxThicknessMm = from_thousandths(cnc::kerf::kMaxThicknessUm);
+constexpr double kMaxPowerW = from_thousandths(cnc::kerf::kMaxPowerMw);
+constexpr double kMaxSpeedMmMin = from_thousandths(cnc::kerf::kMaxSpeedUmMin);
 
 std::string law_text(const ThicknessRecord& row) {
   if (row.measured) return "measured";
@@ -148,18 +148,18 @@ std::uint32_t thousandths_of(const char* option, double value, double most, cons
   return to_thousandths(value);
 }
 
-CLI::Validator thickness_range() { return in_range(0.0, kMostThicknessMm, "mm"); }
-CLI::Validator power_range() { return in_range(0.0, kMostPowerW, "W"); }
-CLI::Validator speed_range() { return in_range(0.0, kMostSpeedMmMin, "mm/min"); }
+CLI::Validator thickness_range() { return in_range(0.0, kMaxThicknessMm, "mm"); }
+CLI::Validator power_range() { return in_range(0.0, kMaxPowerW, "W"); }
+CLI::Validator speed_range() { return in_range(0.0, kMaxSpeedMmMin, "mm/min"); }
 
 std::uint32_t thickness_option(double mm) {
-  return thousandths_of("--thickness", mm, kMostThicknessMm, "mm");
+  return thousandths_of("--thickness", mm, kMaxThicknessMm, "mm");
 }
 std::uint32_t power_option(double watts) {
-  return thousandths_of("--power", watts, kMostPowerW, "W");
+  return thousandths_of("--power", watts, kMaxPowerW, "W");
 }
 std::uint32_t speed_option(double mm_min) {
-  return thousandths_of("--speed", mm_min, kMostSpeedMmMin, "mm/min");
+  return thousandths_of("--speed", mm_min, kMaxSpeedMmMin, "mm/min");
 }
 
 namespace {

@@ -197,7 +197,7 @@ void add_calibrate_command(CLI::App& kerf) {
       ->delimiter(',')
       ->check(speed_range());
   command->add_option("--full-power", plan.full_power_w, "What the laser gives at --full-s, W")
-      ->check(in_range(0.001, from_thousandths(cnc::kerf::kMostPowerMw), "W"));
+      ->check(in_range(0.001, from_thousandths(cnc::kerf::kMaxPowerMw), "W"));
   command->add_option("--full-s", plan.full_power_s, "$30")
       ->check(in_range(1.0, 1.0e6, ""))
       ->capture_default_str();

@@ -25,10 +25,10 @@
 namespace sim {
 namespace {
 
-constexpr std::size_t kMostGridSteps = 10;
-constexpr double kLeastGridPercent = 0.1;
+constexpr std::size_t kMaxGridSteps = 10;
+constexpr double kMinGridPercent = 0.1;
 constexpr double kFullPercent = 100.0;
-constexpr double kGreatestGridFeed = from_thousandths(cnc::kerf::kMostSpeedUmMin);
+constexpr double kGreatestGridFeed = from_thousandths(cnc::kerf::kMaxSpeedUmMin);
 
 struct TestGridOptions {
   TestGrid grid{};
@@ -92,7 +92,7 @@ std::vector<double> values_in(const GridRange& range, const std::string& text, s
 double greatest_s_of(const cut::MachineProfile& machine) {
   double greatest = 1000.0;
   for (const SettingChange& change : machine.settings) {
-    if (change.number == cnc::setting::kMostSpindleSpeed) {
+    if (change.number == cnc::setting::kMaxSpindleSpeed) {
       greatest = static_cast<double>(change.value);
     }
   }
@@ -146,7 +146,7 @@ void complete(TestGridOptions& options) {
         "300:1500; or --measured reads a form");
   }
   grid.powers_percent = values_in(
-      {"--power", kLeastGridPercent, kFullPercent, "percent"}, options.powers, options.power_steps);
+      {"--power", kMinGridPercent, kFullPercent, "percent"}, options.powers, options.power_steps);
   grid.feeds_mm_min =
       values_in({"--feed", 1.0, kGreatestGridFeed, "mm/min"}, options.feeds, options.feed_steps);
   grid.is_filled = options.kind == "fill";
@@ -238,7 +238,7 @@ void add_grid_options(CLI::App& command, TestGridOptions& options) {
   command.add_option("--feed", options.feeds, "mm/min, by row")->type_name("LOW:HIGH");
   const auto steps = [&](const char* name, std::size_t& value, const char* help) {
     command.add_option(name, value, help)
-        ->check(in_whole_range(1, kMostGridSteps))
+        ->check(in_whole_range(1, kMaxGridSteps))
         ->capture_default_str();
   };
   steps("--power-steps", options.power_steps, "Columns");
@@ -260,7 +260,7 @@ void add_grid_options(CLI::App& command, TestGridOptions& options) {
   length("--interval", grid.interval_mm, 0.01, 10.0, "From line to line of a filled square");
   length("--label-height", grid.label_mm, 1.0, 20.0, "Of the numbers, if there is room");
   command.add_option("--label-power", grid.labels.power_percent, "Of the numbers, percent")
-      ->check(in_range(kLeastGridPercent, kFullPercent, "percent"))
+      ->check(in_range(kMinGridPercent, kFullPercent, "percent"))
       ->capture_default_str();
   command.add_option("--label-feed", grid.labels.feed_mm_min, "Of the numbers, mm/min")
       ->check(in_range(1.0, kGreatestGridFeed, "mm/min"))
@@ -270,7 +270,7 @@ void add_grid_options(CLI::App& command, TestGridOptions& options) {
       ->expected(1, 10)
       ->check(in_range(1.0, 100.0, "mm"));
   command.add_option("--slot-power", options.slot_power, "Percent; else the greatest")
-      ->check(in_range(kLeastGridPercent, kFullPercent, "percent"));
+      ->check(in_range(kMinGridPercent, kFullPercent, "percent"));
   command.add_option("--slot-feed", options.slot_feed, "mm/min; else the slowest")
       ->check(in_range(1.0, kGreatestGridFeed, "mm/min"));
   command.add_flag("--constant-power", options.constant_power, "M3 instead of M4");

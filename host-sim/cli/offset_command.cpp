@@ -57,19 +57,19 @@ void append(Contour& contour, const cnc::contour::ContourView<double>& more) {
 bool report_vanished(const std::string& file,
                      const std::vector<Vanished>& found,
                      double distance_mm) {
-  constexpr std::size_t kMostListed = 20;
-  for (std::size_t i = 0; i < std::min(found.size(), kMostListed); ++i) {
+  constexpr std::size_t kMaxListed = 20;
+  for (std::size_t i = 0; i < std::min(found.size(), kMaxListed); ++i) {
     terminal::print(stderr,
                     "{}: {} at distance {:g} mm; choose a smaller one\n",
                     file,
                     found[i].text(),
                     distance_mm);
   }
-  if (found.size() > kMostListed) {
+  if (found.size() > kMaxListed) {
     terminal::print(stderr,
                     "{}: and {} more vanish at distance {:g} mm\n",
                     file,
-                    found.size() - kMostListed,
+                    found.size() - kMaxListed,
                     distance_mm);
   }
   return !found.empty();

@@ -181,27 +181,27 @@ void add_order_command(CLI::App& app, ExitStatus& status) {
   command->add_option("--order", options->solve.method, "How the order is found")
       ->transform(CLI::CheckedTransformer(methods))
       ->option_text("ours|anneal|nearest|file|exact [ours]");
-  constexpr double kMostSeconds = 1.0e6;
+  constexpr double kMaxSeconds = 1.0e6;
   CLI::Option* const seconds =
       command
           ->add_option("--seconds",
                        options->solve.seconds,
                        "Time; without it ours takes 1 s and exact as long as it needs")
-          ->check(in_range(0.0, kMostSeconds, "s"));
-  constexpr std::int64_t kMostSteps = 1'000'000'000'000;
+          ->check(in_range(0.0, kMaxSeconds, "s"));
+  constexpr std::int64_t kMaxSteps = 1'000'000'000'000;
   command
       ->add_option("--steps",
                    options->solve.steps,
                    "Steps instead of seconds: the same result on every machine")
-      ->check(in_whole_range(1, kMostSteps))
+      ->check(in_whole_range(1, kMaxSteps))
       ->excludes(seconds);
-  constexpr std::int64_t kMostSeed = 9'000'000'000'000'000;
+  constexpr std::int64_t kMaxSeed = 9'000'000'000'000'000;
   command->add_option("--seed", options->solve.seed, "Of the random numbers")
-      ->check(in_whole_range(0, kMostSeed))
+      ->check(in_whole_range(0, kMaxSeed))
       ->capture_default_str();
-  constexpr std::int64_t kMostMemory = 1'000'000;
+  constexpr std::int64_t kMaxMemory = 1'000'000;
   command->add_option("--memory", options->memory_mb, "For the proof of exact, MB")
-      ->check(in_whole_range(1, kMostMemory, "MB"))
+      ->check(in_whole_range(1, kMaxMemory, "MB"))
       ->capture_default_str();
   command->add_flag("--json", options->json, "As JSON, with the course of annealing");
   command->callback([options, &status] { status = solve_or_tell(*options); });

@@ -17,7 +17,7 @@ void add_outline_options(CLI::App& command, OutlineOptions& outline) {
   command
       .add_option(
           "--tolerance", outline.tolerance_mm, "Between a drawing's curves and their arcs, mm")
-      ->check(in_range(kLeastToleranceMm, kGreatestToleranceMm, "mm"))
+      ->check(in_range(kMinToleranceMm, kGreatestToleranceMm, "mm"))
       ->capture_default_str();
   command
       .add_option("--fit",

@@ -21,9 +21,9 @@ drawing::ReadBeside reader_beside(const std::string& drawing) {
     const std::string file = file_beside(drawing, name);
     std::error_code is_none;
     const std::uintmax_t size = fs::file_size(file, is_none);
-    if (!is_none && size > drawing::kMostBytes) {
+    if (!is_none && size > drawing::kMaxBytes) {
       throw std::invalid_argument(
-          fmt::format("{} has more than {} MiB", file, drawing::kMostBytes >> 20));
+          fmt::format("{} has more than {} MiB", file, drawing::kMaxBytes >> 20));
     }
     return read_bytes(file);
   };

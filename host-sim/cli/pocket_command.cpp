@@ -55,7 +55,7 @@ constexpr const char* kPocketFooter =
 
 /// Prints the parts of pockets into which the tool does not fit. Returns whether there are any.
 bool report_unreached(const PocketCommandOptions& options, const std::vector<Contour>& areas) {
-  constexpr std::size_t kMostListed = 20;
+  constexpr std::size_t kMaxListed = 20;
   ContourOffset offsetter;
   std::size_t count = 0;
   std::set<std::string> told;  // Each text is printed once, because terraces may share a point.
@@ -65,7 +65,7 @@ bool report_unreached(const PocketCommandOptions& options, const std::vector<Con
     const Contour locus = copy_of(offsetter.offset(area.view(), -radius_mm));
     for (const Vanished& gone : vanished(area, locus, -radius_mm, offsetter)) {
       if (gone.is_hole || !told.insert(gone.text()).second) continue;
-      if (++count > kMostListed) continue;
+      if (++count > kMaxListed) continue;
       terminal::print(stderr,
                       "{}: {} for a tool of {:g} mm; choose a smaller one with --tool\n",
                       options.file,
@@ -73,8 +73,8 @@ bool report_unreached(const PocketCommandOptions& options, const std::vector<Con
                       options.tool_mm);
     }
   }
-  if (count > kMostListed) {
-    terminal::print(stderr, "{}: and {} more\n", options.file, count - kMostListed);
+  if (count > kMaxListed) {
+    terminal::print(stderr, "{}: and {} more\n", options.file, count - kMaxListed);
   }
   return count != 0;
 }

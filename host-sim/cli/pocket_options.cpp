@@ -15,7 +15,7 @@
 namespace sim {
 namespace {
 
-constexpr double kLeastDepthMm = 0.001;
+constexpr double kMinDepthMm = 0.001;
 constexpr double kSteepestDeg = 45.0;
 
 void add_shape_options(CLI::App& command, PocketCommandOptions& options) {
@@ -37,7 +37,7 @@ void add_shape_options(CLI::App& command, PocketCommandOptions& options) {
   command
       .add_option("--depth", options.depth_mm, "Of the pocket below Z 0, mm; of V carving at most")
       ->required()
-      ->check(in_range(kLeastDepthMm, kGreatestDepthMm, "mm"))
+      ->check(in_range(kMinDepthMm, kGreatestDepthMm, "mm"))
       ->type_name("MM");
   command
       .add_option("--depth-of",
@@ -49,14 +49,14 @@ void add_shape_options(CLI::App& command, PocketCommandOptions& options) {
       .add_option("--depth-step",
                   options.depth_step_mm,
                   "Greatest depth of one level, mm; all levels are equal. Else half the tool")
-      ->check(in_range(kLeastDepthMm, kGreatestDepthMm, "mm"))
+      ->check(in_range(kMinDepthMm, kGreatestDepthMm, "mm"))
       ->type_name("MM");
   command
       .add_option("--stepover",
                   options.stepover_mm,
                   "Greatest distance of passes, mm. Else the greatest that leaves nothing;\n"
                   "of lines, half the tool, of spirals half the tool less --corner")
-      ->check(in_range(kLeastDepthMm, kGreatestToolMm, "mm"))
+      ->check(in_range(kMinDepthMm, kGreatestToolMm, "mm"))
       ->type_name("MM");
   command
       .add_option("--corner",
@@ -95,7 +95,7 @@ void add_stock_shape_options(CLI::App& command, PocketCommandOptions& options) {
           options.finish_mm,
           "Leave this allowance at the walls, mm, and take it off by passes along them at the "
           "end, with\narcs in and out; up to half the tool")
-      ->check(in_range(kLeastDepthMm, kGreatestToolMm, "mm"))
+      ->check(in_range(kMinDepthMm, kGreatestToolMm, "mm"))
       ->type_name("MM");
   command
       .add_option(
@@ -103,7 +103,7 @@ void add_stock_shape_options(CLI::App& command, PocketCommandOptions& options) {
           options.floor_mm,
           "Leave this allowance at the floors, mm, and take it off in one more level; up to\n"
           "--depth-step")
-      ->check(in_range(kLeastDepthMm, kGreatestToolMm, "mm"))
+      ->check(in_range(kMinDepthMm, kGreatestToolMm, "mm"))
       ->type_name("MM");
   command
       .add_option(
@@ -118,7 +118,7 @@ void add_stock_shape_options(CLI::App& command, PocketCommandOptions& options) {
                   options.rest_of_mm,
                   "The pockets were milled with this larger tool, diameter in mm: mill only the "
                   "rest\nthat it left")
-      ->check(in_range(kLeastToolMm, kGreatestToolMm, "mm"))
+      ->check(in_range(kMinToolMm, kGreatestToolMm, "mm"))
       ->type_name("MM");
   command
       .add_option(
@@ -154,7 +154,7 @@ void add_strategy_options(CLI::App& command, PocketCommandOptions& options) {
                   "Of the tool's circumference that cuts with --strategy adaptive, at most, "
                   "degrees; entries\nand stretches narrower than 1.2 tools have more, which "
                   "--report lists")
-      ->check(in_range(pocket::kLeastEngagementDeg, pocket::kGreatestEngagementDeg, "degrees"))
+      ->check(in_range(pocket::kMinEngagementDeg, pocket::kGreatestEngagementDeg, "degrees"))
       ->type_name("DEG")
       ->capture_default_str();
   command.add_flag("--keep-feed",
@@ -166,7 +166,7 @@ void add_strategy_options(CLI::App& command, PocketCommandOptions& options) {
                   options.v_angle_deg,
                   "Carve with a V tool of this included angle, degrees: along the middle of each\n"
                   "shape, as deep as it is wide there")
-      ->check(in_range(pocket::kLeastVAngleDeg, pocket::kGreatestVAngleDeg, "degrees"))
+      ->check(in_range(pocket::kMinVAngleDeg, pocket::kGreatestVAngleDeg, "degrees"))
       ->type_name("DEG");
 }
 
@@ -195,7 +195,7 @@ void add_pocket_options(CLI::App& command, PocketCommandOptions& options) {
   command.add_flag("--anyway", options.anyway, "Mill what the tool reaches, and leave the rest");
   options.post.add_to(command);
   command.add_option("--decimals", options.decimals, "Of positions, mm")
-      ->check(in_whole_range(cnc::gcode::PrintGrid::kFewest, cnc::gcode::PrintGrid::kMost))
+      ->check(in_whole_range(cnc::gcode::PrintGrid::kFewest, cnc::gcode::PrintGrid::kMax))
       ->capture_default_str();
   const auto add_output = [&](const char* name, std::string& file, const char* help) {
     mark_file(command.add_option(name, file, help)->type_name("FILE"), FileRole::kOutput);

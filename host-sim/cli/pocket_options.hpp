@@ -18,7 +18,7 @@ class App;
 namespace sim {
 
 inline constexpr double kGreatestDepthMm = 1'000.0;
-inline constexpr double kLeastToolMm = 0.01;
+inline constexpr double kMinToolMm = 0.01;
 inline constexpr double kGreatestToolMm = 500.0;
 
 /// Depth of the floor within the contours of a layer.

@@ -65,9 +65,9 @@ void apply_tool(const CLI::App& command, PocketCommandOptions& options, InputFil
                                     options.tools_file);
   }
   if (const std::optional<double> diameter = number_in(options.tool)) {
-    if (!(*diameter >= kLeastToolMm && *diameter <= kGreatestToolMm)) {
+    if (!(*diameter >= kMinToolMm && *diameter <= kGreatestToolMm)) {
       throw std::invalid_argument{fmt::format(
-          "--tool {}: must be {:g} to {:g} mm", options.tool, kLeastToolMm, kGreatestToolMm)};
+          "--tool {}: must be {:g} to {:g} mm", options.tool, kMinToolMm, kGreatestToolMm)};
     }
     options.tool_mm = *diameter;
   } else if (options.tools_file.empty()) {

@@ -208,10 +208,10 @@ void number_approach(std::vector<JobLine>& lines, SendOptions& send) {
   constexpr std::uint32_t kFreeNumbers = 100;  // An approach has about ten lines.
   if (send.takes_up) {
     // Each line has number 1: a later number could be the line in which the beam comes on again.
-    send.most_number = 1;
+    send.max_number = 1;
   } else {
     // After an interruption in the approach, the controller reports a line that no job has.
-    lines.front().n = send.most_number - kFreeNumbers;
+    lines.front().n = send.max_number - kFreeNumbers;
   }
 }
 

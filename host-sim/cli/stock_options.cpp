@@ -146,7 +146,7 @@ void add_stock_options(CLI::App& command, StockOptions& options) {
       ->type_name(kCutterForm);
   command
       .add_option("--stock-cell", options.cell_mm, "Resolution of the stock, mm; 8 bytes a cell")
-      ->check(in_range(stock::kLeastCellMm, stock::kGreatestCellMm, "mm"))
+      ->check(in_range(stock::kMinCellMm, stock::kGreatestCellMm, "mm"))
       ->type_name("MM")
       ->capture_default_str();
   const auto add_output = [&](const char* name, std::string& file, const char* help) {

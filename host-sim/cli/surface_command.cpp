@@ -173,7 +173,7 @@ surface::SurfacePath valleys_of(const SurfaceCommandOptions& options,
                     "{}: {} valleys shorter than {:g} mm are left out\n",
                     options.file,
                     found.left_out,
-                    pencil.least_mm);
+                    pencil.min_mm);
   }
   return std::move(found.path);
 }

@@ -18,30 +18,30 @@
 namespace sim {
 namespace {
 
-constexpr double kLeastMm = 1.0e-6;
-constexpr double kLeastSurfaceToleranceMm = 1.0e-4;
+constexpr double kMinMm = 1.0e-6;
+constexpr double kMinSurfaceToleranceMm = 1.0e-4;
 constexpr double kGreatestSurfaceToleranceMm = 5.0;
 /// Least scallop in tolerances. At this scallop, half of its height is left for the rows.
-constexpr double kLeastScallopTolerances = 2.0;
+constexpr double kMinScallopTolerances = 2.0;
 
 void add_reading_options(CLI::App& command, SurfaceCommandOptions& options) {
   command
       .add_option(
           "--unit", options.reading.unit_mm, "Length of the file's unit, mm: 25.4 is inches")
-      ->check(in_range(kLeastMm, 1.0e6, "mm"))
+      ->check(in_range(kMinMm, 1.0e6, "mm"))
       ->type_name("MM")
       ->capture_default_str();
   command
       .add_option("--pitch",
                   options.reading.pitch_mm,
                   "Distance of a height map's points, mm; else as the file says")
-      ->check(in_range(kLeastMm, surface::kFarthestMm, "mm"))
+      ->check(in_range(kMinMm, surface::kFarthestMm, "mm"))
       ->type_name("MM");
   command
       .add_option("--height",
                   options.reading.height_mm,
                   "Height of a picture's white over its black, mm; else as the file says")
-      ->check(in_range(kLeastMm, surface::kFarthestMm, "mm"))
+      ->check(in_range(kMinMm, surface::kFarthestMm, "mm"))
       ->type_name("MM");
   command.add_flag("--repair",
                    options.reading.repair,
@@ -133,7 +133,7 @@ void add_row_options(CLI::App& command, SurfaceCommandOptions& options) {
                   options.tolerance_mm,
                   "The tip is never below the place where it touches, and at most twice this "
                   "above, mm")
-      ->check(in_range(kLeastSurfaceToleranceMm, kGreatestSurfaceToleranceMm, "mm"))
+      ->check(in_range(kMinSurfaceToleranceMm, kGreatestSurfaceToleranceMm, "mm"))
       ->capture_default_str();
   command
       .add_option("--step",
@@ -281,7 +281,7 @@ void add_surface_options(CLI::App& command, SurfaceCommandOptions& options) {
       ->check(in_range(-surface::kFarthestMm, surface::kFarthestMm, "mm"))
       ->type_name("MM");
   command.add_option("--decimals", options.decimals, "Of positions, mm")
-      ->check(in_whole_range(cnc::gcode::PrintGrid::kFewest, cnc::gcode::PrintGrid::kMost))
+      ->check(in_whole_range(cnc::gcode::PrintGrid::kFewest, cnc::gcode::PrintGrid::kMax))
       ->capture_default_str();
   options.post.add_to(command);
   const auto add_output = [&](const char* name, std::string& file, const char* help) {
@@ -311,11 +311,11 @@ void check_surface_options(const SurfaceCommandOptions& options) {
     throw std::invalid_argument("--heights: needs --at, the places");
   }
   if (options.scallop_mm > 0.0 &&
-      options.scallop_mm < kLeastScallopTolerances * options.tolerance_mm) {
+      options.scallop_mm < kMinScallopTolerances * options.tolerance_mm) {
     throw std::invalid_argument(
         fmt::format("--scallop: {:g} mm is less than {:g} times the --tolerance of {:g} mm",
                     options.scallop_mm,
-                    kLeastScallopTolerances,
+                    kMinScallopTolerances,
                     options.tolerance_mm));
   }
   check_line_options(options);

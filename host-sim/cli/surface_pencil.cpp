@@ -42,7 +42,7 @@ void check_pencil_options(const SurfaceCommandOptions& options) {
 surface::PencilOptions pencil_options_of(const SurfaceCommandOptions& options,
                                          const stock::Cutter& cutter) {
   return {.angle_rad = options.pencil_angle_deg * std::numbers::pi / 180.0,
-          .least_mm = 0.5 * cutter.diameter_mm};
+          .min_mm = 0.5 * cutter.diameter_mm};
 }
 
 }  // namespace sim

@@ -63,7 +63,7 @@ void add_surface_picture_options(CLI::App& command, SurfacePictures& pictures) {
       .add_option("--picture-cell",
                   pictures.cell_mm,
                   "Resolution of the carved stock, mm; else 600,000 cells in all")
-      ->check(in_range(stock::kLeastCellMm, stock::kGreatestCellMm, "mm"))
+      ->check(in_range(stock::kMinCellMm, stock::kGreatestCellMm, "mm"))
       ->type_name("MM");
   command
       .add_option("--picture-view",

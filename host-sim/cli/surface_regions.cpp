@@ -27,7 +27,7 @@
 namespace sim {
 namespace {
 
-constexpr double kLeastRestMm = 0.02;
+constexpr double kMinRestMm = 0.02;
 constexpr double kRestTolerances = 3.0;
 
 void add_boundary_options(CLI::App& command, RegionOptions& options) {
@@ -113,13 +113,13 @@ std::vector<Contour> drawn_in(const std::string& file, double tolerance_mm, Inpu
 
 /// Prints the parts of an area of which an offset leaves nothing.
 void print_vanished(const std::string& file, const std::vector<Vanished>& found) {
-  constexpr std::size_t kMostListed = 20;
-  for (std::size_t i = 0; i < std::min(found.size(), kMostListed); ++i) {
+  constexpr std::size_t kMaxListed = 20;
+  for (std::size_t i = 0; i < std::min(found.size(), kMaxListed); ++i) {
     terminal::print(stderr, "{}: {} for the tool\n", file, found[i].text());
   }
-  if (found.size() > kMostListed) {
+  if (found.size() > kMaxListed) {
     terminal::print(
-        stderr, "{}: {} more places vanish under the tool\n", file, found.size() - kMostListed);
+        stderr, "{}: {} more places vanish under the tool\n", file, found.size() - kMaxListed);
   }
 }
 
@@ -144,7 +144,7 @@ std::shared_ptr<const surface::MilledRegion> rest_of(const RegionOptions& option
       .larger_allowance_mm = options.rest_allowance_mm,
       .depth_mm = options.rest_depth_mm > 0.0
                       ? options.rest_depth_mm
-                      : std::max(kLeastRestMm, kRestTolerances * rows.tolerance_mm),
+                      : std::max(kMinRestMm, kRestTolerances * rows.tolerance_mm),
       .allowance_mm = rows.allowance_mm,
       .floor_mm = rows.floor_mm};
   if (rest.larger.radius_mm <= rows.tool.radius_mm) {

@@ -127,7 +127,7 @@ std::string caption_of(const std::string& name, const wall::WallReport::Figures&
   if (figures.carved > 0) {
     text += fmt::format(", off the drawn angle by {:+.3f} degrees in the mean, {:.3f} at most",
                         figures.mean_off_deg,
-                        figures.most_off_deg);
+                        figures.max_off_deg);
   }
   if (figures.missing > 0) text += fmt::format("; {} not carved", figures.missing);
   return text;

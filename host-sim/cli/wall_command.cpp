@@ -55,7 +55,7 @@ ExitStatus write_beams(const WallOptions& options, const surface::Mesh& part) {
   const wall::Obstacles obstacles{part};
   const wall::BeamList beams = wall::leaning_beams(
       obstacles,
-      {.half_angle_rad = options.clear_deg() * kDegree, .most_rad = options.max_tilt_deg * kDegree},
+      {.half_angle_rad = options.clear_deg() * kDegree, .max_rad = options.max_tilt_deg * kDegree},
       InputFiles::read(options.at),
       options.at);
   write_text(options, beams.text);
@@ -63,7 +63,7 @@ ExitStatus write_beams(const WallOptions& options, const surface::Mesh& part) {
                   "{}: {} facets, greatest tilt {:.3f} degrees, {} tips out of reach\n",
                   options.file,
                   obstacles.count(),
-                  beams.most_tilt_rad / kDegree,
+                  beams.max_tilt_rad / kDegree,
                   beams.out_of_reach);
   return beams.out_of_reach == 0 ? ExitStatus::kFine : ExitStatus::kFaults;
 }

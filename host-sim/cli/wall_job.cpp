@@ -25,7 +25,7 @@ namespace {
 
 constexpr double kDegree = std::numbers::pi / 180.0;
 /// Area in mm² that an overhang must hide to count; a smaller area is rounding.
-constexpr double kLeastUndercutMm2 = 1.0e-3;
+constexpr double kMinUndercutMm2 = 1.0e-3;
 /// S word of the full power.
 constexpr double kFullS = 1000.0;
 
@@ -110,7 +110,7 @@ WallJob job_of(const WallOptions& options, const surface::Mesh& part, InputFiles
   const wall::BeamFinder finder{obstacles,
                                 touched,
                                 {.tilt = {.half_angle_rad = options.clear_deg() * kDegree,
-                                          .most_rad = options.max_tilt_deg * kDegree},
+                                          .max_rad = options.max_tilt_deg * kDegree},
                                  .waist_mm = asked.strokes.waist_mm,
                                  .avoids = asked.avoids,
                                  .allows_overlap = asked.allows_lean}};
@@ -163,14 +163,14 @@ std::string report_of(const WallOptions& options, const WallJob& job, const Inpu
   report["burnt_length_mm"] = figures.burnt_mm;
   report["dark_length_mm"] = figures.dark_mm;
   report["mean_tilt_deg"] = mean_tilt_deg(figures);
-  report["greatest_tilt_deg"] = figures.most_tilt_rad / kDegree;
-  report["greatest_turn_deg_per_mm"] = figures.most_turn_rad_per_mm / kDegree;
+  report["greatest_tilt_deg"] = figures.max_tilt_rad / kDegree;
+  report["greatest_turn_deg_per_mm"] = figures.max_turn_rad_per_mm / kDegree;
   report["slowed_length_mm"] = figures.slowed_mm;
   report["tips_out_of_reach"] = figures.lost;
   report["beams_in_part"] = figures.overlaps;
-  report["greatest_angle_in_part_deg"] = figures.most_overlap_rad / kDegree;
+  report["greatest_angle_in_part_deg"] = figures.max_overlap_rad / kDegree;
   report["undercut_mm2"] = job.undercut.area_mm2;
-  if (job.undercut.area_mm2 > kLeastUndercutMm2) {
+  if (job.undercut.area_mm2 > kMinUndercutMm2) {
     report["undercut_at"] = {place.x(), place.y(), place.z()};
   }
   report["digests"] = json_of(inputs.digests());
@@ -190,7 +190,7 @@ void print_figures(const WallOptions& options, const WallJob& job) {
                   figures.beams,
                   figures.burnt_mm,
                   figures.dark_mm,
-                  figures.most_tilt_rad / kDegree,
+                  figures.max_tilt_rad / kDegree,
                   mean_tilt_deg(figures));
   if (figures.lost > 0) {
     terminal::print(stderr,
@@ -203,9 +203,9 @@ void print_figures(const WallOptions& options, const WallJob& job) {
                     "{}: {} beams are in the part, by up to {:.3f} degrees\n",
                     options.file,
                     figures.overlaps,
-                    figures.most_overlap_rad / kDegree);
+                    figures.max_overlap_rad / kDegree);
   }
-  if (job.undercut.area_mm2 > kLeastUndercutMm2) {
+  if (job.undercut.area_mm2 > kMinUndercutMm2) {
     const Eigen::Vector3d& place = job.undercut.place;
     terminal::print(stderr,
                     "{}: the part overhangs {:.3f} mm2 of what is below, most at {:.3f} {:.3f} "

@@ -40,7 +40,7 @@ void add_beam_options(CLI::App& command, WallOptions& options) {
   add_number(command,
              "--taper-gain",
              options.taper_gain,
-             in_range(0.0, wall::kMostTaperGain, ""),
+             in_range(0.0, wall::kMaxTaperGain, ""),
              "GAIN",
              "Half angles by which the beam leans more, against the lean by heat: see `wall taper`")
       ->capture_default_str();

@@ -20,7 +20,7 @@ using cnc::contour::Piece;
 using cnc::contour::RawCurve;
 
 constexpr std::size_t kFirstMeetings = 64;
-constexpr int kMostRounds = 4;
+constexpr int kMaxRounds = 4;
 
 double reach_of(const cnc::contour::ContourView<double>& loops) {
   double most = 0.0;
@@ -55,7 +55,7 @@ bool Arrangement::divide(const cnc::contour::ContourView<double>& loops, double 
   std::vector<RawCurve<double>> parts = raw_;
   std::vector<std::uint32_t> elements(raw_.size());
   std::iota(elements.begin(), elements.end(), 0U);
-  for (int round = 0; round < kMostRounds; ++round) {
+  for (int round = 0; round < kMaxRounds; ++round) {
     if (!cut(parts)) return false;
     const bool is_done = pieces_.size() == parts.size();
     std::vector<std::uint32_t> elements_of_pieces;
@@ -87,8 +87,8 @@ bool Arrangement::cut(const std::vector<RawCurve<double>>& curves) {
       nodes_.assign(space.nodes.begin(), space.nodes.begin() + nodes.count());
       return true;
     }
-    if (cuts >= kMostMeetings) return false;
-    cuts = std::min(4 * cuts, kMostMeetings);
+    if (cuts >= kMaxMeetings) return false;
+    cuts = std::min(4 * cuts, kMaxMeetings);
   }
 }
 

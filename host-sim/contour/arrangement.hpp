@@ -20,7 +20,7 @@ class Arrangement {
  public:
   /// Divides the loops. Points closer than `touch_mm` count as one point. The distance that is used
   /// is never below the resolution of coordinates of this size.
-  /// @return false if there are more meetings than kMostMeetings, or numbers that are not finite
+  /// @return false if there are more meetings than kMaxMeetings, or numbers that are not finite
   [[nodiscard]] bool divide(const cnc::contour::ContourView<double>& loops, double touch_mm);
 
   [[nodiscard]] const std::vector<ArrangedEdge>& edges() const { return edges_; }
@@ -41,7 +41,7 @@ class Arrangement {
   [[nodiscard]] bool write_loops(std::span<const DirectedEdge> kept, Contour& out);
 
  private:
-  static constexpr std::size_t kMostMeetings = 8'000'000;
+  static constexpr std::size_t kMaxMeetings = 8'000'000;
 
   void add_elements(const cnc::contour::ContourView<double>& loops);
   void add_loop(const cnc::contour::ContourView<double>& loops, std::size_t loop);

@@ -36,14 +36,14 @@ Crowd densest(const cnc::contour::ContourView<double>& input, double side_mm) {
 
 [[noreturn]] void refuse_crowd(const cnc::contour::ContourView<double>& input,
                                double distance_mm,
-                               std::size_t most_meetings) {
+                               std::size_t max_meetings) {
   const double side_mm = std::abs(distance_mm);
   const Crowd crowd = densest(input, side_mm);
   throw NoOffset{crowd.place,
                  fmt::format("offset by {:g} mm, its elements cross each other more than {} times; "
                              "most lie here, {} in a square of {:g} mm",
                              distance_mm,
-                             most_meetings,
+                             max_meetings,
                              crowd.vertices,
                              side_mm),
                  "simplify it there, or leave out what the tool does not reach"};
@@ -139,9 +139,9 @@ cnc::contour::ContourView<double> ContourOffset::offset_once_filled(
     const cnc::contour::ContourView<double>& input, double distance_mm, bool is_filled) {
   using cnc::contour::OffsetFault;
   if (space_.elements() < input.vertices.size()) {
-    constexpr std::size_t kMostAtFirst = 400'000;
-    const std::size_t cuts = std::min(4 * input.vertices.size(), kMostAtFirst);
-    grow(input.vertices.size(), std::max(space_.cuts(), std::min(cuts, most_meetings_)));
+    constexpr std::size_t kMaxAtFirst = 400'000;
+    const std::size_t cuts = std::min(4 * input.vertices.size(), kMaxAtFirst);
+    grow(input.vertices.size(), std::max(space_.cuts(), std::min(cuts, max_meetings_)));
   }
   for (;;) {
     cnc::contour::ContourWriter<double> out{slice_of(result_), slice_of(result_ends_)};
@@ -166,8 +166,8 @@ cnc::contour::ContourView<double> ContourOffset::offset_once_filled(
         grow(2 * space_.elements() + 8, space_.cuts() + 16);
         break;
       case OffsetFault::kTooManyMeetings:
-        if (space_.cuts() >= most_meetings_) refuse_crowd(input, distance_mm, most_meetings_);
-        grow(space_.elements(), std::min(4 * space_.cuts() + 16, most_meetings_));
+        if (space_.cuts() >= max_meetings_) refuse_crowd(input, distance_mm, max_meetings_);
+        grow(space_.elements(), std::min(4 * space_.cuts() + 16, max_meetings_));
         break;
     }
   }

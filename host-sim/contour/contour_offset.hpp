@@ -49,10 +49,9 @@ class ContourOffset {
  public:
   /// Greatest number of points where offset elements cross or touch; this many need 1.4 GB of
   /// storage.
-  static constexpr std::size_t kMostMeetings = 8'000'000;
+  static constexpr std::size_t kMaxMeetings = 8'000'000;
 
-  explicit ContourOffset(std::size_t most_meetings = kMostMeetings)
-      : most_meetings_{most_meetings} {}
+  explicit ContourOffset(std::size_t max_meetings = kMaxMeetings) : max_meetings_{max_meetings} {}
 
   /// Returns the offset of contours. Loops that touch or cross may have an offset that does not
   /// close or that loses material. Such loops are offset as the outlines of their material. The
@@ -66,7 +65,7 @@ class ContourOffset {
       const cnc::contour::ContourView<double>& input, double distance_mm, bool is_filled);
   void grow(std::size_t elements, std::size_t cuts);
 
-  std::size_t most_meetings_;
+  std::size_t max_meetings_;
   OwnedOffsetSpace space_;
   Contour filled_;
   std::vector<ContourVertex> result_;

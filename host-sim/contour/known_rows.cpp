@@ -18,7 +18,7 @@ constexpr double kLongestMm = 1.0e6;
 
 std::optional<RowShape> RowShape::of(std::span<const drawing::Shape> row) {
   CNC_ASSERT(!row.empty());
-  if (row.size() > kMostCurves) return std::nullopt;
+  if (row.size() > kMaxCurves) return std::nullopt;
   RowShape shape;
   shape.curves_ = row.size();
   shape.numbers_.reserve(6 * row.size() + 4);

@@ -27,10 +27,10 @@ struct FittedRow {
 class RowShape {
  public:
   /// Greatest number of curves. Longer rows are rarely repeated, and they take much memory.
-  static constexpr std::size_t kMostCurves = 64;
+  static constexpr std::size_t kMaxCurves = 64;
 
   /// Returns the shape of a row. Returns nothing for curves that are not Bézier curves, for more
-  /// than kMostCurves curves, and for a row longer than a kilometre. Returns nothing, too, if a
+  /// than kMaxCurves curves, and for a row longer than a kilometre. Returns nothing, too, if a
   /// curve does not begin where the previous one ends.
   /// @pre the row is not empty
   [[nodiscard]] static std::optional<RowShape> of(std::span<const drawing::Shape> row);
@@ -56,7 +56,7 @@ class KnownRows {
  public:
   /// Greatest count of numbers that are kept, 8 bytes each, for shapes and their arcs. When there
   /// are more, all of them are dropped.
-  static constexpr std::size_t kMostKept = 500'000;
+  static constexpr std::size_t kMaxKept = 500'000;
 
   /// Returns the arcs of a shape, which begin at the origin. The reference is valid until the next
   /// call.
@@ -65,13 +65,13 @@ class KnownRows {
   [[nodiscard]] const FittedRow& find_or_fit(const RowShape& shape, const Fit& fit) {
     const auto known = rows_.find(shape);
     if (known != rows_.end()) return known->second;
-    if (kept_ > kMostKept) forget();
+    if (kept_ > kMaxKept) forget();
     const FittedRow& fitted = rows_.emplace(shape, fit()).first->second;
     kept_ += shape.size() + kNumbersOfVertex * fitted.vertices.size();
     return fitted;
   }
 
-  /// Returns how many numbers are kept: at most kMostKept plus the numbers of one row.
+  /// Returns how many numbers are kept: at most kMaxKept plus the numbers of one row.
   [[nodiscard]] std::size_t kept() const { return kept_; }
 
  private:

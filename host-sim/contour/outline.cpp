@@ -24,8 +24,8 @@ using drawing::Shape;
 
 constexpr std::size_t kFirstFitSamples = 4'096;
 // This many samples take half a gigabyte.
-constexpr std::size_t kMostFitSamples = std::size_t{1} << 22;
-constexpr std::size_t kMostPieces = std::size_t{1} << 16;
+constexpr std::size_t kMaxFitSamples = std::size_t{1} << 22;
+constexpr std::size_t kMaxPieces = std::size_t{1} << 16;
 
 /// Returns the direction of travel at the start or the end of a shape; the null vector if the shape
 /// has none.
@@ -95,7 +95,7 @@ class RowFitter {
     std::vector<CurvePiece> pieces(16);
     auto count = split_offset(row, 0.0, pieces, kDrawnSmooth);
     while (!count.ok() && count.error() == SplitError::kTooManyPieces &&
-           pieces.size() < kMostPieces) {
+           pieces.size() < kMaxPieces) {
       pieces.resize(2 * pieces.size());
       count = split_offset(row, 0.0, pieces, kDrawnSmooth);
     }
@@ -116,7 +116,7 @@ class RowFitter {
                                            .method = options_.method,
                                            .start = start,
                                            .end = end};
-    for (std::size_t size = kFirstFitSamples; size <= kMostFitSamples; size *= 4) {
+    for (std::size_t size = kFirstFitSamples; size <= kMaxFitSamples; size *= 4) {
       samples_.resize(std::max(samples_.size(), size));
       links_.resize(samples_.size() / 8);
       fitted_.resize(samples_.size() / 4);
@@ -265,7 +265,7 @@ bool is_free_form(const Shape& shape) {
 FittedContour arcs_of(const drawing::DrawnContour& contour,
                       const OutlineOptions& options,
                       KnownRows& known) {
-  CNC_ASSERT(options.tolerance_mm >= kLeastToleranceMm &&
+  CNC_ASSERT(options.tolerance_mm >= kMinToleranceMm &&
              options.tolerance_mm <= kGreatestToleranceMm);
   return ContourFitter{contour, options, known}.run();
 }

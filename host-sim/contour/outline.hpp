@@ -25,7 +25,7 @@ struct OutlineOptions {
 /// Returns whether a shape is neither a line nor an arc of a circle.
 [[nodiscard]] bool is_free_form(const drawing::Shape& shape);
 
-inline constexpr double kLeastToleranceMm = 1.0e-5;
+inline constexpr double kMinToleranceMm = 1.0e-5;
 inline constexpr double kGreatestToleranceMm = 10.0;
 
 /// A contour of a drawing as lines and arcs, or the reason why that is not possible.

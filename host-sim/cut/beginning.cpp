@@ -49,8 +49,8 @@ std::vector<double> corner_spots(const MeasuredRow& loop,
                                  const LayerSettings& settings,
                                  double half_kerf_mm) {
   std::vector<double> spots;
-  const double least_turn = settings.corner_angle_deg * std::numbers::pi / 180.0;
-  for (const Corner& corner : corners_of(loop.strokes(), least_turn, half_kerf_mm)) {
+  const double min_turn = settings.corner_angle_deg * std::numbers::pi / 180.0;
+  for (const Corner& corner : corners_of(loop.strokes(), min_turn, half_kerf_mm)) {
     const double from = loop.way_to(corner.stroke);
     const double to = loop.way_to(corner.stroke + 1);
     spots.push_back(corner.is_outer ? 0.5 * (from + to) : from);

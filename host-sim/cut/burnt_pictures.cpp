@@ -28,14 +28,14 @@ double share_of_full(double watts, const Beam& beam) {
 
 engrave::ToneCurve tone_of(const LayerPlan& layer, const Beam& beam) {
   const ImageSettings& image = layer.settings.image;
-  const double least_w = image.least_power.watts.value_or(0.0);
+  const double min_w = image.min_power.watts.value_or(0.0);
   const engrave::ToneCurve tone{
       .shading = image.shading,
-      .least_power = share_of_full(least_w, beam),
-      .most_power = share_of_full(from_thousandths(layer.condition.cut.power_mw), beam),
+      .min_power = share_of_full(min_w, beam),
+      .max_power = share_of_full(from_thousandths(layer.condition.cut.power_mw), beam),
       .gamma = image.gamma,
       .is_inverted = image.is_inverted};
-  if (tone.least_power > tone.most_power) {
+  if (tone.min_power > tone.max_power) {
     throw std::invalid_argument("min-power is more than power; choose less");
   }
   return tone;

@@ -110,13 +110,13 @@ std::vector<std::size_t> Clearance::owners_near(const Stroke& stroke, double mm)
   return owners;
 }
 
-bool Clearance::is_clear(const Stroke& stroke, double least_mm) const {
+bool Clearance::is_clear(const Stroke& stroke, double min_mm) const {
   if (entries_.empty()) return true;
   Box box = box_of(stroke);
-  box = {box.x0 - least_mm, box.y0 - least_mm, box.x1 + least_mm, box.y1 + least_mm};
+  box = {box.x0 - min_mm, box.y0 - min_mm, box.x1 + min_mm, box.y1 + min_mm};
   bool is_clear = true;
   tree_.search(box, 0, [&](std::uint32_t index) {
-    is_clear = distance_between(entries_[index].stroke, stroke) >= least_mm;
+    is_clear = distance_between(entries_[index].stroke, stroke) >= min_mm;
     return is_clear;
   });
   return is_clear;

@@ -46,9 +46,9 @@ class Clearance {
   /// particular order.
   [[nodiscard]] std::vector<std::size_t> owners_near(const Stroke& stroke, double mm) const;
 
-  /// Returns whether every point of a stroke is at least `least_mm` from all added strokes. The
+  /// Returns whether every point of a stroke is at least `min_mm` from all added strokes. The
   /// answer is exact.
-  [[nodiscard]] bool is_clear(const Stroke& stroke, double least_mm) const;
+  [[nodiscard]] bool is_clear(const Stroke& stroke, double min_mm) const;
 
  private:
   struct Entry {

@@ -32,11 +32,11 @@ std::vector<std::uint32_t> powers_of(const OwnedKerfTable<double>& table) {
 std::uint32_t choose_power(const OwnedKerfTable<double>& table,
                            std::uint32_t thickness_um,
                            std::optional<std::uint32_t> speed_um_min,
-                           std::uint32_t most_power_mw) {
+                           std::uint32_t max_power_mw) {
   std::uint32_t best = 0;
   std::uint32_t fastest = 0;
   for (const std::uint32_t power : powers_of(table)) {
-    if (power > most_power_mw) break;  // The powers are in ascending order.
+    if (power > max_power_mw) break;  // The powers are in ascending order.
     const auto speeds = cnc::kerf::permissible_speeds(table.view(), thickness_um, power);
     if (!speeds.ok()) continue;
     if (speed_um_min) {
@@ -69,16 +69,16 @@ Condition choose(const MaterialRecord& record,
                  std::uint32_t thickness_um,
                  std::optional<std::uint32_t> power_mw,
                  std::optional<std::uint32_t> speed_um_min,
-                 std::uint32_t most_power_mw) {
+                 std::uint32_t max_power_mw) {
   const OwnedKerfTable<double> table = table_of<double>(record);
   cnc::kerf::Condition cut{thickness_um, power_mw.value_or(0), speed_um_min.value_or(0)};
   const auto powers = cnc::kerf::permissible_powers(table.view(), thickness_um);
   if (!powers.ok()) throw refusal(record, describe(powers.error(), cut));
-  if (!power_mw) cut.power_mw = choose_power(table, thickness_um, speed_um_min, most_power_mw);
+  if (!power_mw) cut.power_mw = choose_power(table, thickness_um, speed_um_min, max_power_mw);
   if (cut.power_mw == 0) {
-    const std::string limit = most_power_mw < cnc::kerf::kMostPowerMw
+    const std::string limit = max_power_mw < cnc::kerf::kMaxPowerMw
                                   ? fmt::format(" up to the laser's {:g} W (--full-power)",
-                                                from_thousandths(most_power_mw))
+                                                from_thousandths(max_power_mw))
                                   : "";
     const std::string speed =
         speed_um_min ? fmt::format(" for {:g} mm/min", from_thousandths(*speed_um_min)) : "";

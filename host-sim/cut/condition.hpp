@@ -18,12 +18,12 @@ struct Condition {
 /// Returns the condition for a cut. Given values are kept. A missing speed becomes the highest
 /// permissible speed, and a missing power the lowest power that permits this speed. If nothing is
 /// permissible, throws std::invalid_argument, which says what the record permits.
-/// @param most_power_mw full power of the laser; no higher power is chosen
+/// @param max_power_mw full power of the laser; no higher power is chosen
 [[nodiscard]] Condition choose(const MaterialRecord& record,
                                std::uint32_t thickness_um,
                                std::optional<std::uint32_t> power_mw,
                                std::optional<std::uint32_t> speed_um_min,
-                               std::uint32_t most_power_mw = cnc::kerf::kMostPowerMw);
+                               std::uint32_t max_power_mw = cnc::kerf::kMaxPowerMw);
 
 /// Returns the condition for engraving a line: that of a cut, with its own power and speed.
 /// Engraving needs no kerf, so the record need not know the width.

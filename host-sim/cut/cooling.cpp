@@ -30,14 +30,14 @@ class HeatClock {
   }
 
   void travel(const Place& to) {
-    now_s_ += least_time(here_, to, rules_.limits);
+    now_s_ += min_time(here_, to, rules_.limits);
     here_ = to;
   }
 
   void cut(const Cut& cut, const LayerPlan& layer, double wait_s) {
     now_s_ += wait_s;
     for (const Stroke& stroke : cut.strokes) {
-      const double end_s = now_s_ + least_time(stroke, layer);
+      const double end_s = now_s_ + min_time(stroke, layer);
       if (has_beam(stroke.purpose)) heat_.add(stroke, now_s_ + stroke.dwell_s, end_s);
       now_s_ = end_s;
     }
@@ -80,7 +80,7 @@ class CoolOrder {
  private:
   [[nodiscard]] const Cut& at(std::size_t i) const { return plan_.cuts[order_[i]]; }
   [[nodiscard]] double way(const Place& from, const Place& to) const {
-    return least_time(from, to, rules_.limits);
+    return min_time(from, to, rules_.limits);
   }
   [[nodiscard]] bool is_ready(const Cut& cut) const {
     return std::ranges::all_of(cut.after, [this](std::size_t before) { return is_done_[before]; });

@@ -69,7 +69,7 @@ RoomyLoop loop_with_room(const Stroke& arc,
 }  // namespace
 
 std::vector<Corner> corners_of(const std::vector<Stroke>& strokes,
-                               double least_turn,
+                               double min_turn,
                                double half_kerf_mm) {
   std::vector<Corner> corners;
   for (std::size_t i = 0; i < strokes.size(); ++i) {
@@ -77,10 +77,10 @@ std::vector<Corner> corners_of(const std::vector<Stroke>& strokes,
     const Stroke& before = strokes[i > 0 ? i - 1 : strokes.size() - 1];
     if (stroke.purpose != Purpose::kContour) continue;
     const bool goes_on = before.purpose == Purpose::kContour && before.to == stroke.from;
-    if (goes_on && turn_between(before, stroke) >= least_turn) {
+    if (goes_on && turn_between(before, stroke) >= min_turn) {
       corners.push_back({i, false, stroke.from});
     }
-    if (is_around_corner(stroke, half_kerf_mm) && sweep_of(stroke) >= least_turn) {
+    if (is_around_corner(stroke, half_kerf_mm) && sweep_of(stroke) >= min_turn) {
       corners.push_back({i, true, place_at(stroke, 0.5)});
     }
   }
@@ -93,10 +93,10 @@ CornerWork treat_corners(std::vector<Stroke>& strokes,
                          double half_kerf_mm) {
   CornerWork work;
   if (settings.corner_loop_mm <= 0.0 && settings.corner_dwell_s <= 0.0) return work;
-  const double least_turn = settings.corner_angle_deg * std::numbers::pi / 180.0;
+  const double min_turn = settings.corner_angle_deg * std::numbers::pi / 180.0;
   std::vector<Stroke> treated;
   std::size_t done = 0;
-  for (const Corner& corner : corners_of(strokes, least_turn, half_kerf_mm)) {
+  for (const Corner& corner : corners_of(strokes, min_turn, half_kerf_mm)) {
     for (; done < corner.stroke; ++done) treated.push_back(strokes[done]);
     if (corner.is_outer && settings.corner_loop_mm > 0.0) {
       const auto loop = loop_with_room(strokes[done], settings.corner_loop_mm, parts, half_kerf_mm);

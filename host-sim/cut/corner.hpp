@@ -21,11 +21,11 @@ struct Corner {
 };
 
 /// Returns the corners between strokes along the edge of a part on the left, which turn by at least
-/// `least_turn`. In a closed row, the point where it closes counts, too. Outer corners are arcs of
+/// `min_turn`. In a closed row, the point where it closes counts, too. Outer corners are arcs of
 /// half the kerf around a drawn corner. Drawn rounded corners do not count.
-/// @param least_turn radians
+/// @param min_turn radians
 [[nodiscard]] std::vector<Corner> corners_of(const std::vector<Stroke>& strokes,
-                                             double least_turn,
+                                             double min_turn,
                                              double half_kerf_mm);
 
 /// Figures of the treatment of a cut's corners.

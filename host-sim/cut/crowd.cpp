@@ -137,7 +137,7 @@ std::optional<std::vector<std::vector<Rest>>> rests_of_crowd(
       };
       const bool is_slot =
           beside[i].loops.empty() || std::ranges::any_of(beside[i].rests, is_as_long);
-      if (rest.length_mm > kMostHoldMm && !is_slot) return std::nullopt;
+      if (rest.length_mm > kMaxHoldMm && !is_slot) return std::nullopt;
     }
   }
   return rests;

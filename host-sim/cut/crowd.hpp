@@ -47,7 +47,7 @@ struct CutsBetween {
 /// @param edges reach of at least two kerfs
 /// @param beside paths of the outlines of the crowd; changed only if this returns true. The outline
 /// whose path encloses the largest area has the middles, which are cut before it
-/// @return false if no such paths exist, or if more than `kMostHoldMm` would hold at one point,
+/// @return false if no such paths exist, or if more than `kMaxHoldMm` would hold at one point,
 /// because these are parts that lie against each other
 [[nodiscard]] bool part_crowd(const DrawnEdges& edges,
                               const std::vector<std::size_t>& crowd,
@@ -56,6 +56,6 @@ struct CutsBetween {
                               std::vector<PathBeside>& beside);
 
 /// The greatest length of an edge at which neighbours may hold together, mm.
-inline constexpr double kMostHoldMm = 3.0;
+inline constexpr double kMaxHoldMm = 3.0;
 
 }  // namespace sim::cut

@@ -51,7 +51,7 @@ std::string line_of(const SharedLineFigures& shared) {
       "{} lines between parts cut once, {:.1f} mm; gaps exceed the kerf by {:.3f} mm",
       shared.lines,
       shared.length_mm,
-      shared.most_off_mm);
+      shared.max_off_mm);
 }
 
 /// Returns `1800 W at 4000 mm/min`, with a percentage if the power in watts is not known.
@@ -302,7 +302,7 @@ Json json_of(const CutJob& job, const CutFigures& figures) {
   if (const SharedLineFigures& shared = job.plan.shared; shared.is_asked) {
     json["common_lines"] = {{"count", shared.lines},
                             {"length_mm", shared.length_mm},
-                            {"most_off_mm", shared.most_off_mm}};
+                            {"most_off_mm", shared.max_off_mm}};
   }
   if (job.plan.safety.is_asked()) json["safety"] = json_of(job.plan.safety);
   json["job_time_s"] = figures.job_time_s;

@@ -135,8 +135,8 @@ class EdgeCheck::Sweep final : public TraceSink {
   static void add_to_profile(const EdgePlace& edge, double stretch_mm, Sum& sum);
 
   EnergyMeter::Options options_of(const CutJob& job, Simulator& simulator) {
-    return {.most_speed = simulator.settings().get(cnc::setting::kMostSpindleSpeed),
-            .least_speed = simulator.settings().get(cnc::setting::kLeastSpindleSpeed),
+    return {.max_speed = simulator.settings().get(cnc::setting::kMaxSpindleSpeed),
+            .min_speed = simulator.settings().get(cnc::setting::kMinSpindleSpeed),
             .on_window = [this, &job](double seconds_per_mm) {
               joules_per_mm_ = seconds_per_mm * job.beam.full_power_w;
             }};
@@ -168,7 +168,7 @@ class EdgeCheck::Sweep final : public TraceSink {
            speed <= (1.0 + kMeasured) * speeds.value().most;
   }
   void note_heat(double ratio) {
-    least_ratio_ = std::min(least_ratio_, ratio);
+    min_ratio_ = std::min(min_ratio_, ratio);
     greatest_ratio_ = std::max(greatest_ratio_, ratio);
   }
 
@@ -211,7 +211,7 @@ class EdgeCheck::Sweep final : public TraceSink {
   SweptArea swept_;
   SweptArea unknown_;
   float duty_ = 0.0F;
-  double least_ratio_ = 1.0;
+  double min_ratio_ = 1.0;
   double greatest_ratio_ = 1.0;
   double corner_ratio_ = 0.0;
 };
@@ -234,11 +234,11 @@ void EdgeCheck::Sweep::look(const Place& place,
                             Sum& sum) const {
   const double planned = planned_.depth_of(place);
   const double cut = swept_.depth_of(place);
-  note(sum.figures.most_off_model, cut - planned, place);
+  note(sum.figures.max_off_model, cut - planned, place);
   if (unknown_.depth_of(place) > -kTouches) {
     sum.figures.unknown_mm += stretch_mm;
   } else {
-    note(sum.figures.most_off_known, cut - planned, place);
+    note(sum.figures.max_off_known, cut - planned, place);
   }
   const bool reached = planned >= -touches_mm;
   add_to_profile({.place = place, .mm = cut, .reached = reached, .joins = true}, stretch_mm, sum);
@@ -248,7 +248,7 @@ void EdgeCheck::Sweep::look(const Place& place,
   }
   ++sum.figures.places;
   sum.sizes_mm += std::abs(cut);
-  note(cut > 0.0 ? sum.figures.most_off : sum.figures.most_left, cut, place);
+  note(cut > 0.0 ? sum.figures.max_off : sum.figures.max_left, cut, place);
 }
 
 void EdgeCheck::Sweep::look(const drawing::Shape& edge, double touches_mm, Sum& sum) const {
@@ -265,7 +265,7 @@ void EdgeCheck::Sweep::look(const drawing::Shape& edge, double touches_mm, Sum& 
 }
 
 EdgeFigures EdgeCheck::Sweep::figures() const {
-  Sum sum{{.least_heat_ratio = least_ratio_,
+  Sum sum{{.min_heat_ratio = min_ratio_,
            .greatest_heat_ratio = greatest_ratio_,
            .greatest_corner_ratio = corner_ratio_}};
   for (std::size_t i = 0; i < job_.drawn.contours.size(); ++i) {

@@ -31,23 +31,23 @@ struct EdgePlace {
 /// distance is cut off the part, a negative one is left on it.
 struct EdgeFigures {
   /// Greatest width cut off the part, over the points that the plan's beam just touches.
-  EdgePeak most_off{};
+  EdgePeak max_off{};
   /// Greatest width left on the part, over the same points: all except inner corners, slots and
   /// tabs.
-  EdgePeak most_left{};
+  EdgePeak max_left{};
   double mean_mm = 0.0;       ///< Mean of the absolute distances at these points.
   std::size_t places = 0;     ///< Number of checked points; 0: nothing was cut.
   double untouched_mm = 0.0;  ///< Length of drawn edges that the plan's beam does not touch.
   /// Greatest distance between the actual edge and the edge that the plan's path and kerf would
   /// leave. It includes inner corners.
-  EdgePeak most_off_model{};
+  EdgePeak max_off_model{};
   /// Greatest such distance over the points that the beam reaches only under conditions that test
   /// cuts cover.
-  EdgePeak most_off_known{};
+  EdgePeak max_off_known{};
   /// Length of drawn edges that the beam reaches under other conditions.
   double unknown_mm = 0.0;
   /// Least ratio of the actual P / V to the planned one, in windows of 0.05 mm along all cuts.
-  double least_heat_ratio = 1.0;
+  double min_heat_ratio = 1.0;
   /// Greatest ratio of the actual P / V to the planned one along all cuts.
   double greatest_heat_ratio = 1.0;
   /// Greatest ratio within a kerf of corners; 0 if there are no corners.

@@ -27,35 +27,35 @@ std::vector<std::string> lines_of(const EdgeFigures& figures) {
   const std::string at_corners =
       corners > 0.0 ? fmt::format(", at corners {:.3f} at most", corners) : std::string{};
   return {fmt::format("off the part at most {}, left on it at most {}, mean {:.1f} um",
-                      text_of(figures.most_off),
-                      text_of(figures.most_left),
+                      text_of(figures.max_off),
+                      text_of(figures.max_left),
                       kMicrometres * figures.mean_mm),
           fmt::format("beside the edge of the planned kerf at most {}; {:.2f} mm of edges in inner "
                       "corners, slots and tabs are not reached",
-                      text_of(figures.most_off_model),
+                      text_of(figures.max_off_model),
                       figures.untouched_mm),
           fmt::format("where power and speed are within those of test cuts at most {}; {:.2f} mm "
                       "of edges are cut "
                       "otherwise, by the same law",
-                      text_of(figures.most_off_known),
+                      text_of(figures.max_off_known),
                       figures.unknown_mm),
           fmt::format("power over speed {:.3f} to {:.3f} of what was planned{}",
-                      figures.least_heat_ratio,
+                      figures.min_heat_ratio,
                       figures.greatest_heat_ratio,
                       at_corners)};
 }
 
 nlohmann::ordered_json json_of(const EdgeFigures& figures) {
   nlohmann::ordered_json json;
-  json["most_off"] = json_of(figures.most_off);
-  json["most_left"] = json_of(figures.most_left);
+  json["most_off"] = json_of(figures.max_off);
+  json["most_left"] = json_of(figures.max_left);
   json["mean_mm"] = figures.mean_mm;
   json["places"] = figures.places;
   json["untouched_mm"] = figures.untouched_mm;
-  json["most_off_model"] = json_of(figures.most_off_model);
-  json["most_off_known"] = json_of(figures.most_off_known);
+  json["most_off_model"] = json_of(figures.max_off_model);
+  json["most_off_known"] = json_of(figures.max_off_known);
   json["unknown_mm"] = figures.unknown_mm;
-  json["heat_ratio"] = {{"least", figures.least_heat_ratio},
+  json["heat_ratio"] = {{"least", figures.min_heat_ratio},
                         {"greatest", figures.greatest_heat_ratio},
                         {"greatest_at_corners", figures.greatest_corner_ratio}};
   return json;

@@ -16,7 +16,7 @@ namespace {
 using View = cnc::contour::ContourView<double>;
 
 /// Removes rows so narrow that a line along their middle replaces them.
-Contour without_slivers(const View& rows, double least_width_mm) {
+Contour without_slivers(const View& rows, double min_width_mm) {
   Contour kept;
   for (std::size_t row = 0; row < rows.loop_ends.size(); ++row) {
     double length = 0.0;
@@ -24,7 +24,7 @@ Contour without_slivers(const View& rows, double least_width_mm) {
       length += cnc::pocket::length_of(cnc::pocket::element_at(rows, row, i));
     }
     const double area = std::abs(cnc::pocket::signed_area(rows, row));
-    if (2.0 * area > least_width_mm * length) append_loop(rows, row, kept);
+    if (2.0 * area > min_width_mm * length) append_loop(rows, row, kept);
   }
   return kept;
 }
@@ -46,7 +46,7 @@ std::optional<std::vector<FillRows>> rows_within(const Contour& area, double int
   std::size_t strokes = 0;
   Contour inner = area;
   for (double step = 0.5 * interval_mm;; step = interval_mm) {
-    inner = without_slivers(offset.offset(inner.view(), -step), kLeastRowWidth * interval_mm);
+    inner = without_slivers(offset.offset(inner.view(), -step), kMinRowWidth * interval_mm);
     if (inner.loop_ends.empty()) return levels;
     strokes += inner.vertices.size();
     if (strokes > kMaxRowStrokes || levels.size() == kMaxFillLevels) return std::nullopt;

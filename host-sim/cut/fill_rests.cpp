@@ -21,7 +21,7 @@ using pocket::MedialAxis;
 /// Tolerance of the medial axis, as a share of the interval.
 constexpr double kAxisTolerance = 0.02;
 /// Least length of a thin part, in intervals; shorter ones are corners.
-constexpr double kLeastThin = 2.0;
+constexpr double kMinThin = 2.0;
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
 /// The kind of a stretch's end.
@@ -89,7 +89,7 @@ class RestFinder {
   /// Returns the number of half intervals in a radius. A radius that only just reaches a row does
   /// not count as reaching it.
   [[nodiscard]] std::size_t band_of(double radius) const {
-    return static_cast<std::size_t>(std::max(radius - kLeastRowWidth * interval_, 0.0) / half_);
+    return static_cast<std::size_t>(std::max(radius - kMinRowWidth * interval_, 0.0) / half_);
   }
   [[nodiscard]] double beyond(const Stretch& stretch, const AxisPoint& point) const {
     return point.radius - half_ * static_cast<double>(stretch.band);
@@ -138,7 +138,7 @@ class RestFinder {
   /// then the second point.
   template <typename GoTo>
   void go_through(const AxisPoint& from, const AxisPoint& to, const GoTo& go_to) const {
-    const double slack = kLeastRowWidth * interval_;
+    const double slack = kMinRowWidth * interval_;
     const double least = (std::min(from.radius, to.radius) - slack) / half_;
     const double most = (std::max(from.radius, to.radius) - slack) / half_;
     const double first = std::floor(least) + 1.0;
@@ -159,7 +159,7 @@ class RestFinder {
   }
 
   void take_thin(double length, const Place& place) {
-    if (length <= kLeastThin * interval_) return;
+    if (length <= kMinThin * interval_) return;
     ThinParts& thin = rests_.thin;
     ++thin.count;
     thin.length_mm += length;
@@ -238,7 +238,7 @@ class RestFinder {
 
   void take_round(const AxisPoint& node) {
     const std::size_t band = band_of(node.radius);
-    if (band == 0) return take_thin(kLeastThin * interval_ + node.radius, node.place);
+    if (band == 0) return take_thin(kMinThin * interval_ + node.radius, node.place);
     const double beyond = node.radius - half_ * static_cast<double>(band);
     if (band % 2 == 0 && beyond > kFillSlack * interval_) add_dot(node.place, band / 2);
   }

@@ -14,7 +14,7 @@ inline constexpr double kFillSlack = 0.1;
 
 /// Least width of a row, as a share of the interval. A narrower row is replaced by a line along its
 /// middle.
-inline constexpr double kLeastRowWidth = 1.0e-3;
+inline constexpr double kMinRowWidth = 1.0e-3;
 
 /// A line between rows along an outline. The beam along it covers the gap between these rows.
 struct FillRest {

@@ -13,7 +13,7 @@ namespace sim::cut {
 namespace {
 
 constexpr double kSamePointMm = 1.0e-7;
-constexpr drawing::LeastLoop kLeastArea{.area_mm2 = 1.0e-6, .width_mm = kLeastFilledWidthMm};
+constexpr drawing::LeastLoop kMinArea{.area_mm2 = 1.0e-6, .width_mm = kMinFilledWidthMm};
 
 }  // namespace
 
@@ -29,7 +29,7 @@ Contour filled_area(const Contour& drawn, FilledBy rule) {
   if (arrangement.divide(drawn.view(), kSamePointMm)) {
     std::vector<std::uint32_t> edges(arrangement.edges().size());
     std::iota(edges.begin(), edges.end(), 0U);
-    filled = drawing::fill_set(arrangement, edges, loops, kLeastArea);
+    filled = drawing::fill_set(arrangement, edges, loops, kMinArea);
   }
   if (!filled) {
     throw NoOffset{drawn.vertices.front().point(),

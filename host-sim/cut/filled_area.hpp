@@ -7,7 +7,7 @@
 namespace sim::cut {
 
 /// Least average width of a loop of a filled area, mm. Narrower loops are left out.
-inline constexpr double kLeastFilledWidthMm = 1.0e-4;
+inline constexpr double kMinFilledWidthMm = 1.0e-4;
 
 /// The rule for the points that count as inside of contours.
 enum class FilledBy : std::uint8_t {
@@ -16,7 +16,7 @@ enum class FilledBy : std::uint8_t {
 };
 
 /// Returns the area inside closed contours. It is on the left of the returned contours, which never
-/// cross. Loops of less than 1e-6 mm², and loops narrower than kLeastFilledWidthMm, are left out.
+/// cross. Loops of less than 1e-6 mm², and loops narrower than kMinFilledWidthMm, are left out.
 /// Throws NoOffset if the outline of the area does not close.
 /// @param drawn closed contours, which may cross each other and themselves; not empty
 [[nodiscard]] Contour filled_area(const Contour& drawn, FilledBy rule = FilledBy::kOddCount);

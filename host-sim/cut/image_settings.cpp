@@ -42,7 +42,7 @@ PowerWish power_from(std::string_view key, std::string_view text) {
 
 void set_image(ImageSettings& settings, std::string_view key, std::string_view value) {
   if (key == "min-power") {
-    settings.least_power = value == "0" ? PowerWish{} : power_from(key, value);
+    settings.min_power = value == "0" ? PowerWish{} : power_from(key, value);
   } else if (key == "shading") {
     settings.shading = shading_from(value);
   } else if (key == "gamma") {

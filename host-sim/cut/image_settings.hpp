@@ -30,7 +30,7 @@ struct PowerWish {
 struct ImageSettings {
   std::optional<double> pixel_mm{};  ///< Width of a pixel; nothing: equal to the interval.
   /// Power of the lightest grey; 0 if neither watts nor a share is given.
-  PowerWish least_power{};
+  PowerWish min_power{};
   engrave::Shading shading = engrave::Shading::kGrey;
   double gamma = 1.0;  ///< Exponent of the darkness; a value above 1 makes the picture lighter.
   bool is_inverted = false;

@@ -7,12 +7,12 @@
 
 namespace sim::cut {
 
-double least_time(const Place& from, const Place& to, const cnc::order::RapidLimits& limits) {
+double min_time(const Place& from, const Place& to, const cnc::order::RapidLimits& limits) {
   return std::max(std::abs(to.x() - from.x()) / limits.rate_mm_s[0],
                   std::abs(to.y() - from.y()) / limits.rate_mm_s[1]);
 }
 
-double least_time(const Stroke& stroke, const LayerPlan& layer) {
+double min_time(const Stroke& stroke, const LayerPlan& layer) {
   const double feed_mm_min = from_thousandths(layer.condition.cut.speed_um_min);
   const double driven = 60.0 * length_of(stroke) / feed_mm_min;
   const bool is_pierce = stroke.purpose == Purpose::kPierce;

@@ -7,9 +7,9 @@ namespace sim::cut {
 MaterialRecord record_of_known_kerf(double kerf_mm,
                                     const std::string& material,
                                     std::uint32_t thickness_um) {
-  const cnc::kerf::Window all_speeds{1, cnc::kerf::kMostSpeedUmMin};
+  const cnc::kerf::Window all_speeds{1, cnc::kerf::kMaxSpeedUmMin};
   ThicknessRecord row{.thickness_um = thickness_um, .intercept = kerf_mm};
-  row.powers = {{1, all_speeds}, {cnc::kerf::kMostPowerMw, all_speeds}};
+  row.powers = {{1, all_speeds}, {cnc::kerf::kMaxPowerMw, all_speeds}};
   return {.name = material,
           .calibrated = true,
           .provenance = fmt::format("kerf of {:g} mm, as the call gives it", kerf_mm),

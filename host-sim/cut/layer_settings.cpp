@@ -17,7 +17,7 @@ namespace {
 constexpr double kLongestWay = 1000.0;     ///< Greatest length of leads, tabs and overcuts, mm.
 constexpr double kLongestPierce = 60.0;    ///< Greatest time of pierces and dwells, s.
 constexpr double kGreatestNumber = 1.0e6;  ///< Greatest power in W and feed in mm/min.
-constexpr unsigned kMostTabs = 1000;
+constexpr unsigned kMaxTabs = 1000;
 constexpr double kMaxCommonLine = 1.0;  ///< Greatest distance of cuts that become one, mm.
 /// Greatest width that a cut in narrow waste may take off, mm.
 constexpr double kMaxNarrow = 1.0;
@@ -153,7 +153,7 @@ struct KeySetter {
 };
 
 unsigned count_from(std::string_view key, std::string_view text, double least, const char* unit) {
-  return static_cast<unsigned>(number_from(key, text, least, kMostTabs, unit));
+  return static_cast<unsigned>(number_from(key, text, least, kMaxTabs, unit));
 }
 
 /// All keys except those of pictures, with the functions that set them.
@@ -278,7 +278,7 @@ void power_in_watts(LayerSettings& settings, double full_power_w, double full_po
         share.reset();
       };
   turn("power", settings.power_w, settings.power_share);
-  turn("min-power", settings.image.least_power.watts, settings.image.least_power.share);
+  turn("min-power", settings.image.min_power.watts, settings.image.min_power.share);
 }
 
 void set(LayerSettings& settings, std::string_view key, std::string_view value) {

@@ -23,11 +23,11 @@ double saved_by(const Stroke& link,
                 const LayerPlan& layer,
                 const LinkRules& rules) {
   const bool pierces = next.strokes.front().purpose == Purpose::kPierce;
-  double saved = least_time(link.from, link.to, rules.limits) - least_time(link, layer);
+  double saved = min_time(link.from, link.to, rules.limits) - min_time(link, layer);
   if (pierces) {
     Stroke driven = next.strokes.front();
     driven.purpose = Purpose::kLeadIn;
-    saved += least_time(next.strokes.front(), layer) - least_time(driven, layer);
+    saved += min_time(next.strokes.front(), layer) - min_time(driven, layer);
   }
   return saved;
 }

@@ -61,7 +61,7 @@ std::vector<SettingChange> settings_in(const JsonFields& fields, const std::stri
   const auto place = [&file](const char* key) { return fmt::format("{}: /{}", file, key); };
   if (const auto scale = fields.number("s_max", 1.0, 1.0e6)) {
     settings.push_back(
-        {cnc::setting::kMostSpindleSpeed, static_cast<float>(*scale), place("s_max")});
+        {cnc::setting::kMaxSpindleSpeed, static_cast<float>(*scale), place("s_max")});
   }
   add_pair(settings, 110, fields.pair("rate_mm_min", 1.0, kMaxRate), place("rate_mm_min"));
   add_pair(settings,

@@ -28,8 +28,8 @@ bool is_in_hole(const DrawnEdges& edges, const std::vector<std::size_t>& contour
 void append(NarrowLines& all, NarrowLines more) {
   all.rows.insert(all.rows.end(), more.rows.begin(), more.rows.end());
   all.length_mm += more.length_mm;
-  if (more.most_off_mm <= all.most_off_mm) return;
-  all.most_off_mm = more.most_off_mm;
+  if (more.max_off_mm <= all.max_off_mm) return;
+  all.max_off_mm = more.max_off_mm;
   all.place = more.place;
 }
 
@@ -37,9 +37,9 @@ void append(NarrowLines& all, NarrowLines more) {
 
 Middles middles_beside(const DrawnEdges& edges, const std::vector<std::size_t>& contours) {
   const double half_kerf_mm = edges.half_kerf_mm(contours.front());
-  double most_off_mm = std::numeric_limits<double>::infinity();
-  for (const std::size_t i : contours) most_off_mm = std::min(most_off_mm, edges.narrow_mm(i));
-  if (most_off_mm <= 0.0 || half_kerf_mm <= 0.0) return {};
+  double max_off_mm = std::numeric_limits<double>::infinity();
+  for (const std::size_t i : contours) max_off_mm = std::min(max_off_mm, edges.narrow_mm(i));
+  if (max_off_mm <= 0.0 || half_kerf_mm <= 0.0) return {};
   // First the outlines whose waste is outside of parts, then those whose waste is in holes.
   std::array<std::vector<const std::vector<Stroke>*>, 2> rows;
   for (const std::size_t i : contours) {
@@ -50,7 +50,7 @@ Middles middles_beside(const DrawnEdges& edges, const std::vector<std::size_t>& 
     for (const bool is_in_holes : {false, true}) {
       if (rows[is_in_holes ? 1 : 0].empty()) continue;
       const Contour waste = waste_beside(rows[is_in_holes ? 1 : 0], is_in_holes);
-      append(lines, narrow_lines(waste.view(), half_kerf_mm, most_off_mm));
+      append(lines, narrow_lines(waste.view(), half_kerf_mm, max_off_mm));
     }
   } catch (const std::runtime_error&) {
     return {};
@@ -65,7 +65,7 @@ Middles middles_beside(const DrawnEdges& edges, const std::vector<std::size_t>& 
                           "once along its middle, which takes up to {:.3f} mm off its edges",
                           2.0 * half_kerf_mm,
                           lines.length_mm,
-                          lines.most_off_mm),
+                          lines.max_off_mm),
               "make it as wide as the kerf, or forbid that with narrow=0"}};
 }
 

@@ -102,11 +102,11 @@ std::vector<AxisPoint> with_limits(const AxisChain& chain, double least, double 
 /// Finds the narrow stretches of a medial axis and joins them to lines.
 class NarrowFinder {
  public:
-  NarrowFinder(const MedialAxis& axis, double half_kerf_mm, double most_off_mm)
+  NarrowFinder(const MedialAxis& axis, double half_kerf_mm, double max_off_mm)
       : axis_{axis},
         half_{half_kerf_mm},
-        least_{std::max(half_kerf_mm - most_off_mm - kNoMore, 0.0)},
-        most_{half_kerf_mm * (1.0 - kWideEnough)},
+        min_{std::max(half_kerf_mm - max_off_mm - kNoMore, 0.0)},
+        max_{half_kerf_mm * (1.0 - kWideEnough)},
         degrees_(axis.nodes.size()),
         sets_{axis.nodes.size()},
         has_path_(axis.nodes.size()) {}
@@ -121,7 +121,7 @@ class NarrowFinder {
   }
 
  private:
-  [[nodiscard]] bool is_narrow(double radius) const { return radius >= least_ && radius < most_; }
+  [[nodiscard]] bool is_narrow(double radius) const { return radius >= min_ && radius < max_; }
 
   void divide(const AxisChain& chain);
   void note_sets();
@@ -141,8 +141,8 @@ class NarrowFinder {
 
   const MedialAxis& axis_;
   double half_;
-  double least_;  ///< Least radius of narrow waste.
-  double most_;   ///< Upper limit of the radius of narrow waste.
+  double min_;  ///< Least radius of narrow waste.
+  double max_;  ///< Upper limit of the radius of narrow waste.
   std::vector<Narrow> narrows_{};
   std::vector<std::uint32_t> degrees_;  ///< Number of narrow ends at each node.
   drawing::PieceSets sets_;             ///< Sets of nodes that are connected by narrow stretches.
@@ -158,11 +158,11 @@ class NarrowFinder {
 
 /// Divides a chain into the stretches along which the waste is narrow.
 void NarrowFinder::divide(const AxisChain& chain) {
-  const std::vector<AxisPoint> points = with_limits(chain, least_, most_);
+  const std::vector<AxisPoint> points = with_limits(chain, min_, max_);
   const auto end_at = [&](std::size_t i) -> End {
     if (i == 0) return {NarrowEnd::kNode, chain.from};
     if (i + 1 == points.size()) return {NarrowEnd::kNode, chain.to};
-    const bool is_path = most_ - points[i].radius < points[i].radius - least_;
+    const bool is_path = max_ - points[i].radius < points[i].radius - min_;
     return {is_path ? NarrowEnd::kPath : NarrowEnd::kLimit};
   };
   std::size_t begin = 0;
@@ -336,8 +336,8 @@ void NarrowFinder::add_point(const AxisPoint& point) {
 void NarrowFinder::note(const std::vector<AxisPoint>& points) {
   found_.length_mm += length_of(points);
   for (const AxisPoint& point : points) {
-    if (half_ - point.radius <= found_.most_off_mm) continue;
-    found_.most_off_mm = half_ - point.radius;
+    if (half_ - point.radius <= found_.max_off_mm) continue;
+    found_.max_off_mm = half_ - point.radius;
     found_.place = point.place;
   }
 }
@@ -346,12 +346,12 @@ void NarrowFinder::note(const std::vector<AxisPoint>& points) {
 
 NarrowLines narrow_lines(const cnc::contour::ContourView<double>& waste,
                          double half_kerf_mm,
-                         double most_off_mm) {
+                         double max_off_mm) {
   const pocket::OwnedArea owned{waste};
   const double tolerance_mm = kMiddleTolerance * half_kerf_mm;
   const MedialAxis axis =
       pocket::medial_axis(owned, {.tolerance_mm = tolerance_mm, .slack_mm = tolerance_mm});
-  return NarrowFinder{axis, half_kerf_mm, most_off_mm}.find();
+  return NarrowFinder{axis, half_kerf_mm, max_off_mm}.find();
 }
 
 }  // namespace sim::cut

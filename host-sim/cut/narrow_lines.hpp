@@ -10,9 +10,9 @@ namespace sim::cut {
 /// Lines along the middle of waste that is narrower than the kerf.
 struct NarrowLines {
   std::vector<std::vector<Stroke>> rows{};
-  double length_mm = 0.0;    ///< Total length of the lines.
-  double most_off_mm = 0.0;  ///< Greatest width that a cut along the lines takes off an edge.
-  Place place{0.0, 0.0};     ///< The point where this width occurs.
+  double length_mm = 0.0;   ///< Total length of the lines.
+  double max_off_mm = 0.0;  ///< Greatest width that a cut along the lines takes off an edge.
+  Place place{0.0, 0.0};    ///< The point where this width occurs.
 };
 
 /// Finds lines along the medial axis of waste wherever it is narrower than the kerf. In a neck or a
@@ -20,15 +20,15 @@ struct NarrowLines {
 /// hole that contains no path it leads along the hole. Corners wider than 60 degrees have no line.
 /// A hole that is about as long as wide has a line of a quarter of the kerf in its middle.
 ///
-/// Guarantee: a cut along these lines takes no more than `most_off_mm` off an edge, within 0.5 % of
+/// Guarantee: a cut along these lines takes no more than `max_off_mm` off an edge, within 0.5 % of
 /// the kerf. A line in the middle of a hole that is about as long as wide may take an eighth of the
 /// kerf more.
 /// Throws std::runtime_error with the point if contours cross.
 /// @param waste closed contours with the waste on their left, which may touch
 /// @param half_kerf_mm above 0
-/// @param most_off_mm above 0; a value of half the kerf or more is no limit
+/// @param max_off_mm above 0; a value of half the kerf or more is no limit
 [[nodiscard]] NarrowLines narrow_lines(const cnc::contour::ContourView<double>& waste,
                                        double half_kerf_mm,
-                                       double most_off_mm);
+                                       double max_off_mm);
 
 }  // namespace sim::cut

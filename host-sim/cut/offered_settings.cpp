@@ -57,8 +57,8 @@ void offer_picture(OfferedValues& found, const drawing::OfferedSettings& offered
   if (!offered.shading.empty()) {
     offer(found, "shading", offered.shading == "grayscale" ? "grey" : offered.shading);
   }
-  if (offered.least_power_share.value_or(0.0) > 0.0) {
-    offer_number(found, "min-power", times(offered.least_power_share, 100.0), "%");
+  if (offered.min_power_share.value_or(0.0) > 0.0) {
+    offer_number(found, "min-power", times(offered.min_power_share, 100.0), "%");
   }
 }
 

@@ -205,12 +205,12 @@ void PartSearch::order_within() {
     const Place from = i == 0 ? task_.from : sequence_[i - 1].beginning.exit;
     const std::optional<Place> to = is_last ? task_.to : sequence_[i + 1].beginning.entry;
     std::vector<OrderedCut> tried = searched(units_.cuts[sequence_[i].cut], from, to);
-    const auto least_cost = [&](std::vector<OrderedCut>& order) {
+    const auto min_cost = [&](std::vector<OrderedCut>& order) {
       const JobEnds ends{from, to.value_or(sequence_[i].beginning.exit)};
       choose_beginnings(order, cuts_, cost_, ends);
       return cost_along(order, cuts_, cost_, ends);
     };
-    if (least_cost(tried) < least_cost(row)) row = std::move(tried);
+    if (min_cost(tried) < min_cost(row)) row = std::move(tried);
   }
 }
 

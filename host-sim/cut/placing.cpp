@@ -136,12 +136,12 @@ class DrawingPlacer {
       shapes += piece.contour.shapes.size();
       parts = std::max(parts, piece.contour.entity.part + 1);
     }
-    if (shapes * copies > drawing::kMostShapes) {
+    if (shapes * copies > drawing::kMaxShapes) {
       throw std::invalid_argument(
           fmt::format("--copies {}x{}: has more than {} lines and curves; make fewer copies",
                       wishes_.columns,
                       wishes_.rows,
-                      drawing::kMostShapes));
+                      drawing::kMaxShapes));
     }
     const Place pitch = box_.size() + Place{wishes_.gap_mm, wishes_.gap_mm};
     std::vector<Piece> all;

@@ -272,8 +272,8 @@ void Planner::add_cut(std::size_t i, const std::vector<Stroke>& loop) {
           .layer = drawn_.contours[i].entity.layer,
           .is_hole = outlines_[i].is_hole,
           .area_mm2 = area_of(loop)};
-  const double least_turn = settings.corner_angle_deg * std::numbers::pi / 180.0;
-  for (const Corner& corner : corners_of(loop, least_turn, half_kerf(i))) {
+  const double min_turn = settings.corner_angle_deg * std::numbers::pi / 180.0;
+  for (const Corner& corner : corners_of(loop, min_turn, half_kerf(i))) {
     cut.corners.push_back(corner.place);
   }
   unbegun_.push_back({.path = MeasuredRow{loop},

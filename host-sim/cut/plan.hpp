@@ -84,9 +84,9 @@ struct OrderFigures {
 /// Figures of the lines that two parts share; see share_lines().
 struct SharedLineFigures {
   bool is_asked = false;
-  std::size_t lines = 0;     ///< Lines that are cut once for the parts on both sides.
-  double length_mm = 0.0;    ///< Length of these lines.
-  double most_off_mm = 0.0;  ///< Greatest excess of the gap of two parts over the kerf.
+  std::size_t lines = 0;    ///< Lines that are cut once for the parts on both sides.
+  double length_mm = 0.0;   ///< Length of these lines.
+  double max_off_mm = 0.0;  ///< Greatest excess of the gap of two parts over the kerf.
 };
 
 /// The cuts in order, and the contours of the drawing that cannot be cut.

@@ -127,9 +127,9 @@ class Sharing {
 
   /// Moves cuts forward to which earlier ones would leave nothing, where that is possible.
   void leave_each_a_line() {
-    constexpr int kMostRounds = 8;
+    constexpr int kMaxRounds = 8;
     bool is_changed = true;
-    for (int round = 0; is_changed && round < kMostRounds; ++round) {
+    for (int round = 0; is_changed && round < kMaxRounds; ++round) {
       is_changed = false;
       for (std::size_t i = 0; i < unbegun_.size(); ++i) {
         if (!may_share(i)) continue;
@@ -153,11 +153,11 @@ class Sharing {
       open.insert(open.end(), plan_.cuts[here].after.begin(), plan_.cuts[here].after.end());
     }
     std::optional<std::size_t> owner;
-    double most_mm = 0.0;
+    double max_mm = 0.0;
     for (const std::size_t other : loss.owners) {
       const double left_mm = length_left(other);
-      if (is_before[other] || left_mm <= most_mm) continue;
-      most_mm = left_mm;
+      if (is_before[other] || left_mm <= max_mm) continue;
+      max_mm = left_mm;
       owner = other;
     }
     if (!owner) return false;
@@ -192,7 +192,7 @@ class Sharing {
     for (const SharedStretch& stretch : loss.stretches) {
       ++plan_.shared.lines;
       plan_.shared.length_mm += stretch.to_mm - stretch.from_mm;
-      plan_.shared.most_off_mm = std::max(plan_.shared.most_off_mm, stretch.off_mm);
+      plan_.shared.max_off_mm = std::max(plan_.shared.max_off_mm, stretch.off_mm);
     }
     rests_[i] = std::move(rests);
     owners_[i] = std::move(loss.owners);

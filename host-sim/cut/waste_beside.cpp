@@ -56,7 +56,7 @@ Contour waste_beside(const std::vector<const std::vector<Stroke>*>& rows, bool i
   Contour waste = filled_area(drawn);
   // The filling rule counts the overlap of two parts as enclosed by an odd number of contours, but
   // it is no waste.
-  if (std::abs(signed_area_of(waste) - waste_mm2) > kLeastFilledWidthMm * length_mm) {
+  if (std::abs(signed_area_of(waste) - waste_mm2) > kMinFilledWidthMm * length_mm) {
     throw NoOffset{rows.front()->front().from,
                    "this contour, or one with it, overlaps another one",
                    "take them apart"};

@@ -51,7 +51,7 @@ void WrittenPath::add_arc(const Place& from, const Place& to, double bulge) {
   const double length = std::hypot(chord.x, chord.y);
   const double size = std::abs(bulge);
   if (size * length < 0.5) return add_line(end);
-  if (length * (1.0 + size * size) < 4.0 * size * cnc::gcode::kLeastRadiusOnGrid) {
+  if (length * (1.0 + size * size) < 4.0 * size * cnc::gcode::kMinRadiusOnGrid) {
     add_line(on_grid(apex_of(from, to, bulge)));
     return add_line(end);
   }

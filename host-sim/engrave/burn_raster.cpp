@@ -169,8 +169,8 @@ void invert(const GreyImage& image,
 
 double power_of(double darkness, const ToneCurve& curve) {
   if (darkness < static_cast<double>(kWhiteBelow)) return 0.0;
-  return curve.least_power +
-         (curve.most_power - curve.least_power) * std::pow(std::min(darkness, 1.0), curve.gamma);
+  return curve.min_power +
+         (curve.max_power - curve.min_power) * std::pow(std::min(darkness, 1.0), curve.gamma);
 }
 
 BurnRaster burn_raster(const GreyImage& image,
@@ -190,7 +190,7 @@ BurnRaster burn_raster(const GreyImage& image,
   for (std::size_t y = 0; y < rows; ++y) {
     for (std::size_t x = 0; x < columns; ++x) {
       const auto darkness = static_cast<double>(grey[(rows - 1 - y) * columns + x]);
-      const double power = has_dots ? darkness * curve.most_power : power_of(darkness, curve);
+      const double power = has_dots ? darkness * curve.max_power : power_of(darkness, curve);
       raster.power[y * columns + x] = static_cast<float>(power);
     }
   }

@@ -26,9 +26,9 @@ enum class Shading : std::uint8_t {
 /// The curve from greys to powers.
 struct ToneCurve {
   Shading shading = Shading::kGrey;
-  double least_power = 0.0;  ///< Share of full power of the lightest grey that is burnt.
-  double most_power = 1.0;   ///< Share of full power of black.
-  double gamma = 1.0;  ///< Exponent of the darkness. A value above 1 makes the picture lighter.
+  double min_power = 0.0;  ///< Share of full power of the lightest grey that is burnt.
+  double max_power = 1.0;  ///< Share of full power of black.
+  double gamma = 1.0;      ///< Exponent of the darkness. A value above 1 makes the picture lighter.
   bool is_inverted = false;
 };
 

@@ -14,16 +14,16 @@ namespace {
 
 // Least width of a contour with an area, mm. A narrower contour is a line that is drawn there and
 // back, because a beam is wider.
-constexpr double kLeastWidthMm = 0.001;
+constexpr double kMinWidthMm = 0.001;
 
 // Greatest number of points of all outlines. They take a third of a gigabyte, enough for more than
 // a hundred thousand holes of a millimetre.
-constexpr std::size_t kMostPlaces = 20'000'000;
+constexpr std::size_t kMaxPlaces = 20'000'000;
 
 std::vector<Piece> pieces_of(Sketch& sketch) {
   std::vector<Piece> pieces;
   pieces.reserve(sketch.chains().size());
-  const std::size_t most = sketch.share_of(kMostPlaces);
+  const std::size_t most = sketch.share_of(kMaxPlaces);
   std::size_t places = 0;
   for (Chain& chain : sketch.chains()) {
     Piece piece;
@@ -92,7 +92,7 @@ void drop_flat(Sketch& sketch, std::vector<Piece>& pieces, const std::vector<boo
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     const DrawnContour& contour = pieces[i].contour;
     const double width = 2.0 * std::abs(contour.area_mm2) / contour.length_mm;
-    if (contour.closed && !crossed[i] && width < kLeastWidthMm) {
+    if (contour.closed && !crossed[i] && width < kMinWidthMm) {
       if (std::abs(contour.area_mm2) >= LeastLoop{}.area_mm2) {
         sketch.report(dense(pieces[i], width));
         continue;

@@ -92,8 +92,8 @@ class ClbReader {
     for (const pugi::xml_node& setting : entry.children()) {
       if (!std::string_view{setting.name()}.starts_with("CutSetting")) continue;
       ++settings;
-      if (library_.entries.size() == kMostLibraryEntries) {
-        refuse(offset_of(setting), fmt::format("more than {} entries", kMostLibraryEntries));
+      if (library_.entries.size() == kMaxLibraryEntries) {
+        refuse(offset_of(setting), fmt::format("more than {} entries", kMaxLibraryEntries));
       }
       found.settings = offered_by(setting);
       if (const auto offset = found.settings.kerf_offset_mm) {

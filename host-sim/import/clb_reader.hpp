@@ -28,13 +28,13 @@ struct MaterialLibrary {
 };
 
 inline constexpr double kGreatestThicknessMm = 100.0;
-inline constexpr std::size_t kMostLibraryEntries = 20'000;
+inline constexpr std::size_t kMaxLibraryEntries = 20'000;
 /// Greatest length of a material's name, in bytes. Materials with longer names are left out.
 inline constexpr std::size_t kLongestMaterialName = 100;
 
 /// Reads a library: elements `Material` that contain `Entry`, which contain `CutSetting`. Throws
 /// std::invalid_argument `FILE:LINE:COLUMN: reason; remedy` if the text is no library, is broken,
-/// or has more than kMostLibraryEntries.
+/// or has more than kMaxLibraryEntries.
 [[nodiscard]] MaterialLibrary read_clb(const std::string& text, const std::string& file);
 
 }  // namespace sim::drawing

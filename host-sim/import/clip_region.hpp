@@ -82,7 +82,7 @@ class ClipComparison {
 };
 
 /// Greatest number of pairs of chords to compare: they take about a second.
-inline constexpr std::size_t kMostClipSteps = 200'000'000;
+inline constexpr std::size_t kMaxClipSteps = 200'000'000;
 
 inline constexpr double kClipEdgeMm = 0.02;
 /// Greatest distance of chords from their curves, mm.

@@ -59,7 +59,7 @@ using Shape = std::variant<Line, Arc, Ellipse, Bezier, Nurbs>;
 [[nodiscard]] std::string_view name_of(const Shape& shape);
 
 inline constexpr std::size_t kHighestDegree = 11;
-inline constexpr std::size_t kMostControlPoints = 100'000;
+inline constexpr std::size_t kMaxControlPoints = 100'000;
 
 /// Returns a spline; nothing if degree, counts, knots or weights do not define a curve. Knots other
 /// than the first and the last `degree` + 1 may be repeated at most `degree` times.

@@ -109,7 +109,7 @@ std::optional<Nurbs> nurbs(std::size_t degree,
                            std::vector<Place> points,
                            std::vector<double> weights,
                            std::vector<double> knots) {
-  if (degree < 1 || degree > kHighestDegree || points.size() > kMostControlPoints) return {};
+  if (degree < 1 || degree > kHighestDegree || points.size() > kMaxControlPoints) return {};
   if (points.size() <= degree || knots.size() != points.size() + degree + 1) return {};
   if (weights.empty()) weights.assign(points.size(), 1.0);
   if (weights.size() != points.size()) return {};

@@ -6,7 +6,7 @@ namespace sim::drawing {
 namespace {
 
 constexpr int kDeepestHalving = 16;
-constexpr double kMostChords = 65'536.0;
+constexpr double kMaxChords = 65'536.0;
 
 bool near_chord(const Place& place, const Place& start, const Place& end, double tolerance) {
   const Place chord = end - start;
@@ -55,7 +55,7 @@ class Halver {
 double chords_of(double radius, double sweep, double tolerance_mm) {
   const double cosine = std::clamp(1.0 - tolerance_mm / std::max(radius, tolerance_mm), -1.0, 1.0);
   const double widest = std::min(2.0 * std::acos(cosine), 0.25 * kFullTurn);
-  return std::min(std::ceil(std::abs(sweep) / widest), kMostChords);
+  return std::min(std::ceil(std::abs(sweep) / widest), kMaxChords);
 }
 
 /// Appends points along an elliptical arc, without its end. The ellipse is the image of a unit

@@ -19,10 +19,10 @@ struct OfferedSettings {
   std::string kind{};  ///< Kind as the project spells it: Cut, Scan, Image …
   /// Share of full power, 0…1; the upper end if the project gives a range.
   std::optional<double> power_share{};
-  std::optional<double> least_power_share{};  ///< Share of full power, 0…1, of the head at rest.
-  std::optional<double> speed_mm_s{};         ///< Speed above 0.
-  std::optional<std::size_t> passes{};        ///< Number of passes, 1 or more.
-  std::optional<int> priority{};              ///< Layers with lower numbers are cut first.
+  std::optional<double> min_power_share{};  ///< Share of full power, 0…1, of the head at rest.
+  std::optional<double> speed_mm_s{};       ///< Speed above 0.
+  std::optional<std::size_t> passes{};      ///< Number of passes, 1 or more.
+  std::optional<int> priority{};            ///< Layers with lower numbers are cut first.
   std::optional<double> interval_mm{};  ///< Distance between the lines of a filled area; above 0.
   std::optional<double> angle_deg{};    ///< Direction of the lines of a filled area; 0 is along X.
   /// Offset of outlines in the laser program. Kerfline does not apply it.
@@ -166,7 +166,7 @@ struct Drawing {
   std::vector<Layer> layers;
   std::vector<DrawnContour> contours;
   std::vector<DrawnPicture> pictures{};
-  std::vector<Fault> faults;    ///< The first faults in the order found, at most kMostFaults.
+  std::vector<Fault> faults;    ///< The first faults in the order found, at most kMaxFaults.
   std::size_t more_faults = 0;  ///< Number of faults that were found but are not listed.
   std::size_t more_lines = 0;  ///< Number of open contours (Fault::is_of_line) that are not listed.
 
@@ -174,9 +174,9 @@ struct Drawing {
 };
 
 /// Greatest size of a file. Greater files are refused as a whole.
-inline constexpr std::size_t kMostBytes = std::size_t{256} << 20;
-inline constexpr std::size_t kMostShapes = 2'000'000;
-inline constexpr std::size_t kMostFaults = 1'000;
+inline constexpr std::size_t kMaxBytes = std::size_t{256} << 20;
+inline constexpr std::size_t kMaxShapes = 2'000'000;
+inline constexpr std::size_t kMaxFaults = 1'000;
 /// Greatest depth of nested groups, blocks and instances.
 inline constexpr std::size_t kDeepestNesting = 64;
 /// Greatest distance of a point from the origin. No machine reaches that far, so a greater distance
@@ -203,7 +203,7 @@ struct ImportOptions {
   /// and lines that close a contour whose ends are close together. Notes report these lines.
   bool mends_gaps = false;
   /// Millimetres per unit of the drawing (a unit of DXF, a pixel of SVG). It replaces the unit that
-  /// the file gives or its format implies. From kLeastUnitMm to kGreatestUnitMm.
+  /// the file gives or its format implies. From kMinUnitMm to kGreatestUnitMm.
   std::optional<double> unit_mm{};
   /// Share of the full bounds on work that reading may use, above 0 and at most 1. The bounds apply
   /// to the copies drawn, to the conversion of curves and to comparisons. The full bounds may take
@@ -218,9 +218,9 @@ struct ImportOptions {
   ReadBeside read_beside{};
 };
 
-inline constexpr double kLeastGapMm = 0.0;
+inline constexpr double kMinGapMm = 0.0;
 inline constexpr double kGreatestGapMm = 10.0;
-inline constexpr double kLeastUnitMm = 1.0e-6;
+inline constexpr double kMinUnitMm = 1.0e-6;
 inline constexpr double kGreatestUnitMm = 1.0e6;
 
 /// Reads a drawing. Detects the format by content: SVG or SVGZ, DXF, PDF, a LightBurn project, or

@@ -13,7 +13,7 @@ namespace sim::drawing {
 namespace {
 
 // Greatest number of distances of points to chords to compute: they take some seconds.
-constexpr std::size_t kMostComparisons = 300'000'000;
+constexpr std::size_t kMaxComparisons = 300'000'000;
 constexpr std::size_t kPlacesCompared = 256;
 
 /// Returns whether points of `outline` lie on `other`: all of them or, of a long outline, an even
@@ -112,7 +112,7 @@ void report_exhausted(Sketch& sketch) {
 }  // namespace
 
 void drop_duplicates(Sketch& sketch, std::vector<Piece>& pieces, double gap_mm) {
-  PieceLookup lookup{Among::kLayer, tolerance_for(gap_mm), sketch.share_of(kMostComparisons)};
+  PieceLookup lookup{Among::kLayer, tolerance_for(gap_mm), sketch.share_of(kMaxComparisons)};
   std::vector<Piece> kept;
   kept.reserve(pieces.size());
   for (Piece& piece : pieces) {
@@ -133,7 +133,7 @@ void drop_duplicates(Sketch& sketch, std::vector<Piece>& pieces, double gap_mm) 
 }
 
 void find_coincident(Sketch& sketch, std::vector<Piece>& pieces, double gap_mm) {
-  PieceLookup lookup{Among::kAll, tolerance_for(gap_mm), sketch.share_of(kMostComparisons)};
+  PieceLookup lookup{Among::kAll, tolerance_for(gap_mm), sketch.share_of(kMaxComparisons)};
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     DrawnContour& contour = pieces[i].contour;
     contour.lies_on = lookup.find(pieces[i], pieces);

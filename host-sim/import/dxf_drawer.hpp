@@ -26,7 +26,7 @@ struct DxfInstance {
 class DxfDrawer {
  public:
   explicit DxfDrawer(Sketch& sketch)
-      : sketch_{sketch}, comparison_{sketch.share_of(kMostClipSteps)} {}
+      : sketch_{sketch}, comparison_{sketch.share_of(kMaxClipSteps)} {}
 
   [[nodiscard]] DxfTables& tables() { return tables_; }
 

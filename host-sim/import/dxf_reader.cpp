@@ -19,8 +19,8 @@ namespace {
 
 // Blocks within blocks may double the instances at each level: without a bound, a page of text
 // fills memory.
-constexpr std::size_t kMostInstances = 500'000;
-constexpr std::size_t kMostGroups = 8'000'000;
+constexpr std::size_t kMaxInstances = 500'000;
+constexpr std::size_t kMaxGroups = 8'000'000;
 constexpr double kDegreeInRadians = kFullTurn / 360.0;
 
 struct DxfBlock {
@@ -37,7 +37,7 @@ class DxfReader {
         drawer_{sketch},
         clips_{dxf_clips(text)},
         wanted_mm_per_unit_{mm_per_unit},
-        most_instances_{sketch.share_of(kMostInstances)} {}
+        max_instances_{sketch.share_of(kMaxInstances)} {}
 
   void read() {
     next(cursor_);
@@ -89,7 +89,7 @@ class DxfReader {
     entity.line = group_->line;
     before_ = cursor;
     for (next(cursor); group_ && group_->code != 0; next(cursor)) {
-      if (entity.groups.size() < kMostGroups) entity.groups.push_back(*group_);
+      if (entity.groups.size() < kMaxGroups) entity.groups.push_back(*group_);
       before_ = cursor;
     }
     return entity;
@@ -153,7 +153,7 @@ class DxfReader {
     if (!count(entity)) return;
     std::vector<DxfEntity> vertices;
     if (entity.type == "POLYLINE") {
-      while (at("VERTEX") && vertices.size() < kMostShapes) vertices.push_back(take_entity(cursor));
+      while (at("VERTEX") && vertices.size() < kMaxShapes) vertices.push_back(take_entity(cursor));
     }
     // An ATTDEF, which defines letters, is visible only outside of blocks.
     if (entity.type == "SEQEND" || (entity.type == "ATTDEF" && within.depth != 0)) return;
@@ -269,8 +269,8 @@ class DxfReader {
 
   /// Counts one more entity to draw. Returns false if there are too many, which is reported once.
   bool count(const DxfEntity& entity) {
-    if (++instances_ <= most_instances_) return true;
-    if (instances_ == most_instances_ + 1) too_many(entity);
+    if (++instances_ <= max_instances_) return true;
+    if (instances_ == max_instances_ + 1) too_many(entity);
     return false;
   }
 
@@ -279,7 +279,7 @@ class DxfReader {
         {FaultKind::kTooMuch,
          drawer_.described(entity, whole_drawing()),
          {},
-         fmt::format("more than {} entities are drawn; the rest is left out", most_instances_),
+         fmt::format("more than {} entities are drawn; the rest is left out", max_instances_),
          "cut the drawing in parts"});
   }
 
@@ -289,7 +289,7 @@ class DxfReader {
     const auto kept = group_;
     DxfCursor cursor = block.body;
     next(cursor);
-    while (!at_end("ENDBLK") && instances_ <= most_instances_ && !sketch_.full()) {
+    while (!at_end("ENDBLK") && instances_ <= max_instances_ && !sketch_.full()) {
       if (group_->code == 0) {
         read_entity(cursor, instance);
       } else {
@@ -306,7 +306,7 @@ class DxfReader {
   DxfClips clips_;
   std::optional<double> wanted_mm_per_unit_;
   DxfHeader header_;
-  std::size_t most_instances_;
+  std::size_t max_instances_;
   std::optional<DxfGroup> group_;
   std::map<std::string, DxfBlock, std::less<>> blocks_;
   std::vector<const DxfBlock*> open_;

@@ -88,8 +88,8 @@ std::string wrong_of(const SplineData& data) {
     return fmt::format(
         "{} control points make no spline of degree {}", data.points.size(), data.degree);
   }
-  if (data.points.size() > kMostControlPoints) {
-    return fmt::format("it has more than {} control points", kMostControlPoints);
+  if (data.points.size() > kMaxControlPoints) {
+    return fmt::format("it has more than {} control points", kMaxControlPoints);
   }
   if (data.knots.size() != wanted) {
     return fmt::format("it has {} knots, but {} control points of degree {} need {}",

@@ -64,10 +64,10 @@ void EndMatcher::gather_pairs() {
 
 void EndMatcher::gather_in(EndIndex end, Key key) {
   // Greatest number of ends at one point that are checked. A sensible drawing does not have more.
-  constexpr std::size_t kMostEndsAtAPlace = 16;
+  constexpr std::size_t kMaxEndsAtAPlace = 16;
   std::size_t found = 0;
   for (auto at = std::ranges::lower_bound(cells_, std::pair{key, end + 1});
-       at != cells_.end() && at->first == key && found < kMostEndsAtAPlace;
+       at != cells_.end() && at->first == key && found < kMaxEndsAtAPlace;
        ++at) {
     const EndIndex other = at->second;
     if (other / 2 == end / 2) continue;

@@ -9,7 +9,7 @@ namespace {
 
 /// Least length of reported lines that are on no outline, mm. Shorter lines are rounding.
 constexpr double kUnseenRoundingMm = 0.01;
-constexpr LeastLoop kLeastLoop{};
+constexpr LeastLoop kMinLoop{};
 
 std::string text_of(const FilledSet& filled, std::size_t contours) {
   std::string text =
@@ -23,8 +23,8 @@ std::string text_of(const FilledSet& filled, std::size_t contours) {
         "of {:.4f} mm2 at {:.3f} {:.3f}",
         filled.small_loops,
         filled.small_loops == 1 ? "" : "s",
-        kLeastLoop.area_mm2,
-        kLeastLoop.width_mm,
+        kMinLoop.area_mm2,
+        kMinLoop.width_mm,
         filled.greatest_small.size,
         filled.greatest_small.place.x(),
         filled.greatest_small.place.y());
@@ -56,7 +56,7 @@ void FillingNotes::add(const std::vector<Piece>& pieces,
     greatest_.take_greater(filled.greatest_small.size, filled.greatest_small.place);
     return;
   }
-  if (++notes_ > kMostNotes) {
+  if (++notes_ > kMaxNotes) {
     ++more_;
     more_unseen_mm_ += filled.unseen_mm;
     return;
@@ -84,8 +84,8 @@ void FillingNotes::finish() {
                                 "largest, here, of {:.4f} mm2",
                                 whose,
                                 loops_,
-                                kLeastLoop.area_mm2,
-                                kLeastLoop.width_mm,
+                                kMinLoop.area_mm2,
+                                kMinLoop.width_mm,
                                 greatest_.size),
                     {}});
   }

@@ -24,7 +24,7 @@ class FillingNotes {
   void finish();
 
  private:
-  static constexpr std::size_t kMostNotes = 50;
+  static constexpr std::size_t kMaxNotes = 50;
 
   Sketch& sketch_;
   std::size_t notes_ = 0;

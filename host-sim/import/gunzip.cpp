@@ -49,15 +49,15 @@ class Inflater {
 
 bool is_gzip(std::string_view bytes) { return bytes.starts_with("\x1F\x8B"); }
 
-std::optional<std::string> gunzip(std::string_view bytes, std::size_t most_bytes) {
+std::optional<std::string> gunzip(std::string_view bytes, std::size_t max_bytes) {
   Inflater inflater{bytes};
   std::string text;
-  while (text.size() <= most_bytes) {
+  while (text.size() <= max_bytes) {
     const int status = inflater.next(text);
     if (status == Z_STREAM_END) break;
     if (status != Z_OK) return {};
   }
-  if (text.size() > most_bytes) return {};
+  if (text.size() > max_bytes) return {};
   return text;
 }
 

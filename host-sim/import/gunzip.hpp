@@ -11,7 +11,7 @@ namespace sim::drawing {
 [[nodiscard]] bool is_gzip(std::string_view bytes);
 
 /// Returns the content of gzip data; nothing if they are damaged or cut off, or if the content is
-/// longer than `most_bytes`.
-[[nodiscard]] std::optional<std::string> gunzip(std::string_view bytes, std::size_t most_bytes);
+/// longer than `max_bytes`.
+[[nodiscard]] std::optional<std::string> gunzip(std::string_view bytes, std::size_t max_bytes);
 
 }  // namespace sim::drawing

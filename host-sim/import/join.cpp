@@ -154,9 +154,9 @@ class Joiner {
   /// Returns whether the gap of a piece is probably a mistake: it is short compared with the
   /// contour.
   [[nodiscard]] bool nearly_closes(const Piece& piece, std::size_t open) const {
-    constexpr double kMostShare = 0.02;
+    constexpr double kMaxShare = 0.02;
     const double apart = distance(piece.outline.front(), piece.outline.back());
-    return apart <= kWidestProposedGapMm && apart <= kMostShare * piece.contour.length_mm &&
+    return apart <= kWidestProposedGapMm && apart <= kMaxShare * piece.contour.length_mm &&
            loose_.are_pair(2 * open, 2 * open + 1);
   }
 

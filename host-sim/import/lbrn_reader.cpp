@@ -24,7 +24,7 @@ namespace {
 // Bound on the work of a project, in units of kBytesOfWork bytes of lists. Shapes may share one
 // long list: without a bound, a page of text is hours of work. Each shape costs kWorkOfShape units,
 // as much as some hundred bytes of its lists.
-constexpr std::size_t kMostLbrnWork = 20'000'000;
+constexpr std::size_t kMaxLbrnWork = 20'000'000;
 constexpr std::size_t kWorkOfShape = 32;
 constexpr std::size_t kBytesOfWork = 16;
 constexpr std::string_view kLbrnRoot = "LightBurnProject";
@@ -75,7 +75,7 @@ std::vector<Shape> rounded_rectangle(double width, double height, double radius)
 class LbrnReader {
  public:
   LbrnReader(const std::string& text, Sketch& sketch)
-      : text_{text}, lines_{text}, sketch_{sketch}, left_{sketch.share_of(kMostLbrnWork)} {}
+      : text_{text}, lines_{text}, sketch_{sketch}, left_{sketch.share_of(kMaxLbrnWork)} {}
 
   void read() {
     pugi::xml_document document;

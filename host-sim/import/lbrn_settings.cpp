@@ -38,18 +38,18 @@ std::optional<double> share_of_percent(const std::optional<double>& percent) {
 }  // namespace
 
 OfferedSettings offered_by(const pugi::xml_node& setting) {
-  constexpr double kMostPasses = 1000.0;
+  constexpr double kMaxPasses = 1000.0;
   constexpr double kFastestMmS = 1.0e5;
   constexpr double kWidestInterval = 100.0;
   constexpr double kGreatestAngle = 360.0;
   constexpr double kGreatestKerfOffset = 10.0;
   OfferedSettings offered{.kind = setting.attribute("type").value(),
                           .power_share = share_of_percent(value_of(setting, "maxPower")),
-                          .least_power_share = share_of_percent(value_of(setting, "minPower"))};
+                          .min_power_share = share_of_percent(value_of(setting, "minPower"))};
   const auto speed = value_of(setting, "speed");
   if (speed && *speed > 0.0 && *speed <= kFastestMmS) offered.speed_mm_s = speed;
   const auto passes = value_of(setting, "numPasses");
-  if (passes && *passes >= 1.0 && *passes <= kMostPasses) {
+  if (passes && *passes >= 1.0 && *passes <= kMaxPasses) {
     offered.passes = static_cast<std::size_t>(*passes);
   }
   const auto priority = value_of(setting, "priority");

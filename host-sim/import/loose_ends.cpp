@@ -19,14 +19,14 @@ void LooseEnds::prepare() { std::ranges::sort(cells_); }
 
 std::vector<double> LooseEnds::paired_distances() const {
   // Greatest number of neighbours that are checked. If more ends meet, a wider gap does not help.
-  constexpr std::size_t kMostNeighbours = 16;
+  constexpr std::size_t kMaxNeighbours = 16;
   std::vector<LoosePair> pairs;
   for (std::size_t end = 0; end < ends_.size(); ++end) {
     std::size_t found = 0;
     visit_near(end, [&](std::size_t other, double apart) {
       if (other < end) return true;
       pairs.push_back({apart, end, other});
-      return ++found < kMostNeighbours;
+      return ++found < kMaxNeighbours;
     });
   }
   std::ranges::sort(pairs);
@@ -56,9 +56,9 @@ bool LooseEnds::are_pair(std::size_t end, std::size_t other) const {
   return of_end.count == 1 && of_other.count == 1 && of_end.first == other;
 }
 
-bool LooseEnds::is_of_pair(std::size_t end, double most_mm) const {
+bool LooseEnds::is_of_pair(std::size_t end, double max_mm) const {
   const Neighbours found = neighbours_of(end);
-  return found.count == 1 && found.apart_mm <= most_mm && are_pair(end, found.first);
+  return found.count == 1 && found.apart_mm <= max_mm && are_pair(end, found.first);
 }
 
 LooseEnds::Key LooseEnds::key_of(const Place& place, int dx, int dy) {

@@ -53,9 +53,9 @@ class LooseEnds {
   /// between them.
   [[nodiscard]] bool are_pair(std::size_t end, std::size_t other) const;
 
-  /// Returns whether an end and its only neighbour are such a pair (are_pair()), at most `most_mm`
+  /// Returns whether an end and its only neighbour are such a pair (are_pair()), at most `max_mm`
   /// apart.
-  [[nodiscard]] bool is_of_pair(std::size_t end, double most_mm) const;
+  [[nodiscard]] bool is_of_pair(std::size_t end, double max_mm) const;
 
  private:
   using Key = std::uint64_t;

@@ -11,7 +11,7 @@
 namespace sim::drawing {
 namespace {
 
-constexpr std::size_t kMostRayCrossings = 400'000'000;
+constexpr std::size_t kMaxRayCrossings = 400'000'000;
 
 /// Returns the x coordinates at which a horizontal line crosses an outline, in ascending order.
 std::vector<double> cuts_at(const std::vector<Place>& outline, double y) {
@@ -52,15 +52,15 @@ class Strips {
     std::size_t chords = 0;
     for (const Piece& piece : pieces) {
       if (!piece.contour.closed) continue;
-      least_ = std::min(least_, piece.box.least.y());
-      most_ = std::max(most_, piece.box.most.y());
+      min_ = std::min(min_, piece.box.least.y());
+      max_ = std::max(max_, piece.box.most.y());
       chords += piece.outline.size();
       for (std::size_t i = 1; i < piece.outline.size(); ++i) {
         rise += std::abs(piece.outline[i].y() - piece.outline[i - 1].y());
       }
     }
     if (chords == 0) return;
-    height_ = std::max({rise / static_cast<double>(chords), (most_ - least_) / 1.0e6, 1.0e-6});
+    height_ = std::max({rise / static_cast<double>(chords), (max_ - min_) / 1.0e6, 1.0e-6});
     fill();
   }
 
@@ -69,7 +69,7 @@ class Strips {
   bool count(const Place& place, std::map<std::size_t, std::size_t>& hits, Budget& budget) const {
     // Cost of a full check of a chord, compared with the check of its piece's box.
     constexpr std::size_t kCloseLook = 16;
-    if (place.y() < least_ || place.y() > most_) return true;
+    if (place.y() < min_ || place.y() > max_) return true;
     const std::size_t number = strip_of(place.y());
     const std::span strip =
         std::span{chords_}.subspan(ends_[number], ends_[number + 1] - ends_[number]);
@@ -93,13 +93,13 @@ class Strips {
   };
 
   [[nodiscard]] std::size_t strip_of(double y) const {
-    return static_cast<std::size_t>(std::max(0.0, std::floor((y - least_) / height_)));
+    return static_cast<std::size_t>(std::max(0.0, std::floor((y - min_) / height_)));
   }
 
   /// Sorts the chords into strips. The chords of each strip are counted first, because growing
   /// lists would take several times the memory.
   void fill() {
-    ends_.assign(strip_of(most_) + 2, 0);
+    ends_.assign(strip_of(max_) + 2, 0);
     for_each_chord([this](std::size_t strip, const Chord&) { ++ends_[strip + 1]; });
     std::partial_sum(ends_.begin(), ends_.end(), ends_.begin());
     chords_.resize(ends_.back());
@@ -121,8 +121,8 @@ class Strips {
   }
 
   const std::vector<Piece>& pieces_;
-  double least_ = OutlineBox::kInfinite;
-  double most_ = -OutlineBox::kInfinite;
+  double min_ = OutlineBox::kInfinite;
+  double max_ = -OutlineBox::kInfinite;
   double height_ = 1.0;
   /// By strip: index of its first chord; its chords end where those of the next strip begin.
   std::vector<std::size_t> ends_;
@@ -216,7 +216,7 @@ bool find_around(std::vector<Piece>& pieces,
 void nest(Sketch& sketch, std::vector<Piece>& pieces) {
   const Strips strips{pieces};
   const double every_mm = spacing_of_places(pieces);
-  Budget budget{sketch.share_of(kMostRayCrossings)};
+  Budget budget{sketch.share_of(kMaxRayCrossings)};
   std::map<std::size_t, std::size_t> hits;
   for (std::size_t index = 0; index < pieces.size(); ++index) {
     DrawnContour& contour = pieces[index].contour;

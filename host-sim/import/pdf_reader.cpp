@@ -34,7 +34,7 @@ using Failure = std::unique_ptr<GError, Freed<g_error_free>>;
 
 cairo_status_t append_bytes(void* text, const unsigned char* bytes, unsigned int count) {
   auto& all = *static_cast<std::string*>(text);
-  if (all.size() + count > kMostBytes) return CAIRO_STATUS_WRITE_ERROR;
+  if (all.size() + count > kMaxBytes) return CAIRO_STATUS_WRITE_ERROR;
   all.append(reinterpret_cast<const char*>(bytes), count);
   return CAIRO_STATUS_SUCCESS;
 }

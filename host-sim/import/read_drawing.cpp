@@ -23,11 +23,11 @@ constexpr double kMillimetresPerPixel = 25.4 / 96.0;
 
 /// Reads an SVGZ: an SVG in gzip.
 void read_packed(const std::string& bytes, Sketch& sketch) {
-  const auto text = gunzip(bytes, kMostBytes);
+  const auto text = gunzip(bytes, kMaxBytes);
   if (!text) {
     sketch.refuse(0,
                   0,
-                  fmt::format("its gzip is damaged, or holds more than {} MiB", kMostBytes >> 20),
+                  fmt::format("its gzip is damaged, or holds more than {} MiB", kMaxBytes >> 20),
                   "export the drawing again as SVG");
   } else if (const std::size_t begin = text->find_first_not_of(" \t\r\n\xEF\xBB\xBF");
              begin == std::string::npos || (*text)[begin] != '<') {
@@ -84,10 +84,10 @@ double read_any(const std::string& text, const ImportOptions& options, Sketch& s
   std::string_view start = text;
   if (start.starts_with(kByteOrderMark)) start.remove_prefix(kByteOrderMark.size());
   start.remove_prefix(std::min(start.size(), start.find_first_not_of(" \t\r\n")));
-  if (text.size() > kMostBytes) {
+  if (text.size() > kMaxBytes) {
     sketch.refuse(0,
                   0,
-                  fmt::format("it has more than {} MiB", kMostBytes >> 20),
+                  fmt::format("it has more than {} MiB", kMaxBytes >> 20),
                   "simplify the drawing, or cut it in parts");
   } else if (start.empty()) {
     sketch.refuse(1, 0, "it is empty", "export the drawing again");
@@ -119,10 +119,10 @@ double read_any(const std::string& text, const ImportOptions& options, Sketch& s
 Drawing read_drawing(const std::string& file,
                      const std::string& text,
                      const ImportOptions& options) {
-  CNC_ASSERT(options.gap_mm >= kLeastGapMm && options.gap_mm <= kGreatestGapMm);
+  CNC_ASSERT(options.gap_mm >= kMinGapMm && options.gap_mm <= kGreatestGapMm);
   CNC_ASSERT(options.effort > 0.0 && options.effort <= 1.0);
   CNC_ASSERT(!options.unit_mm ||
-             (*options.unit_mm >= kLeastUnitMm && *options.unit_mm <= kGreatestUnitMm));
+             (*options.unit_mm >= kMinUnitMm && *options.unit_mm <= kGreatestUnitMm));
   Sketch sketch{options.effort, options.text};
   sketch.set_read_beside(options.read_beside);
   const double mm_per_unit = read_any(text, options, sketch);

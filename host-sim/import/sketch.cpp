@@ -14,7 +14,7 @@ namespace {
 // Least length of a shape, mm: a tenth of the controller's nanometre. A shorter shape counts as a
 // point.
 constexpr double kNoLengthMm = 1.0e-7;
-constexpr std::size_t kMostLayers = 10'000;
+constexpr std::size_t kMaxLayers = 10'000;
 
 bool within_reach(const Place& place) {
   return std::abs(place.x()) <= kFarthestMm && std::abs(place.y()) <= kFarthestMm;
@@ -53,13 +53,13 @@ bool has_length(const Shape& shape) {
 }  // namespace
 
 std::string first_words(std::string_view words) {
-  constexpr std::size_t kMostBytesOfWords = 40;
+  constexpr std::size_t kMaxBytesOfWords = 40;
   std::string line;
   for (const char c : words) {
     const bool blank = c == ' ' || (c > 0 && c < ' ');
     if (blank && (line.empty() || line.back() == ' ')) continue;
     const bool continues = (static_cast<unsigned char>(c) & 0xC0U) == 0x80U;
-    if (line.size() >= kMostBytesOfWords && !continues) return line + "…";
+    if (line.size() >= kMaxBytesOfWords && !continues) return line + "…";
     line += blank ? ' ' : c;
   }
   if (line.ends_with(' ')) line.pop_back();
@@ -90,7 +90,7 @@ text::Lettering& Sketch::lettering() {
 std::size_t Sketch::layer(const Layer& layer) {
   const auto found = layer_index_.find(layer);
   if (found != layer_index_.end()) return found->second;
-  if (layers_.size() >= kMostLayers) return layers_.size() - 1;
+  if (layers_.size() >= kMaxLayers) return layers_.size() - 1;
   layer_index_.emplace(layer, layers_.size());
   layers_.push_back(layer);
   return layers_.size() - 1;
@@ -119,12 +119,12 @@ bool Sketch::add(Chain chain) {
     return true;
   }
   shapes_ += chain.shapes.size();
-  if (shapes_ > kMostShapes) {
+  if (shapes_ > kMaxShapes) {
     full_ = true;
     report({FaultKind::kTooMuch,
             from,
             {},
-            fmt::format("more than {} curves; this and what follows is left out", kMostShapes),
+            fmt::format("more than {} curves; this and what follows is left out", kMaxShapes),
             "simplify the drawing, or cut it in parts"});
     return false;
   }
@@ -177,8 +177,8 @@ bool Sketch::is_of_strokes(const Entity& entity) const {
 
 void Sketch::report(Fault fault) {
   if (is_of_strokes(fault)) return;
-  if (fault.is_of_line && ++lines_ > kMostLinesListed) return;
-  if (faults_.size() < kMostFaults) {
+  if (fault.is_of_line && ++lines_ > kMaxLinesListed) return;
+  if (faults_.size() < kMaxFaults) {
     faults_.push_back(std::move(fault));
   } else {
     ++more_faults_;
@@ -196,7 +196,7 @@ void Sketch::note(const Fault& first, std::string detail) {
                            first.kind == FaultKind::kBadPicture;
   const std::size_t layer = is_of_layer ? first.entity.layer : 0;
   const std::tuple key{first.kind, first.reason, layer};
-  if (notes_.size() >= kMostFaults && !notes_.contains(key)) return;
+  if (notes_.size() >= kMaxFaults && !notes_.contains(key)) return;
   Note& note = notes_[key];
   if (note.count++ == 0) note = {first, std::move(detail), 1};
 }

@@ -58,7 +58,7 @@ class Sketch {
   void set_read_beside(ReadBeside read) { read_beside_ = std::move(read); }
   [[nodiscard]] const ReadBeside& read_beside() const { return read_beside_; }
 
-  /// Adds a fault. Faults after the first kMostFaults are only counted.
+  /// Adds a fault. Faults after the first kMaxFaults are only counted.
   void report(Fault fault);
   /// Reports that the whole file is refused.
   void refuse(std::size_t line, std::size_t column, std::string reason, std::string remedy);
@@ -118,11 +118,11 @@ class Sketch {
   /// Returns the number of open lines that are not listed. Their list is bounded so that errors
   /// keep their places in it.
   [[nodiscard]] std::size_t more_lines() const {
-    return lines_ - std::min(lines_, kMostLinesListed);
+    return lines_ - std::min(lines_, kMaxLinesListed);
   }
 
  private:
-  static constexpr std::size_t kMostLinesListed = 200;
+  static constexpr std::size_t kMaxLinesListed = 200;
 
   struct Note {
     Fault first;

@@ -10,7 +10,7 @@
 namespace sim::drawing {
 namespace {
 
-constexpr std::size_t kMostClipsOfClips = 8;
+constexpr std::size_t kMaxClipsOfClips = 8;
 constexpr const char* kReleaseClip =
     "release the clip in the drawing program and cut the shape there";
 
@@ -42,7 +42,7 @@ std::optional<Transform> svg_own_transform(const SvgProperties& properties,
 }
 
 SvgClips::SvgClips(SvgDocument& document, Sketch& sketch)
-    : document_{document}, sketch_{sketch}, comparison_{sketch.share_of(kMostClipSteps)} {}
+    : document_{document}, sketch_{sketch}, comparison_{sketch.share_of(kMaxClipSteps)} {}
 
 // Bounded by a depth. NOLINTNEXTLINE(misc-no-recursion)
 void SvgClips::enter(const pugi::xml_node& node,
@@ -75,7 +75,7 @@ void SvgClips::enter(const pugi::xml_node& node,
                   .areas{}};
   add_paths(clip_path, to_mm, style, clip);
   style.clips.push_back(std::make_shared<const ClipRegion>(std::move(clip)));
-  if (depth_ >= kMostClipsOfClips) return;
+  if (depth_ >= kMaxClipsOfClips) return;
   ++depth_;
   SvgStyle around = style;
   around.to_mm = to_mm;

@@ -10,8 +10,8 @@ namespace {
 
 // `use` elements within `use` elements may double the elements at each level: without a bound, a
 // page of text fills memory.
-constexpr std::size_t kMostElements = 500'000;
-constexpr std::size_t kMostSelectorSteps = 100'000'000;
+constexpr std::size_t kMaxElements = 500'000;
+constexpr std::size_t kMaxSelectorSteps = 100'000'000;
 constexpr std::string_view kSvgNamespace = "http://www.w3.org/2000/svg";
 
 /// Gathers ids and style sheets.
@@ -52,8 +52,8 @@ bool is_svg_element(const pugi::xml_node& node) {
 SvgDocument::SvgDocument(const std::string& source, Sketch& sketch)
     : sketch_{sketch},
       markup_{source, sketch},
-      cascade_{sketch.share_of(kMostSelectorSteps)},
-      most_elements_{sketch.share_of(kMostElements)} {}
+      cascade_{sketch.share_of(kMaxSelectorSteps)},
+      max_elements_{sketch.share_of(kMaxElements)} {}
 
 bool SvgDocument::load() {
   if (markup_.is_too_long()) return false;
@@ -141,13 +141,13 @@ void SvgDocument::report_bad(const pugi::xml_node& node, std::string reason, std
 }
 
 bool SvgDocument::count(const pugi::xml_node& node) {
-  if (++elements_ <= most_elements_) return true;
-  if (elements_ == most_elements_ + 1) {
+  if (++elements_ <= max_elements_) return true;
+  if (elements_ == max_elements_ + 1) {
     sketch_.report(
         {FaultKind::kTooMuch,
          entity_of(node),
          {},
-         fmt::format("more than {} elements are drawn; the rest is left out", most_elements_),
+         fmt::format("more than {} elements are drawn; the rest is left out", max_elements_),
          "cut the drawing in parts"});
   }
   return false;

@@ -34,7 +34,7 @@ class SvgDocument {
   /// Counts an element that is drawn. Returns false if there are too many. The first element beyond
   /// the limit becomes a fault.
   [[nodiscard]] bool count(const pugi::xml_node& node);
-  [[nodiscard]] bool is_full() const { return elements_ > most_elements_ || sketch_.full(); }
+  [[nodiscard]] bool is_full() const { return elements_ > max_elements_ || sketch_.full(); }
 
  private:
   void read_sheet(const pugi::xml_node& style);
@@ -45,7 +45,7 @@ class SvgDocument {
   pugi::xml_document document_;
   std::unordered_map<std::string_view, pugi::xml_node> ids_;
   SvgCascade cascade_;
-  std::size_t most_elements_;
+  std::size_t max_elements_;
   std::size_t elements_ = 0;
   bool told_of_steps_ = false;
 };

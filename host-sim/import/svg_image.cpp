@@ -161,7 +161,7 @@ SvgImages::Image SvgImages::clipped(const Image& image,
   for (const auto& clip : style.clips) {
     clip_steps_ += clip->size() * image->height + image->darkness.size();
   }
-  if (clip_steps_ > sketch_.share_of(kMostClipSteps)) {
+  if (clip_steps_ > sketch_.share_of(kMaxClipSteps)) {
     sketch_.report_bad_picture(
         entity, "its clip is too much to compare", "crop the picture itself");
     return nullptr;

@@ -8,7 +8,7 @@
 namespace sim::drawing {
 namespace {
 
-constexpr std::size_t kMostExpandedBytes = std::size_t{16} << 20;
+constexpr std::size_t kMaxExpandedBytes = std::size_t{16} << 20;
 constexpr std::size_t kDeepestEntity = 16;
 constexpr std::size_t kLongestName = 200;
 constexpr std::string_view kXmlBlanks = " \t\r\n";
@@ -69,7 +69,7 @@ SvgMarkup::SvgMarkup(const std::string& source, Sketch& sketch)
     : source_{source},
       sketch_{sketch},
       lines_{source},
-      most_bytes_{source.size() + sketch.share_of(kMostExpandedBytes)} {
+      max_bytes_{source.size() + sketch.share_of(kMaxExpandedBytes)} {
   read_prologue();
   text_.reserve(source.size());
   expand_all();
@@ -219,12 +219,12 @@ void SvgMarkup::put(std::string_view text, bool in_tag, std::size_t depth, std::
       if (!name.empty() && !is_predefined(name)) undeclared(name, at);
       put_character(text[i], in_tag);
     }
-    if (text_.size() <= most_bytes_ || too_long_) continue;
+    if (text_.size() <= max_bytes_ || too_long_) continue;
     too_long_ = true;
     const auto [line, column] = lines_.at(at);
     sketch_.refuse(line,
                    column,
-                   fmt::format("its entities become more than {} bytes", most_bytes_),
+                   fmt::format("its entities become more than {} bytes", max_bytes_),
                    "write what they hold into the drawing");
   }
 }

@@ -53,7 +53,7 @@ class SvgMarkup {
   std::string_view source_;
   Sketch& sketch_;
   LineTable lines_;
-  std::size_t most_bytes_;
+  std::size_t max_bytes_;
   std::map<std::string, std::string, std::less<>> entities_;
   std::map<std::string, bool, std::less<>> undeclared_;
   std::string text_;

@@ -16,9 +16,9 @@ void note_burn(Sketch& sketch, const std::string& svg) {
   const char* const from = svg.c_str() + found + kBurn.size();
   char* end = nullptr;
   const double burn_mm = std::strtod(from, &end);
-  constexpr double kMostBurnMm = 10.0;
+  constexpr double kMaxBurnMm = 10.0;
   const bool is_known = end != from && std::string_view{end}.starts_with("mm");
-  if (!is_known || !(burn_mm > 0.0) || burn_mm > kMostBurnMm) return;
+  if (!is_known || !(burn_mm > 0.0) || burn_mm > kMaxBurnMm) return;
   sketch.note(
       fmt::format("drawn by Boxes.py with burn {:g} mm: it allows for a kerf of {:g} mm, and "
                   "is cut to size on its lines, not beside them",

@@ -57,7 +57,7 @@ class PathReader {
         return fmt::format(
             "{} needs {} numbers at character {} of d", letter, *count, scanner_.column());
       }
-      if (pen_.shape_count() > kMostShapes) return "the path has too many parts";
+      if (pen_.shape_count() > kMaxShapes) return "the path has too many parts";
     }
     return {};
   }
@@ -77,7 +77,7 @@ class PathReader {
       if (upper == 'M') upper = 'L';
       smooth_ = upper;
       scanner_.separate();
-      if (pen_.shape_count() > kMostShapes) return true;
+      if (pen_.shape_count() > kMaxShapes) return true;
     } while (number_follows());
     return true;
   }
@@ -245,7 +245,7 @@ std::string draw_points(std::string_view points, bool closed, SvgPen& pen) {
     } else {
       pen.line_to({*x, *y});
     }
-    if (pen.shape_count() > kMostShapes) return "there are too many points";
+    if (pen.shape_count() > kMaxShapes) return "there are too many points";
   }
   if (closed) pen.close();
   return {};

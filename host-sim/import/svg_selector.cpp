@@ -7,7 +7,7 @@ namespace sim::drawing {
 namespace {
 
 constexpr std::string_view kCombinators = ">+~";
-constexpr std::size_t kMostCompounds = 16;
+constexpr std::size_t kMaxCompounds = 16;
 
 bool is_name_character(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
@@ -196,7 +196,7 @@ std::optional<SvgSelector> SvgSelector::parse(std::string_view text) {
   SelectorReader reader{text};
   SvgSelector selector;
   char combinator = ' ';
-  while (selector.compounds_.size() < kMostCompounds) {
+  while (selector.compounds_.size() < kMaxCompounds) {
     auto compound = reader.compound();
     if (!compound) return {};
     compound->combinator = combinator;
@@ -219,9 +219,9 @@ std::uint32_t SvgSelector::specificity() const {
     classes += (compound.is_first_child ? 1U : 0U) + (compound.is_root ? 1U : 0U);
     types += compound.element.empty() ? 0U : 1U;
   }
-  constexpr std::size_t kMost = 1023;
-  return static_cast<std::uint32_t>((std::min(ids, kMost) << 20U) |
-                                    (std::min(classes, kMost) << 10U) | std::min(types, kMost));
+  constexpr std::size_t kMax = 1023;
+  return static_cast<std::uint32_t>((std::min(ids, kMax) << 20U) |
+                                    (std::min(classes, kMax) << 10U) | std::min(types, kMax));
 }
 
 bool SvgSelector::matches(const pugi::xml_node& node, std::size_t& steps) const {

@@ -13,7 +13,7 @@ namespace sim::drawing {
 namespace {
 
 constexpr double kDegreeOfText = kFullTurn / 360.0;
-constexpr std::size_t kMostCharacters = 100'000;
+constexpr std::size_t kMaxCharacters = 100'000;
 
 /// Returns the lengths of a list that is separated by blanks or commas, up to the first entry that
 /// is no length.
@@ -21,7 +21,7 @@ std::vector<double> lengths_of(std::string_view text,
                                const SvgViewport& viewport,
                                SvgDirection direction) {
   std::vector<double> lengths;
-  while (!text.empty() && lengths.size() < kMostCharacters) {
+  while (!text.empty() && lengths.size() < kMaxCharacters) {
     text.remove_prefix(std::min(text.size(), text.find_first_not_of(" \t\r\n,")));
     const std::string_view one = text.substr(0, text.find_first_of(" \t\r\n,"));
     const auto length = svg_length(one, viewport, direction);
@@ -89,7 +89,7 @@ void SvgText::collect_child(const pugi::xml_node& child, const SvgStyle& style) 
 
 void SvgText::append(std::string_view text, std::size_t span) {
   const bool keeps = spans_[span].style.font.keeps_blanks;
-  while (!text.empty() && characters_.size() < kMostCharacters) {
+  while (!text.empty() && characters_.size() < kMaxCharacters) {
     const text::CodePoint letter = text::code_point(text);
     const bool blank = letter.size == 1 && kCssBlanks.find(text.front()) != std::string_view::npos;
     const bool follows = characters_.empty() || characters_.back().bytes == " ";

@@ -14,7 +14,7 @@ namespace sim::drawing {
 namespace {
 
 // Greatest number of pairs of chords that are checked: they take some seconds.
-constexpr std::size_t kMostChordPairs = 200'000'000;
+constexpr std::size_t kMaxChordPairs = 200'000'000;
 // Greatest distance of chords of curves that touch, mm: twice the tolerance of chords, and some
 // rounding.
 constexpr double kNearMm = 2.5 * kChordToleranceMm;
@@ -99,7 +99,7 @@ class TouchFinder {
       : sketch_{sketch},
         pieces_{pieces},
         touching_{PieceSets{pieces.size()}, std::vector<bool>(pieces.size(), false)},
-        budget_{sketch.share_of(kMostChordPairs)} {
+        budget_{sketch.share_of(kMaxChordPairs)} {
     for (std::uint32_t i = 0; i < pieces.size(); ++i) {
       if (pieces[i].contour.closed && chords_of(i) > 0) closed_.push_back(i);
     }
@@ -232,7 +232,7 @@ class TouchFinder {
                     place(piece, 0),
                     fmt::format("too many curves lie close together to look for crossings "
                                 "everywhere: {} pairs of them were looked at",
-                                sketch_.share_of(kMostChordPairs)),
+                                sketch_.share_of(kMaxChordPairs)),
                     "simplify the drawing here, or cut it in parts"});
   }
 

@@ -42,7 +42,7 @@ class CheckedPath {
     report.turned_deg = turned_;
     report.cut_length_mm = cut_length_;
     for (std::size_t axis = 0; axis < cnc::kAxisCount; ++axis) {
-      report.axes[axis].least_mm = path_.travel().bounds().low[axis];
+      report.axes[axis].min_mm = path_.travel().bounds().low[axis];
       report.axes[axis].greatest_mm = path_.travel().bounds().high[axis];
     }
     warn(job, watch_.notes(), report);

@@ -100,7 +100,7 @@ void add_measured(const MotionMeter& meter, Report& report) {
 void add_bounds(const ToolTrace& tool, const cnc::Settings& settings, Report& report) {
   const auto steps = steps_per_mm<double>(settings);
   for (std::size_t axis = 0; axis < cnc::kAxisCount; ++axis) {
-    report.axes[axis].least_mm = tool.lowest()[axis] / steps[axis];
+    report.axes[axis].min_mm = tool.lowest()[axis] / steps[axis];
     report.axes[axis].greatest_mm = tool.highest()[axis] / steps[axis];
   }
 }
@@ -115,8 +115,8 @@ void add_deviation(const PathDeviation& deviation, Report& report) {
 EnergyMeter::Options beam_of(Simulator& simulator) {
   const cnc::Settings& settings = simulator.settings();
   const cnc::Machine& machine = simulator.machine();
-  return {.most_speed = settings.get(cnc::setting::kMostSpindleSpeed),
-          .least_speed = settings.get(cnc::setting::kLeastSpindleSpeed),
+  return {.max_speed = settings.get(cnc::setting::kMaxSpindleSpeed),
+          .min_speed = settings.get(cnc::setting::kMinSpindleSpeed),
           .light = [&machine](float duty) {
             return static_cast<double>(machine.power_table().share_of(duty));
           }};
@@ -147,7 +147,7 @@ class BeamMeter {
   void add_to(Report& report) const {
     const EnergyFigures figures = energy_.figures();
     if (figures.windows == 0) return;
-    report.least_energy_ratio = figures.least;
+    report.min_energy_ratio = figures.least;
     report.mean_energy_ratio = figures.mean;
     report.greatest_energy_ratio = figures.greatest;
   }

@@ -128,7 +128,7 @@ std::string digest_of(std::string_view text) { return fmt::format("{:016x}", tex
 
 std::string digest_of(const cnc::Settings& settings) {
   std::string text;
-  for (const int number : {cnc::setting::kMostSpindleSpeed + 0,
+  for (const int number : {cnc::setting::kMaxSpindleSpeed + 0,
                            cnc::setting::kRate + 0,
                            cnc::setting::kRate + 1,
                            cnc::setting::kAcceleration + 0,

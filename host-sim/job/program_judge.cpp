@@ -82,7 +82,7 @@ void ProgramJudge::take(std::size_t line, std::string_view text) {
 }
 
 void ProgramJudge::refuse(std::size_t line, const cnc::gcode::Fault& fault) {
-  if (judgement_.faults.size() == kMostRefused) {
+  if (judgement_.faults.size() == kMaxRefused) {
     ++judgement_.more;
     return;
   }

@@ -15,7 +15,7 @@ namespace sim {
 /// The faults of a program, in the order of its lines.
 struct Judgement {
   /// Axes beyond the travel, paths of G41 and G42 that cannot be driven, and the first
-  /// ProgramJudge::kMostRefused refused lines.
+  /// ProgramJudge::kMaxRefused refused lines.
   std::vector<Fault> faults;
   std::size_t more = 0;  ///< Number of refused lines that `faults` does not list.
 
@@ -33,7 +33,7 @@ struct Judgement {
 /// controller.
 class ProgramJudge {
  public:
-  static constexpr std::size_t kMostRefused = 100;
+  static constexpr std::size_t kMaxRefused = 100;
 
   explicit ProgramJudge(const Standpoint& standpoint);
 

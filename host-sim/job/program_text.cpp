@@ -17,7 +17,7 @@ namespace sim {
 namespace {
 
 /// Greatest number of wrong checks that are listed of one file.
-constexpr std::size_t kMostWrongChecks = 1000;
+constexpr std::size_t kMaxWrongChecks = 1000;
 
 /// Number of parts of one kind that were left out, and the place of the first.
 struct Finding {
@@ -156,7 +156,7 @@ class Preparation {
     const auto mark = cnc::find_mark(text);
     const std::size_t star = mark ? mark->covered.size() : text.size();
     if (mark && mark->form() == cnc::LineMark::Form::kNone) {
-      if (faults_.size() < kMostWrongChecks) {
+      if (faults_.size() < kMaxWrongChecks) {
         faults_.push_back({line_, star + 1, "the check does not fit its line"});
       }
       return;

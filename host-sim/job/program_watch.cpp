@@ -27,7 +27,7 @@ bool has_m(const ProgramLine& words, int number) {
 
 /// Adds a value to the list. Returns false if the value is listed already or the list is full.
 bool is_news(std::vector<double>& listed, double value) {
-  if (listed.size() >= ProgramWatch::kMostNotes) return false;
+  if (listed.size() >= ProgramWatch::kMaxNotes) return false;
   const bool known = std::ranges::any_of(
       listed, [value](double other) { return std::abs(value - other) <= kRounding * value; });
   if (!known) listed.push_back(value);
@@ -37,7 +37,7 @@ bool is_news(std::vector<double>& listed, double value) {
 }  // namespace
 
 ProgramWatch::ProgramWatch(const cnc::Settings& settings)
-    : most_power_{static_cast<double>(settings.get(cnc::setting::kMostSpindleSpeed))},
+    : max_power_{static_cast<double>(settings.get(cnc::setting::kMaxSpindleSpeed))},
       laser_{settings.get(cnc::setting::kLaserMode) != 0.0F},
       burns_at_rest_{settings.get(cnc::setting::kRestLightDuty) > 0.0F &&
                      settings.get(cnc::setting::kRestLightTime) > 0.0F},
@@ -71,7 +71,7 @@ void ProgramWatch::take_words(std::size_t line, const ProgramLine& words) {
   }
   if (const auto feed = words.value('F')) {
     feeds_.push_back({line, *feed});
-    if (feeds_.size() > kMostPending) feeds_.pop_front();
+    if (feeds_.size() > kMaxPending) feeds_.pop_front();
   }
   take_spindle(line, words);
   take_dwell(line, words);
@@ -96,12 +96,12 @@ void ProgramWatch::take_dwell(std::size_t line, const ProgramLine& words) {
 }
 
 void ProgramWatch::check_power(std::size_t line, double power) {
-  if (power <= most_power_ || !is_news(powers_listed_, power)) return;
+  if (power <= max_power_ || !is_news(powers_listed_, power)) return;
   note(line,
        fmt::format("S{} is above ${}={} and gives no more than that",
                    plain(power),
-                   cnc::setting::kMostSpindleSpeed,
-                   plain(most_power_)));
+                   cnc::setting::kMaxSpindleSpeed,
+                   plain(max_power_)));
 }
 
 void ProgramWatch::put(const PathPiece& piece) {
@@ -164,8 +164,8 @@ void ProgramWatch::go_dark() {
 }
 
 void ProgramWatch::note(std::size_t line, std::string text) {
-  if (notes_.size() > kMostNotes) return;
-  if (notes_.size() == kMostNotes) text = "more like this is not listed";
+  if (notes_.size() > kMaxNotes) return;
+  if (notes_.size() == kMaxNotes) text = "more like this is not listed";
   notes_.push_back({line, 0, std::move(text)});
 }
 

@@ -18,10 +18,10 @@ namespace sim {
 ///
 /// It gets each line that the controller takes, and the pieces of the path; the pieces of a line
 /// come after the line itself. For each kind it notes the first occurrence of each value, and at
-/// most kMostNotes values.
+/// most kMaxNotes values.
 class ProgramWatch {
  public:
-  static constexpr std::size_t kMostNotes = 100;
+  static constexpr std::size_t kMaxNotes = 100;
 
   explicit ProgramWatch(const cnc::Settings& settings);
 
@@ -54,10 +54,10 @@ class ProgramWatch {
   };
   /// Greatest number of lines whose feed is kept. Pieces come up to 16 motions after their lines,
   /// and a line has one feed.
-  static constexpr std::size_t kMostPending = 64;
+  static constexpr std::size_t kMaxPending = 64;
 
   cnc::AxisArray<double> rates_{};  ///< Greatest rates of the axes, mm/s.
-  double most_power_;
+  double max_power_;
   bool laser_;
   bool burns_at_rest_;  ///< Whether light at rest is allowed, within $870 and $871.
   bool soft_limits_;

@@ -44,7 +44,7 @@ Standpoint standpoint_of(const cnc::Settings& settings) {
   Standpoint standpoint{.settings = settings};
   cnc::gcode::Options options = cnc::gcode_options_from(settings);
   options.block_delete = settings.get(cnc::setting::kBlockDelete) != 0.0F;
-  options.full_power_speed = settings.get(cnc::setting::kMostSpindleSpeed);
+  options.full_power_speed = settings.get(cnc::setting::kMaxSpindleSpeed);
   standpoint.reader.set_options(options);
   return standpoint;
 }

@@ -119,8 +119,8 @@ void StockRun::write_files(const std::string& title) const {
   if (!wish_.png.empty()) {
     const stock::VolumeBounds removed = stock_.removed();
     const std::string facts = fmt::format("{:.1f} to {:.1f} mm³ removed  ·  {}",
-                                          removed.least_mm3,
-                                          removed.most_mm3,
+                                          removed.min_mm3,
+                                          removed.max_mm3,
                                           to_string(wish_.cutter));
     write_png(wish_.png, draw_stock(wish_.png, stock_, title, facts));
   }

@@ -22,8 +22,8 @@ FiveAxisMachine described(const cnc::Settings& settings) {
           .turn_reversed = whole(setting::kRotaryReversed) / 2 == 1,
           .tilt_point_mm = point(setting::kTiltPoint),
           .turn_point_mm = point(setting::kTurnPoint),
-          .least_tilt_deg = settings.get(setting::kLeastTilt),
-          .greatest_tilt_deg = settings.get(setting::kMostTilt)};
+          .min_tilt_deg = settings.get(setting::kMinTilt),
+          .greatest_tilt_deg = settings.get(setting::kMaxTilt)};
 }
 
 }  // namespace
@@ -69,11 +69,11 @@ void TipTrace::note(const ToolPose& tool) {
   const std::array<double, 3> place{tool.tip.x(), tool.tip.y(), tool.tip.z()};
   if (!tip_) {
     tip_.emplace(TipReport{
-        .least_mm = place, .greatest_mm = place, .machine = described(machine_.settings())});
+        .min_mm = place, .greatest_mm = place, .machine = described(machine_.settings())});
   }
   tip_->tool_length_mm = 1.0e-6 * static_cast<double>(tool_length_.nanometres());
   for (std::size_t i = 0; i < place.size(); ++i) {
-    tip_->least_mm[i] = std::min(tip_->least_mm[i], place[i]);
+    tip_->min_mm[i] = std::min(tip_->min_mm[i], place[i]);
     tip_->greatest_mm[i] = std::max(tip_->greatest_mm[i], place[i]);
   }
   tip_->greatest_tilt_deg = std::max(tip_->greatest_tilt_deg, tilt);

@@ -41,8 +41,8 @@ struct KeptWords {
 bool is_after_motion(std::uint32_t m) { return m <= 2 || m == 30; }
 
 std::string text_of(const Word& word) {
-  constexpr int kMostDecimals = 9;
-  return word.letter + post::decimal_text(post::number_of(word), kMostDecimals, false);
+  constexpr int kMaxDecimals = 9;
+  return word.letter + post::decimal_text(post::number_of(word), kMaxDecimals, false);
 }
 
 /// Returns the words of a line that the written program keeps. Throws std::invalid_argument for an
@@ -214,8 +214,8 @@ class JointWriter {
 
   void check_tilt(const Point& place) const {
     constexpr double kRoundingDeg = 1.0e-6;
-    const double least = settings_.get(cnc::setting::kLeastTilt);
-    const double most = settings_.get(cnc::setting::kMostTilt);
+    const double least = settings_.get(cnc::setting::kMinTilt);
+    const double most = settings_.get(cnc::setting::kMaxTilt);
     const bool has_a = static_cast<int>(settings_.get(cnc::setting::kRotaryAxes)) % 2 == 1;
     const double tilt = place[has_a ? 3 : 4];
     if (tilt >= least - kRoundingDeg && tilt <= most + kRoundingDeg) return;

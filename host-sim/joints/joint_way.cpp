@@ -11,7 +11,7 @@
 namespace sim::joints {
 namespace {
 
-constexpr std::size_t kMostMoves = 1'000'000;
+constexpr std::size_t kMaxMoves = 1'000'000;
 /// Shares of a move at which the tip's error is measured. Between the ends of a move the error is
 /// greatest near the middle.
 constexpr std::array<double, 3> kLooked{0.25, 0.5, 0.75};
@@ -56,11 +56,11 @@ JointWay joint_way(const FiveAxisModel& model, const Curve& curve, double tolera
     if (way.error_mm <= tolerance_mm) return way;
     // The error falls with the square of the number of moves.
     const double wanted = static_cast<double>(count) * std::sqrt(way.error_mm / tolerance_mm);
-    if (!(wanted < static_cast<double>(kMostMoves))) {
+    if (!(wanted < static_cast<double>(kMaxMoves))) {
       throw std::invalid_argument(
           fmt::format("a line needs more than {} moves to keep the tip within {} mm; divide it, or "
                       "take a larger --tip-tolerance",
-                      kMostMoves,
+                      kMaxMoves,
                       tolerance_mm));
     }
     count = std::max(count + 1, static_cast<std::size_t>(std::ceil(wanted)));

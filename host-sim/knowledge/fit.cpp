@@ -106,7 +106,7 @@ bool add_law(const Powers& region, kerf::HeatUnit unit, ThicknessRecord& row) {
 
 bool holds(const ThicknessRecord& row, const LawCriterion& criterion) {
   if (row.greatest_residual_mm <= criterion.close_mm) return true;
-  return std::abs(row.correlation) >= criterion.least_correlation &&
+  return std::abs(row.correlation) >= criterion.min_correlation &&
          row.greatest_residual_mm <= criterion.far_mm;
 }
 

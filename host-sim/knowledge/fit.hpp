@@ -16,7 +16,7 @@ struct LawCriterion {
   double close_mm = 2.0 * kMeasuringErrorMm;
   /// The law also holds if the correlation is at least this, the least that the paper calls strong,
   /// and no mean is farther from the law than far_mm.
-  double least_correlation = 0.9;
+  double min_correlation = 0.9;
   /// Greatest distance of a mean from the law in this second case. It is the least processing
   /// tolerance of the paper.
   double far_mm = 0.05;

@@ -32,7 +32,7 @@ const char* counted_by(kerf::TableError error) {
 std::vector<std::byte> flash_image(const MaterialRecord& record, const std::string& name) {
   OwnedKerfTable<float> table = table_of<float>(record);
   table.name = name;
-  std::array<std::byte, kerf::table_image::kMostBytes> image{};
+  std::array<std::byte, kerf::table_image::kMaxBytes> image{};
   const auto size = kerf::write_image(table.view(), image);
   if (size.ok()) return {image.begin(), image.begin() + static_cast<std::ptrdiff_t>(size.value())};
   const kerf::TableFault& fault = size.error();

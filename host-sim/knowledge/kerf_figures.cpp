@@ -93,7 +93,7 @@ ChartPanel over_speed(const MaterialRecord& record,
 /// Returns a handful of speeds at round numbers, from the least to the greatest of the thickness.
 std::set<std::uint32_t> sample_speeds(const OwnedKerfTable<double>& table,
                                       std::uint32_t thickness_um) {
-  kerf::Window all{kerf::kMostSpeedUmMin, 0};
+  kerf::Window all{kerf::kMaxSpeedUmMin, 0};
   for (const std::uint32_t power : powers_around(table, thickness_um)) {
     const auto speeds = kerf::permissible_speeds(table.view(), thickness_um, power);
     if (!speeds.ok()) continue;

@@ -51,7 +51,7 @@ MaterialRecord csp_1n(kerf::HeatUnit unit) {
                               .intercept = row.law.intercept,
                               .correlation = kCorrelations[i]};
     for (const kerf::Band& band : table.bands_of(row)) {
-      thickness.powers.push_back({band.power_mw, {band.least_um_min, band.most_um_min}, {}});
+      thickness.powers.push_back({band.power_mw, {band.min_um_min, band.max_um_min}, {}});
     }
     add_implied_residual(thickness, unit);
     record.thicknesses.push_back(thickness);
@@ -59,8 +59,8 @@ MaterialRecord csp_1n(kerf::HeatUnit unit) {
   return record;
 }
 
-PowerRecord example_power(double watts, double least_mm_min, double most_mm_min) {
-  return {to_thousandths(watts), {to_thousandths(least_mm_min), to_thousandths(most_mm_min)}, {}};
+PowerRecord example_power(double watts, double min_mm_min, double max_mm_min) {
+  return {to_thousandths(watts), {to_thousandths(min_mm_min), to_thousandths(max_mm_min)}, {}};
 }
 
 /// Returns an example without measurements. It has round numbers of the size that makers of 40 to

@@ -8,9 +8,9 @@ namespace sim {
 
 /// Least and greatest value of each quantity that was tried.
 struct ExperimentRange {
-  double least_power_w, most_power_w;
-  double least_speed_mm_min, most_speed_mm_min;
-  double least_thickness_mm, most_thickness_mm;
+  double min_power_w, max_power_w;
+  double min_speed_mm_min, max_speed_mm_min;
+  double min_thickness_mm, max_thickness_mm;
   double gas_pressure_mpa;
 };
 

@@ -17,7 +17,7 @@ namespace {
 
 using drawing::Place;
 
-constexpr double kLeastLabelMm = 1.2;  ///< Lower labels cannot be read on wood.
+constexpr double kMinLabelMm = 1.2;    ///< Lower labels cannot be read on wood.
 constexpr double kLabelSpaceMm = 1.5;  ///< Free space around labels.
 /// Greatest distance of lines from the curves of a letter that they replace.
 constexpr double kLetterFaultMm = 0.01;
@@ -220,12 +220,12 @@ double label_height(const TestGrid& grid) {
   const double widest = std::max(1.0, widest_label(grid.powers_percent));
   const double pitch = grid.cell_mm + grid.gap_mm;
   const double height = std::min({grid.label_mm, pitch / widest, grid.cell_mm});
-  if (height >= std::min(kLeastLabelMm, grid.label_mm)) return height;
+  if (height >= std::min(kMinLabelMm, grid.label_mm)) return height;
   throw std::invalid_argument(
       fmt::format("--cell: labels of {:g} mm need {:.1f} mm from square to square, and a cell as "
                   "high as they are; make the cell or the gap greater",
-                  kLeastLabelMm,
-                  kLeastLabelMm * widest));
+                  kMinLabelMm,
+                  kMinLabelMm * widest));
 }
 
 drawing::Place size_of(const TestGrid& grid) { return layout_of(grid).size; }

@@ -22,10 +22,10 @@ constexpr const char* kFormMark = "kerfline_test_grid";
 constexpr double kGreatestKerfMm = 5.0;
 constexpr double kGreatestSpreadMm = 0.3;
 constexpr double kGreatestPercent = 100.0;
-constexpr double kGreatestFormFeed = from_thousandths(cnc::kerf::kMostSpeedUmMin);
-constexpr double kLeastFormFeed = from_thousandths(cnc::kerf::kLeastSpeedUmMin);
+constexpr double kGreatestFormFeed = from_thousandths(cnc::kerf::kMaxSpeedUmMin);
+constexpr double kMinFormFeed = from_thousandths(cnc::kerf::kMinSpeedUmMin);
 constexpr double kWidestSlotMm = 200.0;
-constexpr double kMostPasses = 1000.0;
+constexpr double kMaxPasses = 1000.0;
 constexpr double kWidestLineMm = 100.0;
 
 /// Reads a form that was filled in.
@@ -90,7 +90,7 @@ class FormReader {
     if (thickness_mm > 0.0) common.thickness_um = to_thousandths(thickness_mm);
     if (common.thickness_um == 0U) common.thickness_um.reset();
     common.passes =
-        static_cast<std::uint32_t>(fields.number("passes", 1.0, kMostPasses).value_or(1.0));
+        static_cast<std::uint32_t>(fields.number("passes", 1.0, kMaxPasses).value_or(1.0));
     common.interval_mm = fields.number("interval_mm", 0.005, kWidestLineMm);
     const std::string by = fields.text("measured_by").value_or(person_.by);
     const std::string on = fields.text("measured_on").value_or(person_.on);
@@ -103,9 +103,9 @@ class FormReader {
   }
 
   const Json& rows(const Json& object, const std::string& key, const std::string& pointer) const {
-    constexpr std::size_t kMostRows = 10'000;
+    constexpr std::size_t kMaxRows = 10'000;
     const bool is_list =
-        object.contains(key) && object[key].is_array() && object[key].size() <= kMostRows;
+        object.contains(key) && object[key].is_array() && object[key].size() <= kMaxRows;
     if (!is_list) refuse(pointer, "wants the list that the form had");
     return object[key];
   }
@@ -138,7 +138,7 @@ class FormReader {
     const Json& slots = form_["slots"];
     const cut::JsonFields about{slots, file_, "/slots", {"power_percent", "feed_mm_min", "rows"}};
     const double power = number_of(about, "power_percent", 0.01, kGreatestPercent);
-    const double feed = number_of(about, "feed_mm_min", kLeastFormFeed, kGreatestFormFeed);
+    const double feed = number_of(about, "feed_mm_min", kMinFormFeed, kGreatestFormFeed);
     std::vector<double> kerfs;
     const Json& list = rows(slots, "rows", "/slots/rows");
     for (std::size_t i = 0; i < list.size(); ++i) {
@@ -197,7 +197,7 @@ class FormReader {
       operation.description = fmt::format("square {}", i + 1);
       operation.power_percent = number_of(fields, "power_percent", 0.01, kGreatestPercent);
       operation.speed_um_min =
-          to_thousandths(number_of(fields, "feed_mm_min", kLeastFormFeed, kGreatestFormFeed));
+          to_thousandths(number_of(fields, "feed_mm_min", kMinFormFeed, kGreatestFormFeed));
       const auto result = fields.text("result");
       if (!result) {
         ++unsaid;

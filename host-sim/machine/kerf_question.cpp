@@ -8,7 +8,7 @@ namespace sim {
 
 KerfQuestion::KerfQuestion(const cnc::Settings& settings)
     : statements_{
-          fmt::format("$32=1\n$30={:.3f}\n", settings.get(cnc::setting::kMostSpindleSpeed))} {}
+          fmt::format("$32=1\n$30={:.3f}\n", settings.get(cnc::setting::kMaxSpindleSpeed))} {}
 
 void KerfQuestion::hear(std::string_view statement) {
   if (!statement.starts_with("$PC") && !statement.starts_with("$K")) return;

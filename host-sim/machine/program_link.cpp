@@ -75,7 +75,7 @@ void ProgramLink::take_answer(std::string_view answer) {
   }
   ++refused_;
   if (after_refusal_ == AfterRefusal::kStop) stop();
-  if (refusals_.size() == kMostRefusals) return message_.clear();
+  if (refusals_.size() == kMaxRefusals) return message_.clear();
   Refusal refusal{.line = line_, .column = 0, .number = 0, .reason = {}};
   read_number(answer.substr(kError.size()), refusal.number);
   const std::size_t digits = read_number(message_, refusal.column);
@@ -89,7 +89,7 @@ void ProgramLink::take_answer(std::string_view answer) {
 void ProgramLink::take_message() {
   if (message_.empty()) return;
   const bool statement = line_text().find_first_not_of(" \t") == line_text().find('$');
-  if (!statement && message_ != "Pgm End" && messages_.size() < kMostRefusals) {
+  if (!statement && message_ != "Pgm End" && messages_.size() < kMaxRefusals) {
     messages_.emplace_back(line_, message_);
   }
   message_.clear();

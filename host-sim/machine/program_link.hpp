@@ -50,18 +50,18 @@ class ProgramLink final : public KnownLink {
   [[nodiscard]] std::size_t line() const { return line_; }
   /// Returns the share of the program that was sent, 0…1.
   [[nodiscard]] double progress() const;
-  /// Returns the refusals, at most the first kMostRefusals.
+  /// Returns the refusals, at most the first kMaxRefusals.
   [[nodiscard]] const std::vector<Refusal>& refusals() const { return refusals_; }
   [[nodiscard]] std::size_t refused() const { return refused_; }
   /// Returns the controller's messages about lines of G-code that it takes, each with the line's
-  /// number; at most the first kMostRefusals.
+  /// number; at most the first kMaxRefusals.
   [[nodiscard]] const std::vector<std::pair<std::size_t, std::string>>& messages() const {
     return messages_;
   }
   [[nodiscard]] std::string_view program() const { return program_; }
 
   /// Greatest number of faults that a report lists of one program.
-  static constexpr std::size_t kMostRefusals = 1000;
+  static constexpr std::size_t kMaxRefusals = 1000;
 
   /// Called for every line that the controller takes, in their order.
   std::function<void(std::size_t line, std::string_view text)> on_taken{};

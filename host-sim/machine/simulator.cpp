@@ -7,7 +7,7 @@ namespace {
 
 constexpr unsigned kTurnsPerProgress = 256;
 /// Greatest number of pauses that a result lists.
-constexpr std::size_t kMostPauses = 1000;
+constexpr std::size_t kMaxPauses = 1000;
 /// Cycles between two status requests, by which the sender shows that it is present.
 constexpr unsigned kTurnsPerStatus = 100;
 /// Cycles for which the motors may be at rest before motions that nothing will release are given
@@ -96,8 +96,8 @@ void Simulator::attend_pause() {
 }
 
 void Simulator::note(std::string text) {
-  if (notes_.size() > kMostPauses) return;
-  if (notes_.size() == kMostPauses) text = "more pauses are not listed";
+  if (notes_.size() > kMaxPauses) return;
+  if (notes_.size() == kMaxPauses) text = "more pauses are not listed";
   notes_.emplace_back(link_.line(), std::move(text));
 }
 

@@ -31,7 +31,7 @@ struct RunResult {
   double job_time_s = 0.0;
   std::size_t lines = 0;
   std::size_t blocks = 0;
-  std::vector<Refusal> refusals;  ///< At most the first ProgramLink::kMostRefusals.
+  std::vector<Refusal> refusals;  ///< At most the first ProgramLink::kMaxRefusals.
   std::size_t refused = 0;        ///< Number of refused lines.
   std::vector<std::pair<std::size_t, std::string>> notes;  ///< Number of the line, and the event.
   int alarm = 0;  ///< Grbl's number of the alarm; 0 without an alarm.

@@ -8,8 +8,8 @@ namespace {
 constexpr std::size_t kHighestOrder = 3;
 
 /// Returns the least |value| in the interval of order! · f[t0 … tn].
-double least_difference(const std::array<const AxisFix*, kHighestOrder + 1>& fixes,
-                        std::size_t order) {
+double min_difference(const std::array<const AxisFix*, kHighestOrder + 1>& fixes,
+                      std::size_t order) {
   double low = 0.0;
   double high = 0.0;
   for (std::size_t i = 0; i <= order; ++i) {
@@ -80,7 +80,7 @@ void DifferenceMeter::measure(bool exact_only) {
     age = *older;
     chosen[i] = &fix(age);
   }
-  const double value = least_difference(chosen, order_);
+  const double value = min_difference(chosen, order_);
   if (value <= greatest_) return;
   greatest_ = value;
   time_s_ = chosen[0]->time_s;

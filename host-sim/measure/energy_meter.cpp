@@ -9,7 +9,7 @@ namespace {
 constexpr double kSecondsPerNs = 1.0e-9;
 
 /// Edges of an axis are left out if its speed is below this share of the path's speed.
-constexpr double kLeastShare = 0.5;
+constexpr double kMinShare = 0.5;
 
 }  // namespace
 
@@ -24,9 +24,9 @@ EnergyMeter::EnergyMeter(const ProgrammedPath& path,
   for (const PathPiece& piece : path.pieces) {
     const bool lit = piece.travel == Travel::kFeed && piece.spindle != SpindleState::kOff &&
                      piece.spindle_speed > 0.0 && piece.feed > 0.0;
-    const double least = std::min(options_.least_speed, options_.most_speed);
+    const double least = std::min(options_.min_speed, options_.max_speed);
     const double power =
-        std::clamp(piece.spindle_speed, least, options_.most_speed) / options_.most_speed;
+        std::clamp(piece.spindle_speed, least, options_.max_speed) / options_.max_speed;
     density_.push_back(lit ? power / piece.path_feed() : 0.0);
     place_before_.push_back(place_before_.back() + piece.curve.length());
     programmed_before_.push_back(programmed_before_.back() +
@@ -92,7 +92,7 @@ double EnergyMeter::crossing(const Curve& curve, double near, const Edge& edge) 
   double fraction = near;
   for (int i = 0; i < kIterations; ++i) {
     const double share = curve.tangent_at(fraction)[edge.axis];
-    if (share * edge.direction < kLeastShare) return -1.0;
+    if (share * edge.direction < kMinShare) return -1.0;
     fraction += (edge.place - curve.point_at(fraction)[edge.axis]) / (share * curve.length());
     if (fraction < 0.0 || fraction > 1.0) return -1.0;
   }
@@ -142,7 +142,7 @@ void EnergyMeter::add(const Sample& sample) {
   const bool first = figures_.windows++ == 0;
   if (first || ratio < figures_.least) {
     figures_.least = ratio;
-    figures_.least_at_mm = sample.place;
+    figures_.min_at_mm = sample.place;
   }
   if (first || ratio > figures_.greatest) {
     figures_.greatest = ratio;

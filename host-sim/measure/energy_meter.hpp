@@ -19,7 +19,7 @@ struct EnergyFigures {
   double greatest = 0.0;
   /// Position along the programmed path of the greatest value: the end of its window.
   double greatest_at_mm = 0.0;
-  double least_at_mm = 0.0;
+  double min_at_mm = 0.0;
   std::size_t windows = 0;  ///< Number of windows; 0 if nothing was measured.
 };
 
@@ -35,8 +35,8 @@ class EnergyMeter final : public TraceSink {
   static constexpr double kWindow = 0.05;  ///< Length of a window, mm.
 
   struct Options {
-    double most_speed = 1000.0;  ///< $30: S of full power.
-    double least_speed = 0.0;    ///< $31: S of the least power.
+    double max_speed = 1000.0;  ///< $30: S of full power.
+    double min_speed = 0.0;     ///< $31: S of the least power.
     /// Returns the light of an output duty, as a share 0…1 of the greatest. If empty, the light is
     /// the duty itself.
     std::function<double(float)> light{};

@@ -16,10 +16,10 @@ double rotary_distance(const Point& from, const Point& to) {
 }
 
 /// Greatest P of an arc that the controller takes.
-constexpr double kMostArcTurns = 65'535.0;
+constexpr double kMaxArcTurns = 65'535.0;
 
 /// Greatest number of notes that are kept in memory.
-constexpr std::size_t kMostReadNotes = 1000;
+constexpr std::size_t kMaxReadNotes = 1000;
 
 /// Radius in mm below which a circle counts as a point: half a nanometre.
 constexpr double kNoCircle = 0.5e-6;
@@ -50,8 +50,8 @@ void ProgramReader::read(std::string_view text) {
 }
 
 void ProgramReader::note(std::string text) {
-  if (path_.notes.size() > kMostReadNotes) return;
-  if (path_.notes.size() == kMostReadNotes) text = "more like this is not listed";
+  if (path_.notes.size() > kMaxReadNotes) return;
+  if (path_.notes.size() == kMaxReadNotes) text = "more like this is not listed";
   path_.notes.push_back({line_number_, std::move(text)});
 }
 
@@ -252,7 +252,7 @@ void ProgramReader::move_in_parts(const ProgramLine& line, const Point& to) {
 void ProgramReader::move_round(const ProgramLine& line, const Point& to, bool clockwise) {
   ProgrammedArc arc{position_, to, modes_.plane(), {}, clockwise, 1};
   const double turns = line.value('P').value_or(1.0);
-  if (turns < 1.0 || turns > kMostArcTurns || turns != std::floor(turns)) {
+  if (turns < 1.0 || turns > kMaxArcTurns || turns != std::floor(turns)) {
     return note("P is no number of turns: 1 to 65535");
   }
   arc.turns = static_cast<int>(turns);

@@ -15,8 +15,8 @@ namespace {
 
 using cnc::order::Index;
 
-constexpr std::int64_t kMostNodes = 10'000'000;
-constexpr std::int64_t kMostOfMatrix = 30'000;  // A matrix of this size takes 7 GB.
+constexpr std::int64_t kMaxNodes = 10'000'000;
+constexpr std::int64_t kMaxOfMatrix = 30'000;  // A matrix of this size takes 7 GB.
 constexpr double kGreatestCost =
     1.0e9;  // A tour without forbidden legs stays far below kForbidden.
 constexpr double kFarthest = 1.0e9;
@@ -74,9 +74,9 @@ void OrderReader::read_entry(std::string_view key) {
   if (read_section(key)) return;
   if (words_.next() != ":") words_.fail(fmt::format("a colon is missing behind `{}`", key));
   if (key == "DIMENSION") {
-    dimension_ = words_.whole_number("DIMENSION", 1, kMostNodes);
+    dimension_ = words_.whole_number("DIMENSION", 1, kMaxNodes);
   } else if (key == "GTSP_SETS") {
-    group_count_ = words_.whole_number("GTSP_SETS", 1, kMostNodes);
+    group_count_ = words_.whole_number("GTSP_SETS", 1, kMaxNodes);
   } else if (key == "NAME") {
     problem_.name = words_.rest_of_line();
   } else if (key == "TYPE") {
@@ -139,9 +139,9 @@ void OrderReader::read_weight_type(std::string_view type) {
 }
 
 void OrderReader::read_matrix() {
-  if (dimension_ > kMostOfMatrix) {
+  if (dimension_ > kMaxOfMatrix) {
     words_.fail(
-        fmt::format("a matrix of {} vertices is too large, at most {}", dimension_, kMostOfMatrix));
+        fmt::format("a matrix of {} vertices is too large, at most {}", dimension_, kMaxOfMatrix));
   }
   const auto size = static_cast<std::size_t>(dimension_);
   matrix_.resize(size * size);

@@ -15,12 +15,12 @@ using cnc::order::PrecedenceFault;
                          const cnc::order::PrecedenceError& error,
                          const cnc::order::PrecedenceSpace& space) {
   CNC_ASSERT(error.fault == PrecedenceFault::kCycle);
-  constexpr std::size_t kMostNamed = 12;
+  constexpr std::size_t kMaxNamed = 12;
   std::string ring;
-  for (std::size_t i = 0; i < std::min(error.count, kMostNamed); ++i) {
+  for (std::size_t i = 0; i < std::min(error.count, kMaxNamed); ++i) {
     ring += fmt::format("{} before ", problem.group_numbers[space.ready[i]]);
   }
-  if (error.count > kMostNamed) ring += fmt::format("… ({} groups) before ", error.count);
+  if (error.count > kMaxNamed) ring += fmt::format("… ({} groups) before ", error.count);
   ring += fmt::format("{}", problem.group_numbers[space.ready[0]]);
   throw NoOrder{fmt::format("the precedence is a cycle: {}; leave one of these pairs out", ring)};
 }

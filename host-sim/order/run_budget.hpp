@@ -21,7 +21,7 @@ class RunBudget {
     const double share = steps_ ? static_cast<double>(done_) /
                                       static_cast<double>(std::max<std::uint64_t>(*steps_, 1))
                                 : std::chrono::duration<double>(Clock::now() - start_).count() /
-                                      std::max(seconds_, kLeastSeconds);
+                                      std::max(seconds_, kMinSeconds);
     return std::min(share, 1.0);
   }
 
@@ -32,7 +32,7 @@ class RunBudget {
 
  private:
   using Clock = std::chrono::steady_clock;
-  static constexpr double kLeastSeconds = 1.0e-6;
+  static constexpr double kMinSeconds = 1.0e-6;
 
   Clock::time_point start_;
   double seconds_;

@@ -2,7 +2,7 @@
 
 import { answerWords } from './words.js';
 
-const kMostLines = 400;
+const kMaxLines = 400;
 
 export class Log {
   #element;
@@ -16,7 +16,7 @@ export class Log {
     const line = document.createElement(kind);
     line.textContent = `${text}\n`;
     this.#element.append(line);
-    while (this.#element.childElementCount > kMostLines) this.#element.firstElementChild.remove();
+    while (this.#element.childElementCount > kMaxLines) this.#element.firstElementChild.remove();
     this.#element.scrollTop = this.#element.scrollHeight;
   }
 }

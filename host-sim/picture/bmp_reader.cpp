@@ -9,7 +9,7 @@ namespace sim::picture {
 namespace {
 
 constexpr std::size_t kFileHeader = 14;
-constexpr std::size_t kLeastInfoHeader = 40;
+constexpr std::size_t kMinInfoHeader = 40;
 constexpr std::size_t kColourBytes = 4;
 
 /// Reads numbers of a file, the least significant byte first.
@@ -66,7 +66,7 @@ class BmpReader {
  private:
   void read_header() {
     const std::size_t info = file_.number(kFileHeader, 4);
-    if (info < kLeastInfoHeader) file_.refuse("is of OS/2; save it as PNG");
+    if (info < kMinInfoHeader) file_.refuse("is of OS/2; save it as PNG");
     const auto width = static_cast<std::int32_t>(file_.number(18, 4));
     const auto height = static_cast<std::int32_t>(file_.number(22, 4));
     bits_ = file_.number(28, 2);

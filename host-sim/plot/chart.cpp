@@ -28,19 +28,19 @@ constexpr svg::TextStyle kNumber{.size_px = 20.0, .anchor = "middle", .fill = "#
 class ChartAxis {
  public:
   void include(double value) {
-    least_ = std::min(least_, value);
-    most_ = std::max(most_, value);
+    min_ = std::min(min_, value);
+    max_ = std::max(max_, value);
   }
-  [[nodiscard]] bool is_empty() const { return most_ < least_; }
+  [[nodiscard]] bool is_empty() const { return max_ < min_; }
 
   /// Scales the axis. To be called after all values were included.
   void place(double from_px, double to_px) {
     from_px_ = from_px;
     to_px_ = to_px;
-    const double span = std::max(most_ - least_, 1e-3 * std::max(std::abs(most_), 1e-9));
+    const double span = std::max(max_ - min_, 1e-3 * std::max(std::abs(max_), 1e-9));
     step_ = round_step(span / 6.0);
-    first_ = std::floor(least_ / step_ + 1e-9);
-    last_ = std::max(std::ceil(most_ / step_ - 1e-9), first_ + 1.0);
+    first_ = std::floor(min_ / step_ + 1e-9);
+    last_ = std::max(std::ceil(max_ / step_ - 1e-9), first_ + 1.0);
   }
   [[nodiscard]] double px(double value) const {
     return from_px_ + (to_px_ - from_px_) * (value / step_ - first_) / (last_ - first_);
@@ -54,8 +54,8 @@ class ChartAxis {
   }
 
  private:
-  double least_ = std::numeric_limits<double>::infinity();
-  double most_ = -std::numeric_limits<double>::infinity();
+  double min_ = std::numeric_limits<double>::infinity();
+  double max_ = -std::numeric_limits<double>::infinity();
   double from_px_ = 0.0;
   double to_px_ = 0.0;
   double step_ = 1.0;

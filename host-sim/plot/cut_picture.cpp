@@ -29,7 +29,7 @@ constexpr double kCutMarginPx = 90.0;
 constexpr double kCutTallestPx = 1600.0;
 constexpr double kTextLinePx = 28.0;
 constexpr double kSamplePx = 34.0;
-constexpr std::size_t kMostLayerLines = 6;
+constexpr std::size_t kMaxLayerLines = 6;
 
 View view_of_cuts(const Extent& extent, double heading_px) {
   const Extent framed = framed_cuts(extent);
@@ -95,8 +95,8 @@ std::vector<std::string> facts_of(const drawing::Drawing& drawn, const cut::CutP
   std::set<std::size_t> layers;
   for (const Cut& cut : plan.cuts) layers.insert(cut.layer);
   for (const std::size_t layer : layers) {
-    if (facts.size() > kMostLayerLines) {
-      facts.push_back(fmt::format("and {} more layers", layers.size() - kMostLayerLines));
+    if (facts.size() > kMaxLayerLines) {
+      facts.push_back(fmt::format("and {} more layers", layers.size() - kMaxLayerLines));
       break;
     }
     const cut::Condition& condition = plan.layers[layer].condition;

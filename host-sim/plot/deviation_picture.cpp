@@ -28,10 +28,10 @@ constexpr double kMapKeyPx = 330.0;
 constexpr double kMapGapPx = 40.0;
 constexpr double kMapBottomPx = 84.0;
 constexpr double kMapWidthPx = kPictureWidthPx - kMapLeftPx - kMapKeyPx - 2.0 * kMapGapPx;
-constexpr double kLeastMapHeightPx = 760.0;
+constexpr double kMinMapHeightPx = 760.0;
 constexpr double kTallestMapPx = 1.15 * kMapWidthPx;
-constexpr int kMostMapPixels = 2'000;  ///< Along the longer side.
-constexpr double kLeastScaleMm = 1.0e-4;
+constexpr int kMaxMapPixels = 2'000;  ///< Along the longer side.
+constexpr double kMinScaleMm = 1.0e-4;
 /// Colours of material that is left (white to dark blue) and of gouges (white to dark red).
 constexpr std::array<Colour, 4> kRestColours{
     {{0xff, 0xff, 0xff}, {0x9e, 0xca, 0xe1}, {0x31, 0x82, 0xbd}, {0x08, 0x30, 0x6b}}};
@@ -46,11 +46,11 @@ double scale_of(const DeviationMap& map) {
   for (const float off : map.off_mm) {
     if (!std::isnan(off)) sizes.push_back(std::abs(off));
   }
-  if (sizes.empty()) return kLeastScaleMm;
+  if (sizes.empty()) return kMinScaleMm;
   const auto place =
       sizes.begin() + static_cast<std::ptrdiff_t>(kShare * static_cast<double>(sizes.size() - 1));
   std::ranges::nth_element(sizes, place);
-  return round_step(std::max(static_cast<double>(*place), kLeastScaleMm));
+  return round_step(std::max(static_cast<double>(*place), kMinScaleMm));
 }
 
 /// Returns the distance that represents a block of cells: the greatest gouge if it exceeds the mean
@@ -74,7 +74,7 @@ double off_of(const DeviationMap& map, int column, int row, int block) {
 }
 
 PixelImage image_of(const DeviationMap& map, double scale_mm) {
-  const int block = (std::max(map.columns, map.rows) + kMostMapPixels - 1) / kMostMapPixels;
+  const int block = (std::max(map.columns, map.rows) + kMaxMapPixels - 1) / kMaxMapPixels;
   PixelImage image{(map.columns + block - 1) / block, (map.rows + block - 1) / block};
   for (int row = 0; row < image.height(); ++row) {
     for (int column = 0; column < image.width(); ++column) {
@@ -92,11 +92,9 @@ View view_of_map(const StockBox& box) {
   const Extent framed{
       box.x_min - margin_mm, box.x_max + margin_mm, box.y_min - margin_mm, box.y_max + margin_mm};
   const double natural_px = kMapWidthPx * framed.height_mm() / framed.width_mm();
-  return View{framed,
-              {kMapLeftPx,
-               kMapTopPx,
-               kMapWidthPx,
-               std::clamp(natural_px, kLeastMapHeightPx, kTallestMapPx)}};
+  return View{
+      framed,
+      {kMapLeftPx, kMapTopPx, kMapWidthPx, std::clamp(natural_px, kMinMapHeightPx, kTallestMapPx)}};
 }
 
 void add_mark(std::string& out,

@@ -15,10 +15,10 @@ namespace {
 using cut::EdgePeak;
 using cut::EdgePlace;
 
-/// An edge gets the colour of the first bin whose `most_mm` is not below its deviation. The
+/// An edge gets the colour of the first bin whose `max_mm` is not below its deviation. The
 /// deviation is positive where the part is cut into.
 struct EdgeBin {
-  double most_mm;
+  double max_mm;
   std::string_view colour;
   std::string_view name;
 };
@@ -36,7 +36,7 @@ constexpr std::string_view kNotReached = "#b4b8be";
 std::string_view colour_of(const EdgePlace& edge) {
   if (!edge.reached) return kNotReached;
   const auto* const bin = std::ranges::find_if(
-      kEdgeBins, [&edge](const EdgeBin& each) { return edge.mm <= each.most_mm; });
+      kEdgeBins, [&edge](const EdgeBin& each) { return edge.mm <= each.max_mm; });
   return bin->colour;
 }
 
@@ -93,8 +93,8 @@ void add_edges(std::string& out,
     colour = colour_of(edge);
   }
   if (!points.empty()) add_row(out, points, colour);
-  add_peak(out, figures.most_off, "off", view);
-  add_peak(out, figures.most_left, "left", view);
+  add_peak(out, figures.max_off, "off", view);
+  add_peak(out, figures.max_left, "left", view);
   add_edge_key(out, view, key_y_px);
 }
 

@@ -7,7 +7,7 @@
 namespace sim {
 namespace {
 
-constexpr double kLeastSpacingPx = 90.0;
+constexpr double kMinSpacingPx = 90.0;
 constexpr svg::LineStyle kGridLine{"#e9ebee", 1.0};
 constexpr svg::LineStyle kAxisLine{"#c3c8cf", 1.5};
 constexpr std::string_view kLabelFill = "#5b626c";
@@ -54,7 +54,7 @@ void add_rows(std::string& out, const View& view, double spacing_mm) {
 }  // namespace
 
 void add_grid(std::string& out, const View& view, std::string_view axes) {
-  const double spacing_mm = round_step(kLeastSpacingPx / view.px_per_mm());
+  const double spacing_mm = round_step(kMinSpacingPx / view.px_per_mm());
   add_columns(out, view, spacing_mm);
   add_rows(out, view, spacing_mm);
   const Box& box = view.box();

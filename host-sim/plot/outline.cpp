@@ -16,7 +16,7 @@ using cnc::gcode::Action;
 using cnc::gcode::ActionKind;
 
 // The same limit as for the recorded path: a page can draw this many points at every change.
-constexpr std::size_t kMostVertices = 50'000;
+constexpr std::size_t kMaxVertices = 50'000;
 constexpr std::size_t kLongestReason = 160;
 constexpr double kMillimetresPerNanometre = 1.0e-6;
 
@@ -41,7 +41,7 @@ double chord_count(const Curve& curve) {
 /// Appends the motion of actions to a path.
 class OutlinePen {
  public:
-  OutlinePen(const Point& start, std::size_t most_points) : at_{start}, most_points_{most_points} {
+  OutlinePen(const Point& start, std::size_t max_points) : at_{start}, max_points_{max_points} {
     push(start, Move::kTravel);
   }
 
@@ -84,11 +84,11 @@ class OutlinePen {
   void push(const Point& point, Move move) {
     simplifier_.push({.x_mm = point[0], .y_mm = point[1], .move = move});
     ++points_;
-    simplifier_.thin_to(kMostVertices);
+    simplifier_.thin_to(kMaxVertices);
   }
 
   [[nodiscard]] bool go_to(const Point& end, Move move) {
-    if (points_ >= most_points_) return false;
+    if (points_ >= max_points_) return false;
     push(end, move);
     at_ = end;
     return true;
@@ -127,7 +127,7 @@ class OutlinePen {
 
   PathSimplifier simplifier_{PathTolerance{}};
   Point at_;
-  std::size_t most_points_;
+  std::size_t max_points_;
   std::size_t points_ = 0;
   bool on_ = false;  ///< Beam or spindle is on.
   float speed_ = 0.0F;
@@ -151,8 +151,8 @@ Refusal refusal_of(const cnc::gcode::Fault& fault, std::size_t line) {
 
 ProgramOutline program_outline_of(std::string_view program,
                                   cnc::gcode::Interpreter reader,
-                                  std::size_t most_points) {
-  OutlinePen pen{to_point(reader.position()), most_points};
+                                  std::size_t max_points) {
+  OutlinePen pen{to_point(reader.position()), max_points};
   pen.set_output(reader.state());
   std::optional<Refusal> refused;
   for (std::size_t number = 1; !program.empty() && !refused; ++number) {

@@ -20,7 +20,7 @@ struct ProgramOutline {
 
 /// Greatest number of points before thinning. No job of a real user has more, and this number is
 /// read within seconds. A line that needs more is refused.
-inline constexpr std::size_t kMostOutlinePoints = 20'000'000;
+inline constexpr std::size_t kMaxOutlinePoints = 20'000'000;
 
 /// Returns the path that a program would take if the controller read it now. The path begins at the
 /// controller's position.
@@ -30,6 +30,6 @@ inline constexpr std::size_t kMostOutlinePoints = 20'000'000;
 /// @param reader a copy of the controller's own interpreter, with its position, offsets and modes
 [[nodiscard]] ProgramOutline program_outline_of(std::string_view program,
                                                 cnc::gcode::Interpreter reader,
-                                                std::size_t most_points = kMostOutlinePoints);
+                                                std::size_t max_points = kMaxOutlinePoints);
 
 }  // namespace sim

@@ -12,7 +12,7 @@ namespace {
 
 /// Greatest number of rows in a window. It bounds a window without progress, such as that of a
 /// motor that moves to and fro.
-constexpr std::size_t kMostSamples = 4'096;
+constexpr std::size_t kMaxSamples = 4'096;
 
 /// Number of speed steps on the scale. Speeds that differ by less than a step look the same: a step
 /// is half a colour of the legend.
@@ -36,7 +36,7 @@ PathRecorder::PathRecorder(const cnc::AxisArray<float>& steps_per_mm, Shown show
   for (std::size_t axis = 0; axis < cnc::kLinearAxisCount; ++axis) {
     mm_per_step_[axis] = 1.0 / static_cast<double>(steps_per_mm[axis]);
   }
-  samples_.reserve(kMostSamples);
+  samples_.reserve(kMaxSamples);
 }
 
 void PathRecorder::on_row(const TraceRow& row) {
@@ -49,7 +49,7 @@ void PathRecorder::on_row(const TraceRow& row) {
   add_sample(point);
   position_ = row.position;
   duty_ = row.duty;
-  if (stood_still || window_.is_full() || samples_.size() == kMostSamples) close_window();
+  if (stood_still || window_.is_full() || samples_.size() == kMaxSamples) close_window();
 }
 
 void PathRecorder::on_end(std::uint64_t time_ns) {
@@ -142,7 +142,7 @@ void PathRecorder::close_window() {
   samples_.clear();
   window_.restart(window_.last_ns(), window_.last());
   simplifier_.set_speed_tolerance(greatest_speed_mm_s_ / kSpeedSteps);
-  simplifier_.thin_to(kMostVertices);
+  simplifier_.thin_to(kMaxVertices);
 }
 
 }  // namespace sim

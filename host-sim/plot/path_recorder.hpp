@@ -17,13 +17,13 @@ namespace sim {
 ///
 /// Rows are gathered over windows of some milliseconds, which give the speed. PathSimplifier then
 /// thins the path to a distance of 0.01 mm or two motor steps, whichever is greater, and to a 64th
-/// of the greatest speed. A path with more than `kMostVertices` vertices is thinned again with
+/// of the greatest speed. A path with more than `kMaxVertices` vertices is thinned again with
 /// twice the distance, so that memory and picture are bounded. Even such a path is far finer than
 /// the picture.
 class PathRecorder final : public TraceSink {
  public:
   /// These vertices take about 1.5 MB of SVG.
-  static constexpr std::size_t kMostVertices = 50'000;
+  static constexpr std::size_t kMaxVertices = 50'000;
 
   /// @param steps_per_mm steps per mm of X, Y and Z, all > 0; motions of A, B and C are not shown
   explicit PathRecorder(const cnc::AxisArray<float>& steps_per_mm, Shown shown = Shown::kSpeed);

@@ -23,7 +23,7 @@ constexpr double kStockBottomPx = 84.0;
 constexpr double kStockWidthPx =
     kPictureWidthPx - kStockLeftPx - kStockLegendPx - 2.0 * kStockMarginPx;
 constexpr double kTallestStockPx = 1.15 * kStockWidthPx;
-constexpr std::size_t kMostPlanPixels = 2'000'000;
+constexpr std::size_t kMaxPlanPixels = 2'000'000;
 constexpr Colour kUncutColour{0xd9, 0xdc, 0xe0};
 /// A block that is cut less deeply than this looks uncut, mm.
 constexpr double kUncutMm = 1.0e-4;
@@ -80,7 +80,7 @@ std::string draw_stock(const std::string& file,
                        const stock::Stock& carved,
                        const std::string& title,
                        const std::string& facts) {
-  const stock::HeightMap map{carved, kMostPlanPixels};
+  const stock::HeightMap map{carved, kMaxPlanPixels};
   const View view = view_of_stock(carved.box());
   const double deepest_mm = carved.box().top - map.lowest();
   const LegendContent legend = legend_of(deepest_mm);

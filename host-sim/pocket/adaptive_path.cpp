@@ -36,7 +36,7 @@ void check(const AdaptiveOptions& options) {
   require(options.tool_radius_mm > 0.0 && std::isfinite(options.tool_radius_mm),
           "radius of the tool in mm",
           options.tool_radius_mm);
-  require(engagement >= kLeastEngagementDeg && engagement <= kGreatestEngagementDeg,
+  require(engagement >= kMinEngagementDeg && engagement <= kGreatestEngagementDeg,
           "engagement in degrees",
           engagement);
   require(
@@ -60,9 +60,9 @@ WallStart wall_start(const cnc::contour::ContourView<double>& locus,
                      const OwnedArea& area,
                      double tool_radius_mm) {
   constexpr double kRoundingMm = 1.0e-6;
-  constexpr std::uint32_t kMostVertices = 64;
+  constexpr std::uint32_t kMaxVertices = 64;
   const std::uint32_t first = locus.loop_begin(loop);
-  const std::uint32_t stride = 1 + (locus.loop_ends[loop] - first) / kMostVertices;
+  const std::uint32_t stride = 1 + (locus.loop_ends[loop] - first) / kMaxVertices;
   WallStart best{.vertex = first, .circle = circles.front()};
   double least = std::numeric_limits<double>::infinity();
   for (std::uint32_t i = first; i < locus.loop_ends[loop]; i += stride) {
@@ -107,7 +107,7 @@ void pass_wall(const cnc::contour::ContourView<double>& locus,
                const WallStart& start,
                const Approach& approach,
                DepthWriter& writer) {
-  constexpr double kLeastLinkMm = 1.0e-6;
+  constexpr double kMinLinkMm = 1.0e-6;
   const std::uint32_t first = locus.loop_begin(loop);
   const std::uint32_t count = locus.loop_ends[loop] - first;
   writer.begin_row_in_cleared(start.circle.centre);
@@ -115,7 +115,7 @@ void pass_wall(const cnc::contour::ContourView<double>& locus,
   const WideVec2 there = approach.exists ? approach.arc_start : corner;
   const WideVec2 way = there - start.circle.centre;
   const double away = way.norm();
-  if (away > start.circle.radius && start.circle.radius > kLeastLinkMm) {
+  if (away > start.circle.radius && start.circle.radius > kMinLinkMm) {
     writer.link(start.circle.centre + (start.circle.radius / away) * way);
   }
   writer.pass(there);

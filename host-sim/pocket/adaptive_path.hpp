@@ -28,7 +28,7 @@ struct AdaptiveOptions {
 /// the tool or more engaged: 1 / sin(engagement), at least 1.
 [[nodiscard]] double thin_chip_factor(double engagement_deg);
 
-inline constexpr double kLeastEngagementDeg = 10.0;
+inline constexpr double kMinEngagementDeg = 10.0;
 inline constexpr double kGreatestEngagementDeg = 150.0;
 
 /// A stretch that is too narrow for crescents: there the tool cuts with more of its circumference.

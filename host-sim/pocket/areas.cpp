@@ -15,7 +15,7 @@ namespace {
 
 /// Steps of the search: the number for each path, and the greatest number in total.
 constexpr std::uint64_t kStepsOfPath = 200;
-constexpr std::uint64_t kMostSteps = 200'000;
+constexpr std::uint64_t kMaxSteps = 200'000;
 
 }  // namespace
 
@@ -48,7 +48,7 @@ std::vector<std::size_t> short_order(const std::vector<PathRows>& paths) {
     problem.exit.push_back({path.points.back().x, path.points.back().y});
   }
   order::OrderOptions options;
-  options.steps = std::min(kStepsOfPath * paths.size(), kMostSteps);
+  options.steps = std::min(kStepsOfPath * paths.size(), kMaxSteps);
   options.may_prove = false;
   const order::OrderResult result = order::solve_order(problem, options, {});
   std::vector<std::size_t> order;

@@ -12,14 +12,14 @@ using cnc::pocket::ToolCircle;
 
 /// Greatest distance between the centres of neighbouring circles, as a share of the sum of their
 /// radii. Farther apart, the circles hardly meet.
-constexpr double kMostApart = 0.95;
+constexpr double kMaxApart = 0.95;
 
 bool is_allowed(const ToolCircle& cleared, const ToolCircle& next, const StepLimits& limits) {
-  if (next.radius < limits.least_circle_mm) return false;
+  if (next.radius < limits.min_circle_mm) return false;
   const double distance = (next.centre - cleared.centre).norm();
   // The tool has cleared the whole circle already.
   if (distance + next.radius <= cleared.radius) return true;
-  if (distance > kMostApart * (cleared.radius + next.radius)) return false;
+  if (distance > kMaxApart * (cleared.radius + next.radius)) return false;
   if (!crescent_between(cleared, next).exists) return false;
   return crescent_engagement(cleared, next, limits.tool_radius_mm) <= limits.engagement;
 }

@@ -42,8 +42,8 @@ class AxisCourse {
 /// Limits of a step along a course.
 struct StepLimits {
   double tool_radius_mm = 0.0;
-  double engagement = 0.0;       ///< Radians.
-  double least_circle_mm = 0.0;  ///< Circles with a smaller radius get no crescent.
+  double engagement = 0.0;     ///< Radians.
+  double min_circle_mm = 0.0;  ///< Circles with a smaller radius get no crescent.
 };
 
 /// Returns the greatest length along a course that a tool may reach by one crescent within the

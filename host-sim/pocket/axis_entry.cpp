@@ -20,7 +20,7 @@ using cnc::pocket::Use;
 constexpr double kGreatestHelix = 0.9;
 /// A helix on a circle of less than this share of the tool's radius is nearly a plunge; a ramp is
 /// better.
-constexpr double kLeastHelix = 0.1;
+constexpr double kMinHelix = 0.1;
 
 /// Returns the number of revolutions, or of trips forth and back, in which an entry reaches the
 /// floor.
@@ -66,7 +66,7 @@ void sink_by_ramp(const std::vector<WideVec2>& way,
 /// Goes around the centre, at which the tool is, so that a spiral can begin. Out of a hole as wide
 /// as the tool, no spiral begins with less than a quarter of the circumference engaged.
 void widen(const ToolCircle& circle, const AdaptiveOptions& options, DepthWriter& writer) {
-  const double radius_mm = std::min(circle.radius, kLeastHelix * options.tool_radius_mm);
+  const double radius_mm = std::min(circle.radius, kMinHelix * options.tool_radius_mm);
   if (radius_mm <= 0.0) return;
   writer.go(Use::kEntry, circle.centre + WideVec2{radius_mm, 0.0}, 0.0, writer.floor_z());
   writer.circle(Use::kEntry, circle.centre);
@@ -117,7 +117,7 @@ void enter_stock(const ToolCircle& circle,
     return widen(circle, options, writer);
   }
   const double helix_mm = std::clamp(circle.radius, 0.0, kGreatestHelix * options.tool_radius_mm);
-  const bool has_wide_helix = helix_mm >= kLeastHelix * options.tool_radius_mm;
+  const bool has_wide_helix = helix_mm >= kMinHelix * options.tool_radius_mm;
   const bool has_longer_ramp = way_length(way) > std::numbers::pi * helix_mm;
   if (has_longer_ramp && (!has_wide_helix || options.entry == EntryKind::kRamp)) {
     sink_by_ramp(way, options, writer);

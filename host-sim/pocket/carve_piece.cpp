@@ -141,13 +141,13 @@ class LineFitter {
     const AxisPoint& b = points[end];
     const WideVec2 chord = b.place - a.place;
     const double square = chord.squaredNorm();
-    double least_share = 0.0;
+    double min_share = 0.0;
     for (std::size_t i = from + 1; i < end; ++i) {
       const WideVec2 q = points[i].place - a.place;
       const double share = square > 0.0 ? chord.dot(q) / square : 0.0;
       // The axis turns back here: the points would go backwards along the line.
-      if (share < least_share || share > 1.0) return false;
-      least_share = share;
+      if (share < min_share || share > 1.0) return false;
+      min_share = share;
       const double radius = a.radius + share * (b.radius - a.radius);
       const double aside = (q - share * chord).norm();
       if (aside > share_mm_ || std::abs(points[i].radius - radius) > share_mm_) return false;
@@ -183,8 +183,8 @@ CarveGraph narrow_part(const MedialAxis& axis, const OwnedArea& area, double gre
   return AxisClipper{axis, area, greatest_radius_mm, KeptPart::kNarrow}.clip();
 }
 
-CarveGraph wide_part(const MedialAxis& axis, const OwnedArea& area, double least_radius_mm) {
-  return AxisClipper{axis, area, least_radius_mm, KeptPart::kWide}.clip();
+CarveGraph wide_part(const MedialAxis& axis, const OwnedArea& area, double min_radius_mm) {
+  return AxisClipper{axis, area, min_radius_mm, KeptPart::kWide}.clip();
 }
 
 void fit_lines(CarveGraph& graph, const OwnedArea& area, double tolerance_mm) {

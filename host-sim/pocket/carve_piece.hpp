@@ -27,12 +27,12 @@ struct CarveGraph {
                                      const OwnedArea& area,
                                      double greatest_radius_mm);
 
-/// Returns the part of the axis whose radius is at least `least_radius_mm`. Where a chain leaves
+/// Returns the part of the axis whose radius is at least `min_radius_mm`. Where a chain leaves
 /// that part, it is cut at a new node. Nodes of the axis with a smaller radius are kept, without
 /// pieces.
 [[nodiscard]] CarveGraph wide_part(const MedialAxis& axis,
                                    const OwnedArea& area,
-                                   double least_radius_mm);
+                                   double min_radius_mm);
 
 /// Reduces the points of all pieces. Reduces radii where a straight line between points would let
 /// the tool cut into the wall: near a corner that points into the area, the distance from the

@@ -23,11 +23,11 @@ class ArcParts {
   ArcParts(const Curve& curve, double sagitta_mm)
       : curve_{curve}, sweep_{4.0 * std::atan(curve.bulge_between(curve.start, curve.end))} {
     if (curve.curvature == 0.0) return;
-    constexpr double kMostRadians = 0.8;
-    constexpr double kMostParts = 4096.0;
+    constexpr double kMaxRadians = 0.8;
+    constexpr double kMaxParts = 4096.0;
     const double each =
-        std::min(kMostRadians, 2.0 * std::sqrt(2.0 * sagitta_mm * std::abs(curve.curvature)));
-    count_ = static_cast<int>(std::clamp(std::ceil(std::abs(sweep_) / each), 1.0, kMostParts));
+        std::min(kMaxRadians, 2.0 * std::sqrt(2.0 * sagitta_mm * std::abs(curve.curvature)));
+    count_ = static_cast<int>(std::clamp(std::ceil(std::abs(sweep_) / each), 1.0, kMaxParts));
   }
 
   [[nodiscard]] int count() const { return count_; }

@@ -22,12 +22,12 @@ using cnc::pocket::Use;
 constexpr double kDegree = std::numbers::pi / 180.0;
 /// mm: a smaller circle gets no crescent. In corners that are not too sharp, the stock before their
 /// tips is thin at this size.
-constexpr double kLeastCircleMm = 4.0e-5;
+constexpr double kMinCircleMm = 4.0e-5;
 /// mm: crescents end before a corner where the stock between their disc and the disc in the corner
 /// is no thicker than this. The pass along the wall removes this stock.
 constexpr double kThinStockMm = 5.0e-4;
 /// mm: less than this counts as no progress along a course.
-constexpr double kLeastProgressMm = 1.0e-7;
+constexpr double kMinProgressMm = 1.0e-7;
 /// Tool radii: a narrow dead end up to this length is a corner, not a slot.
 constexpr double kCornerLength = 3.0;
 /// Greatest length of a narrow corner divided by the radius of its widest circle. A longer corner,
@@ -50,7 +50,7 @@ CrescentDriver::CrescentDriver(const OwnedArea& area,
                                AdaptivePath& out)
     : area_{area},
       options_{options},
-      limits_{options.tool_radius_mm, options.engagement_deg * kDegree, kLeastCircleMm},
+      limits_{options.tool_radius_mm, options.engagement_deg * kDegree, kMinCircleMm},
       out_{out},
       writer_{out, options.depth_mm} {}
 
@@ -73,7 +73,7 @@ CourseDrive CrescentDriver::drive(const AxisCourse& course,
     } else {
       if (is_dead_end && is_left_to_wall(course, s, circle)) break;
       next = next_crescent(course, s, circle, limits_);
-      if (next < s + kLeastProgressMm) break;
+      if (next < s + kMinProgressMm) break;
       if (is_free(course.circle_at(next))) {
         // The next crescent begins on the disc at `next`. The tool is not in this disc.
         done.way_back.push_back(course.circle_at(next));
@@ -185,7 +185,7 @@ bool CrescentDriver::drive_slot(const AxisCourse& course,
   }
   out_.narrow.push_back(stretch);
   if ((way.back() - end.centre).norm() > kSamePlaceMm) return false;
-  if (end.radius >= kLeastCircleMm) pass_disc(writer_, end);
+  if (end.radius >= kMinCircleMm) pass_disc(writer_, end);
   circles_.push_back(end);
   return true;
 }

@@ -38,27 +38,27 @@ bool is_allowed(const ToolCircle& cleared,
   return true;
 }
 
-/// Returns the greatest radius at the end of the next half circle, from `least_mm` to the radius of
+/// Returns the greatest radius at the end of the next half circle, from `min_mm` to the radius of
 /// `circle`.
 double widest_half(const ToolCircle& cleared,
                    const WideVec2& from,
                    const ToolCircle& circle,
-                   double least_mm,
+                   double min_mm,
                    const StepLimits& limits) {
   constexpr int kHalvings = 24;
   // Each half circle grows by at least this share of the tool's radius, so that the spiral ends.
-  constexpr double kLeastGrowth = 1.0e-3;
+  constexpr double kMinGrowth = 1.0e-3;
   const auto allows = [&](double radius_mm) {
     return is_allowed(cleared, half_circle(from, circle.centre, radius_mm), from, limits);
   };
-  double good = least_mm;
-  double bad = std::min(least_mm + 2.0 * limits.tool_radius_mm, circle.radius);
+  double good = min_mm;
+  double bad = std::min(min_mm + 2.0 * limits.tool_radius_mm, circle.radius);
   if (allows(bad)) return bad;
   for (int i = 0; i < kHalvings; ++i) {
     const double middle = 0.5 * (good + bad);
     (allows(middle) ? good : bad) = middle;
   }
-  return std::min(std::max(good, least_mm + kLeastGrowth * limits.tool_radius_mm), circle.radius);
+  return std::min(std::max(good, min_mm + kMinGrowth * limits.tool_radius_mm), circle.radius);
 }
 
 }  // namespace

@@ -14,9 +14,9 @@ constexpr double kGap = 1.25;
 constexpr double kApart = 1.0;
 /// Greatest number of paths that are tried, the shortest first, and limits of the number of points
 /// on a loop.
-constexpr std::size_t kMostWays = 1000;
+constexpr std::size_t kMaxWays = 1000;
 constexpr double kFewestOnLoop = 16.0;
-constexpr double kMostOnLoop = 128.0;
+constexpr double kMaxOnLoop = 128.0;
 
 /// A line that may lead to a point on a loop.
 struct Candidate {
@@ -54,7 +54,7 @@ EntryBesideSearch::EntryBesideSearch(const OwnedArea& area,
 
 std::optional<EntryBeside> EntryBesideSearch::find(const DrivenLoop& loop) const {
   const double count =
-      std::clamp(std::ceil(loop.length() / (0.25 * radius_mm_)), kFewestOnLoop, kMostOnLoop);
+      std::clamp(std::ceil(loop.length() / (0.25 * radius_mm_)), kFewestOnLoop, kMaxOnLoop);
   std::vector<Candidate> candidates;
   for (double i = 0.0; i < count; i += 1.0) {
     const double way_mm = i / count * loop.length();
@@ -65,7 +65,7 @@ std::optional<EntryBeside> EntryBesideSearch::find(const DrivenLoop& loop) const
     }
   }
   std::ranges::sort(candidates, {}, &Candidate::square);
-  candidates.resize(std::min(candidates.size(), kMostWays));
+  candidates.resize(std::min(candidates.size(), kMaxWays));
   for (const Candidate& candidate : candidates) {
     const Pose cut{loop.row().place(candidate.way_mm), loop.row().leaving(candidate.way_mm)};
     const Approach approach = fitting_approach(candidate.from, cut, area_, radius_mm_);

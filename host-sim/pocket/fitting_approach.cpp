@@ -47,7 +47,7 @@ Approach fitting_approach(const WideVec2& from,
                           const Pose& cut,
                           const OwnedArea& area,
                           double tool_radius_mm) {
-  for (double turn_mm = kTurnOfTool * tool_radius_mm; turn_mm >= kLeastTurnMm; turn_mm *= 0.5) {
+  for (double turn_mm = kTurnOfTool * tool_radius_mm; turn_mm >= kMinTurnMm; turn_mm *= 0.5) {
     Approach approach = approach_from(from, cut, turn_mm);
     if (approach.exists && fits(approach, from, area, tool_radius_mm)) return approach;
   }

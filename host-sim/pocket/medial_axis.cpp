@@ -34,7 +34,7 @@ class ChainRefiner {
       const AxisPoint from = points.back();
       Pending& next = pending.back();
       const AxisPoint middle = middle_of(from, next.point, edge);
-      if (next.depth < kMostHalvings && is_apart(from, middle, next.point)) {
+      if (next.depth < kMaxHalvings && is_apart(from, middle, next.point)) {
         ++next.depth;
         pending.push_back({middle, next.depth});
         continue;
@@ -45,7 +45,7 @@ class ChainRefiner {
   }
 
  private:
-  static constexpr int kMostHalvings = 12;
+  static constexpr int kMaxHalvings = 12;
 
   [[nodiscard]] bool is_apart(const AxisPoint& from,
                               const AxisPoint& middle,
@@ -69,7 +69,7 @@ class ChainRefiner {
       const double difference = left.norm() - right.norm();
       const WideVec2 gradient = left.normalized() - right.normalized();
       const double square = gradient.squaredNorm();
-      if (std::abs(difference) <= kSagittaShare * tolerance_mm_ || square < kLeastSquare) break;
+      if (std::abs(difference) <= kSagittaShare * tolerance_mm_ || square < kMinSquare) break;
       place -= (difference / square) * gradient;
     }
     if (!((place - middle).norm() <= reach)) place = middle;
@@ -77,7 +77,7 @@ class ChainRefiner {
   }
 
   /// Least square of the difference between two unit vectors; below it they have one direction.
-  static constexpr double kLeastSquare = 1.0e-8;
+  static constexpr double kMinSquare = 1.0e-8;
 
   const OwnedArea& area_;
   double tolerance_mm_;

@@ -79,9 +79,9 @@ class RowWriter {
 
   /// Returns whether a return stays at one depth and is long enough for a rapid.
   [[nodiscard]] bool is_rapid(const Point& from, const Point& to) const {
-    constexpr double kLeastMargins = 3.0;
+    constexpr double kMinMargins = 3.0;
     return from.use == Use::kReturn && from.bulge == 0.0 && from.z == to.z &&
-           (to.point() - from.point()).norm() >= kLeastMargins * mill_.near_mm;
+           (to.point() - from.point()).norm() >= kMinMargins * mill_.near_mm;
   }
 
   void write_element(const Point& from, const Point& to) {

@@ -34,15 +34,15 @@ using cnc::pocket::PaperFault;
 /// Returns an upper bound of the number of loops. Each loop is inside of the previous loop by at
 /// least one radius on both sides. Arcs may reach beyond the vertices, but not twice as far in a
 /// pocket that the method accepts.
-std::size_t most_loops_of(const cnc::contour::ContourView<double>& pocket, double tool_radius_mm) {
+std::size_t max_loops_of(const cnc::contour::ContourView<double>& pocket, double tool_radius_mm) {
   double left = std::numeric_limits<double>::infinity();
   double right = -left;
   for (const ContourVertex& vertex : pocket.vertices) {
     left = std::min(left, vertex.x);
     right = std::max(right, vertex.x);
   }
-  constexpr double kMost = 10'000.0;
-  return static_cast<std::size_t>(std::clamp((right - left) / tool_radius_mm, 16.0, kMost));
+  constexpr double kMax = 10'000.0;
+  return static_cast<std::size_t>(std::clamp((right - left) / tool_radius_mm, 16.0, kMax));
 }
 
 }  // namespace
@@ -51,10 +51,10 @@ PaperPath paper_path(const cnc::contour::ContourView<double>& pocket,
                      double tool_radius_mm,
                      double depth_mm) {
   const std::size_t elements = pocket.vertices.size();
-  const std::size_t most_loops = most_loops_of(pocket, tool_radius_mm);
+  const std::size_t max_loops = max_loops_of(pocket, tool_radius_mm);
   std::vector<cnc::contour::Curve<double>> curves(elements);
-  std::vector<double> distances(most_loops);
-  std::vector<cnc::pocket::PathPoint<double>> points(most_loops * (elements + 1) + 1);
+  std::vector<double> distances(max_loops);
+  std::vector<cnc::pocket::PathPoint<double>> points(max_loops * (elements + 1) + 1);
   std::vector<std::uint32_t> row_ends(1);
   cnc::pocket::ToolPathWriter<double> writer{slice_of(points), slice_of(row_ends)};
   const auto loops = cnc::pocket::write_paper_path<double>(

@@ -100,7 +100,7 @@ void PocketPlanner::grow_or_refuse(const cnc::pocket::PocketError& error,
                                    const ContourVertex& begin) {
   const bool passes_are_full = error.fault == PocketFault::kClearing &&
                                error.clearing.fault == ClearingFault::kPassesTooLong;
-  if (std::max(pass_notes_.size(), points_.size()) > kMostPoints) {
+  if (std::max(pass_notes_.size(), points_.size()) > kMaxPoints) {
     refuse(begin, "its path is too long", "choose a larger tool, stepover or depth step");
   }
   if (passes_are_full) return grow_passes(2 * pass_notes_.size());
@@ -121,16 +121,16 @@ void PocketPlanner::grow_or_refuse(const cnc::pocket::PocketError& error,
     case PocketFault::kSpaceTooSmall:
       break;
   }
-  if (elements_ >= kMostElements) {
+  if (elements_ >= kMaxElements) {
     refuse(begin, "its passes have too many elements", "simplify it, or raise --tolerance");
   }
-  grow(std::min(2 * elements_, kMostElements));
+  grow(std::min(2 * elements_, kMaxElements));
 }
 
 PocketPlan PocketPlanner::plan(const cnc::contour::ContourView<double>& pocket,
                                const cnc::pocket::PocketOptions<double>& options) {
   if (pocket.vertices.size() == 0) throw NoPocketPath{"no contour in it; draw one"};
-  const std::size_t at_first = std::min(2 * pocket.vertices.size() + 128, kMostElements);
+  const std::size_t at_first = std::min(2 * pocket.vertices.size() + 128, kMaxElements);
   if (elements_ < at_first) grow(at_first);
   if (pass_notes_.empty()) grow_passes(4 * at_first);
   if (points_.empty()) grow_path(4 * at_first);

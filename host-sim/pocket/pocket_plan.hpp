@@ -31,9 +31,9 @@ struct PocketPlan : PathRows {
 class PocketPlanner {
  public:
   /// Greatest number of elements in the storage for one pass; about 3 KiB each.
-  static constexpr std::size_t kMostElements = 1'000'000;
+  static constexpr std::size_t kMaxElements = 1'000'000;
   /// Greatest number of points of a path, and of vertices of all passes; 44 bytes each.
-  static constexpr std::size_t kMostPoints = 20'000'000;
+  static constexpr std::size_t kMaxPoints = 20'000'000;
 
   PocketPlanner() = default;
 

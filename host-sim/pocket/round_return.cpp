@@ -75,7 +75,7 @@ void turn_towards(DepthWriter& writer,
   const Pose here{writer.place(), writer.heading()};
   if (here.direction == WideVec2{0.0, 0.0}) return;
   std::optional<RoundTurn> arc;
-  for (double radius_mm = turn_mm; !arc && radius_mm >= kLeastTurnMm; radius_mm *= 0.5) {
+  for (double radius_mm = turn_mm; !arc && radius_mm >= kMinTurnMm; radius_mm *= 0.5) {
     for (const double side : {1.0, -1.0}) {
       const auto turn = turn_by_side(here, disc, target, radius_mm, side);
       if (turn && (!arc || turn->turn < arc->turn)) arc = turn;
@@ -93,8 +93,8 @@ void round_corner(DepthWriter& writer,
   const WideVec2 after = next - corner.centre;
   const double trim = std::min({turn_mm, corner.radius, 0.5 * before.norm(), 0.5 * after.norm()});
   const double turn = std::atan2(cnc::cross(before, after), before.dot(after));
-  const bool is_corner = trim < kLeastTurnMm || std::abs(turn) > kNearlyBack;
-  if (is_corner || std::abs(turn) < kLeastArc) return writer.go_back(corner.centre);
+  const bool is_corner = trim < kMinTurnMm || std::abs(turn) > kNearlyBack;
+  if (is_corner || std::abs(turn) < kMinArc) return writer.go_back(corner.centre);
   const Rounding arc = rounding_of(writer.place(), corner.centre, next, trim);
   writer.go_back(arc.start);
   writer.go(Use::kReturn, arc.end, arc.bulge, writer.floor_z());
@@ -130,7 +130,7 @@ Approach approach_from(const WideVec2& place, const Pose& next, double radius_mm
   return {centre, centre - radius_mm * left_normal(along), turn, true};
 }
 
-double Approach::bulge() const { return turn < kLeastArc ? 0.0 : std::tan(0.25 * turn); }
+double Approach::bulge() const { return turn < kMinArc ? 0.0 : std::tan(0.25 * turn); }
 
 WideVec2 Approach::place_at(double share) const {
   return centre + turned(arc_start - centre, share * turn);

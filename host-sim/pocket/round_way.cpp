@@ -107,7 +107,7 @@ bool RoundTurn::stays_in(const ToolCircle& disc) const {
 void RoundTurn::write(DepthWriter& writer, const WideVec2& end) const {
   if ((writer.place() - end).norm() <= kSamePlaceMm) return;
   const double z = writer.floor_z();
-  if (turn < kLeastArc) return writer.go(Use::kReturn, end, 0.0, z);
+  if (turn < kMinArc) return writer.go(Use::kReturn, end, 0.0, z);
   if (turn <= kHalfTurn) return writer.go(Use::kReturn, end, side * std::tan(0.25 * turn), z);
   const double bulge = side * std::tan(0.125 * turn);
   writer.go(Use::kReturn, place_at(0.5), bulge, z);
@@ -125,7 +125,7 @@ std::optional<RoundWay> round_way(const Pose& from,
                                   const ToolCircle& disc,
                                   double radius_mm) {
   std::optional<RoundWay> way;
-  for (double radius = radius_mm; !way && radius >= kLeastTurnMm; radius *= 0.5) {
+  for (double radius = radius_mm; !way && radius >= kMinTurnMm; radius *= 0.5) {
     way = shortest_way(from, to, disc, radius);
   }
   return way;

@@ -14,9 +14,9 @@ struct Pose {
 };
 
 /// mm: a turn with a smaller radius is a corner.
-inline constexpr double kLeastTurnMm = 1.0e-6;
+inline constexpr double kMinTurnMm = 1.0e-6;
 /// Radians: an arc with a smaller sweep is a line.
-inline constexpr double kLeastArc = 1.0e-6;
+inline constexpr double kMinArc = 1.0e-6;
 
 /// Returns whether a point is within or on a circle.
 [[nodiscard]] bool is_in(const cnc::WideVec2& place, const cnc::pocket::ToolCircle& circle);
@@ -78,7 +78,7 @@ struct RoundWay {
 };
 
 /// Returns the shortest round path within a circle, with turns of `radius_mm` or, where that does
-/// not fit, of half of it, a quarter and so on. Returns none if no radius down to kLeastTurnMm
+/// not fit, of half of it, a quarter and so on. Returns none if no radius down to kMinTurnMm
 /// fits.
 [[nodiscard]] std::optional<RoundWay> round_way(const Pose& from,
                                                 const Pose& to,

@@ -24,7 +24,7 @@ Rounding fitting_rounding(const WideVec2& before,
   constexpr double kExcessMm = 1.0e-7;   // The same value as in fits_in_line().
   constexpr double kFlatBulge = 2.5e-5;  // A turn of 0.006°.
   double trim_mm = 0.5 * std::min((corner - before).norm(), (after - corner).norm());
-  for (; trim_mm >= kLeastTurnMm; trim_mm *= 0.5) {
+  for (; trim_mm >= kMinTurnMm; trim_mm *= 0.5) {
     Rounding arc = rounding_of(before, corner, after, trim_mm);
     if (std::abs(arc.bulge) < kFlatBulge) break;
     if (area.depth(arc.middle()) >= tool_radius_mm - kExcessMm) return arc;

@@ -21,7 +21,7 @@ constexpr double kHalfChordMm = 1.0e-6;
 /// mm: loops nearer to each other meet, within rounding.
 constexpr double kLoopsMeetMm = 1.0e-9;
 /// rad: greatest turn of a part, so that the samples are dense enough.
-constexpr double kMostTurn = 0.8;
+constexpr double kMaxTurn = 0.8;
 
 /// A point of a turn, with the direction of the turn there.
 struct Sample {
@@ -130,7 +130,7 @@ class TurnMaker {
   /// at its ends, where the ends of any arcs are, too.
   [[nodiscard]] bool try_arcs(const Sample& from, const Sample& to) {
     if (jumps(from, to)) return false;
-    if (from.tangent.dot(to.tangent) < std::cos(kMostTurn)) return false;
+    if (from.tangent.dot(to.tangent) < std::cos(kMaxTurn)) return false;
     const WideVec2 chord = to.place - from.place;
     if (chord.norm() < 1.0e-9) return true;
     if (from.tangent.dot(chord) <= 0.0 || to.tangent.dot(chord) <= 0.0) return false;

@@ -26,8 +26,7 @@ void check_range(std::string_view name, double value, double least, double great
 }
 
 void check(const VCarveOptions& options) {
-  check_range(
-      "angle of the V tool", options.included_angle_deg, kLeastVAngleDeg, kGreatestVAngleDeg);
+  check_range("angle of the V tool", options.included_angle_deg, kMinVAngleDeg, kGreatestVAngleDeg);
   if (!(options.greatest_depth_mm > 0.0)) {
     throw std::invalid_argument{
         fmt::format("greatest depth {:g} mm is not above 0", options.greatest_depth_mm)};

@@ -17,7 +17,7 @@ struct VCarveOptions {
   double return_limit_mm = 10.0;
 };
 
-inline constexpr double kLeastVAngleDeg = 1.0;
+inline constexpr double kMinVAngleDeg = 1.0;
 inline constexpr double kGreatestVAngleDeg = 175.0;
 
 /// A carved area.

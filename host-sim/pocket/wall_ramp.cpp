@@ -15,7 +15,7 @@ using cnc::WideVec2;
 using cnc::pocket::Use;
 
 /// Ramps with more legs forth, back or around are refused.
-constexpr double kMostLegs = 1000.0;
+constexpr double kMaxLegs = 1000.0;
 
 /// Returns the middle of the longest element of a loop.
 cnc::pocket::LoopPlace<double> longest_middle(const cnc::contour::ContourView<double>& locus,
@@ -36,7 +36,7 @@ cnc::pocket::LoopPlace<double> longest_middle(const cnc::contour::ContourView<do
 
 double legs_of_ramp(const WallDrive& drive, double length_mm, const WideVec2& place) {
   const double legs = std::max(1.0, std::ceil(drive.depth_mm / (drive.slope * length_mm)));
-  if (legs <= kMostLegs) return legs;
+  if (legs <= kMaxLegs) return legs;
   throw NoPocketPath{fmt::format(
       "at {:.3f} {:.3f} a ramp would be {:.3g} mm long; choose --entry plunge or a smaller tool",
       place.x(),

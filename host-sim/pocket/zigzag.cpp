@@ -41,8 +41,8 @@ void check(const ZigzagOptions& options) {
 double turn_radius(const ZigzagOptions& options) {
   const double reach = options.tool_radius_mm - 0.5 * options.stepover_mm;
   const double most = std::min(kWidestTurn * options.stepover_mm, 0.5 * reach);
-  constexpr double kLeast = 1.0e-4;  // mm.
-  return most < kLeast ? 0.0 : std::min(options.turn_radius_mm, most);
+  constexpr double kMin = 1.0e-4;  // mm.
+  return most < kMin ? 0.0 : std::min(options.turn_radius_mm, most);
 }
 
 WallDrive wall_drive_of(const ZigzagOptions& options) {

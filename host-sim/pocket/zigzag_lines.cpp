@@ -18,7 +18,7 @@ using cnc::pocket::Use;
 /// Greatest length of a path along a wall from one line to the next, in distances between lines.
 constexpr double kLongestWay = 10.0;
 /// mm: a shorter stretch is cleared by its neighbours.
-constexpr double kLeastStretchMm = 1.0e-6;
+constexpr double kMinStretchMm = 1.0e-6;
 
 Side opposite(Side side) { return side == Side::kRight ? Side::kLeft : Side::kRight; }
 
@@ -72,7 +72,7 @@ class LineDriver {
 
   /// Returns whether a stretch is long enough, and touches stock.
   [[nodiscard]] bool is_worth_a_line(const Stretch& stretch, double y) const {
-    if (stretch.to_x - stretch.from_x <= kLeastStretchMm) return false;
+    if (stretch.to_x - stretch.from_x <= kMinStretchMm) return false;
     if (!options_.stock) return true;
     const StockBox& stock = *options_.stock;
     const double middle = 0.5 * (stock.x0 + stock.x1);
@@ -107,7 +107,7 @@ class LineDriver {
                                kLongestWay * step_mm_);
       if (!turn || std::abs(turn->meets_at_x - turn->leaves_at_x) >= least) continue;
       const double way = turn->leaves_at_x - from_x;
-      if ((side == Side::kRight ? way : -way) < kLeastStretchMm) continue;
+      if ((side == Side::kRight ? way : -way) < kMinStretchMm) continue;
       least = std::abs(turn->meets_at_x - turn->leaves_at_x);
       next = {&above, std::move(*turn)};
     }

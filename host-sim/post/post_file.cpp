@@ -15,9 +15,9 @@ namespace {
 
 using surface::without_blanks_around;
 
-constexpr double kMostLineNumber = 999'999'999.0;
-constexpr double kLeastPostDecimals = 3.0;
-constexpr double kMostPostDecimals = 6.0;
+constexpr double kMaxLineNumber = 999'999'999.0;
+constexpr double kMinPostDecimals = 3.0;
+constexpr double kMaxPostDecimals = 6.0;
 
 /// The values of a key, each with its meaning.
 template <typename Value>
@@ -201,9 +201,9 @@ class PostReader {
                          text));
     }
     LineNumbers numbers;
-    numbers.first = whole("line-numbers", words[0], 0.0, kMostLineNumber);
-    if (words.size() > 1) numbers.step = whole("line-numbers", words[1], 1.0, kMostLineNumber);
-    if (words.size() > 2) numbers.most = whole("line-numbers", words[2], 1.0, kMostLineNumber);
+    numbers.first = whole("line-numbers", words[0], 0.0, kMaxLineNumber);
+    if (words.size() > 1) numbers.step = whole("line-numbers", words[1], 1.0, kMaxLineNumber);
+    if (words.size() > 2) numbers.most = whole("line-numbers", words[2], 1.0, kMaxLineNumber);
     if (numbers.first > numbers.most) {
       refuse(fmt::format("line-numbers = {}: the first number is greater than the greatest, {}",
                          text,
@@ -213,11 +213,11 @@ class PostReader {
   }
   void read_decimals(std::string_view text) {
     post_.decimals =
-        static_cast<std::uint8_t>(whole("decimals", text, kLeastPostDecimals, kMostPostDecimals));
+        static_cast<std::uint8_t>(whole("decimals", text, kMinPostDecimals, kMaxPostDecimals));
   }
   void read_centre_decimals(std::string_view text) {
     post_.centre_decimals =
-        static_cast<std::uint8_t>(whole("centre-decimals", text, 2.0, kMostPostDecimals));
+        static_cast<std::uint8_t>(whole("centre-decimals", text, 2.0, kMaxPostDecimals));
   }
   void read_points(std::string_view text) { post_.has_points = yes("points", text); }
   void read_arcs(std::string_view text) {

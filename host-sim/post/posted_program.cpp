@@ -21,7 +21,7 @@ using Eigen::Vector3d;
 
 constexpr std::string_view kAxisLetters = "XYZ";
 constexpr std::string_view kCentreLetters = "IJK";
-constexpr int kMostWordDecimals = 9;
+constexpr int kMaxWordDecimals = 9;
 constexpr int kFirstPlaneWord = 17;  // G17, G18 and G19 are the planes in the order of cnc::Plane.
 constexpr int kLineMotion = 1;
 constexpr int kClockwiseMotion = 2;
@@ -126,7 +126,7 @@ class PostWriter {
         sort_code(word, line);
       } else if (dwells && word.letter == 'P') {
         const double time = number_of(word) * post_.dwell.per_second;
-        line.values.push_back(post_.dwell.letter + decimal_text(time, kMostWordDecimals, false));
+        line.values.push_back(post_.dwell.letter + decimal_text(time, kMaxWordDecimals, false));
       } else if (word.letter != 'S' || !replaced("S").empty()) {
         line.values.push_back(text_of(word));
       }
@@ -154,7 +154,7 @@ class PostWriter {
   }
 
   static std::string text_of(const Word& word) {
-    return word.letter + decimal_text(number_of(word), kMostWordDecimals, false);
+    return word.letter + decimal_text(number_of(word), kMaxWordDecimals, false);
   }
 
   [[nodiscard]] double rounded(double value) const {
@@ -194,7 +194,7 @@ class PostWriter {
   }
 
   [[nodiscard]] std::string arc_word(char letter, double value) const {
-    const int places = post_.decimals ? *post_.decimals + 1 : kMostWordDecimals;
+    const int places = post_.decimals ? *post_.decimals + 1 : kMaxWordDecimals;
     return letter + decimal_text(value, post_.centre_decimals.value_or(places), post_.has_points);
   }
 
@@ -240,7 +240,7 @@ class PostWriter {
     for (std::size_t i = 0; i < 3; ++i) {
       if (line.axes[i]) place_[i] = line.axes[i];
       if (!place_[i] || (!line.axes[i] && post_.repeat != Repeat::kAll)) continue;
-      const int places = post_.decimals.value_or(kMostWordDecimals);
+      const int places = post_.decimals.value_or(kMaxWordDecimals);
       words.push_back(kAxisLetters[i] + decimal_text(*place_[i], places, post_.has_points));
     }
     words.insert(words.end(), arc.begin(), arc.end());

@@ -40,7 +40,7 @@ std::string shortened(std::string_view text, std::size_t columns) {
 /// Returns the line of bar, percent and label. It leaves out the last column of the terminal, which
 /// may wrap.
 std::string line_of(double done, std::string_view label, std::size_t columns) {
-  constexpr std::size_t kMostCells = 30;
+  constexpr std::size_t kMaxCells = 30;
   constexpr std::size_t kFewestCells = 10;
   // Columns of `[`, of `] 100 % ` and of the terminal's last column.
   constexpr std::size_t kBesides = 10;
@@ -51,7 +51,7 @@ std::string line_of(double done, std::string_view label, std::size_t columns) {
   const std::size_t free = columns - kBesides;
   const std::size_t label_columns = std::min(display_width(label), free);
   const std::size_t least = std::min(kFewestCells, free);
-  const std::size_t bar = std::clamp(free - label_columns, least, kMostCells);
+  const std::size_t bar = std::clamp(free - label_columns, least, kMaxCells);
   const auto cells = static_cast<std::size_t>(std::lround(static_cast<double>(bar) * done));
   return fmt::format(
       "[{:<{}}] {:3.0f} % {}", std::string(cells, '#'), bar, percent, shortened(label, free - bar));

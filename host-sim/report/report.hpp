@@ -31,7 +31,7 @@ struct AxisReport {
   double max_acceleration_mm_s2 = 0.0;
   double max_jerk_mm_s3 = 0.0;
   /// Lower bound of the motion, machine coordinates; the upper bound follows.
-  double least_mm = 0.0;
+  double min_mm = 0.0;
   double greatest_mm = 0.0;
   std::uint64_t steps = 0;  ///< Number of pulses in both directions.
   /// Possible errors of the figures above. They are read from steps: pulses share slots of time,
@@ -50,13 +50,13 @@ struct FiveAxisMachine {
   bool turn_reversed = false;
   std::array<double, 3> tilt_point_mm{};
   std::array<double, 3> turn_point_mm{};
-  double least_tilt_deg = 0.0;
+  double min_tilt_deg = 0.0;
   double greatest_tilt_deg = 0.0;
 };
 
 /// Positions of the tip as the part saw it, under G43.4.
 struct TipReport {
-  std::array<double, 3> least_mm{};  ///< X Y Z, positions of the program.
+  std::array<double, 3> min_mm{};  ///< X Y Z, positions of the program.
   std::array<double, 3> greatest_mm{};
   double greatest_tilt_deg = 0.0;  ///< Greatest angle of the tool from upright.
   double tool_length_mm = 0.0;     ///< Length of the tool that was used last.
@@ -77,7 +77,7 @@ struct Report {
   cnc::AxisArray<AxisReport> axes{};
   /// Beam energy per mm divided by the energy that S and F require, in windows of 0.05 mm of the
   /// path; not a number where no beam was measured.
-  double least_energy_ratio = std::numeric_limits<double>::quiet_NaN();
+  double min_energy_ratio = std::numeric_limits<double>::quiet_NaN();
   double mean_energy_ratio = std::numeric_limits<double>::quiet_NaN();
   double greatest_energy_ratio = std::numeric_limits<double>::quiet_NaN();
   double max_path_deviation_mm = 0.0;    ///< Greatest distance from the programmed path.

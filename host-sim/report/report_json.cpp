@@ -45,7 +45,7 @@ double speed_s(const AxisReport& axis) { return axis.max_speed_mm_s; }
 double speed_min(const AxisReport& axis) { return 60.0 * axis.max_speed_mm_s; }
 double acceleration(const AxisReport& axis) { return axis.max_acceleration_mm_s2; }
 double jerk(const AxisReport& axis) { return axis.max_jerk_mm_s3; }
-Json bounds(const AxisReport& axis) { return Json::array({axis.least_mm, axis.greatest_mm}); }
+Json bounds(const AxisReport& axis) { return Json::array({axis.min_mm, axis.greatest_mm}); }
 
 void add_axes(Json& json, const Report& report) {
   json["max_speed_mm_s"] = per_axis(report, speed_s);
@@ -72,10 +72,10 @@ void add_axes(Json& json, const Report& report) {
 /// A report is nested a few levels deep. NOLINTNEXTLINE(misc-no-recursion)
 void round_numbers(Json& json) {
   constexpr double kPerUnit = 1.0e6;
-  constexpr double kMostRounded = 1.0e9;  // Above this a double has no further decimals to round.
+  constexpr double kMaxRounded = 1.0e9;  // Above this a double has no further decimals to round.
   if (json.is_number_float()) {
     const double value = json.get<double>();
-    if (std::abs(value) < kMostRounded) json = std::round(value * kPerUnit) / kPerUnit;
+    if (std::abs(value) < kMaxRounded) json = std::round(value * kPerUnit) / kPerUnit;
   } else if (json.is_structured()) {
     for (Json& element : json) round_numbers(element);
   }
@@ -105,7 +105,7 @@ Json machine_json(const FiveAxisMachine& machine) {
           {"turn_reversed", machine.turn_reversed},
           {"tilt_point_mm", machine.tilt_point_mm},
           {"turn_point_mm", machine.turn_point_mm},
-          {"least_tilt_deg", machine.least_tilt_deg},
+          {"least_tilt_deg", machine.min_tilt_deg},
           {"greatest_tilt_deg", machine.greatest_tilt_deg}};
 }
 
@@ -125,11 +125,11 @@ Json to_json(const Report& report) {
   json["max_path_deviation_mm"] = report.max_path_deviation_mm;
   json["max_path_deviation_at_s"] = report.max_path_deviation_at_s;
   json["max_shaping_error_mm"] = report.max_shaping_error_mm;
-  json["energy_per_mm_ratio"] = {{"least", report.least_energy_ratio},
+  json["energy_per_mm_ratio"] = {{"least", report.min_energy_ratio},
                                  {"mean", report.mean_energy_ratio},
                                  {"greatest", report.greatest_energy_ratio}};
   if (report.tip) {
-    json["tip"] = {{"least_mm", report.tip->least_mm},
+    json["tip"] = {{"least_mm", report.tip->min_mm},
                    {"greatest_mm", report.tip->greatest_mm},
                    {"greatest_tilt_deg", report.tip->greatest_tilt_deg},
                    {"tool_length_mm", report.tip->tool_length_mm},

@@ -51,7 +51,7 @@ std::string facts_text(const Report& report) {
     add_fact(out,
              "energy/mm",
              fmt::format("{:.3f} to {:.3f} of programmed, {:.3f} on average",
-                         report.least_energy_ratio,
+                         report.min_energy_ratio,
                          report.greatest_energy_ratio,
                          report.mean_energy_ratio));
   }
@@ -62,11 +62,11 @@ std::string facts_text(const Report& report) {
         "tip",
         fmt::format("X {:.3f} to {:.3f}, Y {:.3f} to {:.3f}, Z {:.3f} to {:.3f} mm, leans up to "
                     "{:.2f} deg",
-                    tip.least_mm[0],
+                    tip.min_mm[0],
                     tip.greatest_mm[0],
-                    tip.least_mm[1],
+                    tip.min_mm[1],
                     tip.greatest_mm[1],
-                    tip.least_mm[2],
+                    tip.min_mm[2],
                     tip.greatest_mm[2],
                     tip.greatest_tilt_deg));
   }
@@ -78,7 +78,7 @@ std::string facts_text(const Report& report) {
 
 void add_axis_row(TextTable& table, char letter, const AxisReport& axis) {
   table.add_row({std::string{letter},
-                 fmt::format("{:.3f}", axis.least_mm),
+                 fmt::format("{:.3f}", axis.min_mm),
                  fmt::format("{:.3f}", axis.greatest_mm),
                  fmt::format("{}", axis.steps),
                  fmt::format("{:.2f}", axis.max_speed_mm_s),

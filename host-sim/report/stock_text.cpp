@@ -10,10 +10,10 @@ namespace {
 
 using StockJson = nlohmann::ordered_json;
 
-constexpr std::size_t kMostRapidWarnings = 10;
+constexpr std::size_t kMaxRapidWarnings = 10;
 
 StockJson bounds_json(const stock::VolumeBounds& bounds) {
-  return {{"least", bounds.least_mm3}, {"most", bounds.most_mm3}};
+  return {{"least", bounds.min_mm3}, {"most", bounds.max_mm3}};
 }
 
 StockJson place_json(const stock::Pose& pose) {
@@ -46,7 +46,7 @@ StockJson lines_json(const stock::LineCuts& cuts) {
   StockJson lines = StockJson::array();
   for (const stock::LineCut& cut : cuts.lines) {
     lines.push_back({{"line", cut.line},
-                     {"least_mm3", cut.least_mm3},
+                     {"least_mm3", cut.min_mm3},
                      {"at_s", cut.at_s},
                      {"at_mm", place_json(cut.at)}});
   }
@@ -55,16 +55,16 @@ StockJson lines_json(const stock::LineCuts& cuts) {
 
 StockJson engagement_json(const std::optional<stock::PeakEngagement>& peak) {
   if (!peak) return nullptr;
-  return {{"least", peak->engagement.least_deg},
-          {"most", peak->engagement.most_deg},
+  return {{"least", peak->engagement.min_deg},
+          {"most", peak->engagement.max_deg},
           {"line", peak->line},
           {"at_s", peak->at_s},
           {"at_mm", place_json(peak->at)}};
 }
 
 StockJson peak_json(const stock::HeightPeak& peak) {
-  return {{"least_mm", peak.least_mm},
-          {"most_mm", peak.most_mm},
+  return {{"least_mm", peak.min_mm},
+          {"most_mm", peak.max_mm},
           {"at_mm", StockJson::array({peak.x_mm, peak.y_mm})}};
 }
 
@@ -109,19 +109,18 @@ std::string worst_text(const stock::WorstPlace& place) {
 /// Returns a text such as `1.2 to 3.4 mm³, surely 0.500 mm at X1.000 Y2.000`; the point is given
 /// only if a difference is certain.
 std::string difference_text(const stock::VolumeBounds& volume, const stock::HeightPeak& peak) {
-  std::string text = fmt::format("{:.2f} to {:.2f} mm³", volume.least_mm3, volume.most_mm3);
-  if (peak.least_mm > 0.0) {
-    text +=
-        fmt::format(", surely {:.4f} mm at X{:.3f} Y{:.3f}", peak.least_mm, peak.x_mm, peak.y_mm);
+  std::string text = fmt::format("{:.2f} to {:.2f} mm³", volume.min_mm3, volume.max_mm3);
+  if (peak.min_mm > 0.0) {
+    text += fmt::format(", surely {:.4f} mm at X{:.3f} Y{:.3f}", peak.min_mm, peak.x_mm, peak.y_mm);
   }
   return text;
 }
 
 /// Returns a text such as `lines 3, 5 and 12 more`.
 std::string lines_text(const stock::LineCuts& cuts) {
-  constexpr std::size_t kMostShown = 8;
+  constexpr std::size_t kMaxShown = 8;
   std::string text = cuts.count == 1 ? "line" : "lines";
-  const std::size_t shown = std::min(kMostShown, cuts.lines.size());
+  const std::size_t shown = std::min(kMaxShown, cuts.lines.size());
   for (std::size_t i = 0; i < shown; ++i) {
     text += fmt::format("{} {}", i == 0 ? "" : ",", cuts.lines[i].line);
   }
@@ -153,7 +152,7 @@ nlohmann::ordered_json to_json(const stock::StockReport& report) {
   const stock::CarvingFigures& figures = report.figures;
   StockJson times = StockJson::array();
   for (const stock::RemovedAt& at : figures.over_time) {
-    times.push_back(StockJson::array({at.time_s, at.removed.least_mm3, at.removed.most_mm3}));
+    times.push_back(StockJson::array({at.time_s, at.removed.min_mm3, at.removed.max_mm3}));
   }
   const stock::StockBox& box = report.box;
   StockJson bottom;
@@ -183,15 +182,15 @@ std::vector<std::pair<std::string, std::string>> stock_facts(const stock::StockR
   std::vector<std::pair<std::string, std::string>> facts;
   facts.emplace_back("stock",
                      fmt::format("{:.1f} to {:.1f} mm³ removed by {}, cells of {:g} mm",
-                                 figures.removed.least_mm3,
-                                 figures.removed.most_mm3,
+                                 figures.removed.min_mm3,
+                                 figures.removed.max_mm3,
                                  to_string(report.cutter),
                                  std::max(report.cell_x_mm, report.cell_y_mm)));
   if (figures.engagement) {
     facts.emplace_back("engagement",
                        fmt::format("{:.1f} to {:.1f} degrees at most, at line {}",
-                                   figures.engagement->engagement.least_deg,
-                                   figures.engagement->engagement.most_deg,
+                                   figures.engagement->engagement.min_deg,
+                                   figures.engagement->engagement.max_deg,
                                    figures.engagement->line));
   }
   if (figures.plunges.count > 0) {
@@ -226,13 +225,13 @@ std::vector<std::string> warnings_of(const stock::StockReport& report, const std
   const stock::LineCuts& rapids = report.figures.rapids;
   std::vector<std::string> warnings;
   for (const stock::LineCut& cut : rapids.lines) {
-    if (warnings.size() == kMostRapidWarnings) break;
+    if (warnings.size() == kMaxRapidWarnings) break;
     warnings.push_back(
         fmt::format("{}:{}: a rapid cuts stock, at least {:.3g} mm³, first near X{:.3f} Y{:.3f} "
                     "Z{:.3f}",
                     file,
                     cut.line,
-                    cut.least_mm3,
+                    cut.min_mm3,
                     cut.at.x_mm,
                     cut.at.y_mm,
                     cut.at.z_mm));
@@ -241,13 +240,13 @@ std::vector<std::string> warnings_of(const stock::StockReport& report, const std
     warnings.push_back(
         fmt::format("{}: rapids cut stock {} times more", file, rapids.count - warnings.size()));
   }
-  if (report.pocket && report.pocket->gouge.least_mm3 > 0.0) {
+  if (report.pocket && report.pocket->gouge.min_mm3 > 0.0) {
     warnings.push_back(
         fmt::format("{}: the pocket is gouged: {}",
                     file,
                     difference_text(report.pocket->gouge, report.pocket->deepest_gouge)));
   }
-  if (report.surface && report.surface->gouge.least_mm3 > 0.0) {
+  if (report.surface && report.surface->gouge.min_mm3 > 0.0) {
     warnings.push_back(
         fmt::format("{}: the surface is gouged: {}",
                     file,

@@ -41,9 +41,9 @@ std::size_t sequence_length(unsigned char lead) {
 }
 
 bool is_well_formed(char32_t code_point, std::size_t bytes) {
-  constexpr std::array<char32_t, 5> kLeast{0, 0, 0x80, 0x800, 0x10000};
+  constexpr std::array<char32_t, 5> kMin{0, 0, 0x80, 0x800, 0x10000};
   const bool is_surrogate = code_point >= 0xD800 && code_point <= 0xDFFF;
-  return code_point >= kLeast[bytes] && code_point <= 0x10FFFF && !is_surrogate;
+  return code_point >= kMin[bytes] && code_point <= 0x10FFFF && !is_surrogate;
 }
 
 std::size_t width_of(char32_t code_point) {

@@ -18,7 +18,7 @@ namespace can = cnc::can;
 
 /// Four heartbeats of a node. A node that is not on the bus at all is not waited for any longer.
 constexpr std::chrono::milliseconds kNodeSilence{2000};
-constexpr std::chrono::milliseconds kMostAway{20};
+constexpr std::chrono::milliseconds kMaxAway{20};
 
 /// The host's end of a CAN adapter on a serial port (slcan).
 class SlcanHostWire final : public CanWire {
@@ -138,7 +138,7 @@ void CanNodePort::attend() {
 
 void CanNodePort::hear_news(Clock::time_point now) {
   // Time in which this host did not listen does not count as silence of the node.
-  silent_ += std::min<Clock::duration>(now - looked_, kMostAway);
+  silent_ += std::min<Clock::duration>(now - looked_, kMaxAway);
   looked_ = now;
   if (host_.frames() != frames_heard_) silent_ = {};
   frames_heard_ = host_.frames();

@@ -50,8 +50,8 @@ JobLines::JobLines(const std::vector<JobLine>& lines) {
 }
 
 void JobLines::add(std::string_view text, std::size_t number) {
-  constexpr std::size_t kMost = std::numeric_limits<std::uint32_t>::max();
-  if (text_.size() + text.size() > kMost || number > kMost) {
+  constexpr std::size_t kMax = std::numeric_limits<std::uint32_t>::max();
+  if (text_.size() + text.size() > kMax || number > kMax) {
     throw std::length_error("the job has more than 4 GiB of text: send it in parts");
   }
   text_ += numbered_ ? without_number(text) : text;

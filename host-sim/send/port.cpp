@@ -23,7 +23,7 @@ using hal::host::Descriptor;
 namespace {
 
 /// Bytes that may wait in the kernel: 5 ms at 115,200 baud.
-constexpr int kMostQueued = 64;
+constexpr int kMaxQueued = 64;
 
 bool is_only_slow() { return errno == EAGAIN || errno == EWOULDBLOCK || errno == EINTR; }
 
@@ -60,8 +60,8 @@ class DescriptorPort final : public Port {
   [[nodiscard]] std::size_t room() const {
     int queued = 0;
     // NOLINTNEXTLINE(cppcoreguidelines-pro-type-vararg): that is how ioctl is declared.
-    if (::ioctl(number(), TIOCOUTQ, &queued) < 0) return kMostQueued;
-    return static_cast<std::size_t>(std::max(0, kMostQueued - queued));
+    if (::ioctl(number(), TIOCOUTQ, &queued) < 0) return kMaxQueued;
+    return static_cast<std::size_t>(std::max(0, kMaxQueued - queued));
   }
   /// Checks for a hang-up: read() gives the same result for a serial port without data and for one
   /// that was pulled out.

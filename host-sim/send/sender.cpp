@@ -28,7 +28,7 @@ constexpr unsigned kIdleReports = 2;
 constexpr const char* kInAlarm = "the controller is in alarm: home or unlock it first";
 /// A Grbl refuses every request to begin checked lines. A line that damages one byte in 80 spoils
 /// some of these requests, but hardly this many in a row.
-constexpr unsigned kMostRefused = 12;
+constexpr unsigned kMaxRefused = 12;
 
 }  // namespace
 
@@ -150,7 +150,7 @@ void Sender::take_plain(const Answer& answer) {
     case State::kBeginning:
       // To a line with a number and a check, a Grbl only answers that the line is wrong.
       if (answer.kind != AnswerKind::kOk || !answer.checked || answer.line != first_n_ - 1) {
-        if (answer.kind == AnswerKind::kError && questions_ >= kMostRefused) {
+        if (answer.kind == AnswerKind::kError && questions_ >= kMaxRefused) {
           fail("the controller knows no checked lines: send without --checked");
         }
         return;

@@ -26,7 +26,7 @@ struct SendOptions {
   /// The lines are sent although the controller is in alarm, as it takes them in that state:
   /// questions, other `$` statements, `$X` first.
   bool rests_in_alarm = false;
-  std::uint32_t most_number = 9'999'999;  ///< Greatest number; after it the numbers restart.
+  std::uint32_t max_number = 9'999'999;  ///< Greatest number; after it the numbers restart.
 };
 
 /// The sender's half of the conversation with a Grbl controller, without a port and without a

@@ -31,7 +31,7 @@ void Sender::begin() {
   room_ = cnc::Receiver::kAdvertisedBytes;
   begun_ = answered_;
   const std::uint32_t n = begun_ < job_.size() ? job_[begun_].n : 1U;
-  first_n_ = n <= options_.most_number ? std::max(1U, n) : 1U;
+  first_n_ = n <= options_.max_number ? std::max(1U, n) : 1U;
   put(with_crc(fmt::format("N{}M110", first_n_ - 1)));
 }
 
@@ -60,7 +60,7 @@ std::uint32_t Sender::number_of(std::size_t line) const {
 void Sender::send_lines() {
   if (state_ != State::kSending) return;
   while (next_ < job_.size()) {
-    if (numbers_lines_ && number_of(next_) > options_.most_number) break;
+    if (numbers_lines_ && number_of(next_) > options_.max_number) break;
     std::string line = text_of(next_);
     // A line that is longer than the window is sent alone.
     const std::size_t size = line.size() + 1;

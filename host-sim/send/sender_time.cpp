@@ -15,7 +15,7 @@ constexpr Time kMeetingLimit{10'000};
 constexpr Time kSilenceLimit{20'000};
 constexpr Time kAskPeriod{2000};
 constexpr Time kBeginPeriod{300};
-constexpr unsigned kMostQuestions = 20;
+constexpr unsigned kMaxQuestions = 20;
 /// Time since the last answer after which several lines may have been lost.
 constexpr Time kStall{60};
 /// Time since the last answer after which a single line may have been lost. It is longer because
@@ -113,7 +113,7 @@ void Sender::repeat_question() {
   // started.
   if (asks && told_options_ && since(moved_) > kStallOfOne) return take_options();
   if (since(asked_) < (asks ? kAskPeriod : kBeginPeriod)) return;
-  if (questions_ >= kMostQuestions) return fail("the controller does not answer as one should");
+  if (questions_ >= kMaxQuestions) return fail("the controller does not answer as one should");
   if (asks) return ask();
   if (state_ == State::kBeginning) return begin();
   send_end();

@@ -143,7 +143,7 @@ std::string LiveView::state_text(std::string_view sender_kind) const {
       {"homed", machine.homed()},
       {"sender", sender_kind},
       {"travel", travel_of(machine.settings())},
-      {"most_spindle", machine.settings().get(cnc::setting::kMostSpindleSpeed)},
+      {"most_spindle", machine.settings().get(cnc::setting::kMaxSpindleSpeed)},
       {"version", cnc::identity::version()},
       {"alarm_text", alarm_words(static_cast<std::uint32_t>(machine.alarm()))},
       {"job", state_of(job_, sender_kind, machine)}};

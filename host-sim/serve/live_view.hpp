@@ -21,7 +21,7 @@ namespace sim {
 ///
 ///     {"t":1.25,"state":"Run","substate":0,"alarm":0,"mpos":[…],"wco":[…],
 ///      "motors":[…],"feed":1200,"power":0.5,"spindle":500,"overrides":[100,100,100],
-///      "line":12,"homed":3,"sender":"ws","travel":[300,200,50],"most_spindle":1000,
+///      "line":12,"homed":3,"sender":"ws","travel":[300,200,50],"max_spindle":1000,
 ///      "version":"0.2.0+9fa115e","alarm_text":"",
 ///      "job":{"name":"part.nc","id":"3f…","state":"running","done":12,"count":83,"line":15,
 ///             "trouble":"","waits":"the end of the job that runs","resume_waits":"…"},

@@ -24,7 +24,7 @@ class LookAhead {
  public:
   /// Greatest number of bytes of lines that wait. A sender that is further ahead must be
   /// disconnected, because its realtime bytes could not be read any more.
-  static constexpr std::size_t kMost = std::size_t{64} << 20;
+  static constexpr std::size_t kMax = std::size_t{64} << 20;
 
   LookAhead();
 
@@ -38,7 +38,7 @@ class LookAhead {
   [[nodiscard]] std::string take_lines(Session& session);
 
   [[nodiscard]] std::size_t size() const { return lines_.size(); }
-  [[nodiscard]] bool overrun() const { return size() > kMost; }
+  [[nodiscard]] bool overrun() const { return size() > kMax; }
   /// Forgets all bytes: the sender has gone, or another one begins.
   void forget();
 

@@ -17,17 +17,17 @@ double Pacer::turns_at(Clock::time_point now) const {
 std::uint64_t Pacer::take_due(Clock::time_point now) {
   const auto wanted = static_cast<std::uint64_t>(std::max(0.0, turns_at(now)));
   if (wanted <= done_) return 0;
-  const double most_behind = Seconds{kMostBehind}.count() * speed_ * kTurnsPerSecond;
-  const std::uint64_t kept = std::max(kMostTurns, static_cast<std::uint64_t>(most_behind));
+  const double max_behind = Seconds{kMaxBehind}.count() * speed_ * kTurnsPerSecond;
+  const std::uint64_t kept = std::max(kMaxTurns, static_cast<std::uint64_t>(max_behind));
   if (wanted - done_ > kept) {
     // Moves the start to the time from which the remaining backlog would have built up.
     const Seconds backlog{static_cast<double>(kept) / (speed_ * kTurnsPerSecond)};
     start_ = now - std::chrono::duration_cast<Clock::duration>(backlog);
     done_ = 0;
-    done_ = kMostTurns;
+    done_ = kMaxTurns;
     return done_;
   }
-  const std::uint64_t turns = std::min(wanted - done_, kMostTurns);
+  const std::uint64_t turns = std::min(wanted - done_, kMaxTurns);
   done_ += turns;
   return turns;
 }

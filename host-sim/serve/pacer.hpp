@@ -9,19 +9,19 @@ namespace sim {
 /// due on the wall clock.
 ///
 /// The controller's time never runs ahead of the wall clock times the speed. A backlog is caught up
-/// in bursts of at most kMostTurns cycles, between which the caller attends to its senders. A
-/// backlog of more than kMostBehind (the process was stopped, or the machine is too slow) is cut to
+/// in bursts of at most kMaxTurns cycles, between which the caller attends to its senders. A
+/// backlog of more than kMaxBehind (the process was stopped, or the machine is too slow) is cut to
 /// that time, so that the controller does not race after an hour of sleep.
 class Pacer {
  public:
   using Clock = std::chrono::steady_clock;
-  static constexpr std::uint64_t kMostTurns = 128;
-  static constexpr std::chrono::milliseconds kMostBehind{250};
+  static constexpr std::uint64_t kMaxTurns = 128;
+  static constexpr std::chrono::milliseconds kMaxBehind{250};
 
   /// @param speed controller seconds per second, > 0
   Pacer(double speed, Clock::time_point start) : speed_{speed}, start_{start} {}
 
-  /// Returns the number of cycles to run now, at most kMostTurns, and counts them as run.
+  /// Returns the number of cycles to run now, at most kMaxTurns, and counts them as run.
   [[nodiscard]] std::uint64_t take_due(Clock::time_point now);
   /// Returns the time until the next cycle, ≥ 0.
   [[nodiscard]] Clock::duration until_next(Clock::time_point now) const;

@@ -12,7 +12,7 @@ namespace {
 constexpr std::size_t kSenderPart = std::size_t{64} << 10;
 // Greatest number of bytes read in one go. They take some milliseconds, which the machine catches
 // up.
-constexpr std::size_t kMostAtOnce = std::size_t{4} << 20;
+constexpr std::size_t kMaxAtOnce = std::size_t{4} << 20;
 
 /// Returns a key that no other page can guess.
 std::string fresh_key() {
@@ -78,7 +78,7 @@ void Reception::see_off(Clock::time_point now) {
   for (Departing& one : departing_) {
     // Bytes have to be read on: otherwise the kernel sends a reset, which discards the words sent
     // to the peer.
-    for (std::size_t read = 0; read < kMostAtOnce; read += kSenderPart) {
+    for (std::size_t read = 0; read < kMaxAtOnce; read += kSenderPart) {
       if (one.connection->read(part_) == 0) break;
     }
     if (one.words.empty()) continue;
@@ -101,7 +101,7 @@ void Reception::greet(Clock::time_point now) {
 void Reception::carry_in() {
   for (std::byte byte{}; sender_->take_realtime(byte);) session_.act_at_once(byte);
   part_.resize(kSenderPart);
-  for (std::size_t read = 0; read < kMostAtOnce && !look_ahead_.overrun();) {
+  for (std::size_t read = 0; read < kMaxAtOnce && !look_ahead_.overrun();) {
     const std::size_t count = sender_->read(part_);
     if (count == 0) break;
     look_ahead_.hear(std::span{part_}.first(count), session_);

@@ -19,13 +19,13 @@ std::string text_of(const LineNote& note) {
   return fmt::format("line {}: {}", note.line, note.text);
 }
 
-constexpr std::size_t kMostBarriers = 20;
+constexpr std::size_t kMaxBarriers = 20;
 
 void add_barriers(const ProgramText& prepared, ServedProgram& program) {
   for (const LineNote& fault : prepared.faults) {
-    if (program.barriers.size() == kMostBarriers) {
+    if (program.barriers.size() == kMaxBarriers) {
       program.barriers.push_back(
-          fmt::format("and {} more lines like this", prepared.faults.size() - kMostBarriers));
+          fmt::format("and {} more lines like this", prepared.faults.size() - kMaxBarriers));
       return;
     }
     program.barriers.push_back(text_of(fault));
@@ -49,10 +49,10 @@ std::shared_ptr<const ServedProgram> prepare_served(std::string name,
   }
   program->text = std::move(prepared.text);
   program->lines = read_job(program->text, true);
-  constexpr std::size_t kMost = kLongestSentLine - kSentNumber;
-  if (const auto line = line_too_long(program->lines, kMost)) {
+  constexpr std::size_t kMax = kLongestSentLine - kSentNumber;
+  if (const auto line = line_too_long(program->lines, kMax)) {
     program->barriers.push_back(fmt::format(
-        "line {}: longer than {} characters without comments and blanks", line->number, kMost));
+        "line {}: longer than {} characters without comments and blanks", line->number, kMax));
   }
   return program;
 }

@@ -10,7 +10,7 @@ constexpr std::byte kSoftReset{0x18};
 // segments: no pause of the step timer within a motion is that long.
 constexpr unsigned kTurnsStill = 100;
 // Longer than any machine brakes. A machine that still moves then is reset.
-constexpr unsigned kMostTurnsToStop = 10'000;
+constexpr unsigned kMaxTurnsToStop = 10'000;
 
 }  // namespace
 
@@ -57,7 +57,7 @@ void Session::part() {
     if (turns_of_parting_ >= kTurnsOfReset) parting_ = Parting::kOver;
     return;
   }
-  if (turns_still_ < kTurnsStill && turns_of_parting_ < kMostTurnsToStop) return;
+  if (turns_still_ < kTurnsStill && turns_of_parting_ < kMaxTurnsToStop) return;
   link_.interject(kSoftReset);
   parting_ = Parting::kResetting;
   turns_of_parting_ = 0;

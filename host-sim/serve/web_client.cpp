@@ -75,8 +75,8 @@ WebClient::WebClient(boost::asio::io_context& context,
     : socket_{context, boost::asio::ip::tcp::v4(), socket.release()},
       buffer_{kRequestPart},
       until_{now + kPatience} {
-  parser_.header_limit(kMostHead);
-  parser_.body_limit(kMostBody);
+  parser_.header_limit(kMaxHead);
+  parser_.body_limit(kMaxBody);
 }
 
 WebClient::Handler WebClient::then(void (WebClient::*next)(Fault)) {

@@ -31,8 +31,8 @@ namespace sim {
 class WebClient : public std::enable_shared_from_this<WebClient> {
  public:
   using Clock = std::chrono::steady_clock;
-  static constexpr std::size_t kMostHead = std::size_t{16} << 10;
-  static constexpr std::size_t kMostBody = std::size_t{64} << 20;
+  static constexpr std::size_t kMaxHead = std::size_t{16} << 10;
+  static constexpr std::size_t kMaxBody = std::size_t{64} << 20;
   /// Time limit for the whole head, for each part of a body, and for each part of an answer.
   static constexpr std::chrono::seconds kPatience{10};
 

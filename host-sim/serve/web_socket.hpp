@@ -15,7 +15,7 @@ class WebSocket {
  public:
   using Clock = std::chrono::steady_clock;
   /// Greatest number of bytes that wait to be sent. Bytes beyond it are not taken.
-  static constexpr std::size_t kMostUnsent = std::size_t{1} << 20;
+  static constexpr std::size_t kMaxUnsent = std::size_t{1} << 20;
   /// A client that does not take a message within this time is disconnected.
   static constexpr std::chrono::seconds kPatience{30};
   /// Time that the client has for its part of closing.

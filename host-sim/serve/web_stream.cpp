@@ -14,7 +14,7 @@ namespace {
 namespace websocket = boost::beast::websocket;
 using boost::beast::error_code;
 
-constexpr std::size_t kMostPayload = std::size_t{64} << 20;
+constexpr std::size_t kMaxPayload = std::size_t{64} << 20;
 // Bytes read at a time. No more are read from a client until its last part was taken.
 constexpr std::size_t kStreamPart = std::size_t{64} << 10;
 
@@ -28,7 +28,7 @@ bool is_ascii(std::string_view text) {
 class WebStream final : public WebSocket, public std::enable_shared_from_this<WebStream> {
  public:
   explicit WebStream(boost::asio::ip::tcp::socket socket) : stream_{std::move(socket)} {
-    stream_.read_message_max(kMostPayload);
+    stream_.read_message_max(kMaxPayload);
     stream_.auto_fragment(false);
     // The sender counts as gone at its close frame, however long the rest of closing takes.
     stream_.control_callback([this](websocket::frame_type frame, auto) {
@@ -54,8 +54,8 @@ class WebStream final : public WebSocket, public std::enable_shared_from_this<We
   }
 
   std::size_t write(std::span<const std::byte> from) override {
-    if (!here() || ended_ || unsent_ >= kMostUnsent) return 0;
-    const std::size_t count = std::min(from.size(), kMostUnsent - unsent_);
+    if (!here() || ended_ || unsent_ >= kMaxUnsent) return 0;
+    const std::size_t count = std::min(from.size(), kMaxUnsent - unsent_);
     if (count == 0) return 0;
     messages_.emplace_back(reinterpret_cast<const char*>(from.data()), count);
     unsent_ += count;

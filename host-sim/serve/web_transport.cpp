@@ -14,7 +14,7 @@
 namespace sim {
 namespace {
 
-constexpr std::ptrdiff_t kMostAtWork = 2;
+constexpr std::ptrdiff_t kMaxAtWork = 2;
 // Longest time for handlers in one go; the machine's time continues meanwhile.
 constexpr std::chrono::milliseconds kLongestRun{5};
 // To read a part takes a few handlers; those of other connections may run among them.
@@ -84,8 +84,8 @@ void WebTransport::attend() {
 }
 
 void WebTransport::accept_clients() {
-  constexpr int kMostInATurn = 16;
-  for (int count = 0; count < kMostInATurn; ++count) {
+  constexpr int kMaxInATurn = 16;
+  for (int count = 0; count < kMaxInATurn; ++count) {
     auto accepted = accept_at(listener_);
     if (!accepted) return;
     meet(std::move(*accepted));
@@ -93,7 +93,7 @@ void WebTransport::accept_clients() {
 }
 
 void WebTransport::meet(hal::host::Descriptor socket) {
-  if (clients_.size() >= kMostClients) make_place();
+  if (clients_.size() >= kMaxClients) make_place();
   clients_.push_back(std::make_shared<WebClient>(*context_, std::move(socket), now_()));
   clients_.back()->begin();
 }
@@ -152,7 +152,7 @@ void WebTransport::open_socket(WebClient& client) {
 }
 
 void WebTransport::add_watcher(std::shared_ptr<WebSocket> socket) {
-  if (watchers_.size() < kMostWatchers) {
+  if (watchers_.size() < kMaxWatchers) {
     watchers_.push_back(std::move(socket));
     return;
   }
@@ -160,12 +160,12 @@ void WebTransport::add_watcher(std::shared_ptr<WebSocket> socket) {
   socket->end();
 }
 
-/// Answers a request. At most kMostAtWork answers are made at a time; other requests wait.
+/// Answers a request. At most kMaxAtWork answers are made at a time; other requests wait.
 void WebTransport::answer(WebClient& client) {
   const auto at_work = std::count_if(clients_.begin(), clients_.end(), [](const auto& one) {
     return one->stage() == WebClient::Stage::kWorking;
   });
-  if (at_work >= kMostAtWork) return;
+  if (at_work >= kMaxAtWork) return;
   PageService::Answer answer = service_.answer(std::move(client.request()));
   if (auto* work = std::get_if<WebWork>(&answer)) return client.work(std::move(*work));
   client.answer(std::get<WebReply>(answer));

@@ -29,13 +29,13 @@ class WebClient;
 ///
 /// HTTP and WebSocket are those of Boost.Beast, on an `io_context` of Boost.Asio whose handlers run
 /// in the loop: the loop polls the sockets' descriptors, and accept() runs the handlers that are
-/// ready. Nothing blocks, and everything is bounded. A client beyond kMostClients takes the place
-/// of the oldest one that has sent no request yet. A watcher beyond kMostWatchers is refused with a
+/// ready. Nothing blocks, and everything is bounded. A client beyond kMaxClients takes the place
+/// of the oldest one that has sent no request yet. A watcher beyond kMaxWatchers is refused with a
 /// message.
 class WebTransport final : public Transport {
  public:
-  static constexpr std::size_t kMostClients = 64;
-  static constexpr std::size_t kMostWatchers = 16;
+  static constexpr std::size_t kMaxClients = 64;
+  static constexpr std::size_t kMaxWatchers = 16;
   using Clock = std::chrono::steady_clock;
   using Now = std::function<Clock::time_point()>;
 

@@ -144,7 +144,7 @@ class PartPlacer {
     std::size_t shapes = 0;
     for (const auto& contour : drawn.contours) shapes += contour.shapes.size();
     shapes_ += shapes * part.places.size();
-    if (shapes_ <= sketch_.share_of(drawing::kMostShapes)) return true;
+    if (shapes_ <= sketch_.share_of(drawing::kMaxShapes)) return true;
     sketch_.report({FaultKind::kTooMuch,
                     {.name = fmt::format("{}: part \"{}\"", part.pointer, part.name)},
                     {},

@@ -99,10 +99,10 @@ std::vector<Fault> check_places(const Drawing& placed, std::span<const ContourUs
   for (const ContourUse& use : uses) {
     if (use.is_edge) kerf_mm = std::max(kerf_mm, use.kerf_mm);
   }
-  for (const PartPair& pair : near_parts(placed, uses, drawing::kMostFaults)) {
+  for (const PartPair& pair : near_parts(placed, uses, drawing::kMaxFaults)) {
     faults.push_back(fault_of(placed, pair, kerf_mm));
   }
-  if (faults.size() > drawing::kMostFaults) faults.resize(drawing::kMostFaults);
+  if (faults.size() > drawing::kMaxFaults) faults.resize(drawing::kMaxFaults);
   return faults;
 }
 

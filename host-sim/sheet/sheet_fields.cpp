@@ -44,7 +44,7 @@ SheetFields::SheetFields(const json& object,
 bool SheetFields::has(const char* key) const { return object_.contains(key); }
 
 void SheetFields::bad(const std::string& key, std::string reason, std::string remedy) {
-  if (faults_.size() >= drawing::kMostFaults) return;
+  if (faults_.size() >= drawing::kMaxFaults) return;
   const std::string place = key.empty() ? pointer_ : pointer_ + "/" + key;
   faults_.push_back({drawing::FaultKind::kBadEntity,
                      {.name = place.empty() ? "/" : place},

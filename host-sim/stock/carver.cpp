@@ -164,8 +164,7 @@ void Carver::sink_lower_bounds(const SweptSurface& possible, int row, Range rang
     const double x = stock_.box().x_min + (2 * column + 1) * half_x_mm_;
     // A height of at least this value is rounded to a bound that is at least the cell's bound.
     const double enough_mm = stock_.box().top + (cell.lower_nm + 2) / kNmPerMm;
-    const std::int32_t lower =
-        lower_nm(possible.least_over(x, y, half_x_mm_, half_y_mm_, enough_mm));
+    const std::int32_t lower = lower_nm(possible.min_over(x, y, half_x_mm_, half_y_mm_, enough_mm));
     if (lower >= cell.lower_nm) return;
     fell += cell.lower_nm - lower;
     cell.lower_nm = lower;

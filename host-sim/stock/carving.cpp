@@ -18,9 +18,9 @@ void LineCuts::add(const DrivenStretch& driven, double removed_mm3) {
   if (count == 0 || last_line != driven.origin.line) {
     ++count;
     last_line = driven.origin.line;
-    if (count <= kMostListed) lines.push_back({last_line, 0.0, driven.end_s, driven.stretch.to});
+    if (count <= kMaxListed) lines.push_back({last_line, 0.0, driven.end_s, driven.stretch.to});
   }
-  if (count <= kMostListed) lines.back().least_mm3 += removed_mm3;
+  if (count <= kMaxListed) lines.back().min_mm3 += removed_mm3;
 }
 
 Carving::Carving(Stock& stock, const Cutter& cutter, double trail_mm)
@@ -54,7 +54,7 @@ void Carving::note_volume(double time_s) {
   auto& times = figures_.over_time;
   if (!times.empty() && time_s < times.back().time_s + time_step_s_) return;
   times.push_back({time_s, stock_.removed()});
-  if (times.size() < CarvingFigures::kMostTimes) return;
+  if (times.size() < CarvingFigures::kMaxTimes) return;
   for (std::size_t i = 0; 2 * i + 1 < times.size(); ++i) times[i] = times[2 * i + 1];
   times.resize(times.size() / 2);
   time_step_s_ *= 2.0;

@@ -14,13 +14,13 @@ namespace sim::stock {
 /// Stock that the motions of one line of the program removed.
 struct LineCut {
   int line = 0;
-  double least_mm3 = 0.0;  ///< The volume that these motions surely removed.
-  double at_s = 0.0;       ///< End of the first stretch that removed stock…
-  Pose at;                 ///< …and the tool's position there.
+  double min_mm3 = 0.0;  ///< The volume that these motions surely removed.
+  double at_s = 0.0;     ///< End of the first stretch that removed stock…
+  Pose at;               ///< …and the tool's position there.
 };
 
 struct LineCuts {
-  static constexpr std::size_t kMostListed = 100;
+  static constexpr std::size_t kMaxListed = 100;
   std::vector<LineCut> lines;  ///< The first lines with cuts, in the order of driving.
   /// Number of all lines with cuts; a line that is driven a second time counts again.
   std::size_t count = 0;
@@ -44,9 +44,9 @@ struct PeakEngagement {
 /// Results of carving a program.
 struct CarvingFigures {
   VolumeBounds removed;
-  /// Removed volume at equal intervals of time or slightly longer ones, at most kMostTimes entries;
+  /// Removed volume at equal intervals of time or slightly longer ones, at most kMaxTimes entries;
   /// the last entry is the end.
-  static constexpr std::size_t kMostTimes = 256;
+  static constexpr std::size_t kMaxTimes = 256;
   std::vector<RemovedAt> over_time;
   LineCuts rapids;   ///< Rapids that cut stock.
   LineCuts plunges;  ///< Feeds that cut stock and descend more steeply than 45 degrees.

@@ -37,13 +37,13 @@ class ToolRoom {
 
   /// Returns the height above the floor to which the tool can surely cut the whole cell; infinite
   /// where a part of the cell may be out of the tool's reach.
-  [[nodiscard]] double most_left(std::size_t cell) const {
+  [[nodiscard]] double max_left(std::size_t cell) const {
     const double distance = to_sure_[cell] + half_mm_;
     return distance <= profile_.radius_mm ? height_at(profile_, distance) : kOutOfReach;
   }
   /// Returns the least height to which the tool may be able to cut some point of the cell; infinite
   /// where the cell is out of reach.
-  [[nodiscard]] double least_left(std::size_t cell) const {
+  [[nodiscard]] double min_left(std::size_t cell) const {
     const double distance = std::max(0.0, to_possible_[cell] - 2.0 * half_mm_);
     return distance <= profile_.radius_mm ? height_at(profile_, distance) : kOutOfReach;
   }
@@ -92,21 +92,21 @@ class Comparer {
     const double upper = cell.upper_nm / kNmPerMm;
     const HeightPeak place{.x_mm = stock_.box().x_min + (column + 0.5) * stock_.cell_x_mm(),
                            .y_mm = stock_.box().y_min + (row + 0.5) * stock_.cell_y_mm()};
-    const double least_due = part == RegionPart::kOutside ? 0.0 : floor_mm_;
-    const double most_due = part == RegionPart::kInside ? floor_mm_ : 0.0;
-    add(figures_.gouge, figures_.deepest_gouge, least_due - upper, most_due - lower, place);
+    const double min_due = part == RegionPart::kOutside ? 0.0 : floor_mm_;
+    const double max_due = part == RegionPart::kInside ? floor_mm_ : 0.0;
+    add(figures_.gouge, figures_.deepest_gouge, min_due - upper, max_due - lower, place);
     if (part == RegionPart::kOutside) return;
     const bool is_inside = part == RegionPart::kInside;
     const std::size_t index = region_.index_of(column, row);
-    const double least = is_inside ? lower - (floor_mm_ + room_.most_left(index)) : 0.0;
-    const double most = upper - (floor_mm_ + room_.least_left(index));
+    const double least = is_inside ? lower - (floor_mm_ + room_.max_left(index)) : 0.0;
+    const double most = upper - (floor_mm_ + room_.min_left(index));
     add(figures_.rest, figures_.tallest_rest, least, most, place);
     if (is_inside && cell.upper_nm < 0) figures_.tallest_scallop.take(peak_of(least, most, place));
   }
 
   [[nodiscard]] static HeightPeak peak_of(double least, double most, HeightPeak place) {
-    place.least_mm = std::max(0.0, least);
-    place.most_mm = std::max(0.0, most);
+    place.min_mm = std::max(0.0, least);
+    place.max_mm = std::max(0.0, most);
     return place;
   }
 
@@ -117,8 +117,8 @@ class Comparer {
            const HeightPeak& place) const {
     const HeightPeak here = peak_of(least, most, place);
     const double area = stock_.cell_x_mm() * stock_.cell_y_mm();
-    volume.least_mm3 += here.least_mm * area;
-    volume.most_mm3 += here.most_mm * area;
+    volume.min_mm3 += here.min_mm * area;
+    volume.max_mm3 += here.max_mm * area;
     peak.take(here);
   }
 
@@ -166,17 +166,17 @@ std::string fault_of(const PocketTarget& target, double cell_mm) {
   if (low[0] > high[0]) return "there is no closed contour";
   const double cells =
       (high[0] - low[0] + 4.0 * cell_mm) * (high[1] - low[1] + 4.0 * cell_mm) / (cell_mm * cell_mm);
-  if (cells <= kMostTargetCells) return {};
+  if (cells <= kMaxTargetCells) return {};
   return fmt::format(
       "the pocket has {:.3g} cells of {} mm; it takes up to {:.3g}, so choose larger",
       cells,
       cell_mm,
-      kMostTargetCells);
+      kMaxTargetCells);
 }
 
 void HeightPeak::take(const HeightPeak& other) {
-  if (other.least_mm < least_mm) return;
-  if (other.least_mm == least_mm && other.most_mm <= most_mm) return;
+  if (other.min_mm < min_mm) return;
+  if (other.min_mm == min_mm && other.max_mm <= max_mm) return;
   *this = other;
 }
 

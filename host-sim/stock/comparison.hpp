@@ -16,17 +16,17 @@ struct PocketTarget {
 };
 
 /// Greatest number of cells in the box of a target; each takes 25 bytes during the comparison.
-inline constexpr double kMostTargetCells = 5.0e7;
+inline constexpr double kMaxTargetCells = 5.0e7;
 
 /// Returns the reason, with range and unit, why a pocket is impossible; empty for a possible
 /// pocket.
 [[nodiscard]] std::string fault_of(const PocketTarget& target, double cell_mm);
 
-/// The greatest difference of heights. Over some cell, the difference is surely at least `least_mm`
-/// and at most `most_mm`.
+/// The greatest difference of heights. Over some cell, the difference is surely at least `min_mm`
+/// and at most `max_mm`.
 struct HeightPeak {
-  double least_mm = 0.0;
-  double most_mm = 0.0;
+  double min_mm = 0.0;
+  double max_mm = 0.0;
   double x_mm = 0.0;  ///< The cell's centre.
   double y_mm = 0.0;
 

@@ -16,10 +16,10 @@ bool is_within(double value, double least, double most) { return value >= least 
 
 std::string fault_of(const Cutter& cutter) {
   const double diameter = cutter.diameter_mm;
-  if (!is_within(diameter, kLeastCutterMm, kGreatestCutterMm)) {
+  if (!is_within(diameter, kMinCutterMm, kGreatestCutterMm)) {
     return fmt::format("the tool's diameter is {} mm; it takes {} to {} mm",
                        diameter,
-                       kLeastCutterMm,
+                       kMinCutterMm,
                        kGreatestCutterMm);
   }
   const double corner = cutter.corner_radius_mm;
@@ -31,10 +31,10 @@ std::string fault_of(const Cutter& cutter) {
   }
   if (cutter.kind != CutterKind::kV) return {};
   const double angle = cutter.included_angle_deg;
-  if (!is_within(angle, kLeastIncludedAngleDeg, kGreatestIncludedAngleDeg)) {
+  if (!is_within(angle, kMinIncludedAngleDeg, kGreatestIncludedAngleDeg)) {
     return fmt::format("the included angle is {} degrees; it takes {} to {} degrees",
                        angle,
-                       kLeastIncludedAngleDeg,
+                       kMinIncludedAngleDeg,
                        kGreatestIncludedAngleDeg);
   }
   const double tip = cutter.tip_diameter_mm;

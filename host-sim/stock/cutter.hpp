@@ -20,9 +20,9 @@ struct Cutter {
   double tip_diameter_mm = 0.0;      ///< For a V: diameter of the flat at its tip.
 };
 
-inline constexpr double kLeastCutterMm = 0.01;
+inline constexpr double kMinCutterMm = 0.01;
 inline constexpr double kGreatestCutterMm = 500.0;
-inline constexpr double kLeastIncludedAngleDeg = 1.0;
+inline constexpr double kMinIncludedAngleDeg = 1.0;
 inline constexpr double kGreatestIncludedAngleDeg = 179.0;
 
 /// Returns the reason, with range and unit, why a tool is impossible; empty for a possible tool.

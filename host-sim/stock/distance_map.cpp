@@ -12,9 +12,9 @@ constexpr double kNoDistance = std::numeric_limits<double>::infinity();
 /// Transforms one line of a grid of squared distances.
 class ParabolaLine {
  public:
-  ParabolaLine(std::size_t most_cells, double spacing_mm)
-      : square_mm2_{spacing_mm * spacing_mm}, values_(most_cells), foot_(most_cells) {
-    from_.resize(most_cells + 1);
+  ParabolaLine(std::size_t max_cells, double spacing_mm)
+      : square_mm2_{spacing_mm * spacing_mm}, values_(max_cells), foot_(max_cells) {
+    from_.resize(max_cells + 1);
   }
 
   /// Replaces `count` values, `stride` apart. The new value is the least, over all cells of the

@@ -10,8 +10,8 @@ namespace {
 
 constexpr double kFloorSkinMm = 0.002;
 constexpr double kPosesPerRadius = 8.0;
-constexpr int kLeastSamples = 180;    ///< Least number of samples of the half circle.
-constexpr int kMostSamples = 20'000;  ///< Greatest number of samples, however small the cells are.
+constexpr int kMinSamples = 180;     ///< Least number of samples of the half circle.
+constexpr int kMaxSamples = 20'000;  ///< Greatest number of samples, however small the cells are.
 
 /// A flat tool on its path, and the stock before it.
 class Front {
@@ -28,7 +28,7 @@ class Front {
     ring_mm_ = radius_mm + stretch.side_slack_mm + std::hypot(stock.cell_x_mm(), stock.cell_y_mm());
     const double spacing = 0.5 * std::min(stock.cell_x_mm(), stock.cell_y_mm());
     const double wanted = std::ceil(std::numbers::pi * radius_mm / spacing);
-    samples_ = static_cast<int>(std::clamp<double>(wanted, kLeastSamples, kMostSamples));
+    samples_ = static_cast<int>(std::clamp<double>(wanted, kMinSamples, kMaxSamples));
   }
 
   [[nodiscard]] double length_mm() const { return length_mm_; }
@@ -37,15 +37,15 @@ class Front {
   [[nodiscard]] Engagement at(double share) const {
     const double z = std::lerp(stretch_.from.z_mm, stretch_.to.z_mm, share);
     const double skin = kFloorSkinMm + 2.0 * stretch_.up_slack_mm;
-    const double least_nm = (z + skin - stock_.box().top) * kNmPerMm;
+    const double min_nm = (z + skin - stock_.box().top) * kNmPerMm;
     int sure = 0;
     int possible = 0;
     for (int i = 0; i < samples_; ++i) {
       const double side = radius_mm_ * std::sin(std::numbers::pi * ((i + 0.5) / samples_ - 0.5));
       const Cell* cell = cell_ahead(share, side);
       if (cell == nullptr) continue;
-      if (cell->lower_nm > least_nm) ++sure;
-      if (cell->upper_nm > least_nm) ++possible;
+      if (cell->lower_nm > min_nm) ++sure;
+      if (cell->upper_nm > min_nm) ++possible;
     }
     return {180.0 * sure / samples_, 180.0 * possible / samples_};
   }

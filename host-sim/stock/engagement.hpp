@@ -8,10 +8,10 @@ namespace sim::stock {
 /// Bounds of the angle, in degrees, over which the circumference of a flat tool touches stock at
 /// the depth of its tip. Cells that are cut in part make the difference between the bounds.
 struct Engagement {
-  double least_deg = 0.0;
-  double most_deg = 0.0;
+  double min_deg = 0.0;
+  double max_deg = 0.0;
 
-  [[nodiscard]] double middle_deg() const { return 0.5 * (least_deg + most_deg); }
+  [[nodiscard]] double middle_deg() const { return 0.5 * (min_deg + max_deg); }
 };
 
 /// Returns the greatest engagement of a flat tool along a stretch, measured on the stock before the

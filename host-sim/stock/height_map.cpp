@@ -8,23 +8,23 @@ namespace {
 
 int blocks_of(int cells, int block_cells) { return (cells + block_cells - 1) / block_cells; }
 
-/// Returns the least number of cells along a block with which there are at most `most_blocks`
+/// Returns the least number of cells along a block with which there are at most `max_blocks`
 /// blocks.
-int block_for(const Stock& stock, std::size_t most_blocks) {
+int block_for(const Stock& stock, std::size_t max_blocks) {
   const auto blocks = [&stock](int block_cells) {
     return static_cast<std::size_t>(blocks_of(stock.columns(), block_cells)) *
            static_cast<std::size_t>(blocks_of(stock.rows(), block_cells));
   };
   int block_cells = 1;
-  while (blocks(block_cells) > std::max<std::size_t>(most_blocks, 1)) ++block_cells;
+  while (blocks(block_cells) > std::max<std::size_t>(max_blocks, 1)) ++block_cells;
   return block_cells;
 }
 
 }  // namespace
 
-HeightMap::HeightMap(const Stock& stock, std::size_t most_blocks)
+HeightMap::HeightMap(const Stock& stock, std::size_t max_blocks)
     : stock_{stock},
-      block_cells_{block_for(stock, most_blocks)},
+      block_cells_{block_for(stock, max_blocks)},
       columns_{blocks_of(stock.columns(), block_cells_)},
       rows_{blocks_of(stock.rows(), block_cells_)},
       heights_mm_(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_), 0.0) {

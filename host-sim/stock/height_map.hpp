@@ -11,8 +11,8 @@ namespace sim::stock {
 /// of the middles of the cells' bounds. Blocks at the upper ends of X and Y may have fewer cells.
 class HeightMap {
  public:
-  /// @param most_blocks greatest number of blocks, > 0; it sets the number of cells along a block
-  HeightMap(const Stock& stock, std::size_t most_blocks);
+  /// @param max_blocks greatest number of blocks, > 0; it sets the number of cells along a block
+  HeightMap(const Stock& stock, std::size_t max_blocks);
 
   [[nodiscard]] int columns() const { return columns_; }
   [[nodiscard]] int rows() const { return rows_; }

@@ -18,7 +18,7 @@ constexpr const char* kMeshTitle = "kerfline sim: carved stock, mm";
 /// of rim_. One more point is in the middle of the bottom.
 class BodyMesh {
  public:
-  explicit BodyMesh(const Stock& stock) : map_{stock, kMostMeshPoints} { list_rim(); }
+  explicit BodyMesh(const Stock& stock) : map_{stock, kMaxMeshPoints} { list_rim(); }
 
   [[nodiscard]] std::uint32_t point_count() const {
     return columns() * rows() + static_cast<std::uint32_t>(rim_.size()) + 1;

@@ -9,7 +9,7 @@ namespace sim::stock {
 
 /// Greatest number of points of the upper surface in a file; a finer stock is reduced to blocks of
 /// cells.
-inline constexpr std::size_t kMostMeshPoints = 500'000;
+inline constexpr std::size_t kMaxMeshPoints = 500'000;
 
 /// Writes what is left of a stock as a closed body. The heights at the middles of cells or blocks
 /// are extended to the stock's sides; the sides and the bottom of the box close the body below.

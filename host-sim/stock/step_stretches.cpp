@@ -82,8 +82,8 @@ void StepStretches::settle(bool all) {
     const std::size_t count = std::min(to_check_, steps_.size());
     if (!fit(count)) {
       hand_out_longest(to_check_ / 2, count);
-    } else if (count == kMostSteps || count == steps_.size()) {
-      if (!all && count < kMostSteps) {
+    } else if (count == kMaxSteps || count == steps_.size()) {
+      if (!all && count < kMaxSteps) {
         to_check_ *= 2;
         return;
       }

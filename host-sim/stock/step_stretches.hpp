@@ -59,7 +59,7 @@ class StepStretches {
   };
   /// Greatest number of positions in a stretch, so that long lines are carved while they are
   /// driven.
-  static constexpr std::size_t kMostSteps = 1 << 15;
+  static constexpr std::size_t kMaxSteps = 1 << 15;
 
   [[nodiscard]] std::optional<Offset> fit(std::size_t count) const;
   void hand_out(std::size_t count);

@@ -42,19 +42,17 @@ std::string fault_of(const StockBox& box, double cell_mm) {
     return fmt::format(
         "the stock is {} mm high; it takes up to {} mm", box.top - box.bottom, kDeepestStockMm);
   }
-  if (!(cell_mm >= kLeastCellMm && cell_mm <= kGreatestCellMm)) {
-    return fmt::format("the stock's cells are {} mm; they take {} to {} mm",
-                       cell_mm,
-                       kLeastCellMm,
-                       kGreatestCellMm);
+  if (!(cell_mm >= kMinCellMm && cell_mm <= kGreatestCellMm)) {
+    return fmt::format(
+        "the stock's cells are {} mm; they take {} to {} mm", cell_mm, kMinCellMm, kGreatestCellMm);
   }
   const double cells =
       cells_along(box.x_max - box.x_min, cell_mm) * cells_along(box.y_max - box.y_min, cell_mm);
-  if (cells <= kMostCells) return {};
+  if (cells <= kMaxCells) return {};
   return fmt::format("the stock has {:.3g} cells of {} mm; it takes up to {:.3g}, so choose larger",
                      cells,
                      cell_mm,
-                     kMostCells);
+                     kMaxCells);
 }
 
 Stock::Stock(const StockBox& box, double cell_mm)
@@ -92,9 +90,9 @@ const Cell* Stock::touched_row_of_tile(int tile_column, int row) const {
 Cell* Stock::row_of_tile(int tile_column, int row) {
   auto& tile = tiles_[tile_of(tile_column, row)];
   if (!tile) {
-    if (carved_bytes() + sizeof(Tile) > kMostCarvedBytes) {
+    if (carved_bytes() + sizeof(Tile) > kMaxCarvedBytes) {
       throw std::runtime_error(fmt::format(
-          "the carved stock takes more than {} GiB; choose larger cells", kMostCarvedBytes >> 30));
+          "the carved stock takes more than {} GiB; choose larger cells", kMaxCarvedBytes >> 30));
     }
     tile = std::make_unique<Tile>();
     ++tiles_in_use_;

@@ -22,12 +22,12 @@ struct StockBox {
 /// Greatest distance of a side from the origin.
 inline constexpr double kFarthestStockMm = 100'000.0;
 inline constexpr double kDeepestStockMm = 1'000.0;  ///< Greatest distance from top to bottom.
-inline constexpr double kLeastCellMm = 0.001;
+inline constexpr double kMinCellMm = 0.001;
 inline constexpr double kGreatestCellMm = 10.0;
 /// Greatest number of cells of a stock. Their table takes 8 bytes for each 4,096 cells.
-inline constexpr double kMostCells = 1.0e10;
+inline constexpr double kMaxCells = 1.0e10;
 /// Greatest memory for carved cells; each takes 8 bytes.
-inline constexpr std::size_t kMostCarvedBytes = std::size_t{4} << 30;
+inline constexpr std::size_t kMaxCarvedBytes = std::size_t{4} << 30;
 
 /// Returns the reason, with range and unit, why a stock is impossible; empty for a possible stock.
 [[nodiscard]] std::string fault_of(const StockBox& box, double cell_mm);
@@ -43,8 +43,8 @@ struct Cell {
 
 /// Bounds of a volume.
 struct VolumeBounds {
-  double least_mm3 = 0.0;
-  double most_mm3 = 0.0;
+  double min_mm3 = 0.0;
+  double max_mm3 = 0.0;
 };
 
 /// The material that is left of a block: one height above each point of its plan.
@@ -81,7 +81,7 @@ class Stock {
 
   /// Returns the cells of one row, from the first column of a tile on, to be changed. Makes the
   /// tile if necessary. Throws std::runtime_error if carved cells would take more than
-  /// kMostCarvedBytes.
+  /// kMaxCarvedBytes.
   [[nodiscard]] Cell* row_of_tile(int tile_column, int row);
 
   /// Counts a change of cells: the sums by which their upper and their lower bounds were lowered.

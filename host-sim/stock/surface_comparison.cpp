@@ -25,7 +25,7 @@ Profile disc_profile(double radius_mm) { return {.radius_mm = radius_mm, .flat_m
 /// The height of a surface over a cell.
 struct CellSurface {
   double centre_mm = 0.0;
-  double most_mm = 0.0;  ///< Height that no point of the surface in the cell exceeds.
+  double max_mm = 0.0;  ///< Height that no point of the surface in the cell exceeds.
 };
 
 /// Returns points in a disc of radius 1, with its centre.
@@ -97,7 +97,7 @@ class WorstOfParts {
     });
     std::vector<WorstPlace> chosen;
     for (const WorstPlace& place : sorted) {
-      if (place.off_mm == 0.0 || chosen.size() == kMostWorstPlaces) break;
+      if (place.off_mm == 0.0 || chosen.size() == kMaxWorstPlaces) break;
       const auto is_near = [&](const WorstPlace& other) {
         return std::hypot(other.x_mm - place.x_mm, other.y_mm - place.y_mm) < apart_mm;
       };
@@ -163,7 +163,7 @@ class SurfaceComparer {
   [[nodiscard]] double square_off(double height_mm,
                                   const CellSurface& surface,
                                   const Eigen::Vector2d& place) {
-    double rise = (surface.most_mm - surface.centre_mm) / half_mm_;
+    double rise = (surface.max_mm - surface.centre_mm) / half_mm_;
     for (double reach = half_mm_; reach < std::abs(height_mm); reach *= 2.0) {
       rise = std::max(rise, rise_around(surface, place, reach));
     }
@@ -187,13 +187,13 @@ class SurfaceComparer {
     const Cell& cell = stock_.cell(column, row);
     const double lower = stock_.box().top + cell.lower_nm / kNmPerMm;
     const double upper = stock_.box().top + cell.upper_nm / kNmPerMm;
-    const double fall = surface->most_mm - surface->centre_mm;
+    const double fall = surface->max_mm - surface->centre_mm;
     SurfaceFigures& figures = result_.figures;
     ++figures.cells;
     add(figures.gouge,
         figures.deepest_gouge,
         surface->centre_mm - upper,
-        surface->most_mm - lower,
+        surface->max_mm - lower,
         place);
     add(figures.rest,
         figures.tallest_rest,
@@ -215,12 +215,12 @@ class SurfaceComparer {
            double most,
            const Eigen::Vector2d& place) const {
     const double area = stock_.cell_x_mm() * stock_.cell_y_mm();
-    const HeightPeak here{.least_mm = std::max(0.0, least),
-                          .most_mm = std::max(0.0, most),
+    const HeightPeak here{.min_mm = std::max(0.0, least),
+                          .max_mm = std::max(0.0, most),
                           .x_mm = place.x(),
                           .y_mm = place.y()};
-    volume.least_mm3 += here.least_mm * area;
-    volume.most_mm3 += here.most_mm * area;
+    volume.min_mm3 += here.min_mm * area;
+    volume.max_mm3 += here.max_mm * area;
     peak.take(here);
   }
 
@@ -249,12 +249,12 @@ class SurfaceComparer {
 
 std::string fault_of_comparison(const StockBox& box, double cell_mm) {
   const double cells = (box.x_max - box.x_min) * (box.y_max - box.y_min) / (cell_mm * cell_mm);
-  if (cells <= kMostComparedCells) return {};
+  if (cells <= kMaxComparedCells) return {};
   return fmt::format(
       "the stock has {:.3g} cells of {} mm; a comparison takes up to {:.3g}, so choose larger",
       cells,
       cell_mm,
-      kMostComparedCells);
+      kMaxComparedCells);
 }
 
 SurfaceComparison compared(const Stock& stock, const Cutter& cutter, const surface::Mesh& mesh) {

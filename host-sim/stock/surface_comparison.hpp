@@ -60,10 +60,10 @@ struct SurfaceComparison {
 };
 
 /// Greatest number of worst points of either sign.
-inline constexpr std::size_t kMostWorstPlaces = 5;
+inline constexpr std::size_t kMaxWorstPlaces = 5;
 /// Greatest number of cells of a stock that is compared with a surface: each needs two heights of
 /// the surface.
-inline constexpr double kMostComparedCells = 2.0e7;
+inline constexpr double kMaxComparedCells = 2.0e7;
 
 /// Returns the reason, with a remedy, why a stock cannot be compared with a surface; empty where it
 /// can.

@@ -35,7 +35,7 @@ SweptSurface::SweptSurface(const Profile& profile,
   up_x_ = falls ? -along_x_ : along_x_;
   up_y_ = falls ? -along_y_ : along_y_;
   lead_ = kind_of_lead();
-  most_lead_ = bound_of_lead();
+  max_lead_ = bound_of_lead();
   if (lead_ == Lead::kTable) fill_table();
 }
 
@@ -185,7 +185,7 @@ double SweptSurface::tangent_bound(
   return falls < kNowhere ? value - falls : -kNowhere;
 }
 
-double SweptSurface::least_of_path(
+double SweptSurface::min_of_path(
     double x, double y, double half_x, double half_y, double enough_mm) const {
   const Place place = place_of(x, y);
   const double ahead = place.along - std::clamp(place.along, 0.0, length_);
@@ -236,7 +236,7 @@ std::optional<Interval> SweptSurface::extent_at(double y, double extra_mm) const
 }
 
 Interval SweptSurface::ahead_of_start(Interval extent, double y, double extra_mm) const {
-  const double rear = extra_mm + (falls() ? most_lead_ : 0.0);
+  const double rear = extra_mm + (falls() ? max_lead_ : 0.0);
   const double needed = -rear - (y - from_y_) * along_y_;  // (x − from_x) along_x ≥ this.
   if (along_x_ > 0.0) extent.low = std::max(extent.low, from_x_ + needed / along_x_);
   if (along_x_ < 0.0) extent.high = std::min(extent.high, from_x_ + needed / along_x_);

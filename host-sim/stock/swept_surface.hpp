@@ -74,10 +74,10 @@ class SweptSurface {
   /// Returns a lower bound of the height over an upright rectangle with half sides `half_x` and
   /// `half_y` around a point; kNowhere if the sweep surely does not touch the rectangle. A bound of
   /// at least `enough_mm` need not be the best possible bound.
-  [[nodiscard]] double least_over(
+  [[nodiscard]] double min_over(
       double x, double y, double half_x, double half_y, double enough_mm) const {
     const Pose* const sole = sole_pose(x, y, half_x + half_y);
-    if (sole == nullptr) return least_of_path(x, y, half_x, half_y, enough_mm);
+    if (sole == nullptr) return min_of_path(x, y, half_x, half_y, enough_mm);
     const double nearest_x = std::max(0.0, std::abs(x - sole->x_mm) - half_x);
     const double nearest_y = std::max(0.0, std::abs(y - sole->y_mm) - half_y);
     return height_of_pose(*sole, nearest_x, nearest_y);
@@ -109,7 +109,7 @@ class SweptSurface {
     const double ry = y - low_.y_mm;
     const double up_path = rx * up_x_ + ry * up_y_;
     if (up_path <= -margin_mm) return &low_;
-    if (up_path >= length_ + most_lead_ + margin_mm) return &high_;
+    if (up_path >= length_ + max_lead_ + margin_mm) return &high_;
     const double flat = std::max(0.0, profile_.flat_mm);
     return rx * rx + ry * ry <= flat * flat ? &low_ : nullptr;
   }
@@ -120,7 +120,7 @@ class SweptSurface {
     return pose.z_mm + height_at(profile_, std::sqrt(square));
   }
   [[nodiscard]] double height_of_path(double x, double y) const;
-  [[nodiscard]] double least_of_path(
+  [[nodiscard]] double min_of_path(
       double x, double y, double half_x, double half_y, double enough_mm) const;
   [[nodiscard]] double solved_lead(double side) const;
   /// Returns the lead: the distance, on an endless path, from the foot of a point on the path to
@@ -153,7 +153,7 @@ class SweptSurface {
   double up_x_ = 1.0;     ///< Direction of the path in plan, from the lower end on.
   double up_y_ = 0.0;
   Lead lead_ = Lead::kNone;
-  double most_lead_ = 0.0;               ///< Upper bound of the lead for all values of `side`.
+  double max_lead_ = 0.0;                ///< Upper bound of the lead for all values of `side`.
   std::array<double, kNodes> shares_{};  ///< Ratio of lead to reach, at equal steps of `side`.
 };
 

@@ -14,7 +14,7 @@ constexpr double kOutlierFactor = 8.0;
 /// In a normal distribution nine of ten distances are below this many standard deviations.
 constexpr double kSigmasOfNineTenths = 1.645;
 /// Lower limit of the spread, as a share of the distance between points.
-constexpr double kLeastSpread = 0.02;
+constexpr double kMinSpread = 0.02;
 /// With fewer known neighbours a point is not checked.
 constexpr std::size_t kMinNeighbours = 3;
 
@@ -77,7 +77,7 @@ double spread_of(const GridDraft& grid) {
     std::nth_element(distances.begin(), at, distances.end());
     nine_tenths = *at;
   }
-  return std::max(nine_tenths / kSigmasOfNineTenths, kLeastSpread * median_step(grid));
+  return std::max(nine_tenths / kSigmasOfNineTenths, kMinSpread * median_step(grid));
 }
 
 }  // namespace

@@ -64,23 +64,23 @@ Four bounds_of(const PartTree::Shape& tool,
                std::size_t four,
                float place_x,
                float place_y) {
-  const Four least_x = node.least_x.fours[four] - place_x;
-  const Four least_y = node.least_y.fours[four] - place_y;
-  const Four most_x = node.most_x.fours[four] - place_x;
-  const Four most_y = node.most_y.fours[four] - place_y;
-  const Four near_x = greater(greater(least_x, -most_x), all(0.0F));
-  const Four near_y = greater(greater(least_y, -most_y), all(0.0F));
-  const Four x = lesser(greater(node.point_x.fours[four], least_x), most_x);
-  const Four y = lesser(greater(node.point_y.fours[four], least_y), most_y);
+  const Four min_x = node.min_x.fours[four] - place_x;
+  const Four min_y = node.min_y.fours[four] - place_y;
+  const Four max_x = node.max_x.fours[four] - place_x;
+  const Four max_y = node.max_y.fours[four] - place_y;
+  const Four near_x = greater(greater(min_x, -max_x), all(0.0F));
+  const Four near_y = greater(greater(min_y, -max_y), all(0.0F));
+  const Four x = lesser(greater(node.point_x.fours[four], min_x), max_x);
+  const Four y = lesser(greater(node.point_y.fours[four], min_y), max_y);
   const Tangent tangent = tangent_at(tool, root(x * x + y * y + kTiny));
   const Four slope_x = node.slope_x.fours[four];
   const Four slope_y = node.slope_y.fours[four];
   const Four left_x = slope_x - x * tangent.share;
   const Four left_y = slope_y - y * tangent.share;
-  const Four ahead = greater(left_x * (most_x - x), left_x * (least_x - x)) +
-                     greater(left_y * (most_y - y), left_y * (least_y - y));
-  const Four off_x = x - 0.5F * (least_x + most_x);
-  const Four off_y = y - 0.5F * (least_y + most_y);
+  const Four ahead = greater(left_x * (max_x - x), left_x * (min_x - x)) +
+                     greater(left_y * (max_y - y), left_y * (min_y - y));
+  const Four off_x = x - 0.5F * (min_x + max_x);
+  const Four off_y = y - 0.5F * (min_y + max_y);
   const Four plane = node.level.fours[four] + slope_x * off_x + slope_y * off_y;
   const Four bound = lesser(node.top.fours[four], plane - tangent.height + ahead);
   return near_x * near_x + near_y * near_y <= tool.reach_square ? bound : all(-kInfinity);
@@ -150,7 +150,7 @@ class PartTree::Builder {
       }
     }
     for (std::size_t i = 0; i < kParts; ++i) {
-      const bool is_leaf = parts[i].count <= kMostInALeaf;
+      const bool is_leaf = parts[i].count <= kMaxInALeaf;
       const auto number = static_cast<std::uint32_t>(tree_.nodes_.size());
       Node& node = tree_.nodes_[open.node];
       node.first[i] = is_leaf ? parts[i].first : number;
@@ -223,10 +223,10 @@ class PartTree::Builder {
                   const Eigen::Vector3d& least,
                   const Eigen::Vector3d& most,
                   double more) {
-    node.least_x.set(lane, static_cast<float>(least.x() - more));
-    node.least_y.set(lane, static_cast<float>(least.y() - more));
-    node.most_x.set(lane, static_cast<float>(most.x() + more));
-    node.most_y.set(lane, static_cast<float>(most.y() + more));
+    node.min_x.set(lane, static_cast<float>(least.x() - more));
+    node.min_y.set(lane, static_cast<float>(least.y() - more));
+    node.max_x.set(lane, static_cast<float>(most.x() + more));
+    node.max_y.set(lane, static_cast<float>(most.y() + more));
   }
 
   const Mesh& mesh_;

@@ -19,7 +19,7 @@ namespace sim::surface {
 class PartTree {
  public:
   static constexpr std::size_t kParts = 8;
-  static constexpr std::size_t kMostInALeaf = 4;
+  static constexpr std::size_t kMaxInALeaf = 4;
   /// Numbers of four parts, which one vector instruction computes.
   using Four = float __attribute__((vector_size(16)));
   struct Lanes {
@@ -29,7 +29,7 @@ class PartTree {
   };
 
   struct Node {
-    Lanes least_x, least_y, most_x, most_y;
+    Lanes min_x, min_y, max_x, max_y;
     Lanes top;               ///< Height of the highest point of the part.
     Lanes slope_x, slope_y;  ///< Slope of the plane along X and along Y.
     Lanes level;             ///< Height of the plane in the middle of the rectangle.

@@ -121,7 +121,7 @@ class PlyHeaderReader {
   }
 
   /// Returns the minimum number of bytes that an element takes; in a text two for each number.
-  [[nodiscard]] std::uint64_t least_bytes(const PlyElement& element) const {
+  [[nodiscard]] std::uint64_t min_bytes(const PlyElement& element) const {
     std::uint64_t bytes = 0;
     for (const PlyProperty& property : element.properties) {
       const bool is_text = header_.format == PlyFormat::kAscii;
@@ -137,7 +137,7 @@ class PlyHeaderReader {
     // The last number of a text needs no blank after it.
     std::uint64_t left = header_.body.size() + 1;
     for (const PlyElement& element : header_.elements) {
-      const std::uint64_t bytes = least_bytes(element);
+      const std::uint64_t bytes = min_bytes(element);
       if (bytes == 0 && element.count > 0) {
         refuse(name_, 0, "an element without properties", "export the mesh again");
       }

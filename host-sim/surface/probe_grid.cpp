@@ -14,7 +14,7 @@ namespace {
 /// Share of a pitch by which a span may exceed whole pitches, for rounded decimals.
 constexpr double kPitchSlack = 1.0e-6;
 /// Minimum pitch; a step of most machines is longer.
-constexpr double kLeastPitchMm = 0.001;
+constexpr double kMinPitchMm = 0.001;
 
 void require_span(const ProbeSpan& span, char axis, const char* count_name) {
   if (!(std::abs(span.from_mm) <= kFarthestMm && std::abs(span.to_mm) <= kFarthestMm)) {
@@ -35,11 +35,11 @@ void require_span(const ProbeSpan& span, char axis, const char* count_name) {
     throw std::invalid_argument(
         fmt::format("{}: a grid has 2 {} at least, not {}", axis, count_name, span.count));
   }
-  if (span.count <= kMaxProbePoints && span.pitch_mm() < kLeastPitchMm) {
+  if (span.count <= kMaxProbePoints && span.pitch_mm() < kMinPitchMm) {
     throw std::invalid_argument(fmt::format("{}: the points are {:g} mm apart; the least is {} mm",
                                             axis,
                                             span.pitch_mm(),
-                                            kLeastPitchMm));
+                                            kMinPitchMm));
   }
 }
 
@@ -65,7 +65,7 @@ std::size_t ProbeGrid::nearest(const Eigen::Vector2d& place) const {
   return nearest_in(y, place.y()) * x.count + nearest_in(x, place.x());
 }
 
-double ProbeGrid::least_pitch_mm() const { return std::min(x.pitch_mm(), y.pitch_mm()); }
+double ProbeGrid::min_pitch_mm() const { return std::min(x.pitch_mm(), y.pitch_mm()); }
 
 std::string ProbeGrid::name(std::size_t index) const {
   const Eigen::Vector2d at = place(index);
@@ -77,9 +77,9 @@ std::string ProbeGrid::name(std::size_t index) const {
 }
 
 ProbeSpan span_of_pitch(double from_mm, double to_mm, double pitch_mm) {
-  if (!(pitch_mm >= kLeastPitchMm)) {
+  if (!(pitch_mm >= kMinPitchMm)) {
     throw std::invalid_argument(fmt::format(
-        "--pitch: {:g} mm is no distance of points; the least is {} mm", pitch_mm, kLeastPitchMm));
+        "--pitch: {:g} mm is no distance of points; the least is {} mm", pitch_mm, kMinPitchMm));
   }
   const double pitches = std::ceil((to_mm - from_mm) / pitch_mm - kPitchSlack);
   const double most = static_cast<double>(kMaxProbePoints);

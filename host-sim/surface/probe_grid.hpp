@@ -36,7 +36,7 @@ struct ProbeGrid {
   /// Returns the index of the point that is nearest to a place.
   [[nodiscard]] std::size_t nearest(const Eigen::Vector2d& place) const;
   /// Returns the smaller one of the distances between columns and between rows, mm.
-  [[nodiscard]] double least_pitch_mm() const;
+  [[nodiscard]] double min_pitch_mm() const;
   /// Returns `row 2, column 7 (X 30, Y 5)`, counted from 1 at the least X and Y.
   [[nodiscard]] std::string name(std::size_t index) const;
 };

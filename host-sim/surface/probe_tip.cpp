@@ -10,9 +10,9 @@ namespace {
 
 /// Minimum area of a triangle with moved corners, as a share of the area of a triangle of the
 /// regular grid.
-constexpr double kLeastShare = 0.1;
+constexpr double kMinShare = 0.1;
 /// Number of halvings of a shift, after which the shift becomes 0.
-constexpr int kMaxHalvings = 20;
+constexpr int kMaxStepHalvings = 20;
 
 /// Heights along a row or a column about one point.
 struct TipNeighbours {
@@ -64,7 +64,7 @@ class TipShifter {
       : grid_{grid},
         tips_{tips},
         radius_mm_{radius_mm},
-        least_{kLeastShare * grid.x.pitch_mm() * grid.y.pitch_mm()} {
+        min_{kMinShare * grid.x.pitch_mm() * grid.y.pitch_mm()} {
     for (std::size_t i = 0; i < tips.size(); ++i) {
       Eigen::Vector2d shift = Eigen::Vector2d::Zero();
       if (!std::isnan(tips[i].z())) {
@@ -76,10 +76,10 @@ class TipShifter {
   }
 
   void unfold() {
-    for (int i = 0; i <= kMaxHalvings; ++i) {
+    for (int i = 0; i <= kMaxStepHalvings; ++i) {
       std::vector<bool> folded(tips_.size(), false);
       if (!mark_folded(folded)) return;
-      const double share = i < kMaxHalvings ? 0.5 : 0.0;
+      const double share = i < kMaxStepHalvings ? 0.5 : 0.0;
       for (std::size_t k = 0; k < shifts_.size(); ++k) {
         if (folded[k]) shifts_[k] *= share;
       }
@@ -124,7 +124,7 @@ class TipShifter {
       const Eigen::Vector2d from = place(corners[i]);
       const Eigen::Vector2d u = place(corners[(i + 1) % 4]) - from;
       const Eigen::Vector2d v = place(corners[(i + 3) % 4]) - from;
-      if (u.x() * v.y() - u.y() * v.x() < least_) return true;
+      if (u.x() * v.y() - u.y() * v.x() < min_) return true;
     }
     return false;
   }
@@ -132,7 +132,7 @@ class TipShifter {
   const ProbeGrid& grid_;
   const std::vector<Eigen::Vector3d>& tips_;
   double radius_mm_;
-  double least_;  ///< Minimum of twice the area of a triangle, mm².
+  double min_;  ///< Minimum of twice the area of a triangle, mm².
   std::vector<Eigen::Vector2d> shifts_;
 };
 

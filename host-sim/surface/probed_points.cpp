@@ -32,7 +32,7 @@ class AnswerMatcher {
   AnswerMatcher(const ProbePlan& plan, std::string name)
       : plan_{plan},
         name_{std::move(name)},
-        tolerance_mm_{std::min(kPlaceToleranceMm, 0.1 * plan.grid.least_pitch_mm())},
+        tolerance_mm_{std::min(kPlaceToleranceMm, 0.1 * plan.grid.min_pitch_mm())},
         records_(plan.grid.size()) {}
 
   void take(const ProbeLog& log) {

@@ -9,7 +9,7 @@ namespace sim::surface {
 namespace {
 
 /// Maximum number of bytes that libtiff may request at once; a larger request means damage.
-constexpr tmsize_t kMostAtOnce = tmsize_t{1} << 30;
+constexpr tmsize_t kMaxAtOnce = tmsize_t{1} << 30;
 
 std::uint16_t short_of(TIFF* tiff, std::uint32_t tag) {
   std::uint16_t value = 0;
@@ -29,7 +29,7 @@ TiffFile::TiffFile(std::string_view bytes) : source_{.bytes = bytes, .at = 0, .c
   TIFFOpenOptions* const options = TIFFOpenOptionsAlloc();
   TIFFOpenOptionsSetErrorHandlerExtR(options, note, &source_);
   TIFFOpenOptionsSetWarningHandlerExtR(options, pass_over, nullptr);
-  TIFFOpenOptionsSetMaxSingleMemAlloc(options, kMostAtOnce);
+  TIFFOpenOptionsSetMaxSingleMemAlloc(options, kMaxAtOnce);
   tiff_.reset(TIFFClientOpenExt(
       "", "rm", &source_, give, take_none, seek, close, size, nullptr, nullptr, options));
   TIFFOpenOptionsFree(options);
@@ -101,7 +101,7 @@ bool TiffFile::read_tiles(const TiffSamples& samples, std::vector<std::uint8_t>&
   const std::uint64_t size = TIFFTileSize64(tiff_.get());
   const std::uint64_t wanted = std::uint64_t{samples.bytes()} * tile_rows * tile_columns;
   if (tile_columns == 0 || tile_rows == 0 || size != wanted ||
-      size > static_cast<std::uint64_t>(kMostAtOnce)) {
+      size > static_cast<std::uint64_t>(kMaxAtOnce)) {
     return false;
   }
   std::vector<std::uint8_t> tile(size);

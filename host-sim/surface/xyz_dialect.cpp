@@ -30,7 +30,7 @@ bool has_decimal_commas(std::string_view line) {
 }
 
 void add_field(XyzFields& fields, std::string_view field) {
-  if (fields.count < XyzFields::kMost) fields.fields[fields.count] = field;
+  if (fields.count < XyzFields::kMax) fields.fields[fields.count] = field;
   ++fields.count;
 }
 

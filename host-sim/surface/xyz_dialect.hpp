@@ -9,12 +9,12 @@ namespace sim::surface {
 
 /// Fields of a line, without blanks and quotation marks around them.
 struct XyzFields {
-  static constexpr std::size_t kMost = 16;
+  static constexpr std::size_t kMax = 16;
 
-  std::array<std::string_view, kMost> fields{};
-  std::size_t count = 0;  ///< Number of all fields of the line; only the first kMost are stored.
+  std::array<std::string_view, kMax> fields{};
+  std::size_t count = 0;  ///< Number of all fields of the line; only the first kMax are stored.
 
-  [[nodiscard]] std::size_t listed() const { return count < kMost ? count : kMost; }
+  [[nodiscard]] std::size_t listed() const { return count < kMax ? count : kMax; }
 };
 
 /// How a text of points separates its numbers.

@@ -120,7 +120,7 @@ BeamList leaning_beams(const Obstacles& obstacles,
     }
     const Vector3d& axis = beam->axis;
     const double tilt = std::atan2(axis.head<2>().norm(), axis.z());
-    list.most_tilt_rad = std::max(list.most_tilt_rad, tilt);
+    list.max_tilt_rad = std::max(list.max_tilt_rad, tilt);
     append_beam_line(tip, axis, list.text);
     return true;
   });

@@ -27,7 +27,7 @@ void append_lost_line(const Eigen::Vector3d& tip, std::string& text);
 struct BeamList {
   std::string text;  ///< Lines `x y z i j k`, and lines `# x y z is out of reach`.
   std::size_t out_of_reach = 0;
-  double most_tilt_rad = 0.0;
+  double max_tilt_rad = 0.0;
 };
 
 /// Returns the beam of least tilt at each tip of a text.

@@ -18,7 +18,7 @@ constexpr double kEndless = 1.0e4;
 constexpr double kRounding = 1.0e-10;
 /// Sine of the least angle at which two directions define a plane; also the least length of a
 /// direction.
-constexpr double kLeastSine = 1.0e-9;
+constexpr double kMinSine = 1.0e-9;
 
 }  // namespace
 
@@ -43,7 +43,7 @@ void LeastTilt::add(const Triangle& obstacle) {
     circles_.push_back({ways[i] / length, angle.cosine});
     const Vector3d across = ways[i].cross(ways[(i + 1) % 3]);
     const double sine = across.norm();
-    if (sine <= kLeastSine * length * ways[(i + 1) % 3].norm()) continue;
+    if (sine <= kMinSine * length * ways[(i + 1) % 3].norm()) continue;
     circles_.push_back({across / sine, angle.sine});
     circles_.push_back({-across / sine, angle.sine});
   }
@@ -69,7 +69,7 @@ std::vector<Vector3d> LeastTilt::candidates() const {
     const Circle& circle = circles_[i];
     const double sine = std::sqrt(1.0 - circle.cosine * circle.cosine);
     Vector3d towards = wanted - circle.middle.dot(wanted) * circle.middle;
-    if (towards.norm() < kLeastSine) towards = circle.middle.unitOrthogonal();
+    if (towards.norm() < kMinSine) towards = circle.middle.unitOrthogonal();
     towards.normalize();
     found.emplace_back(circle.cosine * circle.middle + sine * towards);
     found.emplace_back(circle.cosine * circle.middle - sine * towards);
@@ -77,7 +77,7 @@ std::vector<Vector3d> LeastTilt::candidates() const {
       const Circle& other = circles_[j];
       const double common = circle.middle.dot(other.middle);
       const double rest = 1.0 - common * common;
-      if (rest < kLeastSine) continue;
+      if (rest < kMinSine) continue;
       const double mine = (circle.cosine - common * other.cosine) / rest;
       const double theirs = (other.cosine - common * circle.cosine) / rest;
       const double left = 1.0 - mine * circle.cosine - theirs * other.cosine;
@@ -88,7 +88,7 @@ std::vector<Vector3d> LeastTilt::candidates() const {
       found.emplace_back(both - out);
     }
   }
-  const cnc::WideSinCos most = cnc::sin_cos(rules_.most_rad);
+  const cnc::WideSinCos most = cnc::sin_cos(rules_.max_rad);
   std::erase_if(found, [&most](const Vector3d& axis) { return axis.z() < most.cosine; });
   std::ranges::sort(
       found, std::greater{}, [&wanted](const Vector3d& axis) { return axis.dot(wanted); });

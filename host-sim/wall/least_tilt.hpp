@@ -27,7 +27,7 @@ struct TiltRules {
   /// Half angle of the beam plus the angle by which it stays clear of all obstacles; above 0, below
   /// a right angle.
   double half_angle_rad = 0.0;
-  double most_rad = 0.0;  ///< Greatest tilt, at least 0, below a right angle.
+  double max_rad = 0.0;  ///< Greatest tilt, at least 0, below a right angle.
   /// Unit vector to which the axis shall be as near as possible; its tilt is at most the greatest
   /// tilt.
   Eigen::Vector3d wanted = Eigen::Vector3d::UnitZ();

@@ -29,7 +29,7 @@ bool is_on_plane(const Triangle& facet, const Vector3d& tip) {
 }
 
 /// Returns a lower bound of the clearance between a beam and all points of a box.
-double least_clearance(const Beam& beam, const Eigen::AlignedBox3d& box) {
+double min_clearance(const Beam& beam, const Eigen::AlignedBox3d& box) {
   const Vector3d middle = box.center() - beam.tip;
   const Vector3d half = 0.5 * box.sizes();
   const double along = beam.axis.dot(middle);
@@ -59,10 +59,10 @@ Obstacles::Obstacles(const surface::Mesh& mesh, double touch_mm) : touch_mm_{tou
   tree_ = surface::BoxTree{boxes};
 }
 
-std::optional<NearestFacet> Obstacles::nearest(const Beam& beam, double most_mm) const {
-  NearestFacet nearest{.facet = 0, .obstacle = {}, .clearance_mm = most_mm};
+std::optional<NearestFacet> Obstacles::nearest(const Beam& beam, double max_mm) const {
+  NearestFacet nearest{.facet = 0, .obstacle = {}, .clearance_mm = max_mm};
   bool has_any = false;
-  tree_.visit_least([&beam](const Eigen::AlignedBox3d& box) { return least_clearance(beam, box); },
+  tree_.visit_least([&beam](const Eigen::AlignedBox3d& box) { return min_clearance(beam, box); },
                     [&nearest] { return nearest.clearance_mm; },
                     [&](std::uint32_t facet) {
                       if (beam.waist_mm > 0.0 && is_on_plane(facets_[facet], beam.tip)) return;
@@ -79,7 +79,7 @@ std::optional<NearestFacet> Obstacles::nearest(const Beam& beam, double most_mm)
 bool Obstacles::meets(const Beam& beam) const {
   constexpr double kNone = -std::numeric_limits<double>::infinity();
   double most = -kTouchRounding;
-  tree_.visit_least([&beam](const Eigen::AlignedBox3d& box) { return least_clearance(beam, box); },
+  tree_.visit_least([&beam](const Eigen::AlignedBox3d& box) { return min_clearance(beam, box); },
                     [&most] { return most; },
                     [&](std::uint32_t facet) {
                       const Triangle obstacle = as_obstacle(facets_[facet], beam.tip, touch_mm_);

@@ -29,9 +29,9 @@ class Obstacles {
   [[nodiscard]] std::size_t count() const { return facets_.size(); }
 
   /// Returns the facet with the least clearance from a beam, among the facets with less clearance
-  /// than `most_mm`. A facet with the tip on its plane is only touched there. A leaning beam with a
+  /// than `max_mm`. A facet with the tip on its plane is only touched there. A leaning beam with a
   /// waist dips into the floor on which its tip stands: such facets are ignored for it.
-  [[nodiscard]] std::optional<NearestFacet> nearest(const Beam& beam, double most_mm) const;
+  [[nodiscard]] std::optional<NearestFacet> nearest(const Beam& beam, double max_mm) const;
 
   /// Returns whether a beam meets any facet by more than a touch at its tip.
   [[nodiscard]] bool meets(const Beam& beam) const;

@@ -6,10 +6,10 @@ constexpr std::uint64_t kNanometresPerMm = 1'000'000;
 }
 
 bool AxisScale::reaches(Coordinate place) const {
-  constexpr std::uint64_t kMost = static_cast<std::uint64_t>(kMostSteps) * kNanometresPerMm;
+  constexpr std::uint64_t kMax = static_cast<std::uint64_t>(kMaxSteps) * kNanometresPerMm;
   if (!place.in_range()) return false;
   const std::int64_t nm = place.nanometres();
-  return (static_cast<std::uint64_t>(nm < 0 ? -nm : nm) * mantissa_) >> fraction_bits_ < kMost;
+  return (static_cast<std::uint64_t>(nm < 0 ? -nm : nm) * mantissa_) >> fraction_bits_ < kMax;
 }
 
 std::optional<StepPosition> AxisScale::steps_at(Coordinate place) const {
@@ -21,7 +21,7 @@ std::optional<StepPosition> AxisScale::steps_at(Coordinate place) const {
   const std::uint64_t product = distance * mantissa_;
   const std::uint64_t quotient = product / kNanometresPerMm;
   const std::uint64_t remainder = product % kNanometresPerMm;
-  if ((quotient >> fraction_bits_) >= static_cast<std::uint64_t>(kMostSteps)) return std::nullopt;
+  if ((quotient >> fraction_bits_) >= static_cast<std::uint64_t>(kMaxSteps)) return std::nullopt;
   const int shift = 32 - fraction_bits_;  // The shift is 1…25, because 2^23 / 0.01 < 2^31.
   const std::uint64_t fraction = ((remainder << shift) + kNanometresPerMm / 2) / kNanometresPerMm;
   const auto q32 = static_cast<std::int64_t>((quotient << shift) + fraction);
@@ -31,9 +31,9 @@ std::optional<StepPosition> AxisScale::steps_at(Coordinate place) const {
 std::optional<StepPosition> AxisScale::steps_of(float mm) const {
   constexpr float kQ16 = 65'536.0F;
   constexpr float kFew = 16'384.0F;  // Up to this number of steps Q32 holds the product.
-  constexpr auto kMost = static_cast<float>(kMostSteps);
+  constexpr auto kMax = static_cast<float>(kMaxSteps);
   const float steps = mm * steps_per_mm_;
-  if (!(steps > -kMost && steps < kMost)) return std::nullopt;
+  if (!(steps > -kMax && steps < kMax)) return std::nullopt;
   const bool few = steps > -kFew && steps < kFew;
   return StepPosition{few ? truncated(steps * kQ16 * kQ16) : truncated(steps * kQ16) * 65'536};
 }

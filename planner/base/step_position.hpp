@@ -40,14 +40,14 @@ class StepPosition {
 /// conversion is exact integer arithmetic.
 class AxisScale {
  public:
-  static constexpr float kLeastStepsPerMm = 0.01F;
-  static constexpr float kMostStepsPerMm = 100'000.0F;
+  static constexpr float kMinStepsPerMm = 0.01F;
+  static constexpr float kMaxStepsPerMm = 100'000.0F;
   /// Greatest magnitude of a motor position in steps: half of the range of 32 bits, so that no
   /// difference of two positions overflows.
-  static constexpr std::int64_t kMostSteps = (std::int64_t{1} << 30);
+  static constexpr std::int64_t kMaxSteps = (std::int64_t{1} << 30);
 
   constexpr AxisScale() : AxisScale{250.0F} {}
-  /// @pre kLeastStepsPerMm ≤ steps_per_mm ≤ kMostStepsPerMm
+  /// @pre kMinStepsPerMm ≤ steps_per_mm ≤ kMaxStepsPerMm
   explicit constexpr AxisScale(float steps_per_mm);
 
   [[nodiscard]] constexpr float steps_per_mm() const { return steps_per_mm_; }
@@ -55,10 +55,10 @@ class AxisScale {
   /// Returns whether steps_at() has a result for this position.
   [[nodiscard]] bool reaches(Coordinate place) const;
   /// Converts a position to steps, exact to 2^-32 step. Empty when the position is beyond
-  /// kMostSteps.
+  /// kMaxSteps.
   [[nodiscard]] std::optional<StepPosition> steps_at(Coordinate place) const;
   /// Converts a length to steps with a relative error of at most 1.2e-7. Empty when the length is
-  /// beyond kMostSteps.
+  /// beyond kMaxSteps.
   [[nodiscard]] std::optional<StepPosition> steps_of(float mm) const;
 
   /// Returns the position of a whole step, to the nearest nanometre.
@@ -71,7 +71,7 @@ class AxisScale {
 };
 
 constexpr AxisScale::AxisScale(float steps_per_mm) : steps_per_mm_{steps_per_mm} {
-  CNC_ASSERT(steps_per_mm >= kLeastStepsPerMm && steps_per_mm <= kMostStepsPerMm);
+  CNC_ASSERT(steps_per_mm >= kMinStepsPerMm && steps_per_mm <= kMaxStepsPerMm);
   // Doubles until 2^23 ≤ scaled < 2^24: at most 31 times, as 0.01 > 2^-7.
   float scaled = steps_per_mm;
   while (scaled < 8388608.0F) {

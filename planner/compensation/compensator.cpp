@@ -36,7 +36,7 @@ std::optional<Fault> Compensator::refusal_of(const path::PathItem& item, float c
   fault.line = item.request.line.number;
   if (element.bulge != 0.0F && element.plane != plane_) return fault;
   const std::size_t before = chain_.path().previous(chain_.size());
-  if (chain_.size() > before + kMostStanding) return fault;
+  if (chain_.size() > before + kMaxStanding) return fault;
   if (chain_.size() > 0) return std::nullopt;
   fault.reason = Reason::kEntryTooShort;
   if (!(chord_mm > std::abs(chain_.distance()))) return fault;

@@ -28,7 +28,7 @@ class Compensator {
  public:
   static constexpr std::size_t kLookAhead = HeldPath::kLookAhead;
   /// Greatest number of consecutive elements that move no axis of the plane.
-  static constexpr std::size_t kMostStanding = 8;
+  static constexpr std::size_t kMaxStanding = 8;
 
   /// Begins compensation with the next element (G41, G42).
   /// @param here machine position

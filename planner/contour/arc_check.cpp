@@ -30,10 +30,10 @@ ArcDistance distance_from(const Curve<double>& arc, const WayPoint& point) {
 }
 
 bool is_half_a_turn_at_most(const Curve<double>& arc) {
-  constexpr double kLeastCosine = 1.0e-3;  // Least cosine of half the sweep.
+  constexpr double kMinCosine = 1.0e-3;  // Least cosine of half the sweep.
   const WideVec2 chord = arc.end - arc.start;
   const double length = chord.norm();
-  return length < kPlaceChord || chord.dot(arc.start_tangent) >= kLeastCosine * length;
+  return length < kPlaceChord || chord.dot(arc.start_tangent) >= kMinCosine * length;
 }
 
 /// A sampled point of a stretch and its distance from the arc.
@@ -58,12 +58,12 @@ double peak_between(const Seen& from, const Seen& to) {
 
 /// Returns whether a stretch is so short that its ends show what lies between them.
 bool is_resolved(const Seen& from, const Seen& to, double fine_mm) {
-  constexpr double kLeastCosine = 0.99;
+  constexpr double kMinCosine = 0.99;
   // Eight times the height of the curve of the distance above its chord.
-  constexpr double kMostBend = 100.0;
+  constexpr double kMaxBend = 100.0;
   const double chord = (to.point.place - from.point.place).norm();
-  return from.point.tangent.dot(to.point.tangent) >= kLeastCosine &&
-         chord * std::abs(to.distance.slope - from.distance.slope) <= kMostBend * fine_mm;
+  return from.point.tangent.dot(to.point.tangent) >= kMinCosine &&
+         chord * std::abs(to.distance.slope - from.distance.slope) <= kMaxBend * fine_mm;
 }
 
 /// Returns the greatest distance of the stretch's points from the arc.
@@ -71,12 +71,12 @@ double stretch_deviation(const CurveStretch& stretch, const Curve<double>& arc, 
   constexpr double kLargestStride = 1.0 / 16.0;  // In spans.
   // Share of the stretch; an arc touches its band only a few times.
   constexpr double kLargestPart = 1.0 / 32.0;
-  constexpr double kLeastStride = 1.0e-14;
+  constexpr double kMinStride = 1.0e-14;
   const auto look = [&](double spans) {
     const WayPoint point = stretch.piece->at(spans);
     return Seen{.point = point, .distance = distance_from(arc, point)};
   };
-  const double least = kLeastStride * std::max(1.0, stretch.to);
+  const double least = kMinStride * std::max(1.0, stretch.to);
   const double hopeless = 1.0e4 * fine_mm;
   const double most =
       std::max(least, std::min(kLargestStride, kLargestPart * (stretch.to - stretch.from)));
@@ -119,7 +119,7 @@ Curve<double> arc_leaving(const WideVec2& start, const WideVec2& tangent, const 
 }
 
 double arc_deviation(const CurveStretch& stretch, const Curve<double>& arc, double fine_mm) {
-  constexpr double kMostOfRadius = 0.98;
+  constexpr double kMaxOfRadius = 0.98;
   if (!is_half_a_turn_at_most(arc)) return kNoArcFits;
   const double at_start = (arc.start - stretch.piece->at(stretch.from).place).norm();
   const double at_end = (arc.end - stretch.piece->at(stretch.to).place).norm();
@@ -128,7 +128,7 @@ double arc_deviation(const CurveStretch& stretch, const Curve<double>& arc, doub
   const double size = std::abs(arc.curvature);
   // The arc is smaller than its distance from the stretch. No point of the arc is farther from the
   // arc's ends than its diameter.
-  if (of_stretch * size > kMostOfRadius) return std::max(greatest, at_start + 2.0 / size);
+  if (of_stretch * size > kMaxOfRadius) return std::max(greatest, at_start + 2.0 / size);
   return greatest;
 }
 

@@ -19,14 +19,14 @@ constexpr double kUnseenShare = 3.0e-3;
 constexpr double kConfirmedShare = 0.999;
 /// Share of the tolerance that is the precision of the check of a chain.
 constexpr double kFineShare = 5.0e-4;
-constexpr int kMostTries = 14;
-constexpr int kMostPolygons = 4;
+constexpr int kMaxTries = 14;
+constexpr int kMaxPolygons = 4;
 
-constexpr double kLeastChord = 1.0e-9;
+constexpr double kMinChord = 1.0e-9;
 
 bool within_half_a_turn(const WideVec2& chord, const WideVec2& tangent) {
-  constexpr double kLeastCosine = 1.0e-3;  // Least cosine of half the sweep.
-  return chord.dot(tangent) >= kLeastCosine * chord.norm();
+  constexpr double kMinCosine = 1.0e-3;  // Least cosine of half the sweep.
+  return chord.dot(tangent) >= kMinCosine * chord.norm();
 }
 
 WideVec2 end_of_chain(const ToleranceBand& band, FitEnd end, const FitLink& last) {
@@ -63,7 +63,7 @@ class ChainWriter {
 
   [[nodiscard]] bool go_to(const WideVec2& place, double curvature) {
     const WideVec2 chord = place - here_;
-    if (chord.norm() < kLeastChord) return true;
+    if (chord.norm() < kMinChord) return true;
     if (count_ > 0 && continues(place, curvature)) {
       leave_for(place, tangent_before_, before_);
       return true;
@@ -127,7 +127,7 @@ Result<std::size_t, FitError> fit_fewest(const CurvePiece& piece,
                                          const FitRoom& room,
                                          std::span<Vertex<double>> vertices) {
   double inner = (1.0 - kUnseenShare) * options.tolerance_mm;
-  for (int i = 0; i < kMostTries; ++i) {
+  for (int i = 0; i < kMaxTries; ++i) {
     const SampleDensity density{.sagitta_mm = 0.25 * inner, .bend_mm = 0.003 * inner};
     const std::size_t count = sample_curve(piece, density, room.samples);
     if (count == 0) return FitError::kTooManySamples;
@@ -156,7 +156,7 @@ Result<std::size_t, FitError> fit_bisecting(const CurvePiece& piece,
   double sagitta = options.polygon_share * options.tolerance_mm;
   const BisectingLimits limits{.biarc_mm = kConfirmedShare * options.tolerance_mm - sagitta,
                                .tolerance_mm = options.tolerance_mm};
-  for (int i = 0; i < kMostPolygons; ++i) {
+  for (int i = 0; i < kMaxPolygons; ++i) {
     const SampleDensity density{.sagitta_mm = 0.9 * sagitta, .bend_mm = 0.5 * sagitta};
     const std::size_t count = sample_curve(piece, density, room.samples);
     if (count == 0) return i == 0 ? FitError::kTooManySamples : FitError::kNoFit;

@@ -75,7 +75,7 @@ struct FitRoom {
 /// crossing joins the neighbours. The result is the raw offset with all its loops, from which the
 /// offset of arc splines continues.
 ///
-/// The storage bounds the work: number of samples times kMostTries times a few hundred.
+/// The storage bounds the work: number of samples times kMaxTries times a few hundred.
 /// @param vertices storage for one vertex more than there are arcs: for each arc its start with its
 /// bulge, at most half a turn, then the end.
 /// @return the number of arcs.

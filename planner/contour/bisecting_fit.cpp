@@ -81,8 +81,8 @@ BisectingResult bisecting_fit(const CurvePiece& piece,
                               const BisectingLimits& limits,
                               std::span<Vertex<double>> vertices) {
   // Ends of the stretches that wait: each is at most half as long as the one before it.
-  constexpr std::size_t kMostHalves = 64;
-  std::array<std::size_t, kMostHalves> ends{};
+  constexpr std::size_t kMaxHalves = 64;
+  std::array<std::size_t, kMaxHalves> ends{};
   std::size_t waiting = 0;
   ends[waiting++] = polygon.size() - 1;
   BisectingResult result{};
@@ -93,7 +93,7 @@ BisectingResult bisecting_fit(const CurvePiece& piece,
     const LeastValue best = optimal_biarc(stretch, 0.5 * limits.biarc_mm);
     if (best.value > limits.biarc_mm ||
         !stays_near(piece, stretch, best.at, 0.999 * limits.tolerance_mm)) {
-      if (to - from < 2 || waiting == kMostHalves) return {};
+      if (to - from < 2 || waiting == kMaxHalves) return {};
       ends[waiting++] = from + (to - from) / 2;
       continue;
     }

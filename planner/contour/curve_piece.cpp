@@ -34,8 +34,8 @@ class Splitter {
   Splitter(const PlaneCurve& curve,
            double offset_mm,
            std::span<CurvePiece> pieces,
-           double least_corner)
-      : curve_{&curve}, offset_mm_{offset_mm}, least_corner_{least_corner}, pieces_{pieces} {}
+           double min_corner)
+      : curve_{&curve}, offset_mm_{offset_mm}, min_corner_{min_corner}, pieces_{pieces} {}
 
   [[nodiscard]] Result<std::size_t, SplitError> run() {
     Look last{};
@@ -63,7 +63,7 @@ class Splitter {
   [[nodiscard]] bool jumps(const Look& before, const Look& after) const {
     const WideVec2 a = before.travel();
     const WideVec2 b = after.travel();
-    return a.dot(b) < 0.0 || std::abs(cross(a, b)) > least_corner_;
+    return a.dot(b) < 0.0 || std::abs(cross(a, b)) > min_corner_;
   }
 
   /// Returns whether the direction turns by more than a quarter turn. Between near points only a
@@ -73,8 +73,8 @@ class Splitter {
   }
 
   [[nodiscard]] static bool turns_far(const Look& before, const Look& after) {
-    constexpr double kLeastCosine = 0.9;
-    return before.direction.dot(after.direction) < kLeastCosine;
+    constexpr double kMinCosine = 0.9;
+    return before.direction.dot(after.direction) < kMinCosine;
   }
 
   [[nodiscard]] Look look(std::size_t span, double share) const {
@@ -147,8 +147,8 @@ class Splitter {
   /// Cuts at the cusps between two samples. Where the source turns far between them there may be
   /// two cusps that look like one, so the stretch is divided into steps that turn little.
   void cut_between(std::size_t span, Look low, const Look& high) {
-    constexpr int kMostSteps = 200;
-    for (int i = 0; i < kMostSteps && low.share < high.share; ++i) {
+    constexpr int kMaxSteps = 200;
+    for (int i = 0; i < kMaxSteps && low.share < high.share; ++i) {
       Look next = high;
       while (turns_far(low, next) && next.share - low.share > kCuspShare) {
         const Look middle = look(span, 0.5 * (low.share + next.share));
@@ -175,7 +175,7 @@ class Splitter {
 
   const PlaneCurve* curve_;
   double offset_mm_;
-  double least_corner_;
+  double min_corner_;
   std::span<CurvePiece> pieces_;
   std::size_t count_ = 0;
   double begun_ = 0.0;
@@ -198,8 +198,8 @@ WayPoint CurvePiece::at(double spans) const {
 Result<std::size_t, SplitError> split_offset(const PlaneCurve& curve,
                                              double offset_mm,
                                              std::span<CurvePiece> pieces,
-                                             double least_corner) {
-  return Splitter{curve, offset_mm, pieces, least_corner}.run();
+                                             double min_corner) {
+  return Splitter{curve, offset_mm, pieces, min_corner}.run();
 }
 
 }  // namespace cnc::contour

@@ -40,7 +40,7 @@ enum class SplitError : std::uint8_t {
 };
 
 inline constexpr double kCuspShare = 1.0e-13;
-inline constexpr double kLeastCorner = 1.0e-6;
+inline constexpr double kMinCorner = 1.0e-6;
 
 /// Divides the offset of a curve where its tangent jumps. That is at corners and cusps of the
 /// source, and where κ d = −1, so that the offset has a cusp. Each cusp is found to kCuspShare of a
@@ -49,13 +49,13 @@ inline constexpr double kLeastCorner = 1.0e-6;
 /// Each span is sampled at kLooks points. Between two samples, a pair of cusps is found only where
 /// 1 + κ d has its least or greatest value near one of them. A pair that is closer together than
 /// about a hundredth of a span may be missed.
-/// @param least_corner radians; a smaller change of direction between spans is not a corner, and a
-/// fit goes around it within its tolerance. It may exceed kLeastCorner only where the offset is 0:
+/// @param min_corner radians; a smaller change of direction between spans is not a corner, and a
+/// fit goes around it within its tolerance. It may exceed kMinCorner only where the offset is 0:
 /// an offset has a gap at each corner.
 /// @param pieces storage for the pieces. @return the number of pieces.
 [[nodiscard]] Result<std::size_t, SplitError> split_offset(const PlaneCurve& curve,
                                                            double offset_mm,
                                                            std::span<CurvePiece> pieces,
-                                                           double least_corner = kLeastCorner);
+                                                           double min_corner = kMinCorner);
 
 }  // namespace cnc::contour

@@ -7,7 +7,7 @@ namespace cnc::contour {
 namespace {
 
 /// Greatest turn between two samples, radians.
-constexpr double kMostTurn = 0.2;
+constexpr double kMaxTurn = 0.2;
 
 /// Chord and turn between two samples.
 struct SampleStep {
@@ -19,7 +19,7 @@ SampleStep step_between(const WayPoint& from, const WayPoint& to) {
   const double sine = cross(from.tangent, to.tangent);
   const double cosine = from.tangent.dot(to.tangent);
   constexpr double kTooMuch = 1.0e3;
-  // Where the turn is within kMostTurn, this series of the sine is close enough to the angle.
+  // Where the turn is within kMaxTurn, this series of the sine is close enough to the angle.
   return {.chord = (to.place - from.place).norm(),
           .turn = cosine > 0.0 ? sine * (1.0 + sine * sine / 6.0) : kTooMuch};
 }
@@ -29,7 +29,7 @@ SampleStep step_between(const WayPoint& from, const WayPoint& to) {
 /// one arc spans several samples, it differs by less between them.
 bool near_enough(const SampleStep& step, const SampleStep& before, const SampleDensity& density) {
   const double size = std::abs(step.turn);
-  if (size > kMostTurn) return false;
+  if (size > kMaxTurn) return false;
   if (step.chord * size > 8.0 * density.sagitta_mm) return false;
   if (before.chord <= 0.0 || step.chord <= 0.0) return true;
   const double change = std::abs(step.turn / step.chord - before.turn / before.chord);
@@ -57,7 +57,7 @@ std::size_t sample_curve(const CurvePiece& piece,
                          std::span<CurveSample> room) {
   // In spans; a detail of the curve that is wider than this is found.
   constexpr double kLargestStep = 1.0 / 8.0;
-  constexpr double kLeastStep = 1.0e-14;
+  constexpr double kMinStep = 1.0e-14;
   constexpr double kGrowth = 1.4;
   if (room.empty()) return 0;
   const double length = piece.to - piece.from;
@@ -69,7 +69,7 @@ std::size_t sample_curve(const CurvePiece& piece,
     if (count == room.size()) return 0;
     const CurveSample& last = room[count - 1];
     const double rest = piece.to - last.spans;
-    const double least = kLeastStep * std::max(length, piece.to);
+    const double least = kMinStep * std::max(length, piece.to);
     // Avoids a tiny step at the end.
     stride = std::clamp(stride, std::min(least, rest), kLargestStep);
     const bool ends = rest <= 1.01 * stride;
@@ -84,7 +84,7 @@ std::size_t sample_curve(const CurvePiece& piece,
       stride *= 0.6;
       continue;
     }
-    if (!near && (step.chord > density.sagitta_mm || std::abs(step.turn) > kMostTurn)) return 1;
+    if (!near && (step.chord > density.sagitta_mm || std::abs(step.turn) > kMaxTurn)) return 1;
     room[count] = {.point = point, .spans = spans, .turned = last.turned + std::abs(step.turn)};
     ++count;
     before = step;

@@ -7,7 +7,7 @@ namespace cnc::contour {
 namespace {
 
 /// Radians; a little less than half a turn, so that a bulge stays within ±1.
-constexpr double kMostSweep = 2.9;
+constexpr double kMaxSweep = 2.9;
 
 std::size_t first_after(double sample) { return static_cast<std::size_t>(sample) + 1; }
 
@@ -32,7 +32,7 @@ CurvatureRange past(const BandStart& start, const WayPoint& point, double tolera
     range.narrow({2.0 * (left - tolerance_mm) / room, 2.0 * (left + tolerance_mm) / room});
   }
   // The agreement is (n − k q) · N, which is linear in k.
-  const double along = start.tangent.dot(point.tangent) - ToleranceBand::kLeastAgreement;
+  const double along = start.tangent.dot(point.tangent) - ToleranceBand::kMinAgreement;
   const double slope = cross(point.tangent, q);
   if (slope > 0.0) range.narrow({-most, along / slope});
   if (slope < 0.0) range.narrow({along / slope, most});
@@ -77,7 +77,7 @@ BandReach ToleranceBand::farthest(const BandStart& start, double stop) const {
   std::size_t i = first;
   for (; static_cast<double>(i) <= stop; ++i) {
     const CurveSample& sample = samples_[i];
-    if (sample.turned - turned > kMostSweep) break;
+    if (sample.turned - turned > kMaxSweep) break;
     const CurvatureRange now = past(start, sample.point, tolerance_mm_);
     CurvatureRange narrowed = open;
     narrowed.narrow(now);

@@ -59,7 +59,7 @@ class ToleranceBand {
   /// Returns the distance of a point of the curve from a circle; kNoFit where the circle runs in
   /// another direction. Inline: most of the time of a fit is spent here.
   [[nodiscard]] static double distance(const WideTangentCircle& circle, const WayPoint& point) {
-    if (agreement(circle, point) < 0.5 * kLeastAgreement) return kNoFit;
+    if (agreement(circle, point) < 0.5 * kMinAgreement) return kNoFit;
     return std::abs(circle.across(point.place));
   }
   /// Returns the greatest distance between the circle and the samples between `from` and `to`.
@@ -68,7 +68,7 @@ class ToleranceBand {
   static constexpr double kNoFit = 1.0e9;
   /// Least cosine of the angle between the curve and an arc next to it, at a sample. It stands for
   /// about 75 degrees, so that between samples the angle stays below a quarter turn.
-  static constexpr double kLeastAgreement = 0.25;
+  static constexpr double kMinAgreement = 0.25;
 
  private:
   /// Returns the cosine of the angle between the curve and a circle next to it, times 1 + k e.

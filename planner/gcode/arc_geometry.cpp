@@ -53,10 +53,10 @@ float PlaneVector::length() const {
 }
 
 float allowed_deviation(const ArcTolerance& tolerance, float radius_mm) {
-  constexpr float kMost = 0.5F;
+  constexpr float kMax = 0.5F;
   const float ours = std::max(tolerance.absolute_mm, tolerance.relative * radius_mm);
-  const float grbls = std::max(0.005F, std::min(kMost, 0.001F * radius_mm));
-  return std::max(std::min(ours, kMost), grbls);
+  const float grbls = std::max(0.005F, std::min(kMax, 0.001F * radius_mm));
+  return std::max(std::min(ours, kMax), grbls);
 }
 
 float radius_deviation(PlaneVector end, PlaneVector centre) {

@@ -88,9 +88,9 @@ Refusal Block::add_value(const Word& word) {
 Refusal Block::add_power(const Word& word) {
   if (word.value.is_negative()) return blame_word(FaultDetail::kNegative, word);
   if (power_count_ == 0) powers_[power_count_++] = value('S').to_float();
-  if (power_count_ == kMostPowers) {
+  if (power_count_ == kMaxPowers) {
     Fault fault = blame_word(FaultDetail::kTooManyPowers, word);
-    fault.limit = static_cast<float>(kMostPowers);
+    fault.limit = static_cast<float>(kMaxPowers);
     return fault;
   }
   powers_[power_count_++] = word.value.to_float();

@@ -13,7 +13,7 @@
 namespace cnc::gcode {
 
 /// Greatest number of values that S may have, `S0:120:300`: more than fit into most lines.
-inline constexpr std::size_t kMostPowers = 64;
+inline constexpr std::size_t kMaxPowers = 64;
 
 /// The words of one line, sorted: at most one G or M word of each modal group, and at most one
 /// value of each other letter. The block knows which words may stand together, but not their
@@ -102,7 +102,7 @@ class Block {
   AxisUse axis_use_ = AxisUse::kNone;
   std::array<Decimal, kLetterCount> values_{};
   std::array<std::uint16_t, kLetterCount> value_columns_{};
-  std::array<float, kMostPowers> powers_{};
+  std::array<float, kMaxPowers> powers_{};
   std::size_t power_count_ = 0;
   std::array<const ModalWord*, kModalGroupCount> words_{};
   std::array<std::uint16_t, kModalGroupCount> word_columns_{};

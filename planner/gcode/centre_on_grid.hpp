@@ -18,7 +18,7 @@ struct GridCentre {
 };
 
 /// Least radius of an arc, in last digits. Smaller arcs are hardly more than their own rounding.
-inline constexpr int kLeastRadiusOnGrid = 1;
+inline constexpr int kMinRadiusOnGrid = 1;
 
 /// Returns the centre of an arc whose ends are on the grid. In double precision both radii agree
 /// within 0.15 last digits. In single precision they agree within half a digit, for radii of up to

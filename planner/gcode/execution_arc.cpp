@@ -61,11 +61,11 @@ Refusal Execution::move_along_arc() {
 }
 
 Refusal Execution::read_turns(std::uint16_t& turns) {
-  constexpr std::uint32_t kMost = 65'535;
+  constexpr std::uint32_t kMax = 65'535;
   if (!block_.is_free('P')) return std::nullopt;
   std::uint32_t number = 0;
   if (const auto fault =
-          take_index('P', ModalGroup::kMotion, kMost, FaultDetail::kTooLarge, number)) {
+          take_index('P', ModalGroup::kMotion, kMax, FaultDetail::kTooLarge, number)) {
     return fault;
   }
   if (number == 0) return block_.blame(FaultDetail::kBelowOne, 'P');

@@ -181,12 +181,12 @@ Refusal Execution::set_material() {
   const Decimal* const thickness = block_.take('Q');
   if (thickness == nullptr) return missing('Q', ModalGroup::kMaterial);
   const float thickness_um = to_length(*thickness).mm() * kMicrometresPerMillimetre;
-  constexpr auto kMost = static_cast<float>(kerf::kMostThicknessUm);
+  constexpr auto kMax = static_cast<float>(kerf::kMaxThicknessUm);
   if (thickness_um < 1.0F) return block_.blame(FaultDetail::kNegative, 'Q');
-  if (thickness_um > kMost) {
+  if (thickness_um > kMax) {
     Fault fault = block_.blame(FaultDetail::kTooLarge, 'Q');
     const bool inches = next_.modal.units == Units::kInches;
-    fault.limit = kMost / kMicrometresPerMillimetre / (inches ? kMillimetresPerInch : 1.0F);
+    fault.limit = kMax / kMicrometresPerMillimetre / (inches ? kMillimetresPerInch : 1.0F);
     return fault;
   }
   next_.modal.material = {.table = table, .thickness_um = whole(thickness_um)};

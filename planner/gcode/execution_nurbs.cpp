@@ -63,7 +63,7 @@ Refusal Execution::read_control_point(NurbsLine& line) {
   if (const auto fault = check_control_point(point.place, 'X')) return fault;
   if (!line.begins && store_.spline.full()) {
     Fault fault = block_.blame(FaultDetail::kTooManyControlPoints, 'X');
-    fault.limit = static_cast<float>(Spline::kMostPoints);
+    fault.limit = static_cast<float>(Spline::kMaxPoints);
     return fault;
   }
   line.point = point;
@@ -85,7 +85,7 @@ Refusal Execution::take_weight(float& weight) {
   const Decimal* const number = block_.take('P');
   if (number == nullptr) return std::nullopt;
   weight = number->to_float();
-  if (weight >= Spline::kLeastWeight && weight <= Spline::kMostWeight) return std::nullopt;
+  if (weight >= Spline::kMinWeight && weight <= Spline::kMaxWeight) return std::nullopt;
   return block_.blame(FaultDetail::kNotAWeight, 'P');
 }
 

@@ -141,11 +141,11 @@ Refusal Execution::set_tool_radius() {
   const Decimal* const radius = block_.take('R');
   if (radius == nullptr) return missing('R', kGroup);
   const Coordinate length = to_length(*radius);
-  const float most_mm = 0.5F * options_.widest_cut_mm;
-  if (length < Coordinate{} || length.mm() > most_mm) {
+  const float max_mm = 0.5F * options_.widest_cut_mm;
+  if (length < Coordinate{} || length.mm() > max_mm) {
     Fault fault = block_.blame(FaultDetail::kNotACutWidth, 'R');
     const bool inches = next_.modal.units == Units::kInches;
-    fault.limit = most_mm / (inches ? kMillimetresPerInch : 1.0F);
+    fault.limit = max_mm / (inches ? kMillimetresPerInch : 1.0F);
     return fault;
   }
   AxisArray<Coordinate>& row = places_.tool_radii[(tool - 1) / kAxisCount];

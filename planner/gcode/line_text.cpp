@@ -10,8 +10,8 @@ void LineText::add_word(char letter, std::int64_t value, std::uint8_t decimals) 
     rest /= 10;
     --decimals;
   }
-  constexpr std::size_t kMostDigits = 20;
-  std::array<char, kMostDigits> digits{};
+  constexpr std::size_t kMaxDigits = 20;
+  std::array<char, kMaxDigits> digits{};
   std::size_t count = 0;
   do {
     digits[count++] = static_cast<char>('0' + rest % 10);

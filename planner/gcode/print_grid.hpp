@@ -24,11 +24,11 @@ class PrintGrid {
   /// With fewer decimals small arcs would no longer fit into Grbl's 5 µm. With more decimals Grbl's
   /// reader, which takes eight digits in all, would drop some.
   static constexpr std::uint8_t kFewest = 3;
-  static constexpr std::uint8_t kMost = 5;
+  static constexpr std::uint8_t kMax = 5;
 
-  /// @pre kFewest ≤ decimals ≤ kMost
+  /// @pre kFewest ≤ decimals ≤ kMax
   explicit constexpr PrintGrid(std::uint8_t decimals) : decimals_{decimals} {
-    CNC_ASSERT(decimals >= kFewest && decimals <= kMost);
+    CNC_ASSERT(decimals >= kFewest && decimals <= kMax);
   }
 
   [[nodiscard]] constexpr std::uint8_t decimals() const { return decimals_; }

@@ -138,7 +138,7 @@ Result<std::string_view, WriterError> ProgramWriter::rapid(const BasicVec2<Scala
 /// too far away.
 template <std::floating_point Scalar>
 bool ProgramWriter::add_arc(GridPlace to, GridPlace middle, Scalar bulge) {
-  constexpr auto kLeastRadius = static_cast<Scalar>(kLeastRadiusOnGrid);
+  constexpr auto kMinRadius = static_cast<Scalar>(kMinRadiusOnGrid);
   const GridPlace chord = to - *place_;
   const auto x = static_cast<Scalar>(chord.x);
   const auto y = static_cast<Scalar>(chord.y);
@@ -148,7 +148,7 @@ bool ProgramWriter::add_arc(GridPlace to, GridPlace middle, Scalar bulge) {
     add_line(to);
     return true;
   }
-  if (length * (Scalar{1} + size * size) < Scalar{4} * size * kLeastRadius) {
+  if (length * (Scalar{1} + size * size) < Scalar{4} * size * kMinRadius) {
     const auto end = std::exchange(height_, half_way());
     add_line(middle);
     height_ = end;

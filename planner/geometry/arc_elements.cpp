@@ -22,7 +22,7 @@ float length(float x, float y) { return std::sqrt(x * x + y * y); }
 
 }  // namespace
 
-ArcElements::ArcElements(const CentreArc& arc, std::uint32_t least_count) noexcept
+ArcElements::ArcElements(const CentreArc& arc, std::uint32_t min_count) noexcept
     : arc_{arc}, axes_{axes_of(arc.plane)} {
   const float x0 = (arc.start[axes_.first] - arc.centre[0]).mm();
   const float y0 = (arc.start[axes_.second] - arc.centre[1]).mm();
@@ -43,7 +43,7 @@ ArcElements::ArcElements(const CentreArc& arc, std::uint32_t least_count) noexce
   partial_turn_ = is_full ? turn + kTwoPi : turn;
   sweep_ = partial_turn_ + kTwoPi * static_cast<float>(arc.turns - 1);
   count_ = static_cast<std::uint32_t>(std::ceil(sweep_ / kPi - kHalfTurnSlack));
-  count_ = std::max({count_, least_count, std::uint32_t{1}});
+  count_ = std::max({count_, min_count, std::uint32_t{1}});
 }
 
 Position ArcElements::division(std::uint32_t index) const {

@@ -22,7 +22,7 @@ struct CentreArc {
 };
 
 /// Divides a CentreArc into path elements of at most half a turn, equal in angle: one for most
-/// arcs, two for a full circle, or `least_count` if that is more.
+/// arcs, two for a full circle, or `min_count` if that is more.
 ///
 /// Start and end are kept exactly, even where rounded numbers put them on slightly different radii.
 /// Inner ends lie on a radius about the programmed centre that changes from the start's to the
@@ -31,7 +31,7 @@ struct CentreArc {
 /// deviation that is too large.
 class ArcElements {
  public:
-  explicit ArcElements(const CentreArc& arc, std::uint32_t least_count = 1) noexcept;
+  explicit ArcElements(const CentreArc& arc, std::uint32_t min_count = 1) noexcept;
 
   [[nodiscard]] std::uint32_t count() const { return count_; }
   /// Returns an element. @pre index < count()

@@ -32,18 +32,18 @@ float rough_cube_root(float x) {
 /// Returns by what factor a biarc that may deviate by `allowed` would reach farther than the one
 /// with `deviation`. The deviation grows with the third power of the length.
 float growth(float allowed, float deviation) {
-  constexpr float kLeast = 0.25F;
-  constexpr float kMost = 3.0F;
+  constexpr float kMin = 0.25F;
+  constexpr float kMax = 3.0F;
   if (deviation >= BiarcTrial::kNoFit) return 0.4F;
-  if (deviation * kMost * kMost * kMost <= allowed) return kMost;
-  return std::max(kLeast, rough_cube_root(allowed / deviation));
+  if (deviation * kMax * kMax * kMax <= allowed) return kMax;
+  return std::max(kMin, rough_cube_root(allowed / deviation));
 }
 
 }  // namespace
 
 ArcFit::ArcFit(const Spline& spline, const Position& start, float tolerance_mm)
     : ahead_{spline}, origin_{start}, here_{start}, tolerance_mm_{tolerance_mm} {
-  CNC_ASSERT(tolerance_mm >= kLeastToleranceMm);
+  CNC_ASSERT(tolerance_mm >= kMinToleranceMm);
   begin();
 }
 
@@ -93,10 +93,10 @@ std::uint32_t ArcFit::do_step() {
 /// Tries one distance. The bracket between a distance that fits and one that does not is narrowed
 /// by the cubic law of `growth` and by halving. Returns the number of points used.
 std::uint32_t ArcFit::reach_farther() {
-  constexpr std::uint8_t kMostTimes = 28;
+  constexpr std::uint8_t kMaxTimes = 28;
   // In knots. Below this distance the parameter has no digits left.
   constexpr float kShort = 1.0e-6F;
-  if (times_ == kMostTimes || distance_ <= kShort) {
+  if (times_ == kMaxTimes || distance_ <= kShort) {
     end_reach();
     return 0;
   }
@@ -142,8 +142,8 @@ void ArcFit::end_reach() {
 /// Compares the biarc more closely with the curve, and reduces its distance a little if the
 /// deviation turns out too large. Returns the number of points used.
 std::uint32_t ArcFit::confirm() {
-  constexpr std::uint8_t kMostTimes = 16;
-  if (times_ == kMostTimes) {
+  constexpr std::uint8_t kMaxTimes = 16;
+  if (times_ == kMaxTimes) {
     reach_ = {};
     end_confirm();
     return 0;
@@ -218,7 +218,7 @@ void ArcFit::begin_straight() {
 /// Halves the rest of the curve until a line fits that is at most as long as the tolerance. Returns
 /// the number of points used.
 std::uint32_t ArcFit::reach_straight() {
-  constexpr std::uint8_t kMostHalvings = 40;
+  constexpr std::uint8_t kMaxHalvings = 40;
   distance_ = ahead_.expressible(distance_);
   trial_.sample(ahead_, distance_);
   const bool short_enough = trial_.extent() <= tolerance_mm_;
@@ -226,7 +226,7 @@ std::uint32_t ArcFit::reach_straight() {
     step_ = Step::kReady;
   } else {
     distance_ *= 0.5F;
-    if (++times_ == kMostHalvings) step_ = Step::kReady;
+    if (++times_ == kMaxHalvings) step_ = Step::kReady;
   }
   return 2 * BiarcTrial::kSamples;
 }

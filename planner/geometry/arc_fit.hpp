@@ -28,7 +28,7 @@ namespace cnc {
 /// result is the same.
 class ArcFit {
  public:
-  static constexpr float kLeastToleranceMm = 1.0e-4F;
+  static constexpr float kMinToleranceMm = 1.0e-4F;
   static constexpr float kLargestSplineMm = 2.0e3F;
   static constexpr double kLargestKink = 2.0e-5;
   static constexpr double kKinkRoundingMm = 6.0e-6;
@@ -36,7 +36,7 @@ class ArcFit {
   /// @param spline must outlive this. @pre complete()
   /// @param start position of the first control point; the axes other than X and Y keep their
   /// positions.
-  /// @param tolerance_mm at least kLeastToleranceMm.
+  /// @param tolerance_mm at least kMinToleranceMm.
   ArcFit(const Spline& spline, const Position& start, float tolerance_mm);
 
   [[nodiscard]] bool done() const { return !second_waits_ && ahead_.at_end(); }

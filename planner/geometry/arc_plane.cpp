@@ -14,10 +14,10 @@ bool holds(Plane plane, const AxisVector& vector) {
 }  // namespace
 
 std::optional<PlaneFrame> plane_through(const AxisVector& first, const AxisVector& second) {
-  constexpr float kLeastAngle = 1.0e-4F;
+  constexpr float kMinAngle = 1.0e-4F;
   AxisVector across = sum_of(second, -dot(first, second), first);
   const float size = norm(across);
-  if (size < kLeastAngle) return std::nullopt;
+  if (size < kMinAngle) return std::nullopt;
   across = scaled(1.0F / size, across);
   // Where the two vectors are nearly parallel, rounding has left much of `first` in `across`.
   across = sum_of(across, -dot(first, across), first);

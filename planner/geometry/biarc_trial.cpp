@@ -118,7 +118,7 @@ float BiarcTrial::deviation_closely(CurveAhead& curve, float joint_share) const 
 /// Searches by golden section: the deviation falls and then rises with the share.
 BiarcTrial::Fit BiarcTrial::best(float enough_mm) const {
   constexpr float kGolden = 0.618034F;
-  constexpr int kMostSteps = 8;
+  constexpr int kMaxSteps = 8;
   // Multiple of `enough_mm` beyond which no other share can gain enough.
   constexpr float kHopeless = 12.0F;
   if (!turns_gently_) return {};
@@ -132,7 +132,7 @@ BiarcTrial::Fit BiarcTrial::best(float enough_mm) const {
   left.deviation_mm = deviation(left.joint_share);
   right.deviation_mm = deviation(right.joint_share);
   std::uint32_t biarcs = 3;
-  for (int i = 0; i < kMostSteps; ++i) {
+  for (int i = 0; i < kMaxSteps; ++i) {
     const Fit& better = left.deviation_mm < right.deviation_mm ? left : right;
     if (better.deviation_mm < fit.deviation_mm) fit = better;
     if (fit.deviation_mm <= enough_mm) break;

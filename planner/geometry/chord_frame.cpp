@@ -9,7 +9,7 @@ namespace {
 constexpr float kOneQ30 = 1073741824.0F;
 constexpr float kFromQ31 = 1.0F / 2147483648.0F;
 
-constexpr std::uint32_t kMostQ31 = 0x7FFF'FFFF;
+constexpr std::uint32_t kMaxQ31 = 0x7FFF'FFFF;
 
 constexpr std::uint32_t q32(long double value) {
   return static_cast<std::uint32_t>(std::min(value * 4294967296.0L + 0.5L, 4294967295.0L));
@@ -31,7 +31,7 @@ constexpr Polynomial kSineQuotient{q32(0.9999999999828987L),
                                    q32(0.00019840860936542099L * 64),
                                    q32(2.752525717007601e-06L * 256),
                                    q32(2.3888990176685845e-08L * 1024)};
-constexpr Polynomial kVersineQuotient{kMostQ31,  // Below one half, because a height has a sign.
+constexpr Polynomial kVersineQuotient{kMaxQ31,  // Below one half, because a height has a sign.
                                       q32(0.04166666663086609L * 4),
                                       q32(0.001388888719520905L * 16),
                                       q32(2.4801294036003528e-05L * 64),
@@ -73,7 +73,7 @@ ChordPoint ChordFrame::at(std::uint32_t fraction) const {
 
   // Near the ends the product may be rounded up to 1.
   const std::uint32_t rounded = times(times(mu, sine_quotient), inverse_sine_q31_);
-  const auto size_q31 = static_cast<std::int32_t>(std::min(rounded, kMostQ31));
+  const auto size_q31 = static_cast<std::int32_t>(std::min(rounded, kMaxQ31));
   const std::int32_t sine_ratio_q31 = second_half ? size_q31 : -size_q31;
   const auto height_q32 =
       static_cast<std::int32_t>(versine_q32_ - times(mu_square, versine_quotient));

@@ -6,14 +6,14 @@ namespace cnc {
 
 float CurveAhead::length() const {
   const std::size_t left = spline_->segment_count() - segment_;
-  return static_cast<float>(std::min(left, kMostPieces)) - parameter_;
+  return static_cast<float>(std::min(left, kMaxPieces)) - parameter_;
 }
 
 CurveAhead::Spot CurveAhead::spot(float distance) const {
   const float first = 1.0F - parameter_;
   if (distance <= first) return {0, distance >= first ? 1.0F : distance / first};
   const float further = distance - first;
-  const std::size_t last = std::min(spline_->segment_count() - segment_, kMostPieces) - 1;
+  const std::size_t last = std::min(spline_->segment_count() - segment_, kMaxPieces) - 1;
   const std::size_t piece = std::min(static_cast<std::size_t>(further) + 1, last);
   return {piece, std::min(further - static_cast<float>(piece - 1), 1.0F)};
 }
@@ -64,10 +64,10 @@ Vec2 CurveAhead::arrival(float distance) {
 void CurveAhead::advance(float distance) {
   float parameter = parameter_ + distance;
   if (distance >= length()) {
-    segment_ += std::min(spline_->segment_count() - segment_, kMostPieces);
+    segment_ += std::min(spline_->segment_count() - segment_, kMaxPieces);
     parameter = 0.0F;
   }
-  while (parameter >= 1.0F) {  // This repeats at most kMostPieces times.
+  while (parameter >= 1.0F) {  // This repeats at most kMaxPieces times.
     parameter -= 1.0F;
     ++segment_;
   }

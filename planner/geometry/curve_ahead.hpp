@@ -19,7 +19,7 @@ class CurveAhead {
  public:
   static constexpr double kAheadError = 4.0e-7;
   /// Greatest number of segments that are kept in view. A biarc seldom spans three.
-  static constexpr std::size_t kMostPieces = 4;
+  static constexpr std::size_t kMaxPieces = 4;
 
   /// Starts at the beginning of the spline, which must outlive this. @pre spline.complete()
   explicit CurveAhead(const Spline& spline) : spline_{&spline} { look(); }
@@ -34,7 +34,7 @@ class CurveAhead {
   /// Returns the length of the curve in view, in knots.
   [[nodiscard]] float length() const;
   /// Returns whether the view includes the end of the spline.
-  [[nodiscard]] bool sees_end() const { return segment_ + kMostPieces >= spline_->segment_count(); }
+  [[nodiscard]] bool sees_end() const { return segment_ + kMaxPieces >= spline_->segment_count(); }
   /// Returns the distance nearest to `distance` that the parameter can express.
   [[nodiscard]] float expressible(float distance) const;
 
@@ -64,8 +64,8 @@ class CurveAhead {
   PlanePlace origin_{};
   Vec2 tangent_{1.0F, 0.0F};
   std::size_t prepared_ = 0;
-  std::array<Bezier, kMostPieces> beziers_{};  ///< The first one begins at `parameter_`.
-  std::array<BezierView, kMostPieces> views_{};
+  std::array<Bezier, kMaxPieces> beziers_{};  ///< The first one begins at `parameter_`.
+  std::array<BezierView, kMaxPieces> views_{};
 };
 
 }  // namespace cnc

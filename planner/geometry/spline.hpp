@@ -12,7 +12,7 @@ namespace cnc {
 /// A control point of a spline, which attracts the curve in proportion to its weight.
 struct ControlPoint {
   PlanePlace place{};  ///< Relative to the first control point, in nm; each coordinate within 2 km.
-  float weight = 1.0F;  ///< kLeastWeight…kMostWeight.
+  float weight = 1.0F;  ///< kMinWeight…kMaxWeight.
 };
 
 /// A rational B-spline (NURBS) in the X Y plane over uniform knots, clamped at
@@ -25,17 +25,17 @@ struct ControlPoint {
 /// and the last again as often as the order says.
 class Spline {
  public:
-  static constexpr std::size_t kMostPoints = 64;
+  static constexpr std::size_t kMaxPoints = 64;
   static constexpr std::size_t kLowestOrder = 3;
   static constexpr std::size_t kHighestOrder = Bezier::kHighestDegree + 1;
-  static constexpr float kLeastWeight = 1.0e-3F;
-  static constexpr float kMostWeight = 1.0e3F;
+  static constexpr float kMinWeight = 1.0e-3F;
+  static constexpr float kMaxWeight = 1.0e3F;
 
   void clear() { size_ = 0; }
-  [[nodiscard]] bool full() const { return size_ == kMostPoints; }
+  [[nodiscard]] bool full() const { return size_ == kMaxPoints; }
   /// Appends a control point. The first control point is the origin of all others. @pre !full()
   void append(const ControlPoint& point) {
-    CNC_ASSERT(size_ < kMostPoints);
+    CNC_ASSERT(size_ < kMaxPoints);
     points_[size_++] = point;
   }
   /// Sets the weight of the first control point. @pre size() > 0
@@ -67,7 +67,7 @@ class Spline {
   [[nodiscard]] float knot(std::size_t index) const;
   [[nodiscard]] WeightedPoint blossom(std::size_t segment, std::size_t times_end) const;
 
-  std::array<ControlPoint, kMostPoints> points_{};
+  std::array<ControlPoint, kMaxPoints> points_{};
   std::size_t size_ = 0;
   std::size_t order_ = kLowestOrder;
 };

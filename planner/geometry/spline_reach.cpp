@@ -30,10 +30,10 @@ Hull hull_of(const Bezier& bezier, const PlaneBox& box) {
 /// Returns whether the curve stays within the box. It advances along the curve in steps that halve
 /// where a hull sticks out and double where no hull does.
 bool stays_within(const Bezier& curve, const PlaneBox& box) {
-  constexpr int kMostSteps = 400;
+  constexpr int kMaxSteps = 400;
   Bezier rest = curve;
   float share = 1.0F;  // Share of the rest of the curve.
-  for (int i = 0; i < kMostSteps; ++i) {
+  for (int i = 0; i < kMaxSteps; ++i) {
     const Bezier part = share < 1.0F ? rest.until(share) : rest;
     const Hull hull = hull_of(part, box);
     if (hull.inside && share >= 1.0F) return true;

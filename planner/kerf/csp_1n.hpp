@@ -12,8 +12,8 @@ namespace csp_1n {
 inline constexpr std::uint32_t kWatt = 1'000;                // mW
 inline constexpr std::uint32_t kMetrePerMinute = 1'000'000;  // µm/min
 
-constexpr Band band(std::uint32_t watts, std::uint32_t least_m_min, std::uint32_t most_m_min) {
-  return {watts * kWatt, least_m_min * kMetrePerMinute, most_m_min * kMetrePerMinute};
+constexpr Band band(std::uint32_t watts, std::uint32_t min_m_min, std::uint32_t max_m_min) {
+  return {watts * kWatt, min_m_min * kMetrePerMinute, max_m_min * kMetrePerMinute};
 }
 
 /// Bands of Table 2.

@@ -72,7 +72,7 @@ constexpr Real between(Real low, Real high, Real share) {
   return low + (high - low) * share;
 }
 
-constexpr Window window_of(const Band& band) { return {band.least_um_min, band.most_um_min}; }
+constexpr Window window_of(const Band& band) { return {band.min_um_min, band.max_um_min}; }
 
 template <typename Real>
 constexpr Window powers_of(const TableView<Real>& table, const Row<Real>& row) {

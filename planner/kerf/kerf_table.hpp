@@ -36,8 +36,8 @@ struct Point {
 /// where the linear law does not hold.
 struct Band {
   std::uint32_t power_mw = 0;
-  std::uint32_t least_um_min = 0;
-  std::uint32_t most_um_min = 0;
+  std::uint32_t min_um_min = 0;
+  std::uint32_t max_um_min = 0;
   std::uint16_t first_point = 0;  ///< Index of the band's first point in the table's points.
   std::uint16_t points = 0;       ///< Number of the band's points; 0 in a row with a law.
   constexpr bool operator==(const Band&) const = default;
@@ -83,12 +83,12 @@ struct TableView {
 
 // Limits of a table's values. Beyond them single precision would no longer keep the error below a
 // micrometre.
-inline constexpr std::uint32_t kMostThicknessUm = 100'000;
-inline constexpr std::uint32_t kMostPowerMw = 100'000'000;
-inline constexpr std::uint32_t kLeastSpeedUmMin = 1'000;
-inline constexpr std::uint32_t kMostSpeedUmMin = 1'000'000'000;
-inline constexpr std::uint32_t kMostKerfNm = 10'000'000;
-inline constexpr float kMostInterceptMm = 10.0F;
+inline constexpr std::uint32_t kMaxThicknessUm = 100'000;
+inline constexpr std::uint32_t kMaxPowerMw = 100'000'000;
+inline constexpr std::uint32_t kMinSpeedUmMin = 1'000;
+inline constexpr std::uint32_t kMaxSpeedUmMin = 1'000'000'000;
+inline constexpr std::uint32_t kMaxKerfNm = 10'000'000;
+inline constexpr float kMaxInterceptMm = 10.0F;
 inline constexpr std::size_t kLongestName = 15;
 
 enum class TableError : std::uint8_t {

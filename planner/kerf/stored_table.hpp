@@ -13,9 +13,9 @@ namespace cnc::kerf {
 /// Memory for one table on the controller.
 class StoredTable {
  public:
-  static constexpr std::size_t kMostRows = 8;
-  static constexpr std::size_t kMostBands = 40;   ///< Five powers for each thickness.
-  static constexpr std::size_t kMostPoints = 48;  ///< Points of rows without a law.
+  static constexpr std::size_t kMaxRows = 8;
+  static constexpr std::size_t kMaxBands = 40;   ///< Five powers for each thickness.
+  static constexpr std::size_t kMaxPoints = 48;  ///< Points of rows without a law.
 
   [[nodiscard]] TableView<float> view() const {
     return {{name_.data(), name_size_},
@@ -28,15 +28,15 @@ class StoredTable {
   /// Returns memory for `count` items, to be filled by the caller. @pre `count` is within the
   /// capacity
   [[nodiscard]] std::span<Row<float>> make_rows(std::size_t count) {
-    row_count_ = std::min(count, kMostRows);
+    row_count_ = std::min(count, kMaxRows);
     return {rows_.data(), row_count_};
   }
   [[nodiscard]] std::span<Band> make_bands(std::size_t count) {
-    band_count_ = std::min(count, kMostBands);
+    band_count_ = std::min(count, kMaxBands);
     return {bands_.data(), band_count_};
   }
   [[nodiscard]] std::span<Point> make_points(std::size_t count) {
-    point_count_ = std::min(count, kMostPoints);
+    point_count_ = std::min(count, kMaxPoints);
     return {points_.data(), point_count_};
   }
   /// Sets the name, cut off at kLongestName characters.
@@ -50,11 +50,11 @@ class StoredTable {
  private:
   std::array<char, kLongestName> name_{};
   std::size_t name_size_ = 0;
-  std::array<Row<float>, kMostRows> rows_{};
+  std::array<Row<float>, kMaxRows> rows_{};
   std::size_t row_count_ = 0;
-  std::array<Band, kMostBands> bands_{};
+  std::array<Band, kMaxBands> bands_{};
   std::size_t band_count_ = 0;
-  std::array<Point, kMostPoints> points_{};
+  std::array<Point, kMaxPoints> points_{};
   std::size_t point_count_ = 0;
 };
 

@@ -13,8 +13,8 @@ constexpr bool rises(std::uint32_t before, std::uint32_t here, std::uint32_t mos
 
 constexpr bool are_sound_points(const Band& band, std::span<const Point> points) {
   if (points.empty()) return false;
-  if (points.front().speed_um_min != band.least_um_min) return false;
-  if (points.back().speed_um_min != band.most_um_min) return false;
+  if (points.front().speed_um_min != band.min_um_min) return false;
+  if (points.back().speed_um_min != band.max_um_min) return false;
   for (std::size_t i = 1; i < points.size(); ++i) {
     if (points[i].speed_um_min <= points[i - 1].speed_um_min) return false;
   }
@@ -24,7 +24,7 @@ constexpr bool are_sound_points(const Band& band, std::span<const Point> points)
 /// Returns whether a kerf is within its range. NaN is not.
 template <typename Real>
 constexpr bool is_sound_kerf(Real kerf_mm) {
-  return kerf_mm > Real{0} && kerf_mm <= static_cast<Real>(kMostKerfNm) / Real{1'000'000};
+  return kerf_mm > Real{0} && kerf_mm <= static_cast<Real>(kMaxKerfNm) / Real{1'000'000};
 }
 
 /// Returns whether the kerf of a band is in range. A law is monotonic in the speed, and points are
@@ -34,20 +34,20 @@ constexpr bool has_sound_kerf(const TableView<Real>& table,
                               const Row<Real>& row,
                               const Band& band) {
   for (const Point& point : table.points_of(band)) {
-    if (point.kerf_nm == 0 || point.kerf_nm > kMostKerfNm) return false;
+    if (point.kerf_nm == 0 || point.kerf_nm > kMaxKerfNm) return false;
   }
-  constexpr auto kMost = static_cast<Real>(kMostInterceptMm);
-  if (!(row.law.intercept >= -kMost && row.law.intercept <= kMost)) return false;
-  return is_sound_kerf(row_kerf(table, row, band.power_mw, band.least_um_min)) &&
-         is_sound_kerf(row_kerf(table, row, band.power_mw, band.most_um_min));
+  constexpr auto kMax = static_cast<Real>(kMaxInterceptMm);
+  if (!(row.law.intercept >= -kMax && row.law.intercept <= kMax)) return false;
+  return is_sound_kerf(row_kerf(table, row, band.power_mw, band.min_um_min)) &&
+         is_sound_kerf(row_kerf(table, row, band.power_mw, band.max_um_min));
 }
 
 template <typename Real>
 constexpr std::optional<TableError> fault_of_band(const TableView<Real>& table,
                                                   const Row<Real>& row,
                                                   const Band& band) {
-  if (band.least_um_min < kLeastSpeedUmMin || band.most_um_min > kMostSpeedUmMin ||
-      band.least_um_min > band.most_um_min) {
+  if (band.min_um_min < kMinSpeedUmMin || band.max_um_min > kMaxSpeedUmMin ||
+      band.min_um_min > band.max_um_min) {
     return TableError::kBadSpeeds;
   }
   const auto points = table.points_of(band);
@@ -63,7 +63,7 @@ constexpr std::optional<TableError> fault_of_row(const TableView<Real>& table,
                                                  const Row<Real>& row) {
   std::uint32_t power_before = 0;
   for (const Band& band : table.bands_of(row)) {
-    if (!rises(power_before, band.power_mw, kMostPowerMw)) return TableError::kPowerNotRising;
+    if (!rises(power_before, band.power_mw, kMaxPowerMw)) return TableError::kPowerNotRising;
     power_before = band.power_mw;
     if (const auto fault = fault_of_band(table, row, band)) return fault;
   }
@@ -98,7 +98,7 @@ template <typename Real>
   std::uint32_t thickness_before = 0;
   for (std::size_t i = 0; i < table.rows.size(); ++i) {
     const auto row = static_cast<std::uint16_t>(i);
-    if (!detail::rises(thickness_before, table.rows[i].thickness_um, kMostThicknessUm)) {
+    if (!detail::rises(thickness_before, table.rows[i].thickness_um, kMaxThicknessUm)) {
       return TableFault{TableError::kThicknessNotRising, row};
     }
     thickness_before = table.rows[i].thickness_um;

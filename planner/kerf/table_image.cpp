@@ -13,7 +13,7 @@ namespace {
 using table_image::kBandBytes;
 using table_image::kHeadBytes;
 using table_image::kMagic;
-using table_image::kMostBytes;
+using table_image::kMaxBytes;
 using table_image::kNameBytes;
 using table_image::kPointBytes;
 using table_image::kRowBytes;
@@ -104,14 +104,14 @@ TableFault too_many(TableError error, std::size_t count, std::size_t capacity) {
 }
 
 std::optional<TableFault> overflow_of(std::size_t rows, std::size_t bands, std::size_t points) {
-  if (rows > StoredTable::kMostRows) {
-    return too_many(TableError::kTooManyRows, rows, StoredTable::kMostRows);
+  if (rows > StoredTable::kMaxRows) {
+    return too_many(TableError::kTooManyRows, rows, StoredTable::kMaxRows);
   }
-  if (bands > StoredTable::kMostBands) {
-    return too_many(TableError::kTooManyBands, bands, StoredTable::kMostBands);
+  if (bands > StoredTable::kMaxBands) {
+    return too_many(TableError::kTooManyBands, bands, StoredTable::kMaxBands);
   }
-  if (points > StoredTable::kMostPoints) {
-    return too_many(TableError::kTooManyPoints, points, StoredTable::kMostPoints);
+  if (points > StoredTable::kMaxPoints) {
+    return too_many(TableError::kTooManyPoints, points, StoredTable::kMaxPoints);
   }
   return std::nullopt;
 }
@@ -170,8 +170,8 @@ void read_bands(ImageReader& reader, std::span<Band> bands) {
   std::uint16_t points = 0;
   for (Band& band : bands) {
     band.power_mw = reader.word();
-    band.least_um_min = reader.word();
-    band.most_um_min = reader.word();
+    band.min_um_min = reader.word();
+    band.max_um_min = reader.word();
     band.first_point = points;
     band.points = static_cast<std::uint16_t>(reader.word());
     points = static_cast<std::uint16_t>(points + band.points);
@@ -188,8 +188,8 @@ void write_parts(ImageWriter& writer, const TableView<float>& table) {
   }
   for (const Band& band : table.bands) {
     writer.word(band.power_mw);
-    writer.word(band.least_um_min);
-    writer.word(band.most_um_min);
+    writer.word(band.min_um_min);
+    writer.word(band.max_um_min);
     writer.word(band.points);
   }
   for (const Point& point : table.points) {
@@ -201,7 +201,7 @@ void write_parts(ImageWriter& writer, const TableView<float>& table) {
 }  // namespace
 
 Result<std::size_t, TableFault> write_image(const TableView<float>& table,
-                                            std::span<std::byte, kMostBytes> image) {
+                                            std::span<std::byte, kMaxBytes> image) {
   const Counts counts{.size = 0,
                       .unit = static_cast<std::uint32_t>(table.unit),
                       .rows = table.rows.size(),

@@ -33,16 +33,16 @@ inline constexpr std::size_t kBandBytes = 16;
 inline constexpr std::size_t kPointBytes = 8;
 inline constexpr std::size_t kSumBytes = 4;
 /// Bytes of the largest table that a controller takes.
-inline constexpr std::size_t kMostBytes = kHeadBytes + StoredTable::kMostRows * kRowBytes +
-                                          StoredTable::kMostBands * kBandBytes +
-                                          StoredTable::kMostPoints * kPointBytes + kSumBytes;
+inline constexpr std::size_t kMaxBytes = kHeadBytes + StoredTable::kMaxRows * kRowBytes +
+                                         StoredTable::kMaxBands * kBandBytes +
+                                         StoredTable::kMaxPoints * kPointBytes + kSumBytes;
 static_assert(kLongestName < kNameBytes);
 }  // namespace table_image
 
 /// Writes the image of a table. @return number of bytes written, or the fault: the table is
 /// unsound, or larger than a controller takes
 [[nodiscard]] Result<std::size_t, TableFault> write_image(
-    const TableView<float>& table, std::span<std::byte, table_image::kMostBytes> image);
+    const TableView<float>& table, std::span<std::byte, table_image::kMaxBytes> image);
 
 /// Source of the bytes of an image, wherever they are stored.
 class ImageSource {

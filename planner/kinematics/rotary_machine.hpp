@@ -36,8 +36,8 @@ struct RotaryMachine {
   bool turn_reversed = false;
   Vec3 tilt_point = Vec3::Zero();  ///< Point on the tilting axis.
   Vec3 turn_point = Vec3::Zero();  ///< Point on the turning axis.
-  float least_tilt_deg = -360.0F;  ///< The tilting axis stays within these two limits.
-  float most_tilt_deg = 360.0F;
+  float min_tilt_deg = -360.0F;    ///< The tilting axis stays within these two limits.
+  float max_tilt_deg = 360.0F;
 };
 
 }  // namespace cnc::kinematics

@@ -196,14 +196,14 @@ float ToolCentre::third_derivative(float lever_mm, float rate, float curvature) 
 }
 
 std::uint32_t ToolCentre::parts_of(const Position& from, const Position& end) const {
-  constexpr std::int64_t kMost = 4'000'000;  // In units of 1e-6 degrees.
+  constexpr std::int64_t kMax = 4'000'000;  // In units of 1e-6 degrees.
   if (!active()) return 1;
   const auto turn = [&](std::size_t axis) {
     const std::int64_t way = (end[axis] - from[axis]).nanometres();
     return way < 0 ? -way : way;
   };
   const std::int64_t way = std::max(turn(tilting_axis()), turn(kTurning));
-  return static_cast<std::uint32_t>(std::max<std::int64_t>(1, (way + kMost - 1) / kMost));
+  return static_cast<std::uint32_t>(std::max<std::int64_t>(1, (way + kMax - 1) / kMax));
 }
 
 Vec3 ToolCentre::direction(const Position& program) const {

@@ -89,7 +89,7 @@ class CompletionBound {
       since_best_ = 0;
       share_ /= 2.0;
     }
-    return --rounds_left_ > 0 && share_ > kLeastShare && move_prices(share_, known_cost - bound);
+    return --rounds_left_ > 0 && share_ > kMinShare && move_prices(share_, known_cost - bound);
   }
 
   /// Sets the best prices, for rest(). @return the bound of the whole tour
@@ -117,7 +117,7 @@ class CompletionBound {
   }
 
  private:
-  static constexpr double kLeastShare = 1.0e-3;
+  static constexpr double kMinShare = 1.0e-3;
   static constexpr int kPatience = 4;
 
   [[nodiscard]] WalkRest& at(Index number, Index candidate) const {

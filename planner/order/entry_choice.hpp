@@ -35,9 +35,9 @@ class EntryChoice {
 
   /// Chooses the best candidates for `length` sets from `start` on, with the choices of the sets
   /// before and after them fixed. Calls `changed(set)` for each set whose candidate changes.
-  /// @return the decrease of the tour's cost; a change that gains at most `least_gain` is not made
+  /// @return the decrease of the tour's cost; a change that gains at most `min_gain` is not made
   template <typename Changed>
-  double improve(Index start, Index length, double least_gain, Changed&& changed) {
+  double improve(Index start, Index length, double min_gain, Changed&& changed) {
     const Index before = tour_->at(tour_->position_before(start));
     const Index behind = tour_->at(position(start, length));
     double present = 0.0;
@@ -45,18 +45,18 @@ class EntryChoice {
       present += legs_.after(tour_->position_before(position(start, i)));
     }
     const double cost = find(start, length, tour_->chosen(before), tour_->chosen(behind));
-    if (present - cost <= least_gain) return 0.0;
+    if (present - cost <= min_gain) return 0.0;
     take(start, length, changed);
     return present - cost;
   }
 
   /// Chooses the best candidates for all sets, home included. Otherwise works like improve().
   template <typename Changed>
-  double improve_all(double least_gain, Changed&& changed) {
+  double improve_all(double min_gain, Changed&& changed) {
     const Index home = tour_->at(0);
     const Index length = tour_->size() - 1;
     const double present = legs_.tour_cost();
-    double least = present - least_gain;
+    double least = present - min_gain;
     Index best = kNone;
     Index last = kNone;
     for (Index c = problem_->first_candidate[home]; c < problem_->first_candidate[home + 1]; ++c) {

@@ -14,20 +14,20 @@ namespace cnc::order {
 template <LegCost Cost>
 class LocalSearch {
  public:
-  /// @param least_gain smaller gains are rounding; a search that accepts them may not end
+  /// @param min_gain smaller gains are rounding; a search that accepts them may not end
   LocalSearch(const Problem& problem,
               const Cost& cost,
               const Neighbours& neighbours,
               Tour& tour,
               WorkQueue& queue,
-              double least_gain)
+              double min_gain)
       : problem_{&problem},
         neighbours_{neighbours},
         tour_{&tour},
         queue_{&queue},
         legs_{problem, cost, tour},
         may_{problem.precedence, tour},
-        least_gain_{least_gain},
+        min_gain_{min_gain},
         is_free_{problem.is_free()},
         has_lines_{!problem.reversed.empty()},
         is_plain_{problem.candidates() == problem.sets()},
@@ -111,7 +111,7 @@ class LocalSearch {
   WorkQueue* queue_;
   Legs<Cost> legs_;
   Feasibility may_;
-  double least_gain_;
+  double min_gain_;
   bool is_free_;
   bool has_lines_;  ///< Whether reversed sets have other entries.
   bool is_plain_;   ///< Whether each set has only one candidate.
@@ -128,7 +128,7 @@ double LocalSearch<Cost>::improve_choice(Index set) {
   };
   const double present = cost_of(tour_->chosen(set));
   Index best = tour_->chosen(set);
-  double least = present - least_gain_;
+  double least = present - min_gain_;
   for (Index c = problem_->first_candidate[set]; c < problem_->first_candidate[set + 1]; ++c) {
     const double cost = cost_of(c);
     if (cost < least) {
@@ -149,12 +149,12 @@ double LocalSearch<Cost>::improve_legs(const LooseEnd& start) {
   const CutLeg one = cut_at(start);
   const double removed = legs_.after(one.position);
   Exchange best;
-  best.gain = least_gain_;
+  best.gain = min_gain_;
   const auto near = neighbours_.of(one.other.set);
   for (Index i = 0; i < near.size(); ++i) {
-    if (near[i] == kNone || !try_second(one, i, removed, best) || best.gain > least_gain_) break;
+    if (near[i] == kNone || !try_second(one, i, removed, best) || best.gain > min_gain_) break;
   }
-  if (best.gain <= least_gain_) return 0.0;
+  if (best.gain <= min_gain_) return 0.0;
   make(best);
   return best.gain;
 }
@@ -169,12 +169,12 @@ bool LocalSearch<Cost>::try_second(const CutLeg& one,
   const Index set = neighbours_.of(one.other.set)[number];
   if (set == one.one.set) return true;
   double gained = removed - cost_to(one.other, number, set);
-  if (ends_early_ && gained <= least_gain_) return false;
+  if (ends_early_ && gained <= min_gain_) return false;
   for (const bool is_entry : {!one.other.is_entry, one.other.is_entry}) {
     const LooseEnd end{set, is_entry};
     if (!may_join(one.other, end)) continue;
     if (has_lines_ && is_entry == one.other.is_entry) gained = removed - legs_.join(one.other, end);
-    if (gained <= least_gain_) continue;
+    if (gained <= min_gain_) continue;
     const CutLeg two = cut_at(end);
     if (two.position == one.position) continue;
     const double both = gained + legs_.after(two.position);
@@ -241,7 +241,7 @@ double LocalSearch<Cost>::improve_position(Index set) {
       legs_.after(before) + legs_.after(position) -
       legs_.between(tour_->chosen(tour_->before(set)), tour_->chosen(tour_->after(set)));
   Insertion best;
-  best.gain = least_gain_;
+  best.gain = min_gain_;
   for (const Index near : neighbours_.of(set).first(std::min(kThirdWidth, neighbours_.width()))) {
     if (near == kNone) break;
     const Index there = tour_->position_of(near);

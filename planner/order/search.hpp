@@ -64,8 +64,8 @@ class Search {
         space_{space},
         tour_{started(problem, space.tour, start)},
         queue_{space.queue},
-        least_gain_{kRounding * allowed_cost(Legs<Cost>{problem, cost, tour_})},
-        local_{problem, cost, neighbours, tour_, queue_, least_gain_},
+        min_gain_{kRounding * allowed_cost(Legs<Cost>{problem, cost, tour_})},
+        local_{problem, cost, neighbours, tour_, queue_, min_gain_},
         choice_{problem, cost, tour_, space.choice},
         may_{problem.precedence, tour_},
         turned_{problem, tour_, space.turned},
@@ -219,12 +219,12 @@ class Search {
       // The previous set covered it.
       if (i > 0 && position + 1 - tour_.position_of(tried_[i - 1]) <= 2) continue;
       const Index start = position >= kReach ? position - kReach : position + tour_.size() - kReach;
-      gain += choice_.improve(start, 2 * kReach + 1, least_gain_, changed());
+      gain += choice_.improve(start, 2 * kReach + 1, min_gain_, changed());
     }
     return gain;
   }
 
-  double choose_all() { return choice_.improve_all(least_gain_, changed()); }
+  double choose_all() { return choice_.improve_all(min_gain_, changed()); }
 
   auto changed() {
     return [this](Index set) {
@@ -247,7 +247,7 @@ class Search {
   SearchSpace space_;
   Tour tour_;
   WorkQueue queue_;
-  double least_gain_;
+  double min_gain_;
   LocalSearch<Cost> local_;
   EntryChoice<Cost> choice_;
   Feasibility may_;

@@ -13,11 +13,11 @@ FanCircle between(const FanCircle& a, const FanCircle& b, float share) {
 
 }  // namespace
 
-void CircleFan::open(float most_curvature) {
-  corners_[0] = {-most_curvature, -kSteepest};
-  corners_[1] = {most_curvature, -kSteepest};
-  corners_[2] = {most_curvature, kSteepest};
-  corners_[3] = {-most_curvature, kSteepest};
+void CircleFan::open(float max_curvature) {
+  corners_[0] = {-max_curvature, -kSteepest};
+  corners_[1] = {max_curvature, -kSteepest};
+  corners_[2] = {max_curvature, kSteepest};
+  corners_[3] = {-max_curvature, kSteepest};
   count_ = 4;
 }
 
@@ -83,7 +83,7 @@ void CircleFan::cut(std::size_t first, std::size_t past) {
   }
   corners_[at] = out;
   corners_[at + 1] = in;
-  if (count_ > kMostCorners) drop_smallest();
+  if (count_ > kMaxCorners) drop_smallest();
 }
 
 /// Removes the corner that cuts off the smallest triangle. The polygon becomes a little smaller and

@@ -37,8 +37,8 @@ class CircleFan {
   /// Greatest slope in either direction: 31°.
   static constexpr float kSteepest = 0.6F;
 
-  /// Resets the set to all circles up to a curvature. @param most_curvature 1/mm.
-  void open(float most_curvature);
+  /// Resets the set to all circles up to a curvature. @param max_curvature 1/mm.
+  void open(float max_curvature);
   [[nodiscard]] bool empty() const { return count_ < 3; }
 
   /// Removes the circles that are farther than `within_mm` from the point.
@@ -64,15 +64,15 @@ class CircleFan {
   [[nodiscard]] std::optional<Through> through(const Vec2& point, float weight) const;
 
  private:
-  static constexpr std::size_t kMostCorners = 16;
+  static constexpr std::size_t kMaxCorners = 16;
 
   void keep(float by_curvature, float by_slope, float most);
   void cut(std::size_t first, std::size_t past);
   void drop_smallest();
 
-  std::array<FanCircle, kMostCorners + 1> corners_{};
+  std::array<FanCircle, kMaxCorners + 1> corners_{};
   /// Distance of each corner beyond the half plane that is being cut off; negative inside.
-  std::array<float, kMostCorners + 1> excess_{};
+  std::array<float, kMaxCorners + 1> excess_{};
   std::size_t count_ = 0;
 };
 

@@ -9,10 +9,10 @@ FitFrame frame_in_space(const Vec3& ahead, const Vec3& towards) {
   constexpr float kLeftShare = 0.9F;
   constexpr float kUpShare = 0.4358F;
   constexpr float kEvenShare = 0.7071F;
-  constexpr float kLeast = 1.0e-4F;
+  constexpr float kMin = 1.0e-4F;
   FitFrame frame{.ahead = ahead, .left_share = kLeftShare, .up_share = kUpShare};
   Vec3 left = towards - towards.dot(ahead) * ahead;
-  if (left.norm() < kLeast) {
+  if (left.norm() < kMin) {
     frame.left_share = frame.up_share = kEvenShare;
     // The axis with the smallest part along `ahead`.
     const Vec3 shares = ahead.cwiseAbs();
@@ -28,10 +28,10 @@ FitFrame frame_in_space(const Vec3& ahead, const Vec3& towards) {
   return frame;
 }
 
-void CircleFit::begin(const FitFrame& frame, float most_curvature) {
+void CircleFit::begin(const FitFrame& frame, float max_curvature) {
   frame_ = frame;
-  left_.open(most_curvature);
-  if (!frame.flat()) up_.open(most_curvature);
+  left_.open(max_curvature);
+  if (!frame.flat()) up_.open(max_curvature);
   last_ = {0.0F, 0.0F, 0.0F};
   chord_passed_ = 0.0F;
 }

@@ -44,7 +44,7 @@ struct FitCircle {
 /// between them within a tolerance. It consists of two fans, or of one where everything is flat.
 class CircleFit {
  public:
-  void begin(const FitFrame& frame, float most_curvature);
+  void begin(const FitFrame& frame, float max_curvature);
   [[nodiscard]] const FitFrame& frame() const { return frame_; }
   [[nodiscard]] bool empty() const { return left_.empty() || (!frame_.flat() && up_.empty()); }
 

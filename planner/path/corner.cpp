@@ -17,7 +17,7 @@ constexpr float kRelativeRounding = 4.0e-7F;  // Share of the trim.
 
 /// An arc next to a corner is not trimmed by more than this many radians. So the compared distances
 /// change smoothly.
-constexpr float kMostTurnOfLeg = 0.5F;
+constexpr float kMaxTurnOfLeg = 0.5F;
 
 /// Fills in the geometry of a corner. Returns the plane in which the direction turns.
 std::optional<ArcPlane> lay_out(const PathElement& before,
@@ -54,9 +54,9 @@ float useful_radius(const ArcPlane& plane, float feed, const motion::Limits& lim
 
 /// Returns the trim that the tolerance permits where both legs are straight. The arc is trim ·
 /// tan(turn / 4) away from the corner.
-float straight_trim(const Corner& corner, float most_mm) {
+float straight_trim(const Corner& corner, float max_mm) {
   const float share = tangent_of(0.25F * std::abs(corner.turn)) + kRelativeRounding;
-  return std::min(most_mm, (corner.tolerance_mm - kRoundingMm) / share);
+  return std::min(max_mm, (corner.tolerance_mm - kRoundingMm) / share);
 }
 
 float chord_of(const PathElement& element) {
@@ -87,22 +87,22 @@ bool stop_between(const PathItem& before, const PathItem& after) {
 
 /// Searches by trials: the deviation grows about in proportion to the trim next to straight legs,
 /// and with the square of the trim next to curved ones.
-float fitting_trim(const Corner& corner, float most_mm) {
-  constexpr int kMostTrials = 12;
-  constexpr float kLeastShrink = 0.2F;
-  constexpr float kMostShrink = 0.9F;
-  float trim = straight_trim(corner, most_mm);
+float fitting_trim(const Corner& corner, float max_mm) {
+  constexpr int kMaxTrials = 12;
+  constexpr float kMinShrink = 0.2F;
+  constexpr float kMaxShrink = 0.9F;
+  float trim = straight_trim(corner, max_mm);
   if (trim < kCrumbMm) return 0.0F;
   if (corner.is_straight()) return turns_too_tightly(corner, trim) ? 0.0F : trim;
   for (const Leg* leg : {&corner.before, &corner.after}) {
     const float turn_by_mm = std::abs(leg->curvature) * leg->plane_share;
-    trim = std::min(trim, kMostTurnOfLeg / std::max(turn_by_mm, 1.0e-6F));
+    trim = std::min(trim, kMaxTurnOfLeg / std::max(turn_by_mm, 1.0e-6F));
   }
-  for (int i = 0; i < kMostTrials && trim >= kCrumbMm; ++i) {
+  for (int i = 0; i < kMaxTrials && trim >= kCrumbMm; ++i) {
     const float allowed = corner.tolerance_mm - kRoundingMm - kRelativeRounding * trim;
     const float deviation = blend_deviation(corner, trim);
     if (deviation <= allowed) return turns_too_tightly(corner, trim) ? 0.0F : trim;
-    trim *= std::clamp(0.95F * allowed / deviation, kLeastShrink, kMostShrink);
+    trim *= std::clamp(0.95F * allowed / deviation, kMinShrink, kMaxShrink);
   }
   return 0.0F;
 }

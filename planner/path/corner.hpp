@@ -61,9 +61,9 @@ void examine(const PathItem& before,
 /// Returns whether elements of these kinds are never blended with each other.
 [[nodiscard]] bool stop_between(const PathItem& before, const PathItem& after);
 
-/// Returns the largest trim up to `most_mm`, the same on both sides, whose blend is within the
+/// Returns the largest trim up to `max_mm`, the same on both sides, whose blend is within the
 /// tolerance; 0 if there is none.
 /// @pre the corner is a kBlend
-[[nodiscard]] float fitting_trim(const Corner& corner, float most_mm);
+[[nodiscard]] float fitting_trim(const Corner& corner, float max_mm);
 
 }  // namespace cnc::path

@@ -38,9 +38,9 @@ PlaneLimits limits_in(const ArcPlane& plane, const motion::Limits& limits) {
 /// @param window_s window of time of a move from rest to rest over the shorter side
 float share_for(float rise_s, float window_s) {
   constexpr float kFall = 1.3F;
-  constexpr float kLeast = 0.3F;
+  constexpr float kMin = 0.3F;
   if (rise_s <= 0.0F) return 1.0F;
-  return std::max(kLeast, window_s / (window_s + kFall * rise_s));
+  return std::max(kMin, window_s / (window_s + kFall * rise_s));
 }
 
 }  // namespace

@@ -10,7 +10,7 @@ namespace {
 
 /// Blends with a shorter trim, mm, are not divided, because their halves would be nothing but
 /// rounding.
-constexpr float kLeastDivided = 1.0e-3F;
+constexpr float kMinDivided = 1.0e-3F;
 
 /// Allowance for ends, which are whole nanometres, mm.
 constexpr float kRoundedEndMm = 1.5e-6F;
@@ -151,7 +151,7 @@ bool CornerRounder::is_stop_sooner_than(float trim_mm) const {
 void CornerRounder::settle(float allowance_mm) {
   const float trim = without_crumbs(granted(allowance_mm));
   const bool in_halves = differ(first_->item.request, second_->item.request);
-  if (trim >= (in_halves ? kLeastDivided : kCrumbMm) && !is_stop_sooner_than(trim)) {
+  if (trim >= (in_halves ? kMinDivided : kCrumbMm) && !is_stop_sooner_than(trim)) {
     blend(trim, in_halves);
   } else {
     give_rest(*first_, first_->item.request.element.end, -1.0F);
@@ -215,7 +215,7 @@ void CornerRounder::give_rest(const HeldItem& held, const Position& end, float l
 
 /// Begins the next piece, as all of an element for now; give() completes it.
 motion::MotionRequest& CornerRounder::begin_giving(const HeldItem& held) {
-  CNC_ASSERT(ready_count_ < kMostReady);
+  CNC_ASSERT(ready_count_ < kMaxReady);
   return ready_[ready_count_].request = held.item.request;
 }
 

@@ -71,7 +71,7 @@ class CornerRounder {
 
   /// Greatest number of pieces at a time: the rest of one element, a blend of two, and the element
   /// after.
-  static constexpr std::size_t kMostReady = 4;
+  static constexpr std::size_t kMaxReady = 4;
 
   const motion::Limits& limits_;
   std::optional<HeldItem> first_{};
@@ -80,7 +80,7 @@ class CornerRounder {
   Corner next_corner_{};              ///< Corner before the item that is being put.
   /// The last element that was given out without a corner after it.
   std::optional<PathItem> last_{};
-  std::array<PathPiece, kMostReady> ready_{};
+  std::array<PathPiece, kMaxReady> ready_{};
   std::size_t ready_count_ = 0;
   std::size_t taken_ = 0;
   bool stop_left_over_ = false;  ///< There was a stop before a piece of which nothing is left.

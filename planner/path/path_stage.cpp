@@ -101,8 +101,8 @@ bool PathStage::move_on() {
 
 const PathPiece* PathStage::next() {
   // Number of moves that one item may need to pass all stages.
-  constexpr int kMostMoves = 5;
-  for (int i = 0; i < kMostMoves; ++i) {
+  constexpr int kMaxMoves = 5;
+  for (int i = 0; i < kMaxMoves; ++i) {
     if (const PathPiece* const piece = rounder_.next()) return piece;
     if (!move_on()) break;
   }

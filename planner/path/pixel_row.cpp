@@ -57,7 +57,7 @@ bool PixelRow::add(const PathItem& item) {
   }
   const bool graded = graded_ || !same_power;
   const bool stops_at_corners = item_.tolerance.corner_mm <= 0.0F;
-  const float aside = graded && !stops_at_corners ? kMostAsideMm : 0.0F;
+  const float aside = graded && !stops_at_corners ? kMaxAsideMm : 0.0F;
   if (graded != graded_) slopes_known_ = false;
   if (!slopes_known_) limit_slopes(aside);
   const Way way = way_to(next.element.end);
@@ -71,7 +71,7 @@ bool PixelRow::add(const PathItem& item) {
   item_.request.element.end = next.element.end;
   pixel_.end_mm = way.length;
   limit_slopes(aside);
-  if (++lines_ < kMostLines) return true;
+  if (++lines_ < kMaxLines) return true;
   close();
   full_ = true;
   return true;
@@ -91,7 +91,7 @@ bool PixelRow::may_go_on(const motion::MotionRequest& next, bool same_power) con
 bool PixelRow::straight_on(const Way& way) const {
   const float so_far = way_.travel[leading_];
   const float reach = way.travel[leading_];
-  if (!((reach - so_far) * so_far > 0.0F) || way.length > kMostRowMm) return false;
+  if (!((reach - so_far) * so_far > 0.0F) || way.length > kMaxRowMm) return false;
   if (way.length - way_.length > kLongestLineMm) return false;
   for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
     const float slope = way.travel[axis] / reach;
@@ -117,7 +117,7 @@ void PixelRow::limit_slopes(float aside_mm) {
 
 bool PixelRow::can_be_row(const PathElement& line, std::size_t pixels) {
   return pixels >= kFewestOfARow && line.bulge == 0.0F &&
-         norm(travel_between(line.start, line.end)) <= kMostRowMm;
+         norm(travel_between(line.start, line.end)) <= kMaxRowMm;
 }
 
 void PixelRow::become_row(PathItem& item, const RowPowers& powers) {

@@ -10,20 +10,20 @@ namespace cnc::path {
 /// Gathers short lines that continue in one direction and differ in nothing but power into one
 /// element: a row, with a pixel for each power.
 ///
-/// No end of a line is farther from the row than kMostAsideMm on any axis. Where the power stays
+/// No end of a line is farther from the row than kMaxAsideMm on any axis. Where the power stays
 /// the same, or corners are exact stops, no end is farther from it than the rounding of positions.
 /// So curves of constant power keep their shape, and rows in any direction may be written with
 /// three decimals. A row goes from end to end of programmed lines, so deviations do not accumulate.
-/// It has at most kMostLines lines and is at most kMostRowMm long, so that no row is waited for
+/// It has at most kMaxLines lines and is at most kMaxRowMm long, so that no row is waited for
 /// long. The next row begins where it ends.
 class PixelRow {
  public:
-  static constexpr std::size_t kMostLines = 32;
+  static constexpr std::size_t kMaxLines = 32;
   /// Ends are rounded to 0.001 mm, at each of two positions.
-  static constexpr float kMostAsideMm = 0.0015F;
+  static constexpr float kMaxAsideMm = 0.0015F;
   /// Greatest length of a line that may be a pixel.
   static constexpr float kLongestLineMm = 20.0F;
-  static constexpr float kMostRowMm = 100.0F;
+  static constexpr float kMaxRowMm = 100.0F;
   /// A line with fewer powers is gathered with others, so that it makes no more blocks than single
   /// lines do.
   static constexpr std::size_t kFewestOfARow = 16;
@@ -45,7 +45,7 @@ class PixelRow {
   void begin(const PathItem& item);
 
   /// Returns whether a line can be a row by itself: it has at least kFewestOfARow pixels and is at
-  /// most kMostRowMm long.
+  /// most kMaxRowMm long.
   [[nodiscard]] static bool can_be_row(const PathElement& line, std::size_t pixels);
   /// Returns whether there is capacity for the pixels of such a line and of the one held.
   [[nodiscard]] bool has_room_for(std::size_t pixels) const {

@@ -14,7 +14,7 @@ namespace {
 constexpr float kPointRoundingMm = 3.0e-6F;
 constexpr float kPointRelativeError = 6.0e-7F;  // Share of the distance from the start.
 /// Least tolerance of a weld. Below a tenth of a micrometre there is nothing but rounding.
-constexpr float kLeastToleranceMm = 1.0e-4F;
+constexpr float kMinToleranceMm = 1.0e-4F;
 /// Lines longer than kLongestLineMm are meant as lines. Beyond kFarthestMm from the start, errors
 /// of single precision use up the tolerance.
 constexpr float kLongestLineMm = 20.0F;
@@ -28,7 +28,7 @@ constexpr float kWidestCosine = 0.4226F;  // Cosine of 65°, the angle between t
 /// with a new direction.
 constexpr float kSameWayCosine = 0.955F;
 /// Least radius, in tolerances.
-constexpr float kLeastRadii = 4.0F;
+constexpr float kMinRadii = 4.0F;
 
 Vec3 way_between(const Position& from, const Position& to) {
   return {(to[0] - from[0]).mm(), (to[1] - from[1]).mm(), (to[2] - from[2]).mm()};
@@ -45,7 +45,7 @@ bool moves_linear_axes_only(const PathElement& element) {
 
 bool can_be_welded(const PathItem& item) {
   const motion::MotionRequest& request = item.request;
-  if (item.tolerance.weld_mm < kLeastToleranceMm || request.fixed_feed) return false;
+  if (item.tolerance.weld_mm < kMinToleranceMm || request.fixed_feed) return false;
   if (request.element.bulge != 0.0F || request.feed_mm_s <= 0.0F) return false;
   if (request.row.any() || !moves_linear_axes_only(request.element)) return false;
   return way_between(request.element.start, request.element.end).norm() <= kLongestLineMm;
@@ -103,7 +103,7 @@ void Welder::put(const PathItem& item) {
     known_direction_ = false;
   }
   if (empty()) line_ = item.request.line;
-  points_[(oldest_ + count_) % kMostHeld] = {
+  points_[(oldest_ + count_) % kMaxHeld] = {
       .place = {element.end[0], element.end[1], element.end[2]},
       .aside_mm = item.aside_mm,
       .line = item.request.line};
@@ -117,11 +117,11 @@ void Welder::clear() {
 }
 
 const PathItem* Welder::next() {
-  for (int looks = 0; looks < kMostLooks && !empty(); ++looks) {
+  for (int looks = 0; looks < kMaxLooks && !empty(); ++looks) {
     if (!fitting_) begin_fit();
     if (looked_at_ < count_) {
       if (look()) continue;
-    } else if (!closing_ && !hurries_ && count_ < kMostHeld) {
+    } else if (!closing_ && !hurries_ && count_ < kMaxHeld) {
       return nullptr;
     }
     finish();
@@ -143,10 +143,10 @@ Position Welder::place_of(const Point& point) const {
 /// Returns the tolerance of the line to a point, where the frame of the fit has the point at
 /// `here`.
 float Welder::tolerance_of(const Point& point, const Vec3& here) const {
-  constexpr float kLeast = 1.0e-6F;
+  constexpr float kMin = 1.0e-6F;
   const float tolerance =
       chain_.tolerance.weld_mm - kPointRoundingMm - kPointRelativeError * here.norm();
-  return std::max(kLeast, tolerance - point.aside_mm);
+  return std::max(kMin, tolerance - point.aside_mm);
 }
 
 void Welder::begin_fit() {
@@ -161,7 +161,7 @@ void Welder::begin_fit() {
   }
   choose_plane(way);
   fit_.begin(plane_ ? frame_in(*plane_, ahead_) : frame_in_space(ahead_, towards_),
-             1.0F / (kLeastRadii * chain_.tolerance.weld_mm));
+             1.0F / (kMinRadii * chain_.tolerance.weld_mm));
   looked_at_ = points_fitted_ = 0;
   last_ = last_chord_ = {0.0F, 0.0F, 0.0F};
   reached_mm_ = 0.0F;
@@ -237,7 +237,7 @@ void Welder::forget_points() {
 }
 
 void Welder::forget_first(std::size_t count) {
-  oldest_ = (oldest_ + count) % kMostHeld;
+  oldest_ = (oldest_ + count) % kMaxHeld;
   count_ -= count;
   looked_at_ -= std::min(looked_at_, count);
   farthest_.index -= std::min(farthest_.index, count);

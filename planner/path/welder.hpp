@@ -27,13 +27,13 @@ namespace cnc::path {
 /// tolerance.
 class Welder {
  public:
-  static constexpr std::size_t kMostHeld = 40;
+  static constexpr std::size_t kMaxHeld = 40;
 
   /// Returns whether the item can be welded to what is held, or can begin a chain.
   [[nodiscard]] bool takes(const PathItem& item) const;
   /// Takes a line. @pre takes(item), has_room()
   void put(const PathItem& item);
-  [[nodiscard]] bool has_room() const { return count_ < kMostHeld && !closing_; }
+  [[nodiscard]] bool has_room() const { return count_ < kMaxHeld && !closing_; }
   /// Closes the chain: nothing more will be welded to it. Returns false if it was already closed.
   bool close() {
     const bool news = !closing_;
@@ -44,7 +44,7 @@ class Welder {
   void hurry() { hurries_ = !empty(); }
 
   /// Returns the next arc or line; null when there is none yet. The item is valid until the next
-  /// call of any member. Evaluates kMostLooks points at most.
+  /// call of any member. Evaluates kMaxLooks points at most.
   [[nodiscard]] const PathItem* next();
   void clear();
 
@@ -83,17 +83,17 @@ class Welder {
   /// Returns whether a line of this length is too short to leave the tolerance.
   [[nodiscard]] bool is_short(float mm) const { return mm <= chain_.tolerance.weld_mm; }
   [[nodiscard]] const Point& point(std::size_t index) const {
-    return points_[(oldest_ + index) % kMostHeld];
+    return points_[(oldest_ + index) % kMaxHeld];
   }
   [[nodiscard]] Vec3 way_to(const Point& point) const;
   [[nodiscard]] Position place_of(const Point& point) const;
 
-  static constexpr int kMostLooks = 8;
+  static constexpr int kMaxLooks = 8;
 
   /// Properties that all lines of the chain share; also the piece given out last.
   PathItem chain_{};
   bool given_out_ = false;  ///< A piece was given out: the outputs before the chain went with it.
-  std::array<Point, kMostHeld> points_{};
+  std::array<Point, kMaxHeld> points_{};
   std::size_t oldest_ = 0;
   std::size_t count_ = 0;
   motion::SourceLine line_{};  ///< Source line of the oldest held line.

@@ -13,7 +13,7 @@ bool ActionElements::accepts(const Action& action) { return action.kind <= Actio
 void ActionElements::begin(const Action& action,
                            const Position& from,
                            float spline_tolerance_mm,
-                           std::uint32_t least_parts,
+                           std::uint32_t min_parts,
                            bool rows) {
   CNC_ASSERT(accepts(action));
   here_ = from;
@@ -27,15 +27,15 @@ void ActionElements::begin(const Action& action,
                            .centre = action.centre,
                            .clockwise = action.clockwise,
                            .turns = action.turns},
-                 least_parts);
+                 min_parts);
   } else if (action.kind == ActionKind::kSpline) {
     curve_ = Curve::kSpline;
     spline_.emplace(*action.spline, from, spline_tolerance_mm);
   } else {
     curve_ = Curve::kLine;
-    line_ = {.from = from, .end = action.end, .powers = action.powers, .parts = least_parts};
+    line_ = {.from = from, .end = action.end, .powers = action.powers, .parts = min_parts};
     line_.is_row =
-        rows && least_parts == 1 &&
+        rows && min_parts == 1 &&
         path::PixelRow::can_be_row({.start = from, .end = action.end}, action.powers.size());
   }
 }

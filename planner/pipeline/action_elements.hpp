@@ -40,15 +40,15 @@ class ActionElements {
   /// @param action its powers and its spline must stay until the last element is taken
   /// @param from end of the path so far, machine coordinates
   /// @param spline_tolerance_mm greatest distance of arcs from their spline; at least
-  /// ArcFit::kLeastToleranceMm
-  /// @param least_parts least number of elements into which a line, each part of a line with
+  /// ArcFit::kMinToleranceMm
+  /// @param min_parts least number of elements into which a line, each part of a line with
   /// several powers, and an arc are divided; at least 1
   /// @param rows whether a line with several powers may be one element
   /// @pre accepts(action)
   void begin(const gcode::Action& action,
              const Position& from,
              float spline_tolerance_mm,
-             std::uint32_t least_parts = 1,
+             std::uint32_t min_parts = 1,
              bool rows = false);
   /// Forgets the action.
   void clear() { curve_ = Curve::kNone; }

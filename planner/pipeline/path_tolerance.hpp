@@ -32,7 +32,7 @@ struct UsualTolerance {
 [[nodiscard]] inline float spline_tolerance(const gcode::PathControl& control,
                                             const UsualTolerance& usual) {
   const float naive = control.naive_tolerance_mm.value_or(0.0F);
-  return std::max(naive > 0.0F ? naive : usual.arc_mm, ArcFit::kLeastToleranceMm);
+  return std::max(naive > 0.0F ? naive : usual.arc_mm, ArcFit::kMinToleranceMm);
 }
 
 }  // namespace cnc

@@ -9,7 +9,7 @@ namespace cnc {
 namespace {
 
 /// Returns the least acceleration of the axes that the block moves, mm/s².
-float least_acceleration(const motion::Limits& limits, const motion::Block& block) {
+float min_acceleration(const motion::Limits& limits, const motion::Block& block) {
   const std::uint8_t axes = motion::moving_axes(block);
   float least = 1.0e9F;
   for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
@@ -162,8 +162,8 @@ bool Pipeline::runs_dry() const {
   if (segmenter_.idle()) return true;
   const float speed = std::max(segmenter_.speed(), segmenter_.planned_speed());
   const float ahead_s = kCyclesAheadS + kWindows * segmenter_.window().seconds();
-  const float acceleration = std::min(least_acceleration(limits_, queue_.front()),
-                                      least_acceleration(limits_, queue_.at(queue_.size() - 1)));
+  const float acceleration = std::min(min_acceleration(limits_, queue_.front()),
+                                      min_acceleration(limits_, queue_.at(queue_.size() - 1)));
   const float reach = speed * (speed / acceleration + ahead_s);
   float distance = segmenter_.left_of_block();
   for (std::size_t i = 1; i < queue_.size() && distance <= reach; ++i) {

@@ -44,17 +44,17 @@ BasicVec2<Scalar> typical_point(const ContourView<Scalar>& contour, std::size_t 
 
 template <typename Scalar>
 bool is_outline(const LoopNote<Scalar>& note) {
-  return note.area >= Scalar{kLeastArea};
+  return note.area >= Scalar{kMinArea};
 }
 
 template <typename Scalar>
 bool is_hole(const ContourView<Scalar>& contour, std::size_t loop, Scalar area) {
-  if (area > -Scalar{kLeastArea}) return false;
+  if (area > -Scalar{kMinArea}) return false;
   Scalar length{0};
   for (std::uint32_t i = contour.loop_begin(loop); i < contour.loop_ends[loop]; ++i) {
     length += length_of(element_at(contour, loop, i));
   }
-  return -area > Scalar{0.5 * kLeastHoleWidth} * length;
+  return -area > Scalar{0.5 * kMinHoleWidth} * length;
 }
 
 template <typename Scalar>

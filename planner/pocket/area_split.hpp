@@ -23,11 +23,11 @@ enum class SplitResult : std::uint8_t {
   kNoOwner,  ///< A hole lies in no outline: the loops cross each other.
 };
 
-inline constexpr double kLeastArea = 1.0e-14;      ///< mm².
-inline constexpr double kLeastHoleWidth = 1.0e-9;  ///< mm.
+inline constexpr double kMinArea = 1.0e-14;      ///< mm².
+inline constexpr double kMinHoleWidth = 1.0e-9;  ///< mm.
 
 /// Splits loops into connected areas and appends them to `out`. Omits a loop that encloses less
-/// than `kLeastArea`. Omits also a hole whose mean width is less than `kLeastHoleWidth`: such a
+/// than `kMinArea`. Omits also a hole whose mean width is less than `kMinHoleWidth`: such a
 /// hole is rounding, as in the offset of a channel that is narrower than the tool by a last digit,
 /// and it may lie in no outline.
 ///

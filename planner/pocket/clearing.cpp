@@ -40,7 +40,7 @@ class Clearing {
         space_{space},
         passes_{passes},
         cleared_{options.tool_radius + Scalar{kThinRest}},
-        most_{options.stepover - cleared_ + options.corner_radius} {}
+        max_{options.stepover - cleared_ + options.corner_radius} {}
 
   [[nodiscard]] std::optional<ClearingError> run(const ContourView<Scalar>& pocket);
 
@@ -67,7 +67,7 @@ class Clearing {
   Scalar cleared_;  ///< Distance on each side of a pass that counts as cleared, mm.
   /// Greatest distance by which the remaining area is moved inwards, mm. It is negative where
   /// passes overlap so much that the next pass lies outside of the remaining area.
-  Scalar most_;
+  Scalar max_;
 };
 
 template <typename Scalar>
@@ -79,7 +79,7 @@ std::optional<ClearingError> Clearing<Scalar>::run(const ContourView<Scalar>& po
     if (!passes_.add(goals[i], at_wall)) return ClearingError{ClearingFault::kPassesTooLong};
   }
   for (std::uint32_t pass = 0; pass < passes_.size(); ++pass) {
-    if (Error e = most_ > Scalar{0} ? step_inwards(pass) : step_by_stepover(pass)) return e;
+    if (Error e = max_ > Scalar{0} ? step_inwards(pass) : step_by_stepover(pass)) return e;
   }
   return {};
 }
@@ -165,7 +165,7 @@ std::optional<ClearingError> Clearing<Scalar>::step_into(const ContourView<Scala
   const Scalar reach = options_.tool_radius + options_.corner_radius;
   const Scalar base = cleared_ - options_.corner_radius;
   StepSearch<Scalar> search{space_, reach};
-  const auto inwards = search.find(left, most_, base);
+  const auto inwards = search.find(left, max_, base);
   if (!inwards.ok()) return ClearingError{ClearingFault::kOffset, inwards.error()};
   AreaList<Scalar> goals = space_.goals.list();
   if (Error e = split(search.goal(), goals)) return e;
@@ -197,7 +197,7 @@ template <typename Scalar>
 std::optional<ClearingError> Clearing<Scalar>::leaves_nothing(const ContourView<Scalar>& goal,
                                                               bool& nothing) const {
   auto writer = space_.loops.writer();
-  const auto left = contour::offset<Scalar>(goal, most_, space_.offset, writer);
+  const auto left = contour::offset<Scalar>(goal, max_, space_.offset, writer);
   if (!left.ok()) return ClearingError{ClearingFault::kOffset, left.error()};
   nothing = left.value().loop_ends.size() == 0;
   return {};

@@ -54,15 +54,15 @@ bool FarthestPoint<Scalar>::find_moved(const contour::Curve<Scalar>& wall,
 template <typename Scalar>
 void FarthestPoint<Scalar>::search(const contour::Curve<Scalar>& wall, const Stretch& whole) {
   if (bound(wall, whole) <= farthest_ + Scalar{kFarthestError}) return;
-  constexpr std::size_t kMostOpen = 64;  // A double cannot be halved more often.
-  std::array<Stretch, kMostOpen> open;
+  constexpr std::size_t kMaxOpen = 64;  // A double cannot be halved more often.
+  std::array<Stretch, kMaxOpen> open;
   std::size_t count = 0;
   open[count++] = whole;
   while (count > 0) {
     const Stretch stretch = open[--count];
     const Scalar most = bound(wall, stretch);
     if (most <= farthest_ + Scalar{kFarthestError}) continue;
-    if (count + 2 > kMostOpen) {
+    if (count + 2 > kMaxOpen) {
       farthest_ = most;
       continue;
     }

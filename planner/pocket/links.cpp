@@ -16,7 +16,7 @@ constexpr double kReachOfLandings = 6.0;  ///< Tool radii, from the beginning of
 constexpr double kLandingStep = 0.5;      ///< Tool radii.
 constexpr int kLandingsEachWay = 6;
 /// Number of links that are tried for one arc radius, the shortest first.
-constexpr int kMostTried = 16;
+constexpr int kMaxTried = 16;
 /// Within this distance of its ends, mm, a link touches the loops that it joins.
 constexpr double kContact = 1.0e-4;
 constexpr double kTouch = 1.0e-9;                                 ///< mm.
@@ -91,7 +91,7 @@ std::optional<Link<Scalar>> LinkSearch<Scalar>::find(const Pose<Scalar>& from,
   for (const double share : kArcShares) {
     const Wanted wanted{from, left_out, milling, tool_radius, Scalar{share} * tool_radius};
     Scalar length{-1};
-    for (int i = 0; i < kMostTried; ++i) {
+    for (int i = 0; i < kMaxTried; ++i) {
       std::optional<Link<Scalar>> link = shortest_beyond(wanted, length);
       if (!link) break;
       if (stays_inside(*link)) return link;

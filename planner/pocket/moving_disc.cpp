@@ -30,7 +30,7 @@ DiscWay way_of(const MovingDisc& disc) {
 }
 
 /// Returns the length at which the disc reaches farthest beyond a point, or comes nearest to it.
-double most_across(const DiscWay& way, const WideVec2& point) {
+double max_across(const DiscWay& way, const WideVec2& point) {
   const WideVec2 ahead = point - way.from;
   const double foot = way.along.dot(ahead);
   const double aside = std::abs(cross(way.along, ahead));
@@ -48,13 +48,13 @@ double excess_at(const DiscWay& way, double s, const Curve<double>& element) {
 double excess_across(const DiscWay& way, const Curve<double>& element) {
   double excess = std::max(excess_at(way, 0.0, element), excess_at(way, way.length, element));
   for (const WideVec2& end : {element.start, element.end}) {
-    excess = std::max(excess, excess_at(way, most_across(way, end), element));
+    excess = std::max(excess, excess_at(way, max_across(way, end), element));
   }
   // From outside of its circle, the distance of an arc is that of the centre minus a constant. From
   // inside, and for a line, there is no minimum besides those above.
   if (element.curvature != 0.0) {
     const WideVec2 centre = element.start + left_normal(element.start_tangent) / element.curvature;
-    excess = std::max(excess, excess_at(way, most_across(way, centre), element));
+    excess = std::max(excess, excess_at(way, max_across(way, centre), element));
   }
   return excess;
 }

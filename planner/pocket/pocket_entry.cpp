@@ -9,7 +9,7 @@ namespace cnc::pocket {
 namespace {
 
 constexpr int kHalvings = 3;
-constexpr double kMostRevolutions = 1000.0;
+constexpr double kMaxRevolutions = 1000.0;
 constexpr double kFullTurn = 6.283185307179586;
 
 /// Returns +1 where the area is on the left of travel, −1 where it is on the right.
@@ -61,7 +61,7 @@ EntryResult write_helix(const EntryPlan<Scalar>& plan,
   const BasicVec2<Scalar> opposite = Scalar{2} * centre - start;
   const Scalar turns =
       parts_of_descent(descent.from - descent.to, slope, Scalar{kFullTurn} * plan.helix_radius);
-  if (turns > Scalar{kMostRevolutions}) return EntryResult::kTooShort;
+  if (turns > Scalar{kMaxRevolutions}) return EntryResult::kTooShort;
   const auto halves = static_cast<std::uint32_t>(Scalar{2} * turns);
   for (std::uint32_t i = 0; i < halves; ++i) {
     const BasicVec2<Scalar>& from = i % 2 == 0 ? start : opposite;
@@ -83,7 +83,7 @@ EntryResult write_ramp(const EntryPlan<Scalar>& plan,
                        ToolPathWriter<Scalar>& out) {
   const Scalar revolutions =
       parts_of_descent(descent.from - descent.to, slope, loop_length(area, plan.place.loop));
-  if (!(revolutions <= Scalar{kMostRevolutions})) return EntryResult::kTooShort;
+  if (!(revolutions <= Scalar{kMaxRevolutions})) return EntryResult::kTooShort;
   const auto count = static_cast<std::uint32_t>(revolutions);
   const Scalar step = (descent.to - descent.from) / revolutions;
   for (std::uint32_t i = 0; i < count; ++i) {

@@ -11,7 +11,7 @@ namespace {
 
 using contour::kNone;
 
-constexpr double kMostLevels = 10'000.0;
+constexpr double kMaxLevels = 10'000.0;
 
 /// Drives all passes of a pocket on one level after another.
 template <typename Scalar>
@@ -241,7 +241,7 @@ bool are_in_range(const PocketOptions<Scalar>& options) {
   const bool has_helix = entry.helix_radius > Scalar{0} && std::isfinite(entry.helix_radius);
   return options.depth > Scalar{0} && std::isfinite(options.depth) &&
          options.depth_step > Scalar{0} &&
-         options.depth <= Scalar{kMostLevels} * options.depth_step && (is_plunge || has_slope) &&
+         options.depth <= Scalar{kMaxLevels} * options.depth_step && (is_plunge || has_slope) &&
          (entry.kind != EntryKind::kHelix || has_helix);
 }
 

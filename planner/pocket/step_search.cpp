@@ -19,7 +19,7 @@ constexpr double kNearlyAll = 0.998;
 constexpr double kGap = 0.02;
 /// Share of the reach for the first trial: smaller corners may be mere rounding.
 constexpr double kFirstShare = 0.25;
-constexpr int kMostTrials = 10;
+constexpr int kMaxTrials = 10;
 /// A hole nearer to the boundary than this, mm, is a rounding error of the offset.
 constexpr double kShallowHole = 2.0e-7;
 
@@ -49,7 +49,7 @@ ContourView<Scalar> without_slivers(const ContourView<Scalar>& contour,
     const std::uint32_t count = end - begin;
     const ContourView<Scalar> alone{{storage.vertices.begin() + begin, count}, {&count, 1}};
     const Scalar area = signed_area(alone, 0);
-    if (std::abs(area) >= Scalar{kLeastArea}) {
+    if (std::abs(area) >= Scalar{kMinArea}) {
       for (std::uint32_t i = begin; i < end; ++i)
         storage.vertices[vertices++] = storage.vertices[i];
       storage.loop_ends[loops++] = vertices;
@@ -97,7 +97,7 @@ Result<Scalar, OffsetError> StepSearch<Scalar>::find(const Area& area,
   Trial high{limit, kNever};
   bool bounded = false;  // Whether a trial has shown that the wanted y is less than high.y.
   Scalar y = std::min(limit, reach_ * std::max(sharpest_sine(area), Scalar{kFirstShare}));
-  for (int i = 0; i < kMostTrials; ++i) {
+  for (int i = 0; i < kMaxTrials; ++i) {
     const auto trial = look(area, y);
     if (!trial.ok()) return trial.error();
     if (reaches(trial.value())) {

@@ -33,8 +33,8 @@ double place_on_corner(const Section& section, double slope, double begin, doubl
   double low = 0.0;  // The rim.
   double high = 1.0;
   double root = std::numbers::sqrt2 / 2.0;
-  constexpr int kMostSteps = 60;
-  for (int i = 0; i < kMostSteps; ++i) {
+  constexpr int kMaxSteps = 60;
+  for (int i = 0; i < kMaxSteps; ++i) {
     const double along = most - width * square(root);
     const double distance = std::sqrt(section.beside_square + square(along));
     const double out = distance - profile.flat_mm;
@@ -80,7 +80,7 @@ double height_on_edge(const Profile& profile,
                       const Eigen::Vector2d& place,
                       const Eigen::Vector3d& from,
                       const Eigen::Vector3d& to,
-                      double least_wanted) {
+                      double min_wanted) {
   const Eigen::Vector2d along = (to - from).head<2>();
   const Eigen::Vector2d beside = place - from.head<2>();
   const double length_square = along.squaredNorm();
@@ -95,7 +95,7 @@ double height_on_edge(const Profile& profile,
   const double half_square = square(profile.radius_mm) - section.beside_square;
   if (half_square < 0.0) return kNoContact;
   const double nearest = height_at(profile, std::sqrt(section.beside_square));
-  if (std::max(from.z(), to.z()) - nearest <= least_wanted) return kNoContact;
+  if (std::max(from.z(), to.z()) - nearest <= min_wanted) return kNoContact;
   const double length = std::sqrt(length_square);
   const double foot = along.dot(beside) / length;
   const double half = std::sqrt(half_square);

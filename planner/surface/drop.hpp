@@ -19,12 +19,12 @@ inline constexpr double kNoContact = -std::numeric_limits<double>::infinity();
 /// Returns the tip's height on the part of the line from `from` to `to` that is under the tool,
 /// with the ends of the line; kNoContact where no part is.
 /// @param place X and Y of the tool's axis
-/// @param least_wanted for a height of at most this value, kNoContact may be returned instead
+/// @param min_wanted for a height of at most this value, kNoContact may be returned instead
 [[nodiscard]] double height_on_edge(const Profile& profile,
                                     const Eigen::Vector2d& place,
                                     const Eigen::Vector3d& from,
                                     const Eigen::Vector3d& to,
-                                    double least_wanted = kNoContact);
+                                    double min_wanted = kNoContact);
 
 /// The point at which a tool touches a plane.
 struct PlaneContact {

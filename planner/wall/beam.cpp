@@ -101,7 +101,7 @@ class LeastDistance {
     double end = 1.0;
     if (low < kBottom) (to.along > from.along ? begin : end) = share_at(from, to, kBottom);
     if (high > top_) (to.along > from.along ? end : begin) = share_at(from, to, top_);
-    least_ = std::min(least_, SeenLine{from, to}.least(beam_, begin, end));
+    min_ = std::min(min_, SeenLine{from, to}.least(beam_, begin, end));
     lens_.add(from, to, top_);
     tip_.add(from, to, kBottom);
   }
@@ -111,7 +111,7 @@ class LeastDistance {
     for (const Crossing* crossing : {&lens_, &tip_}) {
       if (crossing->count < 2) continue;
       const SeenLine line{crossing->ends[0], crossing->ends[1]};
-      least_ = std::min(least_, line.least(beam_, 0.0, 1.0));
+      min_ = std::min(min_, line.least(beam_, 0.0, 1.0));
     }
   }
 
@@ -134,18 +134,18 @@ class LeastDistance {
     if (std::abs(whole) <= kRounding * reach_square) return;
     double along = 0.0;
     for (std::size_t i = 0; i < 3; ++i) along += areas[i] / whole * corners[i].along;
-    if (along >= kBottom && along <= top_) least_ = std::min(least_, -beam_.sine * along);
+    if (along >= kBottom && along <= top_) min_ = std::min(min_, -beam_.sine * along);
   }
 
   /// Returns the least distance, minus the part of the waist's radius.
-  [[nodiscard]] double value() const { return least_ - beam_.cosine * beam_.waist_mm; }
+  [[nodiscard]] double value() const { return min_ - beam_.cosine * beam_.waist_mm; }
 
  private:
   static constexpr double kBottom = -kBeamMarginMm;
 
   const Beam& beam_;
   double top_;
-  double least_ = kInfinite;
+  double min_ = kInfinite;
   Crossing lens_;
   Crossing tip_;
 };

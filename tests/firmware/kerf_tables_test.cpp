@@ -31,7 +31,7 @@ OwnedTable<float> flat_table(const std::string& name, std::size_t thicknesses, f
 }
 
 std::vector<std::byte> image_bytes(const OwnedTable<float>& table) {
-  std::array<std::byte, kerf::table_image::kMostBytes> image{};
+  std::array<std::byte, kerf::table_image::kMaxBytes> image{};
   const std::size_t size = kerf::write_image(table.view(), image).value();
   return {image.begin(), image.begin() + static_cast<std::ptrdiff_t>(size)};
 }

@@ -15,10 +15,10 @@ namespace cnc {
 namespace {
 
 constexpr std::size_t kBytes = 32;
-constexpr int kMostPieces = 128;  ///< Of a millisecond each on the chip.
+constexpr int kMaxPieces = 128;  ///< Of a millisecond each on the chip.
 
 bool finds_damage(Machine& machine) {
-  for (int piece = 0; piece < kMostPieces; ++piece) {
+  for (int piece = 0; piece < kMaxPieces; ++piece) {
     if (!machine.memory().check(kBytes)) return true;
   }
   return false;

@@ -17,7 +17,7 @@ class MachineToolTest : public ControllerTest {
     }
     return greatest;
   }
-  [[nodiscard]] std::uint16_t least_power(std::int32_t from, std::int32_t to) const {
+  [[nodiscard]] std::uint16_t min_power(std::int32_t from, std::int32_t to) const {
     std::uint16_t least = 0xFFFF;
     for (const Sight& sight : sights) {
       if (sight.position[0] > from && sight.position[0] < to) least = std::min(least, sight.power);
@@ -47,7 +47,7 @@ TEST_F(MachineToolTest, ReversesTheSpindleForM4) {
 TEST_F(MachineToolTest, KeepsTheSpindleTurningThroughRapidsAndRest) {
   send_all({"M3 S500", "G0 X10", "G1 X20 F3000"});
   run_until_idle();
-  EXPECT_EQ(least_power(1, 4999), 32'768);
+  EXPECT_EQ(min_power(1, 4999), 32'768);
   EXPECT_EQ(port.power, 32'768);
 }
 
@@ -66,7 +66,7 @@ TEST_F(MachineToolTest, LightsTheLaserOnlyInCuts) {
   run_until_idle();
   EXPECT_EQ(greatest_power(0, 2499), 0);
   EXPECT_EQ(greatest_power(2501, 4999), 26'214);
-  EXPECT_EQ(least_power(2505, 4995), 26'214);
+  EXPECT_EQ(min_power(2505, 4995), 26'214);
   EXPECT_EQ(greatest_power(5001, 7499), 0);
   EXPECT_EQ(port.power, 0);
 }
@@ -208,7 +208,7 @@ TEST_F(MachineToolTest, ChangesTheLaserWithTheMotionAndNotBefore) {
   send_all({"M3 S200", "G1 X10 F3000", "S800", "G1 X20", "M5", "G1 X30"});
   run_until_idle();
   EXPECT_EQ(greatest_power(1, 2499), 13'107);
-  EXPECT_EQ(least_power(2505, 4999), 52'428);
+  EXPECT_EQ(min_power(2505, 4999), 52'428);
   EXPECT_EQ(greatest_power(5001, 7499), 0);
 }
 

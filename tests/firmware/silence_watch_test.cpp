@@ -26,8 +26,8 @@ class SilenceWatchTest : public testing::Test {
   void answer() { watch.answer(now()); }
   [[nodiscard]] bool gone(bool owes = true) { return watch.gone(now(), allowed_ms, owes); }
   /// The first millisecond from now at which it is, or -1.
-  int gone_after(int most_ms, bool owes = true) {
-    for (int ms = 1; ms <= most_ms; ++ms) {
+  int gone_after(int max_ms, bool owes = true) {
+    for (int ms = 1; ms <= max_ms; ++ms) {
       ++now_ms;
       if (gone(owes)) return ms;
     }

@@ -117,7 +117,7 @@ class AnswerJudge {
     if (heard_.size() < 2 + wide) return false;
     std::size_t length = wide == 0 ? byte(1) : 0;
     for (std::size_t at = 0; at < wide; ++at) length = length << 8U | byte(2 + at);
-    require(length <= sim::WebSocket::kMostUnsent, "a frame of some size");
+    require(length <= sim::WebSocket::kMaxUnsent, "a frame of some size");
     if (heard_.size() < 2 + wide + length) return false;
     const std::string payload = heard_.substr(2 + wide, length);
     heard_.erase(0, 2 + wide + length);

@@ -249,7 +249,7 @@ class Bench {
       {32U, cnc::setting::kRestLightTime, 100.0F},
       {64U, cnc::setting::kBeamOnDelay, 800.0F},
       {64U, cnc::setting::kBeamLag, -1500.0F},
-      {64U, cnc::setting::kLeastBeamPower, 10.0F},
+      {64U, cnc::setting::kMinBeamPower, 10.0F},
       {128U, cnc::setting::kKerfControl, 1.0F},
       {128U, cnc::setting::kLinkWatchdog, 0.0F},
       {128U, cnc::setting::kReportedAxes, 6.0F},
@@ -259,7 +259,7 @@ class Bench {
   static constexpr int kDebounce = 60;  ///< Turns; longer than a switch may bounce.
   static constexpr std::uint64_t kTicks = cnc::motion::kTicksPerSecond / 1000;
   /// A pulse is at least 1 µs up and 1 µs down, nine of ten slots are used.
-  static constexpr std::int64_t kMostStepsPerMillisecond = 451;
+  static constexpr std::int64_t kMaxStepsPerMillisecond = 451;
 
   void set(std::uint16_t number, float value) {
     require(application_.machine().change_setting(number, value).ok(), "a setting of the bench");
@@ -313,7 +313,7 @@ class Bench {
     now_ += kTicks;
     for (std::size_t motor = 0; motor < before.size(); ++motor) {
       const std::int64_t steps = std::int64_t{port_.position[motor]} - before[motor];
-      require(std::llabs(steps) <= kMostStepsPerMillisecond, "step rate");
+      require(std::llabs(steps) <= kMaxStepsPerMillisecond, "step rate");
     }
   }
 

@@ -13,7 +13,7 @@ namespace {
 void judge_library(const std::string& text) {
   using namespace sim::drawing;
   const MaterialLibrary library = read_clb(text, "fuzz");
-  fuzz::require_drawn(library.entries.size() <= kMostLibraryEntries, "settings are bounded");
+  fuzz::require_drawn(library.entries.size() <= kMaxLibraryEntries, "settings are bounded");
   for (const LibraryEntry& entry : library.entries) {
     fuzz::require_drawn(entry.line > 0 && entry.column > 0, "a setting has a place");
     fuzz::require_drawn(entry.material.size() <= kLongestMaterialName, "a name is bounded");

@@ -79,8 +79,8 @@ void disturb_job(std::uint64_t seed) {
   }
   machine.set_overrides({});
   machine.resume();
-  for (; turns < kMostTurns && !simulator.done(); ++turns) simulator.turn();
-  EXPECT_LT(turns, kMostTurns) << "the job does not end";
+  for (; turns < kMaxTurns && !simulator.done(); ++turns) simulator.turn();
+  EXPECT_LT(turns, kMaxTurns) << "the job does not end";
   EXPECT_EQ(simulator.result().alarm, 0);
   EXPECT_TRUE(simulator.result().refusals.empty());
   for (std::size_t axis = 0; axis < cnc::kLinearAxisCount; ++axis) {

@@ -17,7 +17,7 @@ std::string feed_word(double mm_s) { return "F" + std::to_string(60.0 * mm_s) + 
 
 void expect_even(const sim::EnergyFigures& figures) {
   EXPECT_GT(figures.windows, 100U);
-  EXPECT_GT(figures.least, 1.0 - kTolerance) << "at " << figures.least_at_mm << " mm";
+  EXPECT_GT(figures.least, 1.0 - kTolerance) << "at " << figures.min_at_mm << " mm";
   EXPECT_LT(figures.greatest, 1.0 + kTolerance) << "at " << figures.greatest_at_mm << " mm";
   EXPECT_NEAR(figures.mean, 1.0, 0.002);
 }

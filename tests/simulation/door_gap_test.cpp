@@ -26,12 +26,12 @@ constexpr double kDoorStepsPerMm = 250.0;
 constexpr double kDoorAcceleration = 2000.0;  // mm/s²
 constexpr double kDoorJerk = 60'000.0;        // mm/s³
 /// Left out or burnt twice at most, mm.
-constexpr double kMostGap = 0.1;
+constexpr double kMaxGap = 0.1;
 /// A shaper with three impulses lets an axis leave its plan by this where it accelerates at the
 /// limit: its variance is (1 / 2f)² / 2, and the plan differs from its mean by a/2 of that.
 constexpr double displaced_mm(double hertz) { return kDoorAcceleration / (16.0 * hertz * hertz); }
 /// The old burn ends displaced, and the new one, from rest, begins on the plan; there and back.
-constexpr double shaped_gap(double hertz) { return kMostGap + 2.0 * displaced_mm(hertz); }
+constexpr double shaped_gap(double hertz) { return kMaxGap + 2.0 * displaced_mm(hertz); }
 
 /// How a job is driven and interrupted.
 struct Variant {
@@ -42,8 +42,8 @@ struct Variant {
   bool homed = false;  ///< And $41, by which no beam is parked.
   bool held = false;   ///< By a feed hold, shortly before.
   std::vector<std::pair<int, double>> settings{};
-  double most_gap = kMostGap;
-  double most_beside = 0.03;
+  double max_gap = kMaxGap;
+  double max_beside = 0.03;
 };
 
 const std::vector<Variant> kVariants{
@@ -55,22 +55,22 @@ const std::vector<Variant> kVariants{
     // Where an axis turns, half of its play lies on either side of the path until it is taken up.
     {.name = "backlash",
      .settings = {{160, 0.05}, {161, 0.03}},
-     .most_beside = 0.03 + std::hypot(0.5 * 0.05, 0.5 * 0.03)},
+     .max_beside = 0.03 + std::hypot(0.5 * 0.05, 0.5 * 0.03)},
     {.name = "beam delays", .settings = {{855, 400}, {856, 300}, {857, -500}}},
     {.name = "shapers alike",
      .mode = "M4",
      .jerk = true,
      .settings = {{810, 2}, {811, 2}, {812, 2}, {820, 40}, {821, 40}, {822, 40}},
-     .most_gap = 0.15,
-     .most_beside = 0.15},
+     .max_gap = 0.15,
+     .max_beside = 0.15},
     {.name = "shapers that differ",
      .settings = {{810, 2}, {811, 1}, {820, 40}, {821, 40}},
-     .most_gap = shaped_gap(40.0),
-     .most_beside = shaped_gap(40.0)},
+     .max_gap = shaped_gap(40.0),
+     .max_beside = shaped_gap(40.0)},
     {.name = "one shaper",
      .settings = {{810, 2}, {820, 20}},
-     .most_gap = shaped_gap(20.0),
-     .most_beside = shaped_gap(20.0)}};
+     .max_gap = shaped_gap(20.0),
+     .max_beside = shaped_gap(20.0)}};
 
 /// A bench that is fed as a sender feeds it, and all edges with the beam on.
 class Cut : private sim::TraceSink {
@@ -222,9 +222,9 @@ TEST_P(DoorGap, IsCutWhenTheJobGoesOn) {
     const bool same_power = std::string{variant.mode} == "M3" && variant.settings.empty();
     EXPECT_TRUE(gap.other_power == 0 || !same_power);
     gone_back += before < cut.burnt.size() ? 1 : 0;
-    EXPECT_LE(gap.twice_mm, variant.most_gap);
-    EXPECT_LE(gap.left_mm, variant.most_gap);
-    EXPECT_LE(gap.beside_mm, variant.most_beside);
+    EXPECT_LE(gap.twice_mm, variant.max_gap);
+    EXPECT_LE(gap.left_mm, variant.max_gap);
+    EXPECT_LE(gap.beside_mm, variant.max_beside);
     worst[index].twice_mm = std::max(worst[index].twice_mm, gap.twice_mm);
     worst[index].left_mm = std::max(worst[index].left_mm, gap.left_mm);
     worst[index].beside_mm = std::max(worst[index].beside_mm, gap.beside_mm);

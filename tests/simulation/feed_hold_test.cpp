@@ -49,7 +49,7 @@ double hold_delay(std::uint64_t seed) {
   EXPECT_LE(took, 1.02 * ramp + kQueue) << "v " << speed << ", a " << acceleration;
   EXPECT_GE(took, 0.9 * ramp) << "harder than the axis may";
   simulator.machine().resume();
-  for (int turn = 0; turn < kMostTurns && !simulator.done(); ++turn) simulator.turn();
+  for (int turn = 0; turn < kMaxTurns && !simulator.done(); ++turn) simulator.turn();
   EXPECT_EQ(simulator.result().final_position[0], 700 * 80);
   return took - ramp;
 }

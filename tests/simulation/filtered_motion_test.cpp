@@ -38,7 +38,7 @@ Program straight_program(Random& random) {
 sim::MotionFigures filtered_figures(std::uint64_t seed) {
   Random random{seed};
   const TestMachine machine =
-      random_machine(random, {.least_rate_mm_s = 10.0, .least_acceleration = 50.0});
+      random_machine(random, {.min_rate_mm_s = 10.0, .min_acceleration = 50.0});
   const double window = random.magnitude(0.002, 0.1);
   const RecordedMotion motion = motion_of(drive(straight_program(random), machine));
   sim::MotionLimits limits = limits_of(machine.limits);

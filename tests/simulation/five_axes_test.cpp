@@ -99,8 +99,8 @@ struct MotionFigures {
   double rate = 0.0;
   double acceleration = 0.0;
   double feed = 0.0;
-  double least_feed = 1.0;  ///< The greatest feed of the motion that came least near to its own.
-  double steps_mm = 0.0;    ///< From the end of a motion to where whole steps leave the tip.
+  double min_feed = 1.0;  ///< The greatest feed of the motion that came least near to its own.
+  double steps_mm = 0.0;  ///< From the end of a motion to where whole steps leave the tip.
 };
 
 /// A machine that drives one straight motion of the tip after the other.
@@ -171,7 +171,7 @@ class FiveAxisJob : public MachineBench {
     }
     if (feed > 0.0) {
       figures.feed = std::max(figures.feed, greatest_feed / feed);
-      figures.least_feed = std::min(figures.least_feed, greatest_feed / feed);
+      figures.min_feed = std::min(figures.min_feed, greatest_feed / feed);
     }
   }
 
@@ -204,7 +204,7 @@ class FiveAxisJob : public MachineBench {
 };
 
 /// A line of the tip by up to some hundred millimetres, with its rotary axes.
-std::string random_motion(Random& random, double most_turn_deg) {
+std::string random_motion(Random& random, double max_turn_deg) {
   std::string words = fmt::format("G1 X{:.3f} Y{:.3f} Z{:.3f}",
                                   random.between(-80.0, 80.0),
                                   random.between(-80.0, 80.0),
@@ -212,7 +212,7 @@ std::string random_motion(Random& random, double most_turn_deg) {
   return words + fmt::format(" {}{:.3f} C{:.3f}",
                              "AB"[random.below(2)],
                              random.between(-90.0, 90.0),
-                             random.between(-most_turn_deg, most_turn_deg));
+                             random.between(-max_turn_deg, max_turn_deg));
 }
 
 TEST(FiveAxes, TheTipStaysOnItsLineAndAxesKeepTheirLimits) {
@@ -236,7 +236,7 @@ TEST(FiveAxes, TheTipStaysOnItsLineAndAxesKeepTheirLimits) {
         1.0e3 * figures.steps_mm,
         figures.rate,
         figures.acceleration,
-        figures.least_feed,
+        figures.min_feed,
         figures.feed);
     EXPECT_LT(figures.off_line_mm, 1.0e-3);
     EXPECT_LT(figures.steps_mm, 0.1);
@@ -257,8 +257,8 @@ TEST(FiveAxes, TheTipHasTheProgrammedFeedWhereNoAxisIsTooSlow) {
     job.send("F600");
     MotionFigures figures;
     for (int move = 0; move < 4; ++move) job.drive(random_motion(random, 60.0), figures);
-    std::printf("kind %d: feed %.4f to %.4f\n", kind, figures.least_feed, figures.feed);
-    EXPECT_GT(figures.least_feed, 0.99);
+    std::printf("kind %d: feed %.4f to %.4f\n", kind, figures.min_feed, figures.feed);
+    EXPECT_GT(figures.min_feed, 0.99);
     EXPECT_LT(figures.feed, 1.001);
   }
 }

@@ -22,7 +22,7 @@ struct ReferenceJob {
 /// A random program as the planner drives it, and a jerk limit: 5…50 ms to full acceleration.
 ReferenceJob reference_job(std::uint64_t seed) {
   constexpr MachineRanges kMachines{
-      .least_rate_mm_s = 50.0, .least_acceleration = 10.0, .most_acceleration = 5000.0};
+      .min_rate_mm_s = 50.0, .min_acceleration = 10.0, .max_acceleration = 5000.0};
   Random random{seed};
   const TestMachine machine = random_machine(random, kMachines);
   Program program = random_program(random, machine);
@@ -49,7 +49,7 @@ TEST(JerkReference, EnclosesRandomPrograms) {
     const ReferenceJob job = reference_job(seed);
     if (job.path.pieces.empty() || job.path.pieces.size() > 60) continue;
     const sim::JerkLimitedTime time =
-        sim::jerk_limited_time(job.path, job.limits, {.most_cells = 300});
+        sim::jerk_limited_time(job.path, job.limits, {.max_cells = 300});
     ASSERT_GT(time.bound, 0.0);
     EXPECT_GE(time.found, 0.998 * time.bound);
     EXPECT_GE(time.found,

@@ -131,7 +131,7 @@ struct Move {
 
   /// The time-optimal motion with seven phases of constant jerk; on the way to
   /// the speed v the mean speed is v / 2.
-  [[nodiscard]] double least_time() const {
+  [[nodiscard]] double min_time() const {
     const double speeding = speed * ramp(speed);
     if (speeding <= length) return length / speed + ramp(speed);
     const double lead = 0.5 * acceleration * acceleration / jerk;
@@ -163,10 +163,10 @@ TEST(JerkLimitedMoves, TakeTheLeastTime) {
     const Job job = move.job(random);
     if (move.speed > motor_speed(job)) continue;
     const double took = drive(job.program, job.machine).seconds;
-    worst = std::max(worst, took / move.least_time());
+    worst = std::max(worst, took / move.min_time());
     // Each of seven phases ends on a tick or two.
     constexpr double kTicks = 14.0 / static_cast<double>(cnc::motion::kTicksPerSecond);
-    const double least = move.least_time();
+    const double least = move.min_time();
     ASSERT_NEAR(took, least, 1.0e-4 * least + kTicks);
   }
   std::printf("single moves: at most %.6f of the least time\n", worst);

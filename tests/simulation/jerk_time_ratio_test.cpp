@@ -25,12 +25,12 @@ struct TimedProgram {
 };
 
 /// Above, a section has fewer than five cells a piece.
-constexpr std::size_t kMostPieces = 60;
+constexpr std::size_t kMaxPieces = 60;
 
 /// 5…50 ms to full acceleration, all axes alike; ramps of at least 0.25 mm.
 TimedProgram time_program(std::uint64_t seed) {
   constexpr MachineRanges kMachines{
-      .least_rate_mm_s = 50.0, .least_acceleration = 10.0, .most_acceleration = 5000.0};
+      .min_rate_mm_s = 50.0, .min_acceleration = 10.0, .max_acceleration = 5000.0};
   Random random{seed};
   TestMachine machine = random_machine(random, kMachines);
   Program program = random_program(random, machine);
@@ -46,11 +46,11 @@ TimedProgram time_program(std::uint64_t seed) {
   const RecordedPlan plan = drive(program, machine);
   const sim::ProgrammedPath path = motion_of(plan).path;
   TimedProgram timed{.seed = seed, .took = plan.seconds, .least = 0.0};
-  if (path.pieces.empty() || path.pieces.size() > kMostPieces) return timed;
+  if (path.pieces.empty() || path.pieces.size() > kMaxPieces) return timed;
   // The error of the grid makes the reference slower, and it shrinks with the cells: one that a
   // program seems to beat is found once more on a finer grid.
   for (const std::size_t cells : {300, 3000}) {
-    timed.least = sim::jerk_limited_time(path, limits, {.most_cells = cells}).found;
+    timed.least = sim::jerk_limited_time(path, limits, {.max_cells = cells}).found;
     if (timed.ratio() >= kFastest) break;
   }
   return timed;
@@ -67,7 +67,7 @@ void print(const std::vector<TimedProgram>& programs, std::size_t left_out) {
       "the slowest are",
       programs.size(),
       left_out,
-      kMostPieces,
+      kMaxPieces,
       programs.front().ratio(),
       at(0.5),
       at(0.9),

@@ -84,7 +84,7 @@ JobTime time_job(const std::string& name, const std::string& settings, double ri
   for (std::size_t axis = 0; axis < limits.jerk.size(); ++axis) {
     limits.jerk[axis] = limits.acceleration[axis] / rise_s;
   }
-  job.bound = sim::jerk_limited_time(path, limits, {.most_cells = 300}).found;
+  job.bound = sim::jerk_limited_time(path, limits, {.max_cells = 300}).found;
   return job;
 }
 
@@ -144,7 +144,7 @@ sim::ProgrammedPath path_of(const RecordedPlan& plan) {
 
 /// Ramps of at least 0.25 mm, which the reference resolves.
 constexpr MachineRanges kMachines{
-    .least_rate_mm_s = 50.0, .least_acceleration = 10.0, .most_acceleration = 5000.0};
+    .min_rate_mm_s = 50.0, .min_acceleration = 10.0, .max_acceleration = 5000.0};
 
 /// The reference samples every 0.02 mm; what is too long for it is left out.
 bool fits_reference(const sim::ProgrammedPath& path) {

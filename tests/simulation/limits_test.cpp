@@ -132,7 +132,7 @@ class Corner {
   /// Radius of four times v²/a at the greatest speed: corners are not rounded farther.
   [[nodiscard]] double useful_radius() const { return useful_radius_; }
   /// mm/s, of all slices of a block.
-  [[nodiscard]] double least_speed(std::uint32_t block) const {
+  [[nodiscard]] double min_speed(std::uint32_t block) const {
     double least = 1.0e9;
     for (const TimedSlice& slice : plan_.slices) {
       if (slice.slice.block != block) continue;
@@ -143,7 +143,7 @@ class Corner {
 
  private:
   static constexpr MachineRanges kMachines{
-      .least_rate_mm_s = 100.0, .most_rate_mm_s = 1000.0, .least_acceleration = 300.0};
+      .min_rate_mm_s = 100.0, .max_rate_mm_s = 1000.0, .min_acceleration = 300.0};
   /// Divides the limit of each axis by the part of the axis in the plane of both directions.
   [[nodiscard]] double four_times_needed(const Vector& from, const Vector& to) const {
     double along = 0.0;
@@ -175,8 +175,8 @@ void expect_the_largest_arc(const Trials& trials, bool oblique) {
     Random random{seed};
     const Corner corner{random, oblique};
     if (corner.turn() < 0.1 || corner.turn() > 3.1) continue;
-    constexpr double kLeastStop = 1.9;  // Radians; from about 2 on a stop is sooner.
-    if (corner.turn() > kLeastStop && corner.plan().blocks.size() == 2U) continue;
+    constexpr double kMinStop = 1.9;  // Radians; from about 2 on a stop is sooner.
+    if (corner.turn() > kMinStop && corner.plan().blocks.size() == 2U) continue;
     ASSERT_EQ(corner.plan().blocks.size(), 3U);
     const double radius = corner.plan().blocks[1].exact.radius();
     // Ends are rounded to a nanometre, which a radius of a tenth of a micrometre shows both ways.
@@ -187,7 +187,7 @@ void expect_the_largest_arc(const Trials& trials, bool oblique) {
       const double largest = std::min(corner.touching_radius(), corner.useful_radius());
       ASSERT_GE(radius, largest * (1.0 - 4.0e-3) - kOfRounding);
     }
-    ASSERT_GT(corner.least_speed(1), 0.0);
+    ASSERT_GT(corner.min_speed(1), 0.0);
   }
 }
 

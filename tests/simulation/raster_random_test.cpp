@@ -129,7 +129,7 @@ TEST(RandomRaster, HasThePowerOfTheProgramAtEachPlace) {
     simulator.add_sink(deviation);
     simulator.add_sink(judge);
     int turns = 0;
-    for (; turns < kMostTurns && !simulator.done(); ++turns) {
+    for (; turns < kMaxTurns && !simulator.done(); ++turns) {
       meddle_with(simulator.machine(), random);
       simulator.turn();
     }

@@ -56,7 +56,7 @@ RasterTrack stream_row(int pixels, int lines_per_turn, std::size_t& blocks) {
   bench.controller.add_sink(track);
   bench.send("G21 G90 M4 F18000 S0");
   int sent = 0;
-  for (int turn = 0; turn < kMostTurns && sent < pixels; ++turn) {
+  for (int turn = 0; turn < kMaxTurns && sent < pixels; ++turn) {
     for (int line = 0; line < lines_per_turn && sent < pixels && !bench.machine().busy(); ++line) {
       ++sent;
       bench.send(fmt::format("G1 X{:.1f} S{}", 0.1 * sent, grey(sent)));

@@ -168,8 +168,8 @@ struct Outcome {
 /// millisecond, and when the job is taken up again the part is whole.
 TEST_F(Reentry, CompletesAPartWhoseSenderWasLostAtEveryHundredthOfASecond) {
   double worst_dark_ms = 0.0;
-  double most_twice_mm = -1.0;
-  double most_left_mm = -1.0;
+  double max_twice_mm = -1.0;
+  double max_left_mm = -1.0;
   int taken_up = 0;
   for (int after = 0; after < duration_ms; after += 10) {
     SCOPED_TRACE(after);
@@ -208,7 +208,7 @@ TEST_F(Reentry, CompletesAPartWhoseSenderWasLostAtEveryHundredthOfASecond) {
     ++taken_up;
     if (burnt == 0 || burnt >= whole.size()) continue;
     if (before.places.size() == burnt) {
-      most_left_mm = std::max(most_left_mm, ways.back() - ways[burnt - 1]);
+      max_left_mm = std::max(max_left_mm, ways.back() - ways[burnt - 1]);
       continue;
     }
     const double came_to = ways[burnt - 1];
@@ -216,8 +216,8 @@ TEST_F(Reentry, CompletesAPartWhoseSenderWasLostAtEveryHundredthOfASecond) {
     EXPECT_LT(twice, 0.06) << "taken up in line " << line << " at " << place.x << "," << place.y
                            << ", lit from " << before.places[burnt].x << ","
                            << before.places[burnt].y << " on";
-    most_twice_mm = std::max(most_twice_mm, twice);
-    most_left_mm = std::max(most_left_mm, -twice);
+    max_twice_mm = std::max(max_twice_mm, twice);
+    max_left_mm = std::max(max_left_mm, -twice);
     EXPECT_LT(distance(before.places.back(), whole.back()), 0.01);
   }
   std::printf("%d of %d ms taken up %d times: dark after %.3f ms, %.3f mm burnt twice, %.3f left\n",
@@ -225,13 +225,13 @@ TEST_F(Reentry, CompletesAPartWhoseSenderWasLostAtEveryHundredthOfASecond) {
               duration_ms,
               taken_up,
               worst_dark_ms,
-              most_twice_mm,
-              most_left_mm);
+              max_twice_mm,
+              max_left_mm);
   EXPECT_GT(taken_up, duration_ms / 15);
   EXPECT_LE(worst_dark_ms, 1.0);
   // Ends of elements that are near enough, and steps.
-  EXPECT_LE(most_twice_mm, 0.06);
-  EXPECT_LE(most_left_mm, 0.02);
+  EXPECT_LE(max_twice_mm, 0.06);
+  EXPECT_LE(max_left_mm, 0.02);
 }
 
 }  // namespace

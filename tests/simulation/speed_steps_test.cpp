@@ -54,7 +54,7 @@ double speed_before(const std::vector<double>& times, std::size_t step) {
 
 /// Of the steps while it speeds up, the least that the speed has grown by in a
 /// millisecond, as a share of what the acceleration asks for.
-double least_growth(double acceleration, double jerk) {
+double min_growth(double acceleration, double jerk) {
   constexpr double kMillisecond = 1.0e-3;
   const std::vector<double> times = step_times(acceleration, jerk);
   // Enough steps in a window to tell a speed, and still with full acceleration.
@@ -79,7 +79,7 @@ TEST(SpeedingUp, HasNoPlateauOfAMillisecond) {
   for (const double acceleration : {500.0, 3000.0}) {
     for (const double rise : {0.0, 0.02}) {
       SCOPED_TRACE(testing::Message() << acceleration << " mm/s², " << rise << " s to reach it");
-      const double growth = least_growth(acceleration, rise > 0.0 ? acceleration / rise : 0.0);
+      const double growth = min_growth(acceleration, rise > 0.0 ? acceleration / rise : 0.0);
       std::printf("speed grows in each millisecond by at least %.3f of the acceleration\n", growth);
       EXPECT_GT(growth, 0.5);
     }

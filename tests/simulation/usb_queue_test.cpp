@@ -99,7 +99,7 @@ std::string cutting(std::size_t bytes) {
   return text;
 }
 
-constexpr int kMostMs = 20;
+constexpr int kMaxMs = 20;
 
 class UsbQueue : public testing::TestWithParam<std::size_t> {
  protected:
@@ -121,7 +121,7 @@ TEST_P(UsbQueue, HoldsReportsAndResetsAtOnce) {
   waited += machine.until([this] { return !machine.lit(); });
   worst = std::max(worst, waited);
   std::printf("behind %zu bytes: %d ms at worst\n", GetParam(), worst);
-  EXPECT_LE(worst, kMostMs);
+  EXPECT_LE(worst, kMaxMs);
 }
 
 TEST_P(UsbQueue, NoticesAtOnceThatTheLineIsClosed) {

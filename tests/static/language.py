@@ -2,8 +2,9 @@
 
 usage: language.py [root]
 
-What is checked is what a program can tell: the first words of each comment, and words that the
-rules of language exclude. NOLINT lines and names in backticks are left out.
+What is checked is what a program can tell: the first words of each comment and of each printed
+text, words that the rules of language exclude, and names of bounds. NOLINT lines and names in
+backticks are left out.
 """
 import pathlib
 import re
@@ -23,6 +24,9 @@ EXCLUDED = (
     (re.compile(r"\banew\b", re.I), "write `again`, `restart` or `recompute`"),
     (re.compile(r"\bmind changer\b", re.I), "write `revisit if`"),
 )
+NAMES = re.compile(r"\bk(Most|Least)(?=[A-Z0-9]|\b)")
+BOUNDS = {"Most": "Max", "Least": "Min"}
+PRINTED = re.compile(r'"((?:Of|Who|Whoever|What (?:is|the|a|has)) [^"]*)"')
 PERSONS = re.compile(r"\b(?:operator|user|caller|owner|sender|people|person|engineer|host|listener|client|"
                      r"those)\b", re.I)
 
@@ -72,6 +76,13 @@ def complaints(root: pathlib.Path) -> Iterator:
         for number, comment in comments_of(path.read_text(encoding="utf-8")):
             for fault in faults_of(comment):
                 yield f"{name}:{number}: {fault}"
+    for path in source_files(root, ".hpp", ".cpp"):
+        name = path.relative_to(root).as_posix()
+        for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
+            if found := NAMES.search(line):
+                yield f"{name}:{number}: `{found[0]}` is named `k{BOUNDS[found[1]]}…` here"
+            if name.startswith(PRODUCT) and "NOLINT" not in line and (found := PRINTED.search(line)):
+                yield f"{name}:{number}: a text begins with `{found[1][:20]}`: give it a subject"
 
 
 if __name__ == "__main__":

@@ -43,6 +43,14 @@ class PlantedComments(unittest.TestCase):
         self.expect("// The block who is late, and somebody waits.\n// It is made anew.\nint d();\n",
                     "`who` is for persons", "`somebody` names nothing", "`anew`")
 
+    def test_names_of_bounds(self):
+        self.expect("constexpr int kMostSteps = 3;\nconstexpr int kLeast = 1;\n",
+                    "`kMost` is named `kMax", "`kLeast` is named `kMin")
+
+    def test_printed_texts_without_a_subject(self):
+        self.expect('const char* help = "Of the lightest grey; 0";\nconst char* other = "Power of the lightest grey";\n',
+                    "a text begins with `Of the lightest grey`")
+
 
 if __name__ == "__main__":
     unittest.main()

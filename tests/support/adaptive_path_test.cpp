@@ -21,18 +21,18 @@ namespace {
 using sim::pocket::AdaptiveOptions;
 using sim::pocket::AdaptivePath;
 
-constexpr double kMostAbove_deg = 1.0;
+constexpr double kMaxAbove_deg = 1.0;
 constexpr double kRounding_mm = 1.0e-6;
-constexpr double kMostLeft_mm = 2.0e-3;
+constexpr double kMaxLeft_mm = 2.0e-3;
 
 AdaptiveVerdict expect_cleared(const sim::Contour& area, const AdaptiveOptions& options) {
   const AdaptivePath path = sim::pocket::adaptive_path(area.view(), options);
   const AdaptiveVerdict verdict = judge_adaptive(area.view(), path, options);
-  EXPECT_LE(verdict.engagement_deg, options.engagement_deg + kMostAbove_deg)
+  EXPECT_LE(verdict.engagement_deg, options.engagement_deg + kMaxAbove_deg)
       << "at " << verdict.engaged_at.transpose();
-  EXPECT_LE(verdict.link_deg, kMostAbove_deg);
+  EXPECT_LE(verdict.link_deg, kMaxAbove_deg);
   EXPECT_LE(verdict.gouge_mm, kRounding_mm);
-  EXPECT_LE(verdict.left_mm, kMostLeft_mm);
+  EXPECT_LE(verdict.left_mm, kMaxLeft_mm);
   return verdict;
 }
 

@@ -121,13 +121,13 @@ namespace {
 
 Contour drawn_star(Random& random,
                    std::size_t elements,
-                   double least_radius_mm,
-                   double most_radius_mm) {
+                   double min_radius_mm,
+                   double max_radius_mm) {
   Contour star;
   const double step = kTurn / static_cast<double>(elements);
   for (std::size_t i = 0; i < elements; ++i) {
     const double angle = step * (static_cast<double>(i) + random.between(-0.4, 0.4));
-    const double radius = random.between(least_radius_mm, most_radius_mm);
+    const double radius = random.between(min_radius_mm, max_radius_mm);
     star.vertices.push_back({radius * std::cos(angle), radius * std::sin(angle), 0.0});
   }
   for (std::size_t i = 0; i < elements; ++i) {
@@ -174,11 +174,11 @@ OffsetCase drawn_case(Corpus corpus, Random& random) {
 
 Contour random_star(Random& random,
                     std::size_t elements,
-                    double least_radius_mm,
-                    double most_radius_mm) {
-  Contour star = drawn_star(random, elements, least_radius_mm, most_radius_mm);
+                    double min_radius_mm,
+                    double max_radius_mm) {
+  Contour star = drawn_star(random, elements, min_radius_mm, max_radius_mm);
   while (!is_simple(star.view())) {
-    star = drawn_star(random, elements, least_radius_mm, most_radius_mm);
+    star = drawn_star(random, elements, min_radius_mm, max_radius_mm);
   }
   return star;
 }
@@ -194,11 +194,11 @@ double programmed(double mm) { return std::round(mm * 1.0e4) * 1.0e-4; }
 
 namespace {
 
-Contour drawn_outline(Random& random, std::size_t most_elements) {
+Contour drawn_outline(Random& random, std::size_t max_elements) {
   const auto is_long = [](const auto& vertex) { return std::abs(vertex.bulge) > 1.0; };
   Contour star;
   do {
-    star = random_star(random, 3 + random.below(most_elements - 2), 8.0, 30.0);
+    star = random_star(random, 3 + random.below(max_elements - 2), 8.0, 30.0);
   } while (std::ranges::any_of(star.vertices, is_long));
   Contour outline;
   auto& vertices = outline.vertices;
@@ -217,10 +217,10 @@ Contour drawn_outline(Random& random, std::size_t most_elements) {
 
 }  // namespace
 
-Contour programmed_star(Random& random, std::size_t most_elements) {
-  Contour outline = drawn_outline(random, most_elements);
+Contour programmed_star(Random& random, std::size_t max_elements) {
+  Contour outline = drawn_outline(random, max_elements);
   // The line that took the place of an arc may cross another element.
-  while (!is_simple(outline.view())) outline = drawn_outline(random, most_elements);
+  while (!is_simple(outline.view())) outline = drawn_outline(random, max_elements);
   return outline;
 }
 

@@ -36,14 +36,14 @@ enum class Corpus {
 /// A star around the origin that does not cross itself.
 [[nodiscard]] sim::Contour random_star(Random& random,
                                        std::size_t elements,
-                                       double least_radius_mm,
-                                       double most_radius_mm);
+                                       double min_radius_mm,
+                                       double max_radius_mm);
 
 /// To four decimals, as programs have them.
 [[nodiscard]] double programmed(double mm);
 
 /// A star of 3 elements up to this many, whose outline begins within a line; places are programmed,
 /// and no arc is of more than half a turn. Of 8 to 30 mm.
-[[nodiscard]] sim::Contour programmed_star(Random& random, std::size_t most_elements);
+[[nodiscard]] sim::Contour programmed_star(Random& random, std::size_t max_elements);
 
 }  // namespace proof

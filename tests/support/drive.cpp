@@ -28,7 +28,7 @@ class Driver {
       if (stage_.empty() && waits_for_rest()) queue_.expect_no_more();
       for (std::size_t i = 0; i < program_.cut_at_once && cut(); ++i) {
       }
-      if (!operate_ && progress() == before && ++idle_turns_ > kMostIdleTurns) {
+      if (!operate_ && progress() == before && ++idle_turns_ > kMaxIdleTurns) {
         throw std::logic_error("the motion stands still before its end");
       }
     }
@@ -88,12 +88,12 @@ class Driver {
     Segment segment;
     if (!segmenter_.next(segment)) return false;
     plan_.segments.push_back(segment);
-    if (plan_.segments.size() > kMostSegments) throw std::logic_error("the motion does not end");
+    if (plan_.segments.size() > kMaxSegments) throw std::logic_error("the motion does not end");
     return true;
   }
 
-  static constexpr std::size_t kMostSegments = 3'000'000;
-  static constexpr int kMostIdleTurns = 1000;
+  static constexpr std::size_t kMaxSegments = 3'000'000;
+  static constexpr int kMaxIdleTurns = 1000;
 
   const Program& program_;
   const TestMachine& machine_;

@@ -11,7 +11,7 @@ namespace {
 /// Duality gap at the end, as a part of the time.
 constexpr double kGap = 2.0e-4;
 constexpr double kWeightGrowth = 10.0;
-constexpr int kMostSteps = 200;
+constexpr int kMaxSteps = 200;
 
 struct Descent {
   std::vector<double> unknown;
@@ -23,7 +23,7 @@ struct Descent {
 void centre(const SpeedProblem& problem, double weight, double tolerance, Descent& descent) {
   BandSystem system{problem.unknowns()};
   double value = problem.value(descent.unknown, weight);
-  for (int step = 0; step < kMostSteps; ++step, ++descent.steps) {
+  for (int step = 0; step < kMaxSteps; ++step, ++descent.steps) {
     problem.derive(descent.unknown, weight, system);
     const std::vector<double> right = system.right();
     const std::vector<double> direction = system.solve();

@@ -16,10 +16,10 @@ namespace sim {
 namespace {
 
 constexpr MeshSize kFine{
-    .cells_per_rise = 32.0, .widest = 0.02, .least_cells = 800, .most_cells = 2500};
+    .cells_per_rise = 32.0, .widest = 0.02, .min_cells = 800, .max_cells = 2500};
 
 /// Coarse only where the jerk hardly matters: many rises to full acceleration.
-constexpr MeshSize kQuick{.most_cells = 400};
+constexpr MeshSize kQuick{.max_cells = 400};
 
 MotionLimits equal_limits(double rate, double acceleration, double jerk) {
   MotionLimits limits;
@@ -35,19 +35,19 @@ struct ChainJob {
   MotionLimits limits;
 };
 
-/// @param most_rise the longest A/J, s.
-ChainJob chain_job(std::uint64_t seed, double most_rise) {
+/// @param max_rise the longest A/J, s.
+ChainJob chain_job(std::uint64_t seed, double max_rise) {
   proof::Random random{seed};
   const double rate = random.magnitude(20.0, 500.0);
   const double acceleration = random.magnitude(100.0, 5000.0);
-  const double rise = random.magnitude(0.002, most_rise);
+  const double rise = random.magnitude(0.002, max_rise);
   ChainJob job{.path = {}, .limits = equal_limits(rate, acceleration, acceleration / rise)};
   if (random.chance(0.5)) {
     job.limits.acceleration[1] /= random.magnitude(1.0, 5.0);
     job.limits.jerk[1] /= random.magnitude(1.0, 8.0);
   }
   const double scale = random.magnitude(0.3, 20.0);
-  proof::ChainShape shape{.least_length = 0.1 * scale, .most_length = 10.0 * scale};
+  proof::ChainShape shape{.min_length = 0.1 * scale, .max_length = 10.0 * scale};
   shape.pieces = 1 + random.below(12);
   shape.feeds = random.chance(0.5);
   job.path = proof::random_chain(random, shape);

@@ -9,7 +9,7 @@
 
 namespace proof {
 
-inline constexpr int kMostTurns = 600'000;  ///< Ten minutes of the machine: it hangs.
+inline constexpr int kMaxTurns = 600'000;  ///< Ten minutes of the machine: it hangs.
 
 /// A laser with the same limits on X, Y and Z, in mm/s and mm/s².
 inline void set_up_laser(sim::Simulator& simulator,

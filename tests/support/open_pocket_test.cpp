@@ -94,7 +94,7 @@ class OpenPockets : public testing::TestWithParam<Strategy> {
   /// @param entries rows that may go down in the stock
   static std::string faults_of(const char* text,
                                double radius_mm,
-                               std::size_t least_places,
+                               std::size_t min_places,
                                std::size_t entries = 0) {
     const sim::Contour pockets = sim::contour_from_text(text, "test");
     const StrategyOptions options = options_of(radius_mm, kStock);
@@ -105,7 +105,7 @@ class OpenPockets : public testing::TestWithParam<Strategy> {
     Random random{1};
     OpenPocketJudge judge{pockets, path, options};
     const std::string faults = judge.run(random);
-    EXPECT_GE(judge.places(), least_places);
+    EXPECT_GE(judge.places(), min_places);
     return faults;
   }
 };

@@ -63,7 +63,7 @@ std::string complaint_about_pocket(Corpus corpus, std::uint64_t seed, double& wo
   const double far = oracle.farthest(random, 200) - radius;
   worst = std::max(worst, far);
   if (far > 1.0e-6) return "leaves " + std::to_string(far) + " mm";
-  const double clearance = count.value() > 0 ? oracle.least_clearance() - radius : 0.0;
+  const double clearance = count.value() > 0 ? oracle.min_clearance() - radius : 0.0;
   return clearance < -1.0e-6 ? "gouges by " + std::to_string(-clearance) : std::string{};
 }
 

@@ -115,9 +115,9 @@ TestMachine machine_for(Random& random, const TestArc& arc, double steps) {
   // Fast enough for a second or so: other things than patience are tested here.
   const double slowest = std::min(500.0, std::max(1.0, length));
   TestMachine machine = random_machine(random,
-                                       {.least_rate_mm_s = slowest,
-                                        .most_rate_mm_s = 1000.0,
-                                        .least_acceleration = std::max(10.0, slowest)});
+                                       {.min_rate_mm_s = slowest,
+                                        .max_rate_mm_s = 1000.0,
+                                        .min_acceleration = std::max(10.0, slowest)});
   for (std::size_t axis = 0; axis < cnc::kAxisCount; ++axis) {
     const double scale = std::clamp(steps / length * random.magnitude(0.3, 3.0), 10.0, 1600.0);
     machine.limits.scale[axis] = cnc::AxisScale{static_cast<float>(scale)};

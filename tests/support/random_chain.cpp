@@ -36,7 +36,7 @@ sim::ProgrammedPath random_chain(Random& random, const ChainShape& shape) {
   ChainEnd end;
   end.heading = random.between(-3.0, 3.0);
   for (std::size_t i = 0; i < shape.pieces; ++i) {
-    const double length = random.magnitude(shape.least_length, shape.most_length);
+    const double length = random.magnitude(shape.min_length, shape.max_length);
     const double sweep = random.signed_magnitude(0.1, 3.0);
     const double feed = random.magnitude(5.0, 500.0);
     sim::PathPiece piece{.curve = random.chance(0.4) ? end.line(length) : end.arc(length, sweep)};

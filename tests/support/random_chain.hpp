@@ -7,8 +7,8 @@ namespace proof {
 
 struct ChainShape {
   std::size_t pieces = 10;
-  double least_length = 0.1;  ///< mm, of a piece.
-  double most_length = 10.0;
+  double min_length = 0.1;  ///< mm, of a piece.
+  double max_length = 10.0;
   bool feeds = false;  ///< A feed of 5…500 mm/s for each piece; else rapids.
 };
 

@@ -18,14 +18,14 @@ void set_pulse(TestMachine& machine, std::uint32_t pulse) {
 TestMachine random_machine(Random& random, const MachineRanges& ranges) {
   TestMachine machine;
   // Mostly machines as people have them.
-  const double usual_rate = std::max(ranges.least_rate_mm_s, 0.01 * ranges.most_rate_mm_s);
-  const double base_rate = random.magnitude(
-      random.chance(0.8) ? usual_rate : ranges.least_rate_mm_s, ranges.most_rate_mm_s);
-  const double base = random.magnitude(ranges.least_acceleration, ranges.most_acceleration);
+  const double usual_rate = std::max(ranges.min_rate_mm_s, 0.01 * ranges.max_rate_mm_s);
+  const double base_rate = random.magnitude(random.chance(0.8) ? usual_rate : ranges.min_rate_mm_s,
+                                            ranges.max_rate_mm_s);
+  const double base = random.magnitude(ranges.min_acceleration, ranges.max_acceleration);
   const double spread = random.chance(0.3) ? 1.0 : random.magnitude(1.0, 30.0);
   for (std::size_t axis = 0; axis < cnc::kAxisCount; ++axis) {
     machine.limits.scale[axis] = cnc::AxisScale{
-        static_cast<float>(random.magnitude(ranges.least_steps_per_mm, ranges.most_steps_per_mm))};
+        static_cast<float>(random.magnitude(ranges.min_steps_per_mm, ranges.max_steps_per_mm))};
     machine.limits.rate_mm_s[axis] =
         static_cast<float>(base_rate / random.magnitude(1.0, spread + 1e-9));
     machine.limits.acceleration_mm_s2[axis] =

@@ -13,12 +13,12 @@ struct TestMachine {
 };
 
 struct MachineRanges {
-  double least_steps_per_mm = 10.0;
-  double most_steps_per_mm = 1600.0;
-  double least_rate_mm_s = 1.0 / 60.0;
-  double most_rate_mm_s = 1000.0;
-  double least_acceleration = 1.0;
-  double most_acceleration = 20'000.0;
+  double min_steps_per_mm = 10.0;
+  double max_steps_per_mm = 1600.0;
+  double min_rate_mm_s = 1.0 / 60.0;
+  double max_rate_mm_s = 1000.0;
+  double min_acceleration = 1.0;
+  double max_acceleration = 20'000.0;
 };
 
 /// Every axis with a resolution, rate and acceleration of its own; step rates

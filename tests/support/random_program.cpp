@@ -16,8 +16,8 @@ class Author {
   Author(Random& random, const TestMachine& machine, const ProgramSize& size)
       : random_{random},
         writer_{machine, std::pow(10.0, -static_cast<double>(2 + random.below(5)))},
-        seconds_{random.magnitude(size.least_time_s, size.most_time_s)},
-        steps_{random.magnitude(size.most_steps * 0.01, size.most_steps)},
+        seconds_{random.magnitude(size.min_time_s, size.max_time_s)},
+        steps_{random.magnitude(size.max_steps * 0.01, size.max_steps)},
         kinds_{size.splines ? kSpline + 1 : kSpline} {
     choose_axes();
   }

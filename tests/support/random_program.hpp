@@ -23,9 +23,9 @@ struct Program {
 };
 
 struct ProgramSize {
-  double least_time_s = 0.02;  ///< Rough job time; every magnitude is as likely.
-  double most_time_s = 3.0;
-  double most_steps = 20'000.0;
+  double min_time_s = 0.02;  ///< Rough job time; every magnitude is as likely.
+  double max_time_s = 3.0;
+  double max_steps = 20'000.0;
   bool splines = false;  ///< Stretches of splines, as the arcs that stand for them, too.
 };
 

@@ -140,8 +140,8 @@ class SectionMesher {
                             to.speed * to.speed + 2.0 * acceleration_ * rest));
       }
     }
-    const double least = times_.back() / static_cast<double>(size_.most_cells);
-    const double most = times_.back() / static_cast<double>(size_.least_cells);
+    const double least = times_.back() / static_cast<double>(size_.max_cells);
+    const double most = times_.back() / static_cast<double>(size_.min_cells);
     step_ = std::clamp(rise_ / size_.cells_per_rise, least, most);
   }
 

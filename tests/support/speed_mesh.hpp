@@ -28,9 +28,9 @@ struct MeshSize {
   double cells_per_rise =
       10.0;             ///< In the time in which the quickest axis reaches its acceleration.
   double widest = 0.1;  ///< Radians of an arc in one cell.
-  std::size_t least_cells = 400;  ///< In a section,
-  std::size_t most_cells = 1500;  ///< in which each piece has one at least.
-  double start = 1.0;             ///< How slow the motion is that the search begins with; ≤ 1.
+  std::size_t min_cells = 400;   ///< In a section,
+  std::size_t max_cells = 1500;  ///< in which each piece has one at least.
+  double start = 1.0;            ///< How slow the motion is that the search begins with; ≤ 1.
 };
 
 /// Divides a path at its stops, and what is between into cells that last about equally

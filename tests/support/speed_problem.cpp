@@ -8,7 +8,7 @@ namespace sim {
 namespace {
 
 /// Bottlenecks beyond this many are not looked at one by one.
-constexpr std::size_t kMostBottlenecks = 2000;
+constexpr std::size_t kMaxBottlenecks = 2000;
 
 /// A start from rest is at the limit of a²/v all the time; a cell beside a joint sees both sides.
 constexpr double kSlack = 1.01;
@@ -173,7 +173,7 @@ std::vector<double> SpeedProblem::start_of_height(double curve, double share) co
       slow.push_back({places_[i], places_[i + 1], cap});
     }
   }
-  if (slow.size() > kMostBottlenecks) {
+  if (slow.size() > kMaxBottlenecks) {
     slow.resize(2);
     slow.push_back({0.0, places_.back(), least});
   }

@@ -62,7 +62,7 @@ class SpiralCheck {
     for (std::size_t row = 0; row < path_.row_ends.size(); ++row) check_row(row);
     const double far = oracle_.farthest(random, 300) - wish_.radius_mm;
     if (far > 1.0e-6) complain("leaves " + std::to_string(far) + " mm", {0.0, 0.0});
-    const double gouge = wish_.radius_mm - oracle_.least_clearance();
+    const double gouge = wish_.radius_mm - oracle_.min_clearance();
     if (gouge > 1.0e-6) complain("gouges by " + std::to_string(gouge), {0.0, 0.0});
     return complaint_;
   }

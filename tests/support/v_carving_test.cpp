@@ -21,9 +21,9 @@ namespace {
 using sim::pocket::VCarveOptions;
 using sim::pocket::VCarving;
 
-constexpr double kMostGouge_mm = 1.0e-6;
-constexpr double kMostShallow_mm = 0.01;
-constexpr double kMostUnreached_mm = 0.02;
+constexpr double kMaxGouge_mm = 1.0e-6;
+constexpr double kMaxShallow_mm = 0.01;
+constexpr double kMaxUnreached_mm = 0.02;
 
 bool has_long_arc(const sim::Contour& contour) {
   return std::ranges::any_of(contour.vertices,
@@ -136,9 +136,9 @@ std::size_t links_in_stock(const VCarving& carving) {
 void expect_carved(const sim::Contour& area, const VCarveOptions& options) {
   const VCarving carving = sim::pocket::v_carve(area.view(), options);
   const CarveVerdict verdict = judge_carving(area.view(), carving, options);
-  EXPECT_LE(verdict.gouge_mm, kMostGouge_mm);
-  EXPECT_LE(verdict.too_shallow_mm, kMostShallow_mm);
-  EXPECT_LE(verdict.unreached_mm, kMostUnreached_mm);
+  EXPECT_LE(verdict.gouge_mm, kMaxGouge_mm);
+  EXPECT_LE(verdict.too_shallow_mm, kMaxShallow_mm);
+  EXPECT_LE(verdict.unreached_mm, kMaxUnreached_mm);
   EXPECT_GE(verdict.lowest_mm, -options.greatest_depth_mm - 1.0e-6);
   EXPECT_NEAR(carving.depth_mm, -verdict.lowest_mm, 1.0e-9);
   EXPECT_EQ(links_in_stock(carving), 0U);

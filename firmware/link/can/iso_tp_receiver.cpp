@@ -107,11 +107,11 @@ std::optional<FlowControl> IsoTpReceiver::flow_due(hal::TickCount now) {
     return std::nullopt;
   }
   const std::uint32_t fit = frames_that_fit();
-  if (fit >= std::min(frames_left(), kLeastBlock)) {
+  if (fit >= std::min(frames_left(), kMinBlock)) {
     flow_ = Flow::kNone;
     last_ = now;
-    constexpr std::uint32_t kMost = 0xFF;
-    block_ = std::min(fit, kMost);
+    constexpr std::uint32_t kMax = 0xFF;
+    block_ = std::min(fit, kMax);
     return FlowControl{.block_size = static_cast<std::uint8_t>(block_)};
   }
   if (flow_ == Flow::kWaiting && !now.reached(last_.plus(kWaitUs))) return std::nullopt;

@@ -55,7 +55,7 @@ class IsoTpReceiver {
   /// sender.
   static constexpr std::uint32_t kWaitUs = 100'000;
   /// Smallest block worth a frame of flow control, unless the block ends the message.
-  static constexpr std::uint32_t kLeastBlock = 8;
+  static constexpr std::uint32_t kMinBlock = 8;
 
   enum class Flow : std::uint8_t { kNone, kAsked, kWaiting, kOverflow };
 

@@ -28,7 +28,7 @@ void IsoTpSender::take(std::span<const std::byte> payload, hal::TickCount now) {
       step_ = Step::kSends;
       return;
     case FlowStatus::kWait:
-      if (++waits_ > kMostWaits) give_up();
+      if (++waits_ > kMaxWaits) give_up();
       return;
     case FlowStatus::kOverflow:
       longest_ = std::max<std::uint32_t>(length_ / 2, iso_tp::kInSingle);
@@ -109,7 +109,7 @@ void IsoTpSender::give_up() {
 void IsoTpSender::clear() {
   text_.clear();
   tries_ = 0;
-  longest_ = most_;
+  longest_ = max_;
   step_ = Step::kIdle;
 }
 

@@ -27,7 +27,7 @@ class IsoTpSender {
   /// @param longest length of the longest message, unless the other side requires shorter ones.
   ///   Storage of twice that length lets the next message gather while one is being sent.
   IsoTpSender(std::span<std::byte> storage, std::uint32_t longest)
-      : text_{storage}, most_{longest}, longest_{longest} {}
+      : text_{storage}, max_{longest}, longest_{longest} {}
 
   /// Queues as many bytes as fit; returns how many.
   [[nodiscard]] std::size_t write(std::span<const std::byte> from);
@@ -50,7 +50,7 @@ class IsoTpSender {
   /// Number of attempts to send one message before the other side counts as gone.
   static constexpr std::uint8_t kTries = 3;
   /// Most flow controls in a row that say wait: 25 s for a receiver that sends one every 100 ms.
-  static constexpr std::uint8_t kMostWaits = 250;
+  static constexpr std::uint8_t kMaxWaits = 250;
 
   enum class Step : std::uint8_t { kIdle, kAwaitsFlow, kSends };
 
@@ -65,7 +65,7 @@ class IsoTpSender {
   std::uint32_t length_ = 0;  ///< Length of the message being sent.
   std::uint32_t sent_ = 0;    ///< Bytes of the message sent so far.
   std::uint32_t block_ = 0;   ///< Frames allowed before the next flow control.
-  std::uint32_t most_;
+  std::uint32_t max_;
   std::uint32_t longest_;  ///< Longest message that the other side can take.
   std::uint32_t separation_us_ = 0;
   std::uint8_t number_ = 0;

@@ -171,8 +171,8 @@ class CanLine final : public CanPort {
   }
 
   void empty(unsigned number) noexcept {
-    constexpr unsigned kMostAtOnce = 8;
-    for (unsigned frames = 0; frames < kMostAtOnce; ++frames) {
+    constexpr unsigned kMaxAtOnce = 8;
+    for (unsigned frames = 0; frames < kMaxAtOnce; ++frames) {
       const Word state = Bus::read(bxcan::fifo(number));
       if ((state & bxcan::kOverrun) != 0) {
         count(lost_);

@@ -90,7 +90,7 @@ class UsbLine final : public SessionStream {
   // Function for the line's own interrupt.
 
   void on_interrupt() noexcept {
-    for (unsigned turn = 0; turn < kMostTurns; ++turn) {
+    for (unsigned turn = 0; turn < kMaxTurns; ++turn) {
       const Word status = Bus::read(otg::kStatus) & Core::kInterrupts;
       if (status == 0) break;
       attend(status);
@@ -103,8 +103,8 @@ class UsbLine final : public SessionStream {
   using Effect = usb::Effect;
   static constexpr unsigned kFunction = 10;
   /// Bounds of the loops. For work that is left over, the core raises the interrupt again.
-  static constexpr unsigned kMostTurns = 8;
-  static constexpr unsigned kMostEntries = 16;
+  static constexpr unsigned kMaxTurns = 8;
+  static constexpr unsigned kMaxEntries = 16;
 
   void attend(Word status) noexcept {
     // The other flags are cleared at their sources.
@@ -130,7 +130,7 @@ class UsbLine final : public SessionStream {
   }
 
   void take_packets() noexcept {
-    for (unsigned entries = 0; entries < kMostEntries; ++entries) {
+    for (unsigned entries = 0; entries < kMaxEntries; ++entries) {
       if ((Bus::read(otg::kStatus) & otg::kReceived) == 0) return;
       take(Bus::read(otg::kReceivedPop));
     }

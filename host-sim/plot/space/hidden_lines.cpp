@@ -15,7 +15,7 @@ constexpr double kThinPx = 0.1;
 /// them.
 constexpr double kSlackPx = 4.0;
 /// Greatest number of points of a part that one chord may replace; bounds the time.
-constexpr std::size_t kMostReplaced = 64;
+constexpr std::size_t kMaxReplaced = 64;
 
 double distance_px(const SeenPoint& point, const SeenPoint& from, const SeenPoint& to) {
   const double x = to.x_px - from.x_px;
@@ -55,7 +55,7 @@ class VisibleParts {
   /// Returns the last point of the part to which a chord from point `from` stays within kThinPx of
   /// the part.
   [[nodiscard]] std::size_t farthest_from(std::size_t from) const {
-    const std::size_t end = std::min(part_.size(), from + kMostReplaced);
+    const std::size_t end = std::min(part_.size(), from + kMaxReplaced);
     std::size_t to = from + 1;
     while (to + 1 < end) {
       for (std::size_t i = from + 1; i <= to; ++i) {

@@ -23,8 +23,8 @@ constexpr double kSpaceTopPx = 140.0;
 constexpr double kSpaceKeyPx = 300.0;
 constexpr double kSpaceBottomPx = 110.0;
 constexpr double kSpaceWidthPx = kPictureWidthPx - kSpaceLeftPx - kSpaceKeyPx - 80.0;
-constexpr double kLeastSpacePx = 560.0;  ///< Smallest height: fits a scale and five samples.
-constexpr double kMostSpacePx = 1000.0;
+constexpr double kMinSpacePx = 560.0;  ///< Smallest height: fits a scale and five samples.
+constexpr double kMaxSpacePx = 1000.0;
 constexpr double kImageScale = 2.0;
 constexpr Colour kPlainSurface{0xd4, 0xd8, 0xde};
 /// A corner of a facet is shaded smoothly if the cosine of the angle between the facet's normal and
@@ -33,11 +33,11 @@ constexpr double kSharp = 0.8;
 
 /// Returns the factor by which heights are stretched: 1 if they are visible without stretching.
 double stretch_for(const SpaceBox& box) {
-  constexpr double kLeastHeightShare = 0.08;
+  constexpr double kMinHeightShare = 0.08;
   const Vector3d size = box.most - box.least;
   const double plan = std::hypot(size.x(), size.y());
   for (const double stretch : {1.0, 2.0, 5.0, 10.0, 20.0, 50.0}) {
-    if (stretch * size.z() >= kLeastHeightShare * plan) return stretch;
+    if (stretch * size.z() >= kMinHeightShare * plan) return stretch;
   }
   return size.z() > 0.0 ? 100.0 : 1.0;
 }
@@ -149,10 +149,8 @@ Box plot_for(const Viewpoint& viewpoint, const SpaceBox& box, double stretch) {
   const Extent seen =
       Axonometry{viewpoint, box, stretch, {0.0, 0.0, kSquarePx, kSquarePx}}.extent_px();
   const double natural_px = kSpaceWidthPx * seen.height_mm() / seen.width_mm();
-  return {kSpaceLeftPx,
-          kSpaceTopPx,
-          kSpaceWidthPx,
-          std::clamp(natural_px, kLeastSpacePx, kMostSpacePx)};
+  return {
+      kSpaceLeftPx, kSpaceTopPx, kSpaceWidthPx, std::clamp(natural_px, kMinSpacePx, kMaxSpacePx)};
 }
 
 void complete_key(SpaceScene& scene, double stretch) {

@@ -12,7 +12,7 @@ using Eigen::Vector3d;
 using Distances = std::array<Cubic, 4>;
 
 /// Sine of the angle between the diagonals below which their normal is mostly rounding error.
-constexpr double kLeastSine = 1.0e-9;
+constexpr double kMinSine = 1.0e-9;
 
 Distances transposed(const Distances& distances) {
   Distances result{};
@@ -49,7 +49,7 @@ Range nested_range(const Distances& distances) {
 bool set_normal(const Vector3d& a, const Vector3d& b, Vector3d& normal) {
   const Vector3d product = a.cross(b);
   const double length = product.norm();
-  if (!(length > kLeastSine * a.norm() * b.norm())) return false;
+  if (!(length > kMinSine * a.norm() * b.norm())) return false;
   normal = product / length;
   return true;
 }

@@ -121,11 +121,11 @@ PatchHeights::Jet PatchHeights::jet_at(const Hint& at) const {
 std::optional<double> PatchHeights::height_from(const Vector2d& place,
                                                 const Hint& most,
                                                 Hint& at) const {
-  constexpr int kMostSteps = 24;
+  constexpr int kMaxSteps = 24;
   // Length of the last step, in rows or columns. The error of the height is of the order of the
   // square of this step.
   constexpr double kLastStep = 1.0e-7;
-  for (int i = 0; i < kMostSteps; ++i) {
+  for (int i = 0; i < kMaxSteps; ++i) {
     const Jet jet = jet_at(at);
     const Vector2d off = place - jet.point.head<2>();
     const double area = jet.area();

@@ -63,7 +63,7 @@ class Slicer {
     }
     if (around.empty()) return;
     const BezierPatch& shape = net_.pieces()[piece].shape;
-    const double bound = chord_error_bound(shape, {.slicing_normal = normal_, .least_sine = 0.0});
+    const double bound = chord_error_bound(shape, {.slicing_normal = normal_, .min_sine = 0.0});
     // The hits divide the border into parts with alternating signs. The border's start lies in the
     // last part.
     const BorderEdge start = net_.border(piece).front();

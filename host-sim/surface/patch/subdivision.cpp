@@ -185,7 +185,7 @@ class FewestPieces {
 double chord_error_bound(const BezierPatch& patch, const FlatnessLimit& limit) {
   const FatPlane plane = fat_plane(patch, limit.test);
   if (!limit.slicing_normal) return plane.flatness();
-  const double sine = std::max(plane.normal.cross(*limit.slicing_normal).norm(), limit.least_sine);
+  const double sine = std::max(plane.normal.cross(*limit.slicing_normal).norm(), limit.min_sine);
   const double size = diameter(patch);
   return plane.flatness() < sine * size ? plane.flatness() / sine : size;
 }

@@ -26,7 +26,7 @@ struct FlatnessLimit {
   /// A piece that is parallel to the slicing planes to within this sine gets a tolerance that is
   /// divided by this sine. With the exact sine, level ground would be divided without end, although
   /// its paths lie on it anyway.
-  double least_sine = 0.05;
+  double min_sine = 0.05;
 };
 
 /// Returns an upper bound of the distance between the patch and chords between its points, measured

@@ -46,7 +46,7 @@ Eigen::Vector2d step_to_foot(const PatchJet& jet, const Vector3d& away, double u
 
 /// Returns a lower bound of the distance between the point and the patch: the least distance of its
 /// control points from the plane through the point that is perpendicular to the line from the foot.
-double least_distance(const BezierPatch& patch, const Vector3d& point, const Vector3d& foot) {
+double min_distance(const BezierPatch& patch, const Vector3d& point, const Vector3d& foot) {
   const Vector3d away = point - foot;
   const double length = away.norm();
   if (length == 0.0) return 0.0;
@@ -133,7 +133,7 @@ struct SurfaceDistance::Search {
     part.least = std::max(part.least, std::sqrt(box_of(part.shape).squaredExteriorDistance(point)));
     if (part.least > bound()) return;
     const Vector3d foot = try_foot(patch, part, 0.5, 0.5);
-    part.least = std::max(part.least, least_distance(part.shape, point, foot));
+    part.least = std::max(part.least, min_distance(part.shape, point, foot));
     if (part.least > bound() || part.divisions == kMaxDivisions) return;
     open.push_back(part);
     std::push_heap(open.begin(), open.end());

@@ -31,8 +31,8 @@ class CreaseGraph {
     return (places_[one].place - places_[other].place).norm();
   }
 
-  /// Links each end to the nearest end that is at most `most_mm` away and not already linked to it.
-  void bridge(double most_mm) {
+  /// Links each end to the nearest end that is at most `max_mm` away and not already linked to it.
+  void bridge(double max_mm) {
     std::vector<std::size_t> ends;
     for (std::size_t i = 0; i < links_.size(); ++i) {
       if (links_[i].size() <= 1) ends.push_back(i);
@@ -43,7 +43,7 @@ class CreaseGraph {
       for (const std::size_t other : ends) {
         const bool is_free = other != end && links_[other].size() <= 1 &&
                              std::ranges::find(links_[end], other) == links_[end].end();
-        if (!is_free || distance(end, other) > most_mm) continue;
+        if (!is_free || distance(end, other) > max_mm) continue;
         if (!nearest || distance(end, other) < distance(end, *nearest)) nearest = other;
       }
       if (nearest) link(end, *nearest);
@@ -90,16 +90,16 @@ class CreaseGrid {
  public:
   CreaseGrid(const Mesh& mesh, const CreaseFinder& finder, double pitch_mm)
       : finder_{finder}, pitch_mm_{pitch_mm} {
-    least_ = mesh.points.front().head<2>();
-    most_ = least_;
+    min_ = mesh.points.front().head<2>();
+    max_ = min_;
     for (const Eigen::Vector3d& point : mesh.points) {
-      least_ = least_.cwiseMin(point.head<2>());
-      most_ = most_.cwiseMax(point.head<2>());
+      min_ = min_.cwiseMin(point.head<2>());
+      max_ = max_.cwiseMax(point.head<2>());
     }
     // With this offset a valley along an axis does not run along the edges of the grid.
-    first_ = least_ - 0.37 * pitch_mm_ * Vector2d{1.0, 0.9};
-    columns_ = 2 + static_cast<std::size_t>(std::ceil((most_.x() - first_.x()) / pitch_mm_));
-    rows_ = 2 + static_cast<std::size_t>(std::ceil((most_.y() - first_.y()) / pitch_mm_));
+    first_ = min_ - 0.37 * pitch_mm_ * Vector2d{1.0, 0.9};
+    columns_ = 2 + static_cast<std::size_t>(std::ceil((max_.x() - first_.x()) / pitch_mm_));
+    rows_ = 2 + static_cast<std::size_t>(std::ceil((max_.y() - first_.y()) / pitch_mm_));
   }
 
   std::vector<CreaseLine> lines() {
@@ -128,7 +128,7 @@ class CreaseGrid {
     for (std::size_t i = 0; i < columns_; ++i) {
       const Vector2d place =
           first_ + pitch_mm_ * Vector2d{static_cast<double>(i), static_cast<double>(row)};
-      poses.push_back(finder_.pose_at(place.cwiseMax(least_).cwiseMin(most_)));
+      poses.push_back(finder_.pose_at(place.cwiseMax(min_).cwiseMin(max_)));
     }
     return poses;
   }
@@ -174,8 +174,8 @@ class CreaseGrid {
   const CreaseFinder& finder_;
   double pitch_mm_;
   /// Corner of the mesh's box; the borders of the box are edges, too.
-  Vector2d least_ = Vector2d::Zero();
-  Vector2d most_ = Vector2d::Zero();
+  Vector2d min_ = Vector2d::Zero();
+  Vector2d max_ = Vector2d::Zero();
   Vector2d first_ = Vector2d::Zero();
   std::size_t columns_ = 0;
   std::size_t rows_ = 0;

@@ -83,7 +83,7 @@ std::vector<IsoLine> lines_at(const DistanceMap& distances, double value_mm) {
 }
 
 LevelLoop loop_of(const DistanceMap& distances, const IsoLine& line, double value_mm) {
-  constexpr double kLeastWay = 1.0e-6;
+  constexpr double kMinWay = 1.0e-6;
   const PlanGrid& grid = distances.grid();
   LevelLoop loop{.level = 0, .level_mm = value_mm, .places = {}, .is_closed = line.is_closed};
   for (const CrossedEdge& edge : line.edges) {
@@ -91,7 +91,7 @@ LevelLoop loop_of(const DistanceMap& distances, const IsoLine& line, double valu
     const double share = (value_mm - low) / (distances.at(edge.high) - low);
     const Vector2d from = grid.at(edge.low);
     const Vector2d place = from + share * (grid.at(edge.high) - from);
-    const bool is_same = !loop.places.empty() && (place - loop.places.back()).norm() < kLeastWay;
+    const bool is_same = !loop.places.empty() && (place - loop.places.back()).norm() < kMinWay;
     if (!is_same) loop.places.push_back(place);
   }
   return loop;
@@ -167,7 +167,7 @@ class LoopLayer {
 std::vector<LevelLoop> distance_loops(const SurfaceTracer& tracer,
                                       const TipGrid& tips,
                                       double step_mm,
-                                      double most_mm) {
+                                      double max_mm) {
   constexpr double kFirst = 0.25;  // Distance of the first line from the border, in steps.
   LoopLayer layer{tips};
   const DistanceMap distances{tips, border_sources(tracer, tips)};
@@ -181,10 +181,10 @@ std::vector<LevelLoop> distance_loops(const SurfaceTracer& tracer,
   }
   // Between straight lines a place is at most half a step from a line. At corners of lines places
   // may be farther. Further lines surround those that are too far.
-  const double middle = 0.5 * (0.5 * step_mm + most_mm);
+  const double middle = 0.5 * (0.5 * step_mm + max_mm);
   const DistanceMap left{tips, layer.beside()};
   const auto last = static_cast<std::size_t>(std::ceil(greatest / step_mm));
-  layer.add_round(left, middle, {most_mm, greatest + most_mm}, last + 1);
+  layer.add_round(left, middle, {max_mm, greatest + max_mm}, last + 1);
   return layer.take();
 }
 

@@ -117,8 +117,8 @@ class DistanceMap::March {
   }
 
   void lower(std::size_t node, double distance) {
-    constexpr double kLeastGain = 1.0e-9;
-    if (!(distance < map_.distances_[node] - kLeastGain)) return;
+    constexpr double kMinGain = 1.0e-9;
+    if (!(distance < map_.distances_[node] - kMinGain)) return;
     map_.distances_[node] = distance;
     front_.emplace(distance, node);
   }

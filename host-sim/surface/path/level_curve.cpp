@@ -36,10 +36,10 @@ class CurveFollower {
       : set_{set}, places_{places}, left_{is_low_left ? 1.0 : -1.0}, density_{density} {}
 
   std::vector<LevelCurve> run() {
-    constexpr std::size_t kMostPlacesAtOnce = 12;
+    constexpr std::size_t kMaxPlacesAtOnce = 12;
     // A short loop that ends where it begins is divided into at least two steps.
     const std::size_t at_once =
-        std::clamp((places_.size() - 1) / 2, std::size_t{1}, kMostPlacesAtOnce);
+        std::clamp((places_.size() - 1) / 2, std::size_t{1}, kMaxPlacesAtOnce);
     nodes_.push_back({places_.front(), tangent_after(0), tangent_after(0)});
     for (std::size_t done = 0; done + 1 < places_.size();) {
       done = std::min(done + at_once, places_.size() - 1);
@@ -84,7 +84,7 @@ class CurveFollower {
     const Pending next = pending_.back();
     const LevelNode& last = nodes_.back();
     const double length = (next.node.place - last.place).norm();
-    if (length <= density_.least_mm || follows(last, next.node)) return take(next);
+    if (length <= density_.min_mm || follows(last, next.node)) return take(next);
     if (next.place > place_ + 1) {
       pending_.push_back(node_at((place_ + next.place) / 2));
       return;
@@ -112,17 +112,16 @@ class CurveFollower {
   }
 
   void end_curve() {
-    if (nodes_.size() > 1) curves_.emplace_back(std::move(nodes_), density_.least_mm);
+    if (nodes_.size() > 1) curves_.emplace_back(std::move(nodes_), density_.min_mm);
     nodes_.clear();
   }
 
   [[nodiscard]] bool follows(const LevelNode& from, const LevelNode& to) const {
-    constexpr int kLeastLooks = 8;
+    constexpr int kMinLooks = 8;
     const double length = (to.place - from.place).norm();
     if (from.after.dot(to.place - from.place) <= 0.0) return false;
     if (to.before.dot(to.place - from.place) <= 0.0) return false;
-    const int looks =
-        std::max(kLeastLooks, static_cast<int>(std::ceil(length / density_.pitch_mm)));
+    const int looks = std::max(kMinLooks, static_cast<int>(std::ceil(length / density_.pitch_mm)));
     for (int i = 1; i < looks; ++i) {
       if (!is_on_set(cubic_at(from, to, static_cast<double>(i) / looks))) return false;
     }
@@ -167,7 +166,7 @@ CurveJet LevelCurve::at(std::size_t span, double share) const {
   const LevelNode& from = nodes_[span];
   const LevelNode& to = nodes_[span + 1];
   const Vector2d way = to.place - from.place;
-  if (way.norm() <= least_mm_) return {from.place + share * way, way, {0.0, 0.0}};
+  if (way.norm() <= min_mm_) return {from.place + share * way, way, {0.0, 0.0}};
   return cubic_at(from, to, share);
 }
 

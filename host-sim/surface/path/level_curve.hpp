@@ -23,9 +23,9 @@ struct LevelNode {
 class LevelCurve final : public cnc::contour::PlaneCurve {
  public:
   /// @param nodes nodes in order, at least two, all different
-  /// @param least_mm length below which spans are straight
-  LevelCurve(std::vector<LevelNode> nodes, double least_mm)
-      : nodes_{std::move(nodes)}, least_mm_{least_mm} {}
+  /// @param min_mm length below which spans are straight
+  LevelCurve(std::vector<LevelNode> nodes, double min_mm)
+      : nodes_{std::move(nodes)}, min_mm_{min_mm} {}
 
   [[nodiscard]] std::size_t span_count() const override { return nodes_.size() - 1; }
   [[nodiscard]] SpanRange all() const { return {0, span_count()}; }
@@ -35,7 +35,7 @@ class LevelCurve final : public cnc::contour::PlaneCurve {
 
  private:
   std::vector<LevelNode> nodes_;
-  double least_mm_;
+  double min_mm_;
 };
 
 /// Returns the curves along a row of places of a level set, in order. The curve is checked at

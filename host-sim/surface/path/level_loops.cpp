@@ -9,7 +9,7 @@ namespace {
 /// Distance below which a place is the same as the previous one.
 constexpr double kSameCrossing = 1.0e-6;
 /// Shorter loops are left out.
-constexpr double kLeastLoop = 1.0e-3;
+constexpr double kMinLoop = 1.0e-3;
 
 double length_of(const std::vector<Eigen::Vector2d>& places) {
   double length = 0.0;
@@ -67,7 +67,7 @@ std::vector<LevelLoop> loops_of(const LevelSet& set,
     if (line.is_closed && (loop.places.front() - loop.places.back()).norm() < kSameCrossing) {
       loop.places.pop_back();
     }
-    if (loop.places.size() > 1 && length_of(loop.places) > kLeastLoop) {
+    if (loop.places.size() > 1 && length_of(loop.places) > kMinLoop) {
       loops.push_back(std::move(loop));
     }
   }

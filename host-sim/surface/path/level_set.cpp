@@ -10,11 +10,11 @@ using Eigen::Vector2d;
 /// Divides the path by both heights, or halves it if the heights give little information: next to
 /// jumps, and whenever two samples have not halved the path.
 Vector2d LevelSet::crossing(Vector2d low, Vector2d high) const {
-  constexpr int kMostLooks = 200;
+  constexpr int kMaxLooks = 200;
   double below = above(low);
   double over = above(high);
   double halved = (high - low).norm();
-  for (int i = 1; i < kMostLooks; ++i) {
+  for (int i = 1; i < kMaxLooks; ++i) {
     const double length = (high - low).norm();
     if (length <= kExact || below == 0.0) break;
     double share = std::clamp(below / (below - over), 0.02, 0.98);

@@ -83,10 +83,10 @@ std::optional<SurfaceStretch> LoopLeads::lead(const LoopEnd& end, double sense) 
 
 std::optional<SurfaceStretch> LoopLeads::way_between(const Vector3d& from,
                                                      const Vector3d& to) const {
-  constexpr double kMostRadii = 1.5;
-  constexpr double kLeastWay = 1.0e-6;
+  constexpr double kMaxRadii = 1.5;
+  constexpr double kMinWay = 1.0e-6;
   const double length = (to - from).head<2>().norm();
-  if (length > kMostRadii * tracer_->grown_tool().radius_mm || to.z() > from.z()) return {};
+  if (length > kMaxRadii * tracer_->grown_tool().radius_mm || to.z() > from.z()) return {};
   if (!is_in_regions(from.head<2>(), to.head<2>())) return {};
   const auto looks = static_cast<int>(std::ceil(length / tracer_->density().pitch_mm)) + 1;
   for (int i = 0; i <= looks; ++i) {
@@ -94,7 +94,7 @@ std::optional<SurfaceStretch> LoopLeads::way_between(const Vector3d& from,
     if (!is_free(tip.head<2>(), tip.z() - lift_mm_)) return {};
   }
   Slice slice{.from = from.head<2>()};
-  if (length > kLeastWay) slice = slice_between(from.head<2>(), to.head<2>());
+  if (length > kMinWay) slice = slice_between(from.head<2>(), to.head<2>());
   return SurfaceStretch{
       .plane = slice,
       .use = StretchUse::kLink,

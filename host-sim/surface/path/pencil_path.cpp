@@ -28,9 +28,9 @@ double length_of(const CreaseLine& line) {
 
 /// Joins lines whose ends are within a distance of each other: a branch that was left out has
 /// divided them.
-void join_lines(std::vector<CreaseLine>& lines, double most_mm) {
-  const auto is_near = [most_mm](const CreasePlace& one, const CreasePlace& other) {
-    return (one.place - other.place).norm() <= most_mm;
+void join_lines(std::vector<CreaseLine>& lines, double max_mm) {
+  const auto is_near = [max_mm](const CreasePlace& one, const CreasePlace& other) {
+    return (one.place - other.place).norm() <= max_mm;
   };
   for (std::size_t i = 0; i < lines.size(); ++i) {
     for (std::size_t k = i + 1; k < lines.size();) {
@@ -60,13 +60,13 @@ double distance_to(const Vector2d& place, const Vector2d& from, const Vector2d& 
 
 /// Appends the places between two places of a line that the line needs to stay within a distance.
 void add_needed(
-    const PlanLine& line, std::size_t from, std::size_t to, double most_mm, PlanLine& out) {
+    const PlanLine& line, std::size_t from, std::size_t to, double max_mm, PlanLine& out) {
   std::vector<std::pair<std::size_t, std::size_t>> pending{{from, to}};
   while (!pending.empty()) {
     const auto [first, last] = pending.back();
     pending.pop_back();
     std::size_t farthest = first;
-    double distance = most_mm;
+    double distance = max_mm;
     for (std::size_t i = first + 1; i < last; ++i) {
       const double beside = distance_to(line[i], line[first], line[last]);
       if (beside <= distance) continue;
@@ -83,12 +83,12 @@ void add_needed(
 }
 
 /// Returns a line with fewer places that stays within a distance of all places.
-PlanLine simplified(const PlanLine& line, double most_mm) {
+PlanLine simplified(const PlanLine& line, double max_mm) {
   PlanLine out{line.front()};
   // A closed line has no chord between its ends, so that it is divided in the middle.
   const std::size_t middle = line.size() / 2;
-  if (middle > 0) add_needed(line, 0, middle, most_mm, out);
-  add_needed(line, middle, line.size() - 1, most_mm, out);
+  if (middle > 0) add_needed(line, 0, middle, max_mm, out);
+  add_needed(line, middle, line.size() - 1, max_mm, out);
   return out;
 }
 
@@ -175,13 +175,13 @@ class PencilDriver {
  private:
   void drive(const PlanLine& line) {
     for (std::size_t i = 1; i < line.size(); ++i) {
-      if ((line[i] - line[i - 1]).norm() < kLeastPiece) continue;
+      if ((line[i] - line[i - 1]).norm() < kMinPiece) continue;
       const Slice slice = slice_between(line[i - 1], line[i]);
       const SliceParts parts = common_parts(options_.regions, slice, tracer_.parts_over(slice));
       for (const auto& [begin, end] : parts) {
-        if (begin > kLeastPiece) end_run();
+        if (begin > kMinPiece) end_run();
         path_.stretches.push_back(tracer_.trace(slice, begin, end, StretchUse::kRow));
-        if (end < slice.length - kLeastPiece) end_run();
+        if (end < slice.length - kMinPiece) end_run();
       }
       if (parts.empty()) end_run();
     }
@@ -194,7 +194,7 @@ class PencilDriver {
     path_.runs.push_back({path_.stretches.size(), stock_top_mm_});
   }
 
-  static constexpr double kLeastPiece = 1.0e-3;
+  static constexpr double kMinPiece = 1.0e-3;
 
   const RowOptions& options_;
   SurfaceTracer tracer_;
@@ -212,8 +212,8 @@ PencilPath pencil_path(const Mesh& mesh, const RowOptions& options, const Pencil
   const double pitch = kGridShare * options.tool.radius_mm;
   std::vector<CreaseLine> found = crease_lines(mesh, finder, pitch);
   PencilPath result;
-  result.left_out = std::erase_if(
-      found, [&](const CreaseLine& line) { return length_of(line) < pencil.least_mm; });
+  result.left_out =
+      std::erase_if(found, [&](const CreaseLine& line) { return length_of(line) < pencil.min_mm; });
   join_lines(found, 0.1 * pitch);
   std::vector<PlanLine> lines;
   lines.reserve(found.size());

@@ -9,7 +9,7 @@ namespace sim::surface {
 /// Selects the valleys that a pencil path follows.
 struct PencilOptions {
   double angle_rad = 0.35;  ///< Minimum angle between the normals of both sides; above 0.
-  double least_mm = 1.0;    ///< Minimum length of a line; shorter lines are left out.
+  double min_mm = 1.0;      ///< Minimum length of a line; shorter lines are left out.
 };
 
 /// A path along valleys, and the number of lines that were too short.

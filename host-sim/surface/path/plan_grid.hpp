@@ -12,13 +12,13 @@ namespace sim::surface {
 class PlanGrid {
  public:
   /// Maximum number of nodes, for the memory of a common computer.
-  static constexpr double kMostNodes = 4.0e7;
+  static constexpr double kMaxNodes = 4.0e7;
 
   /// Lays the grid over the box of a surface in plan.
   /// @param margin_mm distance by which the grid is larger on all sides
-  /// @param most_pitch_mm greatest distance between two nodes along X and along Y, above 0
-  /// Throws std::invalid_argument for more than kMostNodes nodes.
-  PlanGrid(const Mesh& mesh, double margin_mm, double most_pitch_mm);
+  /// @param max_pitch_mm greatest distance between two nodes along X and along Y, above 0
+  /// Throws std::invalid_argument for more than kMaxNodes nodes.
+  PlanGrid(const Mesh& mesh, double margin_mm, double max_pitch_mm);
 
   [[nodiscard]] std::size_t columns() const { return columns_; }
   [[nodiscard]] std::size_t rows() const { return rows_; }
@@ -35,11 +35,11 @@ class PlanGrid {
   }
   [[nodiscard]] Eigen::Vector2d at(std::size_t column, std::size_t row) const {
     const Eigen::Vector2d cells{static_cast<double>(column), static_cast<double>(row)};
-    return least_ + cells.cwiseProduct(pitch_);
+    return min_ + cells.cwiseProduct(pitch_);
   }
   /// Returns whether a place is inside the rectangle or on its border.
   [[nodiscard]] bool holds(const Eigen::Vector2d& place) const {
-    const Eigen::Array2d inside = place - least_;
+    const Eigen::Array2d inside = place - min_;
     const Eigen::Array2d rest = at(columns_ - 1, rows_ - 1) - place;
     return inside.minCoeff() >= 0.0 && rest.minCoeff() >= 0.0;
   }
@@ -51,7 +51,7 @@ class PlanGrid {
   }
 
  private:
-  Eigen::Vector2d least_ = Eigen::Vector2d::Zero();
+  Eigen::Vector2d min_ = Eigen::Vector2d::Zero();
   Eigen::Vector2d pitch_ = Eigen::Vector2d::Zero();
   std::size_t columns_ = 0;
   std::size_t rows_ = 0;

@@ -14,7 +14,7 @@ using Eigen::Vector3d;
 /// Height of the ramp above the run, mm. Lines of the ramp leave arcs by less than this.
 constexpr double kAboveMm = 0.02;
 /// Minimum length in plan of a run for a ramp, mm.
-constexpr double kLeastLengthMm = 0.2;
+constexpr double kMinLengthMm = 0.2;
 
 /// A place of the run, and its distance in plan along the run.
 struct RampPlace {
@@ -24,7 +24,7 @@ struct RampPlace {
 
 /// Adds places of a stretch up to a distance in plan. Lines between the places leave the stretch's
 /// arcs by at most half of kAboveMm.
-void add_places(const SurfaceStretch& stretch, double most_way, std::vector<RampPlace>& places) {
+void add_places(const SurfaceStretch& stretch, double max_way, std::vector<RampPlace>& places) {
   for (std::size_t i = 0; i + 1 < stretch.vertices.size(); ++i) {
     const ContourVertex& from = stretch.vertices[i];
     const ContourVertex& to = stretch.vertices[i + 1];
@@ -36,9 +36,9 @@ void add_places(const SurfaceStretch& stretch, double most_way, std::vector<Ramp
       const cut::Place seen = cut::place_at(stroke, part / parts);
       const Vector3d tip = stretch.place_of({seen.x(), seen.y(), 0.0});
       const double step = (tip - last.tip).head<2>().norm();
-      const double left = most_way - last.way;
+      const double left = max_way - last.way;
       if (step >= left) {
-        places.push_back({last.tip + left / step * (tip - last.tip), most_way});
+        places.push_back({last.tip + left / step * (tip - last.tip), max_way});
         return;
       }
       places.push_back({tip, last.way + step});
@@ -47,11 +47,11 @@ void add_places(const SurfaceStretch& stretch, double most_way, std::vector<Ramp
 }
 
 /// Returns places of a run up to a distance in plan, or of the whole run.
-std::vector<RampPlace> places_up_to(std::span<const SurfaceStretch> run, double most_way) {
+std::vector<RampPlace> places_up_to(std::span<const SurfaceStretch> run, double max_way) {
   std::vector<RampPlace> places{{run.front().start(), 0.0}};
   for (const SurfaceStretch& stretch : run) {
-    if (places.back().way >= most_way) break;
-    add_places(stretch, most_way, places);
+    if (places.back().way >= max_way) break;
+    add_places(stretch, max_way, places);
   }
   return places;
 }
@@ -64,7 +64,7 @@ std::vector<Vector3d> ramp_entry(std::span<const SurfaceStretch> run, double top
   const double half = 0.5 * depth / slope;
   const std::vector<RampPlace> places = places_up_to(run, half);
   const double reach = places.back().way;
-  if (reach < std::min(kLeastLengthMm, half)) return {};
+  if (reach < std::min(kMinLengthMm, half)) return {};
   const double turns = std::ceil(half / reach - 1.0e-9);
   const double whole = 2.0 * turns * reach;
   std::vector<Vector3d> ramp;

@@ -190,14 +190,14 @@ class RoughPlanner {
 
   /// Adds the part of a row that is at the row's level.
   void add_row(const RoughArea& area, std::size_t row, SlotFinder& slots) {
-    constexpr double kLeastMm = 1.0e-9;
+    constexpr double kMinMm = 1.0e-9;
     const std::size_t first = path_.stretches.size();
     const auto rows = area.rows.path();
     for (std::uint32_t i = rows.row_begin(row); i + 1 < rows.row_ends[row]; ++i) {
       const auto& from = area.rows.points[i];
       const auto& to = area.rows.points[i + 1];
       const bool is_level = std::max(from.z, to.z) < -0.5 * kRowDepthMm;
-      if (!is_level || (to.point() - from.point()).norm() < kLeastMm) continue;
+      if (!is_level || (to.point() - from.point()).norm() < kMinMm) continue;
       const ContourVertex start{from.x, from.y, from.bulge};
       const ContourVertex stop{to.x, to.y, 0.0};
       const StretchUse use = slots.use_of(start, stop);

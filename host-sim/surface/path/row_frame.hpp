@@ -23,20 +23,20 @@ class RowFrame {
   RowFrame(const Mesh& mesh, double angle_rad, double margin_mm)
       : along_{direction_of(angle_rad)},
         across_{-along_.y(), along_.x()},
-        least_{Eigen::Vector2d::Constant(std::numeric_limits<double>::infinity())},
-        most_{-least_} {
+        min_{Eigen::Vector2d::Constant(std::numeric_limits<double>::infinity())},
+        max_{-min_} {
     for (const Eigen::Vector3d& point : mesh.points) {
       const Eigen::Vector2d seen{along_.dot(point.head<2>()), across_.dot(point.head<2>())};
-      least_ = least_.cwiseMin(seen);
-      most_ = most_.cwiseMax(seen);
+      min_ = min_.cwiseMin(seen);
+      max_ = max_.cwiseMax(seen);
     }
-    least_.array() -= margin_mm;
-    most_.array() += margin_mm;
+    min_.array() -= margin_mm;
+    max_.array() += margin_mm;
   }
 
-  [[nodiscard]] double first_row() const { return least_.y(); }
-  [[nodiscard]] double last_row() const { return most_.y(); }
-  [[nodiscard]] RowPart whole(double row) const { return {row, least_.x(), most_.x()}; }
+  [[nodiscard]] double first_row() const { return min_.y(); }
+  [[nodiscard]] double last_row() const { return max_.y(); }
+  [[nodiscard]] RowPart whole(double row) const { return {row, min_.x(), max_.x()}; }
 
   [[nodiscard]] Eigen::Vector2d at(double way, double row) const {
     return way * along_ + row * across_;
@@ -70,8 +70,8 @@ class RowFrame {
 
   Eigen::Vector2d along_;
   Eigen::Vector2d across_;
-  Eigen::Vector2d least_;  ///< Least coordinates along and across the rows.
-  Eigen::Vector2d most_;
+  Eigen::Vector2d min_;  ///< Least coordinates along and across the rows.
+  Eigen::Vector2d max_;
 };
 
 }  // namespace sim::surface

@@ -18,7 +18,7 @@ namespace {
 using Eigen::Vector2d;
 
 /// Maximum length of a link over the surface, in steps; a farther row begins with a lift.
-constexpr double kMostLinkSteps = 4.0;
+constexpr double kMaxLinkSteps = 4.0;
 /// Share of the work for finding the parts of rows.
 constexpr double kSearchShare = 0.25;
 
@@ -59,8 +59,8 @@ class RowPlanner {
 
   /// Adds layers from the top of the stock downwards, until a layer has nothing to mill.
   void add_layers() {
-    constexpr int kMostLayers = 10'000;
-    for (int layer = 0; layer < kMostLayers; ++layer) {
+    constexpr int kMaxLayers = 10'000;
+    for (int layer = 0; layer < kMaxLayers; ++layer) {
       const std::size_t before = path_.stretches.size();
       const double bottom = stock_top_mm_ - options_.layer_mm;
       tracer_.set_layer(stock_top_mm_, bottom);
@@ -116,11 +116,11 @@ class RowPlanner {
 
   /// Adds those pieces of a part that are over the surface and in all regions.
   void add_parts(const RowPart& part, std::vector<RowPart>& parts) const {
-    constexpr double kLeastPart = 1.0e-3;
+    constexpr double kMinPart = 1.0e-3;
     const Slice slice = frame_.slice(part, false);
     for (const auto& [begin, end] :
          common_parts(options_.regions, slice, tracer_.parts_over(slice))) {
-      if (end - begin >= kLeastPart) {
+      if (end - begin >= kMinPart) {
         parts.push_back({part.row, part.begin + begin, part.begin + end});
       }
     }
@@ -181,15 +181,15 @@ class RowPlanner {
   /// Adds straight links between places if they are short and allowed. Returns whether it added
   /// them.
   bool links_over(const std::vector<Vector2d>& places) {
-    constexpr double kLeastLink = 1.0e-6;
+    constexpr double kMinLink = 1.0e-6;
     std::vector<Slice> slices;
     double length = 0.0;
     for (std::size_t i = 1; i < places.size(); ++i) {
-      if ((places[i] - places[i - 1]).norm() < kLeastLink) continue;
+      if ((places[i] - places[i - 1]).norm() < kMinLink) continue;
       slices.push_back(slice_between(places[i - 1], places[i]));
       length += slices.back().length;
     }
-    if (length > kMostLinkSteps * step_mm_) return false;
+    if (length > kMaxLinkSteps * step_mm_) return false;
     const auto may_link = [this](const Slice& slice) {
       const SliceParts parts = tracer_.parts_over(slice);
       return parts.size() == 1 && parts[0].second - parts[0].first > 0.999 * slice.length &&

@@ -12,15 +12,15 @@ namespace {
 
 /// Maximum number of halvings of the distance between rows: at vertical walls no number of rows is
 /// enough.
-constexpr int kMostHalvings = 7;
+constexpr int kMaxHalvings = 7;
 
 }  // namespace
 
 double level_step(const cnc::surface::Profile& tool, double scallop_mm) {
-  constexpr double kMostRadii = 1.6;
+  constexpr double kMaxRadii = 1.6;
   constexpr int kHalvings = 50;
   double low = 0.0;
-  double high = 0.5 * kMostRadii * tool.radius_mm;
+  double high = 0.5 * kMaxRadii * tool.radius_mm;
   for (int i = 0; i < kHalvings; ++i) {
     const double middle = 0.5 * (low + high);
     const double left = height_at(tool, middle) - tool.tip_mm;
@@ -156,7 +156,7 @@ std::vector<RowPart> ScallopRows::between(double low_row, double high_row) const
   while (!pending.empty()) {
     const Gap gap = pending.back();
     pending.pop_back();
-    if (gap.depth < kMostHalvings) divide(gap, pending, parts);
+    if (gap.depth < kMaxHalvings) divide(gap, pending, parts);
   }
   return parts;
 }

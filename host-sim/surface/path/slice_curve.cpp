@@ -72,7 +72,7 @@ class CurveBuilder {
   /// Accepts the nearest pending node if one cubic leads to it. Otherwise inserts a node before it.
   void settle() {
     const Cubic cubic{nodes_.back(), pending_.back(), density_.error_mm};
-    if (cubic.width() <= density_.least_mm || follows(cubic)) {
+    if (cubic.width() <= density_.min_mm || follows(cubic)) {
       nodes_.push_back(pending_.back());
       pending_.pop_back();
       return;
@@ -83,9 +83,9 @@ class CurveBuilder {
   [[nodiscard]] bool follows(const Cubic& cubic) {
     // The curve bends where the tool passes from facet to facet. Between two of eight samples its
     // error is at most twice the error at the samples.
-    constexpr int kLeastLooks = 8;
+    constexpr int kMinLooks = 8;
     const int looks =
-        std::max(kLeastLooks, static_cast<int>(std::ceil(cubic.width() / density_.pitch_mm)));
+        std::max(kMinLooks, static_cast<int>(std::ceil(cubic.width() / density_.pitch_mm)));
     const auto is_near_at = [&](int i) {
       const double along = cubic.from.along + cubic.width() * i / looks;
       return is_near(along, cubic.height_at(along));
@@ -128,16 +128,16 @@ SliceDensity density_for(const cnc::surface::Profile& profile, double error_mm) 
   if (profile.rise > 0.0) {
     pointed = 2.0 * error_mm * std::sqrt(1.0 + profile.rise * profile.rise) / profile.rise;
   }
-  return {.pitch_mm = std::max(round, pointed), .error_mm = error_mm, .least_mm = 0.25 * error_mm};
+  return {.pitch_mm = std::max(round, pointed), .error_mm = error_mm, .min_mm = 0.25 * error_mm};
 }
 
 SliceCurve::SliceCurve(SliceHeights& heights, double begin, double end, const SliceDensity& density)
     : nodes_{CurveBuilder{heights, density, begin, end}.build()},
       error_mm_{density.error_mm},
-      least_mm_{density.least_mm} {}
+      min_mm_{density.min_mm} {}
 
 bool SliceCurve::is_straight(std::size_t span) const {
-  return nodes_[span + 1].along - nodes_[span].along <= least_mm_;
+  return nodes_[span + 1].along - nodes_[span].along <= min_mm_;
 }
 
 cnc::contour::CurveJet SliceCurve::at(std::size_t span, double share) const {

@@ -13,7 +13,7 @@ struct SliceDensity {
   double pitch_mm = 0.1;  ///< Maximum distance between the places at which heights are sampled.
   /// Maximum error of the curve between those places, perpendicular to the curve.
   double error_mm = 1.0e-3;
-  double least_mm = 1.0e-4;  ///< Length up to which spans are straight: heights jump there.
+  double min_mm = 1.0e-4;  ///< Length up to which spans are straight: heights jump there.
 };
 
 /// Returns the density at which nothing between two places reaches into the tool by more than
@@ -51,7 +51,7 @@ class SliceCurve final : public cnc::contour::PlaneCurve {
 
   std::vector<Node> nodes_;
   double error_mm_;
-  double least_mm_;
+  double min_mm_;
 };
 
 }  // namespace sim::surface

@@ -13,7 +13,7 @@ using cnc::contour::FitMethod;
 namespace {
 
 /// A greater change of direction between two spans, in radians, is a corner and is kept.
-constexpr double kLeastCorner = 0.1;
+constexpr double kMinCorner = 0.1;
 
 cnc::WideVec2 direction_at(const cnc::contour::PlaneCurve& curve, std::size_t span, double share) {
   return curve.at(span, share).first.normalized();
@@ -22,7 +22,7 @@ cnc::WideVec2 direction_at(const cnc::contour::PlaneCurve& curve, std::size_t sp
 bool has_corner_before(const cnc::contour::PlaneCurve& curve, std::size_t span) {
   const cnc::WideVec2 before = direction_at(curve, span - 1, 1.0);
   const cnc::WideVec2 after = direction_at(curve, span, 0.0);
-  return before.dot(after) < std::cos(kLeastCorner);
+  return before.dot(after) < std::cos(kMinCorner);
 }
 
 }  // namespace
@@ -50,7 +50,7 @@ bool SliceFitter::fit_arcs_to(const cnc::contour::PlaneCurve& curve,
                               const SpanRange& spans,
                               double tolerance_mm,
                               std::vector<ContourVertex>& out) {
-  constexpr std::size_t kLeastRoom = 4'096;
+  constexpr std::size_t kMinRoom = 4'096;
   constexpr std::size_t kRoomOfSpan = 256;
   const cnc::contour::CurvePiece piece{.curve = &curve,
                                        .from = static_cast<double>(spans.from),
@@ -59,7 +59,7 @@ bool SliceFitter::fit_arcs_to(const cnc::contour::PlaneCurve& curve,
                                          .method = FitMethod::kFewest,
                                          .start = FitEnd::kPlace,
                                          .end = FitEnd::kPlace};
-  const std::size_t size = kLeastRoom + kRoomOfSpan * (spans.to - spans.from);
+  const std::size_t size = kMinRoom + kRoomOfSpan * (spans.to - spans.from);
   if (samples_.size() < size) {
     samples_.resize(size);
     links_.resize(size / 8);

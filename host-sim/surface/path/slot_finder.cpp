@@ -17,11 +17,11 @@ constexpr double kBeside = 0.75;
 /// Number of steps whose stock is not removed yet.
 constexpr std::size_t kStepsBehind = 4;
 /// Maximum number of cells. A larger area has larger cells, to save memory.
-constexpr double kMostCells = 4.0e7;
+constexpr double kMaxCells = 4.0e7;
 
 double cell_for(const pocket::StockBox& box, double radius_mm) {
   const double area = (box.x1 - box.x0) * (box.y1 - box.y0);
-  return std::max(kCell * radius_mm, std::sqrt(area / kMostCells));
+  return std::max(kCell * radius_mm, std::sqrt(area / kMaxCells));
 }
 
 std::size_t cells_along(double length_mm, double cell_mm) {

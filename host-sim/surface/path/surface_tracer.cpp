@@ -111,7 +111,7 @@ double SurfaceTracer::border(const Slice& slice, double over, double beside) con
 
 std::vector<std::pair<double, double>> SurfaceTracer::parts_over(const Slice& slice) const {
   if (has_floor_ && !layer_top_mm_) return {{0.0, slice.length}};
-  constexpr double kLeastPart = 1.0e-3;
+  constexpr double kMinPart = 1.0e-3;
   constexpr double kLooksPerRadius = 32.0;
   const auto looks =
       static_cast<int>(std::ceil(slice.length / tool_.profile.radius_mm * kLooksPerRadius)) + 1;
@@ -121,7 +121,7 @@ std::vector<std::pair<double, double>> SurfaceTracer::parts_over(const Slice& sl
   double begin = 0.0;
   PathHeights::Hint hint;
   const auto end_at = [&](double end) {
-    if (end - begin >= kLeastPart) parts.emplace_back(begin, end);
+    if (end - begin >= kMinPart) parts.emplace_back(begin, end);
   };
   for (int i = 0; i <= looks; ++i) {
     const double along = slice.length * i / looks;

@@ -14,7 +14,7 @@ namespace {
 
 /// Approximate number of cells of a block.
 constexpr double kBlockCells = 6.0e5;
-constexpr double kLeastBlockCellMm = 0.01;
+constexpr double kMinBlockCellMm = 0.01;
 
 stock::Pose pose_of(const Eigen::Vector3d& point) { return {point.x(), point.y(), point.z()}; }
 
@@ -34,7 +34,7 @@ stock::Stock block_for(const Mesh& mesh, const SurfacePath& path, const BlockOpt
                               .top = top,
                               .bottom = std::min(lowest, top) - below};
   const double usual = std::clamp(
-      std::sqrt(size.x() * size.y() / kBlockCells), kLeastBlockCellMm, stock::kGreatestCellMm);
+      std::sqrt(size.x() * size.y() / kBlockCells), kMinBlockCellMm, stock::kGreatestCellMm);
   const double cell = options.cell_mm.value_or(usual);
   std::string fault = fault_of(block, cell);
   if (fault.empty()) fault = fault_of_comparison(block, cell);

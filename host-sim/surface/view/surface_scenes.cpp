@@ -23,10 +23,10 @@ constexpr double kWirePx = 0.7;
 
 /// Returns rows and columns as lines; of large grids only every n-th one, with a note in the key.
 SpaceLines wire_of(const PointGrid& grid, const char* label, PictureKey& key) {
-  constexpr std::size_t kMostLines = 130;
+  constexpr std::size_t kMaxLines = 130;
   SpaceLines wire{.sample = {.colour = kWireColour, .width_px = kWirePx, .label = label},
                   .lines = {}};
-  const std::size_t stride = (std::max(grid.rows, grid.columns) + kMostLines - 1) / kMostLines;
+  const std::size_t stride = (std::max(grid.rows, grid.columns) + kMaxLines - 1) / kMaxLines;
   const auto is_drawn = [stride](std::size_t i, std::size_t count) {
     return i % stride == 0 || i + 1 == count;
   };
@@ -271,8 +271,8 @@ SpaceScene path_scene(const Mesh& mesh, const SurfacePath& path, double safe_mm)
 }
 
 SpaceScene carved_scene(const stock::Stock& block) {
-  constexpr std::size_t kMostPoints = 400'000;
-  const stock::HeightMap map{block, kMostPoints};
+  constexpr std::size_t kMaxPoints = 400'000;
+  const stock::HeightMap map{block, kMaxPoints};
   SpaceScene scene{.title = "Carved stock"};
   const auto columns = static_cast<std::size_t>(map.columns());
   const auto rows = static_cast<std::size_t>(map.rows());
@@ -291,7 +291,7 @@ SpaceScene carved_scene(const stock::Stock& block) {
   constexpr Colour kSide{0xb9, 0xbe, 0xc6};
   scene.colours.resize(scene.mesh.points.size(), kSide);
   const stock::VolumeBounds removed = block.removed();
-  scene.subtitle = fmt::format("{:.1f} to {:.1f} mm³ removed", removed.least_mm3, removed.most_mm3);
+  scene.subtitle = fmt::format("{:.1f} to {:.1f} mm³ removed", removed.min_mm3, removed.max_mm3);
   return scene;
 }
 

@@ -49,12 +49,12 @@ void BeamCarver::move(const BeamPose& from, const BeamPose& to) {
   // The side moves at `height` by at most kSwingErrorMm.
   const double lean = side + std::acos(std::min({1.0, from.axis.z(), to.axis.z()}));
   const double cosine = std::cos(std::min(lean, kSteepest));
-  const double most_turn = kSwingErrorMm / height * cosine * cosine;
+  const double max_turn = kSwingErrorMm / height * cosine * cosine;
   // A smaller turn comes from rounding of the axes.
-  constexpr double kLeastTurn = 1.0e-12;
+  constexpr double kMinTurn = 1.0e-12;
   const auto parts =
-      turn < kLeastTurn ? std::size_t{1} : static_cast<std::size_t>(turn / most_turn) + 1;
-  const double more = turn < kLeastTurn ? 0.0 : 0.5 * turn / static_cast<double>(parts);
+      turn < kMinTurn ? std::size_t{1} : static_cast<std::size_t>(turn / max_turn) + 1;
+  const double more = turn < kMinTurn ? 0.0 : 0.5 * turn / static_cast<double>(parts);
   const double slope = std::tan(side + more);
   for (std::size_t i = 0; i < parts; ++i) {
     const auto share = [parts](double part) { return part / static_cast<double>(parts); };

@@ -17,7 +17,7 @@ namespace {
 using Eigen::Vector3d;
 
 /// Minimum rise of an axis of length 1; with less the axis counts as horizontal.
-constexpr double kLeastRise = 1.0e-3;
+constexpr double kMinRise = 1.0e-3;
 
 /// Returns whether a line that is not a beam ends the stroke before it.
 bool ends_stroke(std::string_view line) {
@@ -36,7 +36,7 @@ std::optional<BeamPose> pose_of(std::string_view line, double depth_mm) {
   }
   const Vector3d axis{numbers[3], numbers[4], numbers[5]};
   const double length = axis.norm();
-  if (!words.next().empty() || !(axis.z() > kLeastRise * length) || !(numbers[6] >= 0.0)) return {};
+  if (!words.next().empty() || !(axis.z() > kMinRise * length) || !(numbers[6] >= 0.0)) return {};
   return BeamPose{{numbers[0], numbers[1], numbers[2]}, axis / length, numbers[6]};
 }
 

@@ -8,7 +8,7 @@
 namespace sim::wall {
 
 /// Maximum number of columns in the file of a carved body; finer columns are thinned out.
-inline constexpr std::size_t kMostMeshColumns = 250'000;
+inline constexpr std::size_t kMaxMeshColumns = 250'000;
 
 /// Writes the material that is left as a closed body of upright bars: binary PLY if the name ends
 /// in `.ply`, else binary STL. Throws std::system_error with the name of the file.

@@ -33,7 +33,7 @@ std::string Columns::fault_of(const stock::StockBox& box, double cell_mm) {
         box.top - box.bottom);
   }
   const double bytes = cells_along(width, cell_mm) * cells_along(depth, cell_mm) * sizeof(Span);
-  if (bytes <= static_cast<double>(kMostColumnBytes)) return {};
+  if (bytes <= static_cast<double>(kMaxColumnBytes)) return {};
   return fmt::format(
       "cells of {:g} mm on {:g} by {:g} mm take {:.0f} MB, and {} are the most; give "
       "larger ones",
@@ -41,7 +41,7 @@ std::string Columns::fault_of(const stock::StockBox& box, double cell_mm) {
       width,
       depth,
       bytes / (1 << 20),
-      kMostColumnBytes >> 20);
+      kMaxColumnBytes >> 20);
 }
 
 Columns::Columns(const stock::StockBox& box, double cell_mm)
@@ -68,11 +68,11 @@ Columns::Index Columns::add(const Span& span) {
     spans_[at] = span;
     return at;
   }
-  if ((spans_.size() + 1) * sizeof(Span) > kMostColumnBytes) {
+  if ((spans_.size() + 1) * sizeof(Span) > kMaxColumnBytes) {
     throw std::length_error(
         fmt::format("the columns of the stock have so many hollows that they take more than {} MB; "
                     "give larger cells",
-                    kMostColumnBytes >> 20));
+                    kMaxColumnBytes >> 20));
   }
   spans_.push_back(span);
   return static_cast<Index>(spans_.size() - 1);

@@ -11,7 +11,7 @@
 namespace sim::wall {
 
 /// Maximum number of bytes for the columns of a stock.
-inline constexpr std::size_t kMostColumnBytes = std::size_t{1} << 30;
+inline constexpr std::size_t kMaxColumnBytes = std::size_t{1} << 30;
 
 /// A block as upright columns through the middles of equal cells. Each column has the ranges of
 /// heights that are left of it, so that hollows below material are possible. A column takes 24
@@ -39,7 +39,7 @@ class Columns {
   [[nodiscard]] double top(int column, int row) const { return head(column, row).high; }
 
   /// Removes all heights of a range. Throws std::length_error if the columns need more than
-  /// kMostColumnBytes.
+  /// kMaxColumnBytes.
   void remove(int column, int row, const HeightRange& range);
 
   /// Calls `visit(range)` for each range that is left, from the highest one downwards.

@@ -66,14 +66,14 @@ std::vector<PlaneFacets> planes_of(const surface::Mesh& part) {
 }  // namespace
 
 std::vector<DrawnWall> drawn_walls(const surface::Mesh& part, const WallSearch& search) {
-  constexpr double kLeastCells = 5.0;
+  constexpr double kMinCells = 5.0;
   /// Share of the height that is left out at the top and at the bottom.
   constexpr double kRim = 0.1;
   std::vector<DrawnWall> walls;
   for (const PlaneFacets& plane : planes_of(part)) {
     const double low = std::max(plane.low_mm, search.low_mm);
     const double height = std::min(plane.high_mm, search.high_mm) - low;
-    if (height < kLeastCells * search.cell_mm) continue;
+    if (height < kMinCells * search.cell_mm) continue;
     const double angle = std::asin(plane.normal.z());
     const double slope = std::tan(angle);
     const Eigen::Vector2d outward = plane.normal.head<2>().normalized();

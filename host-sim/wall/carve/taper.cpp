@@ -35,7 +35,7 @@ std::optional<std::array<double, 3>> numbers_of_cut(std::string_view line) {
     if (!value || !(std::abs(*value) < 89.0)) return {};
     numbers[i] = *value;
   }
-  if (!words.next().empty() || numbers[2] < 0.0 || numbers[2] > kMostTaperGain) return {};
+  if (!words.next().empty() || numbers[2] < 0.0 || numbers[2] > kMaxTaperGain) return {};
   return numbers;
 }
 
@@ -98,7 +98,7 @@ TaperFit fit_taper(std::string_view cuts, double half_angle_deg, const std::stri
   }
   fit.rest_deg = std::sqrt(fit.rest_deg);
   fit.gain = fit.heat_deg / (fit.response * half_angle_deg);
-  if (!(fit.response > 0.0) || !(fit.gain >= 0.0 && fit.gain <= kMostTaperGain)) {
+  if (!(fit.response > 0.0) || !(fit.gain >= 0.0 && fit.gain <= kMaxTaperGain)) {
     surface::refuse(name,
                     0,
                     fmt::format("heat leans the walls by {:.3g} degrees, and a lean of the beam "

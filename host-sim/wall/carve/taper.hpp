@@ -23,7 +23,7 @@ struct TaperFit {
 };
 
 /// Maximum useful gain.
-inline constexpr double kMostTaperGain = 12.0;
+inline constexpr double kMaxTaperGain = 12.0;
 
 /// Fits heat and response to a text of measured walls by least squares. If the text has only one
 /// gain, the response is 1.
@@ -31,7 +31,7 @@ inline constexpr double kMostTaperGain = 12.0;
 /// the part is wider below, and the gain of the cut, 0 if left out
 /// @param name name of the text, for messages
 /// Throws std::invalid_argument for a line that is not a cut, if no cut can be used, if a greater
-/// gain makes no wall steeper, and for a gain beyond kMostTaperGain.
+/// gain makes no wall steeper, and for a gain beyond kMaxTaperGain.
 [[nodiscard]] TaperFit fit_taper(std::string_view cuts,
                                  double half_angle_deg,
                                  const std::string& name);

@@ -13,7 +13,7 @@ namespace {
 void add_to(WallReport::Figures& figures, const WallLean& lean, double drawn_deg) {
   const double off = lean.angle_deg - drawn_deg;
   ++figures.carved;
-  figures.most_off_deg = std::max(figures.most_off_deg, std::abs(off));
+  figures.max_off_deg = std::max(figures.max_off_deg, std::abs(off));
   figures.mean_off_deg += (off - figures.mean_off_deg) / static_cast<double>(figures.carved);
 }
 

@@ -17,7 +17,7 @@ struct WallReport {
   struct Figures {
     std::size_t carved = 0;     ///< Number of walls that can be measured.
     std::size_t missing = 0;    ///< Number of walls at which nothing was carved.
-    double most_off_deg = 0.0;  ///< Greatest difference from the drawn angle.
+    double max_off_deg = 0.0;   ///< Greatest difference from the drawn angle.
     double mean_off_deg = 0.0;  ///< Mean difference from the drawn angle, with its sign.
   };
   std::vector<Figures> figures;  ///< Figures of each block.

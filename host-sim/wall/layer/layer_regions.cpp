@@ -35,14 +35,14 @@ LayerRegions::LayerRegions(const surface::Mesh& part, const LayerOptions& option
   const double deepest = top_mm_ - bottom;
   const double depth = options.depth_mm > 0.0 ? std::min(options.depth_mm, deepest) : deepest;
   const double layers = std::floor((depth + kFloorMm) / options.layer_mm);
-  if (layers > static_cast<double>(kMostLayers)) {
+  if (layers > static_cast<double>(kMaxLayers)) {
     throw std::invalid_argument(
         fmt::format("--layer: {:g} mm are {:.0f} layers in {:g} mm, more than {}; give a thicker "
                     "layer or a --depth",
                     options.layer_mm,
                     layers,
                     depth,
-                    kMostLayers));
+                    kMaxLayers));
   }
   count_ = static_cast<std::size_t>(layers);
   shadow_ = std::make_unique<FallingShadow>(part, stock_);

@@ -35,14 +35,14 @@ struct Layer {
 /// count as on it. Places are on a grid of a nanometre, or on a coarser grid for parts above 1 m.
 class LayerRegions {
  public:
-  /// Throws std::invalid_argument for more than kMostLayers layers.
+  /// Throws std::invalid_argument for more than kMaxLayers layers.
   /// @param part the part; it outlives this object
   LayerRegions(const surface::Mesh& part, const LayerOptions& options);
   LayerRegions(const LayerRegions&) = delete;
   LayerRegions& operator=(const LayerRegions&) = delete;
   ~LayerRegions();
 
-  static constexpr std::size_t kMostLayers = 100'000;
+  static constexpr std::size_t kMaxLayers = 100'000;
 
   [[nodiscard]] std::size_t count() const { return count_; }
   [[nodiscard]] const Eigen::AlignedBox2d& stock() const { return stock_; }

@@ -21,7 +21,7 @@ namespace {
 using Eigen::Vector2d;
 
 /// Lines shorter than this are left out, mm.
-constexpr double kLeastMm = 1.0e-5;
+constexpr double kMinMm = 1.0e-5;
 /// Distance within which places count as on the border of the stock, mm.
 constexpr double kBorderMm = 1.0e-5;
 
@@ -67,7 +67,7 @@ void add_lines(const pocket::OwnedArea& area,
     const double row = number * hatch_mm;
     if (row <= box.y0) continue;
     for (const pocket::Stretch& stretch : pocket::stretches_at(area, row)) {
-      if (stretch.to_x - stretch.from_x < kLeastMm) continue;
+      if (stretch.to_x - stretch.from_x < kMinMm) continue;
       lines.push_back({row, stretch.from_x, stretch.to_x});
     }
   }

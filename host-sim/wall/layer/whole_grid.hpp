@@ -13,9 +13,9 @@ class WholeGrid {
  public:
   explicit WholeGrid(const Eigen::AlignedBox2d& stock) : middle_{stock.center()} {
     constexpr double kNanometre = 1.0e-6;
-    constexpr double kMost = 0x1.0p+30;
+    constexpr double kMax = 0x1.0p+30;
     const double reach = 0.5 * stock.sizes().maxCoeff() + 1.0;
-    while (reach > kMost * step_ * kNanometre) step_ *= 2.0;
+    while (reach > kMax * step_ * kNanometre) step_ *= 2.0;
     step_ *= kNanometre;
   }
 

@@ -21,9 +21,9 @@ Beam BeamFinder::beam_along(const TipBeam& beam) const {
   return solid;
 }
 
-double BeamFinder::upright_clearance(const Vector3d& tip, double most_mm) const {
-  const auto nearest = obstacles_->nearest(beam_along({.tip = tip}), most_mm);
-  return nearest ? nearest->clearance_mm : most_mm;
+double BeamFinder::upright_clearance(const Vector3d& tip, double max_mm) const {
+  const auto nearest = obstacles_->nearest(beam_along({.tip = tip}), max_mm);
+  return nearest ? nearest->clearance_mm : max_mm;
 }
 
 bool BeamFinder::is_clear(const TipBeam& beam, double depth_mm) const {
@@ -32,7 +32,7 @@ bool BeamFinder::is_clear(const TipBeam& beam, double depth_mm) const {
 
 std::optional<TipBeam> BeamFinder::leaning_by(const Vector3d& tip, double half) const {
   const auto beam =
-      least_tilt(*touched_, tip, {.half_angle_rad = half, .most_rad = rules_.tilt.most_rad});
+      least_tilt(*touched_, tip, {.half_angle_rad = half, .max_rad = rules_.tilt.max_rad});
   if (!beam) return {};
   return TipBeam{.tip = tip, .axis = beam->axis};
 }
@@ -75,7 +75,7 @@ std::optional<TipBeam> BeamFinder::nearest_to(const Vector3d& axis, const Vector
 
 /// Returns the beam for the greatest half angle that some axis clears, with the difference to the
 /// required half angle. Returns the upright beam if no axis clears any half angle.
-TipBeam BeamFinder::least_overlap(const Vector3d& tip) const {
+TipBeam BeamFinder::min_overlap(const Vector3d& tip) const {
   const double whole = rules_.tilt.half_angle_rad;
   TipBeam best{.tip = tip, .left_rad = whole};
   double low = 0.0;
@@ -94,7 +94,7 @@ std::optional<TipBeam> BeamFinder::leaning(const Vector3d& tip) const {
   if (!rules_.avoids) return upright;
   std::optional<TipBeam> beam = leaning_by(tip, rules_.tilt.half_angle_rad);
   if (beam && rules_.waist_mm > 0.0) beam = clear_of_waist(*beam);
-  if (!beam && rules_.allows_overlap) return least_overlap(tip);
+  if (!beam && rules_.allows_overlap) return min_overlap(tip);
   return beam;
 }
 

@@ -38,9 +38,9 @@ class BeamFinder {
 
   [[nodiscard]] const BeamRules& rules() const { return rules_; }
 
-  /// Returns the clearance of the upright beam from all obstacles, at most `most_mm`. It is below 0
+  /// Returns the clearance of the upright beam from all obstacles, at most `max_mm`. It is below 0
   /// if the beam meets an obstacle.
-  [[nodiscard]] double upright_clearance(const Eigen::Vector3d& tip, double most_mm) const;
+  [[nodiscard]] double upright_clearance(const Eigen::Vector3d& tip, double max_mm) const;
 
   /// Returns the beam of least tilt; nothing if the tip is out of reach.
   [[nodiscard]] std::optional<TipBeam> leaning(const Eigen::Vector3d& tip) const;
@@ -57,7 +57,7 @@ class BeamFinder {
   [[nodiscard]] Beam beam_along(const TipBeam& beam) const;
   [[nodiscard]] std::optional<TipBeam> leaning_by(const Eigen::Vector3d& tip, double half) const;
   [[nodiscard]] std::optional<TipBeam> clear_of_waist(const TipBeam& beam) const;
-  [[nodiscard]] TipBeam least_overlap(const Eigen::Vector3d& tip) const;
+  [[nodiscard]] TipBeam min_overlap(const Eigen::Vector3d& tip) const;
 
   const Obstacles* obstacles_;
   const Obstacles* touched_;

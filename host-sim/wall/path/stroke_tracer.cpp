@@ -23,9 +23,9 @@ bool is_upright(const TipBeam& beam) { return beam.axis == Vector3d::UnitZ(); }
 
 }  // namespace
 
-StrokeTracer::Sample StrokeTracer::sample_at(const Vector3d& tip, double most_mm) const {
-  if (!finder_.rules().avoids) return {.tip = tip, .free_mm = most_mm, .beam = TipBeam{.tip = tip}};
-  const double clearance = finder_.upright_clearance(tip, most_mm);
+StrokeTracer::Sample StrokeTracer::sample_at(const Vector3d& tip, double max_mm) const {
+  if (!finder_.rules().avoids) return {.tip = tip, .free_mm = max_mm, .beam = TipBeam{.tip = tip}};
+  const double clearance = finder_.upright_clearance(tip, max_mm);
   if (clearance >= -kStrokeRoundingMm) {
     return {.tip = tip, .free_mm = std::max(0.0, clearance), .beam = TipBeam{.tip = tip}};
   }

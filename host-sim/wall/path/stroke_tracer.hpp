@@ -57,7 +57,7 @@ class StrokeTracer {
   using Samples = std::vector<Sample>;
   using Flags = std::vector<bool>;
 
-  [[nodiscard]] Sample sample_at(const Eigen::Vector3d& tip, double most_mm) const;
+  [[nodiscard]] Sample sample_at(const Eigen::Vector3d& tip, double max_mm) const;
   void add_side(const Eigen::Vector3d& from, const Eigen::Vector3d& to, Samples& samples) const;
   [[nodiscard]] bool turns_slowly(const Sample& from, const Sample& to) const;
   [[nodiscard]] bool is_clear_between(const Sample& from, const Sample& to) const;

@@ -170,9 +170,9 @@ void WallProgram::measure(const std::vector<TipBeam>& beams) {
   here_ = beams.back().tip;
   for (std::size_t i = 0; i < beams.size(); ++i) {
     const double tilt = lean_of(beams[i].axis);
-    figures_.most_tilt_rad = std::max(figures_.most_tilt_rad, tilt);
+    figures_.max_tilt_rad = std::max(figures_.max_tilt_rad, tilt);
     if (beams[i].left_rad > 0.0) ++figures_.overlaps;
-    figures_.most_overlap_rad = std::max(figures_.most_overlap_rad, beams[i].left_rad);
+    figures_.max_overlap_rad = std::max(figures_.max_overlap_rad, beams[i].left_rad);
     if (i == 0) continue;
     const double length = (beams[i].tip - beams[i - 1].tip).norm();
     const Vector3d& last = beams[i - 1].axis;
@@ -181,7 +181,7 @@ void WallProgram::measure(const std::vector<TipBeam>& beams) {
     figures_.burnt_mm += length;
     figures_.tilt_mm += 0.5 * length * (tilt + lean_of(last));
     if (length > 0.0) {
-      figures_.most_turn_rad_per_mm = std::max(figures_.most_turn_rad_per_mm, turn / length);
+      figures_.max_turn_rad_per_mm = std::max(figures_.max_turn_rad_per_mm, turn / length);
     }
   }
 }

@@ -30,10 +30,10 @@ struct BurnFigures {
   std::size_t overlaps = 0;  ///< Number of beams whose side is in the part.
   double burnt_mm = 0.0;
   double dark_mm = 0.0;  ///< Distance driven with the beam off, from run to run.
-  double most_tilt_rad = 0.0;
+  double max_tilt_rad = 0.0;
   double tilt_mm = 0.0;  ///< Sum of tilt times the length burnt with it, rad mm.
-  double most_overlap_rad = 0.0;
-  double most_turn_rad_per_mm = 0.0;
+  double max_overlap_rad = 0.0;
+  double max_turn_rad_per_mm = 0.0;
   /// Length on which the axis turns faster than the rate, so that the tip is slowed down.
   double slowed_mm = 0.0;
 };

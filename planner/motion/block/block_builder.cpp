@@ -72,8 +72,8 @@ float lay_out_turn(const Arc& arc, AxisVector& travel, Turn& turn) {
 /// Returns whether an arc is farther than a millionth of a nanometre from its chord. A flatter arc
 /// is driven as a line: its sweep and curvature would leave the range of a float.
 bool leaves_its_chord(float bulge, const Arc& arc) {
-  constexpr float kLeastSagitta = 1.0e-12F;  // mm
-  return std::abs(bulge) * arc.end().norm() > 2.0F * kLeastSagitta;
+  constexpr float kMinSagitta = 1.0e-12F;  // mm
+  return std::abs(bulge) * arc.end().norm() > 2.0F * kMinSagitta;
 }
 
 /// Returns the limit of v² on the whole block. It comes from the rates of the axes whose direction

@@ -45,13 +45,13 @@ class Pixels {
  public:
   /// More than the pixels of a braking from 300 mm/s at 5000 mm/s² and of 8 ms more, at 20,000
   /// pixels per second.
-  static constexpr std::size_t kMost = 1536;
+  static constexpr std::size_t kMax = 1536;
 
   /// Least number of driven pixels that are kept: those of 25 ms at 20,000 per second and of two
   /// rows.
   static constexpr std::size_t kKept = 640;
 
-  [[nodiscard]] std::size_t room() const { return size() < kMost ? kMost - size() : 0; }
+  [[nodiscard]] std::size_t room() const { return size() < kMax ? kMax - size() : 0; }
   [[nodiscard]] bool empty() const { return end_ == first_; }
   /// Return the number of the oldest pixel, and the number that the next pixel will get.
   [[nodiscard]] std::uint32_t first() const { return first_; }
@@ -102,7 +102,7 @@ class Pixels {
  private:
   /// Number of pixels that a row may push without free space, if there was some when the row began.
   static constexpr std::uint32_t kHeldBack = 2;
-  static constexpr std::uint32_t kStored = kMost + kKept + kHeldBack;
+  static constexpr std::uint32_t kStored = kMax + kKept + kHeldBack;
 
   [[nodiscard]] std::uint32_t size() const { return end_ - first_; }
   [[nodiscard]] std::uint32_t slot_of(std::uint32_t index) const {

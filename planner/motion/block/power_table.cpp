@@ -36,10 +36,10 @@ auto share_of_last(std::span<const PowerPoint> points) {
 }  // namespace
 
 Result<PowerTable, PowerTableError> PowerTable::make(std::span<const PowerPoint> points) {
-  if (points.size() > kMostPoints) return PowerTableError::kTooManyPoints;
+  if (points.size() > kMaxPoints) return PowerTableError::kTooManyPoints;
   PowerTable table;
   for (const PowerPoint& point : points) {
-    if (point.duty > PowerPoint::kFullDuty || point.milliwatts > PowerPoint::kMostMilliwatts) {
+    if (point.duty > PowerPoint::kFullDuty || point.milliwatts > PowerPoint::kMaxMilliwatts) {
       return PowerTableError::kBeyondRange;
     }
     if (point.duty == 0 && point.milliwatts > 0) return PowerTableError::kLightWithoutDuty;

@@ -13,7 +13,7 @@ namespace cnc::motion {
 /// values are exactly those that were entered.
 struct PowerPoint {
   static constexpr std::uint32_t kFullDuty = 10'000;
-  static constexpr std::uint32_t kMostMilliwatts = 10'000'000;
+  static constexpr std::uint32_t kMaxMilliwatts = 10'000'000;
 
   std::uint16_t duty = 0;  ///< Hundredths of a percent of full output.
   std::uint32_t milliwatts = 0;
@@ -35,7 +35,7 @@ enum class PowerTableError : std::uint8_t {
 /// S means the share of the last point's watts. Without points S is the duty.
 class PowerTable {
  public:
-  static constexpr std::size_t kMostPoints = 16;
+  static constexpr std::size_t kMaxPoints = 16;
 
   PowerTable() = default;
   [[nodiscard]] static Result<PowerTable, PowerTableError> make(std::span<const PowerPoint> points);
@@ -52,7 +52,7 @@ class PowerTable {
   bool operator==(const PowerTable&) const = default;
 
  private:
-  std::array<PowerPoint, kMostPoints> points_{};
+  std::array<PowerPoint, kMaxPoints> points_{};
   std::size_t count_ = 0;
 };
 
@@ -60,7 +60,7 @@ class PowerTable {
 struct BeamResponse {
   PowerTable table{};
   /// Least duty, 0…1, of a beam that follows the speed, while its S is not 0.
-  float least_duty = 0.0F;
+  float min_duty = 0.0F;
   bool operator==(const BeamResponse&) const = default;
 };
 

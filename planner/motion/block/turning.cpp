@@ -7,11 +7,11 @@
 namespace cnc::motion {
 
 float lag_of(float curvature, float acceleration, float window_s) {
-  constexpr float kMost = 0.35F;
+  constexpr float kMax = 0.35F;
   constexpr float kShare = 0.28F;
   constexpr float kStraight = 1.0e-6F;
   const float relative = std::max(curvature * acceleration * square(window_s), kStraight);
-  return window_s * std::min(kMost, kShare / std::sqrt(std::sqrt(relative)));
+  return window_s * std::min(kMax, kShare / std::sqrt(std::sqrt(relative)));
 }
 
 Turning Turning::of(float curvature, float acceleration) {

@@ -45,7 +45,7 @@ class MotionFilter {
   [[nodiscard]] PathUnits next_way(const Cell& newest, const Cell& oldest);
 
   TimeWindow window_{};
-  std::array<Cell, TimeWindow::kMostCells> cells_{};
+  std::array<Cell, TimeWindow::kMaxCells> cells_{};
   std::uint32_t oldest_ = 0;
 
   // The plan in the cell being filled.

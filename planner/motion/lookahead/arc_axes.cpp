@@ -26,13 +26,13 @@ float ArcAxes::greatest_acceleration() const {
 }
 
 float ArcAxes::left_along(const DirectionRange& directions, float normal, float share) const {
-  constexpr float kLeastShare = 1.0e-6F;
+  constexpr float kMinShare = 1.0e-6F;
   float left = 1.0e12F;
   for (const ArcAxis& axis : *this) {
     const float most = share * axis.acceleration;
     const AxisShares shares = directions.greatest_shares(axis.in_plane);
     const float used = shares.normal * normal;
-    const float tangent = std::max(shares.tangent, kLeastShare);
+    const float tangent = std::max(shares.tangent, kMinShare);
     left = std::min(left, std::sqrt(std::max(0.0F, square(most) - square(used))) / tangent);
   }
   return left;

@@ -48,7 +48,7 @@ ArcGrid ArcGrid::at_multiples(const ArcShape& arc, int split) {
       static_cast<int>(std::floor((arc.start_angle() + kSliver) / grid.spacing_)) + 1;
   const int last_multiple =
       static_cast<int>(std::ceil((arc.end_angle() - kSliver) / grid.spacing_)) - 1;
-  const int most = grid.fine() ? kMostFineSpans : kMostSpans;
+  const int most = grid.fine() ? kMaxFineSpans : kMaxSpans;
   grid.count_ = std::clamp(last_multiple - grid.first_multiple_ + 2, 1, most);
   return grid;
 }
@@ -61,12 +61,12 @@ ArcGrid ArcGrid::of_equal_spans(const ArcShape& arc) {
 }
 
 int ArcGrid::finest_split(const ArcShape& arc, float seconds) {
-  constexpr float kMostSplit = 16.0F;
+  constexpr float kMaxSplit = 16.0F;
   constexpr float kShortestSpan = 0.7e-3F;  // s.
-  const float most = std::min(seconds / kShortestSpan, static_cast<float>(kMostFineSpans - 2));
+  const float most = std::min(seconds / kShortestSpan, static_cast<float>(kMaxFineSpans - 2));
   constexpr float kRounding = 1.0e-3F;
   const float split = most / std::max(1.0F, arc.sweep() / kAngle) + kRounding;
-  return static_cast<int>(std::clamp(split, 1.0F, kMostSplit));
+  return static_cast<int>(std::clamp(split, 1.0F, kMaxSplit));
 }
 
 float ArcGrid::angle(const ArcShape& arc, int boundary) const {

@@ -15,8 +15,8 @@ class ArcGrid {
  public:
   static constexpr int kPerTurn = 96;
   static constexpr float kAngle = kTwoPi / static_cast<float>(kPerTurn);  ///< 3.75° in radians.
-  static constexpr int kMostSpans = kPerTurn / 2 + 2;
-  static constexpr int kMostFineSpans = 2 * kPerTurn + 2;  ///< Greatest count with a split above 1.
+  static constexpr int kMaxSpans = kPerTurn / 2 + 2;
+  static constexpr int kMaxFineSpans = 2 * kPerTurn + 2;  ///< Greatest count with a split above 1.
 
   ArcGrid() = default;
   /// Divides an arc at the multiples of kAngle / `split`. @pre arc.turns(), split ≥ 1
@@ -24,7 +24,7 @@ class ArcGrid {
   /// Divides an arc into equal spans of at most kAngle. @pre arc.turns()
   [[nodiscard]] static ArcGrid of_equal_spans(const ArcShape& arc);
   /// Returns the greatest split, at most 16, for which each span takes at least 0.7 ms and there
-  /// are at most kMostFineSpans spans.
+  /// are at most kMaxFineSpans spans.
   /// @param seconds the shortest time in which the arc can be driven
   [[nodiscard]] static int finest_split(const ArcShape& arc, float seconds);
 

@@ -17,8 +17,8 @@ namespace {
 /// measurements by steps.
 float margin_for(float angle) {
   constexpr float kRounding = 2.0e-4F;
-  constexpr float kLeast = 1.0e-3F;
-  return 1.0F - std::max(kLeast, kRounding + 0.625F * square(angle));
+  constexpr float kMin = 1.0e-3F;
+  return 1.0F - std::max(kMin, kRounding + 0.625F * square(angle));
 }
 
 }  // namespace
@@ -32,7 +32,7 @@ ArcLimits::ArcLimits(const Block& block,
   const TimeWindow& window = line.window();
   const float any_direction = axes_.acceleration_in_any_direction();
   plane_acceleration_ = any_direction * margin_for(ArcGrid::kAngle);
-  most_acceleration_ = plane_acceleration_;
+  max_acceleration_ = plane_acceleration_;
   turning_ = Turning::of(arc.curvature(), plane_acceleration_);
   limit_speed(arc, window);
   if (!window.filters()) return;
@@ -72,13 +72,13 @@ void ArcLimits::divide_between_turning_and_speed(const ArcShape& arc,
   constexpr float kRoom = 2.0F;
   const DirectionRange directions{arc.start_angle(), arc.end_angle()};
   const float margin = plane_acceleration_ / any_direction;
-  most_acceleration_ = axes_.left_along(directions, 0.0F, margin);
-  if (most_acceleration_ < plane_acceleration_ * kWorthIt) return;
+  max_acceleration_ = axes_.left_along(directions, 0.0F, margin);
+  if (max_acceleration_ < plane_acceleration_ * kWorthIt) return;
   const float met =
-      arc.plane_share() * std::sqrt(reachable_square) + 0.5F * most_acceleration_ * window_s;
+      arc.plane_share() * std::sqrt(reachable_square) + 0.5F * max_acceleration_ * window_s;
   const float speed = std::min(arc.plane_share() * std::sqrt(speed_square_), met);
   const float needed =
-      arc.curvature() * speed * std::max(speed, 3.0F * window_s * most_acceleration_);
+      arc.curvature() * speed * std::max(speed, 3.0F * window_s * max_acceleration_);
   const float normal = std::min(plane_acceleration_, kRoom * needed);
   const float along = axes_.left_along(directions, normal, margin);
   if (along < plane_acceleration_ * kWorthIt) return;
@@ -92,7 +92,7 @@ void ArcLimits::leave_margin(float spacing) {
   const bool many = many_directions();
   const float margin = margin_for(std::max(spacing, many ? 0.0F : reach_));
   const float all_square = axes_.scale_accelerations(margin);
-  if (many) most_acceleration_ = std::sqrt(all_square);
+  if (many) max_acceleration_ = std::sqrt(all_square);
 }
 
 Turning ArcLimits::turning_along_path(const ArcShape& arc) const {

@@ -33,7 +33,7 @@ class ArcLimits {
   [[nodiscard]] float plane_acceleration() const { return plane_acceleration_; }
   /// Returns the greatest acceleration within the plane, in mm/s², that would be possible without
   /// turning.
-  [[nodiscard]] float most_acceleration() const { return most_acceleration_; }
+  [[nodiscard]] float max_acceleration() const { return max_acceleration_; }
   /// Returns the shortest time, in s, in which the arc can be driven. The result holds only before
   /// leave_margin().
   [[nodiscard]] float shortest_time(const ArcShape& arc, float length) const;
@@ -59,7 +59,7 @@ class ArcLimits {
   Turning turning_{};
   float speed_square_ = 0.0F;        ///< The greatest v² in all directions.
   float plane_acceleration_ = 0.0F;  ///< mm/s².
-  float most_acceleration_ = 0.0F;   ///< mm/s².
+  float max_acceleration_ = 0.0F;    ///< mm/s².
   float reach_ = 0.0F;               ///< Radians.
 };
 

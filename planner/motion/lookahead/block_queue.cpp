@@ -61,7 +61,7 @@ void BlockQueue::clear(const AxisArray<StepPosition>& place) {
 namespace {
 
 /// Returns the greatest v² anywhere on a block, at the greatest pace that may hold.
-float most_square(const Spans& spans, const Block& block, const PlanTerms& terms) {
+float max_square(const Spans& spans, const Block& block, const PlanTerms& terms) {
   const SpeedCap greatest{block, terms.greatest};
   float most = 0.0F;
   for (int span = 0; span < spans.count(); ++span) {
@@ -78,7 +78,7 @@ LimitZone zone_of(const Spans& spans, const Block& block, const PlanTerms& terms
   for (int span = 0; span < spans.count(); ++span) {
     least = std::min(least, cap.square_within(spans.speed_limit_square(span)));
   }
-  LimitZone zone = spans.zone(most_square(spans, block, terms), block.reachable_square);
+  LimitZone zone = spans.zone(max_square(spans, block, terms), block.reachable_square);
   zone.speed_square = least;
   return zone;
 }
@@ -94,7 +94,7 @@ float reachable_after(Block& block,
   const Spans spans{block, limits, terms.window};
   const float most =
       before_square + 2.0F * kRounding * spans.greatest_acceleration() * block.length;
-  return std::min(most, most_square(spans, block, terms));
+  return std::min(most, max_square(spans, block, terms));
 }
 
 /// Computes the zones that later blocks impose on `block`. Returns false if these zones have

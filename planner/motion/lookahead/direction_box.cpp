@@ -29,7 +29,7 @@ bool DirectionBox::holds(float tangent, float normal) const {
   return true;
 }
 
-float DirectionBox::most_along() const {
+float DirectionBox::max_along() const {
   float most = kNoLength;
   for (const ArcAxis& axis : axes_) {
     const float own = std::abs(axis.in_plane.share(middle_));

@@ -14,7 +14,7 @@ class DirectionBox {
 
   [[nodiscard]] bool holds(float tangent, float normal) const;
   /// Returns the length of the longest vector along the tangent that the box holds.
-  [[nodiscard]] float most_along() const;
+  [[nodiscard]] float max_along() const;
 
  private:
   [[nodiscard]] float turned(float own, float other) const;

@@ -19,7 +19,7 @@ ManyDirectionLimits::ManyDirectionLimits(const ArcShape& arc,
       lag_{lag_of(arc.curvature(), limits.plane_acceleration(), window_s)} {}
 
 float ManyDirectionLimits::steepest(float most) const {
-  float high = std::min(most, box_.most_along() / arc_.plane_share());
+  float high = std::min(most, box_.max_along() / arc_.plane_share());
   if (holds(high)) return high;
   float low = std::min(high, left_in_any_direction());
   constexpr int kBisections = 5;

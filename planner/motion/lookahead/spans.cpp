@@ -37,7 +37,7 @@ LimitZone Spans::zone_on(int span) const {
 float Spans::greatest_acceleration() const {
   const ArcShape& arc = boundaries_.arc();
   if (!arc.turns()) return line_.acceleration();
-  return std::min(line_.acceleration(), arc_limits_.most_acceleration() / arc.plane_share());
+  return std::min(line_.acceleration(), arc_limits_.max_acceleration() / arc.plane_share());
 }
 
 LimitZone Spans::zone(float cap_square, float reachable_square) const {

@@ -20,13 +20,13 @@ namespace cnc::motion {
 class Spans {
  public:
   static constexpr int kGridPerTurn = ArcGrid::kPerTurn;
-  static constexpr int kMostSpans = ArcGrid::kMostSpans + ZoneEdges::kMost;
+  static constexpr int kMaxSpans = ArcGrid::kMaxSpans + ZoneEdges::kMax;
 
-  /// The fine grid has up to 16 spans in place of one, and at most kMostFineSpans in all. Each of
+  /// The fine grid has up to 16 spans in place of one, and at most kMaxFineSpans in all. Each of
   /// its spans takes at least 0.7 ms. It can use more of limits that change along the arc. With a
   /// time window there is no fine grid.
   enum class Grid : std::uint8_t { kUsual, kFine };
-  static constexpr int kMostFineSpans = ArcGrid::kMostFineSpans;
+  static constexpr int kMaxFineSpans = ArcGrid::kMaxFineSpans;
 
   Spans() = default;
   Spans(const Block& block,

@@ -47,9 +47,9 @@ float longest_rise(const Limits& limits, std::uint8_t axes) {
 /// Divides a window of `wanted_s`, at most kLongest, into cells. @pre wanted_s ≥ kShortest
 TimeWindow divided(float wanted_s) {
   const float seconds = std::min(wanted_s, kLongest);
-  constexpr auto kMost = static_cast<float>(TimeWindow::kMostCells);
+  constexpr auto kMax = static_cast<float>(TimeWindow::kMaxCells);
   const float cell = std::clamp(seconds / kWantedCells, kShortestCell, kLongestCell);
-  const float cells = std::min(kMost, std::ceil(seconds / cell));
+  const float cells = std::min(kMax, std::ceil(seconds / cell));
   return {.cells = static_cast<std::uint32_t>(cells),
           .cell_ns = static_cast<std::uint32_t>(std::ceil(seconds / cells * 1.0e9F))};
 }
@@ -103,8 +103,8 @@ TimeWindow WindowChoice::window(float share) const {
   if (longest < kShortest) return {};
   // In mm, less than any step. The rest of a halted path may be a hundred-millionth of a
   // millimetre.
-  constexpr float kLeastLength = 1.0e-4F;
-  const float by_length = bounded_cube_root(std::max(length_, kLeastLength) / (2.0F * jerk_));
+  constexpr float kMinLength = 1.0e-4F;
+  const float by_length = bounded_cube_root(std::max(length_, kMinLength) / (2.0F * jerk_));
   const float shortest = std::min(kShortestChosen, longest);
   const float of_one_move = std::clamp(std::min(rise_, by_length), shortest, longest);
   return divided(std::max(shortest, share * of_one_move));

@@ -16,7 +16,7 @@ namespace cnc::motion {
 /// down in less than the window T, the jerk of the motion stays within A / T. The motion takes T
 /// longer than the plan. The time-optimal motion with that jerk takes T longer, too.
 struct TimeWindow {
-  static constexpr std::uint32_t kMostCells = 64;
+  static constexpr std::uint32_t kMaxCells = 64;
 
   std::uint32_t cells = 0;
   std::uint32_t cell_ns = 0;

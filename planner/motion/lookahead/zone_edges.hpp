@@ -13,7 +13,7 @@ namespace cnc::motion {
 /// become one of a metre.
 class ZoneEdges {
  public:
-  static constexpr int kMost = 4;
+  static constexpr int kMax = 4;
 
   /// Adds the edges of all zones. @param length of the block in mm @pre there are no edges yet
   void add(const BlockZones& head, const BlockZones& tail, float length);
@@ -43,8 +43,8 @@ class ZoneEdges {
   void insert(float distance, float length);
 
   int count_ = 0;
-  std::array<float, kMost> distances_{};  ///< mm from the start, in order.
-  std::array<int, kMost> boundaries_{};   ///< Their numbers among the boundaries of the block.
+  std::array<float, kMax> distances_{};  ///< mm from the start, in order.
+  std::array<int, kMax> boundaries_{};   ///< Their numbers among the boundaries of the block.
 };
 
 }  // namespace cnc::motion

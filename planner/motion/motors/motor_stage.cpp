@@ -118,7 +118,7 @@ void MotorStage::lay_course(std::size_t axis, StepPosition tool) {
   course.from = course.to;
   course.to = StepPosition{tool.q32() + offset};
   course.way = to_steps(course.from, course.to);
-  const float most = setting_.most_steps_per_s[axis] * cell_seconds();
+  const float most = setting_.max_steps_per_s[axis] * cell_seconds();
   const float side = course.way < 0.0F ? -1.0F : 1.0F;
   const float way = side * course.way;
   const float mean = 0.5F * (side * before + way);

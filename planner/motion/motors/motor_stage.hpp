@@ -16,7 +16,7 @@ namespace cnc::motion {
 struct MotorStageSetting {
   AxisArray<ShaperSetting> shapers{};
   AxisArray<BacklashSetting> backlash{};
-  AxisArray<float> most_steps_per_s{};  ///< Greatest step rate of each motor.
+  AxisArray<float> max_steps_per_s{};  ///< Greatest step rate of each motor.
   /// True for a beam; a spindle turns before and after a motion.
   bool dark_at_rest = false;
   constexpr bool operator==(const MotorStageSetting&) const = default;

@@ -18,7 +18,7 @@ void OutputDelay::clear(std::uint32_t cells_held) {
   oldest_ = 0;
   count_ = 0;
   in_cell_ = 0;
-  most_joinable_ = kMostPieces - cells_held;
+  max_joinable_ = kMaxPieces - cells_held;
   tick_ = 0;
   pending_ = {};
   rate_ = {};
@@ -49,13 +49,13 @@ void OutputDelay::close_cell() {
 OutputPiece OutputDelay::take() {
   CNC_ASSERT(count_ > 0);
   const OutputPiece piece = pieces_[oldest_];
-  oldest_ = (oldest_ + 1) % kMostPieces;
+  oldest_ = (oldest_ + 1) % kMaxPieces;
   --count_;
   return piece;
 }
 
 void OutputDelay::append(const OutputPiece& piece) {
-  CNC_ASSERT(count_ < kMostPieces);
+  CNC_ASSERT(count_ < kMaxPieces);
   ++count_;
   ++in_cell_;
   pieces_[newest()] = piece;
@@ -64,7 +64,7 @@ void OutputDelay::append(const OutputPiece& piece) {
 
 bool OutputDelay::joins(const OutputPiece& piece) const {
   if (in_cell_ == 0) return false;
-  if (count_ >= most_joinable_) return true;
+  if (count_ >= max_joinable_) return true;
   if (piece.outputs.any()) return false;
   const OutputPiece& before = pieces_[newest()];
   const bool is_even = before.constant() && piece.constant() && before.start == piece.start;

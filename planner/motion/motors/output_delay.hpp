@@ -30,10 +30,10 @@ struct OutputPiece {
 /// piece, too.
 class OutputDelay {
  public:
-  static constexpr std::size_t kMostPieces = 384;
+  static constexpr std::size_t kMaxPieces = 384;
 
   /// Forgets all pieces.
-  /// @param cells_held number of cells from planning to output, at most kMostPlaces
+  /// @param cells_held number of cells from planning to output, at most kMaxPlaces
   void clear(std::uint32_t cells_held);
 
   /// Adds the output of a slice, up to `end_tick` of the cell being filled.
@@ -49,22 +49,22 @@ class OutputDelay {
   [[nodiscard]] OutputPiece take();
 
  private:
-  [[nodiscard]] std::size_t newest() const { return (oldest_ + count_ - 1) % kMostPieces; }
+  [[nodiscard]] std::size_t newest() const { return (oldest_ + count_ - 1) % kMaxPieces; }
   void append(const OutputPiece& piece);
   [[nodiscard]] bool joins(const OutputPiece& piece) const;
   void join(const OutputPiece& piece);
 
-  std::array<OutputPiece, kMostPieces> pieces_{};
+  std::array<OutputPiece, kMaxPieces> pieces_{};
   std::size_t oldest_ = 0;
   std::size_t count_ = 0;
-  std::size_t in_cell_ = 0;        ///< Number of pieces in the cell being filled.
-  std::size_t most_joinable_ = 0;  ///< From this count on, all pieces of a cell are joined.
-  std::uint32_t tick_ = 0;         ///< Tick up to which the cell is filled.
-  OutputChanges pending_{};        ///< Changes of slices shorter than a tick.
+  std::size_t in_cell_ = 0;       ///< Number of pieces in the cell being filled.
+  std::size_t max_joinable_ = 0;  ///< From this count on, all pieces of a cell are joined.
+  std::uint32_t tick_ = 0;        ///< Tick up to which the cell is filled.
+  OutputChanges pending_{};       ///< Changes of slices shorter than a tick.
   SegmentRate rate_{};
 };
 
-static_assert(2 * ShaperGrid::kMostPlaces <= OutputDelay::kMostPieces,
+static_assert(2 * ShaperGrid::kMaxPlaces <= OutputDelay::kMaxPieces,
               "each cell on the way has room for a piece, and as many again");
 
 }  // namespace cnc::motion

@@ -37,7 +37,7 @@ class PlaceHistory {
   }
 
  private:
-  static constexpr std::size_t kCells = ShaperGrid::kMostPlaces;
+  static constexpr std::size_t kCells = ShaperGrid::kMaxPlaces;
 
   std::array<Places, kCells> ring_{};
   std::size_t newest_ = 0;  ///< Index of the newest positions; older ones follow.

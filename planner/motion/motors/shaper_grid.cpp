@@ -25,7 +25,7 @@ TimeReach reach_of(const ShaperImpulses& impulses) {
 std::uint32_t cell_ticks_for(const AxisArray<ShaperSetting>& settings, const TimeReach& reach) {
   constexpr float kCellsPerPeriod = 24.0F;
   // Each end of the reach may lie between two cells, so that both of these are needed.
-  constexpr auto kCells = static_cast<float>(ShaperGrid::kMostPlaces - 4);
+  constexpr auto kCells = static_cast<float>(ShaperGrid::kMaxPlaces - 4);
   float cell = ShaperGrid::kLongestCell;
   for (const ShaperSetting& setting : settings) {
     if (setting.kind == ShaperKind::kNone) continue;

@@ -15,12 +15,12 @@ namespace cnc::motion {
 /// An impulse between two cells is shared by both, so that the mean delay is kept. At a frequency
 /// f, sharing weakens the impulse by at most (2π f · cell)² / 8.
 struct ShaperTaps {
-  static constexpr std::size_t kMost = 2 * ShaperImpulses::kMost;
+  static constexpr std::size_t kMax = 2 * ShaperImpulses::kMax;
   static constexpr std::int32_t kOne = std::int32_t{1} << 30;
 
   std::size_t count = 1;
-  std::array<std::uint32_t, kMost> age{};
-  std::array<std::int32_t, kMost> weight_q30{kOne};
+  std::array<std::uint32_t, kMax> age{};
+  std::array<std::int32_t, kMax> weight_q30{kOne};
 };
 
 /// The shapers of all axes on one grid. Each shaper is moved in time so that all have the same mean
@@ -29,7 +29,7 @@ struct ShaperGrid {
   static constexpr float kLongestCell = 1.0e-3F;   ///< s.
   static constexpr float kShortestCell = 2.5e-4F;  ///< s.
   /// Number of positions that are kept of each axis: as many as 10 Hz needs with the longest cells.
-  static constexpr std::size_t kMostPlaces = 192;
+  static constexpr std::size_t kMaxPlaces = 192;
 
   std::uint32_t cell_ticks = 2000;
   std::uint32_t ahead = 0;   ///< Number of cells needed after the one that goes out…
@@ -43,7 +43,7 @@ struct ShaperGrid {
 
 /// Returns the grid for the shapers of all axes. A cell lasts a 24th of the shortest period, so
 /// that sharing impulses costs at most 1 % of a swing, but not more than kLongestCell. A cell is
-/// longer where it would be below kShortestCell, or where there would be more than kMostPlaces, as
+/// longer where it would be below kShortestCell, or where there would be more than kMaxPlaces, as
 /// with 10 Hz and 200 Hz together.
 [[nodiscard]] ShaperGrid grid_of(const AxisArray<ShaperSetting>& settings);
 

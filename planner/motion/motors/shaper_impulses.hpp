@@ -11,9 +11,9 @@ enum class ShaperKind : std::uint8_t { kNone, kZv, kZvd, kMzv, kEi };
 
 /// The swing of an axis, and the shaper that keeps the axis from swinging.
 struct ShaperSetting {
-  static constexpr float kLeastFrequency = 10.0F;
-  static constexpr float kMostFrequency = 200.0F;
-  static constexpr float kMostDamping = 0.5F;
+  static constexpr float kMinFrequency = 10.0F;
+  static constexpr float kMaxFrequency = 200.0F;
+  static constexpr float kMaxDamping = 0.5F;
 
   ShaperKind kind = ShaperKind::kNone;
   float frequency_hz = 40.0F;  ///< Frequency without damping.
@@ -27,11 +27,11 @@ struct ShaperSetting {
 /// derivative of it ever exceeds the greatest one of the original motion, and it comes to rest
 /// where that motion does.
 struct ShaperImpulses {
-  static constexpr std::size_t kMost = 3;
+  static constexpr std::size_t kMax = 3;
 
   std::size_t count = 1;
-  std::array<float, kMost> amplitude{1.0F};
-  std::array<float, kMost> delay_s{};  ///< Delays in s, from 0, increasing.
+  std::array<float, kMax> amplitude{1.0F};
+  std::array<float, kMax> delay_s{};  ///< Delays in s, from 0, increasing.
 
   /// Returns the time, in s, by which the shaped position lags in a motion at constant speed.
   [[nodiscard]] float mean_delay_s() const;

@@ -13,19 +13,19 @@ constexpr std::uint64_t kOneQ30 = std::uint64_t{1} << 30;
 constexpr std::uint64_t kOneQ63 = std::uint64_t{1} << 63;
 
 /// Up to this number of ticks, the reciprocal is exact to 2^-30 of the whole.
-constexpr std::uint64_t kMostTicks = std::uint64_t{1} << 33;
+constexpr std::uint64_t kMaxTicks = std::uint64_t{1} << 33;
 
 /// With these additional bits the reciprocal is exact to 2^-47, for up to 18 minutes in
 /// nanoseconds.
 constexpr unsigned kRestBits = 24;
-constexpr std::uint64_t kMostFineTicks = std::uint64_t{1} << (64U - kRestBits);
+constexpr std::uint64_t kMaxFineTicks = std::uint64_t{1} << (64U - kRestBits);
 
 }  // namespace
 
 void PhaseCourse::divide() {
   const bool fine = grain_ == Grain::kFine;
   shift_ = 0;
-  while ((whole_.duration_ns >> shift_) >= (fine ? kMostFineTicks : kMostTicks)) ++shift_;
+  while ((whole_.duration_ns >> shift_) >= (fine ? kMaxFineTicks : kMaxTicks)) ++shift_;
   const std::uint64_t ticks = whole_.duration_ns >> shift_;
   per_tick_q63_ = kOneQ63 / ticks;
   if (fine) rest_q24_ = ((kOneQ63 - per_tick_q63_ * ticks) << kRestBits) / ticks;

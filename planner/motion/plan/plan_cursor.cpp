@@ -25,21 +25,21 @@ void PlanCursor::block_left() {
   --index_;
 }
 
-Stretch PlanCursor::next(std::uint32_t most_ns, Drive drive, bool may_start) {
+Stretch PlanCursor::next(std::uint32_t max_ns, Drive drive, bool may_start) {
   const bool at_rest = speed_ <= 0.0F && may_start;
   if (at_rest && !same_pace(terms_.greatest, overrides_)) take_up_overrides();
   if (terms_.window.filters() && speed_ > 0.0F && goes_on()) begin_block();
   queue_.plan(limits_, terms_, index_);
   if (driving_) follow_plan(drive);
   if (!same_pace(terms_.overrides, overrides_)) {
-    lower_pace(most_ns, drive);
-    if (driving_) try_higher_pace(most_ns, drive);
+    lower_pace(max_ns, drive);
+    if (driving_) try_higher_pace(max_ns, drive);
   }
-  return follow(most_ns, drive, may_start);
+  return follow(max_ns, drive, may_start);
 }
 
 /// Returns the next stretch of the present plan.
-Stretch PlanCursor::follow(std::uint32_t most_ns, Drive drive, bool may_start) {
+Stretch PlanCursor::follow(std::uint32_t max_ns, Drive drive, bool may_start) {
   if (!driving_) stand_at_stop();
   if (speed_ <= 0.0F) {
     if (!may_start) return {};
@@ -49,16 +49,16 @@ Stretch PlanCursor::follow(std::uint32_t most_ns, Drive drive, bool may_start) {
   }
   if (driving_ && profile_.at_end()) return finish_block();
   if (phase_.duration <= 0.0F && !begin_phase(drive)) return {};
-  const Stretch stretch = pass(most_ns);
+  const Stretch stretch = pass(max_ns);
   if (terms_.window.filters()) note_change(stretch);
   if (elapsed_ns_ == course_.duration_ns()) end_phase();
   return stretch;
 }
 
-/// Drives the present phase for at most `most_ns`, and returns that stretch.
-Stretch PlanCursor::pass(std::uint32_t most_ns) {
+/// Drives the present phase for at most `max_ns`, and returns that stretch.
+Stretch PlanCursor::pass(std::uint32_t max_ns) {
   const std::uint64_t left_ns = course_.duration_ns() - elapsed_ns_;
-  const std::uint64_t duration_ns = std::min<std::uint64_t>(most_ns, left_ns);
+  const std::uint64_t duration_ns = std::min<std::uint64_t>(max_ns, left_ns);
   const float start_speed = speed_;
   const PathUnits from = place_;
   elapsed_ns_ += duration_ns;

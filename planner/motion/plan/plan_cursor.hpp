@@ -21,10 +21,10 @@ class PlanCursor {
  public:
   PlanCursor(BlockQueue& queue, const Limits& limits) : queue_{queue}, limits_{limits} {}
 
-  /// Returns the next stretch, at most `most_ns` long, within one block and phase. It has no
+  /// Returns the next stretch, at most `max_ns` long, within one block and phase. It has no
   /// duration when the plan is at rest: everything is planned, or the plan is halted, or it may not
   /// start yet.
-  [[nodiscard]] Stretch next(std::uint32_t most_ns, Drive drive, bool may_start);
+  [[nodiscard]] Stretch next(std::uint32_t max_ns, Drive drive, bool may_start);
 
   /// Sets the overrides. Under a window, a lower pace holds at once. A higher one holds as soon as
   /// position and speed allow a change to its plan.
@@ -57,7 +57,7 @@ class PlanCursor {
   [[nodiscard]] TimeWindow quickest(const WindowChoice& choice, std::size_t end);
   [[nodiscard]] std::uint64_t time_to(std::size_t end, const TimeWindow& window);
   [[nodiscard]] Patience patience() const;
-  [[nodiscard]] Stretch follow(std::uint32_t most_ns, Drive drive, bool may_start);
+  [[nodiscard]] Stretch follow(std::uint32_t max_ns, Drive drive, bool may_start);
   void note_change(const Stretch& stretch);
   void stop_phase_short();
   void settle_place();
@@ -73,7 +73,7 @@ class PlanCursor {
   void refuse_late_blocks();
   [[nodiscard]] Stretch finish_block();
   [[nodiscard]] bool begin_phase(Drive drive);
-  [[nodiscard]] Stretch pass(std::uint32_t most_ns);
+  [[nodiscard]] Stretch pass(std::uint32_t max_ns);
   void end_phase();
   void stand_at_stop();
   void begin_block();

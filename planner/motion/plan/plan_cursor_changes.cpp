@@ -48,22 +48,22 @@ std::uint64_t PlanCursor::time_to(std::size_t end, const TimeWindow& window) {
 TimeWindow PlanCursor::quickest(const WindowChoice& choice, std::size_t end) {
   constexpr std::array<float, 7> kShares{0.84F, 0.7F, 0.59F, 0.5F, 0.42F, 0.35F, 0.25F};
   /// Planning takes some 4,000 instructions per block on the controller. That is 5 ms for
-  /// kFewBlocks under all windows, and for kMostBlocks under two.
+  /// kFewBlocks under all windows, and for kMaxBlocks under two.
   constexpr std::size_t kFewBlocks = 16;
-  constexpr std::size_t kMostBlocks = 64;
+  constexpr std::size_t kMaxBlocks = 64;
   constexpr std::size_t kWideStep = 3;
   TimeWindow chosen = choice.window();
   const std::size_t blocks = end - index_;
   const bool one_line = blocks == 1 && !queue_.at(index_).turns();
-  if (driving_ || one_line || blocks > kMostBlocks) return chosen;
-  std::uint64_t least_ns = time_to(end, chosen);
+  if (driving_ || one_line || blocks > kMaxBlocks) return chosen;
+  std::uint64_t min_ns = time_to(end, chosen);
   const std::size_t step = blocks > kFewBlocks ? kWideStep : 1;
   for (std::size_t i = step - 1; i < kShares.size(); i += step) {
     const TimeWindow tried = choice.window(kShares[i]);
     const std::uint64_t took_ns = time_to(end, tried);
-    if (took_ns > least_ns + least_ns / 64) break;
-    if (took_ns >= least_ns) continue;
-    least_ns = took_ns;
+    if (took_ns > min_ns + min_ns / 64) break;
+    if (took_ns >= min_ns) continue;
+    min_ns = took_ns;
     chosen = tried;
   }
   set_window(chosen);

@@ -11,7 +11,7 @@ namespace {
 /// Least gain of v², as a share, that is worth a phase without a jerk limit. Ten times the
 /// negligible share is rounding there, too: such a gain has four digits at most, and so would the
 /// acceleration.
-constexpr float kLeastGain = 1.0e-4F;
+constexpr float kMinGain = 1.0e-4F;
 
 /// If the speed exceeds the cap, or the braking exceeds the planned one, by more than these
 /// factors, an override has lowered the plan. A smaller excess is rounding.
@@ -105,11 +105,11 @@ void SpeedProfile::find_span(float left_of_block) {
   left_ = left_of_block - (length - spans_.boundary(span_ + 1));
 }
 
-float SpeedProfile::steepest(Change change, float growing, float most_square) const {
+float SpeedProfile::steepest(Change change, float growing, float max_square) const {
   return spans_.steepest(span_,
                          spans_.place_at(spans_.boundary(span_ + 1) - left_),
                          spans_.place_at_boundary(span_ + 1),
-                         {left_, speed_square_, most_square, Travel::kForward, change, growing});
+                         {left_, speed_square_, max_square, Travel::kForward, change, growing});
 }
 
 Phase SpeedProfile::phase_to(float end_square, float distance, float left) const {
@@ -173,9 +173,8 @@ Phase SpeedProfile::change_speed(const Patience& patience) const {
   const Phase up = committed(speed_up());
   // Any gain counts up to the end of a span, so that the speed also rises along a chain of very
   // short spans.
-  const float least_gain = spans_.window_s() > 0.0F ? kNegligibleShare : kLeastGain;
-  const bool worth_it =
-      up.left <= 0.0F || up.end_speed_square > speed_square_ * (1.0F + least_gain);
+  const float min_gain = spans_.window_s() > 0.0F ? kNegligibleShare : kMinGain;
+  const bool worth_it = up.left <= 0.0F || up.end_speed_square > speed_square_ * (1.0F + min_gain);
   return worth_it && up.distance > 0.0F ? up : level_or_follow(left_);
 }
 

@@ -122,7 +122,7 @@ class SpeedProfile {
   [[nodiscard]] Phase level_for(float seconds) const;
   [[nodiscard]] Phase brake_to(float target_square, const Patience& patience) const;
   [[nodiscard]] Phase phase_to(float end_square, float distance, float left) const;
-  [[nodiscard]] float steepest(Change change, float growing, float most_square) const;
+  [[nodiscard]] float steepest(Change change, float growing, float max_square) const;
   /// Returns the v² that is required at the end of the present span.
   [[nodiscard]] float end_target_square() const { return here().end.speed_square; }
   [[nodiscard]] float fall_from(float speed_square) const;
@@ -131,8 +131,8 @@ class SpeedProfile {
 
   Spans spans_{};
   /// The braking curve, span by span, from the present span to the end of the block.
-  std::array<BrakingPoint, Spans::kMostFineSpans> braking_{};
-  static_assert(Spans::kMostSpans <= Spans::kMostFineSpans);
+  std::array<BrakingPoint, Spans::kMaxFineSpans> braking_{};
+  static_assert(Spans::kMaxSpans <= Spans::kMaxFineSpans);
   BrakingState exit_{};
   float speed_square_ = 0.0F;
   /// mm to the end of the span. It counts from that end, because braking ends there and needs the

@@ -35,8 +35,8 @@ float dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1]; 
 /// by its own normal. Its length is at most four times the shift; the tip of a needle would be
 /// farther away.
 Vector meeting(const Vector& before, const Vector& after) {
-  constexpr float kLeastShare = 0.125F;
-  const float share = std::max(kLeastShare, 1.0F + dot(before, after));
+  constexpr float kMinShare = 0.125F;
+  const float share = std::max(kMinShare, 1.0F + dot(before, after));
   return {(before[0] + after[0]) / share, (before[1] + after[1]) / share};
 }
 

@@ -54,7 +54,7 @@ struct PowerLevel {
 struct Segment {
   /// Enough for a segment of 250 µs with pixels of 36 µs: one level for each pixel except the
   /// first.
-  static constexpr std::size_t kMostLevels = 6;
+  static constexpr std::size_t kMaxLevels = 6;
 
   std::uint32_t ticks = 0;    ///< Length of the segment.
   PowerCourse power{};        ///< Output up to the first level, or over the whole length.
@@ -63,7 +63,7 @@ struct Segment {
   bool comes_to_rest = false;  ///< The plan is at rest after it: an empty queue is no fault.
   OutputChanges outputs{};     ///< Changes at the start of the segment.
   SourceLine line{};           ///< Line at the start of the segment, or one before.
-  std::array<PowerLevel, kMostLevels> levels{};  ///< In order of time, all within the segment.
+  std::array<PowerLevel, kMaxLevels> levels{};  ///< In order of time, all within the segment.
   AxisArray<StepTrain> trains{};
 
   /// Returns whether the output is 0 all along.

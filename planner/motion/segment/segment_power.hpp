@@ -38,7 +38,7 @@ class SegmentPower {
     [[nodiscard]] std::uint16_t output() const;
   };
 
-  std::array<Piece, 1 + Segment::kMostLevels> pieces_{};
+  std::array<Piece, 1 + Segment::kMaxLevels> pieces_{};
   std::size_t count_ = 0;
   float start_ = 0.0F;
   float end_ = 0.0F;

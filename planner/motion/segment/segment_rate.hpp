@@ -11,11 +11,11 @@ namespace cnc::motion {
 ///
 /// The queue holds a fixed number of parts, which have to last until the next ones come in. So on
 /// average each part must last a shortest time. Longer parts save time for shorter ones, up to the
-/// time of kMostShort parts. A motion that takes the time T has at most T / shortest + kMostShort
+/// time of kMaxShort parts. A motion that takes the time T has at most T / shortest + kMaxShort
 /// parts.
 class PartRate {
  public:
-  static constexpr std::int32_t kMostShort = 12;
+  static constexpr std::int32_t kMaxShort = 12;
 
   /// Returns whether the next part may be shorter than the shortest time.
   [[nodiscard]] bool allows_short() const { return spare_ >= shortest_; }
@@ -23,7 +23,7 @@ class PartRate {
   void begin() { spare_ -= shortest_; }
   /// Adds time to the part that was begun last.
   void pass(std::uint32_t time) {
-    spare_ = std::min(spare_ + static_cast<std::int32_t>(time), kMostShort * shortest_);
+    spare_ = std::min(spare_ + static_cast<std::int32_t>(time), kMaxShort * shortest_);
   }
 
  protected:
@@ -31,7 +31,7 @@ class PartRate {
 
  private:
   std::int32_t shortest_;
-  std::int32_t spare_ = kMostShort * shortest_;  ///< Time that earlier parts have saved.
+  std::int32_t spare_ = kMaxShort * shortest_;  ///< Time that earlier parts have saved.
 };
 
 /// Limits the rate of segments; times are in ticks. Motors and beams do not react to segments of
@@ -39,7 +39,7 @@ class PartRate {
 class SegmentRate : public PartRate {
  public:
   static constexpr std::int32_t kShortest = kTicksPerSecond / 10'000;
-  static constexpr std::int32_t kMostSpare = kMostShort * kShortest;
+  static constexpr std::int32_t kMaxSpare = kMaxShort * kShortest;
 
   SegmentRate() : PartRate{kShortest} {}
 };

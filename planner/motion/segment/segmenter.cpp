@@ -73,9 +73,9 @@ AxisArray<StepPosition> Segmenter::motors() const {
 bool Segmenter::next(Segment& segment) {
   // A segment shorter than a tick is driven but not handed out. Blocks of a few nanometres at full
   // speed need several of these for one segment.
-  constexpr int kMostShortSlices = 64;
+  constexpr int kMaxShortSlices = 64;
   // The last segment before rest is always handed out, because it carries comes_to_rest.
-  for (int slices = 0; slices < kMostShortSlices; ++slices) {
+  for (int slices = 0; slices < kMaxShortSlices; ++slices) {
     if (!ready_stretch()) {
       if (slices == 0) return false;
       break;
@@ -91,12 +91,12 @@ bool Segmenter::next(Segment& segment) {
   return true;
 }
 
-bool Segmenter::next(std::uint32_t most_ns, PlannedSlice& slice) {
+bool Segmenter::next(std::uint32_t max_ns, PlannedSlice& slice) {
   if (!ready_stretch()) return false;
   slice = {};
   if (ready_block()) {
     slice.line = power_.line();
-    const Cut cut = cut_slice(most_ns);
+    const Cut cut = cut_slice(max_ns);
     move_to(cut.to);
     slice.duration_ns = cut.duration_ns;
     slice.start_duty = cut.duty.start;
@@ -144,13 +144,13 @@ void Segmenter::begin_joined() {
 }
 
 /// Cuts the next slice, over one pixel or over several short ones, and joins it to the segment.
-void Segmenter::join_next(std::uint32_t most_ns) {
+void Segmenter::join_next(std::uint32_t max_ns) {
   if (pixels_are_short()) {
     const End end = end_of_slice(reversals_.next(), kShortSliceNs);
     add_pixels(end);
     return join(cut(end));
   }
-  const Cut cut = cut_slice(most_ns);
+  const Cut cut = cut_slice(max_ns);
   output_.add(cut.duty.start, cut.duty.end, cut.duration_ns);
   join(cut);
 }
@@ -330,13 +330,13 @@ std::uint32_t Segmenter::longest_slice_ns() const {
 
 /// Cuts the next slice. It ends with the stretch, at the end of the block, where an axis reverses,
 /// or where the power changes, whichever comes first.
-Segmenter::Cut Segmenter::cut_slice(std::uint32_t most_ns) {
-  return cut(end_of_slice(std::min(reversals_.next(), power_.next_change()), most_ns));
+Segmenter::Cut Segmenter::cut_slice(std::uint32_t max_ns) {
+  return cut(end_of_slice(std::min(reversals_.next(), power_.next_change()), max_ns));
 }
 
 /// Returns the end of the next slice: at `stop`, or earlier if its time is over before.
-Segmenter::End Segmenter::end_of_slice(PathUnits stop, std::uint32_t most_ns) {
-  End end{.ns = elapsed_ns_ + std::min(longest_slice_ns(), most_ns)};
+Segmenter::End Segmenter::end_of_slice(PathUnits stop, std::uint32_t max_ns) {
+  End end{.ns = elapsed_ns_ + std::min(longest_slice_ns(), max_ns)};
   end.place = stretch_from_ + course_.way_after(end.ns);
   if (end.place > stop) {
     end.ns = elapsed_ns_ + static_cast<std::uint32_t>(course_.time_of(stop - place_, elapsed_ns_));
@@ -414,7 +414,7 @@ float Segmenter::duty_at(float speed) const {
   };
   const float share = power_.duty() * plan_.overrides().power;
   if (!power_follows_speed()) return duty_for(share);
-  return std::max(duty_for(share * (speed / queue_.front().feed)), limits_.beam.least_duty);
+  return std::max(duty_for(share * (speed / queue_.front().feed)), limits_.beam.min_duty);
 }
 
 Segmenter::Duties Segmenter::duties(float start_speed, float end_speed) const {

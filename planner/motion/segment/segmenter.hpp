@@ -61,9 +61,9 @@ class Segmenter {
   /// Makes the next segment. Returns false if there is none: everything is driven, or the motion is
   /// halted.
   [[nodiscard]] bool next(Segment& segment);
-  /// Makes the next slice, of at most `most_ns`, for a caller that makes the pulses itself. Returns
+  /// Makes the next slice, of at most `max_ns`, for a caller that makes the pulses itself. Returns
   /// false if there is none.
-  [[nodiscard]] bool next(std::uint32_t most_ns, PlannedSlice& slice);
+  [[nodiscard]] bool next(std::uint32_t max_ns, PlannedSlice& slice);
 
   void set_overrides(const Overrides& overrides) { plan_.set_overrides(overrides); }
   [[nodiscard]] const Overrides& overrides() const { return plan_.overrides(); }
@@ -154,8 +154,8 @@ class Segmenter {
     std::uint32_t ns = 0;
     PathUnits place = 0;
   };
-  [[nodiscard]] End end_of_slice(PathUnits stop, std::uint32_t most_ns);
-  [[nodiscard]] Cut cut_slice(std::uint32_t most_ns);
+  [[nodiscard]] End end_of_slice(PathUnits stop, std::uint32_t max_ns);
+  [[nodiscard]] Cut cut_slice(std::uint32_t max_ns);
   [[nodiscard]] Cut cut(const End& end);
   void move_to(const MotorPath::Point& point);
   void pass_to_rest();
@@ -163,7 +163,7 @@ class Segmenter {
   [[nodiscard]] float heat() const;
   void make_segment(Segment& segment);
   void begin_joined();
-  void join_next(std::uint32_t most_ns);
+  void join_next(std::uint32_t max_ns);
   [[nodiscard]] bool pixels_are_short();
   void add_pixels(const End& end);
   void join(const Cut& cut);

@@ -179,8 +179,8 @@ TEST(KnownRows, KeepABoundedNumberOfRows) {
     most = std::max(most, rows.kept());
   }
   EXPECT_EQ(fits, 20'000U);
-  EXPECT_GT(most, KnownRows::kMostKept / 2);
-  EXPECT_LE(most, KnownRows::kMostKept + 200);
+  EXPECT_GT(most, KnownRows::kMaxKept / 2);
+  EXPECT_LE(most, KnownRows::kMaxKept + 200);
 }
 
 TEST(RowShape, MovesNoCoordinateByMoreThanItsUnit) {
@@ -206,10 +206,10 @@ TEST(RowShape, IsNoneOfOtherCurvesGapsAndLongRows) {
   auto row = random_row(random, 2);
   const std::vector<Shape> with_line{row[0], Line{row[0].points[3], row[1].points[3]}};
   EXPECT_FALSE(RowShape::of(with_line).has_value());
-  const auto longest = random_row(random, RowShape::kMostCurves + 1);
+  const auto longest = random_row(random, RowShape::kMaxCurves + 1);
   const std::vector<Shape> shapes{longest.begin(), longest.end()};
   EXPECT_FALSE(RowShape::of(shapes).has_value());
-  EXPECT_TRUE(RowShape::of(std::span{shapes}.first(RowShape::kMostCurves)).has_value());
+  EXPECT_TRUE(RowShape::of(std::span{shapes}.first(RowShape::kMaxCurves)).has_value());
   row[1].points[0].x() += 1.0e-3;
   const std::vector<Shape> with_gap{row[0], row[1]};
   EXPECT_FALSE(RowShape::of(with_gap).has_value());

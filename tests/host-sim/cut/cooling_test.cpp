@@ -111,7 +111,7 @@ TEST(Cooling, PiercesKeepOffFreshHeat) {
     SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
     proof::Random random{seed};
     const NestingSize size{.pitch_mm = random.between(20.0, 40.0),
-                           .least_gap_mm = random.between(0.8, 4.0)};
+                           .min_gap_mm = random.between(0.8, 4.0)};
     const auto drawn = drawing::read(nested_sheet(random, size));
     CutPlan plan = plan_of(drawn, {.pierce_s = random.chance(0.5) ? 0.3 : 0.0});
     const CoolingRules rules{

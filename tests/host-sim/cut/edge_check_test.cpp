@@ -109,11 +109,11 @@ class CutEdges : public testing::Test {
         "%s: beside the model %.2f um, off %.2f um, left %.2f um, mean %.2f um, "
         "P/V %.3f to %.3f, at corners %.3f, %zu places\n",
         what,
-        1000.0 * std::abs(figures.most_off_model.mm),
-        1000.0 * figures.most_off.mm,
-        1000.0 * figures.most_left.mm,
+        1000.0 * std::abs(figures.max_off_model.mm),
+        1000.0 * figures.max_off.mm,
+        1000.0 * figures.max_left.mm,
         1000.0 * figures.mean_mm,
-        figures.least_heat_ratio,
+        figures.min_heat_ratio,
         figures.greatest_heat_ratio,
         figures.greatest_corner_ratio,
         figures.places);
@@ -130,9 +130,9 @@ TEST_F(CutEdges, AreWithinFiveMicrometresOnStraightsArcsAndCorners) {
   const EdgeFigures figures = drive(job, text_of(job), [](cnc::Machine&) {});
   tell("100 %", figures);
   EXPECT_GT(figures.places, 10'000U);
-  EXPECT_LT(std::abs(figures.most_off_model.mm), kEdgeTolerance);
-  EXPECT_LT(figures.most_off.mm, kEdgeTolerance);
-  EXPECT_GT(figures.most_left.mm, -kEdgeTolerance);
+  EXPECT_LT(std::abs(figures.max_off_model.mm), kEdgeTolerance);
+  EXPECT_LT(figures.max_off.mm, kEdgeTolerance);
+  EXPECT_GT(figures.max_left.mm, -kEdgeTolerance);
 }
 
 /// Loops are as wide as the feed asks for under the acceleration: the beam passes corners at speed,
@@ -150,9 +150,9 @@ TEST_F(CutEdges, KeepTheirSizeWithLoopsAndDwellsAtCorners) {
     const EdgeFigures figures = drive(job, text_of(job), [](cnc::Machine&) {});
     tell(follows ? "with loops, M4" : "with loops, M3", figures);
     // Under constant power the start, from standstill, is as wide as ever.
-    EXPECT_LT(follows ? figures.most_off.mm : figures.mean_mm,
+    EXPECT_LT(follows ? figures.max_off.mm : figures.mean_mm,
               follows ? kEdgeTolerance : 0.6 * burnt.mean_mm);
-    EXPECT_GT(figures.most_left.mm, -kEdgeTolerance);
+    EXPECT_GT(figures.max_left.mm, -kEdgeTolerance);
     EXPECT_DOUBLE_EQ(figures.untouched_mm, burnt.untouched_mm);
     EXPECT_LT(figures.greatest_corner_ratio, 1.0 + kHeatTolerance);
     EXPECT_GT(figures.greatest_corner_ratio, 0.9);
@@ -163,8 +163,8 @@ TEST_F(CutEdges, KeepTheirSizeWithLoopsAndDwellsAtCorners) {
   const CutJob rests = job_of(true);
   const EdgeFigures figures = drive(rests, text_of(rests), [](cnc::Machine&) {});
   tell("with dwells, M4", figures);
-  EXPECT_LT(figures.most_off.mm, kEdgeTolerance);
-  EXPECT_GT(figures.most_left.mm, -kEdgeTolerance);
+  EXPECT_LT(figures.max_off.mm, kEdgeTolerance);
+  EXPECT_GT(figures.max_left.mm, -kEdgeTolerance);
   EXPECT_LT(figures.greatest_corner_ratio, 1.0 + kHeatTolerance);
 }
 
@@ -177,17 +177,17 @@ TEST_F(CutEdges, StayThereUnderFeedOverrides) {
     const CutJob job = job_of(true);
     const EdgeFigures figures = drive(job, text_of(job), touch);
     tell("50 to 150 %, M4", figures);
-    EXPECT_LT(std::abs(figures.most_off_model.mm), kEdgeTolerance);
-    EXPECT_GT(figures.least_heat_ratio, 1.0 - kHeatTolerance);
+    EXPECT_LT(std::abs(figures.max_off_model.mm), kEdgeTolerance);
+    EXPECT_GT(figures.min_heat_ratio, 1.0 - kHeatTolerance);
     EXPECT_LT(figures.greatest_heat_ratio, 1.0 + kHeatTolerance);
     random = proof::Random{seed};
     const CutJob other = job_of(false);
     const EdgeFigures constant = drive(other, text_of(other), touch);
     tell("50 to 150 %, M3", constant);
     // Constant power heats less than the model only where the override drives faster.
-    EXPECT_LT(constant.least_heat_ratio, 0.9);
+    EXPECT_LT(constant.min_heat_ratio, 0.9);
     EXPECT_GT(constant.greatest_heat_ratio, 1.5);
-    EXPECT_GT(std::abs(constant.most_off_model.mm), kEdgeTolerance);
+    EXPECT_GT(std::abs(constant.max_off_model.mm), kEdgeTolerance);
   }
 }
 
@@ -206,33 +206,33 @@ TEST_F(CutEdges, StayThereWhereTheControllerFindsTheWayBesideThem) {
   // Three of 45 seeds are off by 5.0 to 5.2 um beside a slant, 3699319255 the farthest.
   const proof::Trials trials{1, proof::Trials::Range::kKnownFault};
   // Two jobs each, and half a minute under sanitizers: from other seeds on by KERFLINE_SEED.
-  constexpr std::uint64_t kMostTrials = 4;
+  constexpr std::uint64_t kMaxTrials = 4;
   std::uint64_t tried = 0;
   for (const std::uint64_t seed : trials) {
-    if (tried++ == kMostTrials) break;
+    if (tried++ == kMaxTrials) break;
     SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
     proof::Random random{seed};
     const auto touch = turning_the_feed(random);
     const EdgeFigures power = drive(job, program, touch);
     tell("power keeps the kerf", power);
     EXPECT_GT(power.places, 10'000U);
-    EXPECT_LT(std::abs(power.most_off_model.mm), kEdgeTolerance);
-    EXPECT_GT(power.least_heat_ratio, 1.0 - kHeatTolerance);
+    EXPECT_LT(std::abs(power.max_off_model.mm), kEdgeTolerance);
+    EXPECT_GT(power.min_heat_ratio, 1.0 - kHeatTolerance);
     EXPECT_LT(power.greatest_heat_ratio, 1.0 + kHeatTolerance);
     const EdgeFigures path = drive(job, program, touch, "$860=1");
     tell("path follows the kerf", path);
     std::printf("known: %.2f um at %.3f %.3f, %.1f mm are not\n",
-                1000.0 * path.most_off_known.mm,
-                path.most_off_known.place.x(),
-                path.most_off_known.place.y(),
+                1000.0 * path.max_off_known.mm,
+                path.max_off_known.place.x(),
+                path.max_off_known.place.y(),
                 path.unknown_mm);
-    EXPECT_LT(std::abs(path.most_off_known.mm), kEdgeTolerance);
-    EXPECT_LT(path.least_heat_ratio, 0.9);
+    EXPECT_LT(std::abs(path.max_off_known.mm), kEdgeTolerance);
+    EXPECT_LT(path.min_heat_ratio, 0.9);
     EXPECT_GT(path.greatest_heat_ratio, 1.5);
   }
   const EdgeFigures even = drive(
       job, program, [](cnc::Machine&) {}, "$860=1");
-  EXPECT_LT(std::abs(even.most_off_known.mm), kEdgeTolerance);
+  EXPECT_LT(std::abs(even.max_off_known.mm), kEdgeTolerance);
 }
 
 /// The edges are measured against the drawn curves, so a wide tolerance is seen, and a narrow one
@@ -249,10 +249,10 @@ TEST_F(CutEdges, OfCurvesAreWithinTheToleranceAndFiveMicrometres) {
     tell(std::to_string(tolerance).c_str(), figures);
     EXPECT_GT(figures.places, 10'000U);
     EXPECT_LT(figures.untouched_mm, 1.0);
-    EXPECT_LT(std::abs(figures.most_off_model.mm), kEdgeTolerance);
-    EXPECT_LT(figures.most_off.mm, tolerance + kEdgeTolerance);
-    EXPECT_GT(figures.most_left.mm, -tolerance - kEdgeTolerance);
-    EXPECT_GT(figures.most_off.mm - figures.most_left.mm, tolerance);
+    EXPECT_LT(std::abs(figures.max_off_model.mm), kEdgeTolerance);
+    EXPECT_LT(figures.max_off.mm, tolerance + kEdgeTolerance);
+    EXPECT_GT(figures.max_left.mm, -tolerance - kEdgeTolerance);
+    EXPECT_GT(figures.max_off.mm - figures.max_left.mm, tolerance);
   }
 }
 
@@ -264,8 +264,8 @@ TEST_F(CutEdges, AreFoundOffWhereTheyAre) {
   plan = plan_cuts(drawn, std::vector<LayerPlan>(drawn.layers.size(), plan.layers.front()));
   const EdgeFigures figures = drive(job_of(true), program, [](cnc::Machine&) {});
   tell("moved by 20 um", figures);
-  EXPECT_NEAR(figures.most_off.mm, 0.02, kEdgeTolerance);
-  EXPECT_NEAR(figures.most_left.mm, -0.02, kEdgeTolerance);
+  EXPECT_NEAR(figures.max_off.mm, 0.02, kEdgeTolerance);
+  EXPECT_NEAR(figures.max_left.mm, -0.02, kEdgeTolerance);
 }
 
 }  // namespace

@@ -31,7 +31,7 @@ TEST(LinkCuts, AreInTheWasteAndSaveTheirPierce) {
     SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
     proof::Random random{seed};
     const NestingSize size{.pitch_mm = random.between(20.0, 40.0),
-                           .least_gap_mm = random.between(0.8, 6.0)};
+                           .min_gap_mm = random.between(0.8, 6.0)};
     const auto drawn = drawing::read(nested_sheet(random, size));
     LayerSettings settings{.tabs = random.chance(0.3) ? 3U : 0U, .pierce_s = 1.0};
     if (random.chance(0.3)) settings.lead_in = {};

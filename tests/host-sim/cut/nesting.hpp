@@ -15,8 +15,8 @@ struct NestingSize {
   int columns = 4;
   int rows = 3;
   double pitch_mm = 40.0;
-  double least_gap_mm = 0.8;  ///< Between neighbours.
-  int levels = 3;             ///< Of parts with a hole in which the next part lies.
+  double min_gap_mm = 0.8;  ///< Between neighbours.
+  int levels = 3;           ///< Of parts with a hole in which the next part lies.
 };
 
 /// Draws an outline about a middle: a circle, a polygon, or a rectangle with or without rounds.
@@ -57,7 +57,7 @@ inline std::string nested_sheet(proof::Random& random, const NestingSize& size) 
   for (int i = 0; i < size.columns * size.rows; ++i) {
     const double x = size.pitch_mm * (i % size.columns + 0.5);
     const double y = size.pitch_mm * (i / size.columns + 0.5);
-    double extent = size.pitch_mm - size.least_gap_mm;
+    double extent = size.pitch_mm - size.min_gap_mm;
     if (random.chance(0.5)) extent -= random.between(0.0, 6.0);
     for (int level = 0; level < 2 * size.levels && extent > 2.0; ++level) {
       text += nested_shape(random, x, y, extent);

@@ -116,12 +116,12 @@ class EveryOrder {
       if (keeps_precedence(tried, cuts) && allowed(tried)) try_beginnings(tried, 0);
     } while (std::ranges::next_permutation(order).found);
   }
-  [[nodiscard]] double least() const { return least_; }
+  [[nodiscard]] double least() const { return min_; }
 
  private:
   void try_beginnings(std::vector<OrderedCut>& order, std::size_t from) {
     if (from == order.size()) {
-      least_ = std::min(least_, whole_cost_of(order, cuts_, wish_));
+      min_ = std::min(min_, whole_cost_of(order, cuts_, wish_));
       return;
     }
     for (const Beginning& beginning : cuts_[order[from].cut].beginnings) {
@@ -132,7 +132,7 @@ class EveryOrder {
 
   const std::vector<UnbegunCut>& cuts_;
   const OrderWish& wish_;
-  double least_ = 1.0e9;
+  double min_ = 1.0e9;
 };
 
 OrderWish wish_from(proof::Random& random) {

@@ -126,7 +126,7 @@ TEST(RouteRapids, NeverCrossWhatIsFreeButThePieceJustCut) {
     SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
     proof::Random random{seed};
     const NestingSize size{.pitch_mm = random.between(25.0, 60.0),
-                           .least_gap_mm = random.between(0.75, 4.0)};
+                           .min_gap_mm = random.between(0.75, 4.0)};
     const auto drawn = drawing::read(nested_sheet(random, size));
     LayerSettings settings{.overcut_mm = random.chance(0.3) ? 1.0 : 0.0,
                            .tabs = random.chance(0.2) ? 2U : 0U,

@@ -119,7 +119,7 @@ TEST(ShareLines, FreeAllPartsAndCutNoneAndNoLineTwice) {
     const double saved = lit_mm(whole) - lit_mm(plan) - plan.shared.length_mm;
     EXPECT_GE(saved, -1.0e-6);
     EXPECT_LE(saved, static_cast<double>(4 * parts.size()) * M_PI_2 * kHalf + 0.1);
-    EXPECT_LE(plan.shared.most_off_mm, kTolerance);
+    EXPECT_LE(plan.shared.max_off_mm, kTolerance);
     for (std::size_t i = 0; i < plan.cuts.size(); ++i) {
       for (const std::size_t before : plan.cuts[i].after) EXPECT_LT(before, i);
     }

@@ -122,7 +122,7 @@ TEST(SliceWaste, LeavesNoLargerPiece) {
     const NestingSize size{.columns = 3,
                            .rows = 2,
                            .pitch_mm = random.between(20.0, 40.0),
-                           .least_gap_mm = random.between(0.8, 6.0),
+                           .min_gap_mm = random.between(0.8, 6.0),
                            .levels = 1};
     const auto drawn = drawing::read(nested_sheet(random, size));
     CutPlan plan = plan_of(drawn, {.pierce_s = random.chance(0.5) ? 0.2 : 0.0});

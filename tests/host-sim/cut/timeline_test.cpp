@@ -123,10 +123,10 @@ struct AxisLimits {
 
 /// @param jerk_mm_s3 least jerk; none half of the time
 AxisLimits random_limits(proof::Random& random, double jerk_mm_s3) {
-  constexpr double kMostJerk = 1.0e6;
+  constexpr double kMaxJerk = 1.0e6;
   return {random.magnitude(6'000.0, 15'000.0),
           random.magnitude(500.0, 3'000.0),
-          random.chance(0.5) ? 0.0 : random.magnitude(jerk_mm_s3, kMostJerk)};
+          random.chance(0.5) ? 0.0 : random.magnitude(jerk_mm_s3, kMaxJerk)};
 }
 
 /// Predicts and drives a sheet. Returns the difference as a share of the driven time.

@@ -52,7 +52,7 @@ TEST(BurnRaster, DitheringKeepsTheMeanAndHasTwoPowersOnly) {
     const GreyImage image{64, 64, std::vector<float>(64 * 64, grey), {}};
     for (const Shading shading :
          {Shading::kOrdered, Shading::kFloydSteinberg, Shading::kJarvis, Shading::kStucki}) {
-      const BurnRaster raster = burn_raster(image, 64, 64, {.shading = shading, .most_power = 0.5});
+      const BurnRaster raster = burn_raster(image, 64, 64, {.shading = shading, .max_power = 0.5});
       for (const float power : raster.power) EXPECT_TRUE(power == 0.0F || power == 0.5F);
       EXPECT_NEAR(mean_of(raster.power), 0.5 * static_cast<double>(grey), 0.012);
     }
@@ -60,7 +60,7 @@ TEST(BurnRaster, DitheringKeepsTheMeanAndHasTwoPowersOnly) {
 }
 
 TEST(BurnRaster, HasPowersOfTheCurve) {
-  const ToneCurve curve{.least_power = 0.1, .most_power = 0.8, .gamma = 2.0};
+  const ToneCurve curve{.min_power = 0.1, .max_power = 0.8, .gamma = 2.0};
   EXPECT_EQ(power_of(0.0, curve), 0.0);
   EXPECT_DOUBLE_EQ(power_of(1.0, curve), 0.8);
   EXPECT_DOUBLE_EQ(power_of(0.5, curve), 0.1 + 0.7 * 0.25);

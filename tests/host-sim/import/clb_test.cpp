@@ -106,7 +106,7 @@ TEST(Clb, WhatIsLeftOutIsANote) {
 
 TEST(Clb, ManyEntriesAreRefused) {
   std::string settings;
-  for (std::size_t i = 0; i <= kMostLibraryEntries; ++i) settings += "<CutSetting/>";
+  for (std::size_t i = 0; i <= kMaxLibraryEntries; ++i) settings += "<CutSetting/>";
   EXPECT_THAT(fault_of_clb(clb_of(entry_of("", settings))), HasSubstr("more than 20000 entries"));
 }
 

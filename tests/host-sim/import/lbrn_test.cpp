@@ -104,7 +104,7 @@ TEST(Lbrn, LayersOfferTheirSettings) {
   ASSERT_TRUE(layer.offered);
   EXPECT_EQ(layer.offered->kind, "Cut");
   EXPECT_EQ(layer.offered->power_share, 0.655);
-  EXPECT_EQ(layer.offered->least_power_share, 0.2);
+  EXPECT_EQ(layer.offered->min_power_share, 0.2);
   EXPECT_EQ(layer.offered->speed_mm_s, 12.5);
   EXPECT_EQ(layer.offered->passes, 2U);
   EXPECT_EQ(layer.offered->priority, 1);

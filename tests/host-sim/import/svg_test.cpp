@@ -91,7 +91,7 @@ TEST(SvgReader, DoublingUsesAreBounded) {
                "'><use href='#g" + below + "'/><use href='#g" + below + "'/></g>";
   }
   const Drawing drawn = read(svg_of("<g>" + content + "</g>"));
-  EXPECT_LE(drawn.contours.size(), kMostShapes);
+  EXPECT_LE(drawn.contours.size(), kMaxShapes);
 }
 
 TEST(SvgReader, TextAndImagesAreNotedHiddenThingsAreNot) {

@@ -157,15 +157,14 @@ TEST(ShippedRecords, AreSoundAndSayWhatTheyAreWorth) {
 
 TEST(ShippedRecords, KeepWithinTheRangesOfTable1) {
   const MaterialRecord record = shipped_records().front();
-  EXPECT_EQ(record.thicknesses.front().thickness_um,
-            to_thousandths(kCsp1nRange.least_thickness_mm));
-  EXPECT_EQ(record.thicknesses.back().thickness_um, to_thousandths(kCsp1nRange.most_thickness_mm));
+  EXPECT_EQ(record.thicknesses.front().thickness_um, to_thousandths(kCsp1nRange.min_thickness_mm));
+  EXPECT_EQ(record.thicknesses.back().thickness_um, to_thousandths(kCsp1nRange.max_thickness_mm));
   for (const ThicknessRecord& row : record.thicknesses) {
     for (const PowerRecord& power : row.powers) {
-      EXPECT_GE(power.power_mw, to_thousandths(kCsp1nRange.least_power_w));
-      EXPECT_LE(power.power_mw, to_thousandths(kCsp1nRange.most_power_w));
-      EXPECT_GE(power.speeds_um_min.least, to_thousandths(kCsp1nRange.least_speed_mm_min));
-      EXPECT_LE(power.speeds_um_min.most, to_thousandths(kCsp1nRange.most_speed_mm_min));
+      EXPECT_GE(power.power_mw, to_thousandths(kCsp1nRange.min_power_w));
+      EXPECT_LE(power.power_mw, to_thousandths(kCsp1nRange.max_power_w));
+      EXPECT_GE(power.speeds_um_min.least, to_thousandths(kCsp1nRange.min_speed_mm_min));
+      EXPECT_LE(power.speeds_um_min.most, to_thousandths(kCsp1nRange.max_speed_mm_min));
     }
   }
 }

@@ -128,7 +128,7 @@ TEST(Outline, KeepsItsSizeHoweverLongTheProgram) {
   for (int i = 0; i < 60'000; ++i) program += "X1 Y1\nX1 Y-1\n";
   const ProgramOutline outline = program_outline_of(program, Interpreter{});
   EXPECT_FALSE(outline.refused);
-  EXPECT_LE(outline.vertices.size(), PathRecorder::kMostVertices + 1);
+  EXPECT_LE(outline.vertices.size(), PathRecorder::kMaxVertices + 1);
   EXPECT_NEAR(outline.vertices.back().x_mm, 120'000.0, 1e-6);
 }
 

@@ -144,7 +144,7 @@ TEST(PathRecorder, IsBoundedOnTheWorstJob) {
   }
   recorder.on_end(row.time_ns);
   EXPECT_GT(recorder.path().vertices.size(), 1'000U);
-  EXPECT_LE(recorder.path().vertices.size(), PathRecorder::kMostVertices + 1);
+  EXPECT_LE(recorder.path().vertices.size(), PathRecorder::kMaxVertices + 1);
 }
 
 }  // namespace

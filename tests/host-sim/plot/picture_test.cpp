@@ -102,7 +102,7 @@ TEST(Picture, SurvivesAnyShape) {
 
 TEST(Picture, StaysBelowTwoMegabytesForTheLongestPath) {
   Path path;
-  for (std::size_t i = 0; i < PathRecorder::kMostVertices; ++i) {
+  for (std::size_t i = 0; i < PathRecorder::kMaxVertices; ++i) {
     const double angle = 0.7 * static_cast<double>(i);
     const double radius = 1e-2 * static_cast<double>(i);
     const auto speed = static_cast<float>(i * 7'919 % 100);

@@ -66,7 +66,7 @@ TEST(Strategies, AdaptivePassesAreLight) {
 }
 
 /// The least distance of rows from the walls of kRoom.
-double least_distance(const MilledPocket& path, std::size_t first_row, std::size_t end_row) {
+double min_distance(const MilledPocket& path, std::size_t first_row, std::size_t end_row) {
   double least = 1.0e9;
   for (std::uint32_t i = path.path().row_begin(first_row); i < path.row_ends[end_row - 1]; ++i) {
     const auto& point = path.points[i];
@@ -84,9 +84,9 @@ TEST(Strategies, LeaveWhatPassesAlongTheWallsTakeOff) {
     const MilledPocket path = StrategyPlanner{options}.mill(pocket.view(), 3.0);
     const std::size_t rows = path.row_ends.size();
     // One for each level.
-    EXPECT_NEAR(least_distance(path, 0, rows - 3), 3.3, 1.0e-9);
+    EXPECT_NEAR(min_distance(path, 0, rows - 3), 3.3, 1.0e-9);
     for (std::size_t row = rows - 3; row < rows; ++row) {
-      EXPECT_NEAR(least_distance(path, row, row + 1), 3.0, 1.0e-9);
+      EXPECT_NEAR(min_distance(path, row, row + 1), 3.0, 1.0e-9);
       const auto& first = path.points[path.path().row_begin(row)];
       const auto& arc = path.points[path.path().row_begin(row) + 1];
       const auto& last = path.points[path.row_ends[row] - 1];

@@ -110,7 +110,7 @@ TEST(ReportJson, SurvivesWhatJsonCannotSay) {
 TEST(ReportText, ShowsTheEnergyOfABeam) {
   Report report = bracket();
   EXPECT_THAT(report_text(report, false), Not(HasSubstr("energy")));
-  report.least_energy_ratio = 0.994;
+  report.min_energy_ratio = 0.994;
   report.mean_energy_ratio = 1.0;
   report.greatest_energy_ratio = 1.0061;
   EXPECT_THAT(report_text(report, false),

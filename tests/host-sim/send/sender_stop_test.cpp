@@ -78,7 +78,7 @@ struct StopCase {
   const char* name;
   const char* state;  ///< In which the job is stopped.
   std::vector<std::string> lines;
-  int most_ms;  ///< That the stop may last.
+  int max_ms;  ///< That the stop may last.
   bool door = false;
   /// Homing alone cannot end without a cut that costs the position.
   bool alarm = false;
@@ -105,7 +105,7 @@ TEST_P(SenderStop, LeavesNothingThatCouldGoOn) {
   for (int ms = 0; ms < 100; ++ms) bench.turn();
   bench.sender->abort();
   const int lasted = bench.until([&] { return bench.sender->over(); });
-  EXPECT_LE(lasted, wanted.most_ms);
+  EXPECT_LE(lasted, wanted.max_ms);
   EXPECT_EQ(bench.sender->state(), Sender::State::kFailed);
   EXPECT_NE(bench.sender->trouble().find("aborted"), std::string::npos) << bench.sender->trouble();
   bench.controller.panel().door = false;

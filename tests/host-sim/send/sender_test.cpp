@@ -261,7 +261,7 @@ TEST(Sender, SendsCheckedLinesToTheEnd) {
 TEST(Sender, CountsAnewAfterTheGreatestNumber) {
   const TurningJob job = random_job(1000, 3);
   const SendOutcome outcome =
-      run(job, {.checked = true, .most_number = 99}, {.bit_errors = 1e-4, .drops = 1e-4});
+      run(job, {.checked = true, .max_number = 99}, {.bit_errors = 1e-4, .drops = 1e-4});
   EXPECT_EQ(outcome.state, Sender::State::kDone) << outcome.trouble;
   EXPECT_TRUE(outcome.turns == job.turns);
 }

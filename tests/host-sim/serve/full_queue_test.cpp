@@ -172,7 +172,7 @@ INSTANTIATE_TEST_SUITE_P(Every,
 TEST(FullQueueLimits, ASenderFurtherAheadThanTheLimitIsToldAndHungUpOn) {
   Ahead ahead{Way::kTcp, 1'000};
   const std::string part = lines_of(std::size_t{1} << 20);
-  for (std::size_t sent = 0; sent <= LookAhead::kMost + part.size(); sent += part.size())
+  for (std::size_t sent = 0; sent <= LookAhead::kMax + part.size(); sent += part.size())
     ahead.sender->send(part);
   EXPECT_TRUE(ahead.sender->hears(Reception::kTooFarAhead));
   EXPECT_TRUE(ServerBench::wait([&] { return !ahead.bench->lit(); }));

@@ -31,8 +31,8 @@ TEST(Pacer, ScalesWithTheSpeed) {
 TEST(Pacer, CatchesUpInBoundedBursts) {
   Pacer pacer{1.0, kStart};
   const auto late = kStart + milliseconds{200};
-  EXPECT_EQ(pacer.take_due(late), Pacer::kMostTurns);
-  EXPECT_EQ(pacer.take_due(late), 200 - Pacer::kMostTurns);
+  EXPECT_EQ(pacer.take_due(late), Pacer::kMaxTurns);
+  EXPECT_EQ(pacer.take_due(late), 200 - Pacer::kMaxTurns);
   EXPECT_EQ(pacer.take_due(late), 0U);
 }
 

@@ -174,7 +174,7 @@ TEST(WebHttp, AConnectionMoreThanThereMayBeTakesThePlaceOfASilentOne) {
   bench.send(first, "GET");
   bench.turns();
   std::vector<WebBench::Client> others;
-  while (others.size() < WebTransport::kMostClients) others.push_back(bench.connect());
+  while (others.size() < WebTransport::kMaxClients) others.push_back(bench.connect());
   bench.turns();
   EXPECT_TRUE(bench.sees_it_close(first));
   EXPECT_TRUE(bench.answer_to("GET / HTTP/1.1\r\nHost: {}\r\n\r\n").starts_with("HTTP/1.1 200"));

@@ -205,7 +205,7 @@ TEST(Carver, BoundsThatAreNear) {
     // Two walls along each stretch and round its ends, a cell or two wide; floors may be steep.
     const double height = job.box.top - job.box.bottom;
     const double walls = 4.0 * (2.0 * way + 12.0 * job.cutter.diameter_mm);
-    EXPECT_LE(stock.removed().most_mm3 - stock.removed().least_mm3, walls * height * job.cell_mm)
+    EXPECT_LE(stock.removed().max_mm3 - stock.removed().min_mm3, walls * height * job.cell_mm)
         << "seed " << seed;
   }
 }
@@ -218,7 +218,7 @@ TEST(Carver, CountsWhatASweepSurelyRemoves) {
     Carver carver{stock, job.cutter};
     double sure = 0.0;
     for (const Stretch& stretch : job.stretches) sure += carver.sweep(stretch);
-    EXPECT_LE(sure, stock.removed().least_mm3 + 1.0e-9) << "seed " << seed;
+    EXPECT_LE(sure, stock.removed().min_mm3 + 1.0e-9) << "seed " << seed;
     // Centres of cells against all of them: near enough to tell a sum from a wrong one.
     const double removed = removed_by_poses(job, stock);
     EXPECT_LE(sure, 1.02 * removed + 0.05) << "seed " << seed;

@@ -21,7 +21,7 @@ CarvingFigures driven_down_to(double depth_mm, Drive drive) {
 TEST(Carving, ReportsNoPlungeAndNoRapidByASkin) {
   EXPECT_EQ(driven_down_to(0.5 * kTrailMm, Drive::kFeed).plunges.count, 0U);
   EXPECT_EQ(driven_down_to(0.5 * kTrailMm, Drive::kRapid).rapids.count, 0U);
-  EXPECT_GT(driven_down_to(0.5 * kTrailMm, Drive::kFeed).removed.least_mm3, 0.0);
+  EXPECT_GT(driven_down_to(0.5 * kTrailMm, Drive::kFeed).removed.min_mm3, 0.0);
 }
 
 TEST(Carving, ReportsPlungesAndRapidsInStockByTheirLine) {

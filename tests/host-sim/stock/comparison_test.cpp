@@ -45,17 +45,17 @@ TEST(Comparison, OfAGoodPocketFindsNothingForSure) {
     Carver carver{stock, kFlat4};
     clear(carver, kPoses, 2.5);
     const PocketFigures figures = compared(stock, kFlat4, kPocket);
-    EXPECT_EQ(figures.gouge.least_mm3, 0.0);
-    EXPECT_EQ(figures.rest.least_mm3, 0.0);
-    EXPECT_EQ(figures.deepest_gouge.least_mm, 0.0);
-    EXPECT_EQ(figures.tallest_scallop.least_mm, 0.0);
+    EXPECT_EQ(figures.gouge.min_mm3, 0.0);
+    EXPECT_EQ(figures.rest.min_mm3, 0.0);
+    EXPECT_EQ(figures.deepest_gouge.min_mm, 0.0);
+    EXPECT_EQ(figures.tallest_scallop.min_mm, 0.0);
     // The bounds are apart along 140 mm of walls.
-    EXPECT_LE(figures.gouge.most_mm3, 140.0 * kDepth * 2.5 * cell_mm);
-    EXPECT_LE(figures.rest.most_mm3, 140.0 * kDepth * 4.0 * cell_mm);
+    EXPECT_LE(figures.gouge.max_mm3, 140.0 * kDepth * 2.5 * cell_mm);
+    EXPECT_LE(figures.rest.max_mm3, 140.0 * kDepth * 4.0 * cell_mm);
     if (walls > 0.0) {
-      EXPECT_LE(figures.gouge.most_mm3, 0.7 * walls);
+      EXPECT_LE(figures.gouge.max_mm3, 0.7 * walls);
     }
-    walls = figures.gouge.most_mm3;
+    walls = figures.gouge.max_mm3;
   }
 }
 
@@ -70,14 +70,14 @@ TEST(Comparison, FindsARibBetweenTwoLines) {
   clear(carver, high, 2.5);
   const PocketFigures figures = compared(stock, kFlat4, kPocket);
   const double rib = (40.0 * 1.0 + 4.0 * (4.0 - std::numbers::pi)) * kDepth;
-  EXPECT_LE(figures.rest.least_mm3, rib);
-  EXPECT_GE(figures.rest.least_mm3, 0.85 * rib);
-  EXPECT_GE(figures.rest.most_mm3, rib);
-  EXPECT_NEAR(figures.tallest_rest.least_mm, kDepth, 1.0e-5);
+  EXPECT_LE(figures.rest.min_mm3, rib);
+  EXPECT_GE(figures.rest.min_mm3, 0.85 * rib);
+  EXPECT_GE(figures.rest.max_mm3, rib);
+  EXPECT_NEAR(figures.tallest_rest.min_mm, kDepth, 1.0e-5);
   EXPECT_GT(figures.tallest_rest.y_mm, 12.0);
   EXPECT_LT(figures.tallest_rest.y_mm, 17.0);
-  EXPECT_EQ(figures.tallest_scallop.least_mm, 0.0);
-  EXPECT_EQ(figures.gouge.least_mm3, 0.0);
+  EXPECT_EQ(figures.tallest_scallop.min_mm, 0.0);
+  EXPECT_EQ(figures.gouge.min_mm3, 0.0);
 }
 
 TEST(Comparison, FindsAGougeOfTheFloorAndOfAWall) {
@@ -87,15 +87,15 @@ TEST(Comparison, FindsAGougeOfTheFloorAndOfAWall) {
   carver.sweep({{10.0, 10.0, kFloor - 0.3}, {20.0, 10.0, kFloor - 0.3}});
   PocketFigures figures = compared(stock, kFlat4, kPocket);
   const double slot = 0.3 * (40.0 + 4.0 * std::numbers::pi);
-  EXPECT_LE(figures.gouge.least_mm3, slot);
-  EXPECT_GE(figures.gouge.least_mm3, 0.9 * slot);
-  EXPECT_NEAR(figures.deepest_gouge.least_mm, 0.3, 1.0e-5);
+  EXPECT_LE(figures.gouge.min_mm3, slot);
+  EXPECT_GE(figures.gouge.min_mm3, 0.9 * slot);
+  EXPECT_NEAR(figures.deepest_gouge.min_mm, 0.3, 1.0e-5);
   EXPECT_NEAR(figures.deepest_gouge.y_mm, 10.0, 2.0);
   carver.sweep({{10.0, 28.4, kFloor}, {30.0, 28.4, kFloor}});  // 0.4 mm into the upper wall.
-  const double before = figures.gouge.least_mm3;
+  const double before = figures.gouge.min_mm3;
   figures = compared(stock, kFlat4, kPocket);
-  EXPECT_NEAR(figures.gouge.least_mm3 - before, 20.0 * 0.4 * kDepth, 5.0);
-  EXPECT_NEAR(figures.deepest_gouge.least_mm, kDepth, 1.0e-5);
+  EXPECT_NEAR(figures.gouge.min_mm3 - before, 20.0 * 0.4 * kDepth, 5.0);
+  EXPECT_NEAR(figures.deepest_gouge.min_mm, kDepth, 1.0e-5);
   EXPECT_GT(figures.deepest_gouge.y_mm, 30.0);
   EXPECT_LT(figures.deepest_gouge.y_mm, 30.4);
 }
@@ -108,17 +108,17 @@ TEST(Comparison, FindsTheScallopsOfABall) {
     Carver carver{stock, kBall4};
     clear(carver, kPoses, kStep);
     const PocketFigures figures = compared(stock, kBall4, kPocket);
-    EXPECT_EQ(figures.gouge.least_mm3, 0.0);
-    EXPECT_LE(figures.tallest_scallop.least_mm, scallop + 1.0e-6);
+    EXPECT_EQ(figures.gouge.min_mm3, 0.0);
+    EXPECT_LE(figures.tallest_scallop.min_mm, scallop + 1.0e-6);
     // The ridge is as steep as its half angle: a cell away from it it is lower by that.
-    EXPECT_GE(figures.tallest_scallop.least_mm, scallop - 1.5 * cell_mm * 0.5 * kStep / 2.0);
-    EXPECT_GE(figures.tallest_scallop.most_mm, scallop);
+    EXPECT_GE(figures.tallest_scallop.min_mm, scallop - 1.5 * cell_mm * 0.5 * kStep / 2.0);
+    EXPECT_GE(figures.tallest_scallop.max_mm, scallop);
     const double strip = 0.5 * kStep;
     const double under =
         2.0 * strip - (strip * std::sqrt(4.0 - strip * strip) / 2.0 + 2.0 * std::asin(strip / 2.0));
     const double ridges = 2.0 * under / kStep * 36.0 * 26.0;  // Where poses are on both sides.
-    EXPECT_LE(figures.rest.least_mm3, ridges * 1.25);
-    EXPECT_GE(figures.rest.most_mm3, ridges);
+    EXPECT_LE(figures.rest.min_mm3, ridges * 1.25);
+    EXPECT_GE(figures.rest.max_mm3, ridges);
   }
 }
 
@@ -142,14 +142,14 @@ TEST(Comparison, CallsNoRestWhereTheToolDoesNotFit) {
   // Nothing is cut: both rooms are rest, the neck and the corners are none.
   const double corners = (4.0 - std::numbers::pi) * 8.0;
   const double rooms = 2.0 * 16.0 * 30.0 - 40.0 - corners;
-  EXPECT_LE(figures.rest.least_mm3, rooms * kDepth);
-  EXPECT_GE(figures.rest.least_mm3, 0.95 * rooms * kDepth);
-  EXPECT_GE(figures.rest.most_mm3, rooms * kDepth);
-  EXPECT_LE(figures.rest.most_mm3, 1.05 * rooms * kDepth);
-  EXPECT_EQ(figures.gouge.most_mm3, 0.0);
+  EXPECT_LE(figures.rest.min_mm3, rooms * kDepth);
+  EXPECT_GE(figures.rest.min_mm3, 0.95 * rooms * kDepth);
+  EXPECT_GE(figures.rest.max_mm3, rooms * kDepth);
+  EXPECT_LE(figures.rest.max_mm3, 1.05 * rooms * kDepth);
+  EXPECT_EQ(figures.gouge.max_mm3, 0.0);
   // A tool that fits nowhere leaves no rest.
   const Cutter large{.kind = CutterKind::kFlat, .diameter_mm = 35.0};
-  EXPECT_EQ(compared(stock, large, target).rest.most_mm3, 0.0);
+  EXPECT_EQ(compared(stock, large, target).rest.max_mm3, 0.0);
 }
 
 TEST(Comparison, TakesTheRadiusOfATaperedToolWithinTheStock) {
@@ -158,12 +158,12 @@ TEST(Comparison, TakesTheRadiusOfATaperedToolWithinTheStock) {
   const PocketTarget target{{rectangle(0.0, 0.0, 40.0, 8.0)}, kDepth};
   Stock stock{kSlab, 0.05};
   const PocketFigures figures = compared(stock, cutter, target);
-  EXPECT_GT(figures.rest.least_mm3, 0.0);
+  EXPECT_GT(figures.rest.min_mm3, 0.0);
   Carver carver{stock, cutter};
   clear(carver, {3.0, 3.0, 37.0, 5.0, 0.0, kFloor}, 0.02);
   const PocketFigures cleared = compared(stock, cutter, target);
-  EXPECT_LE(cleared.tallest_rest.least_mm, 0.011);
-  EXPECT_EQ(cleared.gouge.least_mm3, 0.0);
+  EXPECT_LE(cleared.tallest_rest.min_mm, 0.011);
+  EXPECT_EQ(cleared.gouge.min_mm3, 0.0);
 }
 
 /// Whether a place is in a ring, by the angle that the ring turns round it.

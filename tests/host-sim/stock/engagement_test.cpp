@@ -17,8 +17,8 @@ constexpr Cutter kFlat10{.kind = CutterKind::kFlat, .diameter_mm = 2.0 * kRadius
 double degrees(double radians) { return radians * 180.0 / std::numbers::pi; }
 
 void expect_about(const Engagement& found, double wanted_deg, double off_deg) {
-  EXPECT_LE(found.least_deg, wanted_deg + 0.3);
-  EXPECT_GE(found.most_deg, wanted_deg - 0.3);
+  EXPECT_LE(found.min_deg, wanted_deg + 0.3);
+  EXPECT_GE(found.max_deg, wanted_deg - 0.3);
   EXPECT_NEAR(found.middle_deg(), wanted_deg, off_deg);
 }
 
@@ -34,9 +34,9 @@ TEST(Engagement, OfASlotIsHalfATurn) {
     const Pose on{2.0 * to.x_mm - from.x_mm, 2.0 * to.y_mm - from.y_mm, to.z_mm};
     expect_about(greatest_engagement(stock, kRadius, {to, on}), 180.0, 0.5);
     const Engagement back = greatest_engagement(stock, kRadius, {to, from});
-    EXPECT_EQ(back.least_deg, 0.0);
+    EXPECT_EQ(back.min_deg, 0.0);
     // Cells of the walls are cut in part: either side may be a cell and a half wide.
-    EXPECT_LE(back.most_deg, 2.0 * degrees(std::acos(1.0 - 0.075 / kRadius)));
+    EXPECT_LE(back.max_deg, 2.0 * degrees(std::acos(1.0 - 0.075 / kRadius)));
   }
 }
 
@@ -55,7 +55,7 @@ TEST(Engagement, OfAStepOverIsThatOfTheFormula) {
       const double wanted = degrees(std::acos(1.0 - step / kRadius));
       expect_about(found, wanted, 1.0);
       const double cells = 2.0 * 0.05 / (kRadius * std::sin(wanted * std::numbers::pi / 180.0));
-      EXPECT_LE(found.most_deg - found.least_deg, degrees(1.4 * cells)) << step;
+      EXPECT_LE(found.max_deg - found.min_deg, degrees(1.4 * cells)) << step;
     }
   }
 }
@@ -63,10 +63,10 @@ TEST(Engagement, OfAStepOverIsThatOfTheFormula) {
 TEST(Engagement, IsNothingAboveTheStockAndOnAFloor) {
   Stock stock{kPlate, 0.05};
   Carver carver{stock, kFlat10};
-  EXPECT_EQ(greatest_engagement(stock, kRadius, {{20, 20, 0}, {30, 20, 0}}).most_deg, 0.0);
-  EXPECT_EQ(greatest_engagement(stock, kRadius, {{20, 20, 0}, {20, 20, -5}}).most_deg, 0.0);
+  EXPECT_EQ(greatest_engagement(stock, kRadius, {{20, 20, 0}, {30, 20, 0}}).max_deg, 0.0);
+  EXPECT_EQ(greatest_engagement(stock, kRadius, {{20, 20, 0}, {20, 20, -5}}).max_deg, 0.0);
   for (double y = 5.0; y < 40.0; y += 5.0) carver.sweep({{-10, y, -3.0}, {70, y, -3.0}});
-  EXPECT_EQ(greatest_engagement(stock, kRadius, {{20, 20, -3}, {30, 20, -3}}).most_deg, 0.0);
+  EXPECT_EQ(greatest_engagement(stock, kRadius, {{20, 20, -3}, {30, 20, -3}}).max_deg, 0.0);
   expect_about(greatest_engagement(stock, kRadius, {{20, 20, -3.1}, {30, 20, -3.1}}), 180.0, 0.5);
 }
 
@@ -89,11 +89,11 @@ TEST(Carving, NamesRapidsAndPlungesInStockByLine) {
   const CarvingFigures& figures = carving.figures();
   ASSERT_EQ(figures.rapids.lines.size(), 1U);
   EXPECT_EQ(figures.rapids.lines[0].line, 6);
-  EXPECT_GT(figures.rapids.lines[0].least_mm3, 50.0);
+  EXPECT_GT(figures.rapids.lines[0].min_mm3, 50.0);
   EXPECT_EQ(figures.rapids.lines[0].at_s, 6.0);
   ASSERT_EQ(figures.plunges.lines.size(), 2U);
   EXPECT_EQ(figures.plunges.lines[0].line, 2);
-  EXPECT_NEAR(figures.plunges.lines[0].least_mm3, 3.0 * 25.0 * std::numbers::pi, 8.0);
+  EXPECT_NEAR(figures.plunges.lines[0].min_mm3, 3.0 * 25.0 * std::numbers::pi, 8.0);
   EXPECT_EQ(figures.plunges.lines[1].line, 8);
   ASSERT_TRUE(figures.engagement.has_value());
   EXPECT_EQ(figures.engagement->line, 3);
@@ -109,10 +109,10 @@ TEST(Carving, ListsTheFirstLinesAndCountsAll) {
   }
   const LineCuts& plunges = carving.figures().plunges;
   EXPECT_EQ(plunges.count, 150U);
-  ASSERT_EQ(plunges.lines.size(), LineCuts::kMostListed);
+  ASSERT_EQ(plunges.lines.size(), LineCuts::kMaxListed);
   for (std::size_t i = 0; i < plunges.lines.size(); ++i) {
     EXPECT_EQ(plunges.lines[i].line, static_cast<int>(i) + 1);
-    EXPECT_NEAR(plunges.lines[i].least_mm3, 0.04 * 25.0 * std::numbers::pi, 0.6);
+    EXPECT_NEAR(plunges.lines[i].min_mm3, 0.04 * 25.0 * std::numbers::pi, 0.6);
   }
 }
 
@@ -128,15 +128,15 @@ TEST(Carving, KeepsTheRemovedVolumeOverTime) {
   }
   carving.end(501.0);
   const CarvingFigures& figures = carving.figures();
-  ASSERT_LE(figures.over_time.size(), CarvingFigures::kMostTimes);
-  ASSERT_GE(figures.over_time.size(), CarvingFigures::kMostTimes / 2 - 1);
+  ASSERT_LE(figures.over_time.size(), CarvingFigures::kMaxTimes);
+  ASSERT_GE(figures.over_time.size(), CarvingFigures::kMaxTimes / 2 - 1);
   for (std::size_t i = 1; i < figures.over_time.size(); ++i) {
     EXPECT_LT(figures.over_time[i - 1].time_s, figures.over_time[i].time_s);
-    EXPECT_LE(figures.over_time[i - 1].removed.least_mm3, figures.over_time[i].removed.least_mm3);
+    EXPECT_LE(figures.over_time[i - 1].removed.min_mm3, figures.over_time[i].removed.min_mm3);
   }
   EXPECT_EQ(figures.over_time.back().time_s, 501.0);
-  EXPECT_EQ(figures.over_time.back().removed.most_mm3, figures.removed.most_mm3);
-  EXPECT_EQ(figures.removed.most_mm3, stock.removed().most_mm3);
+  EXPECT_EQ(figures.over_time.back().removed.max_mm3, figures.removed.max_mm3);
+  EXPECT_EQ(figures.removed.max_mm3, stock.removed().max_mm3);
 }
 
 }  // namespace

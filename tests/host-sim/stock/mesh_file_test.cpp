@@ -103,7 +103,7 @@ TEST(MeshFile, EncloseWhatIsLeft) {
   const std::vector<Face> faces = read_stl(stl.text());
   expect_closed(faces);
   const VolumeBounds removed = stock.removed();
-  const double left = 20.0 * 10.0 * 6.0 - 0.5 * (removed.least_mm3 + removed.most_mm3);
+  const double left = 20.0 * 10.0 * 6.0 - 0.5 * (removed.min_mm3 + removed.max_mm3);
   EXPECT_NEAR(volume_of(faces), left, 0.2);
   const ScratchFile ply{".ply"};
   write_ply(ply.path(), stock);
@@ -123,7 +123,7 @@ TEST(MeshFile, OfAFineStockHasBoundedSize) {
   const Stock stock{{0.0, 0.0, 100.0, 80.0, 0.0, -1.0}, 0.02};
   const ScratchFile ply{".ply"};
   write_ply(ply.path(), stock);
-  EXPECT_LE(ply.text().size(), 45U * kMostMeshPoints);
+  EXPECT_LE(ply.text().size(), 45U * kMaxMeshPoints);
 }
 
 TEST(HeightMap, HasTheMeansOfBlocks) {

@@ -31,9 +31,9 @@ void expect_volume(const Cutter& cutter, const Stretch& stretch, double volume_m
   double gap_before = 0.0;
   for (const double cell_mm : {0.2, 0.1, 0.05}) {
     const VolumeBounds removed = carved(cutter, stretch, cell_mm);
-    EXPECT_LE(removed.least_mm3, volume_mm3) << cell_mm;
-    EXPECT_GE(removed.most_mm3, volume_mm3) << cell_mm;
-    const double gap = removed.most_mm3 - removed.least_mm3;
+    EXPECT_LE(removed.min_mm3, volume_mm3) << cell_mm;
+    EXPECT_GE(removed.max_mm3, volume_mm3) << cell_mm;
+    const double gap = removed.max_mm3 - removed.min_mm3;
     EXPECT_LE(gap, volume_mm3 * 1.6 * cell_mm) << cell_mm;
     if (gap_before > 0.0) {
       EXPECT_LE(gap, 0.6 * gap_before) << cell_mm;
@@ -99,9 +99,9 @@ TEST(StockVolume, EndsAtTheRimAndAtTheBottom) {
   const Stretch along{{-5.0, 0.0, -15.0}, {45.0, 0.0, -15.0}};
   for (const double cell_mm : {0.3, 0.1, 0.05}) {  // 0.3 does not divide the sides.
     const VolumeBounds removed = carved(kFlat6, along, cell_mm);
-    EXPECT_LE(removed.least_mm3, 40.0 * 3.0 * 12.0);
-    EXPECT_GE(removed.most_mm3, 40.0 * 3.0 * 12.0);
-    EXPECT_LE(removed.most_mm3 - removed.least_mm3, 40.0 * 12.0 * 2.0 * cell_mm);
+    EXPECT_LE(removed.min_mm3, 40.0 * 3.0 * 12.0);
+    EXPECT_GE(removed.max_mm3, 40.0 * 3.0 * 12.0);
+    EXPECT_LE(removed.max_mm3 - removed.min_mm3, 40.0 * 12.0 * 2.0 * cell_mm);
   }
 }
 
@@ -113,7 +113,7 @@ TEST(StockVolume, IsNothingAboveAndBesideTheStock) {
     Stock stock{kBlock, 0.1};
     Carver carver{stock, kFlat6};
     EXPECT_EQ(carver.sweep(stretch), 0.0);
-    EXPECT_EQ(stock.removed().most_mm3, 0.0);
+    EXPECT_EQ(stock.removed().max_mm3, 0.0);
     EXPECT_EQ(stock.carved_bytes(), 0U);
   }
 }

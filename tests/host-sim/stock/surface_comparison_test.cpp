@@ -42,12 +42,12 @@ TEST(SurfaceComparison, FindsTheRestThatALevelCutLeaves) {
   const Stock stock = rows_over(-2.0, 0.0, cutter);
   const SurfaceFigures figures = compared(stock, cutter, plane(-2.25, 0.0)).figures;
   EXPECT_EQ(figures.cells, 240U * 160U);
-  EXPECT_NEAR(figures.tallest_rest.least_mm, 0.25, 1.0e-5);
-  EXPECT_NEAR(figures.tallest_rest.most_mm, 0.25, 1.0e-5);
-  EXPECT_NEAR(figures.rest.least_mm3, 0.25 * 12.0 * 8.0, 1.0e-3);
-  EXPECT_EQ(figures.gouge.most_mm3, 0.0);
+  EXPECT_NEAR(figures.tallest_rest.min_mm, 0.25, 1.0e-5);
+  EXPECT_NEAR(figures.tallest_rest.max_mm, 0.25, 1.0e-5);
+  EXPECT_NEAR(figures.rest.min_mm3, 0.25 * 12.0 * 8.0, 1.0e-3);
+  EXPECT_EQ(figures.gouge.max_mm3, 0.0);
   EXPECT_TRUE(figures.worst_gouges.empty());
-  ASSERT_EQ(figures.worst_rests.size(), kMostWorstPlaces);
+  ASSERT_EQ(figures.worst_rests.size(), kMaxWorstPlaces);
   EXPECT_EQ(figures.worst_rests[0].unreachable_mm, 0.0);
 }
 
@@ -59,12 +59,12 @@ TEST(SurfaceComparison, FindsAGougeWithItsPlaceAndDepth) {
   carver.sweep({{7.0, 3.0, 2.0}, {7.0, 3.0, -2.125}});
   const SurfaceComparison comparison = compared(stock, wide, plane(-2.0, 0.0));
   const SurfaceFigures& figures = comparison.figures;
-  EXPECT_NEAR(figures.deepest_gouge.least_mm, 0.125, 1.0e-5);
+  EXPECT_NEAR(figures.deepest_gouge.min_mm, 0.125, 1.0e-5);
   ASSERT_FALSE(figures.worst_gouges.empty());
   EXPECT_NEAR(figures.worst_gouges[0].off_mm, -0.125, 1.0e-5);
   EXPECT_NEAR(figures.worst_gouges[0].x_mm, 7.0, 0.5);
   EXPECT_NEAR(figures.worst_gouges[0].y_mm, 3.0, 0.5);
-  EXPECT_NEAR(figures.gouge.least_mm3, 0.125 * 0.7854, 0.02);
+  EXPECT_NEAR(figures.gouge.min_mm3, 0.125 * 0.7854, 0.02);
   EXPECT_NEAR(comparison.map.at(140, 60), -0.125F, 1.0e-5F);
   EXPECT_NEAR(comparison.map.at(20, 20), 0.0F, 1.0e-5F);
   StockReport report;
@@ -89,7 +89,7 @@ TEST(SurfaceComparison, MeasuresAtRightAnglesOnASlope) {
     const SurfaceComparison comparison = compared(stock, cutter, plane(base, rise));
     EXPECT_NEAR(comparison.map.at(120, 80), above / std::hypot(1.0, rise), 0.5 * kComparedCell)
         << rise;
-    EXPECT_EQ(comparison.figures.gouge.least_mm3, 0.0);
+    EXPECT_EQ(comparison.figures.gouge.min_mm3, 0.0);
   }
 }
 
@@ -109,7 +109,7 @@ TEST(SurfaceComparison, TellsWhatAToolLeavesWhereItDoesNotFit) {
     }
   }
   const SurfaceFigures figures = compared(stock, ball, groove).figures;
-  EXPECT_EQ(figures.gouge.least_mm3, 0.0);
+  EXPECT_EQ(figures.gouge.min_mm3, 0.0);
   ASSERT_FALSE(figures.worst_rests.empty());
   const WorstPlace& worst = figures.worst_rests[0];
   EXPECT_NEAR(worst.y_mm, 4.0, 0.06);
@@ -136,11 +136,11 @@ TEST(SurfaceComparison, SeesAWallBesideACellAsNear) {
   for (double x = 4.8; x > -2.0; x -= 0.7) carver.sweep({{x, -2.0, -4.0}, {x, 10.0, -4.0}});
   for (double x = 6.0; x < 14.0; x += 0.7) carver.sweep({{x, -2.0, -1.0}, {x, 10.0, -1.0}});
   const SurfaceFigures figures = compared(stock, cutter, step).figures;
-  EXPECT_GT(figures.tallest_rest.least_mm, 2.5);
+  EXPECT_GT(figures.tallest_rest.min_mm, 2.5);
   ASSERT_FALSE(figures.worst_rests.empty());
   EXPECT_LT(figures.worst_rests[0].off_mm, 0.4);
   EXPECT_GT(figures.worst_rests[0].off_mm, 0.02);
-  EXPECT_EQ(figures.gouge.least_mm3, 0.0);
+  EXPECT_EQ(figures.gouge.min_mm3, 0.0);
 }
 
 TEST(SurfaceComparison, LeavesOutWhereThereIsNoSurface) {
@@ -167,10 +167,10 @@ TEST(SurfaceComparison, BoundsHoldTheTrueDifferenceOnRandomPlanes) {
     carver.sweep({{x, -2.0, tip}, {x, 10.0, tip}});
     const SurfaceFigures figures = compared(stock, cutter, plane(base, rise)).figures;
     const double deepest = -above + std::abs(rise);  // At the upper rim of the slot.
-    EXPECT_LE(figures.deepest_gouge.least_mm, std::max(0.0, deepest) + 1.0e-5);
-    EXPECT_GE(figures.deepest_gouge.most_mm, figures.deepest_gouge.least_mm);
-    EXPECT_GE(figures.deepest_gouge.least_mm, deepest - 0.2 * std::abs(rise) - 1.0e-5);
-    EXPECT_GE(figures.tallest_rest.most_mm, figures.tallest_rest.least_mm);
+    EXPECT_LE(figures.deepest_gouge.min_mm, std::max(0.0, deepest) + 1.0e-5);
+    EXPECT_GE(figures.deepest_gouge.max_mm, figures.deepest_gouge.min_mm);
+    EXPECT_GE(figures.deepest_gouge.min_mm, deepest - 0.2 * std::abs(rise) - 1.0e-5);
+    EXPECT_GE(figures.tallest_rest.max_mm, figures.tallest_rest.min_mm);
   }
 }
 

@@ -181,8 +181,8 @@ TEST(SweptSurface, LeastOverIsNoGreaterThanAnyHeightInTheRectangle) {
     for (int i = 0; i < 50; ++i) {
       const auto [x, y, unused] = point_near(plain, random);
       const double enough = random.between(-4.0, 2.0);
-      const double greatest = surface.least_over(x, y, half_x, half_y, SweptSurface::kNowhere);
-      const double bound = surface.least_over(x, y, half_x, half_y, enough);
+      const double greatest = surface.min_over(x, y, half_x, half_y, SweptSurface::kNowhere);
+      const double bound = surface.min_over(x, y, half_x, half_y, enough);
       ASSERT_LE(bound, greatest) << "seed " << seed;
       ASSERT_GE(bound, std::min(enough, greatest)) << "seed " << seed;
       for (int j = 0; j < 12; ++j) {
@@ -234,7 +234,7 @@ std::vector<Stretch> random_stretches(RandomSweep& random) {
 }
 
 /// The least bounds that a cell has in any of some stocks.
-Cell least_bounds(const std::deque<Stock>& stocks, int column, int row) {
+Cell min_bounds(const std::deque<Stock>& stocks, int column, int row) {
   Cell least;
   for (const Stock& stock : stocks) {
     least.lower_nm = std::min(least.lower_nm, stock.cell(column, row).lower_nm);
@@ -259,7 +259,7 @@ TEST(SweptSurface, LeavingOutWhatIsCutLoosensNoBound) {
     }
     for (int row = 0; row < stock.rows(); ++row) {
       for (int column = 0; column < stock.columns(); ++column) {
-        const Cell least = least_bounds(alone, column, row);
+        const Cell least = min_bounds(alone, column, row);
         ASSERT_LE(stock.cell(column, row).upper_nm, least.upper_nm + 1)
             << "seed " << seed << " column " << column << " row " << row;
         ASSERT_GE(stock.cell(column, row).lower_nm, least.lower_nm)

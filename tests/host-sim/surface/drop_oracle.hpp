@@ -25,10 +25,10 @@ class DropOracle {
   DropOracle(const sim::surface::Mesh& mesh, const cnc::surface::Profile& profile)
       : mesh_{mesh}, tool_{profile} {
     for (const Eigen::Vector3d& point : mesh.points) {
-      least_ = least_.cwiseMin(point.head<2>());
-      most_ = most_.cwiseMax(point.head<2>());
+      min_ = min_.cwiseMin(point.head<2>());
+      max_ = max_.cwiseMax(point.head<2>());
     }
-    const double area = (most_ - least_).maxCoeff();
+    const double area = (max_ - min_).maxCoeff();
     cell_ = std::max(area / kCells, 1.0e-9);
     cells_.resize(static_cast<std::size_t>(kCells + 1) * (kCells + 1));
     for (std::uint32_t i = 0; i < mesh.facets.size(); ++i) add(i);
@@ -60,7 +60,7 @@ class DropOracle {
   }
 
   [[nodiscard]] Eigen::Array2i cell_of(const Eigen::Array2d& place) const {
-    const Eigen::Array2d cells = (place - least_.array()) / cell_;
+    const Eigen::Array2d cells = (place - min_.array()) / cell_;
     return cells.max(0.0).min(static_cast<double>(kCells)).floor().cast<int>();
   }
 
@@ -188,8 +188,8 @@ class DropOracle {
 
   const sim::surface::Mesh& mesh_;
   cnc::surface::Profile tool_;
-  Eigen::Vector2d least_ = Eigen::Vector2d::Constant(std::numeric_limits<double>::infinity());
-  Eigen::Vector2d most_ = Eigen::Vector2d::Constant(-std::numeric_limits<double>::infinity());
+  Eigen::Vector2d min_ = Eigen::Vector2d::Constant(std::numeric_limits<double>::infinity());
+  Eigen::Vector2d max_ = Eigen::Vector2d::Constant(-std::numeric_limits<double>::infinity());
   double cell_ = 1.0;
   std::vector<std::vector<std::uint32_t>> cells_;
 };

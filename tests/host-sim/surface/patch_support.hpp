@@ -63,15 +63,15 @@ class SculpturedSurface {
                                double pitch_mm,
                                proof::Random* stirred_by = nullptr) const {
     PointGrid grid{.rows = rows, .columns = columns, .points = {}};
-    const double most_x = static_cast<double>(columns - 1);
-    const double most_y = static_cast<double>(rows - 1);
+    const double max_x = static_cast<double>(columns - 1);
+    const double max_y = static_cast<double>(rows - 1);
     const auto stir = [&] { return stirred_by != nullptr ? stirred_by->between(-0.2, 0.2) : 0.0; };
     for (std::size_t row = 0; row < rows; ++row) {
       for (std::size_t column = 0; column < columns; ++column) {
         const double x = static_cast<double>(column) + stir();
         const double y = static_cast<double>(row) + stir();
         const double height_mm =
-            height(std::clamp(x / most_x, 0.0, 1.0), std::clamp(y / most_y, 0.0, 1.0));
+            height(std::clamp(x / max_x, 0.0, 1.0), std::clamp(y / max_y, 0.0, 1.0));
         grid.points.emplace_back(pitch_mm * x, pitch_mm * y, height_mm);
       }
     }

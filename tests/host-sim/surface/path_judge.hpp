@@ -70,7 +70,7 @@ class Judge {
   Judge(const Mesh& mesh, const RowOptions& options, double smooth_mm = 0.0)
       : options_{options},
         exact_{mesh, tool_of(options)},
-        most_air_{2.0 * options.tolerance_mm + smooth_mm} {
+        max_air_{2.0 * options.tolerance_mm + smooth_mm} {
     double lowest = 1.0e9;
     for (const Eigen::Vector3d& point : mesh.points) lowest = std::min(lowest, point.z());
     floor_ = options.floor_mm.value_or(lowest) + options.allowance_mm;
@@ -83,7 +83,7 @@ class Judge {
 
   /// Returns whether no place within the allowed air touches: then there is too much air.
   [[nodiscard]] bool is_too_high(const Eigen::Vector3d& tip) const {
-    const double most = most_air_ + 1.0e-9;
+    const double most = max_air_ + 1.0e-9;
     if (tip.z() - height(tip.head<2>()) <= most) return false;
     constexpr int kDirections = 32;
     for (int ring = 1; ring <= 16; ++ring) {
@@ -110,7 +110,7 @@ class Judge {
 
   RowOptions options_;
   DropCutter exact_;
-  double most_air_;
+  double max_air_;
   double floor_ = 0.0;
 };
 

@@ -178,7 +178,7 @@ TEST(PencilPath, NeverCutsInOnHills) {
     // A fine grid over a large mesh takes long.
     if (options.tool.radius_mm < 0.03 * mesh.points.back().x()) continue;
     try {
-      const PencilPath pencil = pencil_path(mesh, options, {.angle_rad = 0.35, .least_mm = 0.5});
+      const PencilPath pencil = pencil_path(mesh, options, {.angle_rad = 0.35, .min_mm = 0.5});
       expect_no_gouge(mesh, options, pencil.path);
       ++found;
     } catch (const std::invalid_argument&) {

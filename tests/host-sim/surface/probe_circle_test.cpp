@@ -124,9 +124,9 @@ ProbeProgram program_for(double tip_mm, double pitch_mm) {
 }
 
 /// How far a point of touch may be above a cap or a plane: as touched_points() says.
-double most_above(const Shape& shape, const ProbeProgram& program, const Vector2d& at) {
+double max_above(const Shape& shape, const ProbeProgram& program, const Vector2d& at) {
   const double r = 0.5 * program.tip_mm;
-  const double pitch = program.grid.least_pitch_mm();
+  const double pitch = program.grid.min_pitch_mm();
   double third = 0.0;
   double steep = 0.5;
   double dome = 0.0;
@@ -162,8 +162,7 @@ TEST_P(ProbeCircle, ReturnsTheSurface) {
       least = std::min(least, off);
       most = std::max(most, off);
       EXPECT_GT(off, -kZStepMm - kReportMm - shape.chord_mm) << shape.name;
-      EXPECT_LE(off, most_above(shape, program, point.head<2>()))
-          << shape.name << point.transpose();
+      EXPECT_LE(off, max_above(shape, program, point.head<2>())) << shape.name << point.transpose();
     }
     EXPECT_LT(most, 1.0e-3) << shape.name;
     RecordProperty(fmt::format("{}_least_nm", shape.name), static_cast<int>(1.0e6 * least));

@@ -80,9 +80,9 @@ TEST(SurfaceView, TheCarvedBlockHasNoGougeAndALowerPathHas) {
       return stock::compared(block, kBall, mesh).figures;
     };
     const stock::SurfaceFigures sound = figures_after(path);
-    EXPECT_EQ(sound.gouge.least_mm3, 0.0);
+    EXPECT_EQ(sound.gouge.min_mm3, 0.0);
     EXPECT_TRUE(sound.worst_gouges.empty());  // Though bounds leave some open on slopes.
-    EXPECT_GT(sound.gouge.most_mm3, 0.0);
+    EXPECT_GT(sound.gouge.max_mm3, 0.0);
     EXPECT_GT(sound.cells, 20'000U);
     ASSERT_FALSE(sound.worst_rests.empty());
     for (const stock::WorstPlace& rest : sound.worst_rests) {
@@ -92,7 +92,7 @@ TEST(SurfaceView, TheCarvedBlockHasNoGougeAndALowerPathHas) {
     for (SurfaceStretch& stretch : path.stretches) {
       for (ContourVertex& vertex : stretch.vertices) vertex.y -= 0.1;
     }
-    EXPECT_GT(figures_after(path).deepest_gouge.least_mm, 0.03);
+    EXPECT_GT(figures_after(path).deepest_gouge.min_mm, 0.03);
   }
 }
 

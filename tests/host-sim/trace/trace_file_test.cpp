@@ -65,10 +65,10 @@ TEST(TraceReader, GivesBackWhatWasWritten) {
 
 TEST(TraceReader, GivesBackTheExtremes) {
   const ScratchFile file{".csv"};
-  constexpr std::int32_t kLeast = std::numeric_limits<std::int32_t>::min();
+  constexpr std::int32_t kMin = std::numeric_limits<std::int32_t>::min();
   constexpr std::int32_t kGreatest = std::numeric_limits<std::int32_t>::max();
   const TraceRow extreme{std::numeric_limits<std::uint64_t>::max(),
-                         {kLeast, kGreatest, 0, kLeast, kGreatest, 0},
+                         {kMin, kGreatest, 0, kMin, kGreatest, 0},
                          std::numeric_limits<float>::denorm_min()};
   TraceWriter writer{file.path(), kTraceScale};
   writer.on_row(extreme);

@@ -24,14 +24,14 @@ Triangle wall_beside(double angle_rad) {
 }
 
 TEST(LeastTilt, OfNothingIsUpright) {
-  const LeastTilt tilt{{1, 2, 3}, {.half_angle_rad = 0.1, .most_rad = 1.0}};
+  const LeastTilt tilt{{1, 2, 3}, {.half_angle_rad = 0.1, .max_rad = 1.0}};
   ASSERT_TRUE(tilt.beam().has_value());
   EXPECT_EQ(tilt.beam()->axis, Vector3d::UnitZ());
 }
 
 TEST(LeastTilt, BesideAnEndlessWallIsTheHalfAngle) {
   const double half = 7.0 * kDegree;
-  LeastTilt tilt{{0, 0, 0}, {.half_angle_rad = half, .most_rad = 1.0}};
+  LeastTilt tilt{{0, 0, 0}, {.half_angle_rad = half, .max_rad = 1.0}};
   // Its upper rim is far away, but no wall is endless: the beam would pass above it.
   tilt.add({{0, -5000, -1}, {0, 5000, -1}, {0, 0, 9000}});
   ASSERT_TRUE(tilt.beam().has_value());
@@ -40,7 +40,7 @@ TEST(LeastTilt, BesideAnEndlessWallIsTheHalfAngle) {
 
 TEST(LeastTilt, InACornerOfTwoWallsIsThatOfBoth) {
   const double half = 7.0 * kDegree;
-  LeastTilt tilt{{0, 0, 0}, {.half_angle_rad = half, .most_rad = 1.0}};
+  LeastTilt tilt{{0, 0, 0}, {.half_angle_rad = half, .max_rad = 1.0}};
   tilt.add({{0, -5000, -1}, {0, 5000, -1}, {0, 0, 9000}});
   tilt.add({{-5000, 0, -1}, {5000, 0, -1}, {0, 0, 9000}});
   ASSERT_TRUE(tilt.beam().has_value());
@@ -50,7 +50,7 @@ TEST(LeastTilt, InACornerOfTwoWallsIsThatOfBoth) {
 }
 
 TEST(LeastTilt, InASlotNarrowerThanTheBeamIsNone) {
-  LeastTilt tilt{{0, 0, 0}, {.half_angle_rad = 0.2, .most_rad = 1.5}};
+  LeastTilt tilt{{0, 0, 0}, {.half_angle_rad = 0.2, .max_rad = 1.5}};
   tilt.add({{0.5, -5000, -1}, {0.5, 5000, -1}, {0.5, 0, 9000}});
   tilt.add({{-0.5, -5000, -1}, {-0.5, 5000, -1}, {-0.5, 0, 9000}});
   EXPECT_FALSE(tilt.beam().has_value());
@@ -58,7 +58,7 @@ TEST(LeastTilt, InASlotNarrowerThanTheBeamIsNone) {
 
 TEST(LeastTilt, KeepsToTheGreatestTilt) {
   const double half = 7.0 * kDegree;
-  LeastTilt tilt{{0, 0, 0}, {.half_angle_rad = half, .most_rad = 6.9 * kDegree}};
+  LeastTilt tilt{{0, 0, 0}, {.half_angle_rad = half, .max_rad = 6.9 * kDegree}};
   tilt.add(wall_beside(0.3));
   EXPECT_FALSE(tilt.beam().has_value());
 }
@@ -123,7 +123,7 @@ TEST(LeastTilt, IsNoMoreThanThatOfASearchAndClear) {
     SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
     proof::Random random{seed};
     const TiltRules rules{.half_angle_rad = random.between(2.0, 25.0) * kDegree,
-                          .most_rad = random.between(10.0, 60.0) * kDegree};
+                          .max_rad = random.between(10.0, 60.0) * kDegree};
     LeastTilt tilt{Vector3d::Zero(), rules};
     std::vector<Triangle> obstacles;
     const std::size_t count = 1 + random.below(6);
@@ -140,17 +140,17 @@ TEST(LeastTilt, IsNoMoreThanThatOfASearchAndClear) {
     // Axes of the search are as near to each other as that, and its points of triangles, too.
     const double surely = rules.half_angle_rad + 2.5 * kDegree;
     if (!beam) {
-      EXPECT_GT(searched_tilt(obstacles, surely, rules.most_rad), rules.most_rad);
+      EXPECT_GT(searched_tilt(obstacles, surely, rules.max_rad), rules.max_rad);
       continue;
     }
-    EXPECT_LE(tilt_of(*beam), rules.most_rad + 1.0e-9);
+    EXPECT_LE(tilt_of(*beam), rules.max_rad + 1.0e-9);
     for (const Triangle& obstacle : obstacles) {
       EXPECT_GE(searched_angle(beam->axis, obstacle), rules.half_angle_rad - 1.0e-9);
     }
-    EXPECT_LE(tilt_of(*beam), searched_tilt(obstacles, surely, rules.most_rad) + 1.0e-9);
+    EXPECT_LE(tilt_of(*beam), searched_tilt(obstacles, surely, rules.max_rad) + 1.0e-9);
     const double hardly = rules.half_angle_rad - 0.7 * kDegree;
     EXPECT_GE(tilt_of(*beam) + 0.51 * kDegree,
-              searched_tilt(obstacles, hardly, rules.most_rad + 0.5 * kDegree));
+              searched_tilt(obstacles, hardly, rules.max_rad + 0.5 * kDegree));
   }
 }
 

@@ -74,7 +74,7 @@ double tilt_deg(const Beam& beam) { return tilt_of(beam) / kDegree; }
 
 TEST(Obstacles, LeanABeamAwayFromTheWallsOfAPocketOnly) {
   const Obstacles obstacles{pocket(20.0, 2.0)};
-  const TiltRules rules{.half_angle_rad = 7.0 * kDegree, .most_rad = 30.0 * kDegree};
+  const TiltRules rules{.half_angle_rad = 7.0 * kDegree, .max_rad = 30.0 * kDegree};
   const auto tilt_at = [&](const Vector3d& tip) { return least_tilt(obstacles, tip, rules); };
   EXPECT_EQ(tilt_at({10, 10, 0})->axis, Vector3d::UnitZ());
   EXPECT_EQ(tilt_at({0.3, 10, 0})->axis, Vector3d::UnitZ());  // 2 mm tan 7 degrees is 0.2456 mm.
@@ -92,7 +92,7 @@ TEST(Obstacles, LeanABeamAwayFromTheWallsOfAPocketOnly) {
 }
 
 TEST(Obstacles, LeaveNoBeamInASlotNarrowerThanIt) {
-  const TiltRules rules{.half_angle_rad = 7.0 * kDegree, .most_rad = 60.0 * kDegree};
+  const TiltRules rules{.half_angle_rad = 7.0 * kDegree, .max_rad = 60.0 * kDegree};
   // 20 mm deep and 0.5 mm wide: a beam is wider than 4.9 mm at the rim.
   EXPECT_FALSE(least_tilt(Obstacles{pocket(0.5, 20.0)}, {0.25, 0.25, 0}, rules));
   EXPECT_TRUE(least_tilt(Obstacles{pocket(0.5, 1.0)}, {0.25, 0.25, 0}, rules));
@@ -107,7 +107,7 @@ TEST(Obstacles, AreAllClearOfTheBeamThatIsFound) {
     const surface::Mesh mesh = surface::random_waves(random, 16, 0.7);
     const Obstacles obstacles{mesh};
     const TiltRules rules{.half_angle_rad = random.between(3.0, 40.0) * kDegree,
-                          .most_rad = 50.0 * kDegree};
+                          .max_rad = 50.0 * kDegree};
     for (int i = 0; i < 10; ++i) {
       const Vector3d tip = mesh.points[random.below(mesh.points.size())];
       const std::optional<Beam> beam = least_tilt(obstacles, tip, rules);

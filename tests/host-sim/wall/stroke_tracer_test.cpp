@@ -18,7 +18,7 @@ using Eigen::Vector3d;
 constexpr double kHalfAngle = 7.0 * kDegree;
 
 BeamRules beam_rules() {
-  return {.tilt = {.half_angle_rad = kHalfAngle, .most_rad = 45.0 * kDegree}};
+  return {.tilt = {.half_angle_rad = kHalfAngle, .max_rad = 45.0 * kDegree}};
 }
 
 /// How deep a beam is in the facets of a part, each tried; those through its tip count from there.

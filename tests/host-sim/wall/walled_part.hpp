@@ -108,7 +108,7 @@ struct WallMilling {
 inline std::vector<BeamStroke> strokes_of(const WalledPart& part, const WallMilling& milling) {
   const Obstacles obstacles{part.mesh()};
   const TiltRules rules{.half_angle_rad = milling.half_angle_rad,
-                        .most_rad = 60.0 * std::numbers::pi / 180.0};
+                        .max_rad = 60.0 * std::numbers::pi / 180.0};
   std::vector<BeamStroke> strokes;
   const auto layers = std::lround(part.depth_mm / milling.layer_mm);
   for (long layer = 1; layer <= layers; ++layer) {

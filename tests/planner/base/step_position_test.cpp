@@ -54,7 +54,7 @@ class AxisScaleOfRandomResolution : public testing::Test {
   float any_resolution() {
     const double any = random.magnitude(0.01, 100'000.0);
     return std::clamp(
-        static_cast<float>(any), AxisScale::kLeastStepsPerMm, AxisScale::kMostStepsPerMm);
+        static_cast<float>(any), AxisScale::kMinStepsPerMm, AxisScale::kMaxStepsPerMm);
   }
   std::int64_t any_place() {
     return static_cast<std::int64_t>(
@@ -73,7 +73,7 @@ TEST_F(AxisScaleOfRandomResolution, IsExactToTheLastBit) {
     const auto steps = scale.steps_at(Coordinate{nm});
     if (!steps) {
       const Int128 size = exact < 0 ? -exact : exact;
-      ASSERT_GE(size >> 32, Int128{AxisScale::kMostSteps}) << nm << " at " << scale.steps_per_mm();
+      ASSERT_GE(size >> 32, Int128{AxisScale::kMaxSteps}) << nm << " at " << scale.steps_per_mm();
       continue;
     }
     ++within;
@@ -132,13 +132,13 @@ TEST_F(AxisScaleOfRandomResolution, KeepsTheOrderOfPlaces) {
 
 TEST(AxisScale, IsEmptyExactlyFromItsMostStepsOn) {
   const AxisScale scale{2000.0F};  // A step is 500 nm.
-  const Coordinate first_beyond{AxisScale::kMostSteps * 500};
+  const Coordinate first_beyond{AxisScale::kMaxSteps * 500};
   EXPECT_FALSE(scale.steps_at(first_beyond).has_value());
   EXPECT_FALSE(scale.steps_at(-first_beyond).has_value());
   EXPECT_TRUE(scale.steps_at(first_beyond - 1_nm).has_value());
   const auto last = scale.steps_at(first_beyond - 500_nm);
   ASSERT_TRUE(last.has_value());
-  EXPECT_EQ(last->nearest_step(), AxisScale::kMostSteps - 1);
+  EXPECT_EQ(last->nearest_step(), AxisScale::kMaxSteps - 1);
 }
 
 TEST(AxisScale, IsEmptyForEveryPlaceOutOfRange) {

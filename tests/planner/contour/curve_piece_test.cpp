@@ -14,9 +14,9 @@ constexpr double kFullCircle = 2.0 * std::numbers::pi;
 
 std::vector<CurvePiece> divided(const PlaneCurve& curve,
                                 double offset_mm,
-                                double least_corner = kLeastCorner) {
+                                double min_corner = kMinCorner) {
   std::vector<CurvePiece> pieces(64);
-  const auto count = split_offset(curve, offset_mm, pieces, least_corner);
+  const auto count = split_offset(curve, offset_mm, pieces, min_corner);
   EXPECT_TRUE(count.ok());
   pieces.resize(count.ok() ? count.value() : 0);
   return pieces;

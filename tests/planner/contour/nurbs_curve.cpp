@@ -61,7 +61,7 @@ Result<NurbsCurve, NurbsError> NurbsCurve::make(std::size_t degree,
   NurbsCurve curve{degree, points, knots};
   for (std::size_t i = degree; i < points.size(); ++i) {
     if (!(knots[i + 1] > knots[i])) continue;
-    if (curve.span_count_ == kMostSpans) return NurbsError::kTooManySpans;
+    if (curve.span_count_ == kMaxSpans) return NurbsError::kTooManySpans;
     curve.spans_[curve.span_count_++] = static_cast<std::uint16_t>(i);
   }
   if (curve.span_count_ == 0) return NurbsError::kKnotRepeated;

@@ -23,7 +23,7 @@ enum class NurbsError : std::uint8_t {
   kKnotOrder,     ///< A knot below the one before it, or none a number.
   kKnotRepeated,  ///< So often that the curve falls apart there.
   kWeight,        ///< Not above 0.
-  kTooManySpans,  ///< More than kMostSpans.
+  kTooManySpans,  ///< More than kMaxSpans.
   kNotAPlace,     ///< A control point that is no number.
 };
 
@@ -38,7 +38,7 @@ enum class NurbsError : std::uint8_t {
 class NurbsCurve final : public PlaneCurve {
  public:
   static constexpr std::size_t kHighestDegree = 11;
-  static constexpr std::size_t kMostSpans = 512;
+  static constexpr std::size_t kMaxSpans = 512;
 
   [[nodiscard]] static Result<NurbsCurve, NurbsError> make(std::size_t degree,
                                                            std::span<const WeightedPlace> points,
@@ -57,7 +57,7 @@ class NurbsCurve final : public PlaneCurve {
   std::span<const double> knots_;
   std::size_t degree_;
   std::size_t span_count_ = 0;
-  std::array<std::uint16_t, kMostSpans> spans_{};  ///< The knot at which each begins.
+  std::array<std::uint16_t, kMaxSpans> spans_{};  ///< The knot at which each begins.
 };
 
 inline constexpr double kNurbsError = 1.0e-13;

@@ -69,14 +69,14 @@ TEST(Decimal, MinusZeroIsNotNegative) {
   EXPECT_TRUE(read_decimal("-0.1").value().value.is_negative());
 }
 
-std::string random_decimal(std::mt19937& random, std::size_t most_decimals) {
+std::string random_decimal(std::mt19937& random, std::size_t max_decimals) {
   const auto digits = [&random](std::size_t count) {
     std::string text;
     for (std::size_t i = 0; i < count; ++i) text += static_cast<char>('0' + random() % 10);
     return text;
   };
   const std::string sign = random() % 2 == 0 ? "" : "-";
-  return sign + digits(1 + random() % 6) + "." + digits(random() % (most_decimals + 1));
+  return sign + digits(1 + random() % 6) + "." + digits(random() % (max_decimals + 1));
 }
 
 // The same in the widest integers, from the text alone.

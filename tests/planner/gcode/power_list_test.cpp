@@ -68,8 +68,8 @@ TEST_F(PowerListTest, IsRefusedWithValuesThatSMayNotHave) {
 
 TEST_F(PowerListTest, HasAsManyValuesAsItMay) {
   std::string line = "G1 X6.4 S0";
-  for (std::size_t i = 1; i < kMostPowers; ++i) line += ":" + std::to_string(i);
-  EXPECT_EQ(take_one(line).powers.size(), kMostPowers);
+  for (std::size_t i = 1; i < kMaxPowers; ++i) line += ":" + std::to_string(i);
+  EXPECT_EQ(take_one(line).powers.size(), kMaxPowers);
   const Fault fault = refuse(line + ":64");
   EXPECT_EQ(words_of(fault), "S has more than 64 values");
   EXPECT_EQ(fault.column, line.size() + 1);

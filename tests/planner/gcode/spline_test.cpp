@@ -127,13 +127,13 @@ TEST_F(SplineTest, NurbsIsRefusedOnceTheMachineWasMoved) {
 
 TEST_F(SplineTest, NurbsHasNoMoreControlPointsThanFit) {
   static_cast<void>(take("G5.2"));
-  for (std::size_t i = 1; i < Spline::kMostPoints; ++i) {
+  for (std::size_t i = 1; i < Spline::kMaxPoints; ++i) {
     static_cast<void>(take("X" + std::to_string(i) + " Y" + std::to_string(i % 3)));
   }
   const Fault fault = refuse("X100 Y1");
   EXPECT_EQ(static_cast<int>(fault.code()), 38);
   EXPECT_EQ(words_of(fault), "NURBS has more than 64 control points");
-  EXPECT_EQ(take_one("G5.3").spline->size(), Spline::kMostPoints);
+  EXPECT_EQ(take_one("G5.3").spline->size(), Spline::kMaxPoints);
 }
 
 TEST_F(SplineTest, InverseTimeCountsAlongTheCurve) {

@@ -109,9 +109,9 @@ TEST(ArcElements, TakeAnyRadiusDownToANanometre) {
 
 class RandomArcs : public testing::Test {
  protected:
-  Circle any_circle(double least_radius, double most_radius) {
+  Circle any_circle(double min_radius, double max_radius) {
     return {.plane = static_cast<Plane>(random.below(3)),
-            .radius = random.magnitude(least_radius, most_radius),
+            .radius = random.magnitude(min_radius, max_radius),
             .clockwise = random.chance(0.5)};
   }
   Real any_angle() { return random.between(0.0, 6.283); }
@@ -134,22 +134,22 @@ class RandomArcs : public testing::Test {
 
 void expect_a_chain_with_exact_ends(const CentreArc& arc,
                                     const ArcElements& elements,
-                                    float most_bulge) {
+                                    float max_bulge) {
   Position place = arc.start;
   for (std::uint32_t index = 0; index < elements.count(); ++index) {
     const PathElement element = elements.element(index);
     ASSERT_EQ(element.start, place) << "element " << index;
     ASSERT_EQ(element.plane, arc.plane);
-    ASSERT_LE(std::abs(element.bulge), most_bulge);
+    ASSERT_LE(std::abs(element.bulge), max_bulge);
     place = element.end;
   }
   ASSERT_EQ(place, arc.end);
 }
 
-void expect_chains(const std::function<CentreArc()>& any_arc, float most_bulge) {
+void expect_chains(const std::function<CentreArc()>& any_arc, float max_bulge) {
   for (int trial = 0; trial < 20'000 && !testing::Test::HasFatalFailure(); ++trial) {
     const CentreArc arc = any_arc();
-    expect_a_chain_with_exact_ends(arc, ArcElements{arc}, most_bulge);
+    expect_a_chain_with_exact_ends(arc, ArcElements{arc}, max_bulge);
   }
 }
 

@@ -74,10 +74,10 @@ class FewestArcs {
     if (std::abs(frame.a + frame.b) < 1.0e-5 && deviation(frame, from, to, 0.5) <= tolerance_) {
       return 1;
     }
-    return least_deviation(frame, from, to) <= tolerance_ ? 2 : 0;
+    return min_deviation(frame, from, to) <= tolerance_ ? 2 : 0;
   }
 
-  [[nodiscard]] double least_deviation(const Frame& frame, std::size_t from, std::size_t to) const {
+  [[nodiscard]] double min_deviation(const Frame& frame, std::size_t from, std::size_t to) const {
     double best = 0.5;
     double least = deviation(frame, from, to, best);
     for (double step = 0.2; step > 0.004 && least > tolerance_ && least < 30.0 * tolerance_;

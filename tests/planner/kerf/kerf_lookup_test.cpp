@@ -175,12 +175,12 @@ TEST(KerfLookup, IsOnTheControllerWithinAMicrometreOfTheHost) {
       const Row<double>& row = table.rows[random.below(table.rows.size())];
       const auto bands = table.view().bands_of(row);
       const Band& band = bands[random.below(bands.size())];
-      Condition condition{row.thickness_um, band.power_mw, band.least_um_min};
+      Condition condition{row.thickness_um, band.power_mw, band.min_um_min};
       if (random.chance(0.5)) {
-        condition.thickness_um = tables.rising(1, 1, kMostThicknessUm).front();
+        condition.thickness_um = tables.rising(1, 1, kMaxThicknessUm).front();
       }
-      if (random.chance(0.5)) condition.power_mw = tables.rising(1, 100, kMostPowerMw).front();
-      condition.speed_um_min = tables.rising(1, band.least_um_min, band.most_um_min).front();
+      if (random.chance(0.5)) condition.power_mw = tables.rising(1, 100, kMaxPowerMw).front();
+      condition.speed_um_min = tables.rising(1, band.min_um_min, band.max_um_min).front();
       const auto exact = kerf_width(table.view(), condition);
       const auto rounded = kerf_width(single.view(), condition);
       ASSERT_EQ(exact.ok(), rounded.ok());
@@ -198,8 +198,8 @@ TEST(KerfLookup, IsOnTheControllerWithinAMicrometreOfTheHost) {
         const std::vector<Band> list{near.begin(), near.end()};
         const auto found = around(list, &Band::power_mw, condition.power_mw);
         for (const std::size_t i_band : {found.first, found.second}) {
-          EXPECT_GE(condition.speed_um_min, list[i_band].least_um_min);
-          EXPECT_LE(condition.speed_um_min, list[i_band].most_um_min);
+          EXPECT_GE(condition.speed_um_min, list[i_band].min_um_min);
+          EXPECT_LE(condition.speed_um_min, list[i_band].max_um_min);
         }
       }
       ASSERT_LE(greatest, 1.0e-3);

@@ -44,8 +44,8 @@ class RandomTable {
     OwnedTable<double> table;
     table.unit =
         random_.chance(0.5) ? HeatUnit::kWattMinutesPerMillimetre : HeatUnit::kJoulesPerMillimetre;
-    const std::size_t rows = 1 + random_.below(StoredTable::kMostRows);
-    for (const std::uint32_t thickness : rising(rows, 1, kMostThicknessUm)) {
+    const std::size_t rows = 1 + random_.below(StoredTable::kMaxRows);
+    for (const std::uint32_t thickness : rising(rows, 1, kMaxThicknessUm)) {
       add_row(table, thickness);
     }
     return table;
@@ -64,18 +64,18 @@ class RandomTable {
 
  private:
   void add_row(OwnedTable<double>& table, std::uint32_t thickness) {
-    const std::size_t left = StoredTable::kMostPoints - table.points.size();
+    const std::size_t left = StoredTable::kMaxPoints - table.points.size();
     const bool measured = left >= 20 && random_.chance(0.4);
     Row<double> row{thickness,
                     {},
                     measured,
                     static_cast<std::uint16_t>(table.bands.size()),
                     static_cast<std::uint16_t>(1 + random_.below(5))};
-    double least_heat = 1.0e30;
-    double most_heat = 0.0;
-    for (const std::uint32_t power : rising(row.bands, 100, kMostPowerMw)) {
+    double min_heat = 1.0e30;
+    double max_heat = 0.0;
+    for (const std::uint32_t power : rising(row.bands, 100, kMaxPowerMw)) {
       const std::size_t count = 2 + (measured ? random_.below(3) : 0);
-      const auto speeds = rising(count, kLeastSpeedUmMin, kMostSpeedUmMin);
+      const auto speeds = rising(count, kMinSpeedUmMin, kMaxSpeedUmMin);
       table.bands.push_back({power,
                              speeds.front(),
                              speeds.back(),
@@ -83,8 +83,8 @@ class RandomTable {
                              static_cast<std::uint16_t>(measured ? count : 0)});
       for (const std::uint32_t speed : speeds) {
         const auto heat = heat_input<double>(table.unit, power, speed);
-        least_heat = std::min(least_heat, heat);
-        most_heat = std::max(most_heat, heat);
+        min_heat = std::min(min_heat, heat);
+        max_heat = std::max(max_heat, heat);
         if (!measured) continue;
         table.points.push_back({speed, static_cast<std::uint32_t>(random_.between(1, 9.9e6))});
       }
@@ -92,8 +92,8 @@ class RandomTable {
     // Any two widths at the ends of the heat, or one that does not depend on it.
     const double low = random_.between(0.001, 9.9);
     const double high = random_.between(0.001, 9.9);
-    row.law.slope = (high - low) / (most_heat - least_heat);
-    row.law.intercept = low - row.law.slope * least_heat;
+    row.law.slope = (high - low) / (max_heat - min_heat);
+    row.law.intercept = low - row.law.slope * min_heat;
     if (!(std::abs(row.law.intercept) <= 9.99)) row.law = {0.0, low};
     table.rows.push_back(row);
   }

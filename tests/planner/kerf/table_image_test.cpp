@@ -16,7 +16,7 @@ namespace {
 using Bytes = std::vector<std::byte>;
 
 Bytes image_of(const TableView<float>& table) {
-  std::array<std::byte, table_image::kMostBytes> image{};
+  std::array<std::byte, table_image::kMaxBytes> image{};
   const std::size_t size = write_image(table, image).value();
   return {image.begin(), image.begin() + static_cast<std::ptrdiff_t>(size)};
 }
@@ -111,7 +111,7 @@ TEST(KerfTableImage, OfNonsenseIsNeverATableThatCannotBeLookedUp) {
     for (const Row<float>& row : table.view().rows) {
       for (const Band& band : table.view().bands_of(row)) {
         const auto kerf =
-            kerf_width(table.view(), {row.thickness_um, band.power_mw, band.most_um_min});
+            kerf_width(table.view(), {row.thickness_um, band.power_mw, band.max_um_min});
         ASSERT_TRUE(kerf.ok());
         ASSERT_GT(kerf.value(), 0.0F);
         ASSERT_LE(kerf.value(), 10.0F);
@@ -147,7 +147,7 @@ OwnedTable<float> table_of_thicknesses(std::size_t count) {
 }
 
 TEST(KerfTableImage, SaysHowMuchDoesNotFit) {
-  std::array<std::byte, table_image::kMostBytes> image{};
+  std::array<std::byte, table_image::kMaxBytes> image{};
   EXPECT_TRUE(write_image(table_of_thicknesses(8).view(), image).ok());
   const auto nine = write_image(table_of_thicknesses(9).view(), image);
   ASSERT_FALSE(nine.ok());
@@ -168,7 +168,7 @@ TEST(KerfTableImage, SaysHowMuchDoesNotFit) {
 
 TEST(KerfTableImage, RefusesTablesThatCannotBeLookedUp) {
   const auto error_of = [](const OwnedTable<float>& table) {
-    std::array<std::byte, table_image::kMostBytes> image{};
+    std::array<std::byte, table_image::kMaxBytes> image{};
     return write_image(table.view(), image).error().error;
   };
   OwnedTable<float> table = table_of_thicknesses(2);
@@ -178,7 +178,7 @@ TEST(KerfTableImage, RefusesTablesThatCannotBeLookedUp) {
   table.rows[1].thickness_um = 1000;
   EXPECT_EQ(error_of(table), TableError::kThicknessNotRising);
   table = table_of_thicknesses(2);
-  table.bands[1].least_um_min = 9001;
+  table.bands[1].min_um_min = 9001;
   EXPECT_EQ(error_of(table), TableError::kBadSpeeds);
   table = table_of_thicknesses(2);
   table.rows[1].law.slope = std::numeric_limits<float>::quiet_NaN();

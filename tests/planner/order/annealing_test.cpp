@@ -54,7 +54,7 @@ TEST(AnnealingTest, KeepsPrecedenceAndHome) {
 
 TEST(AnnealingTest, CoolsAsThePaperSays) {
   proof::Random random{3};
-  const MadeProblem made{random, {.sets = 30, .most_candidates = 3, .precedence = 0.0}};
+  const MadeProblem made{random, {.sets = 30, .max_candidates = 3, .precedence = 0.0}};
   const proof::TestSpace<AnnealingSpace> space{AnnealingSizes{30}};
   PlainAnnealing annealing{made.problem, made.cost(), *space, kUnit, 1};
   while (annealing.run(100)) {
@@ -75,7 +75,7 @@ TEST(AnnealingTest, OftenFindsTheOptimumOfThirtyFivePoints) {
   double least = 1.0e300;
   constexpr int kRuns = 20;
   proof::Random random{35};
-  const MadeProblem made{random, {.sets = 35, .most_candidates = 1, .precedence = 0.0}};
+  const MadeProblem made{random, {.sets = 35, .max_candidates = 1, .precedence = 0.0}};
   for (int seed = 0; seed < kRuns; ++seed) {
     const proof::TestSpace<AnnealingSpace> space{AnnealingSizes{35}};
     PlainAnnealing annealing{

@@ -27,7 +27,7 @@ TEST(ExactTest, ProvesTheOptimumThatTryingAllFinds) {
   for (const std::uint64_t seed : proof::Trials{1'000}) {
     proof::Random random{seed};
     const MadeProblem made{random, proof::random_kind(random, 7)};
-    const double least = made.least_by_trying_all();
+    const double least = made.min_by_trying_all();
     const proof::TestSpace<ExactSpace> space{sizes_of(made, 2000)};
     // With a known tour the bounds cut; one at the optimum leaves nothing to be found.
     const double known = random.chance(0.3) ? kInfinite : least * random.between(1.0, 1.5);
@@ -51,7 +51,7 @@ TEST(ExactTest, ProvesTheOptimumThatTryingAllFinds) {
 
 TEST(ExactTest, ReportsThatItDoesNotFit) {
   proof::Random random{1};
-  const MadeProblem made{random, {.sets = 12, .most_candidates = 2, .precedence = 0.0}};
+  const MadeProblem made{random, {.sets = 12, .max_candidates = 2, .precedence = 0.0}};
   const proof::TestSpace<ExactSpace> space{sizes_of(made, 100)};
   Exact exact{made.problem, made.cost(), made.set_of, *space, kInfinite};
   EXPECT_EQ(exact.run(1'000'000), ExactState::kDoesNotFit);
@@ -80,7 +80,7 @@ TEST(EntryChoiceTest, FindsTheBestCandidatesOfAnOrder) {
       EXPECT_GE(gain, 0.0);
     }
     static_cast<void>(choice.improve_all(0.0, [](Index) {}));
-    const double least = made.least_of(order);
+    const double least = made.min_of(order);
     EXPECT_NEAR(made.cost_of(tour.order(), tour.choices()), least, 1.0e-9 * least);
     if (HasFailure()) return;
   }

@@ -35,7 +35,7 @@ class TestSpace {
 /// What a random problem has.
 struct ProblemKind {
   std::size_t sets = 6;
-  std::size_t most_candidates = 3;
+  std::size_t max_candidates = 3;
   double precedence = 0.2;  ///< Probability of a pair.
   double forbidden = 0.0;   ///< Probability that a leg is.
   bool is_symmetric = true;
@@ -85,18 +85,18 @@ class MadeProblem {
   }
 
   /// Returns the cost of the cheapest tour, by trying all.
-  [[nodiscard]] double least_by_trying_all() const {
+  [[nodiscard]] double min_by_trying_all() const {
     std::vector<Index> order(problem.sets());
     std::iota(order.begin(), order.end(), 0);
     double least = 1.0e300;
     do {
-      if (keeps_precedence(order)) least = std::min(least, least_of(order));
+      if (keeps_precedence(order)) least = std::min(least, min_of(order));
     } while (std::next_permutation(order.begin() + 1, order.end()));
     return least;
   }
 
   /// Returns the least cost over all choices of candidates for an order.
-  [[nodiscard]] double least_of(std::span<const Index> order) const {
+  [[nodiscard]] double min_of(std::span<const Index> order) const {
     std::vector<Index> chosen(first.begin(), first.end() - 1);
     double least = 1.0e300;
     for (;;) {
@@ -133,9 +133,8 @@ class MadeProblem {
  private:
   void make_sets(Random& random, const ProblemKind& kind) {
     for (std::size_t set = 0; set < kind.sets; ++set) {
-      const auto count = kind.has_lines && set > 0
-                             ? 2
-                             : static_cast<Index>(1 + random.below(kind.most_candidates));
+      const auto count =
+          kind.has_lines && set > 0 ? 2 : static_cast<Index>(1 + random.below(kind.max_candidates));
       first.push_back(first.back() + count);
     }
   }
@@ -190,11 +189,11 @@ class MadeProblem {
   std::unique_ptr<TestSpace<cnc::order::PrecedenceSpace>> precedence_;
 };
 
-/// A kind of problem of 2 to `most_sets` sets, with everything that a problem may have.
-inline ProblemKind random_kind(Random& random, std::size_t most_sets) {
+/// A kind of problem of 2 to `max_sets` sets, with everything that a problem may have.
+inline ProblemKind random_kind(Random& random, std::size_t max_sets) {
   ProblemKind kind;
-  kind.sets = 2 + random.below(most_sets - 1);
-  kind.most_candidates = 1 + random.below(3);
+  kind.sets = 2 + random.below(max_sets - 1);
+  kind.max_candidates = 1 + random.below(3);
   kind.precedence = random.chance(0.3) ? 0.0 : random.unit() * 0.6;
   kind.is_symmetric = random.chance(0.7);
   kind.has_lines = kind.is_symmetric && random.chance(0.3);

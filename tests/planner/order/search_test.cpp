@@ -78,7 +78,7 @@ TEST(SearchTest, FindsTheOptimumOfSmallProblems) {
     proof::ProblemKind kind = proof::random_kind(random, 7);
     kind.forbidden = 0.0;
     const MadeProblem made{random, kind};
-    const double least = made.least_by_trying_all();
+    const double least = made.min_by_trying_all();
     EXPECT_NEAR(found(made, seed, {2000}).cost, least, 1.0e-9 * least)
         << kind.sets << " sets, symmetric " << kind.is_symmetric << ", lines " << kind.has_lines
         << made.problem.is_free() << made.problem.candidates_of(0);

@@ -30,7 +30,7 @@ std::vector<PathItem> turn_by(int degrees, std::size_t axis, float feed_mm_s) {
 }
 
 /// The least turn, in degrees, that is a stop; 180 if none is.
-int least_stop(const motion::Limits& limits, std::size_t axis, float feed_mm_s = 200.0F) {
+int min_stop(const motion::Limits& limits, std::size_t axis, float feed_mm_s = 200.0F) {
   int degrees = 5;
   while (degrees < 180 && stops_in(staged(turn_by(degrees, axis, feed_mm_s), limits)) == 0) {
     ++degrees;
@@ -40,15 +40,15 @@ int least_stop(const motion::Limits& limits, std::size_t axis, float feed_mm_s =
 
 // With T = 2 √(R / A) saved by not standing and a blend of θ √(R / A) they are even at 2 radians.
 TEST(CornerChoice, StopsAtTurnsOfMoreThanTwoRadiansWithoutALimitOfJerk) {
-  EXPECT_NEAR(least_stop(limits_with(0.0F), 1), 115, 4);
+  EXPECT_NEAR(min_stop(limits_with(0.0F), 1), 115, 4);
 }
 
 TEST(CornerChoice, IsTheSameInEveryPlane) {
   for (const float jerk : {0.0F, 30'000.0F, 300'000.0F}) {
     const motion::Limits limits = limits_with(jerk);
-    const int in_xy = least_stop(limits, 1);
+    const int in_xy = min_stop(limits, 1);
     for (std::size_t axis = 2; axis < kAxisCount; ++axis) {
-      EXPECT_EQ(least_stop(limits, axis), in_xy) << "axis " << axis << ", jerk " << jerk;
+      EXPECT_EQ(min_stop(limits, axis), in_xy) << "axis " << axis << ", jerk " << jerk;
     }
   }
 }
@@ -56,7 +56,7 @@ TEST(CornerChoice, IsTheSameInEveryPlane) {
 TEST(CornerChoice, StopsAtTheLessTurnTheLessJerkThereMayBe) {
   int before = 180;
   for (const float jerk : {0.0F, 3.0e6F, 3.0e5F, 3.0e4F, 3.0e3F}) {
-    const int now = least_stop(limits_with(jerk), 1);
+    const int now = min_stop(limits_with(jerk), 1);
     EXPECT_LE(now, before) << jerk;
     before = now;
   }
@@ -65,8 +65,8 @@ TEST(CornerChoice, StopsAtTheLessTurnTheLessJerkThereMayBe) {
 
 // At 1 mm/s a radius of a third of a micrometre is enough, which the tolerance leaves up to 176°.
 TEST(CornerChoice, StopsAtNoTurnWhoseBlendIsAsFastAsTheFeed) {
-  EXPECT_GE(least_stop(limits_with(0.0F), 1, 1.0F), 175);
-  EXPECT_GE(least_stop(limits_with(3.0e6F), 1, 1.0F), 170);
+  EXPECT_GE(min_stop(limits_with(0.0F), 1, 1.0F), 175);
+  EXPECT_GE(min_stop(limits_with(3.0e6F), 1, 1.0F), 170);
 }
 
 TEST(CornerChoice, KeepsChordsOfACircleSmooth) {

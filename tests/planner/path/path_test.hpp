@@ -132,7 +132,7 @@ inline motion::Limits path_limits() {
   limits.rate_mm_s.fill(500.0F);
   limits.acceleration_mm_s2.fill(500.0F);
   // No line is shorter than half a step.
-  limits.scale.fill(AxisScale{AxisScale::kMostStepsPerMm});
+  limits.scale.fill(AxisScale{AxisScale::kMaxStepsPerMm});
   limits.steps_per_s_one_motor = limits.steps_per_s_all_motors = 1.0e9F;
   return limits;
 }

@@ -20,7 +20,7 @@ double power_of(int pixel) { return 0.001 * ((pixel * 37) % 1000); }
 
 TEST(PixelRow, IsOneElementForAsManyPowersAsItMayHave) {
   PowerPen pen{kUsual};
-  for (int i = 0; i < 10 * static_cast<int>(PixelRow::kMostLines); ++i)
+  for (int i = 0; i < 10 * static_cast<int>(PixelRow::kMaxLines); ++i)
     pen.pixel({0.1}, power_of(i));
   const auto pieces = driven(pen.items);
   EXPECT_EQ(pieces.size(), 10U);
@@ -195,7 +195,7 @@ TEST(PixelRow, KeepsToTheNanometreWhereCornersAreStops) {
 
 TEST(PixelRow, WaitsWhileThereIsNoRoomForItsPixels) {
   PowerPen pen{kUsual};
-  const int enough = 2 * static_cast<int>(motion::Pixels::kMost);
+  const int enough = 2 * static_cast<int>(motion::Pixels::kMax);
   for (int i = 0; i < enough; ++i) pen.pixel({0.1}, power_of(i));
   motion::Pixels pixels;
   const motion::Limits limits = path_limits();
@@ -206,7 +206,7 @@ TEST(PixelRow, WaitsWhileThereIsNoRoomForItsPixels) {
     stage->put(pen.items[taken++]);
     while (const PathPiece* const piece = stage->next()) pieces.push_back(*piece);
   }
-  EXPECT_GE(taken, motion::Pixels::kMost - 2U);
+  EXPECT_GE(taken, motion::Pixels::kMax - 2U);
   EXPECT_GE(pieces.size(), 14U);
   EXPECT_LE(pixels.room(), 2U);
   pixels.drop_before(pieces.back().request.row.first);
@@ -214,7 +214,7 @@ TEST(PixelRow, WaitsWhileThereIsNoRoomForItsPixels) {
   stage->clear();
   pixels.clear();
   EXPECT_TRUE(stage->empty());
-  EXPECT_EQ(pixels.room(), motion::Pixels::kMost);
+  EXPECT_EQ(pixels.room(), motion::Pixels::kMax);
 }
 
 TEST(PixelRow, IsGivenOutUnfinishedWhenItIsNotToWait) {

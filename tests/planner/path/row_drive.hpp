@@ -70,7 +70,7 @@ class RowDrive {
     constexpr float kRoundingMm = 1.0e-5F;
     if (pixels_->empty()) return true;
     const motion::RowPart& row = driven.back().piece.request.row;
-    return pixels_->room() + 1 == motion::Pixels::kMost && row.any() &&
+    return pixels_->room() + 1 == motion::Pixels::kMax && row.any() &&
            pixels_->front().end_mm <= row.to_mm + kRoundingMm;
   }
 

@@ -35,7 +35,7 @@ TEST(PathTolerance, TakesQForWeldsAndTheUsualOneForCornersWithoutP) {
 
 TEST(SplineTolerance, IsTheUsualOneAndNeverBelowWhatArcsCanKeep) {
   EXPECT_EQ(spline_tolerance({}, kUsual), 0.004F);
-  EXPECT_EQ(spline_tolerance({}, {.arc_mm = 0.0F}), ArcFit::kLeastToleranceMm);
+  EXPECT_EQ(spline_tolerance({}, {.arc_mm = 0.0F}), ArcFit::kMinToleranceMm);
 }
 
 }  // namespace

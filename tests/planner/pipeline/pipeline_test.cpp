@@ -30,7 +30,7 @@ TEST_F(PipelineTest, AnElementThatDoesNotMoveIsDone) {
 TEST_F(PipelineTest, RefusesAnEndOutOfTheMotorsRange) {
   const Position before = pipeline->target();
   Position far = before;
-  far[0] = limits.scale[0].place_of(AxisScale::kMostSteps) + Coordinate{1'000'000};
+  far[0] = limits.scale[0].place_of(AxisScale::kMaxSteps) + Coordinate{1'000'000};
   const auto refused = go(far);
   ASSERT_FALSE(refused.ok());
   EXPECT_EQ(refused.error(), motion::MotionError::kBeyondMotorRange);
@@ -78,7 +78,7 @@ TEST_F(PipelineTest, IsHeldAndGoesOnToTheSamePlace) {
   pipeline->flush();
   cycle(150);
   pipeline->halt();
-  for (int i = 0; i < kMostCycles && !pipeline->held(); ++i) cycle();
+  for (int i = 0; i < kMaxCycles && !pipeline->held(); ++i) cycle();
   ASSERT_TRUE(pipeline->held());
   EXPECT_TRUE(rests);
   EXPECT_FALSE(pipeline->empty());
@@ -97,7 +97,7 @@ TEST_F(PipelineTest, DropsTheRestOfAHeldMotion) {
   cycle(150);
   ASSERT_TRUE(go(place({40.0, 20.0})).value()) << "which is held back";
   pipeline->halt();
-  for (int i = 0; i < kMostCycles && !pipeline->held(); ++i) cycle();
+  for (int i = 0; i < kMaxCycles && !pipeline->held(); ++i) cycle();
   pipeline->restart(motors, motors);
   EXPECT_TRUE(pipeline->empty());
   EXPECT_EQ(pipeline->target(), pipeline->place_of(motors));
@@ -120,7 +120,7 @@ TEST_F(PipelineTest, DrivesHalfAsFastUnderAnOverrideOfAHalf) {
 
 TEST_F(PipelineTest, TakesUpBacklashWhereAnAxisReverses) {
   motion::MotorStageSetting setting;
-  setting.most_steps_per_s.fill(50'000.0F);
+  setting.max_steps_per_s.fill(50'000.0F);
   setting.backlash[0] = {.steps = 8, .rate = 5'000.0F, .acceleration = 50'000.0F};
   EXPECT_TRUE(pipeline->configure(setting));
   EXPECT_FALSE(pipeline->configure(setting)) << "nothing changes";
@@ -135,7 +135,7 @@ TEST_F(PipelineTest, TakesUpBacklashWhereAnAxisReverses) {
 // As after homing: the counters say another place, and the play is where it was.
 TEST_F(PipelineTest, StartsAgainElsewhereWithItsBacklash) {
   motion::MotorStageSetting setting;
-  setting.most_steps_per_s.fill(50'000.0F);
+  setting.max_steps_per_s.fill(50'000.0F);
   setting.backlash[0] = {.steps = 8, .rate = 5'000.0F, .acceleration = 50'000.0F};
   pipeline->configure(setting);
   ASSERT_TRUE(go(place({-2.0})).value());

@@ -16,7 +16,7 @@ class PipelineTest : public testing::Test {
   using Segment = motion::Segment;
   using Steps = AxisArray<std::int32_t>;
   static constexpr std::int32_t kCycleUs = 1000;
-  static constexpr int kMostCycles = 100'000;
+  static constexpr int kMaxCycles = 100'000;
 
   /// Straight on from the target, at 50 mm/s.
   Result<bool, motion::MotionError> go(const Position& end) {
@@ -45,7 +45,7 @@ class PipelineTest : public testing::Test {
   }
   /// All that is appended, to its end.
   void finish() {
-    for (int i = 0; i < kMostCycles && !pipeline->empty(); ++i) {
+    for (int i = 0; i < kMaxCycles && !pipeline->empty(); ++i) {
       pipeline->flush();
       cycle();
     }
@@ -53,7 +53,7 @@ class PipelineTest : public testing::Test {
     EXPECT_TRUE(rests);
   }
   void wait_for_room() {
-    for (int i = 0; i < kMostCycles && !pipeline->has_room(); ++i) cycle(1);
+    for (int i = 0; i < kMaxCycles && !pipeline->has_room(); ++i) cycle(1);
     ASSERT_TRUE(pipeline->has_room());
   }
   [[nodiscard]] Steps steps_at(const Position& position) const {

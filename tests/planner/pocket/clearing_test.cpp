@@ -43,7 +43,7 @@ TEST(Clearing, OfThePapersPocketTakesEightPassesAndLeavesNothing) {
   const PocketOracle oracle = oracle_of(bench, 5.0, 8);
   proof::Random random{1};
   EXPECT_LE(oracle.farthest(random, 20'000), 5.0 + 1.0e-6);
-  EXPECT_GE(oracle.least_clearance(), 5.0 - 1.0e-9);
+  EXPECT_GE(oracle.min_clearance(), 5.0 - 1.0e-9);
   EXPECT_NEAR(oracle.length(), 2099.4, 1.0);
 }
 
@@ -152,8 +152,8 @@ std::string complaint_about(std::uint64_t seed, double& worst) {
   const double far = oracle.farthest(random, 300) - radius;
   worst = std::max(worst, far);
   if (far > 1.0e-6) return "leaves " + std::to_string(far) + " mm";
-  if (oracle.least_clearance() < radius - 1.0e-9) {
-    return "gouges by " + std::to_string(radius - oracle.least_clearance());
+  if (oracle.min_clearance() < radius - 1.0e-9) {
+    return "gouges by " + std::to_string(radius - oracle.min_clearance());
   }
   return {};
 }

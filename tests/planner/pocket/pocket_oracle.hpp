@@ -13,11 +13,11 @@ namespace cnc::pocket {
 /// Elements by centres, radii and angles, and questions that are answered by trying all of them.
 class PlainContour {
  public:
-  /// @param least_area  of loops that count, mm²
-  void add(const contour::ContourView<double>& contour, double least_area = 0.0) {
+  /// @param min_area  of loops that count, mm²
+  void add(const contour::ContourView<double>& contour, double min_area = 0.0) {
     for (std::size_t loop = 0; loop < contour.loop_ends.size(); ++loop) {
       const std::uint32_t first = contour.loop_begin(loop);
-      if (std::abs(area_of(contour, loop)) < least_area) continue;
+      if (std::abs(area_of(contour, loop)) < min_area) continue;
       for (std::uint32_t i = first; i < contour.loop_ends[loop]; ++i) {
         const auto& from = contour.vertices[i];
         const auto& to = contour.vertices[i + 1 < contour.loop_ends[loop] ? i + 1 : first];
@@ -144,7 +144,7 @@ class PocketOracle {
   }
 
   /// The least distance of the passes from the wall, at points all along them.
-  [[nodiscard]] double least_clearance() const {
+  [[nodiscard]] double min_clearance() const {
     double least = 1.0e30;
     for (std::size_t i = 0; i < passes_.size(); ++i) {
       for (const double share : {0.0, 0.11, 0.29, 0.5, 0.73, 0.97}) {

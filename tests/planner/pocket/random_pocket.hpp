@@ -15,8 +15,8 @@ namespace cnc::pocket {
 inline void add_star(PocketBench& bench,
                      proof::Random& random,
                      const WideVec2& centre,
-                     double least_radius,
-                     double most_radius,
+                     double min_radius,
+                     double max_radius,
                      bool island) {
   struct Corner {
     WideVec2 place;
@@ -25,10 +25,10 @@ inline void add_star(PocketBench& bench,
   const std::size_t count = 3 + random.below(12);
   std::vector<Corner> corners;
   const double step = 2.0 * std::numbers::pi / static_cast<double>(count);
-  const double most_shift = count == 3 ? 0.2 : 0.3;  // The centre sees each side under less than π.
+  const double max_shift = count == 3 ? 0.2 : 0.3;  // The centre sees each side under less than π.
   for (std::size_t i = 0; i < count; ++i) {
-    const double angle = step * (static_cast<double>(i) + random.between(-most_shift, most_shift));
-    const double radius = random.between(least_radius, most_radius);
+    const double angle = step * (static_cast<double>(i) + random.between(-max_shift, max_shift));
+    const double radius = random.between(min_radius, max_radius);
     corners.push_back({radius * WideVec2{std::cos(angle), std::sin(angle)}, 0.0});
   }
   for (std::size_t i = 0; i < count; ++i) {

@@ -196,7 +196,7 @@ TEST(Beam, MissesNoTriangleAndMeetsNoneBesideIt) {
 
 /// Returns the least value of a convex function on [0, 1].
 template <typename Function>
-double least_of(const Function& value) {
+double min_of(const Function& value) {
   const double share = 1.0 / std::numbers::phi;
   double low = 0.0;
   double high = 1.0;
@@ -226,10 +226,10 @@ double searched_clearance(const Beam& beam, const Triangle& triangle) {
     const double out = (way - along * beam.axis).norm() - beam.waist_mm;
     return beam.cosine * out - beam.sine * along + 1.0e5 * beyond;
   };
-  return least_of([&](double share) {
+  return min_of([&](double share) {
     const Vector3d from = triangle.a + share * (triangle.b - triangle.a);
     const Vector3d to = triangle.a + share * (triangle.c - triangle.a);
-    return least_of([&](double on) { return distance(from + on * (to - from)); });
+    return min_of([&](double on) { return distance(from + on * (to - from)); });
   });
 }
 

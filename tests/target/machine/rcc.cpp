@@ -19,9 +19,9 @@ constexpr std::int64_t kInternalStart_ns = 2'200;
 constexpr std::int64_t kSlowStart_ns = 15'000;
 constexpr std::int64_t kPllLock_ns = 200'000;
 // DS8626, table 14.
-constexpr std::uint32_t kMostCore_hz = 168'000'000;
-constexpr std::uint32_t kMostApb1_hz = 42'000'000;
-constexpr std::uint32_t kMostApb2_hz = 84'000'000;
+constexpr std::uint32_t kMaxCore_hz = 168'000'000;
+constexpr std::uint32_t kMaxApb1_hz = 42'000'000;
+constexpr std::uint32_t kMaxApb2_hz = 84'000'000;
 
 std::uint32_t enable_offset(Bus bus) {
   if (bus == Bus::kAhb1) return kAhb1Enable;
@@ -90,9 +90,9 @@ std::uint32_t Rcc::timer_hz(Bus bus) const {
 }
 
 void Rcc::check_limits() {
-  if (core_hz_ > kMostCore_hz) trace().misuse("RCC", "core at {} Hz", core_hz_);
-  if (bus_hz(Bus::kApb1) > kMostApb1_hz) trace().misuse("RCC", "APB1 above 42 MHz");
-  if (bus_hz(Bus::kApb2) > kMostApb2_hz) trace().misuse("RCC", "APB2 above 84 MHz");
+  if (core_hz_ > kMaxCore_hz) trace().misuse("RCC", "core at {} Hz", core_hz_);
+  if (bus_hz(Bus::kApb1) > kMaxApb1_hz) trace().misuse("RCC", "APB1 above 42 MHz");
+  if (bus_hz(Bus::kApb2) > kMaxApb2_hz) trace().misuse("RCC", "APB2 above 84 MHz");
 }
 
 std::uint32_t Rcc::read(std::uint32_t offset) {

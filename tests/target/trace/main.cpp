@@ -169,7 +169,7 @@ int run_again(const LateTurns& late, std::uint32_t turns, const std::string& fol
   return 0;
 }
 
-int run(const Job& job, std::uint32_t most_turns, const std::string& folder) {
+int run(const Job& job, std::uint32_t max_turns, const std::string& folder) {
   constexpr std::uint32_t kCalm = 40;
   TimedSender sender{job.program, job.injections};
   sim::VirtualController controller{sender, {}};
@@ -178,7 +178,7 @@ int run(const Job& job, std::uint32_t most_turns, const std::string& folder) {
   controller.add_sink(edges);
   AlarmWatch alarm;
   std::uint32_t turn = 0;
-  for (std::uint32_t calm = 0; turn < most_turns && calm < kCalm; ++turn) {
+  for (std::uint32_t calm = 0; turn < max_turns && calm < kCalm; ++turn) {
     if (turn >= kFirstTurn) sender.arrive_before(turn);
     controller.turn();
     alarm.look(controller.machine(), turn);

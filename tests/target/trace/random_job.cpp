@@ -16,7 +16,7 @@ namespace {
 using proof::Random;
 
 constexpr std::size_t kAxes = 3;  ///< Of the image's board, as it is delivered.
-constexpr std::size_t kMostBytes = 6000;
+constexpr std::size_t kMaxBytes = 6000;
 constexpr std::string_view kLetters = "XYZ";
 constexpr std::string_view kOffsets = "IJK";
 
@@ -28,7 +28,7 @@ class GcodeAuthor {
   std::string write(const proof::Program& program) {
     text_ = "G21G91G94\n";
     for (const proof::ProgramItem& item : program.items) {
-      if (text_.size() > kMostBytes) break;
+      if (text_.size() > kMaxBytes) break;
       if (item.stop_before) text_ += fmt::format("G4P{:.3f}\n", random_.between(0.0, 0.03));
       if (random_.chance(0.02)) row_of_pixels();
       if (random_.chance(0.02)) spline();
@@ -161,11 +161,11 @@ std::vector<Injection> interruptions(Random& random, std::uint32_t first_turn) {
 Job random_job(std::uint64_t seed, std::uint32_t first_turn) {
   Random random{seed};
   proof::MachineRanges ranges;
-  ranges.most_steps_per_mm = 800.0;
-  ranges.least_rate_mm_s = 1.0;
-  ranges.least_acceleration = 10.0;
+  ranges.max_steps_per_mm = 800.0;
+  ranges.min_rate_mm_s = 1.0;
+  ranges.min_acceleration = 10.0;
   const proof::TestMachine machine = proof::random_machine(random, ranges);
-  const proof::ProgramSize size{.most_time_s = 1.5, .most_steps = 10'000.0, .splines = true};
+  const proof::ProgramSize size{.max_time_s = 1.5, .max_steps = 10'000.0, .splines = true};
   const proof::Program program = proof::random_program(random, machine, size);
   return {.settings = settings_of(machine, random),
           .program = GcodeAuthor{random}.write(program),

@@ -25,10 +25,10 @@ class TipRaster {
       least = least.cwiseMin(point.head<2>());
       most = most.cwiseMax(point.head<2>());
     }
-    least_ = least.array() - margin_mm;
-    const Eigen::Vector2d size = most.array() + margin_mm - least_.array();
-    constexpr double kMostPoints = 4.0e6;
-    pitch_mm_ = std::max(pitch_mm, std::sqrt(size.x() * size.y() / kMostPoints));
+    min_ = least.array() - margin_mm;
+    const Eigen::Vector2d size = most.array() + margin_mm - min_.array();
+    constexpr double kMaxPoints = 4.0e6;
+    pitch_mm_ = std::max(pitch_mm, std::sqrt(size.x() * size.y() / kMaxPoints));
     columns_ = 1 + static_cast<int>(std::ceil(size.x() / pitch_mm_));
     rows_ = 1 + static_cast<int>(std::ceil(size.y() / pitch_mm_));
     heights_.reserve(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_));
@@ -47,8 +47,8 @@ class TipRaster {
   [[nodiscard]] Eigen::Vector2d best(const Eigen::Vector2d& place,
                                      double radius_mm,
                                      const Cost& cost) const {
-    const Eigen::Vector2d first = (place - least_).array() - radius_mm;
-    const Eigen::Vector2d last = (place - least_).array() + radius_mm;
+    const Eigen::Vector2d first = (place - min_).array() - radius_mm;
+    const Eigen::Vector2d last = (place - min_).array() + radius_mm;
     Eigen::Vector2d found = place;
     double lowest = std::numeric_limits<double>::infinity();
     for (int row = index_from(first.y(), rows_); row < index_from(last.y(), rows_); ++row) {
@@ -71,14 +71,14 @@ class TipRaster {
 
  private:
   [[nodiscard]] Eigen::Vector2d place_of(int column, int row) const {
-    return least_ + pitch_mm_ * Eigen::Vector2d{column, row};
+    return min_ + pitch_mm_ * Eigen::Vector2d{column, row};
   }
   /// Returns the first index at or after a distance, limited to the grid.
   [[nodiscard]] int index_from(double distance_mm, int count) const {
     return static_cast<int>(std::clamp(std::ceil(distance_mm / pitch_mm_), 0.0, 1.0 * count));
   }
 
-  Eigen::Vector2d least_ = Eigen::Vector2d::Zero();
+  Eigen::Vector2d min_ = Eigen::Vector2d::Zero();
   double pitch_mm_ = 0.0;
   int columns_ = 0;
   int rows_ = 0;

@@ -92,7 +92,7 @@ OtgModel::Shake OtgModel::out(unsigned address, unsigned number, bool data1, con
   endpoint.data1 = !endpoint.data1;
   endpoint.size -= one(19) + static_cast<std::uint32_t>(bytes.size());
   enter(kOutEntry, number, bytes);
-  if (packets_of(endpoint.size) == 0 || bytes.size() < most_bytes(endpoint, number)) {
+  if (packets_of(endpoint.size) == 0 || bytes.size() < max_bytes(endpoint, number)) {
     endpoint.control |= kEpNakking;
     enter(kOutOverEntry, number, {});
   }
@@ -105,7 +105,7 @@ OtgModel::Fetched OtgModel::in(unsigned address, unsigned number, bool acknowled
   if (number == 0) end_set_up();
   if ((endpoint.control & kEpActive) == 0) return {};
   if ((endpoint.control & kEpStall) != 0) return {Shake::kStall};
-  const std::size_t bytes = std::min(bytes_left(endpoint.size), most_bytes(endpoint, number));
+  const std::size_t bytes = std::min(bytes_left(endpoint.size), max_bytes(endpoint, number));
   const bool ready = (endpoint.control & kEpEnabled) != 0 && (endpoint.control & kEpNakking) == 0;
   if (!ready || endpoint.fifo.size() < words_for(bytes)) return {Shake::kNak};
   Fetched fetched{Shake::kAck, endpoint.data1, Bytes(bytes)};

@@ -77,7 +77,7 @@ class OtgModel {
   [[nodiscard]] std::size_t fifo_depth(unsigned number) const;
   [[nodiscard]] std::uint32_t endpoint_flags() const;
   [[nodiscard]] std::uint32_t status_word() const;
-  static std::uint32_t most_bytes(const Endpoint& endpoint, unsigned number);
+  static std::uint32_t max_bytes(const Endpoint& endpoint, unsigned number);
 
   std::uint32_t ahb_ = 0, usb_ = 0, latched_ = 0, mask_ = 0, general_ = 0, power_ = 0;
   std::uint32_t receive_words_ = 0x200, device_ = 0, device_control_ = 0;

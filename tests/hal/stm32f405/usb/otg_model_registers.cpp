@@ -7,7 +7,7 @@ namespace hal::stm32f405 {
 
 using namespace otg_bits;  // NOLINT(google-build-using-namespace): this file is about them.
 
-std::uint32_t OtgModel::most_bytes(const Endpoint& endpoint, unsigned number) {
+std::uint32_t OtgModel::max_bytes(const Endpoint& endpoint, unsigned number) {
   return number == 0 ? 64U >> (endpoint.control & 3U) : endpoint.control & 0x7FFU;
 }
 
@@ -217,7 +217,7 @@ void OtgModel::write_control(Endpoint& endpoint, std::uint32_t value, bool in, u
   if (packets_of(endpoint.size) == 0) blame("enables a transfer of no packet");
   if (in && !endpoint.fifo.empty()) blame("words of an old packet before a new one");
   if (in && number != 0 && (value >> 22 & 0xFU) != number) blame("another endpoint's memory");
-  if (!in && bytes_left(endpoint.size) < most_bytes(endpoint, number)) {
+  if (!in && bytes_left(endpoint.size) < max_bytes(endpoint, number)) {
     blame("room for less than a packet");
   }
 }

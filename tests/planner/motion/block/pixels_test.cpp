@@ -21,7 +21,7 @@ class PixelsTest : public testing::Test {
 };
 
 TEST_F(PixelsTest, HoldAsManyAsTheySay) {
-  push(Pixels::kMost);
+  push(Pixels::kMax);
   EXPECT_EQ(pixels.room(), 0U);
   pop(1);
   EXPECT_EQ(pixels.room(), 1U);
@@ -49,7 +49,7 @@ TEST_F(PixelsTest, NeedNotTakeBackWhatIsThere) {
 
 // However often the storage has been filled.
 TEST_F(PixelsTest, KeepTheNewestWhileFull) {
-  push(Pixels::kMost);
+  push(Pixels::kMax);
   for (int round = 0; round < 3000; ++round) {
     pop(1);
     push(1);

@@ -67,7 +67,7 @@ TEST(PowerTable, ReadsTheSameFromBothSides) {
     std::vector<PowerPoint> points;
     std::uint16_t duty = 0;
     std::uint32_t milliwatts = 0;
-    const std::size_t count = below(PowerTable::kMostPoints);
+    const std::size_t count = below(PowerTable::kMaxPoints);
     for (std::size_t i = 0; i < count; ++i) {
       duty = static_cast<std::uint16_t>(duty + below(600));
       milliwatts += below(100'000);

@@ -64,7 +64,7 @@ TEST_F(MotionFilterTest, EndsWhereThePlanDoesWhateverItDid) {
   SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
   proof::Random random{seed};
   for (int trial = 0; trial < 200; ++trial) {
-    const auto cells = static_cast<std::uint32_t>(1 + random.below(TimeWindow::kMostCells));
+    const auto cells = static_cast<std::uint32_t>(1 + random.below(TimeWindow::kMaxCells));
     const auto cell_ns = static_cast<std::uint32_t>(random.magnitude(2.5e5, 4.0e6));
     begin({.cells = cells, .cell_ns = cell_ns});
     motion.clear();

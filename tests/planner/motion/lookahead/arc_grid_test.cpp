@@ -17,7 +17,7 @@ TEST(ArcGrid, HasEqualSpansOfAtMostItsAngle) {
     const ArcShape arc{block_of(any_arc(random), limits)};
     const ArcGrid grid = ArcGrid::of_equal_spans(arc);
     const float span = arc.sweep() / static_cast<float>(grid.count());
-    ASSERT_LE(grid.count(), ArcGrid::kMostSpans);
+    ASSERT_LE(grid.count(), ArcGrid::kMaxSpans);
     for (int index = 0; index < grid.count(); ++index) {
       const float angle = grid.angle(arc, index + 1) - grid.angle(arc, index);
       ASSERT_LE(angle, ArcGrid::kAngle + 5.0e-6F);
@@ -43,7 +43,7 @@ TEST(ArcGrid, IsSplitNoFinerThanTimeAndCapacityAllow) {
     }
     // The last span is no longer than the others: the capacity is enough.
     const ArcGrid grid = ArcGrid::at_multiples(arc, split);
-    ASSERT_LE(grid.count(), grid.fine() ? ArcGrid::kMostFineSpans : ArcGrid::kMostSpans);
+    ASSERT_LE(grid.count(), grid.fine() ? ArcGrid::kMaxFineSpans : ArcGrid::kMaxSpans);
     ASSERT_LE(grid.angle(arc, grid.count()) - grid.angle(arc, grid.count() - 1),
               grid.spacing() + 3.0e-5F)
         << "trial " << trial;

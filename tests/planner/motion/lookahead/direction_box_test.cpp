@@ -65,7 +65,7 @@ TEST_F(RandomBox, HoldsItsLongestVectorAlongTheTangent) {
   for (int trial = 0; trial < 20'000; ++trial) {
     any();
     const DirectionBox box{first, last, axes};
-    const auto most = static_cast<double>(box.most_along());
+    const auto most = static_cast<double>(box.max_along());
     ASSERT_NEAR(greatest_load(most, 0.0), 1.0, 1.0e-4) << "trial " << trial;
   }
 }

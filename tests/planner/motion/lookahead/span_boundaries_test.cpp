@@ -90,7 +90,7 @@ TEST_F(RandomBoundaries, KeepThoseOfTheGrid) {
     any();
     const SpanBoundaries of_grid = boundaries;
     boundaries.cut_at_zones(head, tail);
-    ASSERT_LE(boundaries.count(), of_grid.count() + ZoneEdges::kMost);
+    ASSERT_LE(boundaries.count(), of_grid.count() + ZoneEdges::kMax);
     for (int index = 0; index <= of_grid.count(); ++index) {
       ASSERT_EQ(at(of_grid.distance(index)), 1) << "trial " << trial << ", boundary " << index;
     }

@@ -59,7 +59,7 @@ TEST_F(RandomSpans, CoverTheBlockInOrder) {
     any();
     ASSERT_EQ(spans.boundary(0), 0.0F);
     ASSERT_EQ(spans.boundary(spans.count()), block.length);
-    ASSERT_LE(spans.count(), fine ? Spans::kMostFineSpans : Spans::kMostSpans);
+    ASSERT_LE(spans.count(), fine ? Spans::kMaxFineSpans : Spans::kMaxSpans);
     for (int span = 0; span < spans.count(); ++span) ASSERT_GT(spans.length_of(span), 0.0F);
   }
 }

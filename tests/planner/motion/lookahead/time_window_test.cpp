@@ -34,7 +34,7 @@ TEST(TimeWindow, IsTheLongestRiseOfTheAxesThatMove) {
 TEST(TimeWindow, HasABoundAndLessAccelerationBeyondIt) {
   const Limits limits = with_jerk(1'000.0F, 0.0F);
   const TimeWindow window = window_for(limits, kX);
-  EXPECT_EQ(window.cells, TimeWindow::kMostCells);
+  EXPECT_EQ(window.cells, TimeWindow::kMaxCells);
   EXPECT_NEAR(static_cast<double>(window.seconds()), 0.256, 1.0e-4);
   EXPECT_NEAR(static_cast<double>(planned_acceleration(limits, 0, window)), 256.0, 0.1);
   EXPECT_EQ(planned_acceleration(limits, 1, window), 500.0F);

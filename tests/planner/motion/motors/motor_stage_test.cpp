@@ -18,12 +18,11 @@ constexpr double kTick = 1.0 / kTicksPerSecond;
 /// A motion of one axis with constant acceleration from moment to moment, in steps.
 class RandomMotion {
  public:
-  RandomMotion(proof::Random& random, double most_speed, double acceleration) {
+  RandomMotion(proof::Random& random, double max_speed, double acceleration) {
     double speed = 0.0;
     double place = random.between(-1.0e6, 1.0e6);
     for (int i = 0; i < 12; ++i) {
-      const double to =
-          i == 11 || random.chance(0.2) ? 0.0 : random.between(-most_speed, most_speed);
+      const double to = i == 11 || random.chance(0.2) ? 0.0 : random.between(-max_speed, max_speed);
       const double seconds = std::abs(to - speed) / acceleration + 1.0e-6;
       pieces_.push_back({end_, place, speed, (to - speed) / seconds});
       place += 0.5 * (speed + to) * seconds;
@@ -86,7 +85,7 @@ class ShapedRun {
  public:
   explicit ShapedRun(std::uint64_t seed) : random_{seed} {
     setting_.shapers = proof::random_shapers(random_);
-    setting_.most_steps_per_s.fill(200'000.0F);
+    setting_.max_steps_per_s.fill(200'000.0F);
     setting_.dark_at_rest = true;
     setting_.shapers[0].kind = ShaperKind::kZvd;
     acceleration_ = random_.magnitude(1.0e4, 1.0e6);

@@ -22,7 +22,7 @@ double mean_age(const ShaperTaps& taps) {
 /// Weights sum to one to the bit, no axis is earlier or later than another, and all that is
 /// looked at is kept.
 void expect_sound(const ShaperGrid& grid) {
-  EXPECT_LT(grid.reach(), ShaperGrid::kMostPlaces);
+  EXPECT_LT(grid.reach(), ShaperGrid::kMaxPlaces);
   EXPECT_GE(grid.cell_ticks, kTicksPerSecond / 4000U);
   EXPECT_LE(grid.cell_ticks, kTicksPerSecond / 1000U + 1U);
   for (const ShaperTaps& taps : grid.taps) {

@@ -58,8 +58,8 @@ TEST_F(PlanCursorTest, GivesOutItsWayAsIfPhasesEndedInTime) {
   PathUnits driven = 0;
   int even = 0;
   while (!plan.at_end()) {
-    const auto most_ns = static_cast<std::uint32_t>(random.magnitude(1.0e3, 5.0e5));
-    const Stretch stretch = plan.next(most_ns, Drive::kOn, driven == 0);
+    const auto max_ns = static_cast<std::uint32_t>(random.magnitude(1.0e3, 5.0e5));
+    const Stretch stretch = plan.next(max_ns, Drive::kOn, driven == 0);
     ASSERT_TRUE(stretch.lasts());
     ASSERT_GE(stretch.way, 0);
     driven += stretch.way;

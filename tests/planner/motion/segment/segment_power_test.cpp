@@ -109,7 +109,7 @@ TEST(SegmentPower, KeepsTheEnergyOfItsSlices) {
       power.write(0, segment);
       const double rounding = 1.0e-5 * segment.ticks;
       ASSERT_NEAR(energy_of(segment), expected, rounding + 0.5 * segment.level_count);
-      full += segment.level_count == Segment::kMostLevels ? 1 : 0;
+      full += segment.level_count == Segment::kMaxLevels ? 1 : 0;
     }
   }
   if (trials.judges_shares()) {
@@ -134,7 +134,7 @@ TEST(SegmentPower, HasNoMoreLevelsThanTheQueueLastsFor) {
     pieces += 1U + segment.level_count;
     ns += duration_ns;
   }
-  EXPECT_LE(pieces, kFiveTurnsNs / LevelRate::kShortest + LevelRate::kMostShort + 50U);
+  EXPECT_LE(pieces, kFiveTurnsNs / LevelRate::kShortest + LevelRate::kMaxShort + 50U);
   EXPECT_LE(pieces, 240U);
 }
 

@@ -45,7 +45,7 @@ Pieces pieces_of_slices(std::uint32_t slice, int cells, double& doubled_energy) 
 }
 
 /// The most pieces that begin within a time.
-std::size_t most_within(const std::vector<std::uint32_t>& ticks, std::uint32_t window) {
+std::size_t max_within(const std::vector<std::uint32_t>& ticks, std::uint32_t window) {
   std::size_t most = 0;
   for (std::size_t first = 0; first < ticks.size(); ++first) {
     std::uint32_t sum = 0;
@@ -64,7 +64,7 @@ TEST(SegmentRate, LetsAFewShortOnesThroughAfterLongOnes) {
     rate.pass(1);
     ++count;
   }
-  EXPECT_EQ(count, SegmentRate::kMostSpare / SegmentRate::kShortest);
+  EXPECT_EQ(count, SegmentRate::kMaxSpare / SegmentRate::kShortest);
   rate.pass(SegmentRate::kShortest);
   EXPECT_TRUE(rate.allows_short());
 }
@@ -74,7 +74,7 @@ TEST(OutputDelay, HasNoMorePiecesThanAQueueOfSegmentsBears) {
   for (const std::uint32_t slice : {7U, 60U, 240U, 350U, 534U, 1068U}) {
     double doubled_energy = 0.0;
     const Pieces pieces = pieces_of_slices(slice, 400, doubled_energy);
-    EXPECT_LE(most_within(pieces.ticks, 20'000), 63U) << slice;
+    EXPECT_LE(max_within(pieces.ticks, 20'000), 63U) << slice;
     EXPECT_NEAR(pieces.doubled_energy / doubled_energy, 1.0, 3.0e-4) << slice;
   }
 }
