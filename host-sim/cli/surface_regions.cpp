@@ -113,13 +113,13 @@ std::vector<Contour> drawn_in(const std::string& file, double tolerance_mm, Inpu
 
 /// Prints the parts of an area of which an offset leaves nothing.
 void print_vanished(const std::string& file, const std::vector<Vanished>& found) {
-  constexpr std::size_t kMaxListed = 20;
-  for (std::size_t i = 0; i < std::min(found.size(), kMaxListed); ++i) {
+  constexpr std::size_t kMaxPlaces = 20;
+  for (std::size_t i = 0; i < std::min(found.size(), kMaxPlaces); ++i) {
     terminal::print(stderr, "{}: {} for the tool\n", file, found[i].text());
   }
-  if (found.size() > kMaxListed) {
+  if (found.size() > kMaxPlaces) {
     terminal::print(
-        stderr, "{}: {} more places vanish under the tool\n", file, found.size() - kMaxListed);
+        stderr, "{}: {} more places vanish under the tool\n", file, found.size() - kMaxPlaces);
   }
 }
 

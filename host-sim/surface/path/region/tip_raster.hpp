@@ -27,8 +27,8 @@ class TipRaster {
     }
     min_ = least.array() - margin_mm;
     const Eigen::Vector2d size = most.array() + margin_mm - min_.array();
-    constexpr double kMaxPoints = 4.0e6;
-    pitch_mm_ = std::max(pitch_mm, std::sqrt(size.x() * size.y() / kMaxPoints));
+    constexpr double kMaxTips = 4.0e6;
+    pitch_mm_ = std::max(pitch_mm, std::sqrt(size.x() * size.y() / kMaxTips));
     columns_ = 1 + static_cast<int>(std::ceil(size.x() / pitch_mm_));
     rows_ = 1 + static_cast<int>(std::ceil(size.y() / pitch_mm_));
     heights_.reserve(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_));
