@@ -14,7 +14,8 @@ namespace {
 constexpr float kNarrowestCutMm = 0.01F;
 
 constexpr float kMicrometresPerMillimetre = 1000.0F;
-constexpr float kMicrometresPerMinute = 60.0F * kMicrometresPerMillimetre;  ///< In µm/min per mm/s.
+/// Factor from mm/s to µm/min.
+constexpr float kMicrometresPerMinute = 60.0F * kMicrometresPerMillimetre;
 
 /// Returns the nearest whole number. @pre value ≥ 0
 std::uint32_t whole(float value) { return static_cast<std::uint32_t>(value + 0.5F); }

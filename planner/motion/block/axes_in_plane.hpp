@@ -59,9 +59,11 @@ class DirectionRange {
  public:
   /// Makes the range of all directions.
   DirectionRange() = default;
-  /// Makes the range from one angle to another. @param start, end radians, start ≤ end
+  /// Makes the range from one angle of a direction to another.
+  /// @param start, end the angles in radians, start ≤ end
   DirectionRange(float start, float end);
-  /// Makes the range from `start` to `end`. @pre `end` is at most a quarter turn after `start`
+  /// Makes the range between two angles, which are given by sine and cosine. @pre `end` is at most
+  /// a quarter turn after `start`
   DirectionRange(const SinCos& start, const SinCos& end) : start_{start}, end_{end}, all_{false} {}
 
   /// Returns the greatest shares of an axis over these directions. If the range is a quarter turn

@@ -34,7 +34,7 @@ struct Turn {
   float half_sweep = 0.0F;
   float start_angle = 0.0F;  ///< Angle of the tangent at the start, in the plane, in radians.
   float plane_share = 1.0F;  ///< Speed in the plane / speed along the path; below 1 on a helix.
-  float curvature = 0.0F;    ///< |κ| of the circle in the plane, 1/mm.
+  float curvature = 0.0F;    ///< |κ| of the arc's circle in the plane, 1/mm.
 };
 
 /// Limits of a block that also hold on a part of the neighbouring blocks.
@@ -88,12 +88,12 @@ struct Block {
   AxisArray<float> direction{};  ///< Unit tangent; of an arc, only its part outside the plane.
   float length = 0.0F;           ///< Length of the path, mm.
   float feed = 0.0F;             ///< Programmed speed along the path, mm/s; 0 for a rapid.
-  bool from_rest = true;         ///< The machine is at rest at the start of the block.
-  bool fixed_feed = false;       ///< Feed and rapid overrides do not change the speed.
+  bool from_rest = true;         ///< True if the machine is at rest at the start of the block.
+  bool fixed_feed = false;       ///< True if feed and rapid overrides do not change the speed.
   OutputChanges outputs{};       ///< Output changes at the start of the block.
-  /// Limit along the path that the axes of constant direction set, mm/s².
+  /// Greatest acceleration along the path that the axes of constant direction allow, mm/s².
   float acceleration = 0.0F;
-  /// Limit of v² from the rates of axes and steps; Spans adds those of turning.
+  /// Greatest v² that the rates of axes and steps allow, mm²/s². Spans adds the limits of turning.
   float speed_limit_square = 0.0F;
   /// The members from here to `tail` are results of the look-ahead. They change when later blocks
   /// are added.
@@ -104,7 +104,7 @@ struct Block {
   BlockZones tail{};  ///< Zones of later blocks that reach into this block.
 
   BeamCommand beam{};
-  RowPart row{};  ///< If row.any(), the pixels of the row set the duty.
+  RowPart row{};  ///< Part of a row; if row.any(), the pixels of the row set the duty.
   SourceLine line{};
 
   [[nodiscard]] bool is_rapid() const { return feed <= 0.0F; }

@@ -19,10 +19,10 @@ struct MotionRequest {
   /// Speed along X Y Z, mm/s, or degrees/s if only A B C move; 0 for a rapid.
   float feed_mm_s = 0.0F;
   BeamCommand beam{};
-  RowPart row{};  ///< If row.any(), the pixels of the row set the duty.
+  RowPart row{};  ///< Part of a row; if row.any(), the pixels of the row set the duty.
   OutputChanges outputs{};
   SourceLine line{};
-  /// Overrides do not change the feed; used for jogs, homing and parking.
+  /// True if overrides do not change the feed, as in jogs, homing and parking.
   bool fixed_feed = false;
 };
 

@@ -12,7 +12,7 @@ namespace cnc::motion {
 
 /// A part of a row that is driven with one power.
 struct Pixel {
-  /// Distance from the start of the row, at most 100 mm, accurate to 1e-5 mm.
+  /// Distance of the pixel's end from the start of the row, at most 100 mm, accurate to 1e-5 mm.
   float end_mm = 0.0F;
   float duty = 0.0F;  ///< Output, see BeamCommand::duty.
   SourceLine line{};
@@ -55,7 +55,7 @@ class Pixels {
 
   [[nodiscard]] std::size_t room() const { return size() < kMax ? kMax - size() : 0; }
   [[nodiscard]] bool empty() const { return end_ == first_; }
-  /// Return the number of the oldest pixel, and the number that the next pixel will get.
+  /// Return the number of the oldest waiting pixel, and the number of the next pixel to be pushed.
   [[nodiscard]] std::uint32_t first() const { return first_; }
   [[nodiscard]] std::uint32_t next() const { return end_; }
 
@@ -68,7 +68,7 @@ class Pixels {
     pixels_[slot_of(size())] = pixel;
     ++end_;
   }
-  /// Returns the oldest pixel. @pre !empty()
+  /// Returns the oldest waiting pixel. @pre !empty()
   [[nodiscard]] const Pixel& front() const {
     CNC_ASSERT(!empty());
     return pixels_[slot_];

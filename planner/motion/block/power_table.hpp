@@ -22,8 +22,8 @@ struct PowerPoint {
 
 enum class PowerTableError : std::uint8_t {
   kTooManyPoints,
-  kBeyondRange,       ///< A duty above 100 %, or more than 10 kW.
-  kLightWithoutDuty,  ///< A power above 0 W at a duty of 0.
+  kBeyondRange,       ///< A duty is above 100 %, or a power is above 10 kW.
+  kLightWithoutDuty,  ///< A power is above 0 W at a duty of 0.
   kDutyNotRising,     ///< A duty is not greater than the duty of the point before it.
   /// A power is not greater than the one of the point before it, or the last is 0 W.
   kWattsNotRising,
@@ -33,7 +33,8 @@ enum class PowerTableError : std::uint8_t {
 /// lines between them. The table begins at 0 % with 0 W, so a first point of 0 W is a threshold.
 /// Duty and power both rise strictly, so the table can be read in both directions.
 ///
-/// The S word requires a share of the last point's power. Without points, the S word sets the duty.
+/// The S word gives the required power as a share of the last point's power. Without points, the S
+/// word gives the duty itself.
 class PowerTable {
  public:
   static constexpr std::size_t kMaxPoints = 16;

@@ -13,9 +13,9 @@ namespace cnc::motion {
 /// because jerk is ȧ − κ² v³ along the tangent and 3 κ v a across it. The members are ratios to A,
 /// so that curves with different limits can be combined; see both().
 struct Turning {
-  float curvature = 0.0F;    ///< κ ≥ 0, 1/mm; 0 for a line.
-  float speed_ratio = 0.0F;  ///< κ / A.
-  float jerk_ratio = 0.0F;   ///< κ² / A.
+  float curvature = 0.0F;    ///< Curvature κ ≥ 0, 1/mm; 0 for a line.
+  float speed_ratio = 0.0F;  ///< κ / A, s²/mm².
+  float jerk_ratio = 0.0F;   ///< κ² / A, s²/mm³.
 
   [[nodiscard]] static Turning of(float curvature, float acceleration);
 

@@ -52,7 +52,8 @@ class MotionFilter {
   // Values of the plan in the cell that is being filled.
   PathUnits from_ = 0;  ///< Position at the start of the cell.
   PathUnits place_ = 0;
-  /// Mean distance from from_, mm, of the filled part, times its share of the cell.
+  /// Mean distance of the plan from from_ in the filled part of the cell, mm, times the share of
+  /// this part in the cell.
   float mean_way_ = 0.0F;
   std::uint32_t used_ns_ = 0;
   std::uint32_t moved_ns_ = 0;
@@ -60,7 +61,7 @@ class MotionFilter {
   // Values of the motion.
   PathUnits remainder_ = 0;   ///< Remainder of the division by the number of cells.
   PathUnits window_way_ = 0;  ///< Distance that the plan drives within the window.
-  float speed_ = 0.0F;        ///< mm/s.
+  float speed_ = 0.0F;        ///< Speed of the motion, mm/s.
 };
 
 }  // namespace cnc::motion

@@ -43,7 +43,8 @@ class ArcAxes {
  private:
   AxisArray<ArcAxis> axes_{};
   std::size_t count_ = 0;
-  float in_any_direction_ = 0.0F;  ///< In mm/s², before any scaling.
+  /// Acceleration that all axes allow in any direction before scaling, mm/s².
+  float in_any_direction_ = 0.0F;
 };
 
 }  // namespace cnc::motion

@@ -62,7 +62,7 @@ ArcGrid ArcGrid::of_equal_spans(const ArcShape& arc) {
 
 int ArcGrid::finest_split(const ArcShape& arc, float seconds) {
   constexpr float kMaxSplit = 16.0F;
-  constexpr float kShortestSpan = 0.7e-3F;  // In s.
+  constexpr float kShortestSpan = 0.7e-3F;  // Shortest duration of a span, s.
   const float most = std::min(seconds / kShortestSpan, static_cast<float>(kMaxFineSpans - 2));
   constexpr float kRounding = 1.0e-3F;
   const float split = most / std::max(1.0F, arc.sweep() / kAngle) + kRounding;

@@ -49,7 +49,7 @@ class ArcGrid {
 
  private:
   int count_ = 1;
-  float spacing_ = kAngle;    ///< kAngle / split.
+  float spacing_ = kAngle;    ///< Angle between two boundaries, kAngle / split, in radians.
   int first_multiple_ = 0;    ///< The multiple of the spacing at boundary 1.
   bool fine_ = false;         ///< True if the split is above 1.
   bool equal_spans_ = false;  ///< If true, first_multiple_ is unused.

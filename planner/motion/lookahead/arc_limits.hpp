@@ -63,13 +63,14 @@ class ArcLimits {
 
   ArcAxes axes_;
   Turning turning_{};
-  float speed_square_ = 0.0F;        ///< Greatest v² that is allowed in all directions.
-  float plane_acceleration_ = 0.0F;  ///< In mm/s².
-  float max_acceleration_ = 0.0F;    ///< In mm/s².
-  float reach_ = 0.0F;               ///< In radians.
+  float speed_square_ = 0.0F;        ///< Greatest v² that is allowed in all directions, mm²/s².
+  float plane_acceleration_ = 0.0F;  ///< Result of plane_acceleration(), mm/s².
+  float max_acceleration_ = 0.0F;    ///< Result of max_acceleration(), mm/s².
+  float reach_ = 0.0F;               ///< Result of reach(), radians.
 };
 
-/// Returns the greatest shares of an axis, over `directions`, in the path and in its normal.
+/// Returns the greatest shares that an axis has, over `directions`, in the direction of the path
+/// and in its normal.
 [[nodiscard]] inline AxisShares shares_along_path(const ArcShape& arc,
                                                   const DirectionRange& directions,
                                                   const ArcAxis& axis) {

@@ -16,9 +16,9 @@ namespace cnc::motion {
 /// Number of blocks that are planned ahead of the motion.
 inline constexpr std::size_t kLookAheadBlocks = 128;
 
-/// Least number of driven blocks that can be taken back. A segment is made from 20 ms plus a few
-/// cycles before it is driven. At 1,300 blocks per second, at most this number of blocks is driven
-/// in that time.
+/// Least number of driven blocks that can be taken back. Segments of a motion are made up to 20 ms
+/// and a few cycles before they are driven. At 1,300 blocks per second, at most this number of
+/// blocks is driven in that time.
 inline constexpr std::size_t kBlocksKept = 32;
 
 /// Blocks that wait to be driven, oldest first, in a ring, and their look-ahead. The capacity is in
@@ -78,8 +78,8 @@ class BlockQueue : protected BlockRing {
   void plan(const Limits& limits, const PlanTerms& terms, std::size_t lead = 0);
   /// Updates the entry speeds of all blocks after index `lead`.
   void plan_all(const Limits& limits, const PlanTerms& terms, std::size_t lead = 0);
-  /// Plans only the blocks from index `lead` up to `end`, where the path has a stop, so that the
-  /// caller can evaluate that plan. The next plan must include all blocks again.
+  /// Plans only the blocks from index `lead` up to the one before `end`, which ends at a stop, so
+  /// that the caller can evaluate this plan. The next plan must include all blocks again.
   /// @pre forget_plan() was called after the last plan of all blocks; end ≤ size()
   void plan_chain(const Limits& limits, const PlanTerms& terms, std::size_t lead, std::size_t end);
   /// Returns the running count of spans that plans have evaluated (wraps). A span of an arc counts

@@ -10,8 +10,8 @@ BrakingState start_of(const BrakingPoint& point, float length, float window_s) {
   start.speed_square = std::min(point.cap_square, std::max(end_square, from));
   start.steepest = point.steepest;
   start.commit_square = point.commit_square(length);
-  // If braking brings the motion down to the cap within this span, the path after the span has no
-  // effect on the states before it.
+  // If only the cap limits the state at the start, the path after the span has no effect on earlier
+  // states. Then X is just large enough for a commit speed that equals the cap.
   if (window_s <= 0.0F) return start;
   const float cap = std::sqrt(point.cap_square);
   start.kept = std::min(cap, point.committed(length, window_s));

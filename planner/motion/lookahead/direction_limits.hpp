@@ -48,9 +48,9 @@ class DirectionLimits {
   const ArcShape& arc_;
   const ArcLimits& limits_;
   const SpeedChange& change_;
-  float bend_;  ///< Curvature of the path as Place uses it for the bend, 1/mm.
+  float bend_;  ///< Bend of an axis whose share in the normal is 1, see Place, 1/mm.
   float sign_;  ///< 1 for speeding up, −1 for slowing down.
-  /// Twice the distance of the change, mm; negative if the travel is backward.
+  /// Twice the distance of the change along the path, mm; negative if the travel is backward.
   float twice_along_;
 };
 

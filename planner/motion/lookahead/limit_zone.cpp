@@ -27,9 +27,9 @@ bool binds(const LimitZone& zone, const LimitZone& own) {
          zone.turning.curvature > 0.0F;
 }
 
-/// Returns the time per distance that the limits of a zone cost, in s/mm. It is the sum for the
-/// zone's speed and for the speed at which turning uses all acceleration. Overrides do not change
-/// the latter.
+/// Returns the time per distance that the limits of a zone cost, in s/mm. It is the sum of 1 / v
+/// for two speeds: the speed of the zone, and the speed at which turning uses all acceleration.
+/// Overrides do not change the second speed.
 float pace_within(const LimitZone& zone) {
   return 1.0F / std::sqrt(zone.speed_square) + std::sqrt(zone.turning.speed_ratio);
 }

@@ -12,7 +12,8 @@ class ZoneTrail {
  public:
   void clear() { count_ = 0; }
   [[nodiscard]] bool empty() const { return count_ == 0; }
-  /// Adds the zone of a block when the pass has reached the block's end, where the zone begins.
+  /// Adds the zone of a block. To be called when the pass reaches the end of the block, where the
+  /// zone begins.
   void add(const LimitZone& zone);
   /// Moves on by `length` mm: shortens all zones, and removes those that have ended. Where the plan
   /// is slow, a zone ends after the time of a window even if its length is not used up.

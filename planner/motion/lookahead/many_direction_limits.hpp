@@ -34,7 +34,7 @@ class ManyDirectionLimits {
   const SpeedChange& change_;
   float window_s_;
   float cap_;  ///< Greatest speed along the path during the change, mm/s.
-  float lag_;  ///< In s, see lag_of().
+  float lag_;  ///< Result of lag_of(), s.
 };
 
 }  // namespace cnc::motion

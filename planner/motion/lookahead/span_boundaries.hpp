@@ -11,7 +11,7 @@ namespace cnc::motion {
 class SpanBoundaries {
  public:
   SpanBoundaries() = default;
-  /// Makes a block of a single span.
+  /// Makes the boundaries of a single span, which is the whole block.
   explicit SpanBoundaries(const Block& block) : arc_{block}, length_{block.length} {}
 
   /// Divides the block at the boundaries of the arc's grid. @pre arc().turns(), and cut_at_zones()
@@ -45,7 +45,7 @@ class SpanBoundaries {
   ArcShape arc_;
   ArcGrid grid_;
   ZoneEdges edges_;
-  float length_ = 0.0F;  ///< mm.
+  float length_ = 0.0F;  ///< Length of the block, mm.
 };
 
 }  // namespace cnc::motion

@@ -99,7 +99,8 @@ class Spans {
   LineLimits line_;
   SpanBoundaries boundaries_;
   ArcLimits arc_limits_;
-  NeighbourZones zones_;  ///< Empty without a time window.
+  /// Zones of neighbours that reach into the block; empty without a time window.
+  NeighbourZones zones_;
 };
 
 }  // namespace cnc::motion

@@ -8,7 +8,7 @@
 
 namespace cnc::motion {
 
-/// The programmed speed on a block, with its overrides.
+/// The limit of the speed on a block that follows from its programmed feed and the overrides.
 class SpeedCap {
  public:
   SpeedCap(const Block& block, const Overrides& overrides)

@@ -9,11 +9,12 @@
 namespace cnc::motion {
 namespace {
 
-// In s. A shorter window would be below the resolution of step timing.
+// Length of the shortest window, s. A shorter one would be below the resolution of step timing.
 constexpr float kShortest = 0.25e-3F;
-constexpr float kLongest = 0.256F;  // In s.
+constexpr float kLongest = 0.256F;  // Length of the longest window, s.
 /// Least length, in s, of a window that WindowChoice chooses. A shorter window has few cells, and
-/// so a coarse mean. The window is shorter all the same if A / J of the axes is.
+/// so a coarse mean. If the greatest A / J of the axes is shorter, the window has that length
+/// instead.
 constexpr float kShortestChosen = 1.0e-3F;
 constexpr float kLongestCell = 1.0e-3F;
 constexpr float kShortestCell = 0.5e-3F;
@@ -56,8 +57,8 @@ TimeWindow divided(float wanted_s) {
           .cell_ns = static_cast<std::uint32_t>(std::ceil(seconds / cells * 1.0e9F))};
 }
 
-/// Returns the limit along the path of a block, in all directions of an arc, that follows from
-/// limits of its axes.
+/// Returns the limit along the path of a block, in all directions of an arc.
+/// @param of_axes limits of the axes; 0 or less is no limit
 float along_path(const Block& block, const AxisArray<float>& of_axes) {
   constexpr float kNoLimit = 1.0e12F;
   float most = kNoLimit;
@@ -103,7 +104,7 @@ void WindowChoice::add(const Block& block, float length, float speed_square) {
 TimeWindow WindowChoice::window(float share) const {
   const float longest = longest_rise(limits_, axes_);
   if (longest < kShortest) return {};
-  // In mm, less than any step. The remaining path after a halt may be as short as a
+  // Least length, mm, below any step. The remaining path after a halt may be as short as a
   // hundred-millionth of a millimetre.
   constexpr float kMinLength = 1.0e-4F;
   const float by_length = bounded_cube_root(std::max(length_, kMinLength) / (2.0F * jerk_));

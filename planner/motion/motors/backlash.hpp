@@ -15,7 +15,7 @@ struct BacklashSetting {
   static constexpr float kRateShare = 0.05F;
   static constexpr float kAccelerationShare = 0.2F;  ///< Share of the acceleration and of the jerk.
 
-  /// The play in steps, whole because a motor makes only whole steps.
+  /// The play in steps. It is a whole number, because a motor makes only whole steps.
   std::int32_t steps = 0;
   float rate = 1.0F;          ///< Greatest rate while the play is taken up, steps/s.
   float acceleration = 1.0F;  ///< Greatest acceleration while the play is taken up, steps/s².
@@ -32,8 +32,8 @@ struct BacklashSetting {
 /// tool follows. When the tool reverses, the offset of the motor moves from one end of the play to
 /// the other while the tool continues to move. The offset follows the quintic 10 x³ − 15 x⁴ + 6 x⁵
 /// (Flash and Hogan 1985, minimum jerk), which has no speed and no acceleration at its ends. Its
-/// derivatives are at most 1.875, 10/√3 and 60. Until the offset has reached its end, the tool lags
-/// by at most the play.
+/// first three derivatives are at most 1.875, 10/√3 and 60. Until the offset has reached its end,
+/// the tool lags by at most the play.
 ///
 /// A reversal counts when the tool has moved back by a sixteenth of a step. If the tool reverses
 /// while the offset still moves, the reversal waits until the offset has reached its end.

@@ -6,7 +6,7 @@
 
 namespace cnc::motion {
 
-/// Delays the source line as motion is delayed, which goes out a number of cells after it was
+/// Delays the source line of a motion, because the motion goes out a number of cells after it was
 /// planned. line() returns the line of the motion that goes out, or a line that is older by at most
 /// that number of cells.
 class LineDelay {

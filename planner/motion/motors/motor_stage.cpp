@@ -59,7 +59,7 @@ float MotorStage::cell_seconds() const {
   return static_cast<float>(grid_.cell_ticks) / static_cast<float>(kTicksPerSecond);
 }
 
-/// Begins a motion. The output at rest fills the first cells, because the motion goes out only
+/// Begins a motion. Fills the first cells with the output at rest, because the motion goes out only
 /// after the delay of the shapers.
 void MotorStage::begin(const PlannedSlice& slice, const void* owner) {
   at_rest_ = false;

@@ -131,7 +131,7 @@ class MotorStage {
   const void* owner_ = nullptr;
   ShapingObserver* observer_ = nullptr;
 
-  // The cell being filled.
+  // Values of the cell that is being filled.
   std::uint32_t used_ns_ = 0;
   bool rests_ = true;       ///< True while no slice was added to the cell.
   Places tool_{};           ///< Position that the plan has reached.
@@ -144,7 +144,7 @@ class MotorStage {
   LineDelay lines_{};
   AxisArray<Backlash> backlash_{};
 
-  // The cell that goes out.
+  // Values of the cell that goes out.
   AxisArray<Course> courses_{};
   Places motors_{};  ///< Positions of the motors at the end of the last segment.
   /// Ticks of the cell that take() has returned; all ticks if no cell goes out.

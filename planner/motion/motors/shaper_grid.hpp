@@ -26,8 +26,8 @@ struct ShaperTaps {
 /// The shapers of all axes on one grid. Each shaper is moved in time so that all of them have the
 /// same mean delay of `ahead` cells. The beam and the axes without a shaper have the same delay.
 struct ShaperGrid {
-  static constexpr float kLongestCell = 1.0e-3F;   ///< s.
-  static constexpr float kShortestCell = 2.5e-4F;  ///< s.
+  static constexpr float kLongestCell = 1.0e-3F;   ///< Longest duration of a cell, s.
+  static constexpr float kShortestCell = 2.5e-4F;  ///< Shortest duration of a cell, s.
   /// Greatest number of positions that are kept per axis. A shaper for 10 Hz requires this number
   /// with the longest cells.
   static constexpr std::size_t kMaxPlaces = 192;
@@ -35,7 +35,7 @@ struct ShaperGrid {
   std::uint32_t cell_ticks = 2000;
   std::uint32_t ahead = 0;   ///< Number of cells that shapers use after the cell that goes out.
   std::uint32_t behind = 0;  ///< Number of cells that shapers use before the cell that goes out.
-  bool shapes = false;       ///< Any axis has a shaper.
+  bool shapes = false;       ///< True if any axis has a shaper.
   AxisArray<ShaperTaps> taps{};
 
   /// Returns the number of cells at rest after which no shaped position depends on the last motion.

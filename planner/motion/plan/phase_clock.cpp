@@ -8,8 +8,8 @@
 namespace cnc::motion {
 
 std::uint64_t PhaseClock::begin(float seconds, bool keeps_up) {
-  constexpr float kLong = 1.0e4F;  // s.
-  constexpr float kMax = 1.0e8F;   // In s, about three years.
+  constexpr float kLong = 1.0e4F;  // Duration, s, from which on phases have whole microseconds.
+  constexpr float kMax = 1.0e8F;   // Greatest duration, s: about three years.
   seconds = std::min(seconds, kMax);
   start_late_ns_ = keeps_up ? end_late_ns_ : 0.0F;
   end_late_ns_ = start_late_ns_;

@@ -8,11 +8,11 @@ namespace cnc::motion {
 
 /// A stretch of motion along the path with constant acceleration.
 struct Stretch {
-  PathUnits way = 0;  ///< Distance, ≥ 0.
+  PathUnits way = 0;  ///< Distance along the path, ≥ 0.
   std::uint64_t duration_ns = 0;
-  float start_speed = 0.0F;  ///< mm/s, ≥ 0.
+  float start_speed = 0.0F;  ///< Speed at the start, mm/s, ≥ 0.
   float end_speed = 0.0F;
-  float acceleration = 0.0F;  ///< mm/s², signed.
+  float acceleration = 0.0F;  ///< Acceleration along the path, mm/s²; negative when braking.
 
   /// Returns whether the stretch takes time. A duration of 0 means that there is no stretch.
   [[nodiscard]] bool lasts() const { return duration_ns > 0; }
@@ -70,7 +70,7 @@ class PhaseCourse {
   [[nodiscard]] std::uint64_t fine_way(std::uint64_t ticks) const;
 
   Stretch whole_{};
-  float duration_ = 0.0F;  ///< ns.
+  float duration_ = 0.0F;  ///< Duration of the course, ns.
   /// 2^63 / duration, with the duration in ticks of 2^shift_ ns. It stays 0 until a position inside
   /// the course is evaluated, because the division is slow and most courses are evaluated only at
   /// their end.
@@ -78,7 +78,8 @@ class PhaseCourse {
   std::uint64_t start_slope_q30_ = 0;  ///< α in Q30, 0…2.
   /// With kFine, the next digits after those of per_tick_q63_.
   std::uint64_t rest_q24_ = 0;
-  unsigned shift_ = 0;  ///< Set together with per_tick_q63_.
+  /// Number of bits by which times in ns are shifted to ticks; set together with per_tick_q63_.
+  unsigned shift_ = 0;
   Grain grain_ = Grain::kUsual;
 };
 

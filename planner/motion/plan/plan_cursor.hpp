@@ -104,7 +104,7 @@ class PlanCursor {
   bool driving_ = false;       ///< True if the plan has begun the block.
   PathUnits length_ = 0;       ///< Length of the block.
   PathUnits place_ = 0;        ///< Position within the block.
-  float speed_ = 0.0F;         ///< mm/s.
+  float speed_ = 0.0F;         ///< Speed of the plan, mm/s.
   float entry_square_ = 0.0F;  ///< v² at the start of the next block.
 
   // The present phase of the block.

@@ -1,5 +1,5 @@
-// How a plan begins, and how it changes when blocks are added, overrides are set or the feed is
-// held.
+// The part of PlanCursor that begins a plan, and that changes it when blocks are added, overrides
+// are set or the feed is held.
 
 #include <algorithm>
 #include <array>

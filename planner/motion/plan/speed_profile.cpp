@@ -224,7 +224,7 @@ Phase SpeedProfile::committed(const Phase& phase) const {
     const float middle = 0.5F * (short_of + beyond);
     (too_fast(middle) ? beyond : short_of) = middle;
   }
-  // At rest, a part that is too short to compute must be driven all the same.
+  // At rest, this part can be too short to be computed. Then the whole phase is driven.
   if (short_of <= 0.0F && speed_square_ <= 0.0F) return phase;
   return phase_to(speed_square_ + gain * short_of, short_of, left_ - short_of);
 }

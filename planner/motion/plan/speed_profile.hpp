@@ -10,10 +10,10 @@ namespace cnc::motion {
 
 /// A part of the speed profile with constant acceleration.
 struct Phase {
-  float start_speed = 0.0F;   ///< mm/s.
-  float acceleration = 0.0F;  ///< mm/s², signed.
-  float duration = 0.0F;      ///< s; 0 means that the machine is at rest.
-  float distance = 0.0F;      ///< mm.
+  float start_speed = 0.0F;   ///< Speed at the start, mm/s.
+  float acceleration = 0.0F;  ///< Acceleration along the path, mm/s²; negative when braking.
+  float duration = 0.0F;      ///< Duration, s; 0 means that the machine is at rest.
+  float distance = 0.0F;      ///< Distance along the path, mm.
   float end_speed_square = 0.0F;
   /// Distance from the end of the phase to the end of its last span, mm; 0 if that span ends, too.
   float left = 0.0F;
