@@ -34,14 +34,14 @@ enum class ActionKind : std::uint8_t {
   kEnd,           ///< M2, M30.
 };
 
-enum class SpindleMode : std::uint8_t { kOff, kConstant, kDynamic };  ///< M5, M3, M4.
+enum class SpindleMode : std::uint8_t { kOff, kConstant, kDynamic };  ///< Modes of M5, M3 and M4.
 
 /// Side of the programmed path on which the tool is, as seen in the direction of travel.
 enum class CutterSide : std::uint8_t {
   kOn,
   kLeft,
   kRight
-};  ///< G40, G41 and G41.1, G42 and G42.1.
+};  ///< States of G40, of G41 and G41.1, and of G42 and G42.1.
 
 /// Cutter compensation: side and width of the cut.
 struct CutterCompensation {
@@ -66,10 +66,12 @@ struct OutputChange {
   float value = 0.0F;        ///< 0 or 1 for a digital output, or the analog Q value.
 };
 
-/// Conditions under which G38.2…G38.5 stop.
+/// The kind of a probe motion, in which G38.2…G38.5 differ.
 struct ProbeMode {
-  bool towards_contact = true;  ///< True for G38.2 and G38.3; false to move away from contact.
-  bool error_if_missed = true;  ///< True for G38.2 and G38.4.
+  /// True to move until contact (G38.2, G38.3); false to move until contact ends.
+  bool towards_contact = true;
+  /// True if it is a fault that the probe does not change (G38.2, G38.4).
+  bool error_if_missed = true;
 };
 
 /// One action. Only the members that the comment on its kind names are used. All positions are

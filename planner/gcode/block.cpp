@@ -149,7 +149,7 @@ Refusal Block::unused_word() const {
   return blame(FaultDetail::kUnused, leftmost(unused_));
 }
 
-/// Returns that letter of a set whose word is the first in the line. @pre `letters` is not empty
+/// Returns the letter of a set whose word is the first in the line. @pre `letters` is not empty
 char Block::leftmost(std::uint32_t letters) const {
   char found = ' ';
   std::uint16_t found_column = kLongestLineWithComments + 1;

@@ -56,7 +56,7 @@ class Block {
 
   [[nodiscard]] bool has(char letter) const { return (letters_ & bit_of(letter)) != 0; }
   [[nodiscard]] bool has_axis_word() const;
-  [[nodiscard]] bool has_arc_word() const;  ///< Whether the line has I, J, K or R.
+  [[nodiscard]] bool has_arc_word() const;  ///< True if the line has I, J, K or R.
   /// Returns the value of a letter and marks it as used. Returns null if the line does not have the
   /// letter or if the value is already used.
   [[nodiscard]] const Decimal* take(char letter);
@@ -110,6 +110,7 @@ class Block {
 };
 
 /// Reads a line into `block`, which is cleared first.
+/// @param block_delete see LineReader::begin()
 [[nodiscard]] Refusal read_block(std::string_view line, bool block_delete, Block& block);
 
 }  // namespace cnc::gcode

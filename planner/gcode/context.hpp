@@ -32,7 +32,7 @@ struct Context {
   return sum;
 }
 
-/// Returns the difference on an axis between the machine's position and the programmed position.
+/// Returns the work offset of an axis: machine position = programmed position + work offset.
 [[nodiscard]] inline Coordinate work_offset(const Context& context,
                                             const StoredPlaces& places,
                                             std::size_t axis) {

@@ -26,9 +26,9 @@ void adopt(const Block& block, ModalGroup group, Mode& mode) {
 
 }  // namespace
 
-/// Performs the steps of RS274/NGC table 8 in order; outputs have the position of LinuxCNC. All
-/// words that only set a mode are handled before these steps. Only F depends on this: as in Grbl,
-/// it is read in the units of its own line.
+/// Performs the steps of RS274/NGC table 8 in order. Outputs change in the same step as in
+/// LinuxCNC. All words that only set a mode are handled before these steps. Only F depends on this:
+/// as in Grbl, it is read in the units of its own line.
 Refusal Execution::run() {
   if (options_.changes_tool) {
     if (const auto fault = check_tool_change_words()) return fault;
@@ -345,7 +345,7 @@ Coordinate Execution::to_length(const Decimal& number) const {
   return next_.modal.units == Units::kInches ? from_inches(number) : from_millimetres(number);
 }
 
-/// Returns the value of an axis word. A value in degrees is not affected by inches.
+/// Returns the value of an axis word. A value in degrees is never converted from inches.
 Coordinate Execution::to_axis_value(std::size_t axis, const Decimal& number) const {
   return axis < kLinearAxisCount ? to_length(number) : from_millimetres(number);
 }

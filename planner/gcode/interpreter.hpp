@@ -40,7 +40,7 @@ class Interpreter {
   /// @param words axis words and F. G20 G21 G90 G91 G53 and N are permitted and hold for this jog
   /// only.
   [[nodiscard]] Result<Actions, Fault> interpret_jog(std::string_view words);
-  /// Returns N of the last jog. N of the last other line is in state().
+  /// Returns N of the last jog. N of the last line that is no jog is in state().
   [[nodiscard]] std::uint32_t jog_line_number() const { return jog_line_number_; }
 
   [[nodiscard]] const ModalState& state() const { return context_.modal; }

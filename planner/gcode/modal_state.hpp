@@ -27,9 +27,10 @@ enum class MotionMode : std::uint8_t {
   kNone,                 ///< G80
 };
 
-enum class DistanceMode : std::uint8_t { kAbsolute, kIncremental };    ///< G90 G91, G90.1 G91.1.
-enum class FeedMode : std::uint8_t { kUnitsPerMinute, kInverseTime };  ///< G94, G93.
-enum class Units : std::uint8_t { kMillimetres, kInches };             ///< G21, G20.
+/// Modes of G90 and G91, or of G90.1 and G91.1.
+enum class DistanceMode : std::uint8_t { kAbsolute, kIncremental };
+enum class FeedMode : std::uint8_t { kUnitsPerMinute, kInverseTime };  ///< Modes of G94 and G93.
+enum class Units : std::uint8_t { kMillimetres, kInches };             ///< Units of G21 and G20.
 
 /// Accuracy with which the programmed path is followed (RS274/NGC 3.5.14).
 enum class PathMode : std::uint8_t {
@@ -79,7 +80,7 @@ struct ModalState {
 
   std::uint32_t tool = 0;
   std::uint32_t line_number = 0;  ///< N of the last line; 0 if the line has no N.
-  float spindle_speed = 0.0F;     ///< S as written in the program.
+  float spindle_speed = 0.0F;     ///< S as it is written in the program.
   /// F in mm/s. It is converted when it is read, so G20 and G21 do not change it later. 0 if no
   /// feed is set, which is always so in G93.
   float feed = 0.0F;

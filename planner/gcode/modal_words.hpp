@@ -55,9 +55,12 @@ enum class CutterRadius : std::uint8_t {
   kLeftByWidth,   ///< G41.1
   kRightByWidth,  ///< G42.1
 };
-enum class ToolLength : std::uint8_t { kSet, kCancel, kCentre };       ///< G43.1, G49, G43.4.
-enum class Stop : std::uint8_t { kPause, kOptionalPause, kEnd };       ///< M0, M1, M2 and M30.
-enum class CoolantWord : std::uint8_t { kMist, kFlood, kOff, kBoth };  ///< M7, M8, M9, M7 M8.
+/// Words G43.1, G49 and G43.4.
+enum class ToolLength : std::uint8_t { kSet, kCancel, kCentre };
+/// Words M0 and M1, and M2 or M30.
+enum class Stop : std::uint8_t { kPause, kOptionalPause, kEnd };
+/// Words M7, M8 and M9, and M7 with M8.
+enum class CoolantWord : std::uint8_t { kMist, kFlood, kOff, kBoth };
 
 enum class Output : std::uint8_t {
   kOnWithMotion,      ///< M62

@@ -17,7 +17,7 @@ inline constexpr Position kFarthestPosition{Coordinate{Coordinate::kFarthestNano
 
 /// Options for reading G-code, which the user may set.
 struct Options {
-  bool block_delete = true;  ///< Lines that begin with / are skipped, as in LinuxCNC; $890.
+  bool block_delete = true;  ///< True if lines that begin with / are skipped, as in LinuxCNC; $890.
   /// True during a tool change. Then only motions, probes, dwells, offsets and tool lengths are
   /// accepted.
   bool changes_tool = false;

@@ -41,7 +41,7 @@ class ProgramWriter {
   void set_feed(std::uint32_t thousandths) { feed_ = thousandths; }
   void set_power(std::uint32_t thousandths) { power_ = thousandths; }
 
-  /// Omits S in all following lines, because S is the speed of a spindle.
+  /// Omits S in all following lines. Used if S is the speed of a spindle.
   void leave_power() { power_ = written_power_ = 0; }
   /// Sets the height at the end of the next motion, in mm. Returns false and changes nothing if the
   /// height is NaN or its distance from zero exceeds kFarthestOnGrid. If this function is never
@@ -100,7 +100,8 @@ class ProgramWriter {
   std::optional<GridPlace> place_{};
   int motion_ = kNoMotion;
   std::optional<std::int32_t> height_{};  ///< Height at the end of the next motion, in last digits.
-  std::optional<std::int32_t> written_height_{};  ///< Empty before the first height is written.
+  /// Last height that was written, in last digits; empty before the first one.
+  std::optional<std::int32_t> written_height_{};
   std::uint32_t feed_ = 0;
   std::uint32_t power_ = 0;
   std::uint32_t written_feed_ = kNone;

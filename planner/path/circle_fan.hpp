@@ -11,7 +11,7 @@ namespace cnc::path {
 /// A circle through the origin, given by its curvature and its direction at the origin. Both are
 /// divided by the cosine of the angle between that direction and +x.
 struct FanCircle {
-  float curvature = 0.0F;  ///< 1/mm.
+  float curvature = 0.0F;  ///< Curvature as above, 1/mm.
   float slope = 0.0F;      ///< Slope of the tangent at the origin.
 };
 

@@ -13,7 +13,8 @@ namespace {
 
 /// Allowance for ends, which are rounded to nanometres, and for single precision, mm.
 constexpr float kRoundingMm = 3.0e-6F;
-constexpr float kRelativeRounding = 4.0e-7F;  // As a share of the trim.
+// Allowance for single precision as a share of the trim.
+constexpr float kRelativeRounding = 4.0e-7F;
 
 /// Greatest angle, in radians, by which an arc next to a corner may turn within the trim. Within
 /// this angle, the compared distances change smoothly.
@@ -41,7 +42,8 @@ std::optional<ArcPlane> lay_out(const PathElement& before,
 /// twice that feed, which is the greatest override, it is the whole acceleration.
 float useful_radius(const ArcPlane& plane, float feed, const motion::Limits& limits) {
   constexpr float kShare = 4.0F;
-  // In each plane, at least one axis has a share of at least this size.
+  // Axes with a smaller share in the plane are left out. Each plane has at least one axis with a
+  // greater share.
   constexpr float kMuch = 0.5F;
   float rate = 0.0F;
   float acceleration = 1.0e9F;

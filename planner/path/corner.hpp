@@ -5,15 +5,15 @@
 
 namespace cnc::path {
 
-/// Greatest distance of a rounded position from its curve, in mm, if two elements belong to one
-/// curve, and the greatest change of direction, in radians, that is attributed to this rounding.
+/// For elements of one curve: the greatest distance of a rounded position from the curve, in mm,
+/// and the greatest change of direction, in radians, that is attributed to this rounding.
 inline constexpr float kRoundedPlaceMm = 1.2e-5F;
 inline constexpr float kSmoothTurn = 0.02F;
 
 /// Length in mm below which distances and chords consist only of rounding to nanometres.
 inline constexpr float kCrumbMm = 2.0e-5F;
 
-/// Treatment of the corner between two elements. If the corner can be rounded, also its shape.
+/// Treatment of the corner between two elements, and its shape if it can be rounded.
 struct Corner {
   enum class Kind : std::uint8_t {
     kSmooth,  ///< The path does not change its direction there.

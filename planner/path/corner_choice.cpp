@@ -9,7 +9,7 @@
 namespace cnc::path {
 namespace {
 
-/// Value without effect as a limit, in mm and s.
+/// A limit without effect, in mm and s.
 constexpr float kMuch = 1.0e9F;
 
 /// Limits in each direction of a plane, which follow from the limits of its axes.

@@ -7,7 +7,7 @@ namespace cnc::path {
 
 /// A rounded corner that is compared with a stop.
 struct RoundedCorner {
-  float trim_mm = 0.0F;  ///< Length that the blend takes of each side.
+  float trim_mm = 0.0F;  ///< Length that the blend takes from each side.
   /// Length of the shorter side that the corner may use, including the trim.
   float shorter_mm = 0.0F;
   float feed_mm_s = 0.0F;  ///< Greater one of the feeds of both sides; 0 or less for a rapid.

@@ -40,9 +40,9 @@ class PathStage {
   /// until the next call of any member.
   [[nodiscard]] const PathPiece* next();
 
-  /// Returns the number of lines that wait for more lines to be gathered with.
+  /// Returns the number of gathered lines that wait for further lines.
   [[nodiscard]] std::size_t gathered() const { return row_.lines(); }
-  /// Ends the wait of gathered lines for more lines.
+  /// Ends the wait of the gathered lines for further lines.
   void end_row() { row_.close(); }
   /// Reports that no further element will come for some time. Then next() returns everything that
   /// is held.

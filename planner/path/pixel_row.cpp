@@ -11,7 +11,8 @@ namespace {
 
 /// Allowance for ends, which are rounded to nanometres, and for single precision, mm.
 constexpr float kRowRoundingMm = 3.0e-6F;
-constexpr float kRelativeError = 3.0e-7F;  // As a share of the distance from the start of the row.
+// Allowance for single precision as a share of the distance from the start of the row.
+constexpr float kRelativeError = 3.0e-7F;
 
 bool can_be_gathered(const PathItem& item) {
   const motion::MotionRequest& request = item.request;
@@ -29,8 +30,8 @@ void PixelRow::begin(const PathItem& item) {
   CNC_ASSERT(empty());
   item_ = item;
   held_ = true;
-  // If the row before was closed because it was full, this row continues it. Then it is graded if
-  // that row was graded.
+  // If the row before was closed because it was full, this row continues it. Then this row counts
+  // as graded if that row had several powers.
   graded_ = graded_ && full_;
   full_ = false;
   has_pixels_ = false;

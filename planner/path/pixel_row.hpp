@@ -7,8 +7,8 @@
 
 namespace cnc::path {
 
-/// Gathers short lines that continue in one direction and differ only in power into one element.
-/// This element is a row with one pixel for each power.
+/// Joins short lines into one element if they continue in one direction and differ only in power.
+/// This element is a row, which has one pixel for each power.
 ///
 /// On each axis, the end of a line is at most kMaxAsideMm away from the row. If the power stays
 /// constant or if corners are exact stops, it is away by no more than the rounding of positions. So

@@ -12,7 +12,7 @@ namespace {
 
 /// Allowance for ends, which are rounded to nanometres, and for single precision, mm.
 constexpr float kPointRoundingMm = 3.0e-6F;
-// As a share of the distance from the start of the fit.
+// Allowance for single precision as a share of the distance from the start of the fit.
 constexpr float kPointRelativeError = 6.0e-7F;
 /// Least tolerance of a weld, mm. Below a tenth of a micrometre, there is only rounding.
 constexpr float kMinToleranceMm = 1.0e-4F;
@@ -229,8 +229,8 @@ void Welder::note_reach(const Vec3& here) {
   smooth_.circle = *ending->smooth;
 }
 
-/// Forgets the points that are no longer required, which are those before all possible ends of the
-/// fit.
+/// Forgets the points that are no longer required. These are the points up to the nearest possible
+/// end of the fit.
 void Welder::forget_points() {
   if (2 * smooth_.points < farthest_.points) smooth_ = {};
   const std::size_t needed =
@@ -280,7 +280,7 @@ PathElement Welder::element_to(const Reach& reach) const {
   const AxisVector start = along_axes(fit_.frame().way(tangent.normalized()));
   const AxisVector chord = along_axes(fit_.frame().way(reach.seen.normalized()));
   const auto frame = plane_through(start, chord);
-  if (!frame) return element;  // The turn of the arc is below rounding.
+  if (!frame) return element;  // The arc turns by less than rounding, so it is a line.
   element.plane = ArcPlane{*frame};
   element.bulge = bulge_between(Vec2{1.0F, 0.0F}, element.plane.seen(element.start, element.end));
   return element;

@@ -8,7 +8,7 @@ namespace cnc::motion {
 struct OutputChanges {
   static constexpr std::uint8_t kNoAnalog = 0xFF;
 
-  std::uint8_t raise = 0;  ///< Set of the digital outputs that go high, one bit each.
+  std::uint8_t raise = 0;  ///< Set of the digital outputs that go high; bit i is output i.
   std::uint8_t lower = 0;
   std::uint8_t analog_channel = kNoAnalog;
   std::uint16_t analog_value = 0;  ///< New value of the analog output; 65535 is full scale.

@@ -14,7 +14,7 @@ namespace cnc::motion {
 struct Pixel {
   /// Distance of the pixel's end from the start of the row, at most 100 mm, accurate to 1e-5 mm.
   float end_mm = 0.0F;
-  float duty = 0.0F;  ///< Output, see BeamCommand::duty.
+  float duty = 0.0F;  ///< Output during the pixel, see BeamCommand::duty.
   SourceLine line{};
 };
 

@@ -78,8 +78,8 @@ class BlockQueue : protected BlockRing {
   void plan(const Limits& limits, const PlanTerms& terms, std::size_t lead = 0);
   /// Updates the entry speeds of all blocks after index `lead`.
   void plan_all(const Limits& limits, const PlanTerms& terms, std::size_t lead = 0);
-  /// Plans only the blocks from index `lead` up to the one before `end`, which ends at a stop, so
-  /// that the caller can evaluate this plan. The next plan must include all blocks again.
+  /// Plans only the blocks from index `lead` to index `end` − 1, at whose end the path stops. So
+  /// the caller can evaluate this plan. The next plan must include all blocks again.
   /// @pre forget_plan() was called after the last plan of all blocks; end ≤ size()
   void plan_chain(const Limits& limits, const PlanTerms& terms, std::size_t lead, std::size_t end);
   /// Returns the running count of spans that plans have evaluated (wraps). A span of an arc counts

@@ -14,9 +14,9 @@ class LineLimits {
   LineLimits(const Block& block, const Limits& limits, const TimeWindow& window);
 
   [[nodiscard]] const TimeWindow& window() const { return window_; }
-  /// Returns the greatest acceleration in mm/s².
+  /// Returns the greatest acceleration along the path that these axes allow, in mm/s².
   [[nodiscard]] float acceleration() const { return acceleration_; }
-  /// Returns the greatest v².
+  /// Returns the greatest v² that these axes allow.
   [[nodiscard]] float speed_square() const { return speed_square_; }
   /// Returns the distance, in mm, to either side of a position of the block over which the limits
   /// of that position hold; 0 without a window.

@@ -53,7 +53,7 @@ class Backlash {
   /// Sets the state at rest, with the motor's counter ahead of the tool by `offset` steps.
   /// @pre 0 ≤ offset − (offset of a tool that moves towards minus) ≤ play
   void stand(StepPosition tool, std::int32_t offset);
-  /// Restores the state after configure(), on the same side of the play.
+  /// Restores the state that configure() makes, on the same side of the play.
   void rebase() { configure(setting_); }
 
   /// Returns the offset of the motor, in steps, for a tool that continues in its last direction.

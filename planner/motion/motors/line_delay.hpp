@@ -11,7 +11,8 @@ namespace cnc::motion {
 /// that number of cells.
 class LineDelay {
  public:
-  /// Begins from rest. @param cells number of cells between planning and output
+  /// Begins a motion from rest with its source line. @param cells number of cells between planning
+  /// and output
   void begin(SourceLine line, std::uint32_t cells) {
     older_ = newer_ = line;
     cells_ = cells;

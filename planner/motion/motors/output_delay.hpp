@@ -60,8 +60,9 @@ class OutputDelay {
   std::size_t in_cell_ = 0;  ///< Number of pieces in the cell that is being filled.
   /// Number of stored pieces from which on all pieces of a cell are joined.
   std::size_t max_joinable_ = 0;
-  std::uint32_t tick_ = 0;   ///< Tick up to which the cell is filled.
-  OutputChanges pending_{};  ///< Output changes of slices that are shorter than a tick.
+  std::uint32_t tick_ = 0;  ///< Tick up to which the cell is filled.
+  /// Output changes of slices that are shorter than a tick. The next piece contains them.
+  OutputChanges pending_{};
   SegmentRate rate_{};
 };
 

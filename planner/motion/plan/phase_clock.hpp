@@ -18,7 +18,8 @@ class PhaseClock {
  public:
   /// Begins the next phase. Returns its duration in ns, ≥ 1. The duration is rounded up, so that no
   /// speed exceeds the speed of the plan. A phase of 10,000 s or more has whole microseconds. The
-  /// duration is at most three years, which only axes of a millimetre per minute need.
+  /// duration is limited to three years, which only axes with a speed of a millimetre per minute
+  /// could exceed.
   /// @param keeps_up whether to shorten the phase by the delay of the phases before it
   [[nodiscard]] std::uint64_t begin(float seconds, bool keeps_up);
 

@@ -20,8 +20,8 @@ struct Phase {
   int passes = 0;  ///< Number of spans that end within the phase, without its last span.
 };
 
-/// Times in s for which the speed must stay level before it may rise or fall, because jerk is
-/// limited. At rest both times are 0.
+/// State that limits a change of speed, because jerk is limited. The first two fields are times in
+/// s for which the speed must stay level before it may rise or fall. At rest both times are 0.
 struct Patience {
   float before_speeding_up = 0.0F;
   float before_braking = 0.0F;
