@@ -9,8 +9,9 @@
 
 namespace cnc::gcode {
 
-/// Greatest number of actions of one line: S, T, M6, output, spindle, coolant, compensation and
-/// offsets; then two legs of G28, or a dwell and a motion; then a stop with a G40 before it.
+/// Greatest number of actions of one line. The first are S, T, M6, output, spindle, coolant,
+/// compensation and offsets. Two legs of G28, or a dwell and a motion, may follow. The last are a
+/// stop and a G40 before it.
 inline constexpr std::size_t kMaxActions = 12;
 
 /// The actions of one line. Each action is filled in the list itself, because an action is large:

@@ -16,9 +16,9 @@ std::uint64_t magnitude(std::int64_t value) {
   return static_cast<std::uint64_t>(value < 0 ? -value : value);
 }
 
-/// Returns the number of bits by which values must be shifted right so that each value is below
-/// 2^31 and the sum of two products of such values fits into 63 bits. This is 0 for values below
-/// 2.1 m, and at most 12 for coordinates in range.
+/// Returns the number of bits by which values must be shifted right, so that each value is below
+/// 2^31. Then the sum of two products of such values fits into 63 bits. The result is 0 for values
+/// below 2.1 m, and at most 12 for coordinates in range.
 template <typename... Values>
 int surplus_bits(Values... values) {
   const std::uint64_t all = (magnitude(values) | ...);

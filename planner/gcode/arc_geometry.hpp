@@ -26,7 +26,7 @@ struct ArcTolerance {
 };
 
 /// Returns the greater one of the two tolerances, limited to 0.5 mm. The result is never stricter
-/// than that of Grbl 1.1, which permits 0.005 mm, or 0.1 % of the radius up to 0.5 mm.
+/// than the tolerance of Grbl 1.1, which is 0.005 mm, or 0.1 % of the radius up to 0.5 mm.
 [[nodiscard]] float allowed_deviation(const ArcTolerance& tolerance, float radius_mm);
 
 /// Returns the difference of the radii at the two ends of an arc, | |end − centre| − |centre| |, in
@@ -47,9 +47,9 @@ struct CentreByRadius {
 };
 
 /// Returns the centre of the arc to `end` with a given radius, relative to the start (RS274/NGC
-/// 3.5.3.1). There are two possible centres. A positive radius selects that of the shorter arc, and
-/// a negative radius that of the longer arc. If the chord is longer than the diameter, there is no
-/// centre. Then the result is the middle of the chord.
+/// 3.5.3.1). There are two possible centres. A positive radius selects the centre of the shorter
+/// arc, and a negative radius the centre of the longer arc. If the chord is longer than the
+/// diameter, there is no centre. Then the result is the middle of the chord.
 ///
 /// The error is at most 3e-7 of the radius. The distance of the centre from the perpendicular
 /// bisector of the chord has the same bound.

@@ -20,8 +20,8 @@ namespace cnc::gcode {
 /// of actions changes before commit(). So if a step refuses the line, no earlier step has had an
 /// effect.
 ///
-/// Where RS274/NGC and Grbl 1.1 differ in the numbers or the order of checks, this class does what
-/// Grbl does (gnea/grbl, gcode.c, steps 2 and 3).
+/// Where RS274/NGC and Grbl 1.1 differ in the numbers or the order of checks, this class follows
+/// Grbl (gnea/grbl, gcode.c, steps 2 and 3).
 class Execution {
  public:
   /// Makes the execution of `block`. All arguments must outlive it. @pre `actions` is empty

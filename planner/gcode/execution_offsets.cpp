@@ -104,8 +104,8 @@ Refusal Execution::set_offsets() {
 }
 
 /// Handles G10. L1 sets the radius of a tool. L2 sets the origin of a coordinate system. L20 sets
-/// the origin in such a way that the present position gets the given coordinates. P0 means the
-/// coordinate system in use.
+/// the origin so that the present position gets the given coordinates. P0 means the coordinate
+/// system in use.
 Refusal Execution::set_system() {
   constexpr auto kGroup = ModalGroup::kNonModal;
   const Decimal* const kind = block_.take('L');

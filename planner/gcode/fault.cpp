@@ -11,9 +11,9 @@ namespace {
 
 struct Explanation {
   ErrorCode code;
-  /// The explanation. In it, %w is replaced by the letter and number of the word, %c by its letter,
-  /// %v by the value and %l by the limit with three decimals, and %n by the limit without
-  /// superfluous decimals.
+  /// The explanation, with fields for the values of the fault. %w is the letter and number of the
+  /// word, and %c only its letter. %v is the value and %l the limit, both with three decimals. %n
+  /// is the limit without superfluous decimals.
   std::string_view sentence;
 };
 

@@ -19,7 +19,7 @@ using Actions = std::span<const Action>;
 
 /// Converts lines of G-code to actions, one line at a time.
 ///
-/// The dialect is that of Grbl 1.1 (RS274/NGC) with six axes. From LinuxCNC it has G90.1, G59.x,
+/// The dialect is RS274/NGC as in Grbl 1.1, with six axes. From LinuxCNC it has G90.1, G59.x,
 /// G92.2, G92.3, full turns by P, splines and outputs. A word that the interpreter does not know is
 /// refused and never ignored.
 ///

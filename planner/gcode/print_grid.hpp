@@ -9,7 +9,7 @@
 namespace cnc::gcode {
 
 /// A position or a difference of positions, in units of the last printed digit. The printed text
-/// has exactly this value, so results computed from it agree with those of the reader.
+/// has exactly this value, so results computed from it agree with the results of the reader.
 struct GridPlace {
   std::int32_t x = 0;
   std::int32_t y = 0;

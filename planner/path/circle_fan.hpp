@@ -30,9 +30,9 @@ struct FanCircle {
 /// that has the same component along x. The circle is within Q of the point p = (x, y, z) if
 ///   |k_y (|p|² − Q²) + 2 t x − 2 y| ≤ 2 Q_y and |k_z (|p|² − Q²) + 2 u x − 2 z| ≤ 2 Q_z,
 /// where Q_y² + Q_z² = Q². The two terms between bars are the components of a vector. That vector
-/// is twice the vector from p to the plane of the circle and, in that plane, to the circle, where Q
-/// is measured from the far side of the circle. Subtracting the multiple of the direction only
-/// makes it longer.
+/// is twice the distance vector from p to the plane of the circle and, within that plane, to the
+/// circle. There, Q is measured from the far side of the circle. Subtracting the multiple of the
+/// direction only makes it longer.
 class CircleFan {
  public:
   /// Greatest magnitude of the slope, which corresponds to 31°.

@@ -5,8 +5,8 @@
 
 namespace cnc::path {
 
-/// For elements of one curve: the greatest distance of a rounded position from the curve, in mm,
-/// and the greatest change of direction, in radians, that is attributed to this rounding.
+/// Greatest distance of a rounded position from its curve, in mm, for elements of one curve. Then
+/// the greatest change of direction, in radians, that is attributed to this rounding.
 inline constexpr float kRoundedPlaceMm = 1.2e-5F;
 inline constexpr float kSmoothTurn = 0.02F;
 
@@ -50,8 +50,8 @@ struct Corner {
 ///
 /// A corner can be rounded unless the path turns back. Between two lines, the blend is one arc in
 /// their plane, in all six axes with their units. Next to an arc, it is two arcs. The tolerance is
-/// the smaller one of those of the two elements. A rapid is blended only with a rapid. Motion with
-/// a fixed feed (jogs, homing) is not blended.
+/// the smaller one of the tolerances of the two elements. A rapid is blended only with a rapid.
+/// Motion with a fixed feed (jogs, homing) is not blended.
 ///
 /// The blend is only as large as the feed of its elements requires on this machine, computed for
 /// twice the feed.

@@ -11,9 +11,9 @@
 namespace cnc::path {
 
 /// Converts the programmed path to the driven path. It joins a line that is shorter than a step to
-/// the next element, gathers lines that continue in one direction, welds short lines, and rounds
-/// corners or stops at them. Both paths are sequences of elements. Some elements are held until the
-/// elements after them are known.
+/// the next element. It gathers lines that continue in one direction, and welds short lines. It
+/// rounds corners or stops at them. Both paths are sequences of elements. Some elements are held
+/// until the elements after them are known.
 ///
 /// Main loop only. Each call does a bounded amount of work.
 class PathStage {

@@ -187,8 +187,8 @@ void Welder::choose_plane(const Vec3& way) {
 
 /// Returns whether the fit may include the next point. The distance from the start must grow, so
 /// that no point is beyond the end of the arc. A short line may go in any direction as long as the
-/// circles pass its end: programs on a grid, and offsets, contain small sideward steps that are not
-/// part of the curve.
+/// circles pass its end. The reason is that programs on a grid, and offsets, contain small sideward
+/// steps that are not part of the curve.
 bool Welder::goes_on(const Vec3& here, const Vec3& chord) const {
   if (plane_ && here.z() != 0.0F) return false;
   if (points_fitted_ == 0 || is_short(chord.norm())) return true;

@@ -26,7 +26,7 @@ struct AxisCourse {
 
 /// Lowers the speed and the acceleration of a block so that the axes X Y Z keep their limits, too,
 /// at up to twice the programmed feed. Turning may use half of an axis's acceleration. The change
-/// of speed may use what turning leaves.
+/// of speed may use the rest.
 void limit_axes(Block& block, const AxisCourse& course, const Limits& limits);
 
 }  // namespace cnc::motion

@@ -59,7 +59,7 @@ struct LimitZone {
 ///   sqrt(X + a² T²) − a T,
 /// because braking by a over the distance v T takes 2 a v T from X.
 ///
-/// Up to the speed `kept` the motion may always speed up: the path ahead allows it to keep that
+/// Up to the speed `kept` the motion may always speed up. The path ahead allows it to keep that
 /// speed until it reaches a point where the condition above is satisfied.
 struct BrakingState {
   /// Greatest v² from which the rest of the path can be driven, mm²/s².

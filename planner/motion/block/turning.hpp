@@ -61,8 +61,8 @@ struct Turning {
 /// 0.28 k^−¼ T, no simulated motion, over all k, exceeds the limits of Turning.
 [[nodiscard]] float lag_of(float curvature, float acceleration, float window_s);
 
-/// Returns an a ≤ `most` for which a ≤ within(a). It is never greater than the greatest such a, and
-/// at most a fifth below it.
+/// Returns an a ≤ `most` for which a ≤ within(a). The result is at most the greatest a with this
+/// property, and at most a fifth below it.
 /// @param within returns the acceleration that is left at the speed to which a leads; the result
 /// must not rise with a
 template <typename Within>

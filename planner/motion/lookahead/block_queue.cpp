@@ -169,7 +169,7 @@ BrakingState entry_for(const Block& block,
     return {.speed_square = brake_over_line(block, cap, exit.speed_square)};
   }
   const Spans spans{block, limits, terms.window};
-  // Cost relative to that of a line without a time window.
+  // Cost relative to a line without a time window.
   constexpr std::uint32_t kCostOfSpan = 2;
   looked_at += kCostOfSpan * static_cast<std::uint32_t>(spans.count());
   return brake_backwards(spans, cap, exit);

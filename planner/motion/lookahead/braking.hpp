@@ -36,8 +36,8 @@ struct BrakingPoint {
     if (slope <= cap_square || deceleration <= 0.0F) return slope;
     return cap_square + (slope - cap_square) * (steepest / deceleration);
   }
-  /// Returns the greatest speed, in mm/s, at the position `left` mm before the end of the span with
-  /// which all limits ahead can be kept if braking begins only after another `wait_s` at this
+  /// Returns the greatest speed, in mm/s, with which all limits ahead can be kept from the position
+  /// `left` mm before the end of the span. Braking begins only after another `wait_s` at this
   /// speed.
   [[nodiscard]] float committed(float left, float wait_s) const {
     // Lowers the result by the rounding error of a speed. With v / a = 2 s, the last digit of v

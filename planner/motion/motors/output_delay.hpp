@@ -27,7 +27,7 @@ struct OutputPiece {
 /// The boundaries between pieces keep their ticks. An output that stays constant is one piece.
 /// Pieces of a cell are joined to one piece with the same energy in two cases. In the first case,
 /// they are so short that the queue of segments would run empty. In the second case, the queue of
-/// pieces is full; then output changes move to the start of the joined piece, too. (Both cases
+/// pieces is full. Then output changes move to the start of the joined piece, too. (Both cases
 /// require a long row of blocks of a few µm at full speed under M4.)
 class OutputDelay {
  public:

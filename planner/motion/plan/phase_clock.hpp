@@ -6,8 +6,8 @@
 
 namespace cnc::motion {
 
-/// Rounds the durations of phases to whole nanoseconds, and computes by how much this delays the
-/// motion.
+/// Rounds the durations of phases to whole nanoseconds, and computes the delay of the motion that
+/// follows from this.
 ///
 /// At 500 mm/s, a delay of a nanosecond removes 0.5 nm of distance from one cell of a window. Jerk
 /// is computed from third differences of distances. At an acceleration of 500 mm/s² and with cells

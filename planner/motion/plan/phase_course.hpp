@@ -36,11 +36,11 @@ class PhaseCourse {
   enum class Grain : std::uint8_t { kUsual, kFine };
 
   PhaseCourse() = default;
-  /// Makes the course of a stretch. @pre the duration of the stretch is positive
+  /// Makes the profile of a stretch. @pre the duration of the stretch is positive
   explicit PhaseCourse(const Stretch& stretch, Grain grain = Grain::kUsual) {
     begin(stretch, grain);
   }
-  /// Replaces the course by the course of another stretch. @pre the duration of the stretch is
+  /// Replaces the profile by the profile of another stretch. @pre the duration of the stretch is
   /// positive
   void begin(const Stretch& stretch, Grain grain = Grain::kUsual) {
     whole_ = stretch;
@@ -58,8 +58,8 @@ class PhaseCourse {
   [[nodiscard]] float speed_after(std::uint64_t ns) const {
     return ns >= whole_.duration_ns ? whole_.end_speed : speed_within(ns);
   }
-  /// Returns the time in ns, after `from_ns`, that the motion takes for another distance `way`. The
-  /// time is limited to the end of the course.
+  /// Returns the time in ns, after `from_ns`, in which the motion drives another distance `way`.
+  /// The time is limited to the end of the stretch.
   [[nodiscard]] std::uint64_t time_of(PathUnits way, std::uint64_t from_ns) const;
   [[nodiscard]] const Stretch& whole() const { return whole_; }
 
@@ -70,10 +70,10 @@ class PhaseCourse {
   [[nodiscard]] std::uint64_t fine_way(std::uint64_t ticks) const;
 
   Stretch whole_{};
-  float duration_ = 0.0F;  ///< Duration of the course, ns.
+  float duration_ = 0.0F;  ///< Duration of the stretch, ns.
   /// 2^63 / duration, with the duration in ticks of 2^shift_ ns. It stays 0 until a position inside
-  /// the course is evaluated, because the division is slow and most courses are evaluated only at
-  /// their end.
+  /// the stretch is evaluated, because the division is slow and most stretches are evaluated only
+  /// at their end.
   std::uint64_t per_tick_q63_ = 0;
   std::uint64_t start_slope_q30_ = 0;  ///< α in Q30, 0…2.
   /// With kFine, the next digits after those of per_tick_q63_.

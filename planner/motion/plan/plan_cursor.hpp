@@ -112,7 +112,7 @@ class PlanCursor {
   Phase phase_{};
   PathUnits phase_from_ = 0;
   PhaseCourse course_{};
-  std::uint64_t elapsed_ns_ = 0;  ///< Time since the start of the course.
+  std::uint64_t elapsed_ns_ = 0;  ///< Time since the start of the phase.
   PhaseClock clock_{};
   PathUnits lead_ = 0;  ///< Distance by which the stretches returned so far are beyond place_.
 

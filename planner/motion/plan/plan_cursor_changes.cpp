@@ -47,9 +47,9 @@ std::uint64_t PlanCursor::time_to(std::size_t end, const TimeWindow& window) {
 /// move first, and then shorter windows until the motion takes longer again.
 TimeWindow PlanCursor::quickest(const WindowChoice& choice, std::size_t end) {
   constexpr std::array<float, 7> kShares{0.84F, 0.7F, 0.59F, 0.5F, 0.42F, 0.35F, 0.25F};
-  /// These numbers of blocks limit the time of the choice to some milliseconds on the controller:
-  /// up to kFewBlocks blocks are planned under all windows, and up to kMaxBlocks under every third
-  /// one.
+  /// These numbers of blocks limit the time of the choice to some milliseconds on the controller.
+  /// Up to kFewBlocks blocks are planned under all windows. Up to kMaxBlocks blocks are planned
+  /// under every third window.
   constexpr std::size_t kFewBlocks = 16;
   constexpr std::size_t kMaxBlocks = 64;
   constexpr std::size_t kWideStep = 3;
@@ -188,9 +188,9 @@ void PlanCursor::bring_up_to_date(Drive drive) {
 }
 
 /// Applies lower overrides immediately: if the motion is too fast for them, it slows down. There is
-/// one exception. Under other terms, zones may be merged in another way. A zone in which the speed
-/// is too high for turning may then reach farther than before, and leaves no acceleration for
-/// braking. In this case the lower overrides are postponed.
+/// one exception. Under other terms, other zones may be merged. A zone in which the speed is too
+/// high for turning may then reach farther than before, and leaves no acceleration for braking. In
+/// this case the lower overrides are postponed.
 void PlanCursor::lower_pace(std::uint64_t passed_ns, Drive drive) {
   postponed_ns_ -= std::min(postponed_ns_, passed_ns);
   PlanTerms lower = terms_;

@@ -21,7 +21,7 @@ constexpr float kSteeperThanPlan = 1.0F + 5.0e-4F;
 /// Greatest ratio of v² to the braking curve that rounding of the wait before braking can cause.
 constexpr float kLate = 1.0005F;
 
-/// Rounding error of v² as a share of it: two units in the last place of a float.
+/// Rounding error of v², relative to v²: two units in the last place of a float.
 constexpr float kSpeedSquareRounding = 2.4e-7F;
 
 /// Greatest v² that counts as rest, in mm²/s². Without a window this is (1 µm/s)², slower than a
