@@ -125,7 +125,7 @@ struct Fault {
   /// Column of the word in bytes, from 1; 0 if no word is at fault.
   std::uint16_t column = 0;
   float value = 0.0F;  ///< Value of the word, or the deviation in mm.
-  float limit = 0.0F;  ///< Limit that `value` exceeds.
+  float limit = 0.0F;  ///< Limit with which `value` was compared.
 
   [[nodiscard]] ErrorCode code() const;
 };

@@ -37,7 +37,7 @@ class LineReader {
   /// @param line must outlive the reader
   explicit LineReader(std::string_view line) : line_{line} {}
 
-  /// Advances to the first word. Must be the first call, and the only one.
+  /// Advances to the first word. Must be called once, before all other functions.
   /// @param block_delete If true, the text after a / at the start of the line or after N is ignored
   /// like a comment. If false, only the / is ignored. A digit directly after the / (switches 1 to
   /// 9) is part of the /.

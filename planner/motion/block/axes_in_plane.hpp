@@ -62,8 +62,8 @@ class DirectionRange {
   /// Makes the range from one angle of a direction to another.
   /// @param start, end the angles in radians, start ≤ end
   DirectionRange(float start, float end);
-  /// Makes the range between two angles, which are given by sine and cosine. @pre `end` is at most
-  /// a quarter turn after `start`
+  /// Makes the range between two angles, which are given by sine and cosine. @pre `end` is less
+  /// than a quarter turn after `start`
   DirectionRange(const SinCos& start, const SinCos& end) : start_{start}, end_{end}, all_{false} {}
 
   /// Returns the greatest shares of an axis over these directions. If the range is a quarter turn
