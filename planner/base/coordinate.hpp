@@ -18,8 +18,8 @@ inline constexpr float kMillimetresPerNanometre = 1.0e-6F;
 /// them are exact, and differences of near positions lose nothing before they become floats.
 class Coordinate {
  public:
-  /// The farthest position that a program may name: 1 km, or a million degrees. The limit keeps
-  /// every product with a steps-per-mm mantissa inside 64 bits.
+  /// Greatest magnitude of a position that a program may name: 1 km, or a million degrees. The
+  /// limit keeps every product with a steps-per-mm mantissa inside 64 bits.
   static constexpr std::int64_t kFarthestNanometres = 1'000'000'000'000;
 
   constexpr Coordinate() = default;

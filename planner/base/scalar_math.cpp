@@ -90,7 +90,7 @@ float cube_root(float value) {
 }
 
 float decay(float x) {
-  // The eighth power of the series of e^(−x/8), whose seventh term is below 2^-30.
+  // Computes the eighth power of the series of e^(−x/8), whose seventh term is below 2^-30.
   const float z = -0.125F * x;
   const float tail = 1.0F / 24.0F + z * (1.0F / 120.0F + z * (1.0F / 720.0F));
   const float eighth = 1.0F + z * (1.0F + z * (0.5F + z * (1.0F / 6.0F + z * tail)));

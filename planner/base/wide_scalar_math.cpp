@@ -72,7 +72,7 @@ double wide_atan2(double y, double x) {
   const double ratio = (ax > ay ? ay : ax) / larger;
   const bool upper = ratio > kTanEighthPi;
   const double part = upper ? (ratio - 1.0) / (ratio + 1.0) : ratio;
-  // Tangent of half the angle.
+  // Tangent of half of the angle whose tangent is `part`.
   const double half_part = part / (1.0 + std::sqrt(1.0 + part * part));
   const double octant = (upper ? kQuarterPi : 0.0) + 2.0 * atan_near_zero(half_part);
   const double quadrant = ay > ax ? 2.0 * kQuarterPi - octant : octant;

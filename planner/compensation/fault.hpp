@@ -15,7 +15,8 @@ enum class Reason : std::uint8_t {
 };
 
 /// A fault of compensation. Elements are counted from the entry, which is 1; an arc of more than
-/// half a turn counts as two. A line number is N of the element's line; 0 if it has none.
+/// half a turn counts as two. A line number is the N word of the element's line, or 0 if the line
+/// has no N word.
 struct Fault {
   Reason reason = Reason::kUnreachable;
   std::uint32_t element = 0;

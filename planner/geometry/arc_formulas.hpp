@@ -4,8 +4,8 @@
 
 #include "planner/geometry/arc.hpp"
 
-/// Definitions that arc.cpp and wide_arc.cpp instantiate. The two sources are separate, so that an
-/// image with arcs in single precision contains no double arithmetic.
+/// Definitions that arc.cpp and wide_arc.cpp instantiate. These two sources are separate, so that
+/// an image with arcs in single precision contains no double arithmetic.
 namespace cnc {
 
 template <std::floating_point Scalar>

@@ -13,14 +13,16 @@ struct ChordPoint {
   float across_rate;  ///< Derivative d across / d fraction.
 };
 
-/// Evaluates an arc of at most half a turn at a fraction of its length. It works in fixed point and
-/// with multiplications only: it runs once for each motion segment and decides where steps fall.
+/// Evaluates an arc of at most half a turn at a fraction of its length. It uses fixed point and
+/// multiplications only, because it runs once for each motion segment and decides at which times
+/// steps occur.
 ///
 /// With half sweep h and μ = 2·fraction − 1:
 ///   along  = ½ + ½ sin(μh) / sin h
+///
 ///   across = −½ (cos μh − cos h) / sin h
 /// Both are written with S(z) = sin x / x and C(z) = (1 − cos x) / x², z = x². S and C are
-/// well-conditioned polynomials, so an arc that is nearly a line needs no separate case, and a line
+/// well-conditioned polynomials. So an arc that is nearly a line needs no separate case, and a line
 /// is simply h = 0.
 ///
 /// Guarantee: along and across are within kChordPointError of the exact values for the stored half

@@ -26,7 +26,7 @@ struct AngleJet {
   return {opposite(angle.angle), -angle.first, -angle.second};
 }
 
-/// Returns the vector turned about the axis X, Y or Z, right-handed.
+/// Returns a vector after a right-handed rotation about the axis X, Y or Z.
 /// @param about index of the axis, 0…2
 [[nodiscard]] inline Vec3 turned(std::size_t about, const SinCos& angle, const Vec3& vector) {
   const std::size_t first = (about + 1) % kLinearAxisCount;
@@ -49,7 +49,7 @@ struct AngleJet {
   return result;
 }
 
-/// Returns the jet turned about an axis by an angle that also changes along the path.
+/// Returns a jet after a rotation about an axis by an angle that also changes along the path.
 [[nodiscard]] inline PlaceJet turned(std::size_t about,
                                      const AngleJet& angle,
                                      const PlaceJet& jet) {

@@ -18,18 +18,18 @@ struct ActionPart {
   bool continues = false;          ///< The element is part of one curve with the one before it.
   std::uint32_t index = 0;         ///< Number of the part for motion::SourceLine.
   std::optional<float> power_s{};  ///< S from this part on; empty if S stays unchanged.
-  /// Values of S for equal parts of a line that is one element, a row; empty for all other
+  /// Values of S for the equal parts of a line that is one element, a row. Empty for all other
   /// elements.
   std::span<const float> row{};
 };
 
-/// Divides an action of G-code that moves the tool into path elements: a straight line into one
-/// element, a line with several powers into equal parts, an arc or a helix into elements of at
-/// most half a turn, a spline into arcs within a tolerance.
+/// Divides an action of G-code that moves the tool into path elements. A straight line becomes one
+/// element, and a line with several powers becomes equal parts. An arc or a helix becomes elements
+/// of at most half a turn, and a spline becomes arcs within a tolerance.
 ///
-/// The elements are computed one at a time, so that a caller without capacity for the next one can
-/// continue later. Consecutive elements join exactly, and the last one ends at the action's end.
-/// Main loop only; nothing is allocated.
+/// The elements are computed one at a time, so that a caller whose capacity is exhausted can
+/// continue later. Consecutive elements join exactly, and the last element ends at the action's
+/// end. Main loop only; nothing is allocated.
 class ActionElements {
  public:
   /// Returns whether begin() accepts the action: it moves along a path that the action alone
@@ -78,8 +78,9 @@ class ActionElements {
   struct Line {
     Position from{};
     Position end{};
-    std::span<const float> powers{};  ///< One power for each equal part; empty where S stays.
-    std::uint32_t parts = 1;          ///< Number of elements of each such part.
+    std::span<const float> powers{};  ///< One power for each equal part; empty if S stays
+                                      ///< unchanged.
+    std::uint32_t parts = 1;          ///< Number of elements in each equal part.
     bool is_row = false;              ///< The line is one element, whatever its powers are.
 
     [[nodiscard]] std::uint32_t count() const;
@@ -88,8 +89,8 @@ class ActionElements {
 
   [[nodiscard]] ActionPart next_of(const Line& line) const;
 
-  // Not a variant: a compiler that optimizes for size may give accesses to a variant a call of
-  // abort().
+  // The members are no std::variant, because a compiler that optimizes for size may add a call of
+  // abort() to accesses of a variant.
   Curve curve_ = Curve::kNone;
   Line line_{};
   std::optional<ArcElements> arc_{};
