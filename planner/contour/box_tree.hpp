@@ -9,9 +9,9 @@
 
 namespace cnc::contour {
 
-/// Boxes over a row of curves. Each box of the level above contains eight boxes in the order of the
-/// row: neighbours on a contour are neighbours in the plane, so nothing needs sorting. A search
-/// visits O(log n) boxes besides those that it finds.
+/// Hierarchy of boxes over a sequence of curves. Each box of a higher level contains eight
+/// consecutive boxes of the level below. Neighbours on a contour are neighbours in the plane, so no
+/// sorting is needed. In addition to the boxes that it finds, a search visits O(log n) boxes.
 template <typename Scalar>
 class BoxTree {
  public:
@@ -38,15 +38,15 @@ class BoxTree {
     while (count_[top_] > kFan && top_ + 1 < kLevels) add_level();
   }
 
-  /// Calls `visit(index)` for each curve from number `from` on whose box overlaps `box`, in the
-  /// order of the numbers, until a call returns false.
+  /// Calls `visit(index)` for each curve with an index of at least `from` whose box overlaps `box`,
+  /// in the order of the indices, until a call returns false.
   template <typename Visit>
   void search(const FlatBox<Scalar>& box, std::uint32_t from, Visit&& visit) const {
     search_where([&box](const FlatBox<Scalar>& other) { return other.meets(box); }, from, visit);
   }
 
-  /// Calls `visit(index)` as search() does, for each curve whose boxes satisfy `holds(box)`. During
-  /// the search `holds` may change so that it accepts fewer boxes.
+  /// Calls `visit(index)` as search() does, for each curve whose boxes on all levels satisfy
+  /// `holds(box)`. During the search `holds` may change so that it accepts fewer boxes.
   template <typename Holds, typename Visit>
   void search_where(const Holds& holds, std::uint32_t from, Visit&& visit) const {
     std::uint32_t level = top_;
@@ -68,8 +68,8 @@ class BoxTree {
     }
   }
 
-  /// Descends at each level into the box for which `measure(box)` is least. Returns a curve that is
-  /// near, but not always the nearest.
+  /// Descends on each level into the box for which `measure(box)` is least. Returns the index of a
+  /// curve that is near, but not always nearest.
   /// @pre The tree has at least one curve.
   template <typename Measure>
   [[nodiscard]] std::uint32_t descend(const Measure& measure) const {

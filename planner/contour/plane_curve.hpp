@@ -13,11 +13,11 @@ struct CurveJet {
   WideVec2 second{0.0, 0.0};
 };
 
-/// Interface through which the fit sees any curve of a drawing: a row of spans, each smooth, each
-/// with its own parameter, a share of 0…1. Between spans the curve is continuous. Its tangent and
-/// its curvature may jump.
+/// Interface through which a fit evaluates any curve of a drawing. A curve is a sequence of smooth
+/// spans, each with its own parameter, a share of 0…1. Between spans the curve is continuous, but
+/// its tangent and its curvature may jump.
 ///
-/// Lines and arcs do not need this interface: they are path elements already.
+/// Lines and arcs do not need this interface, because they are path elements already.
 class PlaneCurve {
  public:
   /// Returns the number of spans, at least 1.

@@ -56,7 +56,7 @@ Position ArcElements::division(std::uint32_t index) const {
   }
   const float part = static_cast<float>(index) / static_cast<float>(count_);
   const float radius = start_radius_ + (end_radius_ - start_radius_) * part;
-  // Of the whole turns, only the remainder within one turn matters. It is computed in integers, so
+  // Only the remainder of the whole turns within one turn matters. It is computed in integers, so
   // that even a thousand turns lose no digits.
   const std::uint64_t whole_turns = arc_.turns - 1U;
   const auto turned_share = static_cast<float>(whole_turns * index % count_);

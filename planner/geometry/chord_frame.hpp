@@ -19,7 +19,6 @@ struct ChordPoint {
 ///
 /// With half sweep h and μ = 2·fraction − 1:
 ///   along  = ½ + ½ sin(μh) / sin h
-///
 ///   across = −½ (cos μh − cos h) / sin h
 /// Both are written with S(z) = sin x / x and C(z) = (1 − cos x) / x², z = x². S and C are
 /// well-conditioned polynomials. So an arc that is nearly a line needs no separate case, and a line

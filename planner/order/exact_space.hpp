@@ -24,7 +24,8 @@ struct ExactSpace {
   CompletionBoundSpace bound;
   std::span<State> states;
   std::span<double> values;
-  std::span<std::size_t> layers;  ///< First state of each layer, and the end of the last layer.
+  std::span<std::size_t> layers;  ///< Index of the first state of each layer, and the end of the
+                                  ///< last layer.
   std::span<Index> order;
   std::span<Index> chosen;
 
