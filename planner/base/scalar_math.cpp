@@ -7,7 +7,7 @@
 namespace cnc {
 namespace {
 
-// Half π in three parts (Cody and Waite, 1980). The first two have few enough bits that their
+// Half π in three parts (Cody and Waite, 1980). The first two parts have few enough bits that their
 // product with a quarter count below 2^10 is exact.
 constexpr float kHalfPiHigh = 1.5703125F;
 constexpr float kHalfPiMiddle = 4.83751296997070e-4F;
@@ -51,7 +51,7 @@ SinCos sin_cos(float angle) {
 }
 
 float atan_unit(float t) {
-  // Above tan(π/8): atan t = π/4 + atan((t − 1)/(t + 1)).
+  // Above tan(π/8) the function uses atan t = π/4 + atan((t − 1)/(t + 1)).
   constexpr float kTanEighthPi = 0.41421356F;
   constexpr float kQuarterPi = 0.785398163F;
   const bool upper = t > kTanEighthPi;

@@ -17,12 +17,13 @@ std::optional<StepPosition> AxisScale::steps_at(Coordinate place) const {
   const bool negative = place < Coordinate{};
   const auto distance =
       static_cast<std::uint64_t>(negative ? -place.nanometres() : place.nanometres());
-  // The product is below 2^40 · 2^24, so it fits. Steps = product / 10^6 / 2^fraction_bits_.
+  // The product is below 2^40 · 2^24, so it fits into 64 bits. Steps = product / 10^6 /
+  // 2^fraction_bits_.
   const std::uint64_t product = distance * mantissa_;
   const std::uint64_t quotient = product / kNanometresPerMm;
   const std::uint64_t remainder = product % kNanometresPerMm;
   if ((quotient >> fraction_bits_) >= static_cast<std::uint64_t>(kMaxSteps)) return std::nullopt;
-  const int shift = 32 - fraction_bits_;  // The shift is 1…25, because 2^23 / 0.01 < 2^31.
+  const int shift = 32 - fraction_bits_;  // The shift is 2…25, because fraction_bits_ is 7…30.
   const std::uint64_t fraction = ((remainder << shift) + kNanometresPerMm / 2) / kNanometresPerMm;
   const auto q32 = static_cast<std::int64_t>((quotient << shift) + fraction);
   return StepPosition{negative ? -q32 : q32};

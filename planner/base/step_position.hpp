@@ -66,13 +66,13 @@ class AxisScale {
 
  private:
   float steps_per_mm_;
-  std::uint32_t mantissa_ = 0;  ///< steps_per_mm = mantissa_ · 2^-fraction_bits_.
+  std::uint32_t mantissa_ = 0;  ///< Mantissa: steps_per_mm = mantissa_ · 2^-fraction_bits_.
   int fraction_bits_ = 0;
 };
 
 constexpr AxisScale::AxisScale(float steps_per_mm) : steps_per_mm_{steps_per_mm} {
   CNC_ASSERT(steps_per_mm >= kMinStepsPerMm && steps_per_mm <= kMaxStepsPerMm);
-  // Doubles until 2^23 ≤ scaled < 2^24: at most 31 times, as 0.01 > 2^-7.
+  // Doubles until 2^23 ≤ scaled < 2^24: at most 30 times, because 0.01 > 2^-7.
   float scaled = steps_per_mm;
   while (scaled < 8388608.0F) {
     scaled *= 2.0F;

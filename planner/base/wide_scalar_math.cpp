@@ -6,8 +6,8 @@
 namespace cnc {
 namespace {
 
-// Half π in three parts. The first two have 33 bits each, so that their product with a quarter
-// count below 2^20 is exact.
+// Half π in three parts. The first two parts have 33 bits each, so that their product with a
+// quarter count below 2^20 is exact.
 constexpr double kWideHalfPiHigh = 1.57079632673412561417;
 constexpr double kWideHalfPiMiddle = 6.07710050630396597660e-11;
 constexpr double kWideHalfPiLow = 2.02226624879595063154e-21;

@@ -88,7 +88,7 @@ std::optional<Fault> OffsetChain::check(std::size_t index, bool last) const {
 std::optional<Fault> OffsetChain::leave(const Position& here, const Position& to, bool rapid) {
   const std::size_t last = path_.previous(size());
   const Name join{last, Kind::kJoin};
-  // Coordinates are relative to the end of the path.
+  // All coordinates below are relative to the end of the path.
   const Place origin = path_.start_of(size());
   const Vec2 tangent = path_.curve(last, origin).end_tangent;
   const Vec2 target = HeldPath::from(origin, path_.place_of(to));

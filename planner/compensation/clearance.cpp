@@ -21,7 +21,7 @@ bool ends_come_nearer(const Curve& a, const Curve& b, float limit) {
 Vec2 common_direction(const Curve& a, const Curve& b) {
   if (a.curvature == 0.0F) return a.start_tangent;
   if (b.curvature == 0.0F) return b.start_tangent;
-  // Vector from centre to centre, multiplied by both curvatures, so that no far-away centre is
+  // Vector from centre to centre, multiplied by both curvatures. In this form no far-away centre is
   // computed.
   const Vec2 across = a.curvature * b.curvature * (a.start - b.start) +
                       b.curvature * left_normal(a.start_tangent) -

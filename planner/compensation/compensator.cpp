@@ -29,6 +29,7 @@ void Compensator::clear() {
   free_ = given_ = kind_ = 0;
 }
 
+/// Returns the fault for which an element must be refused before it is appended.
 /// @param chord_mm length of the element in the plane
 std::optional<Fault> Compensator::refusal_of(const path::PathItem& item, float chord_mm) const {
   const PathElement& element = item.request.element;

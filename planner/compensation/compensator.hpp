@@ -33,10 +33,10 @@ class Compensator {
 
   /// Begins compensation with the next element (G41, G42).
   /// @param here machine position
-  /// @param offset_mm signed, positive is the right of the path (G42.1); not 0
+  /// @param offset_mm signed offset, positive is to the right of the path (G42.1); not 0
   void begin(const Position& here, Plane plane, float offset_mm);
-  /// Ends the path (G40): no element follows. The held elements can be taken, unless there is a
-  /// fault.
+  /// Ends the path (G40): no element follows. Unless there is a fault, the held elements can then
+  /// be taken.
   [[nodiscard]] std::optional<Fault> end();
   /// Ends compensation and forgets all elements.
   void clear();
@@ -44,19 +44,19 @@ class Compensator {
   /// motions have moved only axes outside the plane. @pre !active()
   void stand_at(const Position& here);
 
-  /// Returns whether a path is between begin() and end(), or elements wait to be taken.
+  /// Returns whether a path has begun and not ended, or elements wait to be taken.
   [[nodiscard]] bool active() const { return active_; }
-  /// Returns whether the machine is offset from the programmed path: after end(), until leave().
+  /// Returns whether the machine is offset from the programmed path: from end() until leave().
   [[nodiscard]] bool beside() const { return beside_; }
   /// Returns whether put() may be called: no element waits to be taken.
   [[nodiscard]] bool has_room() const { return given_ == free_; }
   /// Returns whether no element is held.
   [[nodiscard]] bool empty() const { return given_ == chain_.size() || !active_; }
 
-  /// Takes an element that moves. @pre active(), has_room(), the element begins where the
-  /// programmed path has ended so far, and the first element moves in the plane
+  /// Accepts an element that moves. @pre active(), has_room(), the element begins at programmed(),
+  /// and the first element moves in the plane
   [[nodiscard]] std::optional<Fault> put(const path::PathItem& item);
-  /// Sets `item` to the next element to be driven. Returns false when there is none yet.
+  /// Sets `item` to the next element to be driven. Returns false if there is no such element yet.
   [[nodiscard]] bool take(path::PathItem& item);
   /// Begins the exit from the path: a straight line to the point `to`. Returns a fault if the exit
   /// would cut into the part. If the exit first goes around the corner at the end of the path,

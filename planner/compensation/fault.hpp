@@ -7,11 +7,13 @@ namespace cnc::compensation {
 /// Reason why a path cannot be driven at its offset.
 enum class Reason : std::uint8_t {
   kEntryTooShort,  ///< The first motion after G41 or G42 is not longer than the offset.
-  kExitNotALine,   ///< The first motion after G40 is no straight line in the plane.
-  kOtherAxis,      ///< An arc in another plane, or too many motions off the plane in a row.
-  kUnreachable,    ///< The offset path cannot continue after this element: too narrow.
+  kExitNotALine,   ///< The first motion after G40 is not a straight line in the plane.
+  kOtherAxis,      ///< An arc is in another plane, or too many consecutive motions move no axis of
+                   ///< the plane.
+  kUnreachable,    ///< The offset path cannot continue after this element, because the path is too
+                   ///< narrow.
   kTooNear,        ///< The path next to this element would come too near to another element.
-  kWouldSplit,     ///< The path would cross itself, and omit a part that could be cut.
+  kWouldSplit,     ///< The path would cross itself and omit a part that could be cut.
 };
 
 /// A fault of compensation. Elements are counted from the entry, which is 1; an arc of more than
@@ -21,7 +23,8 @@ struct Fault {
   Reason reason = Reason::kUnreachable;
   std::uint32_t element = 0;
   std::uint32_t line = 0;
-  std::uint32_t other = 0;  ///< For kTooNear and kWouldSplit: the element that is in the way.
+  std::uint32_t other = 0;  ///< For kTooNear and kWouldSplit: number of the element that is in the
+                            ///< way.
   std::uint32_t other_line = 0;
 };
 

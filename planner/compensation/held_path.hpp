@@ -23,7 +23,7 @@ using Place = std::array<Coordinate, 2>;
 enum class Kind : std::uint8_t { kParallel, kJoin };
 inline constexpr std::size_t kKinds = 2;
 
-/// The driven part of a raw curve, in mm from the start of its element.
+/// The driven part of a raw curve. Points are in mm relative to the start of its element.
 struct Stretch {
   bool live = false;
   bool exists = true;  ///< For a join: whether the corner opens a gap.
@@ -43,7 +43,8 @@ struct HeldElement {
   bool continues = false;
   /// Whether only axes outside the plane move: the element then has no direction and no offset.
   bool stands = false;
-  bool waste = false;  ///< The element is part of a lead: it bounds nothing that is to be kept.
+  bool waste = false;  ///< Whether the element is part of a lead, which bounds nothing that is to
+                       ///< be kept.
   std::array<Stretch, kKinds> stretches{};
 };
 
@@ -103,7 +104,8 @@ class HeldPath {
   /// Returns the greatest distance between two programmed points that are meant as one point, mm;
   /// at most kSamePoint.
   [[nodiscard]] float rounding() const { return rounding_; }
-  /// Returns whether all of an element lies below a height above the plane.
+  /// Returns whether the complete element is below a height, measured along the normal of the
+  /// plane.
   [[nodiscard]] bool is_below(std::size_t index, Coordinate height) const {
     return position(index)[axes_.normal] < height && at(index).end[axes_.normal] < height;
   }
@@ -136,7 +138,7 @@ class HeldPath {
   // Numbers of elements, counted from the entry, which is 0.
   std::uint32_t loop_start_ = 0;  ///< First element of the last outline; 0 if none has closed.
   std::uint32_t loop_end_ = 0;    ///< Last element of the last closed outline.
-  std::uint32_t rapid_ = 0;       ///< The last rapid; 0 if there has been no rapid.
+  std::uint32_t rapid_ = 0;       ///< Last rapid; 0 if there has been no rapid.
   float rounding_ = 0.0F;
 };
 

@@ -156,7 +156,7 @@ void OffsetChain::aim(std::size_t entry, const Curve& after) {
   if (stretch(name).live) stretch(name).end = raw(name, origin).end;
 }
 
-/// Adds a raw curve. @param joins the raw curve begins where the one before it ends
+/// Adds a raw curve. @param joins whether the raw curve begins where the raw curve before it ends
 void OffsetChain::add_raw(Name name, bool joins) {
   Stretch& added = stretch(name);
   added.live = false;

@@ -14,17 +14,18 @@ namespace cnc::compensation {
 /// is nowhere nearer to an edge than the offset. The raw curves in between are swallowed if they
 /// are within four offsets of that meeting.
 ///
-/// A straight entry leads to the intersection of its own offset and the next element's offset, or
-/// to the start of the latter if the entry is too short. If the entry would cut into the corner at
-/// its end, and that corner belongs to an edge, the entry leads along a tangent of the circle about
-/// the corner and then around the corner. An arc as the entry ends with its programmed tangent.
+/// A straight entry leads to the end of its own offset. If its offset intersects the next element's
+/// offset, it leads to their intersection, or to the start of the next element's offset if the
+/// entry is too short. If the entry would cut into the corner at its end, and that corner belongs
+/// to an edge, the entry leads along a tangent of the circle about the corner and then around the
+/// corner. An arc as the entry ends with its programmed tangent.
 ///
-/// Only a bounded number of elements is known, and all checks hold among these elements. Computed
-/// in single precision, relative to the element in question: errors are at most 5e-5 mm where
-/// elements are up to 0.3 m long.
+/// Only a bounded number of elements is known, and all checks hold among these elements. The
+/// computation is in single precision, relative to the element in question: errors are at most 5e-5
+/// mm where elements are up to 0.3 m long.
 class OffsetChain {
  public:
-  /// @param distance_mm signed offset, positive is the right of the path; not 0
+  /// Begins a path. @param distance_mm signed offset, positive is to the right of the path; not 0
   void begin(const Position& start, Plane plane, float distance_mm);
 
   /// Appends an element. If the capacity is exhausted, the oldest element is forgotten.
@@ -54,7 +55,7 @@ class OffsetChain {
   /// @param here tool position
   /// @param rapid the exit is a rapid, which cuts nothing below its path
   [[nodiscard]] std::optional<Fault> leave(const Position& here, const Position& to, bool rapid);
-  /// Fixes the elements before `index`, because they have been given out.
+  /// Declares that the elements before `index` must not change, because they have been given out.
   void settle(std::size_t index) { settled_ = index; }
   [[nodiscard]] Fault fault(Reason reason, std::size_t index, std::size_t other) const;
 
@@ -105,9 +106,11 @@ class OffsetChain {
   HeldPath path_{};
   std::size_t settled_ = 0;
   float distance_ = 0.0F;
-  /// Tangent with which an entry that goes around its end reaches the circle there.
+  /// Tangent with which an entry that goes around the corner at its end reaches the circle about
+  /// this corner.
   Vec2 entry_tangent_{1.0F, 0.0F};
-  /// Tangent with which an exit that goes around its start leaves the circle there.
+  /// Tangent with which an exit that goes around the corner at its start leaves the circle about
+  /// this corner.
   Vec2 exit_tangent_{1.0F, 0.0F};
   bool entry_rounds_ = false;
   bool exit_rounds_ = false;

@@ -37,7 +37,7 @@ bool is_half_a_turn_at_most(const Curve<double>& arc) {
   return length < kPlaceChord || chord.dot(arc.start_tangent) >= kMinCosine * length;
 }
 
-/// A sampled point of a stretch and its distance from the arc.
+/// A sampled point of a stretch, and the distance of the point from the arc.
 struct Seen {
   WayPoint point{};
   ArcDistance distance{};
@@ -68,7 +68,7 @@ bool is_resolved(const Seen& from, const Seen& to, double fine_mm) {
          chord * std::abs(to.distance.slope - from.distance.slope) <= kMaxBend * fine_mm;
 }
 
-/// Returns the greatest distance of the stretch's points from the arc.
+/// Returns the greatest distance between points of the stretch and the arc.
 double stretch_deviation(const CurveStretch& stretch, const Curve<double>& arc, double fine_mm) {
   constexpr double kLargestStride = 1.0 / 16.0;  // In spans.
   // Largest stride as a share of the stretch. It suffices because an arc touches its band only a

@@ -34,7 +34,7 @@ WideVec2 end_of_chain(const ToleranceBand& band, FitEnd end, const FitLink& last
   return band.start_on(last.circle(), band.last()).place;
 }
 
-/// Returns the greatest distance between the chain and the piece, both ways.
+/// Returns the greatest distance between the chain and the piece, measured in both directions.
 double deviation_of_chain(const CurvePiece& piece,
                           const ToleranceBand& band,
                           const FitOptions& options,

@@ -13,7 +13,8 @@
 namespace cnc::contour {
 
 enum class FitMethod : std::uint8_t {
-  kFewest,  ///< Joints and tangents are free within the tolerance: finds as few arcs as it can.
+  kFewest,  ///< Joints and tangents are free within the tolerance. The fit finds as few arcs as it
+            ///< can.
   /// Method of paper 1: joints are on the curve, and a stretch is halved until a biarc fits it.
   kBisecting,
 };
@@ -33,13 +34,13 @@ struct FitOptions {
   FitMethod method = FitMethod::kFewest;
   FitEnd start = FitEnd::kTangent;
   FitEnd end = FitEnd::kTangent;
-  /// For kBisecting: the share of the tolerance that the base polygon uses (a in the paper), at
-  /// most a half.
+  /// For kBisecting: share of the tolerance that the base polygon uses (a in the paper), at most a
+  /// half.
   double polygon_share = 0.2;
 };
 
 enum class FitError : std::uint8_t {
-  kTooManySamples,  ///< The curve needs more samples than `FitRoom::samples` holds.
+  kTooManySamples,  ///< The curve requires more samples than `FitRoom::samples` can hold.
   kTooManyArcs,
   /// The curve jumps, or it turns at one point too sharply for the digits of its parameter.
   kNoFit,

@@ -16,7 +16,7 @@ namespace cnc::contour {
 /// `enough_mm`.
 [[nodiscard]] LeastValue optimal_biarc(std::span<const CurveSample> polygon, double enough_mm);
 
-/// Result of the bisecting of paper 1.
+/// Result of the bisecting fit of paper 1.
 struct BisectingResult {
   std::size_t arcs = 0;  ///< Number of arcs; 0 if even a biarc over one edge of the polygon is too
                          ///< far away.

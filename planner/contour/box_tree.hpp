@@ -16,19 +16,19 @@ template <typename Scalar>
 class BoxTree {
  public:
   static constexpr std::uint32_t kFan = 8;
+  /// Number of levels. It suffices for all 32-bit counts, because 8^11 is greater than 2^32.
   // NOLINTNEXTLINE(bugprone-dynamic-static-initializers): constant in each instantiation.
-  /// Enough for all 32-bit counts: 8^11 is greater than 2^32.
   static constexpr std::uint32_t kLevels = 11;
 
-  /// Returns the number of boxes that `count` curves need.
+  /// Returns the number of boxes that `count` curves require.
   [[nodiscard]] static constexpr std::size_t size_for(std::size_t count) {
     return count + count / (kFan - 1) + kLevels + 1;
   }
 
-  /// @pre boxes holds at least size_for(count) boxes.
+  /// @pre `boxes` has at least size_for(count) boxes.
   explicit BoxTree(Slice<FlatBox<Scalar>> boxes) : boxes_{boxes} {}
 
-  /// Returns the box of curve `index`, to be written before `build`.
+  /// Returns the box of curve `index`. The caller must write it before build().
   [[nodiscard]] FlatBox<Scalar>& leaf(std::uint32_t index) { return boxes_[index]; }
 
   void build(std::uint32_t count) {

@@ -9,8 +9,8 @@
 
 namespace cnc::contour {
 
-/// The start of an element of a closed contour, and its bulge. The element is the arc from this
-/// vertex to the next vertex of the loop; the last element leads to the first vertex.
+/// The start of an element of a closed contour, and the bulge of the element. The element is the
+/// arc from this vertex to the next vertex of the loop; the last element leads to the first vertex.
 template <typename Scalar>
 struct Vertex {
   Scalar x{};      ///< mm.

@@ -5,8 +5,8 @@
 namespace cnc::contour {
 namespace {
 
-/// Number of elements that are a crowd if they are all within a quarter of the distance from the
-/// element before them.
+/// Distance between two elements, in elements. If both begin within a quarter of the offset
+/// distance of each other, the elements between them are a crowd.
 constexpr std::uint32_t kCrowd = 8;
 /// Number of corners on each side against which a curve is checked. kNear holds for every curve,
 /// and kFar for a curve whose end is covered by the disc about one of the kNear corners.

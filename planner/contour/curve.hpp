@@ -39,7 +39,7 @@ struct Curve {
   Vector end{Scalar{0}, Scalar{0}};
   Vector start_tangent{Scalar{1}, Scalar{0}};
   Vector end_tangent{Scalar{1}, Scalar{0}};
-  Scalar curvature{};  ///< 1/mm, positive turns left.
+  Scalar curvature{};  ///< Curvature, 1/mm, positive turns left.
 
   /// Returns twice the distance from the circle times (1 + distance/2R). Its sign is exact.
   [[nodiscard]] Scalar side(const Vector& place) const {
@@ -94,7 +94,8 @@ struct Curve {
     return whole > Scalar{0} ? behind / whole : Scalar{0};
   }
 
-  /// Returns a box around the curve. It is too large by at most the height of the arc.
+  /// Returns a box around the curve. Each side of the box is too far out by at most the height of
+  /// the arc.
   [[nodiscard]] FlatBox<Scalar> box() const;
 };
 

@@ -11,7 +11,8 @@ constexpr int kLooks = 48;  // Number of samples of each span.
 /// Returns the direction of travel. If the first derivative vanishes, as it does where control
 /// points at an end coincide, the limit is the direction of the second derivative.
 WideVec2 direction_of(const CurveJet& jet, double share) {
-  constexpr double kVanishing = 1.0e-9;  // Share of the second derivative.
+  constexpr double kVanishing = 1.0e-9;  // Share of the second derivative below which the first
+                                         // derivative counts as 0.
   const double first = jet.first.norm();
   const double second = jet.second.norm();
   if (first > kVanishing * second) return (1.0 / first) * jet.first;

@@ -9,7 +9,7 @@
 
 namespace cnc::contour {
 
-/// A point of a path and the direction of the path there.
+/// A point of a path, and the direction of the path at that point.
 struct WayPoint {
   WideVec2 place{0.0, 0.0};    ///< mm.
   WideVec2 tangent{1.0, 0.0};  ///< Unit vector.
@@ -22,7 +22,7 @@ struct WayPoint {
 /// Where 1 + κ d is negative (κ positive to the left), the offset runs backwards. Such a part is
 /// within d of other points of the source, so the removal of loops must remove all of it.
 struct CurvePiece {
-  const PlaneCurve* curve = nullptr;  ///< The curve must outlive the piece.
+  const PlaneCurve* curve = nullptr;  ///< Source curve, which must outlive the piece.
   double offset_mm = 0.0;             ///< Offset to the right, mm; 0 for the curve itself.
   double from = 0.0;                  ///< Start parameter, counted in spans from the curve's start.
   double to = 0.0;                    ///< End parameter in spans; greater than `from`.
@@ -37,7 +37,7 @@ struct CurvePiece {
 
 enum class SplitError : std::uint8_t {
   kTooManyPieces,  ///< The curve has more pieces than `pieces` holds.
-  kNoDirection,    ///< A span is a point, or nearly one.
+  kNoDirection,    ///< A span is a point or nearly a point.
 };
 
 inline constexpr double kCuspShare = 1.0e-13;

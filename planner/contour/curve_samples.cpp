@@ -12,7 +12,7 @@ constexpr double kMaxTurn = 0.2;
 /// Chord length and turn between two samples.
 struct SampleStep {
   double chord = 0.0;
-  double turn = 0.0;  ///< Radians, positive to the left.
+  double turn = 0.0;  ///< Angle in radians, positive to the left.
 };
 
 SampleStep step_between(const WayPoint& from, const WayPoint& to) {

@@ -10,7 +10,7 @@ namespace cnc::contour {
 /// A point at which a fit samples a curve.
 struct CurveSample {
   WayPoint point{};
-  double spans = 0.0;  ///< Parameter of the point, counted as in CurvePiece.
+  double spans = 0.0;  ///< Parameter of the point in spans, counted as in CurvePiece.
   /// Angle by which the curve has turned since its start, radians. Turns to either side count as
   /// positive.
   double turned = 0.0;

@@ -22,7 +22,7 @@ class Cutting {
   /// Finds all meetings. Returns false if the storage cannot hold all of them.
   [[nodiscard]] bool find_meetings();
 
-  /// Writes the pieces. Returns their number.
+  /// Divides the raw curves, and writes the pieces. Returns the number of pieces.
   [[nodiscard]] std::uint32_t divide();
 
  private:

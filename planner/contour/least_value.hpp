@@ -17,7 +17,7 @@ struct SearchRange {
   /// Number of evenly spread evaluations, including both ends; at least 2. If both ends are equal,
   /// there is one evaluation.
   int looks = 8;
-  int steps = 20;  ///< Steps of the golden section around the best evaluation.
+  int steps = 20;  ///< Number of steps of the golden section around the best evaluation.
 };
 
 /// Returns the least value of a function with one valley. If there are several valleys, it returns

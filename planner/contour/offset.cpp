@@ -25,7 +25,7 @@ Scalar reach_of(const ContourView<Scalar>& input) {
   return most + faults;
 }
 
-/// Returns the number of elements. An arc of more than half a turn counts as two.
+/// Returns the number of elements. An arc of more than half a turn counts as two elements.
 template <typename Scalar>
 std::size_t element_count(const ContourView<Scalar>& input) {
   std::size_t count = input.vertices.size();

@@ -17,7 +17,7 @@ inline constexpr std::uint32_t kNone = 0xFFFFFFFF;
 /// resolution of a number that is as large as the coordinates.
 template <typename Scalar>
 struct Tolerance {
-  Scalar touch{};  ///< Points closer than this are one point.
+  Scalar touch{};  ///< Distance below which two points are one point.
   /// A curve may be nearer to the input than |distance| by this length, if no other curve closes
   /// the loop.
   Scalar shallow{};
@@ -27,7 +27,7 @@ struct Tolerance {
   [[nodiscard]] static Tolerance for_coordinates_up_to(Scalar most);
 };
 
-/// An element of the input moved aside, or the round join at a corner.
+/// An element of the input after it was moved, or the round join at a corner.
 template <typename Scalar>
 struct RawCurve {
   Curve<Scalar> curve;
@@ -43,22 +43,22 @@ struct Node {
   std::uint32_t same_as = kNone;
 };
 
-/// The node at which a raw curve is divided.
+/// A division of a raw curve at a node.
 template <typename Scalar>
 struct Cut {
-  Scalar order{};  ///< Position along the raw curve, as Curve::order_of returns.
+  Scalar order{};  ///< Position along the raw curve, in the measure of Curve::order_of().
   std::uint32_t raw = kNone;
   std::uint32_t node = kNone;
 };
 
-/// A raw curve, or a part of it, between two nodes.
+/// A raw curve, or a part of a raw curve, between two nodes.
 struct Piece {
   std::uint32_t raw = kNone;
   std::uint32_t start_node = kNone;
   std::uint32_t end_node = kNone;
-  std::uint32_t next_out = kNone;  ///< Another piece that leaves the same node.
-  std::uint32_t next_in = kNone;   ///< Another piece that reaches the same node.
-  std::uint32_t next = kNone;      ///< The piece that follows in its run.
+  std::uint32_t next_out = kNone;  ///< Index of another piece that leaves the same node.
+  std::uint32_t next_in = kNone;   ///< Index of another piece that arrives at the same node.
+  std::uint32_t next = kNone;      ///< Index of the next piece in the same run.
   bool dropped = false;
   bool in_run = false;
 };
@@ -78,7 +78,7 @@ struct Run {
   std::uint32_t first_piece = kNone;
   std::uint32_t start_node = kNone;
   std::uint32_t end_node = kNone;
-  std::uint32_t next_out = kNone;  ///< Another run that leaves the same start node.
+  std::uint32_t next_out = kNone;  ///< Index of another run that leaves the same start node.
   Standing standing = Standing::kDropped;
   bool written = false;
 };
@@ -89,7 +89,7 @@ struct Junction {
   std::uint32_t out = 0;
   std::uint32_t first_out = kNone;
   std::uint32_t first_in = kNone;
-  std::uint32_t reached_by = kNone;  ///< The run by which a search arrived at the node.
+  std::uint32_t reached_by = kNone;  ///< Index of the run by which a search arrived at the node.
 
   /// Returns whether exactly one piece arrives and one leaves, so that the node leaves no choice.
   [[nodiscard]] bool plain() const { return in == 1 && out == 1; }

@@ -6,7 +6,8 @@
 
 namespace cnc::contour {
 
-/// A point of a curve in mm, and its first two derivatives with respect to the share of a span.
+/// A point of a curve in mm, and the point's first two derivatives with respect to the share of a
+/// span.
 struct CurveJet {
   WideVec2 place{0.0, 0.0};
   WideVec2 first{0.0, 0.0};
@@ -22,7 +23,8 @@ class PlaneCurve {
  public:
   /// Returns the number of spans, at least 1.
   [[nodiscard]] virtual std::size_t span_count() const = 0;
-  /// Returns point and derivatives at a share of a span. @pre span < span_count(), share in 0…1
+  /// Returns the point at a share of a span, and its derivatives. @pre span < span_count(), share
+  /// in 0…1
   [[nodiscard]] virtual CurveJet at(std::size_t span, double share) const = 0;
 
  protected:

@@ -88,7 +88,7 @@ bool RunSelection<Scalar>::lead_on(std::uint32_t node) {
   std::uint32_t seen = 0;
   std::uint32_t waiting = 0;
   space_.queue[waiting++] = node;
-  space_.junctions[node].reached_by = node;  // Any value except kNone.
+  space_.junctions[node].reached_by = node;  // Any value except kNone marks the node as reached.
   while (seen < waiting) {
     const std::uint32_t from = space_.queue[seen++];
     for (std::uint32_t i = space_.junctions[from].first_out; i != kNone;

@@ -16,7 +16,7 @@ class RunFinder {
             std::uint32_t piece_count)
       : space_{space}, tolerance_{tolerance}, nodes_{nodes}, piece_count_{piece_count} {}
 
-  /// Writes the runs. Returns their number.
+  /// Writes the runs. Returns the number of runs.
   [[nodiscard]] std::uint32_t find();
 
  private:

@@ -50,7 +50,8 @@ class ToleranceBand {
   [[nodiscard]] double spans_at(double sample) const;
   [[nodiscard]] WayPoint point_at(double sample) const;
   [[nodiscard]] const CurveSample& sample(std::size_t index) const { return samples_[index]; }
-  /// Returns the point of `circle` next to the curve at `sample`, and the circle's tangent there.
+  /// Returns the point of `circle` next to the curve's point at `sample`, and the circle's tangent
+  /// at that point.
   [[nodiscard]] BandStart start_on(const WideTangentCircle& circle, double sample) const;
 
   /// Returns the arc from `start` that stays longest within the band, at most up to the position
@@ -73,7 +74,8 @@ class ToleranceBand {
   static constexpr double kMinAgreement = 0.25;
 
  private:
-  /// Returns the cosine of the angle between the curve and a circle next to it, times 1 + k e.
+  /// Returns the cosine of the angle between the curve and a circle next to it, times 1 + k e. Here
+  /// k is the circle's curvature, and e the distance of the point from the circle.
   [[nodiscard]] static double agreement(const WideTangentCircle& circle, const WayPoint& point) {
     const WideVec2 q = point.place - circle.point;
     return point.tangent.dot(circle.tangent) - circle.curvature * cross(point.tangent, q);

@@ -35,7 +35,9 @@ class BasicArc {
   /// NOLINTNEXTLINE(bugprone-dynamic-static-initializers): constant in each instantiation.
   // NOLINTNEXTLINE(bugprone-dynamic-static-initializers): constant in each instantiation.
   static constexpr Length kShortestChord{sizeof(Scalar) > sizeof(float) ? 1.0e-12F : 1.0e-6F};
-  /// Greatest bulge: 1, plus slack for a half turn whose bulge was computed in single precision.
+  /// Greatest bulge: 1, plus an allowance for a half turn whose bulge was computed in single
+  /// precision.
+  /// NOLINTNEXTLINE(bugprone-dynamic-static-initializers): constant in each instantiation.
   // NOLINTNEXTLINE(bugprone-dynamic-static-initializers): constant in each instantiation.
   static constexpr Scalar kLargestBulge = Scalar{1.0F + 1.0e-5F};
 

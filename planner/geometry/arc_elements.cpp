@@ -82,7 +82,7 @@ float ArcElements::bulge_of(const PathElement& element) const {
   const float to_left = (dx * cy - dy * cx) / chord;
   const float height = arc_.clockwise ? -to_left : to_left;
   const float half = 0.5F * chord;
-  // On a circle of a few micrometres, rounded ends may be more than half a turn apart.
+  // On a circle of a few micrometres, rounding may place the two ends more than half a turn apart.
   const float bulge = std::min(half / (length(half, height) + height), Arc::kLargestBulge);
   return arc_.clockwise ? -bulge : bulge;
 }

@@ -33,9 +33,9 @@ class ArcFit {
   static constexpr double kLargestKink = 2.0e-5;
   static constexpr double kKinkRoundingMm = 6.0e-6;
 
-  /// @param spline must outlive this. @pre complete()
+  /// Begins the fit. @param spline must outlive this object. @pre spline.complete()
   /// @param start position of the first control point; the axes other than X and Y keep their
-  /// positions.
+  ///     positions.
   /// @param tolerance_mm at least kMinToleranceMm.
   ArcFit(const Spline& spline, const Position& start, float tolerance_mm);
 
@@ -88,10 +88,10 @@ class ArcFit {
   float last_distance_ = 0.0F;
   Step step_ = Step::kReach;
   std::uint8_t times_ = 0;  ///< Number of steps of this kind so far for the element.
-  Reach reach_{};           ///< The farthest biarc found so far that fits.
+  Reach reach_{};           ///< Farthest biarc found so far that fits.
   float distance_ = 0.0F;   ///< Next distance to be tried, in knots.
   float out_of_reach_ = 0.0F;
-  float found_mm_ = 0.0F;  ///< Deviation found by the last close comparison.
+  float found_mm_ = 0.0F;  ///< Deviation that the last close comparison found.
   bool bounded_ = false;   ///< Whether some tried distance was out of reach.
   bool crumb_seen_ = false;
   bool second_waits_ = false;

@@ -23,7 +23,7 @@ Scalar BasicArc<Scalar>::curvature() const {
   return Scalar{4} * bulge_ / (chord * (Scalar{1} + bulge_ * bulge_));
 }
 
-// The chord's direction differs from the tangent at each end by half the sweep.
+// At each end the direction of the chord differs from the tangent by half the sweep.
 template <std::floating_point Scalar>
 typename BasicArc<Scalar>::Vector BasicArc<Scalar>::chord_turned_by_half_sweep(
     Scalar direction) const {

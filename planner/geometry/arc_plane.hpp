@@ -8,7 +8,7 @@
 
 namespace cnc {
 
-/// Two unit vectors at right angles to each other that span a plane.
+/// Two perpendicular unit vectors that span a plane.
 struct PlaneFrame {
   AxisVector first{};
   AxisVector second{};

@@ -11,7 +11,7 @@ namespace cnc {
 
 /// A control point in homogeneous form: its coordinates multiplied by its weight, and the weight.
 struct WeightedPoint {
-  Wide x{};  ///< Weight times nanometres.
+  Wide x{};  ///< Weight times the coordinate in nanometres; likewise `y`.
   Wide y{};
   Wide weight{1.0F};
 };
@@ -28,8 +28,8 @@ struct PlanePlace {
   constexpr bool operator==(const PlanePlace&) const = default;
 };
 
-/// A rational Bézier curve in a plane, with positive weights; a plain Bézier curve where all
-/// weights are equal. It stays inside the hull of its control points.
+/// A rational Bézier curve in a plane, with positive weights. If all weights are equal, it is a
+/// plain Bézier curve. It stays inside the convex hull of its control points.
 class Bezier {
  public:
   static constexpr std::size_t kHighestDegree = 5;
@@ -60,7 +60,8 @@ class Bezier {
   /// kCoincident count as one point.
   [[nodiscard]] Vec2 start_tangent() const;
   [[nodiscard]] Vec2 end_tangent() const;
-  /// Distance in nanometres. The finest distance that G-code writes is 1 nm.
+  /// Distance below which control points count as one point, in nanometres. The finest distance
+  /// that G-code writes is 1 nm.
   static constexpr float kCoincident = 0.01F;
 
   /// Returns a control point after division by its weight, as a point in whole nanometres.

@@ -7,7 +7,7 @@ namespace {
 
 struct Value {
   float value;
-  float slope;  ///< Derivative by the parameter, divided by the degree.
+  float slope;  ///< Derivative with respect to the parameter, divided by the degree.
 };
 
 /// Evaluates by De Casteljau's triangle instead of powers of the parameter, because with unequal

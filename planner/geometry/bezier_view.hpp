@@ -8,7 +8,7 @@
 
 namespace cnc {
 
-/// A point of a curve, and the direction of the curve there.
+/// A point of a curve, and the direction of the curve at that point.
 struct CurvePoint {
   Vec2 place;
   Vec2 direction;  ///< Vector of any length; null at a cusp.

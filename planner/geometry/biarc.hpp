@@ -9,10 +9,10 @@ namespace cnc {
 
 enum class BiarcError : std::uint8_t {
   kChordTooShort,  ///< The ends are closer than BasicArc::kShortestChord.
-  kSweepTooLarge,  ///< One of the arcs would turn by more than half a turn.
+  kSweepTooLarge,  ///< One of the arcs would have a sweep of more than half a turn.
 };
 
-/// Start and end of a curve, with the direction of the curve at each.
+/// Start and end of a curve, with the direction of the curve at each of them.
 template <typename Scalar>
 struct BasicBiarcEnds {
   BasicVec2<Scalar> start;

@@ -34,8 +34,9 @@ class BiarcTrial {
   /// Samples the curve from its present point to `distance` ahead, at equal steps of its parameter.
   void sample(CurveAhead& curve, float distance);
 
-  /// Returns the biarc with the smallest deviation, or the first biarc found within `enough_mm`.
-  /// Searches all joint shares from kFirstShare to 1 − kFirstShare, to a hundredth.
+  /// Returns the biarc with the smallest deviation, or the first biarc found whose deviation is at
+  /// most `enough_mm`. Searches all joint shares from kFirstShare to 1 − kFirstShare, to a
+  /// hundredth.
   [[nodiscard]] Fit best(float enough_mm) const;
   /// Returns the deviation of the biarc whose joint is at `joint_share`, mm.
   [[nodiscard]] float deviation(float joint_share) const;

@@ -65,7 +65,8 @@ ChordFrame::ChordFrame(float half_sweep)
 
 ChordPoint ChordFrame::at(std::uint32_t fraction) const {
   const bool second_half = (fraction >> 31) != 0;
-  const std::uint32_t mu = second_half ? fraction << 1 : ~(fraction << 1);  // |μ| in Q32.
+  // The magnitude |μ| in Q32.
+  const std::uint32_t mu = second_half ? fraction << 1 : ~(fraction << 1);
   const std::uint32_t mu_square = times(mu, mu);
   const std::uint32_t w = times(mu_square, quarter_square_q32_);
   const std::uint32_t sine_quotient = evaluate(kSineQuotient, w);

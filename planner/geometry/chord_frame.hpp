@@ -4,8 +4,8 @@
 
 namespace cnc {
 
-/// Position of a point of an arc relative to its chord, in chord lengths: `along` runs from 0 at
-/// the start to 1 at the end, `across` is positive to the left. Q30 means that 2^30 stands for 1.
+/// Position of a point of an arc relative to its chord, in chord lengths. `along` runs from 0 at
+/// the start to 1 at the end; `across` is positive to the left. Q30 means that 2^30 stands for 1.
 struct ChordPoint {
   std::int32_t along_q30;
   std::int32_t across_q30;
@@ -31,7 +31,7 @@ class ChordFrame {
   static constexpr double kChordPointError = 5.0e-9;
 
   ChordFrame() : ChordFrame{0.0F} {}
-  /// @param half_sweep radians, |half_sweep| ≤ π/2 apart from rounding; positive turns left.
+  /// @param half_sweep in radians, |half_sweep| ≤ π/2 except for rounding; positive turns left.
   explicit ChordFrame(float half_sweep);
 
   /// Returns a point of the arc.

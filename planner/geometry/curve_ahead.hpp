@@ -37,13 +37,14 @@ class CurveAhead {
   /// Returns the distance nearest to `distance` that the parameter can represent exactly.
   [[nodiscard]] float expressible(float distance) const;
 
-  /// Returns the point of the curve at a distance ahead. @pre 0 ≤ distance ≤ length()
+  /// Returns the point of the curve at `distance` ahead of the present point. @pre 0 ≤ distance ≤
+  /// length()
   [[nodiscard]] CurvePoint at(float distance);
   /// Returns the direction in which the curve arrives at the point `distance` ahead, a unit vector;
   /// +x if the curve has no direction.
   [[nodiscard]] Vec2 arrival(float distance);
 
-  /// Moves the present point ahead by `distance`. @pre expressible(distance) = distance, 0 <
+  /// Moves the present point ahead by `distance`. @pre expressible(distance) == distance, 0 <
   /// distance ≤ length()
   void advance(float distance);
 

@@ -19,8 +19,8 @@ struct PathElement {
   Position start{};  ///< Start position, machine coordinates.
   Position end{};
   ArcPlane plane{};
-  /// tan(sweep / 4); positive turns counter-clockwise in `plane`, 0 is a line. |bulge| ≤ 1 apart
-  /// from rounding.
+  /// Bulge tan(sweep / 4); positive turns counter-clockwise in `plane`, 0 is a line. |bulge| ≤ 1
+  /// except for rounding.
   float bulge = 0.0F;
 };
 

@@ -11,7 +11,7 @@ namespace {
 /// Number of smallest steps into which the parameter range 0 to 1 is divided.
 constexpr std::uint32_t kWhole = 1U << 14U;
 constexpr std::uint32_t kLongestStep = kWhole / 32U;
-/// A step is halved if the chords of its two halves together are longer than its own chord by this
+/// A step is halved if the two chords of its halves together exceed its own chord by more than this
 /// share.
 constexpr float kBend = 1.0e-3F;
 /// A step is also halved if the chord of one half is more than this many times as long as the chord

@@ -32,7 +32,7 @@ Hull hull_of(const Bezier& bezier, const PlaneBox& box) {
 bool stays_within(const Bezier& curve, const PlaneBox& box) {
   constexpr int kMaxSteps = 400;
   Bezier rest = curve;
-  float share = 1.0F;  // Share of the rest of the curve.
+  float share = 1.0F;  // Length of the step, as a share of the rest of the curve.
   for (int i = 0; i < kMaxSteps; ++i) {
     const Bezier part = share < 1.0F ? rest.until(share) : rest;
     const Hull hull = hull_of(part, box);

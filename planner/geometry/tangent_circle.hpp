@@ -13,7 +13,7 @@ template <typename Scalar>
 struct BasicTangentCircle {
   BasicVec2<Scalar> point;
   BasicVec2<Scalar> tangent;  ///< Unit vector.
-  Scalar curvature;           ///< 1/mm, positive turns left.
+  Scalar curvature;           ///< Curvature, 1/mm, positive turns left.
 
   /// Returns the distance of `place` from the circle, mm, positive on the circle's right. Let k be
   /// the curvature, and q = (x, y) the vector from `point` to `place` in the frame of the tangent.

@@ -4,8 +4,8 @@
 
 #include "planner/kerf/table_check.hpp"
 
-/// Rolled steel CSP 1N, CW Nd:YAG of at most 2.8 kW, 1.06 µm, spot 0.6 mm, gas at 0.1 MPa.
-/// Source: Park and Ahn 2007, Tables 2 and 3.
+/// Kerf table of rolled steel CSP 1N, cut with a CW Nd:YAG laser of at most 2.8 kW, 1.06 µm, spot
+/// 0.6 mm, gas at 0.1 MPa. Source: Park and Ahn 2007, Tables 2 and 3.
 namespace cnc::kerf {
 namespace csp_1n {
 

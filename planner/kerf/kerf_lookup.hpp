@@ -15,7 +15,8 @@ enum class RefusalReason : std::uint8_t {
   kPower,      ///< The power does not cut this thickness, or does not cut both thicknesses of the
                ///< table around it.
   kSpeed,      ///< At this power the thickness can be cut, but only at other speeds.
-  kNoSpeed,    ///< No speed is permissible in all rows around the power and the thickness.
+  kNoSpeed,    ///< No speed is permissible in all rows and bands around the power and the
+               ///< thickness.
 };
 
 /// Reason why there is no kerf, and the permissible range: the least and greatest value of the
@@ -112,7 +113,7 @@ constexpr Real row_kerf(const TableView<Real>& table,
 
 }  // namespace detail
 
-/// Returns Q in the unit of the table's laws. mW / (µm/min) is W / (mm/min).
+/// Returns Q in the unit of the table's laws. mW / (µm/min) equals W / (mm/min).
 template <typename Real>
 [[nodiscard]] constexpr Real heat_input(HeatUnit unit,
                                         std::uint32_t power_mw,
@@ -175,12 +176,12 @@ template <typename Real>
   return speeds;
 }
 
-/// Returns the width of the cut in mm, or a refusal for every condition that was not measured. The
-/// width is interpolated linearly between thicknesses, and between measured powers and speeds. In
-/// single precision it is within 0.1 µm of the exact value for any sound table (asserted within 1
-/// µm against double precision). Evaluates each row of the table at most twice, and each band and
-/// point of two rows twice.
-/// Source: Park and Ahn 2007, equations 1 and 2. @pre the table is sound
+/// Returns the width of the cut in mm, or a refusal for every condition outside the measured
+/// region. The width is interpolated linearly between thicknesses, and between measured powers and
+/// speeds. In single precision it is within 0.1 µm of the exact value for any sound table (asserted
+/// within 1 µm against double precision). Evaluates each row of the table at most twice, and each
+/// band and point of two rows twice. Source: Park and Ahn 2007, equations 1 and 2. @pre the table
+/// is sound
 template <typename Real>
 [[nodiscard]] constexpr Result<Real, Refusal> kerf_width(const TableView<Real>& table,
                                                          const Condition& condition) {

@@ -12,8 +12,8 @@ namespace cnc::kerf {
 /// unit, but physics suggests the second. The program must not guess, so each table states its
 /// unit.
 enum class HeatUnit : std::uint8_t {
-  kWattMinutesPerMillimetre = 0,  ///< P in W divided by V in mm/min, "as printed".
-  kJoulesPerMillimetre = 1,       ///< P in W divided by V in mm/s.
+  kWattMinutesPerMillimetre = 0,  ///< Power P in W divided by speed V in mm/min, "as printed".
+  kJoulesPerMillimetre = 1,       ///< Power P in W divided by speed V in mm/s.
 };
 
 /// Condition of a cut. The members are whole numbers for three reasons. The stored values are
@@ -44,7 +44,7 @@ struct Band {
   constexpr bool operator==(const Band&) const = default;
 };
 
-/// kerf = slope · Q + intercept, mm.
+/// Linear law of the kerf: kerf = slope · Q + intercept, mm.
 template <typename Real>
 struct Law {
   Real slope = 0;      ///< λ1, mm per unit of Q.
@@ -59,7 +59,7 @@ struct Row {
   Law<Real> law{};               ///< Law of the kerf; unused if `measured`.
   bool measured = false;         ///< Whether the points of the bands are valid instead of the law.
   std::uint16_t first_band = 0;  ///< Index of the row's first band in the table's bands.
-  std::uint16_t bands = 0;       ///< Number of the row's bands, which are of rising power.
+  std::uint16_t bands = 0;       ///< Number of the row's bands, which are in order of rising power.
   constexpr bool operator==(const Row&) const = default;
 };
 
@@ -70,7 +70,7 @@ template <typename Real>
 struct TableView {
   std::string_view name{};
   HeatUnit unit = HeatUnit::kWattMinutesPerMillimetre;
-  std::span<const Row<Real>> rows{};  ///< Rows of rising thickness.
+  std::span<const Row<Real>> rows{};  ///< Rows in order of rising thickness.
   std::span<const Band> bands{};
   std::span<const Point> points{};
 
@@ -95,11 +95,12 @@ inline constexpr std::size_t kLongestName = 15;
 enum class TableError : std::uint8_t {
   kBadName,             ///< The name is empty, too long, or has characters that are not permitted.
   kNoRows,              ///< The table has no rows.
-  kThicknessNotRising,  ///< Thicknesses do not rise, or one is 0 or beyond the range.
+  kThicknessNotRising,  ///< Thicknesses do not rise, or a thickness is 0 or beyond the range.
   kPowerNotRising,
-  kBadSpeeds,  ///< The speeds are 0, beyond the range, or the least is above the greatest.
-  kBadPoints,  ///< The points do not rise, or do not reach from the least speed to the greatest.
-  kBadKerf,    ///< Somewhere in the region the kerf is not above 0 and at most 10 mm.
+  kBadSpeeds,  ///< A speed is 0 or beyond the range, or the least speed is above the greatest.
+  kBadPoints,  ///< The speeds of the points do not rise, or do not extend from the least speed to
+               ///< the greatest.
+  kBadKerf,    ///< At some condition of the region the kerf is not above 0 or exceeds 10 mm.
   kBadShape,   ///< Bands or points belong to no row, or to two rows.
   // Errors of an image of a table.
   kBadSize,
@@ -115,8 +116,9 @@ enum class TableError : std::uint8_t {
 struct TableFault {
   TableError error = TableError::kBadName;
   std::uint16_t row = 0;       ///< Index of the row, from 0; used for errors of rows.
-  std::uint16_t count = 0;     ///< For kTooMany…: number of items in the table.
-  std::uint16_t capacity = 0;  ///< For kTooMany…: number of items that fit.
+  std::uint16_t count = 0;     ///< For kTooMany…: number of items in the table, which exceeds the
+                               ///< capacity.
+  std::uint16_t capacity = 0;  ///< For kTooMany…: greatest number of items.
 };
 
 /// Returns the error as one clause, without the numbers of the TableFault.

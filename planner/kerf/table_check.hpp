@@ -89,7 +89,7 @@ constexpr bool is_in_order(const TableView<Real>& table) {
 }  // namespace detail
 
 /// Returns the first fault of a table, or nothing if the table can be used for lookups. Checks
-/// everything on which lookups rely, so the memory may contain any bytes before.
+/// everything on which lookups rely, so the memory may contain arbitrary values.
 template <typename Real>
 [[nodiscard]] constexpr std::optional<TableFault> find_fault(const TableView<Real>& table) {
   if (!fits_name(table.name)) return TableFault{TableError::kBadName};

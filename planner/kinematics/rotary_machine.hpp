@@ -32,7 +32,7 @@ enum class RotaryKind : std::uint8_t {
 struct RotaryMachine {
   RotaryKind kind = RotaryKind::kNone;
   Axis tilting = Axis::kA;     ///< kA or kB.
-  bool tilt_reversed = false;  ///< The axis counts in the opposite direction.
+  bool tilt_reversed = false;  ///< Whether the axis counts in the opposite direction.
   bool turn_reversed = false;
   Vec3 tilt_point = Vec3::Zero();  ///< Point on the tilting axis.
   Vec3 turn_point = Vec3::Zero();  ///< Point on the turning axis.

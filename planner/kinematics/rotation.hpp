@@ -6,14 +6,16 @@
 
 namespace cnc::kinematics {
 
-/// A point on a path, mm, and its first and second derivatives by the length of the path.
+/// A point on a path, mm, and its first and second derivatives with respect to the length of the
+/// path.
 struct PlaceJet {
   Vec3 place = Vec3::Zero();
   Vec3 first = Vec3::Zero();
   Vec3 second = Vec3::Zero();
 };
 
-/// An angle on a path, and its derivatives by the length of the path, rad/mm and rad/mm².
+/// An angle on a path, and its derivatives with respect to the length of the path, rad/mm and
+/// rad/mm².
 struct AngleJet {
   SinCos angle{0.0F, 1.0F};
   float first = 0.0F;

@@ -41,11 +41,11 @@ class ToolCentre {
   [[nodiscard]] AxisArray<StepPosition> axes_for(const AxisArray<StepPosition>& program,
                                                  const AxisArray<AxisScale>& scale) const;
 
-  /// Returns the number of parts of equal length into which a path is to be divided so that neither
+  /// Returns the number of parts of equal length into which a path must be divided, so that neither
   /// rotary axis turns by more than 4 degrees on any part; at least 1.
   [[nodiscard]] std::uint32_t parts_of(const Position& from, const Position& end) const;
 
-  /// A path of the program through a position, with its derivatives by its length.
+  /// A path of the program through a position, with its derivatives with respect to its length.
   struct Way {
     Position place{};
     AxisVector first{};   ///< First derivative: mm, or degrees for rotary axes, per unit of length.

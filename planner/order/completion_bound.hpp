@@ -17,7 +17,7 @@ struct CompletionBoundSizes {
 struct WalkRest {
   double cost;
   double other_cost;
-  Index next;        ///< The next candidate of the walk.
+  Index next;        ///< Next candidate of the walk.
   Index other_next;  ///< Candidate of a set other than `next_set`.
   Index next_set;
 };

@@ -46,7 +46,7 @@ class CeiledPlaneCost {
 /// Costs of all legs, read from a matrix.
 class MatrixCost {
  public:
-  /// @param costs `size`² numbers; row `from`, column `to`
+  /// @param costs matrix of `size`² costs; the row is `from`, and the column is `to`
   MatrixCost(std::span<const double> costs, Index size) : costs_{costs}, size_{size} {}
   [[nodiscard]] double operator()(Index from, Index to) const {
     return costs_[std::size_t{from} * size_ + to];

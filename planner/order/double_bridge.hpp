@@ -9,7 +9,7 @@
 
 namespace cnc::order {
 
-/// Changes three neighbouring stretches B C D of a tour to D C B. No exchange of three legs can
+/// A change of three neighbouring stretches B C D of a tour to D C B. No exchange of three legs can
 /// undo this disturbance.
 struct DoubleBridge {
   /// Greatest number of sets in a stretch. Shorter stretches disturb too little, and longer

@@ -9,7 +9,8 @@ namespace cnc::order {
 struct ExactSizes {
   std::size_t sets;
   std::size_t candidates;
-  std::size_t states;  ///< Number of pairs of visited sets and last set.
+  std::size_t states;  ///< Number of states: pairs of a collection of visited sets and the last
+                       ///< set.
   std::size_t values;  ///< Number of costs: one for each candidate of the last set of each state.
 };
 

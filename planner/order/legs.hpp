@@ -4,7 +4,7 @@
 
 namespace cnc::order {
 
-/// One side of a set from which a leg of the tour was removed: its entry or its exit.
+/// The entry or the exit of a set from which a leg of the tour was removed.
 struct LooseEnd {
   Index set;
   bool is_entry;

@@ -100,7 +100,7 @@ class LocalSearch {
       const CutLeg& one, const CutLeg& two, const CutLeg& three, double gain, Exchange& best) const;
 
   struct Insertion {
-    Index after = kNone;  ///< The set is inserted after this position.
+    Index after = kNone;  ///< Position after which the set is inserted.
     Index candidate = 0;
     double gain = 0.0;
   };

@@ -26,10 +26,11 @@ struct Problem {
   /// every candidate is its own reversal.
   std::span<const Index> reversed;
   Precedence precedence;
-  /// Whether cost(u, v) = cost(reversed v, reversed u) for all candidates: a stretch of the tour
-  /// costs the same in both directions.
+  /// Whether cost(u, v) = cost(reversed v, reversed u) for all candidates, so that a stretch of the
+  /// tour costs the same in both directions.
   bool is_symmetric = true;
-  /// Whether home may be passed in both directions: the tour begins and ends at the same point.
+  /// Whether home may be passed in both directions, because the tour begins and ends at the same
+  /// point.
   bool is_home_closed = true;
 
   [[nodiscard]] Index sets() const { return static_cast<Index>(first_candidate.size() - 1); }

@@ -27,11 +27,11 @@ struct RapidLimits {
 
 /// Returns the time of the fastest straight move from rest to rest, s.
 ///
-/// Double-S profile (Biagiotti and Melchiorri, Trajectory Planning for Automatic Machines and
-/// Robots, 2008, section 3.4). Relative error below 1e-9. Only +, −, ×, ÷, sqrt and the project's
-/// cube root are used, so every machine computes the same bits.
+/// The move has a double-S profile (Biagiotti and Melchiorri, Trajectory Planning for Automatic
+/// Machines and Robots, 2008, section 3.4). The relative error is below 1e-9. Only +, −, ×, ÷, sqrt
+/// and the project's cube root are used, so every machine computes the same bits.
 /// @param length mm ≥ 0. @param rate mm/s > 0. @param acceleration mm/s² > 0
-/// @param jerk mm/s³; 0 is no limit
+/// @param jerk mm/s³; 0 means no limit
 [[nodiscard]] inline double move_time(double length,
                                       double rate,
                                       double acceleration,
@@ -87,8 +87,8 @@ class RapidTime {
                      along(limits_.jerk_mm_s3, x, y, length));
   }
 
-  /// Returns the limit along a direction of the plane.
-  /// @param x, y, length of the direction, x and y not negative
+  /// Returns the limit along a direction of the plane; 0 if there is none.
+  /// @param x, y, length components and length of the direction; x and y are not negative
   [[nodiscard]] static double along(const std::array<double, 2>& limits,
                                     double x,
                                     double y,

@@ -50,7 +50,7 @@ class Search {
   /// A tour that keeps the precedence.
   struct Start {
     std::span<const Index> order;   ///< A permutation of the sets, home first.
-    std::span<const Index> chosen;  ///< The candidate chosen for each set, indexed by set.
+    std::span<const Index> chosen;  ///< Candidate that is chosen for each set, indexed by set.
   };
 
   /// Starts a search. All arguments except `start` must outlive it.
@@ -92,7 +92,7 @@ class Search {
     }
   }
 
-  /// Returns whether all sets have been tried, so that further steps are trials.
+  /// Returns whether the local search has tried all sets, so that further steps are trials.
   [[nodiscard]] bool is_locally_best() const { return !is_descending_; }
   [[nodiscard]] double best_cost() const { return std::min(best_cost_, cost_); }
   /// Returns the best order so far, home first. The span refers to the search's storage; a later

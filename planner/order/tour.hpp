@@ -21,7 +21,7 @@ struct TourSizes {
   std::size_t changes;
 };
 
-/// A change of a tour, with the data that undo it.
+/// A change of a tour, with the data that are required to undo it.
 struct Change {
   enum class Kind : std::uint8_t { kReverse, kSwap, kChoose };
   Kind kind;

@@ -8,10 +8,10 @@
 
 namespace cnc {
 
-/// Tolerances that hold where the program gives no tolerance, mm.
+/// Tolerances that hold if the program gives no tolerance, mm.
 struct UsualTolerance {
-  float path_mm = 0.01F;  ///< For corners and welds together ($11).
-  float arc_mm = 0.002F;  ///< For arcs that replace a curve or short lines ($12).
+  float path_mm = 0.01F;  ///< Tolerance of corners and welds together ($11).
+  float arc_mm = 0.002F;  ///< Tolerance of arcs that replace a curve or short lines ($12).
 };
 
 /// Returns the tolerances of the driven path. G61.1 allows none. G61, and G64 without P and Q, keep

@@ -32,9 +32,9 @@ bool joins(const motion::Limits& limits,
   return true;
 }
 
-/// Returns whether the chord of an element, turned by 90 degrees, can be counted in steps of the
-/// axes along which it then lies. Oblique arcs need no check: only the path stage makes them, from
-/// shorter lines.
+/// Returns whether the chord of an element, after a rotation by 90 degrees, can be counted in steps
+/// of the axes along which it is then directed. Oblique arcs need no check, because only the path
+/// stage makes them, from shorter lines.
 bool turns_within(const motion::Limits& limits, const PathElement& element) {
   if (element.bulge == 0.0F || element.plane.oblique()) return true;
   const PlaneAxes axes = axes_of(element.plane);
@@ -135,8 +135,8 @@ void Pipeline::attend(std::int32_t elapsed_us) {
   if (path_.empty() && supply_.silent_at_rest()) queue_.expect_no_more();
 }
 
-/// Releases the held elements if the sender is silent, or if elements have been gathered for long
-/// enough and the plan would soon brake for lack of them.
+/// Releases the held elements in two cases. The sender is silent, or elements have been held for
+/// long enough and the plan would soon have to brake for lack of them.
 void Pipeline::release_held() {
   // Number of blocks from which on longer welds are worth more than additional blocks.
   constexpr std::size_t kPlenty = 16;

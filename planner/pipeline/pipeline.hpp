@@ -24,9 +24,10 @@ namespace cnc {
 /// call blocks or allocates, and the work of each call is bounded.
 class Pipeline {
  public:
+  /// Creates an empty pipeline.
   /// @param limits limits of the machine; must outlive this, and may change only while empty()
-  /// @param pixels storage of the rows' powers, which a chip may keep in a memory of its own; must
-  /// outlive this
+  /// @param pixels storage of the rows' powers, which a chip may keep in separate memory; must
+  ///     outlive this
   Pipeline(const motion::Limits& limits, motion::Pixels& pixels)
       : limits_{limits},
         pixels_{pixels},
@@ -36,7 +37,7 @@ class Pipeline {
   // Input of elements.
 
   /// Returns whether append() may be called in this cycle. The planning work of a cycle is bounded,
-  /// so false may become true with the next attend().
+  /// so the result may change to true with the next attend().
   [[nodiscard]] bool has_room() const {
     return path_.has_room() && budget_.allows_element(queue_.looked_at());
   }
@@ -49,9 +50,9 @@ class Pipeline {
   /// Returns whether append_row() may be called in this cycle for a row of `pixels` pixels. If not,
   /// this may change with the next attend(). Also passes held elements on as far as possible.
   [[nodiscard]] bool takes_row(std::size_t pixels);
-  /// Appends a line that is a row of pixels by itself. `powers` need not outlive the call.
+  /// Appends a line that is a complete row of pixels. `powers` need not outlive the call.
   /// @return false for a line that does not move, or an error if its end is out of the motors'
-  /// range. After an error nothing has changed.
+  ///     range. After an error nothing has changed.
   /// @pre has_room(), takes_row(), path::PixelRow::can_be_row()
   Result<bool, motion::MotionError> append_row(const path::PathItem& item,
                                                const path::RowPowers& powers);
@@ -77,14 +78,15 @@ class Pipeline {
   [[nodiscard]] bool empty() const {
     return path_.empty() && segmenter_.idle() && motors_.at_rest();
   }
-  /// Returns whether halt() has taken effect: the last segment came to rest.
+  /// Returns whether halt() has taken effect: the motion has come to rest at the end of the last
+  /// segment.
   [[nodiscard]] bool held() const { return segmenter_.halted() && motors_.at_rest(); }
 
   // Actions of the operator.
 
-  /// Slows down within the limits and holds the rest of the motion.
+  /// Decelerates within the limits and holds the rest of the motion.
   void halt() { segmenter_.halt(); }
-  /// Ends a halt.
+  /// Ends a halt, so that the held motion continues.
   void go_on() { segmenter_.go_on(); }
   /// If `keeps`, stores the path of all segments from now on, and of earlier segments as far as it
   /// is known, so that go_back() can return along it. Otherwise ends this. While the path is
@@ -101,13 +103,13 @@ class Pipeline {
 
   // Calls for a machine at rest.
 
-  /// Drops all remaining motion; a halt stays in effect.
-  /// @param tool position of the axes, motor steps without backlash. The new target() is the
-  /// position of the tip that results.
+  /// Drops all remaining motion. A halt stays in effect.
+  /// @param tool position of the axes, in motor steps without backlash. The new target() is the
+  ///     resulting position of the tip.
   /// @param motors position of the motors, steps
   /// @pre no segment that was taken is still being driven
   void restart(const AxisArray<std::int32_t>& tool, const AxisArray<std::int32_t>& motors);
-  /// Sets input shaping and backlash. Afterwards the motors are where the tool is.
+  /// Sets input shaping and backlash. Afterwards the motors' position equals the tool position.
   /// @return false if nothing has changed
   /// @pre empty() or held(), or the setting is already in effect
   bool configure(const motion::MotorStageSetting& setting);
@@ -115,8 +117,8 @@ class Pipeline {
   /// is held.
   [[nodiscard]] motion::MotorStage& motors() { return motors_; }
   [[nodiscard]] const motion::MotorStage& motors() const { return motors_; }
-  /// Lets the motors follow the kerf of the driven power and speed, as an offset from the path.
-  /// @param course must outlive its use; null ends it
+  /// Lets the motors follow the kerf at the driven power and speed, as an offset from the path.
+  /// @param course must outlive its use; null ends the offset
   /// @pre empty(), and on_path()
   void follow_kerf(const kerf::KerfCourse* course);
   [[nodiscard]] bool follows_kerf() const { return segmenter_.follows_kerf(); }
@@ -132,7 +134,7 @@ class Pipeline {
 
   // Reports.
 
-  /// Returns the end of the last segment, to the fraction of a step.
+  /// Returns the position at the end of the last segment, to the fraction of a step.
   [[nodiscard]] const AxisArray<StepPosition>& place() const { return segmenter_.place(); }
   /// Returns the position of the motors after the last segment: place(), plus the offset by a kerf
   /// course and the correction for rotary axes.
@@ -141,7 +143,7 @@ class Pipeline {
   /// motors().between_cells(), the motors reach the end of that path motors().ticks_ahead() ticks
   /// after the last segment.
   [[nodiscard]] std::uint64_t travelled() const { return segmenter_.travelled(); }
-  /// Returns a position in steps. @pre it is within the motors' range
+  /// Returns a position in steps. @pre `place` is within the motors' range
   [[nodiscard]] AxisArray<StepPosition> steps_of(const Position& place) const;
   /// Returns the machine coordinates of motor positions in steps.
   [[nodiscard]] Position place_of(const AxisArray<std::int32_t>& steps) const;
@@ -156,7 +158,8 @@ class Pipeline {
   [[nodiscard]] const motion::BlockQueue& queue() const { return queue_; }
   /// Returns the running count of all blocks so far.
   [[nodiscard]] std::uint32_t blocks_taken() const { return blocks_taken_; }
-  /// Reports every slice of the plan from now on; null ends it. @param observer must outlive this
+  /// Sets the observer of every slice of the plan from now on; null removes it. @param observer
+  /// must outlive this
   void observe(motion::SliceObserver* observer) { segmenter_.observe(observer); }
 
  private:

@@ -12,9 +12,9 @@ namespace cnc {
 /// are held back, because later elements decide how they are welded and rounded.
 class SupplyWatch {
  public:
-  /// Restarts the measurement, because an element has come.
+  /// Restarts the measurement of silence, because an element has come.
   void restart() { silence_us_ = 0; }
-  /// Adds time that has passed.
+  /// Adds the time that has passed. @param holds whether elements are held back
   void pass(std::int32_t elapsed_us, bool holds) {
     silence_us_ = std::min(silence_us_ + elapsed_us, kSilenceUs);
     held_us_ = holds ? std::min(held_us_ + elapsed_us, kGatheringUs) : 0;

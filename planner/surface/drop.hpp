@@ -30,7 +30,7 @@ inline constexpr double kNoContact = -std::numeric_limits<double>::infinity();
 /// The point at which a tool touches a plane.
 struct PlaneContact {
   double out = 0.0;     ///< Distance from the axis, mm, on the side to which the plane rises.
-  double height = 0.0;  ///< Height above the tip, mm.
+  double height = 0.0;  ///< Height of the point above the tip, mm.
 };
 
 /// Returns the point at which the tool touches a plane. @param slope slope of the plane, mm per mm,

@@ -15,8 +15,8 @@ namespace cnc::surface {
 struct Profile {
   double radius_mm = 0.0;
   double flat_mm = 0.0;
-  double corner_mm = 0.0;  ///< 0 for a flat tool and a cone.
-  double rise = 0.0;       ///< 0 for all tools except a cone.
+  double corner_mm = 0.0;  ///< Radius of the corner; 0 for a flat tool and a cone.
+  double rise = 0.0;       ///< Slope of a cone, mm per mm; 0 for all other tools.
   double tip_mm = 0.0;     ///< Height of the lowest point above the pose's tip.
 };
 

@@ -63,7 +63,7 @@ class SeenLine {
   }
 
  private:
-  double length_ = 0.0;  ///< Length of the line, seen along the axis.
+  double length_ = 0.0;  ///< Length of the line's projection along the axis.
   double climb_ = 0.0;
   double from_along_ = 0.0;
   double beside_ = 0.0;
@@ -88,7 +88,8 @@ struct Crossing {
   }
 };
 
-/// Finds the least signed distance from the side of a beam, over all points between its planes.
+/// Finds the least signed distance from the side of a beam, over all points between the planes of
+/// tip and lens.
 class LeastDistance {
  public:
   /// Creates a search. The planes are moved apart by the margin, so that rounding loses no point on
@@ -126,8 +127,7 @@ class LeastDistance {
     const auto [low, high] = std::minmax({areas[0], areas[1], areas[2]});
     if (low < 0.0 && high > 0.0) return;
     const double whole = areas[0] + areas[1] + areas[2];
-    // Where the triangle is seen edge-on, its sides are nearer to the axis than rounding can
-    // resolve.
+    // If the triangle is seen edge-on, its sides are nearer to the axis than rounding can resolve.
     constexpr double kRounding = 1.0e-13;
     double reach_square = 0.0;
     for (const Seen& corner : corners) {

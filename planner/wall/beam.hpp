@@ -13,7 +13,7 @@ struct Beam {
   double sine = 0.0;                                ///< Sine of the half angle, above 0.
   double cosine = 1.0;                              ///< Cosine of the half angle, above 0.
   double length_mm = 0.0;                           ///< Distance from the tip to the lens, above 0.
-  double waist_mm = 0.0;                            ///< Radius at the tip, at least 0.
+  double waist_mm = 0.0;                            ///< Radius of the waist at the tip, at least 0.
 
   /// Returns a beam along `axis`, a vector of any length above 0.
   /// @param half_angle_rad above 0, below a right angle
