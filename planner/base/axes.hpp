@@ -10,8 +10,8 @@ namespace cnc {
 enum class Axis : std::uint8_t { kX, kY, kZ, kA, kB, kC };
 
 inline constexpr std::size_t kAxisCount = 6;
-inline constexpr std::size_t kLinearAxisCount = 3;  ///< Number of the linear axes X Y Z, in mm; A B
-                                                    ///< C are in degrees.
+/// Number of the linear axes X Y Z, in mm; A B C are in degrees.
+inline constexpr std::size_t kLinearAxisCount = 3;
 inline constexpr std::array<char, kAxisCount> kAxisLetters{'X', 'Y', 'Z', 'A', 'B', 'C'};
 
 template <typename Item>

@@ -10,8 +10,8 @@ namespace cnc {
 [[nodiscard]] inline std::int64_t truncated(float value) {
   constexpr float kChunk = 65'536.0F;
   const auto chunks = static_cast<std::int32_t>(value / kChunk);
-  const float rest = value - static_cast<float>(chunks) * kChunk;  // The division and the
-                                                                   // subtraction are exact.
+  // The division and the subtraction are exact.
+  const float rest = value - static_cast<float>(chunks) * kChunk;
   return std::int64_t{chunks} * 65'536 + static_cast<std::int32_t>(rest);
 }
 

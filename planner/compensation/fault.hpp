@@ -8,12 +8,12 @@ namespace cnc::compensation {
 enum class Reason : std::uint8_t {
   kEntryTooShort,  ///< The first motion after G41 or G42 is not longer than the offset.
   kExitNotALine,   ///< The first motion after G40 is not a straight line in the plane.
-  kOtherAxis,      ///< An arc is in another plane, or too many consecutive motions move no axis of
-                   ///< the plane.
-  kUnreachable,    ///< The offset path cannot continue after this element, because the path is too
-                   ///< narrow.
-  kTooNear,        ///< The path next to this element would come too near to another element.
-  kWouldSplit,     ///< The path would cross itself and omit a part that could be cut.
+  /// An arc is in another plane, or too many consecutive motions move no axis of the plane.
+  kOtherAxis,
+  /// The offset path cannot continue after this element, because the path is too narrow.
+  kUnreachable,
+  kTooNear,     ///< The path next to this element would come too near to another element.
+  kWouldSplit,  ///< The path would cross itself and omit a part that could be cut.
 };
 
 /// A fault of compensation. Elements are counted from the entry, which is 1; an arc of more than
@@ -23,8 +23,8 @@ struct Fault {
   Reason reason = Reason::kUnreachable;
   std::uint32_t element = 0;
   std::uint32_t line = 0;
-  std::uint32_t other = 0;  ///< For kTooNear and kWouldSplit: number of the element that is in the
-                            ///< way.
+  /// For kTooNear and kWouldSplit: number of the element that is in the way.
+  std::uint32_t other = 0;
   std::uint32_t other_line = 0;
 };
 

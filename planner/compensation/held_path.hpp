@@ -43,8 +43,8 @@ struct HeldElement {
   bool continues = false;
   /// Whether only axes outside the plane move: the element then has no direction and no offset.
   bool stands = false;
-  bool waste = false;  ///< Whether the element is part of a lead, which bounds nothing that is to
-                       ///< be kept.
+  /// Whether the element is part of a lead, which bounds nothing that is to be kept.
+  bool waste = false;
   std::array<Stretch, kKinds> stretches{};
 };
 

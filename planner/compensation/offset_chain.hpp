@@ -114,8 +114,8 @@ class OffsetChain {
   Vec2 exit_tangent_{1.0F, 0.0F};
   bool entry_rounds_ = false;
   bool exit_rounds_ = false;
-  std::optional<Fault> trouble_{};  ///< Fault that check() reports, unless its cause has become
-                                    ///< part of a lead.
+  /// Fault that check() reports, unless its cause has become part of a lead.
+  std::optional<Fault> trouble_{};
   /// Number of the element from which on the fault holds, counted from the entry, which is 0.
   std::uint32_t trouble_after_ = 0;
 };

@@ -13,8 +13,8 @@
 namespace cnc::contour {
 
 enum class FitMethod : std::uint8_t {
-  kFewest,  ///< Joints and tangents are free within the tolerance. The fit finds as few arcs as it
-            ///< can.
+  /// Joints and tangents are free within the tolerance. The fit finds as few arcs as it can.
+  kFewest,
   /// Method of paper 1: joints are on the curve, and a stretch is halved until a biarc fits it.
   kBisecting,
 };
@@ -22,9 +22,9 @@ enum class FitMethod : std::uint8_t {
 /// Property that an arc spline keeps exactly at an end of the curve. kBisecting always keeps point
 /// and tangent.
 enum class FitEnd : std::uint8_t {
-  kTangent,  ///< Keeps the point and the tangent, so that a neighbour that joins smoothly still
-             ///< joins smoothly.
-  kPlace,    ///< Keeps only the point, for a corner.
+  /// Keeps the point and the tangent, so that a neighbour that joins smoothly still joins smoothly.
+  kTangent,
+  kPlace,  ///< Keeps only the point, for a corner.
   /// Keeps neither. The end may be anywhere within the tolerance on the curve's normal.
   kFree,
 };

@@ -18,8 +18,8 @@ namespace cnc::contour {
 
 /// Result of the bisecting fit of paper 1.
 struct BisectingResult {
-  std::size_t arcs = 0;  ///< Number of arcs; 0 if even a biarc over one edge of the polygon is too
-                         ///< far away.
+  /// Number of arcs; 0 if even a biarc over one edge of the polygon is too far away.
+  std::size_t arcs = 0;
   bool out_of_room = false;
 };
 

@@ -39,8 +39,8 @@ class CrowdTrim {
 
   Slice<Curve<Scalar>> elements_;
   Scalar distance_;
-  Scalar radius_;  ///< Radius of the disc about a corner, mm. A point in the disc is certainly too
-                   ///< near.
+  /// Radius of the disc about a corner, mm. A point in the disc is certainly too near.
+  Scalar radius_;
   Scalar touch_;
 };
 

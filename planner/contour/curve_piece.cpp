@@ -11,8 +11,8 @@ constexpr int kLooks = 48;  // Number of samples of each span.
 /// Returns the direction of travel. If the first derivative vanishes, as it does where control
 /// points at an end coincide, the limit is the direction of the second derivative.
 WideVec2 direction_of(const CurveJet& jet, double share) {
-  constexpr double kVanishing = 1.0e-9;  // Share of the second derivative below which the first
-                                         // derivative counts as 0.
+  // Share of the second derivative below which the first derivative counts as 0.
+  constexpr double kVanishing = 1.0e-9;
   const double first = jet.first.norm();
   const double second = jet.second.norm();
   if (first > kVanishing * second) return (1.0 / first) * jet.first;
@@ -24,8 +24,8 @@ WideVec2 direction_of(const CurveJet& jet, double share) {
 struct Look {
   double share = 0.0;
   WideVec2 direction{0.0, 0.0};  ///< Direction of the source; null if the source has no direction.
-  double pace = 1.0;  ///< Speed of the offset relative to the speed of the source: 1 + κ
-                      ///< d.
+  /// Speed of the offset relative to the speed of the source: 1 + κ d.
+  double pace = 1.0;
 
   [[nodiscard]] bool backwards() const { return pace < 0.0; }
   [[nodiscard]] WideVec2 travel() const { return pace < 0.0 ? WideVec2{-direction} : direction; }

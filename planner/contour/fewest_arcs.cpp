@@ -39,8 +39,8 @@ BandStart FewestArcs::launch(const Launches& from, double at) const {
   }
   const WayPoint& start = band_->sample(0).point;
   if (options_->start == FitEnd::kTangent) return {start.place, start.tangent, 0.0};
-  constexpr double kWidest = 0.8;  // Greatest angle in radians. The search evaluates more densely
-                                   // near the tangent.
+  // Greatest angle in radians. The search evaluates more densely near the tangent.
+  constexpr double kWidest = 0.8;
   const double across = options_->start == FitEnd::kFree
                             ? 0.25 * static_cast<double>(from.variant - 4) * 0.999999
                             : 0.0;

@@ -10,13 +10,13 @@
 namespace cnc::contour {
 
 enum class OffsetFault : std::uint8_t {
-  kNotANumber,       ///< A coordinate, a bulge or the distance is not a finite number.
-  kTooManyElements,  ///< The contour has more elements than the capacity: "contour has 513
-                     ///< elements, capacity 512".
+  kNotANumber,  ///< A coordinate, a bulge or the distance is not a finite number.
+  /// The contour has more elements than the capacity: "contour has 513 elements, capacity 512".
+  kTooManyElements,
   kTooManyMeetings,  ///< Moved elements cross more often than the working storage can hold.
   kResultTooLong,    ///< The result's own storage is full.
-  kNotClosed,        ///< The kept curves do not lead back to their start. No test has produced this
-                     ///< fault.
+  /// The kept curves do not lead back to their start. No test has produced this fault.
+  kNotClosed,
 };
 
 struct OffsetError {

@@ -18,9 +18,8 @@ std::uint32_t RunFinder<Scalar>::find() {
   for (std::uint32_t i = 0; i < piece_count_; ++i) {
     if (!space_.junctions[space_.pieces[i].start_node].plain()) add_run(i);
   }
-  for (std::uint32_t i = 0; i < piece_count_; ++i)
-    add_run(i);  // Adds the runs that are closed in
-                 // themselves.
+  // Adds the runs that are closed in themselves.
+  for (std::uint32_t i = 0; i < piece_count_; ++i) add_run(i);
   return run_count_;
 }
 

@@ -9,8 +9,8 @@
 namespace cnc {
 
 enum class ArcError {
-  kChordTooShort,  ///< The ends are closer than `kShortestChord`: rounding determines the direction
-                   ///< of the chord.
+  /// The ends are closer than `kShortestChord`: rounding determines the direction of the chord.
+  kChordTooShort,
   kSweepTooLarge,  ///< |bulge| > 1: the arc has more than half a turn and must be split first.
 };
 

@@ -18,8 +18,8 @@ struct CentreArc {
   Plane plane = Plane::kXY;
   std::array<Coordinate, 2> centre{};  ///< Coordinates in the order of axes_of(plane).
   bool clockwise = false;
-  std::uint16_t turns = 1;  ///< Number of turns: 1 for up to one full circle; each further turn
-                            ///< adds a full circle.
+  /// Number of turns: 1 for up to one full circle; each further turn adds a full circle.
+  std::uint16_t turns = 1;
 };
 
 /// Divides a CentreArc into path elements of equal angle and at most half a turn. The count is one

@@ -11,8 +11,8 @@ namespace cnc {
 
 /// A control point of a spline, which attracts the curve in proportion to its weight.
 struct ControlPoint {
-  PlanePlace place{};   ///< Position relative to the first control point, in nm; each coordinate
-                        ///< within 2 km.
+  /// Position relative to the first control point, in nm; each coordinate within 2 km.
+  PlanePlace place{};
   float weight = 1.0F;  ///< kMinWeight…kMaxWeight.
 };
 

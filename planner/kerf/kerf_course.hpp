@@ -36,8 +36,8 @@ class KerfCourse {
 
  private:
   float coldest_ = 1.0F;
-  float points_per_heat_ = 0.0F;  ///< Number of points per unit of the ratio; 0 if only one speed
-                                  ///< is permissible.
+  /// Number of points per unit of the ratio; 0 if only one speed is permissible.
+  float points_per_heat_ = 0.0F;
   float speed_mm_s_ = 1.0F;
   std::array<float, kPoints> aside_mm_{};
 };

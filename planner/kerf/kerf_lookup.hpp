@@ -12,11 +12,12 @@ namespace cnc::kerf {
 
 enum class RefusalReason : std::uint8_t {
   kThickness,  ///< The thickness is outside the table's range.
-  kPower,      ///< The power does not cut this thickness, or does not cut both thicknesses of the
-               ///< table around it.
-  kSpeed,      ///< At this power the thickness can be cut, but only at other speeds.
-  kNoSpeed,    ///< No speed is permissible in all rows and bands around the power and the
-               ///< thickness.
+  /// The power does not cut this thickness, or does not cut both thicknesses of the table around
+  /// it.
+  kPower,
+  kSpeed,  ///< At this power the thickness can be cut, but only at other speeds.
+  /// No speed is permissible in all rows and bands around the power and the thickness.
+  kNoSpeed,
 };
 
 /// Reason why there is no kerf, and the permissible range: the least and greatest value of the

@@ -98,10 +98,10 @@ enum class TableError : std::uint8_t {
   kThicknessNotRising,  ///< Thicknesses do not rise, or a thickness is 0 or beyond the range.
   kPowerNotRising,
   kBadSpeeds,  ///< A speed is 0 or beyond the range, or the least speed is above the greatest.
-  kBadPoints,  ///< The speeds of the points do not rise, or do not extend from the least speed to
-               ///< the greatest.
-  kBadKerf,    ///< At some condition of the region the kerf is not above 0 or exceeds 10 mm.
-  kBadShape,   ///< Bands or points belong to no row, or to two rows.
+  /// The speeds of the points do not rise, or do not extend from the least speed to the greatest.
+  kBadPoints,
+  kBadKerf,   ///< At some condition of the region the kerf is not above 0 or exceeds 10 mm.
+  kBadShape,  ///< Bands or points belong to no row, or to two rows.
   // Errors of an image of a table.
   kBadSize,
   kNotATable,
@@ -115,9 +115,9 @@ enum class TableError : std::uint8_t {
 /// A fault of a table, and its location.
 struct TableFault {
   TableError error = TableError::kBadName;
-  std::uint16_t row = 0;       ///< Index of the row, from 0; used for errors of rows.
-  std::uint16_t count = 0;     ///< For kTooMany…: number of items in the table, which exceeds the
-                               ///< capacity.
+  std::uint16_t row = 0;  ///< Index of the row, from 0; used for errors of rows.
+  /// For kTooMany…: number of items in the table, which exceeds the capacity.
+  std::uint16_t count = 0;
   std::uint16_t capacity = 0;  ///< For kTooMany…: greatest number of items.
 };
 

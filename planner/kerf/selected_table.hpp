@@ -11,8 +11,8 @@ namespace cnc::kerf {
 struct SelectedTable {
   std::uint32_t count = 0;  ///< Number of tables in the list.
   std::uint32_t index = 0;
-  TableView<float> view{};  ///< A sound table. It has no rows if the selected table is missing or
-                            ///< damaged.
+  /// A sound table. It has no rows if the selected table is missing or damaged.
+  TableView<float> view{};
 
   [[nodiscard]] bool holds(std::uint32_t table) const {
     return table == index && !view.rows.empty();

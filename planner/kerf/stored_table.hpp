@@ -14,10 +14,10 @@ namespace cnc::kerf {
 class StoredTable {
  public:
   static constexpr std::size_t kMaxRows = 8;
-  static constexpr std::size_t kMaxBands = 40;   ///< Capacity for bands: five powers for each
-                                                 ///< thickness.
-  static constexpr std::size_t kMaxPoints = 48;  ///< Capacity for points, which only rows without a
-                                                 ///< law have.
+  /// Capacity for bands: five powers for each thickness.
+  static constexpr std::size_t kMaxBands = 40;
+  /// Capacity for points, which only rows without a law have.
+  static constexpr std::size_t kMaxPoints = 48;
 
   [[nodiscard]] TableView<float> view() const {
     return {{name_.data(), name_size_},

@@ -22,6 +22,9 @@
 /// | then | 16 each | power, mW; least and greatest speed, µm/min; number of measured points |
 /// | then | 8 each | speed, µm/min; kerf, nm |
 /// | last | 4 | CRC-32 (planner/base/crc32) of all bytes before it |
+///
+/// The number of powers has 8 bits, and the flag after it has 24 bits. All other numbers in the
+/// items of 16 and 8 bytes have 32 bits.
 namespace cnc::kerf {
 
 namespace table_image {

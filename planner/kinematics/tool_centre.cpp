@@ -196,8 +196,8 @@ float ToolCentre::third_derivative(float lever_mm, float rate, float curvature) 
 }
 
 std::uint32_t ToolCentre::parts_of(const Position& from, const Position& end) const {
-  constexpr std::int64_t kMax = 4'000'000;  // Greatest rotation on one part, in units of 1e-6
-                                            // degrees.
+  // Greatest rotation on one part, in units of 1e-6 degrees.
+  constexpr std::int64_t kMax = 4'000'000;
   if (!active()) return 1;
   const auto turn = [&](std::size_t axis) {
     const std::int64_t way = (end[axis] - from[axis]).nanometres();

@@ -15,8 +15,9 @@ struct EntryChoiceSizes {
 struct EntryChoiceSpace {
   std::span<double> cost;
   std::span<Index> before;
-  std::span<Index> best;  ///< Best candidates, one for each set. The size suffices because there
-                          ///< are at least as many candidates as sets.
+  /// Best candidates, one for each set. The size suffices because there are at least as many
+  /// candidates as sets.
+  std::span<Index> best;
 
   template <typename Layout>
   void lay_out(Layout& layout, const EntryChoiceSizes& sizes) {
@@ -130,8 +131,8 @@ class EntryChoice {
     }
     for (Index i = length; i-- > 0;) {
       space_.best[i] = candidate;
-      candidate = space_.before[candidate];  // The result is kNone after the first set of the
-                                             // stretch.
+      // The result is kNone after the first set of the stretch.
+      candidate = space_.before[candidate];
     }
     return least;
   }

@@ -83,8 +83,8 @@ class NearestSets {
 /// Entries and exits of all candidates, for searches by distance.
 struct CandidatePlaces {
   std::span<const Place> entry;
-  std::span<const Place> exit;  ///< Exits; may be the same span as `entry` if all contours are
-                                ///< closed.
+  /// Exits; may be the same span as `entry` if all contours are closed.
+  std::span<const Place> exit;
 
   [[nodiscard]] bool are_closed() const { return entry.data() == exit.data(); }
 };

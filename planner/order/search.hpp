@@ -108,10 +108,10 @@ class Search {
   }
 
  private:
-  static constexpr double kRounding = 1.0e-12;  ///< Least gain that is not rounding, as a share of
-                                                ///< the tour's cost.
-  static constexpr double kWarmth = 1.0;        ///< Greatest accepted loss at `slack` 1, in mean
-                                                ///< legs; tuned on random points.
+  /// Least gain that is not rounding, as a share of the tour's cost.
+  static constexpr double kRounding = 1.0e-12;
+  /// Greatest accepted loss at `slack` 1, in mean legs; tuned on random points.
+  static constexpr double kWarmth = 1.0;
   /// Greatest number of changes that one improvement makes.
   static constexpr std::size_t kChangesOfStep = 8;
   /// Least number of trials between two copies of the best tour: one for each kSetsToKeep sets.

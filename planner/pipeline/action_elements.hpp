@@ -14,9 +14,9 @@ namespace cnc {
 /// One element of an action's path.
 struct ActionPart {
   PathElement element{};
-  float feed_mm_s = 0.0F;          ///< Feed as in motion::MotionRequest, mm/s; 0 means a rapid.
-  bool continues = false;          ///< Whether the element and the element before it are parts of
-                                   ///< one curve.
+  float feed_mm_s = 0.0F;  ///< Feed as in motion::MotionRequest, mm/s; 0 means a rapid.
+  /// Whether the element and the element before it are parts of one curve.
+  bool continues = false;
   std::uint32_t index = 0;         ///< Index of the part for motion::SourceLine.
   std::optional<float> power_s{};  ///< Value of S from this part on; empty if S stays unchanged.
   /// Values of S for the equal parts of a line that is one element, a row. Empty for all other
@@ -79,10 +79,10 @@ class ActionElements {
   struct Line {
     Position from{};
     Position end{};
-    std::span<const float> powers{};  ///< One power for each equal part; empty if S stays
-                                      ///< unchanged.
-    std::uint32_t parts = 1;          ///< Number of elements in each equal part.
-    bool is_row = false;              ///< Whether the line is one element, in spite of its powers.
+    /// One power for each equal part; empty if S stays unchanged.
+    std::span<const float> powers{};
+    std::uint32_t parts = 1;  ///< Number of elements in each equal part.
+    bool is_row = false;      ///< Whether the line is one element, in spite of its powers.
 
     [[nodiscard]] std::uint32_t count() const;
     [[nodiscard]] Position end_of(std::uint32_t part) const;

@@ -60,8 +60,8 @@ class AreaList {
 
  private:
   contour::Slice<contour::Vertex<Scalar>> vertices_;
-  contour::Slice<std::uint32_t> loop_ends_;  ///< End of each loop, counted from the first vertex of
-                                             ///< its area.
+  /// End of each loop, counted from the first vertex of its area.
+  contour::Slice<std::uint32_t> loop_ends_;
   contour::Slice<AreaRange> ranges_;
   std::size_t vertex_count_ = 0;
   std::size_t loop_count_ = 0;

@@ -14,9 +14,9 @@ template <typename Scalar>
 struct LoopNote {
   Scalar area{};  ///< Enclosed area in mm², negative for holes.
   contour::FlatBox<Scalar> box{};
-  std::uint32_t first_hole = contour::kNone;  ///< For an outline: the last hole found in the
-                                              ///< outline.
-  std::uint32_t next_hole = contour::kNone;   ///< For a hole: another hole of the same outline.
+  /// For an outline: the last hole found in the outline.
+  std::uint32_t first_hole = contour::kNone;
+  std::uint32_t next_hole = contour::kNone;  ///< For a hole: another hole of the same outline.
 };
 
 enum class SplitResult : std::uint8_t {

@@ -32,8 +32,8 @@ double arc_cosine(double cosine) {
 /// centre.
 struct CirclePair {
   WideVec2 ahead{1.0, 0.0};
-  double along = 0.0;  ///< Distance from the first centre to the chord between the two
-                       ///< intersections.
+  /// Distance from the first centre to the chord between the two intersections.
+  double along = 0.0;
   double aside = 0.0;  ///< Half of the length of this chord.
   /// Half of the sweep of the second circle's part outside the first circle, 0 to half a turn.
   double half_sweep = 0.0;

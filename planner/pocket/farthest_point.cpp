@@ -55,8 +55,8 @@ bool FarthestPoint<Scalar>::find_moved(const contour::Curve<Scalar>& wall,
 template <typename Scalar>
 void FarthestPoint<Scalar>::search(const contour::Curve<Scalar>& wall, const Stretch& whole) {
   if (bound(wall, whole) <= farthest_ + Scalar{kFarthestError}) return;
-  constexpr std::size_t kMaxOpen = 64;  // Greatest number of open stretches. A double cannot be
-                                        // halved more often.
+  // Greatest number of open stretches. A double cannot be halved more often.
+  constexpr std::size_t kMaxOpen = 64;
   std::array<Stretch, kMaxOpen> open;
   std::size_t count = 0;
   open[count++] = whole;

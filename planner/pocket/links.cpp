@@ -11,10 +11,10 @@
 namespace cnc::pocket {
 namespace {
 
-constexpr double kLongestLink = 12.0;     ///< Greatest length of a link, in tool radii.
-constexpr double kReachOfLandings = 6.0;  ///< Greatest distance of a landing from the beginning of
-                                          ///< the link, in tool radii.
-constexpr double kLandingStep = 0.5;      ///< Distance between landings, in tool radii.
+constexpr double kLongestLink = 12.0;  ///< Greatest length of a link, in tool radii.
+/// Greatest distance of a landing from the beginning of the link, in tool radii.
+constexpr double kReachOfLandings = 6.0;
+constexpr double kLandingStep = 0.5;  ///< Distance between landings, in tool radii.
 constexpr int kLandingsEachWay = 6;
 /// Greatest number of links that are tried for one arc radius. The shortest link is tried first.
 constexpr int kMaxTried = 16;

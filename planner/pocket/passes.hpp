@@ -12,8 +12,8 @@ namespace cnc::pocket {
 template <typename Scalar>
 struct PassNote {
   Scalar distance{};  ///< Distance of the pass from the wall before its corners were rounded, mm.
-  std::uint32_t parent = contour::kNone;  ///< Index of the pass around it; kNone for a pass at the
-                                          ///< wall.
+  /// Index of the pass around it; kNone for a pass at the wall.
+  std::uint32_t parent = contour::kNone;
 };
 
 /// Passes of a pocket in storage that the caller owns. Each pass is the boundary of a connected

@@ -32,8 +32,8 @@ template <typename Scalar>
 struct EntryPlan {
   EntryKind kind = EntryKind::kPlunge;
   LoopPlace<Scalar> place;
-  Scalar helix_radius{};  ///< Radius of the helix, mm. Its circle is on the side of the pose on
-                          ///< which the area is.
+  /// Radius of the helix, mm. Its circle is on the side of the pose on which the area is.
+  Scalar helix_radius{};
 };
 
 /// Chooses an entry to a loop. The helix is a circle that touches the loop from inside at the

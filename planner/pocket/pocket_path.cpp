@@ -88,8 +88,8 @@ std::optional<PocketFault> PathMaker<Scalar>::run_level(Scalar z_above, Scalar z
   z_above_ = z_above;
   z_ = z;
   reset();
-  std::uint32_t next = kNone;  // Index of the pass around the last pass if it is ready; otherwise
-                               // kNone.
+  // Index of the pass around the last pass if it is ready; otherwise kNone.
+  std::uint32_t next = kNone;
   for (std::size_t driven = 0; driven < passes_.size(); ++driven) {
     if (next == kNone) {
       if (Fault fault = end_row()) return fault;

@@ -22,8 +22,8 @@ struct PocketOptions {
 
 /// State of a pass during the computation of the path. Working storage.
 struct PassState {
-  std::uint32_t waits_for = 0;  ///< Number of passes directly within this pass that are not driven
-                                ///< yet.
+  /// Number of passes directly within this pass that are not driven yet.
+  std::uint32_t waits_for = 0;
   bool is_driven = false;
 };
 
@@ -49,9 +49,9 @@ enum class PocketFault : std::uint8_t {
   kClearing,          ///< clear_pocket() failed: see `PocketError::clearing`.
   kToolTooLarge,      ///< The tool fits nowhere in the pocket.
   kSpaceTooSmall,     ///< The working storage is full.
-  kNoEntry,           ///< A loop is too short for a ramp, and no helix fits. A plunge is the
-                      ///< remedy.
-  kPathTooLong,       ///< The storage of the path is full.
+  /// A loop is too short for a ramp, and no helix fits. A plunge is the remedy.
+  kNoEntry,
+  kPathTooLong,  ///< The storage of the path is full.
 };
 
 struct PocketError {

@@ -39,8 +39,8 @@ struct PathPoint {
 template <typename Scalar>
 struct ToolPathView {
   contour::Slice<const PathPoint<Scalar>> points;
-  contour::Slice<const std::uint32_t> row_ends;  ///< End of each row: the index after its last
-                                                 ///< point.
+  /// End of each row: the index after its last point.
+  contour::Slice<const std::uint32_t> row_ends;
 
   [[nodiscard]] std::uint32_t row_begin(std::size_t row) const {
     return row == 0 ? 0 : row_ends[row - 1];
