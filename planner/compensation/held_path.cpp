@@ -59,8 +59,8 @@ bool HeldPath::discard(std::uint32_t end) {
 }
 
 /// Measures the rounding of the programmed coordinates. It is the greatest distance between an edge
-/// and the end points of similar elements that run along the edge, such as an overlap or a tangent
-/// line from its middle.
+/// and the end points of elements that run along the edge. These elements are of the same kind as
+/// the edge: for example an overlap, or a tangent line from its middle.
 void HeldPath::measure_rounding() {
   for (std::size_t i = 0; i < size_; ++i) {
     if (at(i).stands) continue;

@@ -250,8 +250,8 @@ bool OffsetChain::is_beside(const Vec2& cut, const Place& origin, std::size_t in
          (HeldPath::from(origin, path_.start_of(index + 1)) - cut).norm() <= reach;
 }
 
-/// Returns whether a point that would be swallowed could be cut: it is not too near to any element,
-/// and it is not next to the point `cut`, where the path is cut anyway.
+/// Returns whether a point that would be swallowed could be cut. Such a point is not too near to
+/// any element, and not next to the point `cut`, where the path is cut anyway.
 bool OffsetChain::could_be_cut(const Vec2& lost, const Vec2& cut, const Place& origin) const {
   // The ends that are removed at a slight turn by the angle t count as clear. The length removed is
   // t · |distance_|, and the allowance kTolerance is half of t times half of that length.

@@ -15,10 +15,10 @@ namespace cnc::compensation {
 /// are within four offsets of that meeting.
 ///
 /// A straight entry leads to the end of its own offset. If its offset intersects the next element's
-/// offset, it leads to their intersection, or to the start of the next element's offset if the
-/// entry is too short. If the entry would cut into the corner at its end, and that corner belongs
-/// to an edge, the entry leads along a tangent of the circle about the corner and then around the
-/// corner. An arc as the entry ends with its programmed tangent.
+/// offset, it leads to their intersection. If it is too short for that, it leads to the start of
+/// the next element's offset. If the corner at the entry's end belongs to an edge, and the entry
+/// would cut into it, the entry leads along a tangent of the circle about the corner. Then it leads
+/// around the corner. An arc as the entry ends with its programmed tangent.
 ///
 /// Only a bounded number of elements is known, and all checks hold among these elements. The
 /// computation is in single precision, relative to the element in question: errors are at most 5e-5

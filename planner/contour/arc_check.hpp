@@ -29,11 +29,11 @@ struct CurveStretch {
 /// points prove this. The distance is measured to the arc itself and not to its circle. Where the
 /// curve runs back next to the arc, the distance from the arc's ends counts.
 ///
-/// From the arc to the stretch: as long as the curve is nearer to the arc than the arc's radius,
-/// the point of the arc that is nearest to the curve moves without a jump while the curve proceeds.
-/// So this point passes every point of the arc between the two points nearest to the stretch's
-/// ends. Each remaining point of the arc is nearer to an end of the stretch than the end of the arc
-/// is, and the distance of the arc's ends counts, too.
+/// From the arc to the stretch: the point of the arc that is nearest to the curve moves along the
+/// arc while the curve proceeds. It moves without a jump as long as the distance is less than the
+/// arc's radius. So this point passes every point of the arc between the two points nearest to the
+/// stretch's ends. Each remaining point of the arc is nearer to an end of the stretch than the
+/// arc's end is. The distance of the arc's ends counts, too.
 [[nodiscard]] double arc_deviation(const CurveStretch& stretch,
                                    const Curve<double>& arc,
                                    double fine_mm);

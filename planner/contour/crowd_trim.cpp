@@ -8,8 +8,8 @@ namespace {
 /// Distance between two elements, in elements. If both begin within a quarter of the offset
 /// distance of each other, the elements between them are a crowd.
 constexpr std::uint32_t kCrowd = 8;
-/// Number of corners on each side against which a curve is checked. kNear holds for every curve,
-/// and kFar for a curve whose end is covered by the disc about one of the kNear corners.
+/// Number of corners on each side against which a curve is checked. kNear applies to every curve.
+/// kFar applies to a curve that the nearest corners have already shortened.
 constexpr std::uint32_t kNear = 2;
 constexpr std::uint32_t kFar = 64;
 

@@ -9,11 +9,11 @@
 namespace cnc::contour {
 namespace {
 
-/// Returns the sine of the turn at a corner, positive to the left. Near a cusp, where one element
-/// leads back along the other, the sine is only the rounding of this computation or of the program
-/// that wrote the drawing. There the sign is that of the gap between both elements a little before
-/// the corner. So at a tip of material the turn is to the left, and at the end of a slot it is to
-/// the right.
+/// Returns the sine of the turn at a corner, positive to the left. Near a cusp one element leads
+/// back along the other. There the sine is only rounding, of this computation or of the program
+/// that wrote the drawing. In that case the sign is that of the gap between both elements a little
+/// before the corner. So at a tip of material the turn is to the left, and at the end of a slot it
+/// is to the right.
 template <typename Scalar>
 Scalar turn_at(const Curve<Scalar>& before, const Curve<Scalar>& after) {
   constexpr Scalar kNearCusp = Scalar(1.0e-2F);

@@ -8,10 +8,9 @@
 namespace cnc {
 
 /// An arc, circle or helix as G2 and G3 describe it. It is a full circle if start and end are one
-/// point in the plane. It is also a full circle if the end is at most a micrometre away from the
-/// start and the arc would turn by less than 5e-7 rad, because such an end was rounded. (Grbl
-/// decides by the same angle but at any distance, so in Grbl a flat arc with a radius of 100 m
-/// becomes a circle.)
+/// point in the plane. It is also a full circle if the end is at most a micrometre from the start
+/// and the arc would turn by at most 5e-7 rad: such an end was rounded. (Grbl decides by the same
+/// angle but at any distance, so in Grbl a flat arc with a radius of 100 m becomes a circle.)
 struct CentreArc {
   Position start{};
   Position end{};

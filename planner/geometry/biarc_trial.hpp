@@ -11,11 +11,11 @@ namespace cnc {
 
 /// A sampled part of a curve with which biarcs are compared.
 ///
-/// The nearest point on the biarc advances with the curve as long as the curve's direction is
-/// within a quarter turn of the arc's direction at that nearest point. Then each point of the curve
-/// has a counterpart on the biarc and vice versa, and the deviation holds both ways (Hausdorff
-/// distance). If that condition fails at a sample, or if the curve turns by more than a sixth of a
-/// turn between two samples, no biarc is accepted.
+/// Each point of the curve has a nearest point on the biarc. It advances with the curve as long as
+/// the directions of curve and arc differ by less than a quarter turn there. Then each point of the
+/// curve has a counterpart on the biarc and vice versa, and the deviation holds both ways
+/// (Hausdorff distance). If that condition fails at a sample, or if the curve turns by more than a
+/// sixth of a turn between two samples, no biarc is accepted.
 class BiarcTrial {
  public:
   /// Number of inner samples; the two ends of the curve are not counted.

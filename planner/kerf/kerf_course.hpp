@@ -9,9 +9,8 @@
 namespace cnc::kerf {
 
 /// The displacement of the cut's edge as a function of heat input per length: half the width of the
-/// kerf, minus half of the programmed width. Power and thickness of the table are fixed, so the
-/// heat input is given as its ratio to the programmed heat input: the ratio of the powers divided
-/// by the ratio of the speeds.
+/// kerf, minus half of the programmed width. The heat input is given as its ratio to the programmed
+/// heat input, which is the ratio of the powers divided by the ratio of the speeds.
 ///
 /// Between the permissible speeds the course is piecewise linear in kPoints points, which is exact
 /// for a linear law. A ratio outside this range is clamped to the hottest or the coldest of these

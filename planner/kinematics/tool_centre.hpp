@@ -10,8 +10,8 @@
 
 namespace cnc::kinematics {
 
-/// Computes the positions of the axes X Y Z of a five-axis machine at which the tip of its tool is
-/// at the position that a program gives.
+/// Computes the positions of the axes X Y Z of a five-axis machine from the position that a program
+/// gives to the tip of the tool.
 ///
 /// A position of the program is in machine coordinates of a machine whose rotary axes are at 0:
 /// there the positions of axes and program are equal. Rotary axes are always at the position that
@@ -41,8 +41,8 @@ class ToolCentre {
   [[nodiscard]] AxisArray<StepPosition> axes_for(const AxisArray<StepPosition>& program,
                                                  const AxisArray<AxisScale>& scale) const;
 
-  /// Returns the number of parts of equal length into which a path must be divided, so that neither
-  /// rotary axis turns by more than 4 degrees on any part; at least 1.
+  /// Returns the number of equal parts into which a path must be divided; at least 1. On each part
+  /// neither rotary axis turns by more than 4 degrees.
   [[nodiscard]] std::uint32_t parts_of(const Position& from, const Position& end) const;
 
   /// A path of the program through a position, with its derivatives with respect to its length.

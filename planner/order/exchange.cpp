@@ -3,7 +3,7 @@
 namespace cnc::order {
 namespace {
 
-/// Returns the rearrangement of C and the rest of the tour that gives the same cyclic tour as the
+/// Returns a rearrangement of C and the rest of the tour. It gives the same cyclic tour as the
 /// rearrangement `how` of B and C, up to its direction. Applied twice, the function gives the
 /// rearrangement of the rest and B. The table was found by writing out each case.
 Rearrangement without_moving_first(Rearrangement how) {

@@ -153,9 +153,9 @@ void Pipeline::release_held() {
 }
 
 /// Returns whether the plan would soon have to brake because no further element is planned. This is
-/// so if its remaining distance is at most the sum of three distances: twice the braking distance,
-/// the distance of the next cycles, and, where jerk is limited, the distance by which the plan is
-/// ahead of the motion. The plan drives the last one at constant speed before it brakes.
+/// so if its remaining distance is at most the sum of three distances. They are twice the braking
+/// distance, the distance of the next cycles and, if jerk is limited, the distance by which the
+/// plan is ahead of the motion. The plan drives the last one at constant speed before it brakes.
 bool Pipeline::runs_dry() const {
   constexpr float kCyclesAheadS = 0.05F;
   constexpr float kWindows = 1.5F;

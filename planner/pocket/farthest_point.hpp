@@ -9,7 +9,7 @@ namespace cnc::pocket {
 ///
 /// Each element of the boundary is halved until no point of a part can be farther than the farthest
 /// point found. The bound of a part is exact. Along a line or an arc, the distance from one point
-/// is greatest at an end or at a maximum between the ends; the tangents of an arc show whether
+/// is greatest at an end or at a maximum between the ends. The tangents of an arc show whether
 /// there is such a maximum. If an element's own offset is part of the boundary of the goal, the
 /// distance is that of the offset.
 ///

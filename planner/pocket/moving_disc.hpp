@@ -16,8 +16,9 @@ struct MovingDisc {
 
 /// Returns the greatest length by which the moving disc extends across the boundary, mm; 0 if it
 /// stays in the area. The result is exact except for rounding. The least value of "distance from an
-/// element minus radius" is at one of three points: an end of the line, the passage past the end of
-/// an element, or the minimum for the distance from a point. That minimum has a closed form.
+/// element minus radius" is at an end of the line or at a minimum between the ends. Only the
+/// distance from a point, an element's end or centre, has such a minimum. It has a closed form.
+///
 ///
 ///
 /// @pre the line does not leave the area

@@ -71,10 +71,10 @@ struct PocketReport {
 /// the innermost passes outwards.
 ///
 /// A row begins with an entry at its first point, from the floor of the level above or from the top
-/// of the stock. It continues from pass to pass as long as there are links: around all loops of a
-/// pass, then to the pass around it once all passes within that pass are driven. Links and passes
-/// join with one tangent, so with a corner radius only the passes at the wall have corners. The use
-/// of a link is kPass, because a link that leads outwards cuts.
+/// of the stock. It continues from pass to pass as long as there are links. It first goes around
+/// all loops of a pass. Then it goes to the pass around them, once all passes within that pass are
+/// driven. Links and passes join with one tangent, so with a corner radius only the passes at the
+/// wall have corners. The use of a link is kPass, because a link that leads outwards cuts.
 ///
 /// Guarantee: no element is nearer to the wall than the tool's radius by more than 1e-7 mm, and
 /// none is below its level. For the passes the guarantee of clear_pocket() holds.

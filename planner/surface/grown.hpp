@@ -16,8 +16,8 @@ struct GrownTool {
 
 /// Returns the tool with its surface moved outwards by the band, which is the tolerance. A ball
 /// becomes a larger ball, and a flat tool becomes a bull-nose. A cone would become a cone with a
-/// rounded tip; it is moved downwards instead, and its band is only the part of the tolerance for
-/// which the move is enough.
+/// rounded tip. Instead it is moved downwards, and its band is only the part of the tolerance for
+/// which this move is enough.
 /// @param tolerance_mm above 0
 /// @pre a corner of the tool ends at its radius, as with a ball, a bull-nose and a flat tool
 [[nodiscard]] inline GrownTool grown(const Profile& profile, double tolerance_mm) {
