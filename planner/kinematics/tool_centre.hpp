@@ -59,8 +59,8 @@ class ToolCentre {
   /// mm.
   /// @param reach_mm distance by which the program's position may be away from `place`
   [[nodiscard]] float lever(const Position& place, float reach_mm) const;
-  /// Returns a bound of the third derivative of the axes X Y Z along a path of the given curvature
-  /// (1/mm), by the length of the path, 1/mm².
+  /// Returns a bound of the third derivative of the positions of X Y Z with respect to the length
+  /// of a path, 1/mm². The path has the given curvature, 1/mm.
   /// @param rate greatest rate of both rotary axes together, rad/mm
   [[nodiscard]] static float third_derivative(float lever_mm, float rate, float curvature);
   /// Returns the point to which the positions that axes_along() returns are relative.
