@@ -3,7 +3,8 @@
 namespace cnc {
 namespace {
 
-/// Allows for one lost poll and half an interval of lateness of the next.
+/// Number of poll intervals to wait: allows for one lost poll and for a delay of the next poll by
+/// half an interval.
 constexpr float kIntervals = 2.5F;
 
 /// Limits the age of `time` to `most` microseconds.
@@ -13,8 +14,8 @@ void keep_near(hal::TickCount& time, hal::TickCount now, std::int32_t most) {
 
 }  // namespace
 
-/// Notes that bytes came. A sender that sends bytes without a poll for kLongestIntervalUs does not
-/// poll while it streams.
+/// Notes that bytes arrived. If bytes arrive without a poll for kLongestIntervalUs, the sender does
+/// not poll while it streams.
 void SilenceWatch::hear(hal::TickCount now) {
   heard_ = now;
   spoken_to_ = true;
