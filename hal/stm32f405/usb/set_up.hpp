@@ -8,13 +8,13 @@ namespace hal::stm32f405::usb {
 
 inline constexpr std::size_t kSetUpBytes = 8;
 
-/// A host's request to endpoint 0 (USB 2.0, 9.3).
+/// A request from the host to endpoint 0 (USB 2.0, 9.3).
 struct SetUp {
   std::uint8_t type = 0;
   std::uint8_t request = 0;
   std::uint16_t value = 0;
   std::uint16_t index = 0;
-  std::uint16_t length = 0;  ///< Length of the data that follow, in bytes.
+  std::uint16_t length = 0;  ///< Length in bytes of the data that follow.
 
   [[nodiscard]] constexpr bool to_host() const { return (type & 0x80U) != 0; }
 };
