@@ -118,7 +118,7 @@ class Controller {
   /// Returns the number of bytes of text that can be received now. Main loop.
   [[nodiscard]] std::uint32_t text_room() const { return protocol_.room(); }
 
-  /// Returns whether every line must carry a number and a check.
+  /// Returns whether every line must have a number and a check.
   [[nodiscard]] bool checks_lines() const { return protocol_.checks_lines(); }
 
   /// Report that a new sender uses the link (begin_sender), or that the sender is gone
@@ -134,7 +134,8 @@ class Controller {
     return machine_.memory().check(kBytes);
   }
 
-  /// Runs the step interrupt. Returns the ticks until the next one; 0 stops the timer.
+  /// Runs the step interrupt. Returns the number of ticks until the next step interrupt; 0 stops the
+  /// timer.
   std::uint32_t on_step_interrupt() noexcept { return steps_.on_interrupt(); }
 
   [[nodiscard]] Machine& machine() { return machine_; }
@@ -161,7 +162,7 @@ class StepsOfApplication {
 template <hal::StepPort Port>
 class Application : private StepsOfApplication<Port>, public Controller<Port> {
  public:
-  /// Parameters as in Controller.
+  /// The parameters are the same as in Controller.
   Application(Port& port,
               hal::AuxiliaryOutputs& outputs,
               hal::MachineInputs& inputs,

@@ -15,7 +15,7 @@ struct LineCheck::Checked {
 
 namespace {
 
-constexpr std::uint32_t kMaxNumber = 9'999'999;  // Limit of G-code's N.
+constexpr std::uint32_t kMaxNumber = 9'999'999;  // Greatest line number of G-code.
 constexpr std::uint32_t kMinusOne = ~std::uint32_t{0};
 constexpr std::uint32_t kRestart = 110;
 

@@ -189,7 +189,7 @@ class Receiver {
   bool strict_ = false;
   /// Byte that arrived once between two lines; it acts if it arrives again.
   std::uint8_t once_ = 0;
-  bool overrun_ = false;  ///< Lines are being lost.
+  bool overrun_ = false;  ///< Lines are lost until the next reset.
   char lost_last_ = 0;    ///< Last byte that was lost.
 };
 

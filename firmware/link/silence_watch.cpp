@@ -24,7 +24,7 @@ void SilenceWatch::hear(hal::TickCount now) {
 
 void SilenceWatch::poll(hal::TickCount now) {
   const std::int32_t interval_us = now.since(polled_);
-  if (has_polled_ && interval_us <= 0) return;  // A second poll within one cycle.
+  if (has_polled_ && interval_us <= 0) return;  // This is a second poll in one cycle.
   if (has_polled_) {
     std::copy_backward(intervals_us_.begin(), intervals_us_.end() - 1, intervals_us_.end());
     intervals_us_.front() = interval_us;

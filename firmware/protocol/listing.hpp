@@ -11,7 +11,7 @@
 
 namespace cnc {
 
-/// Kinds of listings; a listing is an answer of one or many lines.
+/// Kinds of listings, each with its statement. A listing is an answer of one or many lines.
 enum class ListingKind : std::uint8_t {
   kNone,
   kHelp,            ///< `$`

@@ -10,7 +10,7 @@ namespace {
 
 // Numbers of records.
 constexpr std::uint16_t kKerfDirectory = 0x6000;
-constexpr std::uint16_t kKerfParts = 0x6100;  ///< + 32 · bank + part.
+constexpr std::uint16_t kKerfParts = 0x6100;  ///< Plus 32 · bank + part.
 constexpr std::uint16_t kBankStride = 32;
 
 /// Number of banks: one more than tables, so that at least one bank is not in the directory.

@@ -21,7 +21,7 @@ class StagedRing {
   static_assert(std::atomic<std::uint32_t>::is_always_lock_free);
 
  public:
-  // Writer side.
+  // Functions for the writer.
 
   /// Returns the number of staged items since the beginning (wraps).
   [[nodiscard]] std::uint32_t staged() const { return staged_.load(std::memory_order_relaxed); }
@@ -40,7 +40,7 @@ class StagedRing {
     stage_next();
   }
 
-  // Reader side.
+  // Functions for the reader.
 
   /// Publishes the staged items up to `count`. Does nothing if `count` is below the published
   /// count.

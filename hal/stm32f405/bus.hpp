@@ -28,7 +28,7 @@ struct MemoryBus {
 
  private:
   static volatile Word* at(Address address) noexcept {
-    // Where a register is comes from the manual. NOLINTNEXTLINE(performance-no-int-to-ptr)
+    // The manual gives each address as a number. NOLINTNEXTLINE(performance-no-int-to-ptr)
     return reinterpret_cast<volatile Word*>(static_cast<std::uintptr_t>(address));
   }
 };

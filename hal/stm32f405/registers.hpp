@@ -41,8 +41,8 @@ inline constexpr Word kSwitchedMask = 3 << 2;
 inline constexpr Word kSwitchedToPll = 2 << 2;
 inline constexpr Word kApb1By4 = 5 << 10;
 inline constexpr Word kApb2By2 = 4 << 13;
-inline constexpr Word kPowerClock = bit(28);   ///< In kApb1Enr.
-inline constexpr Word kSystemClock = bit(14);  ///< In kApb2Enr.
+inline constexpr Word kPowerClock = bit(28);   ///< Bit of kApb1Enr.
+inline constexpr Word kSystemClock = bit(14);  ///< Bit of kApb2Enr.
 
 inline constexpr Word kForgetResets = bit(24);
 inline constexpr Word kBrownOutReset = bit(25);
@@ -137,7 +137,7 @@ inline constexpr Address kEvents = 0x14;
 inline constexpr Address kCounter = 0x24;
 inline constexpr Address kPrescaler = 0x28;
 inline constexpr Address kReload = 0x2C;
-inline constexpr Address kBreak = 0x44;  ///< TIM1 only.
+inline constexpr Address kBreak = 0x44;  ///< Exists only in TIM1.
 constexpr Address compare_mode(unsigned channel) { return channel < 3 ? 0x18 : 0x1C; }
 inline constexpr Address kCompareEnable = 0x20;
 constexpr Address compare(unsigned channel) { return 0x34 + 4 * (channel - 1); }
@@ -190,7 +190,7 @@ inline constexpr Address kUniqueId = 0x1FFF'7A10;
 inline constexpr Address kFlashSize = 0x1FFF'7A20;     ///< Size in KiB, in the upper half.
 inline constexpr Address kSystemMemory = 0x1FFF'0000;  ///< Address of ST's boot loader, table 3.
 
-/// The core: system control, system timer, interrupts, memory protection.
+/// Registers of the core: system control, system timer, interrupts, memory protection.
 namespace core {
 inline constexpr Address kTickControl = 0xE000'E010;
 inline constexpr Address kTickReload = 0xE000'E014;

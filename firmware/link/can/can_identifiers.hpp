@@ -8,7 +8,7 @@ namespace cnc::can {
 
 /// Identifiers of frames in CANopen's predefined connection set (CiA 301), 11 bits each. If two
 /// nodes send at the same time, the frame with the smaller identifier is sent first. A node number
-/// is 1 to 127.
+/// is 1 to 127; `+ node` means that the node number is added to the identifier.
 inline constexpr std::uint32_t kNetwork = 0x000;  ///< NMT: command, then node (0 means all nodes).
 inline constexpr std::uint32_t kFailSafe =
     0x001;  ///< Global fail-safe: stops all nodes; the frame's content has no meaning.
@@ -21,7 +21,7 @@ inline constexpr std::uint32_t kHostHeartbeat = 0x77F;
 inline constexpr std::uint32_t kLssFrom = 0x7E4;  ///< Answers from a node to the master (CiA 305).
 inline constexpr std::uint32_t kLssTo = 0x7E5;    ///< From the master that sets node numbers.
 
-inline constexpr std::uint8_t kLastNode = 0x7E;  ///< 0x7F is the host's number.
+inline constexpr std::uint8_t kLastNode = 0x7E;  ///< The next number, 0x7F, is the host's.
 inline constexpr std::uint8_t kUsualNode = 0x11;
 
 inline constexpr std::size_t kUrgent = 3;

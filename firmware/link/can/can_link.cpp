@@ -52,7 +52,7 @@ void CanLink::take(const hal::CanFrame& frame, hal::TickCount now) {
     host_heard_ = now;
   } else if (frame.id == can::kLssTo) {
     if (const auto reply = numbering_.take(payload, node_)) {
-      static_cast<void>(send(can::kLssFrom, *reply));  // Without an answer the master asks again.
+      static_cast<void>(send(can::kLssFrom, *reply));  // The master repeats unanswered requests.
     }
   }
 }
@@ -85,7 +85,7 @@ void CanLink::take_realtime(std::span<const std::byte> payload) {
   for (const std::byte byte : payload) {
     if (static_cast<RealtimeByte>(byte) == RealtimeByte::kReset) {
       realtime_.clear();
-      receiver_.clear();  // Drops all text before the reset.
+      receiver_.clear();  // Drops all text that arrived before the reset.
       failed_ = false;
     }
     if (realtime_.room() == 0) return end_session(can::kFramesLost);

@@ -17,10 +17,10 @@ namespace cnc::iso_tp {
 
 /// Kind of a frame, the upper half of its first byte.
 enum class FrameKind : std::uint8_t {
-  kSingle = 0,       ///< Lower half: length, 1 to 7; then the message.
-  kFirst = 1,        ///< Lower half and next byte: length, 8 to 4095; then six bytes.
-  kConsecutive = 2,  ///< Lower half: number modulo 16, 1 after the first frame; then seven bytes.
-  kFlowControl = 3,  ///< Lower half: FlowStatus; then block size and separation time.
+  kSingle = 0,       ///< Lower half: length, 1 to 7. The message follows.
+  kFirst = 1,        ///< Lower half and next byte: length, 8 to 4095. Six bytes follow.
+  kConsecutive = 2,  ///< Lower half: frame number modulo 16, from 1 on. Seven bytes follow.
+  kFlowControl = 3,  ///< Lower half: FlowStatus. Block size and separation time follow.
 };
 
 enum class FlowStatus : std::uint8_t {

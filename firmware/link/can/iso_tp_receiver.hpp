@@ -39,7 +39,7 @@ class IsoTpReceiver {
     std::uint32_t lost = 0;
   };
 
-  /// Takes a frame of a message. Frames of an unknown kind and frames that are too short are
+  /// Processes a frame of a message. Frames of an unknown kind and frames that are too short are
   /// ignored, as the standard requires.
   void take(std::span<const std::byte> payload, hal::TickCount now);
 

@@ -24,7 +24,7 @@ class ControlPipe {
     stage_ = Stage::kIdle;
   }
 
-  // Events, in the order in which the core received them.
+  // Functions for events. Called in the order in which the core received the events.
 
   /// Stores the bytes of a request. If several requests arrive, the last one counts.
   void take_request(std::size_t bytes) noexcept {

@@ -96,7 +96,7 @@ inline constexpr auto kConfigurationDescriptor =
              4,
              DescriptorType::kClassInterface,
              0x02,
-             0x02,  // Line coding and line state, but no breaks.
+             0x02,  // Line coding and line state are supported, breaks are not.
              5,
              DescriptorType::kClassInterface,
              0x06,

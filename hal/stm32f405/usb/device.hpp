@@ -25,7 +25,7 @@ struct Answer {
 
   Kind kind = Kind::kStall;  ///< Unknown requests are stalled.
   Effect effect = Effect::kNone;
-  std::uint8_t endpoint = 0;          ///< Bit 7 is set for an in endpoint.
+  std::uint8_t endpoint = 0;          ///< Number; bit 7 is set for an IN endpoint.
   std::span<const std::byte> data{};  ///< Data to send, at most the requested number of bytes.
 };
 

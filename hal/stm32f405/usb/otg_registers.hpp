@@ -19,7 +19,7 @@ inline constexpr Address kResets = kBase + 0x010;
 inline constexpr Address kStatus = kBase + 0x014;
 inline constexpr Address kMask = kBase + 0x018;
 inline constexpr Address kReceivedPop = kBase + 0x020;
-inline constexpr Address kReceiveSize = kBase + 0x024;  ///< In words, like all FIFO sizes.
+inline constexpr Address kReceiveSize = kBase + 0x024;  ///< Size in words, like all FIFO sizes.
 inline constexpr Address kGeneral = kBase + 0x038;
 /// Returns the register with the FIFO of an IN endpoint: its start in the lower half, its size in
 /// the upper half.
@@ -32,7 +32,7 @@ inline constexpr Address kDeviceConfig = kBase + 0x800;
 inline constexpr Address kDeviceControl = kBase + 0x804;
 inline constexpr Address kInMask = kBase + 0x810;
 inline constexpr Address kOutMask = kBase + 0x814;
-inline constexpr Address kEndpoints = kBase + 0x818;  ///< OUT endpoints from bit 16 on.
+inline constexpr Address kEndpoints = kBase + 0x818;  ///< OUT endpoints have the bits from 16 on.
 inline constexpr Address kEndpointsMask = kBase + 0x81C;
 constexpr Address in_control(unsigned endpoint) { return kBase + 0x900 + 0x20 * endpoint; }
 constexpr Address in_status(unsigned endpoint) { return kBase + 0x908 + 0x20 * endpoint; }
@@ -95,7 +95,7 @@ constexpr Word fifo_number(unsigned endpoint) { return endpoint << 22; }
 // Bits of in_status, out_status and their masks.
 inline constexpr Word kDone = bit(0);
 inline constexpr Word kDisabled = bit(1);
-inline constexpr Word kNakEffective = bit(6);  ///< IN endpoints only.
+inline constexpr Word kNakEffective = bit(6);  ///< Exists only for IN endpoints.
 // Bits of in_size and out_size.
 inline constexpr Word kOnePacket = bit(19);
 inline constexpr Word kThreeSetUps = 3 << 29;
