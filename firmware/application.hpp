@@ -134,8 +134,8 @@ class Controller {
     return machine_.memory().check(kBytes);
   }
 
-  /// Runs the step interrupt. Returns the number of ticks until the next step interrupt; 0 stops the
-  /// timer.
+  /// Runs the step interrupt. Returns the number of ticks until the next step interrupt; 0 stops
+  /// the timer.
   std::uint32_t on_step_interrupt() noexcept { return steps_.on_interrupt(); }
 
   [[nodiscard]] Machine& machine() { return machine_; }

@@ -5,8 +5,8 @@
 namespace cnc {
 
 /// Stores a start-up line and runs it once, as Grbl does, to show whether it can run. The line is
-/// stored before it runs, because storing is possible only before it starts motion or outputs. If
-/// the line fails later, attend_startup_trial() restores the previous line.
+/// stored before it runs, because nothing can be stored while the line's motion or outputs are on.
+/// If the line fails later, attend_startup_trial() restores the previous line.
 void LineProtocol::set_startup_line(const Statement& statement) {
   if (machine_.locked()) return refuse(error_number::kLocked);
   if (statement.text.size() > StoredText::kLongest) return refuse(error_number::kTextTooLong);

@@ -1,7 +1,6 @@
 #pragma once
 
-/// Ends a program on an STM32F405 in several ways, and keeps a record of the end for the next
-/// start.
+/// Functions that end a program on an STM32F405, and the record of the end for the next start.
 
 #include <bit>
 #include <cstdint>

@@ -23,7 +23,7 @@ class Slcan final : public CanPort {
  public:
   static constexpr std::size_t kFrames = 32;  ///< Capacity of the queue of received frames.
 
-  // Functions for the node.
+  // Functions of CanPort, for the program that uses the node.
 
   [[nodiscard]] bool receive(CanFrame& frame) override;
   [[nodiscard]] bool send(const CanFrame& frame) override;
@@ -31,7 +31,7 @@ class Slcan final : public CanPort {
   [[nodiscard]] CanHealth health() const override { return counts_; }
   void hear_only(std::span<const std::uint32_t> /*heard*/, std::size_t /*urgent*/) override {}
 
-  // Functions for the wire.
+  // Functions for the program that moves bytes to and from the serial line.
 
   /// Processes bytes from the host, which may be split at any byte. A frame for which there is no
   /// free space counts as lost.

@@ -17,7 +17,7 @@ class SlcanHost final : public CanPort {
  public:
   static constexpr std::size_t kFrames = 512;  ///< Capacity of the queue of received frames.
 
-  // Functions for the node.
+  // Functions of CanPort, for the program that uses the node.
 
   [[nodiscard]] bool receive(CanFrame& frame) override;
   [[nodiscard]] bool send(const CanFrame& frame) override;
@@ -25,7 +25,7 @@ class SlcanHost final : public CanPort {
   [[nodiscard]] CanHealth health() const override { return counts_; }
   void hear_only(std::span<const std::uint32_t> /*heard*/, std::size_t /*urgent*/) override {}
 
-  // Functions for the wire.
+  // Functions for the program that moves bytes to and from the serial line.
 
   /// Processes bytes from the adapter, which may be split at any byte. A frame for which there is
   /// no free space counts as lost. A refusal by the adapter is ignored, because the adapter also

@@ -12,7 +12,7 @@ namespace hal::stm32f405 {
 
 /// Reason why an image must not run on this chip.
 enum class Unfitness : std::uint8_t {
-  kDamaged,      ///< The image differs from the built image, because it is truncated or changed.
+  kDamaged,      ///< The image in the flash is truncated or changed.
   kUnknownChip,  ///< The size of the flash cannot be read.
   kSmallChip,    ///< The flash has no space for the store after the image.
 };

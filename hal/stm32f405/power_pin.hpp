@@ -6,7 +6,7 @@
 
 namespace hal::stm32f405 {
 
-/// The pin of the beam power or of the spindle speed. A timer of its own makes the duty cycle. At
+/// The pin of the beam power or of the spindle speed. A separate timer makes the duty cycle. At
 /// duty 0 the pin stays low; at full duty it stays high.
 template <const Board& kBoard, RegisterBus Bus>
 class PowerPin {

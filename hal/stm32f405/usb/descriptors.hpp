@@ -18,7 +18,7 @@ inline constexpr unsigned kData = 1;
 inline constexpr unsigned kNews = 2;
 inline constexpr std::size_t kNewsBytes = 8;
 inline constexpr std::uint8_t kOnlyConfiguration = 1;
-/// Number of interfaces: 0 is for control, 1 for data.
+/// Number of interfaces: interface 0 is for control, interface 1 for data.
 inline constexpr std::uint8_t kInterfaces = 2;
 
 enum class DescriptorType : std::uint8_t {

@@ -159,7 +159,7 @@ class OtgCore {
   static constexpr std::uint32_t kLooks = 20'000;
   /// Number of reads in 25 ms (RM0090, 34.16.1).
   static constexpr std::uint32_t kModeLooks = 1'100'000;
-  /// The core needs only some clocks of 48 MHz.
+  /// Number of reads that suffices for a wait of some clocks of 48 MHz.
   static constexpr std::uint32_t kFewLooks = 200;
   static constexpr Word kFromReset = otg::kActive | otg::kSetNak | otg::kFirstIsData0;
   static constexpr Word kRequests = otg::kThreeSetUps | otg::kOnePacket | kPacketBytes;
