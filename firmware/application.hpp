@@ -50,8 +50,9 @@ class Controller {
         protocol_{link, machine_, store, board} {}
 
   /// Begins a cycle at its boundary and returns the cycle's number. Called in the step interrupt
-  /// every kTurnTicks, after the steps that are due before the boundary and before the steps that
-  /// are due at the boundary. The cycle reads only bytes that arrived before this call.
+  /// every kTurnTicks. The call comes after the steps that are due before the boundary, and before
+  /// the steps that are due at the boundary. The cycle reads only bytes that arrived before this
+  /// call.
   std::uint32_t begin_turn() noexcept { return steps_.begin_turn(); }
 
   /// Takes the next cycle whose boundary has passed. Returns false if there is none. A cycle may
@@ -148,7 +149,7 @@ class Controller {
   LineProtocol protocol_;
 };
 
-/// Base class that holds the objects that must be constructed before the controller.
+/// Base class with the objects that must be constructed before the controller.
 template <hal::StepPort Port>
 class StepsOfApplication {
  protected:

@@ -12,8 +12,8 @@ namespace cnc {
 /// that every line gets one answer.
 ///
 /// If a line does not fit, the text of its comments is dropped, so that comments of any length are
-/// allowed. If the line still does not fit, its first Capacity bytes are kept, the rest up to the
-/// line end is dropped, and `too_long` returns true.
+/// allowed. If the line still does not fit, its first Capacity bytes are kept and the rest up to
+/// the line end is dropped. `too_long` then returns true.
 template <std::size_t Capacity>
 class LineAssembler {
  public:

@@ -15,8 +15,8 @@ namespace cnc {
 ///
 /// A sender that can repeat lines first sends M110, whose number starts the count. From then on a
 /// checked line is taken only if it has the wanted number, and never twice. Before M110 a correct
-/// check has no effect, a wrong check makes the line an error, and a line number has only the
-/// meaning that the G-code program gives it.
+/// check has no effect, and a wrong check makes the line an error. Line numbers then belong to the
+/// G-code program and are not checked.
 ///
 /// With the CRC every line must have a number and a CRC; a plain line counts as damaged. After a
 /// gap in the numbers, one line is requested once, even if many later lines are already on their
@@ -51,7 +51,7 @@ class LineCheck {
                                 const LongLineCheck* long_line,
                                 hal::TickCount now);
 
-  /// Returns whether numbered lines must have a correct check and come in order.
+  /// Returns whether numbered lines must have a correct check and must arrive in order.
   [[nodiscard]] bool active() const { return form_ != Form::kNone && !lapsed_; }
   /// Returns whether every line must have a correct check, as with the CRC.
   [[nodiscard]] bool strict() const { return active() && form_ == Form::kCrc; }
@@ -63,7 +63,7 @@ class LineCheck {
 
   /// Restarts the time of silence, because the machine makes the sender wait.
   void keep(hal::TickCount now) { since_ = now; }
-  /// Pauses the checking if no good line has come for kLapseUs.
+  /// Pauses the checking if no good line has arrived for kLapseUs.
   void attend(hal::TickCount now) { lapsed_ = lapsed_ || now.since(since_) >= kLapseUs; }
 
  private:

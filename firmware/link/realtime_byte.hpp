@@ -4,8 +4,8 @@
 
 namespace cnc {
 
-/// Bytes that act immediately when they arrive outside a comment, even within a line. The values
-/// are those of Grbl 1.1, with additions of grblHAL.
+/// Bytes that act immediately when they arrive outside a comment, even within a line. Grbl 1.1 and
+/// grblHAL define the values.
 enum class RealtimeByte : std::uint8_t {
   kReset = 0x18,
   kStop = 0x19,  ///< grblHAL's stop; here the same as a reset.

@@ -224,9 +224,9 @@ void Receiver::keep_back() {
   keeps_back_ = true;
 }
 
-/// Extends the kept bytes to the end of their last line, because kToolAcknowledge may have arrived
-/// in the middle of a line, or between its CR and LF. Returns false if the end of that line has not
-/// arrived.
+/// Extends the kept bytes to the end of their last line. This is necessary if kToolAcknowledge
+/// arrived in the middle of a line, or between its CR and LF. Returns false if the end of that line
+/// has not arrived.
 bool Receiver::has_whole_kept() {
   if (kept_ == 0 || lines_.taken() != kept_at_) return true;
   while (lines_.at(kept_ - 1) != '\n' && lines_.at(kept_ - 1) != '\r') {

@@ -46,8 +46,8 @@ class Receiver {
   [[nodiscard]] std::size_t receive(std::span<const char> received);
 
   /// Processes all bytes, so that realtime bytes act even if lines wait. If a byte of a line does
-  /// not fit, that line and all later lines until the next reset are lost, because no line may be
-  /// executed after a gap.
+  /// not fit, that line and all later lines until the next reset are lost. The reason is that no
+  /// line may be executed after a gap.
   void receive_all(std::span<const char> received);
   /// Returns true once for each lost line, after all earlier lines have been taken.
   [[nodiscard]] bool take_lost_line();
@@ -117,7 +117,7 @@ class Receiver {
            !full_status_.load() && !late_hold_.load() && lost_lines_.load() == 0;
   }
 
-  // The following functions return true once after their realtime byte arrived.
+  // Each of the following functions returns true once after its realtime byte has arrived.
   [[nodiscard]] bool take_reset();  ///< Also drops all lines that arrived before the reset.
   [[nodiscard]] bool take_status_request() { return status_.exchange(false); }
   [[nodiscard]] bool take_full_status_request() { return full_status_.exchange(false); }

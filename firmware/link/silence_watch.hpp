@@ -11,11 +11,11 @@ namespace cnc {
 /// Decides whether a silent sender is gone or only has nothing to send, by the sender's earlier
 /// behaviour.
 ///
-/// A sender that polls (`?`) continues to poll. It counts as gone if no byte arrived for 1.2 times
-/// the allowed time, or for 2.5 times the longest of its last intervals if that is longer, but at
-/// most kMaxUs. A sender that does not poll owes a byte only after all of its lines have been
-/// answered. It counts as gone if 1.2 times the allowed time has passed since its last byte and
-/// since the last answer.
+/// A sender that polls (`?`) continues to poll. It counts as gone if no byte arrived for a time
+/// that is the longer of two: 1.2 times the allowed time, or 2.5 times the longest of its last
+/// intervals, but at most kMaxUs. A sender that does not poll owes a byte only after all of its
+/// lines have been answered. It counts as gone if 1.2 times the allowed time has passed since its
+/// last byte and since the last answer.
 ///
 /// All times are times of cycles, so that the same bytes in the same cycles give the same decision.
 /// Main loop.

@@ -19,7 +19,7 @@ std::uint32_t value_of_digit(char c) {
 }
 
 /// Removes `,number` from the front of `text` and converts the number to whole thousandths. Returns
-/// false if the text does not begin so.
+/// false if `text` does not begin with a comma and such a number.
 bool take_thousandths(std::string_view& text, std::uint32_t& thousandths) {
   if (text.empty() || text.front() != ',') return false;
   text.remove_prefix(1);

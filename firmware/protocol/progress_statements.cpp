@@ -46,9 +46,9 @@ void LineProtocol::reenter(const Statement& statement) {
   acknowledge();
 }
 
-/// Saves the progress while the machine is at rest, so that the progress of a program in a hold or
-/// an alarm survives a loss of power. After the program has ended, the stored progress is erased.
-/// If the store is damaged, nothing is saved: a save would remove the sign of damage before the
+/// Saves the progress while the machine is at rest. So the progress of a program in a hold or an
+/// alarm survives a loss of power. After the program has ended, the stored progress is erased. If
+/// the store is damaged, nothing is saved: a save would remove the sign of damage before the
 /// operator has acknowledged it.
 void LineProtocol::save_progress() {
   if (machine_.alarm() == Alarm::kStoreDamaged) return;

@@ -46,7 +46,7 @@ class FlashLog final : public hal::RecordStore {
       std::optional<std::uint16_t> number) const;
 
  private:
-  /// End of a sector's records, and what is known about the words around it.
+  /// End of a sector's records, and results of the search for it.
   struct Tail {
     std::size_t end = log_format::kFirstRecord;      ///< Word index after the last record or seal.
     std::size_t touched = log_format::kFirstRecord;  ///< Word index after the last non-erased word.

@@ -151,7 +151,7 @@ std::optional<KerfTablesError> KerfTables::keep() {
   return std::nullopt;
 }
 
-/// Returns the first bank that is not in the directory. There is always such a bank.
+/// Returns the first bank that is not in the directory. At least one bank is always free.
 std::size_t KerfTables::spare_bank() const {
   std::array<bool, kBanks> taken{};
   for (const Entry& entry : load_directory()) {

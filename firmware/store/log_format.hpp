@@ -64,8 +64,8 @@ struct RecordHead {
     const std::uint32_t plain = (static_cast<std::uint32_t>(size) << kSizeShift) | number;
     return plain | (check_of(plain) << kCheckShift);
   }
-  /// Reads a record's first word. Returns false if `word` is no such word. Zero and an erased word
-  /// are never a record's first word.
+  /// Reads the head of a record from `word`. Returns false if `word` is not the first word of a
+  /// record. Zero and an erased word are never a record's first word.
   [[nodiscard]] static constexpr bool read(std::uint32_t word, RecordHead& head) {
     head.number = static_cast<std::uint16_t>(word);
     head.size = static_cast<std::uint16_t>((word >> kSizeShift) & kMaxBytes);

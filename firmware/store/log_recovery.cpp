@@ -40,10 +40,12 @@ bool FlashLog::holds_later_log(std::size_t sector) const {
 
 FlashLog::Tail FlashLog::find_tail() const {
   Tail tail;
-  bool debris = false;  // There are unexplained words since the last record, seal or mark.
-  // The word directly before the present word is unexplained. A zero word resets this flag: a
-  // record before zeros may be unreadable without damage, because a power-up zeroed the words after
-  // it and copied the record to a place after the zeros.
+  // Since the last record, seal or mark there are words that are neither zero nor erased nor part
+  // of any of these.
+  bool debris = false;
+  // The word directly before the present word is such a word. A zero word resets this flag, because
+  // a record before zeros may be unreadable without damage: a power-up has zeroed the words after
+  // it and copied the record to a position after the zeros.
   bool torn = false;
   for (std::size_t place = log_format::kFirstRecord; place < sector_.words();) {
     const std::uint32_t word = sector_.word(place);

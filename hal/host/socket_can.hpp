@@ -14,8 +14,8 @@ namespace hal::host {
 /// A CAN interface of the kernel (SocketCAN), such as `can0` or `vcan0`, as a node on its bus.
 ///
 /// Frames wait in a queue while the interface has no free space. If the interface goes down, the
-/// waiting frames are dropped. They count as one lost frame, so that a receiver does not continue
-/// after a gap.
+/// waiting frames are dropped. They count as one lost frame, so that the user of the port detects
+/// the gap.
 class SocketCan final : public CanPort {
  public:
   static constexpr std::size_t kFrames = 32;  ///< Capacity of the queue of frames to send.

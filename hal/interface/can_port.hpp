@@ -50,8 +50,9 @@ class CanPort {
   /// Returns the number of frames that can be queued now.
   [[nodiscard]] virtual std::size_t room() const = 0;
   [[nodiscard]] virtual CanHealth health() const = 0;
-  /// Restricts reception to frames with these identifiers of 11 bits. The first `urgent`
-  /// identifiers are never delayed by the others. A port that cannot filter passes all frames.
+  /// Restricts reception to frames with these identifiers of 11 bits. Frames with the first
+  /// `urgent` identifiers are never delayed by any other frames. A port that cannot filter passes
+  /// all frames.
   virtual void hear_only(std::span<const std::uint32_t> identifiers, std::size_t urgent) = 0;
 
  protected:

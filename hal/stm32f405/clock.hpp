@@ -38,8 +38,8 @@ constexpr bool is_usable_crystal(std::uint32_t hz) {
 }
 
 /// Sets the clocks from their state after reset to 168 MHz. Every wait is bounded. If the crystal
-/// does not start or the PLL does not lock, the chip continues with the clock that works, and the
-/// result names that clock. Called once, before interrupts are enabled. Takes at most some 100 ms.
+/// does not start or the PLL does not lock, the chip continues with a clock that works. The result
+/// names the clock in use. Called once, before interrupts are enabled. Takes at most some 100 ms.
 /// @pre is_usable_crystal(crystal_hz)
 template <RegisterBus Bus>
 class ClockStart {

@@ -64,8 +64,8 @@ class PowerPin {
  private:
   static constexpr PowerChannel kChannel = CheckedBoard<kBoard>::kPower;
   static constexpr std::uint32_t kFull = 65535;
-  /// Upper bound of the period in clocks, so that the product of duty and period fits into 32 bits,
-  /// and each of them into 16 bits.
+  /// Upper bound of the period in clocks. It lets period and duty fit into 16 bits, and their
+  /// product into 32 bits.
   static constexpr std::uint32_t kLongestPeriod = 65535;
 
   static constexpr Address compare() { return timer::compare(kChannel.channel); }

@@ -18,7 +18,7 @@ namespace hal::stm32f405 {
 /// limited to the pulse's length. So the low level lasts at least as long as the pulse, but a late
 /// edge does not delay the next edge further.
 ///
-/// At rest the interrupt comes every 10 ms, as a sign of life.
+/// At rest the interrupt comes every 10 ms, to show that it still works.
 ///
 /// A second compare value marks the boundary of the main loop's cycles, at every millisecond of the
 /// same clock. Steps that are due before the boundary are played before it. Steps that are due at

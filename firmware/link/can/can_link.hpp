@@ -21,9 +21,9 @@ namespace cnc {
 /// for text.
 ///
 /// A session begins with the first frame to this node. It ends if a host resets the communication,
-/// if the host's heartbeat was received and is then silent for 80 ms, if frames were lost, or if
-/// the host does not accept the answers. After a loss, text is accepted again only after a host has
-/// started the network or reset the node, so that no line is composed of incomplete text. Main
+/// frames were lost, or the host does not accept the answers. It also ends if heartbeats of the
+/// host have been received and then stay away for 80 ms. After a loss, no text is accepted until a
+/// host starts the network or resets the node, so that no line is composed of incomplete text. Main
 /// loop; no call blocks.
 class CanLink final : public hal::SessionStream {
  public:
@@ -72,8 +72,9 @@ class CanLink final : public hal::SessionStream {
   /// the node.
   /// @param node 1 to can::kLastNode
   void want_node(std::uint8_t node);
-  /// Returns, once, the number that a master on the bus has set and wants stored as the setting; 0
-  /// if there is none. The caller then reports the result with note_stored().
+  /// Returns the number that a master on the bus has set and requests to store as the setting.
+  /// Returns each such number once; 0 if there is none. The caller then reports the result with
+  /// note_stored().
   [[nodiscard]] std::uint8_t take_node_to_store() {
     return numbering_.take_store_request() ? numbering_.set_node() : 0;
   }

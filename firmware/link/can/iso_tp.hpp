@@ -13,7 +13,7 @@ namespace cnc::iso_tp {
 /// The transfer differs from the standard in two points. If the receiver never allows the next
 /// block of a message, the sender restarts the message; no receiver can mistake the repetition for
 /// a second message. If a message was too long for the receiver, the sender sends its bytes again
-/// in shorter messages, because the division of text into messages has no meaning.
+/// in shorter messages. This is possible because the division of text into messages has no meaning.
 
 /// Kind of a frame, the upper half of its first byte.
 enum class FrameKind : std::uint8_t {
