@@ -56,8 +56,9 @@ class SerialLine final : public ByteStream {
     std::size_t count = 0;
     while (count < from.size() && to_send_.try_push(from[count])) ++count;
     if (count > 0) {
-      // The interrupt may run between the push and this write. It then finds no byte to send and
-      // disables its request to send, so the request is made here, after the push.
+      // The interrupt disables its request when it finds no byte to send, so this write enables the
+      // request after each push. If the interrupt has already sent the bytes, it disables the
+      // request again.
       Bus::write(kPins.base + usart::kCr1, kAtRest | usart::kRoomInterrupt);
       pend_interrupt<Bus>(kInterrupt);
     }

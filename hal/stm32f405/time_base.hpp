@@ -30,7 +30,7 @@ class TimeBase {
     periods_.store(periods_.load(std::memory_order_relaxed) + 1, std::memory_order_relaxed);
   }
 
-  /// Returns the time in microseconds. It wraps and never decreases otherwise. Main loop.
+  /// Returns the time in microseconds. Apart from its wrap, it never decreases. Main loop.
   [[nodiscard]] TickCount now() const noexcept {
     std::uint32_t before = periods_.load(std::memory_order_relaxed);
     for (;;) {  // The loop repeats at most once in a period.

@@ -266,7 +266,7 @@ class UsbLine final : public SessionStream {
   std::uint32_t sessions_ = 0;
   bool suspended_ = false;
   bool spoken_ = false;     ///< The host has sent bytes since the line was last closed.
-  bool listening_ = false;  ///< The core may receive a packet.
+  bool listening_ = false;  ///< The core is allowed to receive a packet.
   bool ends_full_ = false;  ///< The last sent packet was full.
 };
 
