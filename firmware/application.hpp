@@ -91,8 +91,8 @@ class Controller {
     if (take_turn()) run_turn(now);
   }
 
-  /// Handles CAN frames other than text: processes the frames that have arrived and reports the
-  /// machine's state. Main loop, before each cycle.
+  /// Serves the CAN link: processes the frames that have arrived, reports the machine's state, and
+  /// carries out commands that arrived outside the text. Main loop, before each cycle.
   /// @param now microseconds
   void attend(CanLink& can, hal::TickCount now) {
     const Alarm alarm = machine_.alarm();

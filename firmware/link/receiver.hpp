@@ -121,7 +121,8 @@ class Receiver {
   [[nodiscard]] bool take_reset();  ///< Also drops all lines that arrived before the reset.
   [[nodiscard]] bool take_status_request() { return status_.exchange(false); }
   [[nodiscard]] bool take_full_status_request() { return full_status_.exchange(false); }
-  /// Takes the oldest realtime byte that has no own function. Returns false if there is none.
+  /// Takes the oldest realtime byte other than resets and requests for reports. Returns false if
+  /// there is none.
   [[nodiscard]] bool take_command(RealtimeByte& command);
 
  private:
@@ -181,7 +182,7 @@ class Receiver {
 
   std::atomic<std::uint32_t> lost_lines_{0};
 
-  // Used by receive() only.
+  // A plain byte is only stored: no comment, character, pair of bytes or overrun is open.
   bool plain_ = true;  ///< None of the states below holds, so a plain byte is only stored.
   Comment comment_ = Comment::kNone;
   bool lead_waits_ = false;        ///< C2 was received and is not stored yet.

@@ -71,7 +71,8 @@ bool FlashLog::find(std::uint16_t number, FoundRecord& found) const {
   return any && found.head.size != 0;
 }
 
-/// Returns whether the record is complete and no later complete record has its number.
+/// Returns whether the record is the last complete record of its number and does not erase the
+/// number.
 bool FlashLog::is_last(const FoundRecord& record) const {
   FoundRecord last;
   return find(record.head.number, last) && last.place == record.place;

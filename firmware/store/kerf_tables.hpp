@@ -33,7 +33,7 @@ enum class KerfTablesError : std::uint8_t {
 /// directory, which is a single record, is saved with the number of the bank. So a power cut leaves
 /// either the earlier table or the new table.
 ///
-/// Only one stored table at a time is in memory. Saving may take most of a second: take_part(),
+/// Only one stored table at a time is in memory. Saving may take up to some seconds: take_part(),
 /// keep(), forget() and forget_all() are allowed only while nothing moves. Main loop context.
 class KerfTables {
  public:

@@ -18,7 +18,7 @@ namespace cnc {
 /// Only values that differ from the defaults have a record, so an empty store is the store of a new
 /// controller.
 ///
-/// Saving may take milliseconds, so it is allowed only while nothing moves.
+/// Saving may take up to some seconds, so it is allowed only while nothing moves.
 class StoredState {
  public:
   static constexpr std::size_t kStartupLines = 2;

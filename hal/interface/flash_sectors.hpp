@@ -6,8 +6,8 @@
 namespace hal {
 
 /// Sectors of NOR flash of equal size, for a store that outlives power. Main loop context.
-/// Programming takes tens of microseconds, and erasing takes hundreds of milliseconds. Both stop
-/// the processor on chips that run from the same flash, so they are allowed only while nothing
+/// Programming a word takes tens of microseconds; erasing a sector takes up to two seconds. Both
+/// stop the processor on chips that run from the same flash, so they are allowed only while nothing
 /// moves.
 ///
 /// Power may fail at any moment. If a word is then being programmed, any of its bits that were to

@@ -12,9 +12,9 @@ struct StoreWear {
   std::uint32_t bytes_to_next_erase = 0;
 };
 
-/// Small numbered records that outlive power. Main loop context. A save may take most of a second.
-/// Records may be saved only while nothing moves and while no output is on that might have to be
-/// switched off immediately.
+/// Small numbered records that outlive power. Main loop context. A save may take up to some
+/// seconds, if it erases flash. Records may be saved only while nothing moves and while no output
+/// is on that might have to be switched off immediately.
 ///
 /// Content that is longer than a record, such as a large table, takes several records. First save
 /// these under numbers to which no stored record refers. Then save one record that refers to them.
