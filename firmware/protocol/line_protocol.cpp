@@ -85,7 +85,7 @@ void LineProtocol::poll(hal::TickCount now) {
       }
       std::string_view line = assembler_.line();
       if (passes_check(line)) handle(line);
-      // Most lines are answered immediately. No other line may be written between a line and its
+      // Most lines can be answered immediately, because no other line must be written before their
       // answer.
       const bool silent = outbox_.empty() && !listing_.active() && !tell_news();
       // A sender that waits for each answer gets the answer now, so its next line can be read in

@@ -134,7 +134,7 @@ bool Listing::settings_row(Reply& reply) {
   return true;
 }
 
-/// Writes the next tool whose radius is not zero.
+/// Writes the next tool with its radius; leaves out tools whose radius is zero.
 bool Listing::tool_row(Reply& reply, const ReportForm& form) {
   constexpr std::size_t kBefore = gcode::kCoordinateSystemCount + 5;
   for (; row_ < kBefore + gcode::kToolCount; ++row_) {

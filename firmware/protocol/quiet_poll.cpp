@@ -13,7 +13,7 @@ bool LineProtocol::waits_for_machine() const {
   return all_is_done && !machine_.idle();
 }
 
-/// Returns whether something is or may soon be due to be reported or stored.
+/// Returns whether a report or a save is due now or may soon be due.
 bool LineProtocol::has_to_tell() const {
   if (!outbox_.empty() || listing_.active() || auto_report_ || modes_wanted_ || greeting_due_ ||
       startup_trial_ || !tool_refusal_.empty()) {

@@ -22,8 +22,8 @@ struct ByteRings {
 
 /// Queues for USB, like ByteRings. USB makes the host wait while they are full.
 struct UsbRings {
-  static constexpr std::uint32_t kReceiveBytes = 512;  ///< Capacity for the bytes of one cycle (one
-                                                       ///< USB frame).
+  /// Capacity for the bytes of one cycle, which has the length of a USB frame.
+  static constexpr std::uint32_t kReceiveBytes = 512;
   static constexpr std::uint32_t kSendBytes = 512;
 
   SpscRing<std::byte, kReceiveBytes> received{};

@@ -13,8 +13,8 @@ template <RegisterBus Bus>
 [[nodiscard]] std::uint32_t flash_kib() noexcept {
   constexpr std::uint32_t kLargestOfTheFamilies = 2048;
   if (!is_known_family<Bus>()) return 0;
-  const std::uint32_t kib = Bus::read(kFlashSize) >> 16U;  // The size is in the upper half of the
-                                                           // word.
+  // The size is in the upper half of the word.
+  const std::uint32_t kib = Bus::read(kFlashSize) >> 16U;
   return kib <= kLargestOfTheFamilies ? kib : 0;
 }
 

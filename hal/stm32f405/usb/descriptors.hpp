@@ -10,8 +10,8 @@
 /// chapter 5). They describe a serial line that needs no special driver on the host.
 namespace hal::stm32f405::usb {
 
-inline constexpr std::size_t kPacketBytes = 64;  ///< Greatest packet size at full speed, for
-                                                 ///< endpoint 0 and kData.
+/// Greatest packet size at full speed, for endpoint 0 and kData.
+inline constexpr std::size_t kPacketBytes = 64;
 /// Number of the bulk endpoint for data, in and out.
 inline constexpr unsigned kData = 1;
 /// Number of the interrupt endpoint, in; unused, but host drivers expect it.
