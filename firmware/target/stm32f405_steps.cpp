@@ -1,5 +1,5 @@
-/// The step interrupt of an STM32F405 and all code that it calls. The file is compiled for speed,
-/// also on boards whose image is compiled for size.
+/// The step interrupt of an STM32F405 and all code that it calls. This file is compiled for speed,
+/// even on boards whose image is compiled for size.
 
 #include "firmware/target/stm32f405_controller.hpp"
 
@@ -7,7 +7,7 @@ template class cnc::StepGenerator<target::Port, target::Application::kSegmentQue
 
 namespace {
 
-/// Begins a cycle, which reads only bytes that have arrived by now.
+/// Begins a cycle. The cycle reads only bytes that arrived before this call.
 void begin_turn() {
   const std::uint32_t turn = target::steps.begin_turn();
   turns_behind = target::steps.turns_behind();
