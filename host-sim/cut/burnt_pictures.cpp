@@ -79,7 +79,7 @@ std::vector<Stroke> strokes_of(const std::vector<engrave::EngravedRow>& rows) {
   return strokes;
 }
 
-/// Returns a picture as its layer burns it; null if the picture is white.
+/// Returns a picture as the settings of its layer burn it; null if the picture is white.
 std::shared_ptr<const BurntPicture> burnt(const drawing::DrawnPicture& picture,
                                           const LayerPlan& layer,
                                           engrave::EngraveSettings settings,

@@ -16,12 +16,13 @@ namespace {
 using cnc::order::Index;
 
 constexpr std::int64_t kMaxNodes = 10'000'000;
-constexpr std::int64_t kMaxOfMatrix = 30'000;  // A matrix of this size takes 7 GB.
+// Greatest number of vertices of a matrix; such a matrix takes 7 GB.
+constexpr std::int64_t kMaxOfMatrix = 30'000;
 constexpr double kGreatestCost =
-    1.0e9;  // A tour without forbidden legs stays far below kForbidden.
+    1.0e9;  // Greatest cost of an allowed leg: a thousandth of kForbidden.
 constexpr double kFarthest = 1.0e9;
 
-/// One group of a file, as the file states it.
+/// A group as the file lists it, with the numbers of its vertices, which count from 1.
 struct Group {
   std::uint32_t number = 0;
   std::vector<std::uint32_t> vertices;
@@ -60,14 +61,15 @@ class OrderReader {
   OrderProblem problem_;
   std::int64_t dimension_ = 0;
   std::int64_t group_count_ = 0;
-  bool has_groups_ = false;  ///< Whether TYPE is PCGLNS or GTSP.
+  bool has_groups_ = false;  ///< TYPE is PCGLNS or GTSP, so the file must list groups.
   bool has_type_ = false;
   bool has_metric_ = false;
   std::uint32_t start_ = 1;
   std::vector<cnc::order::Place> places_;
   std::vector<double> matrix_;
   std::vector<Group> groups_;
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs_;  ///< Pairs of group numbers.
+  /// Pairs of group numbers; the first group of a pair must come before the second one.
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs_;
 };
 
 void OrderReader::read_entry(std::string_view key) {
@@ -230,7 +232,8 @@ void OrderReader::finish() {
   if (is_matrix) check_matrix();
 }
 
-/// Numbers the groups: home comes first, then the other groups in the order of the file.
+/// Numbers the groups as sets: home first, then the other groups in the order of the file. Gives
+/// the pairs of precedence these numbers.
 void OrderReader::number_groups() {
   std::vector<Index> set_of(groups_.size() + 1, cnc::order::kNone);
   const auto home = std::find_if(
@@ -276,7 +279,8 @@ void OrderReader::sort_vertices() {
   }
 }
 
-/// Arranges rows and columns in the order of the candidates.
+/// Arranges rows and columns of the matrix in the order of the candidates, and determines whether
+/// the matrix is symmetric.
 void OrderReader::check_matrix() {
   const std::size_t size = problem_.vertex_numbers.size();
   problem_.matrix.resize(size * size);

@@ -19,7 +19,7 @@ constexpr double kMaxLineNumber = 999'999'999.0;
 constexpr double kMinPostDecimals = 3.0;
 constexpr double kMaxPostDecimals = 6.0;
 
-/// The values of a key, each with its meaning.
+/// The texts that a key accepts, each with the value that it means.
 template <typename Value>
 using Choices = std::vector<std::pair<std::string_view, Value>>;
 
@@ -53,8 +53,8 @@ class PostReader {
   static constexpr std::array<std::string_view, 6> kSections{
       "[format]", "[words]", "[header]", "[footer]", "[before-cut]", "[after-cut]"};
 
-  /// Returns the list that takes the lines of the current section unchanged; null for sections with
-  /// keys.
+  /// Returns the list that receives the lines of the current section unchanged; null for a section
+  /// with keys.
   [[nodiscard]] std::vector<std::string>* texts_of_section() {
     if (section_ == "[header]") return &post_.header;
     if (section_ == "[footer]") return &post_.footer;
@@ -99,7 +99,7 @@ class PostReader {
     read_format(key, without_comment(value));
   }
 
-  /// Returns a value without the comment after it.
+  /// Returns a value without the comment that follows it.
   static std::string_view without_comment(std::string_view value) {
     return without_blanks_around(value.substr(0, value.find(" #")));
   }
@@ -182,7 +182,7 @@ class PostReader {
     return chosen<bool>(key, text, {{"yes", true}, {"no", false}});
   }
 
-  /// Returns the words of a value, which blanks and commas separate.
+  /// Returns the words of a value. Blanks and commas separate them.
   static std::vector<std::string_view> words_of(std::string_view text) {
     std::vector<std::string_view> words;
     while (!text.empty()) {

@@ -17,7 +17,7 @@ using nlohmann::json;
 
 const json kNoValue{};
 
-/// Returns a value as the file has it, shortened for a message.
+/// Returns a value as the file writes it, shortened for a message.
 std::string shown(const json& value) {
   constexpr std::size_t kMaxShown = 40;
   std::string text =

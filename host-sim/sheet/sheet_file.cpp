@@ -30,7 +30,7 @@ std::string stem_of(const std::string& drawing) {
   return std::filesystem::path{drawing}.stem().string();
 }
 
-/// Reads the document of one sheet file.
+/// Reads one sheet file from its JSON document.
 class SheetReader {
  public:
   explicit SheetReader(Sheet& sheet) : sheet_{sheet} {}
@@ -179,8 +179,8 @@ class SheetReader {
     return placing;
   }
 
-  /// Returns the positions of copies in a grid. The first copy is in the corner; the others follow
-  /// row by row.
+  /// Returns the positions of the copies in a grid. The first copy is at the position that the
+  /// fields give; the others follow row by row.
   static std::vector<Placing> grid_of_places(SheetFields& fields) {
     const Placing first = placing_of(fields);
     const std::size_t copies = fields.whole("copies", 1, kCounts);
@@ -208,8 +208,8 @@ class SheetReader {
   std::size_t copies_ = 0;
 };
 
-/// Refuses values that are nested too deeply, and objects with a repeated key, which a parser would
-/// accept silently.
+/// Stops the parser at values that are nested too deeply, and at objects with a repeated key, which
+/// it would accept silently.
 class StrictEvents {
  public:
   bool operator()(int depth, json::parse_event_t event, const json& value) {
