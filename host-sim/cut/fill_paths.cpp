@@ -16,7 +16,7 @@ namespace {
 using drawing::Fault;
 using drawing::FaultKind;
 
-/// Fills one area, and reports what prevents it.
+/// Fills one area, or reports why it is not filled.
 class AreaFiller {
  public:
   AreaFiller(const std::vector<std::vector<Stroke>>& outlines,
