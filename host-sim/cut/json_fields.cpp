@@ -14,10 +14,10 @@ namespace {
 
 using Document = nlohmann::ordered_json;
 
-/// Greatest depth of nesting in a document. Documents written by people are less deep.
+/// Greatest depth of nesting in a document. Documents that people write are less deep.
 constexpr int kDeepestDocument = 8;
 
-/// Returns line and column of a position in a text, for example `3:14`.
+/// Returns the line and the column of the byte with number `byte`, for example `3:14`.
 std::string line_and_column(const std::string& text, std::size_t byte) {
   const std::string before = text.substr(0, std::min(byte, text.size()));
   const auto line = 1 + std::count(before.begin(), before.end(), '\n');

@@ -13,13 +13,13 @@ using drawing::Drawing;
 using drawing::Fault;
 using drawing::FaultKind;
 
-/// The first of several contours, and their number.
+/// Number of the first of several late contours, and how many they are.
 struct LateContours {
   std::size_t contour = 0;
   std::size_t count = 0;
 };
-/// Late contours by two numbers: the layer (or part) that was to be cut first, and the one inside
-/// it.
+/// Late contours by two numbers: the layer (or part) that should be cut first, and the layer (or
+/// part) inside it.
 using LateByPair = std::map<std::pair<std::size_t, std::size_t>, LateContours>;
 
 void note(LateByPair& late, std::size_t first, std::size_t inner, std::size_t contour) {

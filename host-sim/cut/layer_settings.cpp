@@ -18,14 +18,15 @@ constexpr double kLongestWay = 1000.0;     ///< Greatest length of leads, tabs a
 constexpr double kLongestPierce = 60.0;    ///< Greatest time of pierces and dwells, s.
 constexpr double kGreatestNumber = 1.0e6;  ///< Greatest power in W and feed in mm/min.
 constexpr unsigned kMaxTabs = 1000;
-constexpr double kMaxCommonLine = 1.0;  ///< Greatest distance of cuts that become one, mm.
+constexpr double kMaxCommonLine = 1.0;  ///< Greatest gap of two cuts that become one, mm.
 /// Greatest width that a cut in narrow waste may take off, mm.
 constexpr double kMaxNarrow = 1.0;
-constexpr double kDeepestStep = 100.0;  ///< Greatest step of Z with each pass, mm.
+/// Greatest distance by which Z moves down with each pass, mm.
+constexpr double kDeepestStep = 100.0;
 constexpr std::string_view kAnyLayer = "*";
 constexpr std::string_view kRuleForm = "rule `LAYER: key=value, key=value`";
 
-/// Keys that are only for a filled layer; two of them are also for a layer of pictures.
+/// Keys that are valid only for a filled layer. Two of them are also valid for a layer of pictures.
 constexpr std::array<std::string_view, 4> kFillKeys{"interval", "angle", "overscan", "pattern"};
 /// Keys that are valid for an engraved line.
 constexpr std::array<std::string_view, 10> kMarkKeys{
@@ -60,14 +61,14 @@ bool holds(const std::array<std::string_view, kCount>& keys, std::string_view ke
   return std::ranges::find(keys, key) != keys.end();
 }
 
-/// Returns whether a layer of pictures has this setting.
+/// Returns whether a layer of pictures may have the setting `key`.
 bool is_for_image(std::string_view key) {
   if (key == "start" || key == "z-step") return false;
   if (key == "angle" || key == "pattern") return false;
   return holds(kImageKeys, key) || holds(kFillKeys, key) || holds(kMarkKeys, key);
 }
 
-/// Throws std::invalid_argument if a rule has keys that a layer of this side cannot have.
+/// Throws std::invalid_argument if a rule has keys that are not valid for the side of its layer.
 void expect_of_side(const LayerRule& rule, const LayerSettings& settings) {
   const Side side = settings.side;
   const bool has_lines = settings.fill.pattern == FillPattern::kLines;
@@ -156,7 +157,7 @@ unsigned count_from(std::string_view key, std::string_view text, double least, c
   return static_cast<unsigned>(number_from(key, text, least, kMaxTabs, unit));
 }
 
-/// All keys except those of pictures, with the functions that set them.
+/// All keys except kImageKeys, with the functions that set their values.
 constexpr std::array<KeySetter, 25> kSetters{{
     {"power", set_power},
     {"feed",
@@ -251,7 +252,7 @@ constexpr std::array<KeySetter, 25> kSetters{{
      }},
 }};
 
-/// Throws std::invalid_argument, which names the place, for unknown keys and invalid values.
+/// Throws std::invalid_argument with the place of the rule for unknown keys and invalid values.
 void expect_settings(const LayerRule& rule) {
   LayerSettings tried;
   try {

@@ -23,8 +23,8 @@ NamedValues parse_named_values(std::string_view text, std::string place, std::st
   const auto refuse = [&place](const std::string& reason) {
     return std::invalid_argument(fmt::format("{}: {}", place, reason));
   };
-  // A name may contain colons, as in `a:b: feed=1`. Before the first `=` keys and values contain
-  // none.
+  // A name may contain colons, as in `a:b: feed=1`. Keys contain none, so the last colon before the
+  // first `=` ends the name.
   const std::size_t equals = text.find('=');
   const std::size_t colon = text.rfind(':', equals);
   if (equals == std::string_view::npos || colon == std::string_view::npos) {

@@ -29,7 +29,7 @@ std::optional<std::string_view> kind_of(std::string_view mode) {
   return std::nullopt;
 }
 
-/// Adds a value, or the reason why it is not usable.
+/// Adds a value, or the reason why set() refuses it.
 void offer(OfferedValues& offered, std::string_view key, std::string value) {
   LayerSettings tried;
   try {
