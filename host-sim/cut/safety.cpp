@@ -51,7 +51,8 @@ void make_safe(CutPlan& plan, const drawing::Drawing& drawn, const SafetyWishes&
   if (wishes.avoid_freed) {
     route_rapids(plan, drawn, {.margin_mm = wishes.avoid_margin_mm, .lift_mm = wishes.lift_mm});
   }
-  // This comes last, because links need no wait, and the routed rapids take time.
+  // The waits come last, because a cut with a link needs no wait, and a routed rapid takes more
+  // time.
   if (cools) wait_for_cooling(plan, cooling_of(plan, wishes));
 }
 

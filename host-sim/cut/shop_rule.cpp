@@ -16,7 +16,7 @@
 namespace sim::cut {
 namespace {
 
-constexpr double kMaxBound = 1.0e9;  ///< Greatest bound, in mm, in mm² or as a multiple.
+constexpr double kMaxBound = 1.0e9;  ///< Greatest bound in a rule, in mm, in mm² or as a multiple.
 constexpr double kMaxPercent = 1000.0;
 constexpr std::string_view kRuleBlanks = " \t\r\n";
 
@@ -41,7 +41,7 @@ std::optional<Value> value_of(const std::array<std::pair<std::string_view, Value
   return {};
 }
 
-/// Reads a rule from left to right.
+/// Parser that reads one rule from left to right.
 class RuleParser {
  public:
   RuleParser(std::string_view text, std::string place) : text_{text} {
@@ -72,8 +72,8 @@ class RuleParser {
     ++at_;
     return true;
   }
-  /// Returns the next word, which begins with a letter and has letters and digits. The word is not
-  /// consumed.
+  /// Returns the next word, without consuming it. A word consists of letters and digits, and begins
+  /// with a letter.
   std::string_view next_word() {
     skip_blanks();
     const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };

@@ -12,7 +12,8 @@
 namespace sim::cut {
 namespace {
 
-/// Greatest distance of a mark from its contour, mm; a mark farther from all contours is a fault.
+/// Greatest distance of a mark from its contour, mm. A mark that is farther from all contours is a
+/// fault.
 constexpr double kFarthestMark = 5.0;
 
 Place middle_of(const std::vector<Stroke>& strokes) {
