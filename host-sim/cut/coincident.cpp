@@ -49,7 +49,7 @@ std::vector<drawing::Fault> skip_coincident(const drawing::Drawing& drawn,
                                     kept.line,
                                     layer.name,
                                     layer.colour),
-                        "it is left out, and cut or engraved as that one"});
+                        "it is left out, and the other contour is cut or engraved"});
   }
   return warnings;
 }

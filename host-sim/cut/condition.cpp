@@ -15,7 +15,7 @@ using cnc::kerf::Window;
 
 std::invalid_argument refusal(const MaterialRecord& record, const std::string& reason) {
   return std::invalid_argument(
-      fmt::format("{}: {}; `kerfline kerf advise` tells more", record.name, reason));
+      fmt::format("{}: {}; `kerfline kerf advise` lists what is permissible", record.name, reason));
 }
 
 /// Returns the powers for which the record has rows, in ascending order. Powers between them do not

@@ -94,14 +94,14 @@ ControllerWay controller_way(const std::vector<Stroke>& outline,
   const MeasuredRow beside{contour};
   const Place reached = beside.place(std::min(lag, beside.length()));
   if (!room.parts.is_clear({beam.front().from, reached}, half_kerf - kClearSlackMm)) {
-    return {.reason = "there is no room for a straight lead-in"};
+    return {.reason = "there is no free space for a straight lead-in"};
   }
   const double lap = std::min(settings.overcut_mm + lag + kLap, 0.5 * row.length());
   const Place tangent = row.leaving(lap);
   const Place last = row.place(lap) + half_kerf * right_of(tangent);
   const double exit_mm = std::max(settings.lead_out.length_mm, 4.0 * half_kerf);
   const auto exit = exit_of(last, tangent, exit_mm, room);
-  if (!exit) return {.reason = "there is no room for a lead-out"};
+  if (!exit) return {.reason = "there is no free space for a lead-out"};
 
   ControllerWay way;
   const Place entered = beam.front().from + pierce * entry;

@@ -49,8 +49,8 @@ class StrokeWriter {
     const double height_mm = -layer.settings.z_step_mm * (cut.pass - 1);
     if (height_mm != 0.0) has_lowered_ = true;
     if (has_lowered_ && !writer_.set_height(height_mm)) {
-      throw std::invalid_argument(
-          fmt::format("z-step={:g}: Z{:g} is too low", layer.settings.z_step_mm, height_mm));
+      throw std::invalid_argument(fmt::format(
+          "z-step={:g}: Z{:g} is too low; use fewer passes", layer.settings.z_step_mm, height_mm));
     }
   }
   void raise() {
@@ -112,11 +112,11 @@ class StrokeWriter {
   [[nodiscard]] std::uint32_t power_of(const Condition& condition) const {
     const double watts = from_thousandths(condition.cut.power_mw);
     if (watts > beam_.full_power_w) {
-      throw std::invalid_argument(fmt::format(
-          "{:g} W are more than the laser's {:g} W; choose less with --power, or say with "
-          "--full-power what it gives",
-          watts,
-          beam_.full_power_w));
+      throw std::invalid_argument(
+          fmt::format("{:g} W are more than the laser's {:g} W; choose less with --power, or give "
+                      "the laser's power with --full-power",
+                      watts,
+                      beam_.full_power_w));
     }
     return thousandths(watts / beam_.full_power_w * beam_.full_power_s);
   }
@@ -137,8 +137,8 @@ class StrokeWriter {
   void take(const Written& written, const Place& place) {
     if (!written.ok()) {
       throw std::invalid_argument(
-          fmt::format("X{:g} Y{:g} mm is too far from zero for a program; is the unit of the "
-                      "drawing right?",
+          fmt::format("X{:g} Y{:g} mm is too far from zero for a program; check the unit of the "
+                      "drawing",
                       place.x(),
                       place.y()));
     }

@@ -28,7 +28,7 @@ class AreaFiller {
     auto path = fill_path(outlines_, fill_, overscan_mm);
     if (!path) {
       fail(FaultKind::kTooMuch,
-           fmt::format("takes more than {} lines to fill", kMaxFillStrokes),
+           fmt::format("requires more than {} lines to fill", kMaxFillStrokes),
            "give its layer a greater interval");
     } else if (path->empty()) {
       fail(FaultKind::kTooSmall,
@@ -58,7 +58,7 @@ class AreaFiller {
   void take(ContourFill fill) {
     if (fill.too_much) {
       return fail(FaultKind::kTooMuch,
-                  fmt::format("takes more than {} rows, or {} lines and arcs, to fill",
+                  fmt::format("requires more than {} rows, or {} lines and arcs, to fill",
                               kMaxFillLevels,
                               kMaxRowStrokes),
                   "give its layer a greater interval");

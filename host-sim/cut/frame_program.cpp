@@ -85,7 +85,9 @@ std::string frame_program(const std::vector<Place>& frame,
   const auto take = [&text](const auto& written, const Place& place) {
     if (!written.ok()) {
       throw std::invalid_argument(
-          fmt::format("X{:g} Y{:g} mm is too far from zero for a program", place.x(), place.y()));
+          fmt::format("X{:g} Y{:g} mm is too far from zero for a program; check the unit",
+                      place.x(),
+                      place.y()));
     }
     text += written.value();
   };

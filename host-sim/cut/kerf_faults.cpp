@@ -113,8 +113,8 @@ std::optional<drawing::Fault> gouge_of(const drawing::Drawing& drawn,
       drawn.contours[contour].entity,
       where,
       fmt::format("its cut takes {:.3f} mm off {}", half - worst.distance_mm, other),
-      fmt::format("put them at least the kerf apart, {:.3f} mm, or cut once between them with "
-                  "--narrow {:.3f}, which takes that off both",
+      fmt::format("place them at least the kerf apart, {:.3f} mm, or cut once between them with "
+                  "--narrow {:.3f}, which takes this width off both",
                   2.0 * half,
                   0.001 * std::ceil(500.0 * (half - worst.distance_mm) - 1.0e-3))};
 }
@@ -149,11 +149,11 @@ std::optional<drawing::Fault> touch_of(const drawing::Drawing& drawn,
       FaultKind::kCrossing,
       drawn.contours[contour].entity,
       where,
-      fmt::format("lies against {} along {:.3f} mm: there is no room for a cut between them",
+      fmt::format("lies against {} along {:.3f} mm, without space for a cut between them",
                   drawn.contours[*neighbour].entity.name,
                   longest_mm),
-      fmt::format("move them the kerf apart, {:.3f} mm, or let --common-line cut along the edge, "
-                  "which takes half of that off both",
+      fmt::format("move them the kerf apart, {:.3f} mm, or cut along the edge with --common-line, "
+                  "which takes half a kerf off both",
                   2.0 * half_kerf_mm)};
 }
 

@@ -38,7 +38,7 @@ Lead lead_from(std::string_view key, std::string_view text) {
   const std::string_view kind = text.substr(0, colon);
   if (colon == std::string_view::npos || (kind != "line" && kind != "arc")) {
     throw std::invalid_argument(
-        fmt::format("{}={}: wants `none`, `line:MM` or `arc:MM`, such as arc:2", key, text));
+        fmt::format("{}={}: must be `none`, `line:MM` or `arc:MM`, such as arc:2", key, text));
   }
   return {kind == "line" ? LeadKind::kLine : LeadKind::kArc,
           number_from(key, text.substr(colon + 1), 0.01, kLongestWay, "mm"),
@@ -53,7 +53,7 @@ Side side_from(std::string_view text) {
   if (text == "skip") return Side::kSkip;
   if (text == "start") return Side::kStart;
   throw std::invalid_argument(
-      fmt::format("side={}: wants `waste`, `on`, `mark`, `image`, `skip` or `start`", text));
+      fmt::format("side={}: must be `waste`, `on`, `mark`, `image`, `skip` or `start`", text));
 }
 
 template <std::size_t kCount>
@@ -91,7 +91,7 @@ void expect_of_side(const LayerRule& rule, const LayerSettings& settings) {
     if (!is_engraved(side) || holds(kMarkKeys, key)) continue;
     refuse(key,
            value,
-           fmt::format("a layer that is engraved has {}, filled also {}, and no more",
+           fmt::format("an engraved layer takes {}; a filled one also takes {}",
                        fmt::join(kMarkKeys, ", "),
                        fmt::join(kFillKeys, ", ")));
   }
@@ -111,7 +111,7 @@ void set_kind(LayerSettings& settings, std::string_view text) {
     return;
   }
   throw std::invalid_argument(
-      fmt::format("kind={}: wants `cut`, `score`, `engrave`, `fill`, `image` or `skip`", text));
+      fmt::format("kind={}: must be `cut`, `score`, `engrave`, `fill`, `image` or `skip`", text));
 }
 
 void set_power(LayerSettings& settings, std::string_view text) {
@@ -123,19 +123,19 @@ void set_power(LayerSettings& settings, std::string_view text) {
 FillPattern pattern_from(std::string_view text) {
   if (text == "lines") return FillPattern::kLines;
   if (text == "contour") return FillPattern::kContour;
-  throw std::invalid_argument(fmt::format("pattern={}: wants `lines` or `contour`", text));
+  throw std::invalid_argument(fmt::format("pattern={}: must be `lines` or `contour`", text));
 }
 
 Air air_from(std::string_view text) {
   if (text == "on" || text == "M8") return Air::kFlood;
   if (text == "M7") return Air::kMist;
   if (text == "off") return Air::kOff;
-  throw std::invalid_argument(fmt::format("air={}: wants `on`, `M7`, `M8` or `off`", text));
+  throw std::invalid_argument(fmt::format("air={}: must be `on`, `M7`, `M8` or `off`", text));
 }
 
 bool passes_by_layer_from(std::string_view text) {
   if (text == "contour" || text == "layer") return text == "layer";
-  throw std::invalid_argument(fmt::format("passes-by={}: wants `contour` or `layer`", text));
+  throw std::invalid_argument(fmt::format("passes-by={}: must be `contour` or `layer`", text));
 }
 
 StartAt start_from(std::string_view text) {
@@ -145,7 +145,7 @@ StartAt start_from(std::string_view text) {
   if (text == "usual") return StartAt::kUsual;
   if (text == "tab") return StartAt::kTab;
   throw std::invalid_argument(
-      fmt::format("start={}: wants `any`, `straight`, `corner`, `usual` or `tab`", text));
+      fmt::format("start={}: must be `any`, `straight`, `corner`, `usual` or `tab`", text));
 }
 
 struct KeySetter {
@@ -270,7 +270,7 @@ void power_in_watts(LayerSettings& settings, double full_power_w, double full_po
         if (!share) return;
         if (share->is_s && share->value > full_power_s) {
           throw std::invalid_argument(
-              fmt::format("{}=S{:g}: is more than the machine's greatest, S{:g} ($30)",
+              fmt::format("{}=S{:g}: is more than S{:g} ($30), the machine's greatest S",
                           key,
                           share->value,
                           full_power_s));
@@ -291,7 +291,7 @@ void set(LayerSettings& settings, std::string_view key, std::string_view value) 
   keys.reserve(kSetters.size() + kImageKeys.size());
   for (const KeySetter& setter : kSetters) keys.emplace_back(setter.key);
   for (const std::string_view image_key : kImageKeys) keys.emplace_back(image_key);
-  throw std::invalid_argument(fmt::format("{}: no such setting; there are {}{}",
+  throw std::invalid_argument(fmt::format("{}: no such setting; settings are {}{}",
                                           key,
                                           fmt::join(keys, ", "),
                                           did_you_mean(std::string{key}, keys)));

@@ -42,7 +42,7 @@ OriginCorner corner_of(const JsonFields& fields) {
   for (const CornerName& known : kCorners) {
     if (known.key == text) return known.corner;
   }
-  fields.refuse("origin", "wants front-left, front-right, back-left, back-right or centre");
+  fields.refuse("origin", "must be front-left, front-right, back-left, back-right or centre");
 }
 
 /// Adds the first value as the setting `number`, for X, and the second one as the next setting, for

@@ -67,7 +67,7 @@ Middles middles_beside(const DrawnEdges& edges, const std::vector<std::size_t>& 
                           2.0 * half_kerf_mm,
                           lines.length_mm,
                           lines.max_off_mm),
-              "make it as wide as the kerf, or forbid that with narrow=0"}};
+              "make it as wide as the kerf, or forbid this cut with narrow=0"}};
 }
 
 }  // namespace sim::cut

@@ -70,9 +70,9 @@ OfferedValues values_of(const drawing::OfferedSettings& offered) {
   if (kind) {
     offer(found, "kind", std::string{*kind});
   } else {
-    found.unusable.push_back(fmt::format(
-        "the mode {:.40} is none of Cut, Scan, Image and Tool; say what it is with kind=",
-        offered.kind.empty() ? "without a name" : offered.kind));
+    found.unusable.push_back(
+        fmt::format("the mode {:.40} is none of Cut, Scan, Image and Tool; set its kind with kind=",
+                    offered.kind.empty() ? "without a name" : offered.kind));
   }
   if (kind && kind != "skip") {
     offer_number(found, "power", times(offered.power_share, 100.0), "%");

@@ -29,7 +29,7 @@ drawing::Fault told(const drawing::Drawing& drawn, std::size_t layer, const Laye
                       drawn.layers[layer].name,
                       drawn.layers[layer].colour,
                       lines.count == 1 ? "is" : "are"),
-          "close what is the edge of a part: its cut is half a kerf into it"};
+          "close contours that are edges of parts: the cut goes half a kerf into them"};
 }
 
 }  // namespace

@@ -83,7 +83,7 @@ std::vector<drawing::Fault> shared_by(const DrawnEdges& edges,
                         edges.drawn.contours[i].entity,
                         where,
                         along,
-                        fmt::format("draw parts {:.3f} mm apart, the kerf, that are to have their "
+                        fmt::format("draw parts the kerf apart, {:.3f} mm, if they must keep their "
                                     "size",
                                     2.0 * half_kerf_mm)});
   }

@@ -236,7 +236,7 @@ std::string place_drawing(Drawing& drawn,
   placer.place(profile);
   const DrawnBox& box = placer.box();
   return fmt::format(
-      "placed: {}X{:.3f} to {:.3f}, Y{:.3f} to {:.3f} mm{}; places are the machine's",
+      "placed: {}X{:.3f} to {:.3f}, Y{:.3f} to {:.3f} mm{}; positions are those of the machine",
       change_text(all),
       box.low.x(),
       box.high.x(),

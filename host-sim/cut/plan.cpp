@@ -347,8 +347,8 @@ void Planner::find_beginnings() {
       plan_.warnings.push_back({FaultKind::kTooSmall,
                                 drawn_.contours[contour].entity,
                                 *marks_[contour],
-                                "begins in the cut of the part beside it, not at its mark",
-                                "let it have its own lines, with common-line=0 for its layer"});
+                                "begins in the cut of the adjacent part, not at its mark",
+                                "give it its own lines with common-line=0 for its layer"});
     }
     const bool is_beside = outlines_[contour].is_beside;
     if (is_beside && beside_ == WayBeside::kOnController && reason_against_controller(i).empty()) {
@@ -454,7 +454,7 @@ void Planner::leave_to_controller(Cut& cut, std::size_t number) {
                             drawn_.contours[cut.contour].entity,
                             cut.start(),
                             "is not left to the controller: " + way.reason,
-                            "its way has the kerf that is planned; it changes with no override"});
+                            "its path has the planned kerf, which overrides do not change"});
 }
 
 }  // namespace

@@ -21,8 +21,8 @@ void expect_passes_with(const SafetyWishes& wishes, const LayerSettings& setting
     if (wishes.lift_mm > 0.0 && settings.z_step_mm > 0.0) other = "--lift and z-step";
   }
   if (other == nullptr) return;
-  throw std::invalid_argument(
-      fmt::format("passes={}: does not go with {}; leave one of them out", settings.passes, other));
+  throw std::invalid_argument(fmt::format(
+      "passes={}: cannot be used with {}; leave one of them out", settings.passes, other));
 }
 
 /// Returns whether a pass may go back along the line of the previous pass.

@@ -198,10 +198,10 @@ class Routing {
         {drawing::FaultKind::kCrossing,
          entity_of(named, drawn_),
          is_last ? beam_end(named) : rapid_end(named),
-         fmt::format("no rapid leads here from {} to {} past what has been cut free",
+         fmt::format("no rapid leads here from {} to {} around the freed areas",
                      i == 0 ? std::string{"zero"} : name(i - 1),
                      is_last ? std::string{"zero"} : name(i)),
-         "let the head rise with --lift, hold the parts with tabs, or leave out --avoid-freed"});
+         "lift the head with --lift, hold the parts with tabs, or leave out --avoid-freed"});
   }
 
   /// Removes freed areas that are inside another freed area, because a rapid that avoids the outer

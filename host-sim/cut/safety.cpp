@@ -30,8 +30,8 @@ SliceRules slices_of(const drawing::Drawing& drawn, const SafetyWishes& wishes) 
   if (!drawn.stock) return rules;
   if (drawn.stock->keeps_skeleton) {
     throw std::invalid_argument(
-        "--slice: the sheet file says that what is left of the stock stays in one piece; leave out "
-        "one of them");
+        "--slice: the sheet file requires that the rest of the stock stays in one piece; leave out "
+        "--slice or \"skeleton\"");
   }
   rules.stock = LoopArea::Box{0.0, 0.0, drawn.stock->width_mm, drawn.stock->height_mm};
   return rules;
@@ -59,7 +59,7 @@ void make_safe(CutPlan& plan, const drawing::Drawing& drawn, const SafetyWishes&
 std::vector<std::string> lines_of(const SafetyFigures& figures) {
   std::vector<std::string> lines;
   if (figures.avoids_freed) {
-    lines.push_back(fmt::format("{} rapids led round freed areas, {:.1f} mm longer; {} lifted",
+    lines.push_back(fmt::format("{} rapids routed around freed areas, {:.1f} mm longer; {} lifted",
                                 figures.led_round,
                                 figures.longer_mm,
                                 figures.lifted));

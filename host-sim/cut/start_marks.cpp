@@ -69,7 +69,7 @@ std::vector<std::optional<Place>> marked_starts(const drawing::Drawing& drawn,
       faults.push_back({drawing::FaultKind::kBadEntity,
                         mark.entity,
                         place,
-                        fmt::format("marks a start, and no closed contour that is cut is within "
+                        fmt::format("marks a start, but no closed contour that is cut is within "
                                     "{:g} mm of it",
                                     kFarthestMark),
                         "move it to a contour, or skip its layer"});
@@ -77,9 +77,9 @@ std::vector<std::optional<Place>> marked_starts(const drawing::Drawing& drawn,
       faults.push_back({drawing::FaultKind::kBadEntity,
                         mark.entity,
                         place,
-                        fmt::format("marks a start of {}, which has one already",
+                        fmt::format("marks the start of {}, which already has a mark",
                                     drawn.contours[nearest.owner].entity.name),
-                        "leave one mark for each contour"});
+                        "leave one mark at each contour"});
     } else {
       starts[nearest.owner] = place;
     }

@@ -59,8 +59,8 @@ Contour waste_beside(const std::vector<const std::vector<Stroke>*>& rows, bool i
   // encloses it. This check detects such an overlap.
   if (std::abs(signed_area_of(waste) - waste_mm2) > kMinFilledWidthMm * length_mm) {
     throw NoOffset{rows.front()->front().from,
-                   "this contour, or one with it, overlaps another one",
-                   "take them apart"};
+                   "this contour, or one near it, overlaps another contour",
+                   "separate them"};
   }
   return waste;
 }

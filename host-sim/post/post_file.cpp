@@ -88,10 +88,10 @@ class PostReader {
   }
 
   void read_pair(std::string_view line) {
-    if (section_.empty()) refuse("stands before the first section; begin with [format]");
+    if (section_.empty()) refuse("this line is before the first section; begin with [format]");
     const std::size_t equals = line.find('=');
     if (equals == std::string_view::npos) {
-      refuse(fmt::format("`{}` is no KEY = VALUE", line));
+      refuse(fmt::format("`{}` is not of the form KEY = VALUE; change it", line));
     }
     const std::string_view key = without_blanks_around(line.substr(0, equals));
     const std::string_view value = without_blanks_around(line.substr(equals + 1));
@@ -106,7 +106,7 @@ class PostReader {
 
   void read_format(std::string_view key, std::string_view value) {
     if (std::ranges::find(keys_, key) != keys_.end()) {
-      refuse(fmt::format("{} has a value already; leave one of them out", key));
+      refuse(fmt::format("{} has two values; leave one of them out", key));
     }
     keys_.emplace_back(key);
     static constexpr std::array<Key, 12> kKeys{{
@@ -136,7 +136,7 @@ class PostReader {
   void add_word(std::string_view word, std::string_view value) {
     if (std::ranges::find(kProgramWords, word) == kProgramWords.end()) {
       refuse(fmt::format(
-          "no program has the word {}; words are {}", word, fmt::join(kProgramWords, " ")));
+          "no program contains the word {}; words are {}", word, fmt::join(kProgramWords, " ")));
     }
     check_plain(value);
     if (word == "S" && !value.empty()) refuse("S may be left out, `S =`, but not replaced");
@@ -148,8 +148,7 @@ class PostReader {
   void check_plain(std::string_view value) const {
     const auto is_plain = [](char c) { return (c >= ' ' && c <= '~') || c == '\t'; };
     if (!std::ranges::all_of(value, is_plain)) {
-      refuse(
-          "has a character that is not plain ASCII, which controllers do not read; leave it out");
+      refuse("a character is not plain ASCII, so that controllers do not read it; leave it out");
     }
   }
 
@@ -164,7 +163,8 @@ class PostReader {
 
   std::uint32_t whole(std::string_view key, std::string_view text, double least, double most) {
     const double value = number(key, text, least, most, "");
-    if (value != std::floor(value)) refuse(fmt::format("{} {}: takes whole numbers", key, text));
+    if (value != std::floor(value))
+      refuse(fmt::format("{} = {} is not a whole number; write one", key, text));
     return static_cast<std::uint32_t>(value);
   }
 
@@ -175,7 +175,7 @@ class PostReader {
       if (name == text) return value;
       names.push_back(name);
     }
-    refuse(fmt::format("{} = {}: takes {}", key, text, fmt::join(names, ", ")));
+    refuse(fmt::format("{} = {}: must be one of {}", key, text, fmt::join(names, ", ")));
   }
 
   bool yes(std::string_view key, std::string_view text) {
@@ -197,7 +197,7 @@ class PostReader {
     if (text == "none") return;
     const std::vector<std::string_view> words = words_of(text);
     if (words.empty() || words.size() > 3) {
-      refuse(fmt::format("line-numbers = {}: takes none, or first number, step and greatest one",
+      refuse(fmt::format("line-numbers = {}: must be none, or the first number, step and limit",
                          text));
     }
     LineNumbers numbers;

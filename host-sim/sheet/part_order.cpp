@@ -33,15 +33,15 @@ std::vector<std::vector<std::size_t>> parts_before(Sheet& sheet) {
         if (!sheet.locked || found->second < i) continue;
         report(sheet,
                sheet.parts[i],
-               fmt::format("part \"{}\" stands below it, and the order is locked",
+               fmt::format("part \"{}\" comes later in the file, and the order is locked",
                            printable_line(name)),
-               "move the part up, or take \"locked\" out");
+               "move that part up, or leave \"locked\" out");
         continue;
       }
       report(sheet,
              sheet.parts[i],
              fmt::format("no part is called \"{}\"", printable_line(name)),
-             "name parts of this sheet as their \"name\" has it");
+             "use the \"name\" of a part of this sheet");
     }
   }
   return before;
@@ -92,7 +92,7 @@ void give_turns(Sheet& sheet) {
          sheet.parts[part],
          fmt::format("parts wait for each other in a circle: {}",
                      circle_from(part, sheet, before, has_turn)),
-         "take one of them out of an \"after\"");
+         "remove one of them from an \"after\"");
 }
 
 }  // namespace sim::sheet

@@ -148,7 +148,7 @@ class PartPlacer {
     sketch_.report({FaultKind::kTooMuch,
                     {.name = fmt::format("{}: part \"{}\"", part.pointer, part.name)},
                     {},
-                    "more lines and curves than can be cut; this and what follows is left out",
+                    "more lines and curves than can be cut; this and all later parts are left out",
                     "cut the sheet in several jobs"});
     return false;
   }
