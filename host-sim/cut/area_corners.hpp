@@ -9,7 +9,8 @@ namespace sim::cut {
 /// A point outside of an area at which the shortest path around the area may turn.
 struct AreaCorner {
   Place place{0.0, 0.0};
-  /// Unit direction in which a path around the area arrives at the corner; the area is on its left.
+  /// Unit direction in which a path around the area arrives at the corner. The area is on the left
+  /// of the path.
   Place arriving{1.0, 0.0};
   Place leaving{1.0, 0.0};  ///< Unit direction in which such a path leaves the corner.
 

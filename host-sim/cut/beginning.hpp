@@ -11,7 +11,7 @@ namespace sim::cut {
 /// Requirements on the beginnings of a cut.
 struct BeginningWish {
   StartAt where = StartAt::kAny;
-  std::size_t count = 16;  ///< Approximate number of beginnings; at least one is found.
+  std::size_t count = 16;  ///< Approximate number of beginnings. At least one is found.
   /// Distance along the loop to the only permitted beginning, mm. Without a value, any is
   /// permitted.
   std::optional<double> marked_mm{};
@@ -33,8 +33,8 @@ struct BeginningWish {
                                                    const LeadRoom& room,
                                                    const BeginningWish& wish);
 
-/// Returns beginnings of a loop that is cut on its line, without leads. The start of the loop comes
-/// first.
+/// Returns beginnings of a loop that is cut on its line. They have no leads. The start of the loop
+/// comes first.
 [[nodiscard]] std::vector<Beginning> beginnings_on_line(const MeasuredRow& loop,
                                                         const LayerSettings& settings,
                                                         const BeginningWish& wish);

@@ -16,7 +16,8 @@ class Clearance {
   /// The nearest stroke and its distance, as a search returns them.
   struct Nearest {
     double distance_mm = 0.0;
-    std::size_t owner = 0;           ///< Owner of the nearest stroke, as given to add().
+    /// Owner of the nearest stroke, which is the argument of add().
+    std::size_t owner = 0;
     std::size_t looks = 0;           ///< Number of strokes that the search measured.
     const Stroke* stroke = nullptr;  ///< The nearest stroke; null if none is within reach.
     std::uint32_t entry = 0;         ///< Number of the nearest stroke in this index.
@@ -47,7 +48,7 @@ class Clearance {
   [[nodiscard]] std::vector<std::size_t> owners_near(const Stroke& stroke, double mm) const;
 
   /// Returns whether every point of a stroke is at least `min_mm` from all added strokes. The
-  /// answer is exact.
+  /// result is exact.
   [[nodiscard]] bool is_clear(const Stroke& stroke, double min_mm) const;
 
  private:

@@ -56,18 +56,18 @@ class ControllerClock {
   WrittenPath written_;
   std::vector<double> times_{};  ///< Time of each motion, s.
   std::size_t last_ = 0;         ///< Number of the last motion that was driven.
-  bool in_chain_ = false;        ///< A chain has begun, and its window is not yet counted.
+  bool in_chain_ = false;        ///< Whether a chain has begun whose window is not yet counted.
 
   // State from which the controller chooses a window. These times are seconds since the start of
   // the program.
-  double now_s_ = 0.0;    ///< Time up to which the plan has been driven.
+  double now_s_ = 0.0;    ///< Time up to which the plan has been followed.
   double read_s_ = 0.0;   ///< Time at which the newest line was read.
   double ready_s_ = 0.0;  ///< Time at which the first block of the next chain was known.
   /// Times at which the plan left the latest blocks. The array is a ring with the capacity of the
   /// queue.
   std::array<double, cnc::motion::kLookAheadBlocks> left_s_{};
   std::size_t pushed_ = 0;  ///< Number of blocks that were put into the queue so far.
-  std::size_t left_ = 0;    ///< Number of blocks that the plan has left.
+  std::size_t left_ = 0;    ///< Number of blocks whose ends the plan has passed so far.
 };
 
 }  // namespace sim::cut

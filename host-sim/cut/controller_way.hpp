@@ -14,7 +14,8 @@ namespace sim::cut {
 struct ControllerWay {
   /// The strokes in order: a pierce in the waste if one is required, the entry (kLeadIn, the first
   /// stroke under G42), the drawn outline with the part on its left, a short piece of the outline
-  /// once more, and the exit (kLeadOut, the first stroke after G40). Empty if there is a reason.
+  /// for a second time, and the exit (kLeadOut, the first stroke after G40). Empty if `reason` has
+  /// a text.
   std::vector<Stroke> strokes{};
   std::string reason{};
 };

@@ -16,7 +16,7 @@ struct Corner {
       /// Number of a stroke: at an outer corner the arc around it, at an inner corner the stroke
       /// that begins there.
       0;
-  /// The waste is on the outside of the turn, so a loop may have free space.
+  /// Whether the waste is on the outside of the turn. A loop may then have free space.
   bool is_outer = false;
   Place place{0.0, 0.0};  ///< Point in the middle of the turn.
 };
@@ -35,7 +35,8 @@ struct CornerWork {
   std::size_t without_room = 0;
   std::optional<Place> first_without{};  ///< Point of the first outer corner without a loop.
   std::size_t smaller = 0;               ///< Number of loops with a radius below the required one.
-  std::optional<Place> first_smaller{};  ///< Point of the first loop with a smaller radius.
+  /// Point of the first corner whose loop has a smaller radius.
+  std::optional<Place> first_smaller{};
 };
 
 /// Changes strokes to prevent burnt corners, as the settings require. A loop continues straight

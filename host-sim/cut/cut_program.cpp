@@ -150,7 +150,7 @@ class StrokeWriter {
   double digit_mm_;
   ProgramWriter writer_;
   std::string text_;
-  bool has_lowered_ = false;  ///< A Z below 0 has been written.
+  bool has_lowered_ = false;  ///< Whether a Z below 0 has been written.
 };
 
 std::string_view kind_of(const Cut& cut, const LayerPlan& layer) {

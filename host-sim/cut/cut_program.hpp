@@ -13,7 +13,7 @@ namespace sim::cut {
 struct Beam {
   double full_power_w = 0.0;     ///< Power of the laser at `full_power_s`.
   double full_power_s = 1000.0;  ///< S value of full power, setting $30.
-  /// Power follows the actual speed (M4); otherwise it is constant (M3).
+  /// Whether the power follows the actual speed (M4). Otherwise it is constant (M3).
   bool follows_speed = true;
   /// Number of the material's kerf table in the list of the controller ($K). It is set if the
   /// controller computes compensated paths itself.

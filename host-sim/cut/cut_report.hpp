@@ -17,14 +17,14 @@ struct CutFigures {
   double cut_length_mm = 0.0;
   double rapid_length_mm = 0.0;
   std::size_t corners = 0;        ///< Number of corners of the beam's path along parts.
-  std::size_t corner_loops = 0;   ///< Number of corners that are passed in a loop.
+  std::size_t corner_loops = 0;   ///< Number of corners at which the beam makes a loop.
   double corner_loop_mm = 0.0;    ///< Length that these loops add to the cuts.
-  std::size_t corner_dwells = 0;  ///< Number of corners at which the beam rests.
-  double corner_dwell_s = 0.0;    ///< Total time of these rests.
-  std::size_t pictures = 0;       ///< Number of burnt pictures; each pass counts.
+  std::size_t corner_dwells = 0;  ///< Number of corners at which the beam makes a dwell.
+  double corner_dwell_s = 0.0;    ///< Total time of these dwells.
+  std::size_t pictures = 0;       ///< Number of burnt pictures, where each pass counts.
   double burnt_mm = 0.0;          ///< Burnt length of the rows of these pictures.
-  double job_time_s = 0.0;        ///< Time of the job on the simulated controller, or as predicted.
-  /// The job was simulated. The time of long jobs is only predicted.
+  double job_time_s = 0.0;        ///< Time of the job, as simulated or as predicted.
+  /// Whether the job was simulated. The time of long jobs is only predicted.
   bool is_simulated = true;
 };
 
@@ -37,9 +37,9 @@ struct CutJob {
   const MaterialRecord& record;
   Beam beam;
   std::string laser{};  ///< Name of this machine's laser; empty if the user gave none.
-  /// Notes about the kerf (see kerf_notes()) and about guesses.
+  /// Notes about the kerf (see kerf_notes()), and about assumptions and the machine.
   std::vector<std::string> notes{};
-  std::vector<ProgramDigest> digests{};  ///< Digests of the inputs of the job.
+  std::vector<ProgramDigest> digests{};  ///< Digests of the inputs from which the job was made.
   /// Whether the user gave the kerf. Otherwise it is that of the record.
   bool is_kerf_given = false;
   /// Line about the position of the drawing on the machine; empty if the drawing was not moved.

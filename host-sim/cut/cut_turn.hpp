@@ -12,9 +12,10 @@ namespace sim::cut {
 /// Turn of a cut in the order that the user requires. All cuts of a lower turn come before it.
 /// Turns are compared by rank, then by part, then by layer.
 struct CutTurn {
-  unsigned rank = 0;      ///< The rank of the cut's layer.
-  std::size_t part = 0;   ///< Turn of the cut's part in a sheet file.
-  std::size_t layer = 0;  ///< Number of the layer if each layer is cut as a whole, otherwise 0.
+  unsigned rank = 0;     ///< The rank of the cut's layer.
+  std::size_t part = 0;  ///< Turn of the cut's part, from the sheet file.
+  /// Number of the layer if the cuts of each layer stay together, otherwise 0.
+  std::size_t layer = 0;
   auto operator<=>(const CutTurn&) const = default;
 };
 

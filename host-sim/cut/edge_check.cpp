@@ -110,18 +110,20 @@ class EdgeCheck::Sweep final : public TraceSink {
     double since_mm = 0.0;  ///< Distance from the last point of the profile.
   };
 
-  /// Adds a disc around the beam, with the kerf of the present heat input.
+  /// Adds a disc around the beam to the swept area, with the kerf of the present heat input.
   void sweep(const Place& here) {
     if (pierces_.nearest(here).distance_mm < kAroundPierce) return;
     nearest_ = strokes_.nearest(here, nearest_);
     const LayerPlan& layer = job_.plan.plan_of(job_.plan.cuts[nearest_.owner]);
     if (is_engraved(layer.settings.side)) {
-      joules_per_mm_ = 0.0;  // Nothing is cut through. The next cut has its own heat input.
+      // Nothing is cut through here. The next cut has a heat input of its own.
+      joules_per_mm_ = 0.0;
       return;
     }
     const double radius = 0.5 * kerf_at(layer);
     swept_.add(here, radius);
-    // The area covers all edges around the beam, also those that this beam was too narrow to reach.
+    // `unknown_` contains all edges around the beam, also edges that this beam was too narrow to
+    // reach.
     if (!is_known(layer)) unknown_.add(here, radius + kAroundUnknown);
     const double ratio = ratio_of(layer);
     note_heat(ratio);

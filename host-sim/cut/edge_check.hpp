@@ -12,7 +12,7 @@
 
 namespace sim::cut {
 
-/// A signed distance and its point, mm.
+/// A signed distance, mm, and the point where it occurs.
 struct EdgePeak {
   double mm = 0.0;
   Place place{0.0, 0.0};
@@ -23,8 +23,9 @@ struct EdgePeak {
 struct EdgePlace {
   Place place{0.0, 0.0};
   double mm = 0.0;
-  bool reached = false;  ///< The beam of the plan touches this point.
-  bool joins = false;    ///< The edge leads from the previous point of the row to this one.
+  bool reached = false;  ///< Whether the beam of the plan touches this point.
+  /// Whether the edge leads from the previous point of the row to this point.
+  bool joins = false;
 };
 
 /// Accuracy of the parts: distances of the edge that the beam leaves from the drawn edge. A
@@ -35,8 +36,9 @@ struct EdgeFigures {
   /// Greatest width that is left on the part, at the same points. Inner corners, slots and tabs are
   /// not among them.
   EdgePeak max_left{};
-  double mean_mm = 0.0;       ///< Mean of the absolute distances at these points.
-  std::size_t places = 0;     ///< Number of checked points; 0: nothing was cut.
+  double mean_mm = 0.0;  ///< Mean of the absolute distances at these points.
+  /// Number of checked points that the plan's beam touches; 0: nothing was cut.
+  std::size_t places = 0;
   double untouched_mm = 0.0;  ///< Length of drawn edges that the plan's beam does not touch.
   /// Greatest distance between the actual edge and the edge that the plan's path and kerf would
   /// leave. It includes inner corners.

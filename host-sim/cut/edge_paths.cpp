@@ -21,8 +21,8 @@ constexpr double kNoGap = 4.0 * kTouchesMm;
 /// The passage of an outline along a shared edge, with the free stretch that follows.
 struct Passage {
   std::size_t edge = 0;
-  bool is_second = false;  ///< The outline is the second of the two outlines of the edge.
-  /// Number of the free stretch after the edge; nothing if none follows.
+  bool is_second = false;  ///< Whether the outline is the second of the two outlines of the edge.
+  /// Number of the free stretch that follows the edge; nothing if another shared edge follows.
   std::optional<std::size_t> rest{};
 };
 

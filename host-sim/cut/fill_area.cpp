@@ -16,7 +16,8 @@ struct RisingEdge {
   Place high{0.0, 0.0};
   Place centre{0.0, 0.0};  ///< Centre of the circle, if the stretch is an arc.
   double radius = 0.0;     ///< Radius of the arc; 0: the stretch is a line.
-  bool is_right = false;   ///< The arc is to the right of its centre, otherwise to the left.
+  /// Whether the arc is to the right of its centre; otherwise it is to the left.
+  bool is_right = false;
 
   [[nodiscard]] double x_at(double y) const {
     if (radius == 0.0) {
@@ -185,7 +186,7 @@ class FillPath {
   std::vector<Stroke> strokes_;
 };
 
-/// An upright rectangle around strokes.
+/// The upright rectangle around some strokes.
 struct Box {
   Place low{0.0, 0.0};
   Place high{0.0, 0.0};

@@ -29,8 +29,8 @@ constexpr double kNever = std::numeric_limits<double>::infinity();
 enum class EndKind : std::uint8_t {
   kRow,   ///< A corner of a row: of the level of the stretch.
   kTip,   ///< A point that the next row outside still covers.
-  kNode,  ///< A node of the axis where stretches meet.
-  kLeaf,  ///< A node at which the axis ends.
+  kNode,  ///< A node of the axis at which several stretches meet.
+  kLeaf,  ///< A node of the axis at which only this stretch ends.
 };
 
 struct StretchEnd {
@@ -295,10 +295,10 @@ class RestFinder {
   const MedialAxis& axis_;
   double interval_;
   double half_;
-  std::vector<std::size_t> degrees_;  ///< Number of chain ends at each node.
+  std::vector<std::size_t> degrees_;  ///< Number of ends of chains at each node.
   FillRests rests_;
   std::vector<Ridge> ridges_;
-  std::set<std::uint32_t> nodes_;  ///< Nodes at which lines end.
+  std::set<std::uint32_t> nodes_;  ///< Nodes at which lines that cover gaps end.
   /// Nodes that the rows do not cover, each with the level of its line.
   std::set<std::pair<std::uint32_t, std::size_t>> dots_;
 };

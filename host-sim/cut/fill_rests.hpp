@@ -18,11 +18,11 @@ inline constexpr double kMinRowWidth = 1.0e-3;
 
 /// A line between rows along an outline. The beam along the line covers a gap that the rows leave.
 struct FillRest {
-  std::vector<Place> places{};  ///< At least two points.
+  std::vector<Place> places{};  ///< Points of the line, at least two.
   /// Level of the line. It is between the rows of this level and those of the level below, which
   /// are nearer to the edge.
   std::size_t level = 0;
-  bool is_spur = false;  ///< The line begins at a corner of a row of its level.
+  bool is_spur = false;  ///< Whether the line begins at a corner of a row of its level.
 };
 
 /// Long parts of an area that are not filled. No disc of the interval's diameter inside the area
@@ -30,8 +30,8 @@ struct FillRest {
 struct ThinParts {
   std::size_t count = 0;
   double length_mm = 0.0;   ///< Total length of these parts.
-  double longest_mm = 0.0;  ///< Length of the longest part.
-  Place place{0.0, 0.0};    ///< A point in the longest part.
+  double longest_mm = 0.0;  ///< Length of the longest of these parts.
+  Place place{0.0, 0.0};    ///< A point in the longest of these parts.
 };
 
 /// The gaps that the rows of an area leave: lines that cover gaps, and parts that stay uncovered.

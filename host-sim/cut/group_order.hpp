@@ -14,7 +14,8 @@ struct GroupTask {
   order::OrderMethod method = order::OrderMethod::kOurs;
   bool only_usual = false;  ///< Whether only the first beginning of each cut is used.
   Place from{0.0, 0.0};
-  std::optional<Place> to{};  ///< End point of the group's path; nothing if another group follows.
+  /// Point where the group's path ends; nothing if another group follows.
+  std::optional<Place> to{};
   std::uint64_t seed = 1;
   std::optional<double> seconds{};
   /// Number of steps of the search, instead of usual_steps(). With it there is no proof. If

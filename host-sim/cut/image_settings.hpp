@@ -30,14 +30,15 @@ struct PowerWish {
 /// Settings by which a layer's pictures are burnt. Interval and overscan are in FillSettings.
 struct ImageSettings {
   std::optional<double> pixel_mm{};  ///< Width of a pixel; nothing: that of the interval.
-  /// Power of the lightest grey; 0 if neither watts nor a share is given.
+  /// Power of the lightest grey; 0 if both members are empty.
   PowerWish min_power{};
   engrave::Shading shading = engrave::Shading::kGrey;
   double gamma = 1.0;  ///< Exponent of the darkness; a value above 1 makes the picture lighter.
   bool is_inverted = false;
-  bool is_one_way = false;        ///< Whether all rows are driven to the right.
-  bool is_plain = false;          ///< Whether lines have one S word each, as any Grbl reads it.
-  double reverse_shift_mm = 0.0;  ///< Shift of X in rows that are driven to the left.
+  bool is_one_way = false;  ///< Whether all rows are driven to the right.
+  bool is_plain = false;    ///< Whether lines have one S word each, as any Grbl reads it.
+  /// Distance by which X is shifted in rows that are driven to the left.
+  double reverse_shift_mm = 0.0;
   bool operator==(const ImageSettings&) const = default;
 };
 

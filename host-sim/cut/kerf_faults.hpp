@@ -36,7 +36,7 @@ namespace sim::cut {
 
 /// A stretch of a drawn line that stays uncut.
 struct Rest {
-  Place place{0.0, 0.0};  ///< Middle point of the stretch.
+  Place place{0.0, 0.0};  ///< Point in the middle of the stretch.
   double length_mm = 0.0;
 };
 
@@ -50,7 +50,7 @@ struct Rest {
                                             double half_kerf_mm,
                                             double reach_mm);
 
-/// Returns a warning for each stretch that stays uncut.
+/// Returns a warning for each uncut stretch of an outline.
 [[nodiscard]] std::vector<drawing::Fault> rests_of(const drawing::Entity& entity,
                                                    const std::vector<Rest>& rests,
                                                    double half_kerf_mm);

@@ -23,7 +23,7 @@ void add_other_unit(const MaterialRecord& record,
                     const std::vector<LayerPlan>& layers,
                     std::set<std::string>& notes) {
   for (const LayerPlan& layer : layers) {
-    if (layer.condition.kerf_mm <= 0.0) continue;  // The layer is not cut.
+    if (layer.condition.kerf_mm <= 0.0) continue;  // This layer is not cut, so it has no kerf.
     const auto found = predict(other, layer.condition.cut);
     if (!found.ok()) continue;
     if (std::abs(found.value().kerf_mm - layer.condition.kerf_mm) < kSameKerfMm) continue;

@@ -17,10 +17,11 @@ enum class Side : std::uint8_t {
   kWaste,  ///< Offset from the line by half a kerf, so that the part has the drawn size.
   kOn,     ///< On the line itself, through the sheet. Open lines are possible, too.
   kMark,   ///< On the line, which is engraved, so that nothing is cut through.
-  kFill,   ///< Along lines across the area of the layer's closed contours, which is engraved.
+  /// The beam follows lines across the area of the layer's closed contours, which is engraved.
+  kFill,
   kImage,  ///< In rows of pixels. The layer's pictures are engraved, but not its contours.
-  kSkip,   ///< Nowhere: the layer is skipped.
-  kStart,  ///< Nowhere: the layer's shapes mark the start of the nearest contour.
+  kSkip,   ///< The beam is nowhere: the layer is skipped.
+  kStart,  ///< The beam is nowhere: the shapes of the layer mark starts of the nearest contours.
 };
 
 /// Returns whether a side cuts nothing through. It then requires no kerf.
@@ -35,9 +36,9 @@ enum class Side : std::uint8_t {
 
 /// The points of its path at which a closed contour may begin.
 enum class StartAt : std::uint8_t {
-  kAny,       ///< On straight lines, on arcs and at corners.
-  kStraight,  ///< On straight lines and arcs.
-  kCorner,    ///< At corners, if the contour has any.
+  kAny,       ///< Anywhere: on straight lines, on arcs and at corners.
+  kStraight,  ///< Only on straight lines and arcs, not at corners.
+  kCorner,    ///< Only at corners, if the contour has any.
   kUsual,     ///< Only in the middle of its longest stroke that has free space for the leads.
   /// At the end of one of its tabs, before which the cut then ends. Without tabs, as kAny.
   kTab,
@@ -48,15 +49,16 @@ enum class LeadKind : std::uint8_t { kNone, kLine, kArc };
 struct Lead {
   LeadKind kind = LeadKind::kNone;
   double length_mm = 0.0;
-  bool is_asked = false;  ///< An option requires this lead; otherwise it is the default lead.
+  /// Whether an option requires this lead; otherwise it is the default lead.
+  bool is_asked = false;
   bool operator==(const Lead&) const = default;
 };
 
 /// The gas that flows to the cut while the beam is on, by its coolant word.
 enum class Air : std::uint8_t {
-  kFlood,  ///< Flood, M8.
-  kMist,   ///< Mist, M7.
-  kOff,    ///< Off, M9.
+  kFlood,  ///< Gas of the flood output, M8.
+  kMist,   ///< Gas of the mist output, M7.
+  kOff,    ///< No gas, M9.
 };
 
 /// The pattern of the lines that fill an area.
@@ -68,7 +70,7 @@ enum class FillPattern : std::uint8_t {
 /// Settings for filling an area with lines. Angle and overscan apply only to parallel lines.
 struct FillSettings {
   double interval_mm = 0.1;  ///< Distance between adjacent lines.
-  double angle_deg = 0.0;    ///< Direction of the lines; 0 is along X.
+  double angle_deg = 0.0;    ///< Angle of the lines from the X axis.
   /// Length of the run with the beam off before and after each line. Without a value, it is
   /// computed from the acceleration.
   std::optional<double> overscan_mm{};
@@ -78,8 +80,8 @@ struct FillSettings {
 
 /// Settings by which the contours of a layer are cut or engraved.
 struct LayerSettings {
-  std::optional<double> power_w{};      ///< Power; nothing: chosen from the record.
-  std::optional<double> feed_mm_min{};  ///< Feed; nothing: chosen from the record.
+  std::optional<double> power_w{};      ///< Power; without a value it is chosen from the record.
+  std::optional<double> feed_mm_min{};  ///< Feed; without a value it is chosen from the record.
   Side side = Side::kWaste;
   Lead lead_in{LeadKind::kArc, 2.0};
   Lead lead_out{};
@@ -88,7 +90,7 @@ struct LayerSettings {
   double tab_mm = 0.5;
   unsigned tabs = 0;  ///< Number of tabs of each part; holes have no tabs.
   double pierce_s = 0.0;
-  double corner_loop_mm = 0.0;  ///< Radius of loops past outer corners; 0: none.
+  double corner_loop_mm = 0.0;  ///< Radius of loops past outer corners; 0: no loops.
   /// Time for which the beam rests with its power off at corners without a loop; 0: no rest.
   double corner_dwell_s = 0.0;
   double corner_angle_deg = 45.0;  ///< Least turn of a point that is a corner.
@@ -109,8 +111,9 @@ struct LayerSettings {
   double z_step_mm = 0.0;  ///< Distance by which Z moves down with each pass after the first.
   Air air = Air::kFlood;
   bool is_scored = false;  ///< Whether a marked line is reported as scored, not as engraved.
-  FillSettings fill{};     ///< Used by Side::kFill, and, except for the angle, by Side::kImage.
-  ImageSettings image{};   ///< Used by Side::kImage.
+  /// Settings for Side::kFill and, except for the angle, for Side::kImage.
+  FillSettings fill{};
+  ImageSettings image{};  ///< Settings for Side::kImage.
   bool operator==(const LayerSettings&) const = default;
 };
 

@@ -19,8 +19,8 @@ inline constexpr double kPierceWayMm = 0.1;
 
 /// The space that must stay free of leads.
 struct LeadRoom {
-  const Clearance& parts;   ///< All drawn edges of parts.
-  double half_kerf_mm = 0;  ///< Least distance between a lead and any of these edges.
+  const Clearance& parts;   ///< The drawn edges of all parts.
+  double half_kerf_mm = 0;  ///< Least distance between a lead and one of these edges.
 };
 
 /// The leads of a cut that begins at a certain point of its contour. A lead that is not required is
@@ -44,7 +44,7 @@ struct Leads {
 /// rapid to the cut ends and the rapid from it begins.
 struct Beginning {
   double way_mm = 0.0;        ///< Distance along the loop to this point.
-  bool has_leads = true;      ///< False if no required lead has free space.
+  bool has_leads = true;      ///< Whether the required leads have free space.
   double lead_share = 1.0;    ///< Share of the set length that the leads have.
   bool is_backwards = false;  ///< Whether an open line is cut from its end to its start.
   Place entry{0.0, 0.0};      ///< Point where the first stroke begins.
@@ -53,7 +53,7 @@ struct Beginning {
 
 struct LedCut {
   std::vector<Stroke> strokes{};
-  bool has_leads = false;   ///< False if the required leads have no free space.
+  bool has_leads = false;   ///< Whether the required leads have free space.
   double lead_share = 1.0;  ///< Share of the set length that the leads have.
   unsigned tabs = 0;        ///< Number of tabs for which there is enough space.
   CornerWork corners{};

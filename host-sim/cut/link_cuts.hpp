@@ -5,7 +5,7 @@
 
 namespace sim::cut {
 
-/// Rules for joining consecutive cuts.
+/// Rules by which consecutive cuts are joined.
 struct LinkRules {
   double longest_mm = 10.0;  ///< Greatest length of a link, above 0.
   /// Limits of the machine, from which the saved time is computed.

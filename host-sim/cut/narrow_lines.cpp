@@ -35,7 +35,7 @@ constexpr double kDot = 0.25;
 enum class NarrowEnd : std::uint8_t {
   kPath,   ///< A point from which on the waste is wider, so that a path of the beam begins there.
   kLimit,  ///< A point beyond which a cut would take too much off the edges.
-  kNode,   ///< A node of the axis.
+  kNode,   ///< A node of the axis at which the stretch ends.
 };
 
 struct End {
@@ -142,8 +142,8 @@ class NarrowFinder {
 
   const MedialAxis& axis_;
   double half_;
-  double min_;  ///< Least radius of narrow waste.
-  double max_;  ///< Upper limit of the radius of narrow waste.
+  double min_;  ///< Least radius of waste that gets a line.
+  double max_;  ///< Radius from which on waste is too wide for a line.
   std::vector<Narrow> narrows_{};
   std::vector<std::uint32_t> degrees_;  ///< Number of ends of narrow stretches at each node.
   drawing::PieceSets sets_;             ///< Sets of nodes that narrow stretches connect.
@@ -316,7 +316,8 @@ void NarrowFinder::add(Narrow line) {
   }
 }
 
-/// Adds points in narrow waste that contains no line and is connected to no path.
+/// Adds a short line for each piece of narrow waste that contains no line and is connected to no
+/// path.
 void NarrowFinder::add_points() {
   std::vector<std::optional<AxisPoint>> widest(axis_.nodes.size());
   for (std::uint32_t i = 0; i < axis_.nodes.size(); ++i) {

@@ -27,7 +27,8 @@ struct ChosenOrder {
   std::vector<OrderedCut> cuts;
   /// Rapids of the order before refinement, when all beginnings are from the lists.
   RapidSum listed{};
-  bool is_proven = false;  ///< No order with beginnings from the lists is cheaper.
+  /// Whether it is proven that no order with listed beginnings is cheaper.
+  bool is_proven = false;
 };
 
 /// Chooses the order by the required method. Then it chooses the best listed beginnings along this

@@ -22,9 +22,10 @@ enum class OrderCost : std::uint8_t {
 /// Cuts that stay together in the order.
 enum class Grouping : std::uint8_t {
   kNone,
-  /// Each layer is cut as a whole. Layers follow their ranks, then the order of the drawing.
+  /// Cuts of one layer stay together. The layers are in the order of their ranks, then of the
+  /// drawing.
   kLayer,
-  kPart,  ///< Each outermost contour stays together with everything inside it.
+  kPart,  ///< Cuts of an outermost contour and of everything inside it stay together.
 };
 [[nodiscard]] std::string_view text_of(Grouping grouping);
 

@@ -16,7 +16,8 @@ struct Outline {
   std::vector<Stroke> strokes;  ///< Strokes; empty if the contour is not cut.
   bool is_hole = false;
   bool is_closed = false;
-  /// Whether it is cut at an offset of half a kerf from its line; otherwise it is cut on its line.
+  /// Whether the contour is cut at an offset of half a kerf from its line. Otherwise it is cut on
+  /// its line.
   bool is_beside = false;
 };
 

@@ -38,9 +38,9 @@ class OwnCosts {
   [[nodiscard]] double time_of(const std::vector<Stroke>& strokes, const LayerPlan& layer);
 
   const OrderWish& machine_;
-  bool is_even_;  ///< Both axes have the same limits.
+  bool is_even_;  ///< Whether both axes have the same limits.
   std::size_t strokes_left_;
-  /// Number of motions that may still be planned.
+  /// Number of motions that may still be planned before the bound is reached.
   std::size_t motions_left_;
   /// Known times, s, by the digest of the strokes.
   std::unordered_map<std::uint64_t, double> known_s_;

@@ -21,7 +21,7 @@ constexpr std::uint64_t kStepsOfCut = 100;
 struct PartWay {
   std::size_t first = 0;
   std::size_t last = 0;
-  double cost = 0.0;  ///< Cost of the cuts and of the rapids between them.
+  double cost = 0.0;  ///< Cost of all cuts and of the rapids between them.
 };
 
 double cost_of_leg(const RapidCost& cost, const Beginning& from, const Beginning& to) {

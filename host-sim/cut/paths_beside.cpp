@@ -18,7 +18,7 @@ namespace {
 
 using Rows = std::vector<std::vector<Stroke>>;
 
-/// Returns the offset paths of one outline, as if there were no other outlines.
+/// Returns the offset paths of one outline. Other outlines do not affect them.
 PathBeside path_beside(const DrawnEdges& edges, std::size_t contour, ContourOffset& offset) {
   const std::vector<Stroke>& outline = edges.outlines[contour].strokes;
   const double half_kerf_mm = edges.half_kerf_mm(contour);

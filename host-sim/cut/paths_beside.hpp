@@ -18,22 +18,24 @@ struct PathBeside {
   /// Open lines in the middle of waste that is narrower than the kerf.
   std::vector<std::vector<Stroke>> middles{};
   std::optional<drawing::Fault> narrow{};   ///< The warning about these lines.
-  std::optional<drawing::Fault> failure{};  ///< The reason why there is no path.
+  std::optional<drawing::Fault> failure{};  ///< The reason why there is no path, as a fault.
   /// Whether the path follows edges that the outline shares with other outlines.
   bool shares_edges = false;
   /// Whether the outline is narrower than the kerf, so that there is no path.
   bool vanishes = false;
-  std::vector<Rest> rests{};             ///< Stretches of the outline that stay uncut.
-  std::vector<drawing::Fault> gouges{};  ///< Points where a path takes something off a part.
+  std::vector<Rest> rests{};  ///< Stretches of the outline that stay uncut.
+  /// Faults at the points where a path takes something off a part.
+  std::vector<drawing::Fault> gouges{};
 };
 
 /// The edges of a drawing, with the kerfs and settings of their cuts.
 struct DrawnEdges {
   const drawing::Drawing& drawn;
   const std::vector<Outline>& outlines;  ///< The outline of each contour.
-  const Clearance& near;                 ///< All outlines that are cut at an offset.
+  const Clearance& near;                 ///< Index of all outlines that are cut at an offset.
   double reach_mm;                       ///< Greatest distance at which edges matter, mm.
-  std::function<double(std::size_t)> half_kerf_mm;  ///< Returns half of the kerf of a contour.
+  /// Function that returns half of the kerf of a contour.
+  std::function<double(std::size_t)> half_kerf_mm;
   /// Returns the greatest distance by which a cut along the middle of narrow waste may go into a
   /// contour, mm. It is 0 if no such cut is permitted.
   std::function<double(std::size_t)> narrow_mm;

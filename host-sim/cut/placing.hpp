@@ -11,23 +11,24 @@ namespace sim::cut {
 
 /// The axis along which a drawing is mirrored.
 enum class MirrorAlong : std::uint8_t {
-  kX,  ///< Left and right are exchanged.
-  kY,  ///< Top and bottom are exchanged.
+  kX,  ///< Along X: left and right are exchanged.
+  kY,  ///< Along Y: top and bottom are exchanged.
 };
 
 /// Position of the box around a drawing with all its copies.
 enum class PlaceAt : std::uint8_t {
-  /// In the corner of the bed with the origin, at PlaceWishes::margin_mm from both edges.
+  /// The box is in the corner of the bed with the origin, at PlaceWishes::margin_mm from both
+  /// edges.
   kCorner,
-  kCentre,  ///< In the middle of the bed.
-  kPoint,   ///< With its lower left corner at PlaceWishes::point_mm.
+  kCentre,  ///< The box is in the middle of the bed.
+  kPoint,   ///< The lower left corner of the box is at PlaceWishes::point_mm.
 };
 
 /// The placement of a drawing on the machine. The drawing is mirrored, scaled and turned about the
 /// middle of its box, then copied, then put at its position, then moved.
 struct PlaceWishes {
   std::optional<PlaceAt> at{};
-  Place point_mm{0.0, 0.0};  ///< Position used by PlaceAt::kPoint.
+  Place point_mm{0.0, 0.0};  ///< Position of the lower left corner for PlaceAt::kPoint.
   Place move_mm{0.0, 0.0};
   double turn_deg = 0.0;  ///< Angle of rotation, counter-clockwise.
   std::optional<MirrorAlong> mirror{};

@@ -18,12 +18,13 @@ namespace sim::cut {
 
 /// The program that computes the path at an offset of half a kerf.
 enum class WayBeside : std::uint8_t {
-  kHere,  ///< This program: the G-code contains the beam's path.
-  /// The controller: the G-code contains the drawn outline, and G42 with the kerf of the material.
+  kHere,  ///< This program computes it, and the G-code contains the beam's path.
+  /// The controller computes it. The G-code contains the drawn outline, and G42 with the kerf of
+  /// the material.
   kOnController,
 };
 
-/// Number of a cut's contour that means no contour.
+/// Number that means no contour, as Cut::contour.
 inline constexpr std::size_t kNoContour = SIZE_MAX;
 
 /// The whole path along a contour, if each of several cuts has a piece of it; see share_lines().
@@ -33,7 +34,7 @@ struct BurntPicture;
 
 /// One pierce and the strokes that follow it. For a picture, the strokes are its rows.
 struct Cut {
-  /// Number of the contour in the drawing; kNoContour for a slice or a picture.
+  /// Number of the contour in the drawing; kNoContour if the cut is a slice or a picture.
   std::size_t contour = 0;
   std::size_t layer = 0;  ///< Number of the layer in the drawing and in the plan.
   std::size_t turn = 0;   ///< Number of its turn (see CutTurn). Cuts of lower turns come first.
@@ -54,7 +55,7 @@ struct Cut {
   /// straight.
   std::vector<Place> approach{};
   double lift_mm = 0.0;   ///< Height of Z during the rapid to the cut; 0: not lifted.
-  bool is_slice = false;  ///< The cut divides the waste, and belongs to no contour.
+  bool is_slice = false;  ///< Whether the cut divides the waste; it then belongs to no contour.
   unsigned pass = 1;      ///< Number of this pass over the contour, from 1 on.
   /// Time for which the beam rests with its power off before the pierce, until the sheet is cooler.
   double wait_s = 0.0;
@@ -67,8 +68,9 @@ struct Cut {
 /// Figures of the order of the cuts, and of other orders for comparison.
 struct OrderFigures {
   OrderWish wish{};
-  bool is_proven = false;  ///< No order with beginnings from the lists is cheaper.
-  RapidSum rapids{};       ///< Rapids of this order as they are routed.
+  /// Whether it is proven that no order with listed beginnings is cheaper.
+  bool is_proven = false;
+  RapidSum rapids{};  ///< Rapids of this order as they are routed.
   /// Rapids of this order if all of them were straight, as those of the orders below are.
   RapidSum straight{};
   /// Rapids of the order before refinement, when all beginnings are from the lists.
@@ -88,7 +90,7 @@ struct OrderFigures {
 struct SharedLineFigures {
   bool is_asked = false;
   std::size_t lines = 0;    ///< Number of lines that are cut once for the parts on both sides.
-  double length_mm = 0.0;   ///< Length of these lines.
+  double length_mm = 0.0;   ///< Total length of these lines.
   double max_off_mm = 0.0;  ///< Greatest difference between the gap of two parts and the kerf.
 };
 
@@ -98,7 +100,7 @@ struct CutPlan {
   Recipes recipes{};  ///< Plans of contours that rules treat differently from their layers.
   std::vector<Cut> cuts;
   std::vector<drawing::Fault> faults;    ///< Faults of contours that are not cut as drawn.
-  std::vector<drawing::Fault> warnings;  ///< Warnings about contours that are cut as drawn.
+  std::vector<drawing::Fault> warnings;  ///< Warnings about contours, cuts and settings.
   OutlineOptions curves;                 ///< Options by which the drawing's curves became arcs.
   OrderFigures order{};                  ///< Figures of the chosen order and of its cost.
   /// Corners of the rapid after the last cut, without its ends.
@@ -106,7 +108,7 @@ struct CutPlan {
   /// Height of Z during the rapid after the last cut; 0: not lifted.
   double lift_home_mm = 0.0;
   SharedLineFigures shared{};  ///< Figures of the lines that are cut once for two parts.
-  SafetyFigures safety{};      ///< Figures of the measures that make the order safe.
+  SafetyFigures safety{};      ///< Effects of the measures that make the order safe.
 
   /// Returns the plan that applies to a cut: that of its contour if rules changed it, otherwise
   /// that of its layer.

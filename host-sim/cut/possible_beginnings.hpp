@@ -11,7 +11,8 @@ namespace sim::cut {
 
 /// Limits on the beginnings of a cut, in addition to the limits in its settings.
 struct BeginningRoom {
-  bool is_planned_here = true;  ///< False if the controller computes the compensated path.
+  /// Whether this program computes the compensated path; otherwise the controller does.
+  bool is_planned_here = true;
   /// A marked point of the drawing. The cut then begins only at the point nearest to the mark.
   std::optional<Place> mark{};
   std::size_t count = 16;  ///< Approximate number of beginnings.

@@ -8,10 +8,10 @@
 
 namespace sim::cut {
 
-/// Routes rapids around areas.
+/// Finds paths for rapids around areas.
 class RapidRouter {
  public:
-  /// Rules for rapids.
+  /// Rules that the paths of rapids satisfy.
   struct Rules {
     double clearance_mm = 0.5;  ///< Distance from areas, above 0. In a gap it may be less.
     /// Depth inside an area up to which a point counts as on the edge.

@@ -36,7 +36,8 @@ struct Recipes {
   /// Index into `plans` for each contour; kOfLayer if no rule applies to the contour. Empty if
   /// there are no rules.
   std::vector<std::uint32_t> by_contour{};
-  std::vector<AppliedRule> applied{};  ///< One entry for each rule, in the order of the rules.
+  /// The rules, each with its contours, in the order of the rules.
+  std::vector<AppliedRule> applied{};
 
   /// Returns the plan of a contour, or `layer` if the contour has none.
   [[nodiscard]] const LayerPlan& of(std::size_t contour, const LayerPlan& layer) const {

@@ -27,7 +27,7 @@ struct SharedEdge {
   std::array<EdgeStretch, 2> beside{};  ///< Stretches of the two outlines along the line.
   /// Numbers of the nodes at the start and the end of the line.
   std::array<std::size_t, 2> nodes{};
-  bool is_ring = false;  ///< The line is the whole of both outlines.
+  bool is_ring = false;  ///< Whether the line is the whole of both outlines.
 };
 
 /// The lines along which outlines lie against each other and the points at which they touch, with

@@ -11,7 +11,8 @@ namespace {
 /// Least length of a stretch or a gap, mm. Shorter ones are only rounding.
 constexpr double kShortest = 1.0e-3;
 /// Number of intervals between the points at which the distance of two strokes is measured. Between
-/// lines, the distance is greatest at an end. Between arcs, it changes with the sine of the angle.
+/// lines, the distance is greatest at an end. Between arcs, it changes smoothly, with the sine of
+/// the angle along the arc.
 constexpr int kLooks = 8;
 
 bool runs_back(const Stroke& stroke, const Stroke& other, double share) {

@@ -10,11 +10,11 @@
 
 namespace sim::cut {
 
-/// The quantity of a contour that a rule compares.
+/// A quantity of a contour, or of the sheet, that a rule compares.
 enum class Quantity : std::uint8_t {
   kDiameter,   ///< Diameter of a closed contour; see diameter_of().
   kPerimeter,  ///< Length of any contour.
-  kArea,       ///< Area that a closed contour encloses, holes included.
+  kArea,       ///< Area that a closed contour encloses, including holes in it.
   kThickness,  ///< Thickness of the sheet.
 };
 
@@ -33,9 +33,9 @@ enum class ContourKind : std::uint8_t { kAny, kHole, kOuter, kOpen };
 
 /// The treatment that a rule requires for its contours.
 enum class RuleAction : std::uint8_t {
-  kChange,  ///< The contours are cut with other settings.
+  kChange,  ///< The contours are cut with changed settings.
   kSkip,    ///< The contours are not cut.
-  kMark,    ///< The contours are engraved on their line.
+  kMark,    ///< The contours are engraved on their line instead of being cut.
 };
 
 /// A change of one setting in a rule: a new value, or a share of the layer's value.

@@ -15,15 +15,15 @@ using drawing::Place;
 /// The purpose of a stroke in a cut.
 enum class Purpose : std::uint8_t {
   kPierce,      ///< The first piece of the lead-in or of the contour, at a low feed.
-  kLeadIn,      ///< From the waste to the contour.
-  kContour,     ///< Along the edge of the part.
-  kTab,         ///< Along the edge of the part, with the beam off.
-  kOvercut,     ///< Along the beginning of the contour for a second time.
-  kLeadOut,     ///< From the contour into the waste.
-  kCornerLoop,  ///< Past a corner of the part into the waste, and back to the next edge.
-  kLink,        ///< Through the waste from the end of the previous cut; it replaces a pierce.
-  kSlice,       ///< Across the waste between parts, which divides the waste into pieces.
-  kOverscan,    ///< Before, between and after the lines of a filled area, with the beam off.
+  kLeadIn,      ///< A path from the waste to the contour.
+  kContour,     ///< A path along the edge of the part.
+  kTab,         ///< A path along the edge of the part with the beam off.
+  kOvercut,     ///< A path along the beginning of the contour for a second time.
+  kLeadOut,     ///< A path from the contour into the waste.
+  kCornerLoop,  ///< A path past a corner of the part into the waste, and back to the next edge.
+  kLink,        ///< A path through the waste from the end of the previous cut, instead of a pierce.
+  kSlice,       ///< A path across the waste between parts, which divides the waste into pieces.
+  kOverscan,    ///< A path before, between or after the lines of a filled area, with the beam off.
 };
 
 /// Returns whether the beam is on along a stroke of this purpose.
@@ -44,7 +44,7 @@ struct Stroke {
 /// Returns the length of a stroke, mm.
 [[nodiscard]] double length_of(const Stroke& stroke);
 
-/// Half of a stroke's sweep, radians, and its sine.
+/// Half of a stroke's sweep, radians, and the sine of this half.
 struct HalfSweep {
   double angle = 0.0;
   double sine = 0.0;
@@ -61,7 +61,7 @@ struct HalfSweep {
 /// @pre 0 ≤ from < to ≤ 1
 [[nodiscard]] Stroke part_of(const Stroke& stroke, double from, double to);
 
-/// Returns a stroke in the opposite direction.
+/// Returns a stroke that is driven in the opposite direction.
 [[nodiscard]] Stroke reversed(const Stroke& stroke);
 
 /// Returns the distance of a point from the nearest point of a stroke, mm.
@@ -96,7 +96,7 @@ class MeasuredRow {
 
  private:
   std::vector<Stroke> row_;
-  std::vector<HalfSweep> halves_;  ///< Half sweep of each stroke.
+  std::vector<HalfSweep> halves_;  ///< Half of the sweep of each stroke.
   /// Distances along the row to the start of each stroke, and to the end.
   std::vector<double> ways_;
 };

@@ -13,9 +13,9 @@ namespace sim::cut {
 /// The kinds of motions and rests among which the time of a job is divided.
 enum class TimeKind : std::uint8_t {
   kPierce,
-  kLead,     ///< Lead-ins, lead-outs and links.
-  kContour,  ///< Along edges and drawn lines, including overcuts and slices.
-  kTab,      ///< Along edges with the beam off.
+  kLead,     ///< Motions along lead-ins, lead-outs and links.
+  kContour,  ///< Motions along edges and drawn lines, including overcuts and slices.
+  kTab,      ///< Motions along edges with the beam off.
   kCornerLoop,
   kCornerDwell,
   kRapid,
@@ -44,7 +44,7 @@ struct TimeStep {
 struct Timeline {
   std::vector<TimeStep> steps{};
 
-  /// Returns the time of the whole job, s.
+  /// Returns the total time of the job, s.
   [[nodiscard]] double total_s() const { return steps.empty() ? 0.0 : steps.back().end_s; }
   /// Returns the total time of each kind, s, in the order of TimeKind.
   [[nodiscard]] std::array<double, kTimeKinds> by_kind() const;

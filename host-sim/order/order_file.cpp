@@ -61,7 +61,7 @@ class OrderReader {
   OrderProblem problem_;
   std::int64_t dimension_ = 0;
   std::int64_t group_count_ = 0;
-  bool has_groups_ = false;  ///< TYPE is PCGLNS or GTSP, so the file must list groups.
+  bool has_groups_ = false;  ///< Whether TYPE is PCGLNS or GTSP, so that the file must list groups.
   bool has_type_ = false;
   bool has_metric_ = false;
   std::uint32_t start_ = 1;
@@ -261,7 +261,7 @@ void OrderReader::number_groups() {
   for (const auto& [first, then] : pairs_) {
     if (first == then)
       words_.fail(fmt::format("group {} must come before itself; leave this pair out", first));
-    if (set_of[first] == 0) continue;  // Home comes before all other groups anyway.
+    if (set_of[first] == 0) continue;  // All groups come after home anyway.
     if (set_of[then] == 0) {
       words_.fail(fmt::format(
           "group {} must come before the start group {}; leave this pair out", first, then));

@@ -50,8 +50,8 @@ struct OrderResult {
   std::vector<cnc::order::AnnealingPoint> course;
 };
 
-/// Thrown for a problem without a tour, because of a cycle in its precedence or sets that no
-/// allowed leg reaches. Also thrown for a proof that does not fit into memory.
+/// Exception for a problem without a tour. Either its precedence has a cycle, or no allowed leg
+/// leads to some sets. Also thrown if a proof does not fit into memory.
 class NoOrder : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

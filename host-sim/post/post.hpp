@@ -14,9 +14,10 @@ namespace sim::post {
 
 enum class ArcForm : std::uint8_t {
   kFromStart,  ///< Centres as I, J and K relative to the arc's start.
-  kAbsolute,   ///< Centres as I, J and K in the coordinates of the program.
-  kRadius,     ///< Radius as R.
-  kLines,      ///< No arcs: lines replace them.
+  /// Centres as I, J and K in the coordinates of the program, not relative to the arc.
+  kAbsolute,
+  kRadius,  ///< No centres: the radius as R.
+  kLines,   ///< No arcs: lines replace them.
 };
 
 enum class CommentForm : std::uint8_t { kBrackets, kSemicolon, kNone };
@@ -24,12 +25,12 @@ enum class CommentForm : std::uint8_t { kBrackets, kSemicolon, kNone };
 /// The words that each motion has even if they are equal to those of the previous motion.
 enum class Repeat : std::uint8_t {
   kNothing,
-  kMotion,  ///< The word G0, G1, G2 or G3.
+  kMotion,  ///< Only the word G0, G1, G2 or G3.
   /// G0, G1, G2 or G3; X, Y and Z once their values are known; and F of motions that are no rapids.
   kAll,
 };
 
-/// Line numbers, written as N.
+/// Line numbers, which are written as words N.
 struct LineNumbers {
   std::uint32_t first = 10;
   std::uint32_t step = 10;
@@ -45,8 +46,8 @@ struct DwellForm {
 /// The form in which a controller requires the text of a program. A default Post leaves programs
 /// unchanged.
 struct Post {
-  std::vector<std::string> header{};  ///< Lines before all other lines.
-  std::vector<std::string> footer{};  ///< Lines after all other lines.
+  std::vector<std::string> header{};  ///< Lines that come before the program.
+  std::vector<std::string> footer{};  ///< Lines that come after the program.
   /// Lines around each cut. `before_cut` comes before the first motion of the cut that is no rapid.
   /// `after_cut` comes before the first rapid or M5 after the cut.
   std::vector<std::string> before_cut{};

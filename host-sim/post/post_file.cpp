@@ -23,7 +23,7 @@ constexpr double kMaxPostDecimals = 6.0;
 template <typename Value>
 using Choices = std::vector<std::pair<std::string_view, Value>>;
 
-/// Reads one post file, line by line.
+/// Reader of one post file, which reads it line by line.
 class PostReader {
  public:
   PostReader(std::string_view text, std::string name) : lines_{text}, name_{std::move(name)} {}

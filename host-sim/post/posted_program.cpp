@@ -22,15 +22,16 @@ using Eigen::Vector3d;
 constexpr std::string_view kAxisLetters = "XYZ";
 constexpr std::string_view kCentreLetters = "IJK";
 constexpr int kMaxWordDecimals = 9;
-constexpr int kFirstPlaneWord = 17;  // G17, G18 and G19 are the planes in the order of cnc::Plane.
+// The word of the first plane, G17. G18 and G19 follow in the order of cnc::Plane.
+constexpr int kFirstPlaneWord = 17;
 constexpr int kLineMotion = 1;
 constexpr int kClockwiseMotion = 2;
 constexpr int kDwell = 4;
 
-/// The words of one line, sorted by kind.
+/// The words of one line, sorted by their meaning.
 struct SortedLine {
-  std::vector<std::string> codes;   ///< G and M words, except those of motions.
-  std::vector<std::string> values;  ///< Words S, P, D and Q.
+  std::vector<std::string> codes;   ///< The G and M words of the line, except words of motions.
+  std::vector<std::string> values;  ///< The words S, P, D and Q of the line.
   std::array<std::optional<double>, 3> axes{};
   std::array<double, 3> centre{};  ///< Centre of an arc, relative to its start.
   std::optional<std::string> feed{};
@@ -257,7 +258,8 @@ class PostWriter {
   const Post& post_;
   std::string text_;
   std::optional<std::uint32_t> number_;  ///< Number of the last numbered line.
-  bool in_cut_ = false;                  ///< A cut has begun and has not ended; see mark_cut().
+  /// Whether a cut has begun and has not ended; see mark_cut().
+  bool in_cut_ = false;
   int motion_ = 0;
   int written_motion_ = -1;
   Plane plane_ = Plane::kXY;

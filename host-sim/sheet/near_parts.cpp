@@ -46,8 +46,8 @@ bool cross_each_other(const EdgeChord& a, const EdgeChord& b) {
   return side_of(a, b.from) * side_of(a, b.to) < 0.0 && side_of(b, a.from) * side_of(b, a.to) < 0.0;
 }
 
-/// Returns whether two chords lie on one line, share more than a point and have material on the
-/// same side.
+/// Returns whether two chords are on one line, have more than a point in common, and have material
+/// on the same side.
 bool share_edge(const EdgeChord& a, const EdgeChord& b) {
   const Place way = a.to - a.from;
   const double length = way.norm();

@@ -178,7 +178,7 @@ class PartPlacer {
   std::map<std::string, Drawing> drawings_;
   std::vector<Piece> pieces_;
   std::vector<std::string> labels_;
-  std::vector<std::size_t> turns_;  ///< Turn of each copy, in the order of `labels_`.
+  std::vector<std::size_t> turns_;  ///< Turn of each copy, in the same order as `labels_`.
   std::size_t shapes_ = 0;
 };
 

@@ -40,8 +40,8 @@ struct PartPair {
   drawing::Place place{0.0, 0.0};
 };
 
-/// Returns the pairs of parts that overlap or are too near, in the order of their numbers. Stops at
-/// `max_pairs` pairs.
+/// Returns the pairs of parts that overlap or are too near, in the order of the part numbers. At
+/// most `max_pairs` pairs are searched for.
 [[nodiscard]] std::vector<PartPair> near_parts(const drawing::Drawing& placed,
                                                std::span<const ContourUse> uses,
                                                std::size_t max_pairs);

@@ -16,7 +16,7 @@ struct FieldRange {
   const char* unit = "";
 };
 
-/// Reads the fields of one JSON object. For a value of the wrong type or out of range, reports a
+/// Reads the fields of one JSON object. If a value has the wrong type or is out of range, reports a
 /// fault with the pointer of the field and returns the default.
 class SheetFields {
  public:

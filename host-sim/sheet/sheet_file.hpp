@@ -26,14 +26,14 @@ struct Placing {
 /// A part of a sheet: its drawing, and the positions of its copies.
 struct SheetPart {
   std::string name;
-  /// Name of the drawing as written, relative to the folder of the sheet file.
+  /// Name of the drawing, as the sheet file has it, relative to the folder of this file.
   std::string drawing;
   std::vector<Placing> places;
   /// Names of the parts that must be cut before this part, with all their copies.
   std::vector<std::string> after{};
   /// Turn in the order of cutting, above the turns of the parts in `after`.
   std::size_t turn = 0;
-  std::string pointer{};  ///< JSON pointer to the part, for messages: `/parts/3`.
+  std::string pointer{};  ///< JSON pointer to the part for messages, such as `/parts/3`.
 };
 
 /// A sheet of stock and the parts that are cut from it.
