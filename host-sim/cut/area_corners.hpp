@@ -12,7 +12,7 @@ struct AreaCorner {
   /// Unit direction in which a path around the area arrives at the corner. The area is on the left
   /// of the path.
   Place arriving{1.0, 0.0};
-  Place leaving{1.0, 0.0};  ///< Unit direction in which such a path leaves the corner.
+  Place leaving{1.0, 0.0};  ///< Unit direction in which the path leaves the corner.
 
   /// Returns whether a straight leg between the corner and `other` may touch the area without
   /// running into it. Returns false if `other` is outside of both sides of the corner by more than

@@ -20,7 +20,7 @@ struct BurntPicture {
 
 /// Format of the rows of pictures in a program.
 struct PictureForm {
-  /// Whether all layers get one S word per line, also those that do not require it.
+  /// Whether all layers get one S word per line, also layers that do not require it.
   bool is_plain = false;
   unsigned decimals = 4;  ///< Decimals of printed positions.
 };
@@ -41,8 +41,8 @@ void keep_burnt_pictures(drawing::Drawing& drawn, const std::vector<LayerSetting
                                             const OrderWish& machine,
                                             std::vector<drawing::Fault>& warnings);
 
-/// Returns the wishes for the order of the cuts that follow the pictures. They are those of `wish`,
-/// but the head starts at the end of the last picture.
+/// Returns `wish` for the order of the cuts that follow the pictures: the head starts at the end of
+/// the last picture.
 [[nodiscard]] OrderWish order_behind(const OrderWish& wish, const std::vector<Cut>& pictures);
 
 /// Inserts pictures before all cuts of a plan that was made with order_behind(). Adds the rapids to

@@ -9,8 +9,8 @@
 
 namespace sim::cut {
 
-/// Index of many strokes that finds those near a point. A search measures only a few strokes, even
-/// where many are close together.
+/// Index of many strokes that finds the strokes near a point. A search measures only a few strokes,
+/// even where many are close together.
 class Clearance {
  public:
   /// The nearest stroke and its distance, as a search returns them.
@@ -38,8 +38,8 @@ class Clearance {
   /// `owner` has no meaning.
   [[nodiscard]] Nearest nearest(const Place& place) const;
   /// Returns the nearest stroke, and does so faster than the other overload if the point is near
-  /// the previous point. If several strokes of one owner are equally near, the two overloads may
-  /// return different ones.
+  /// the previous point. If several strokes of one owner are equally near, the overloads may return
+  /// different strokes.
   /// @param last the result for the previous point
   [[nodiscard]] Nearest nearest(const Place& place, const Nearest& last) const;
 

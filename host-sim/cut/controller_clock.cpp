@@ -18,8 +18,8 @@ constexpr double kLineS = 1.0e-3;
 /// Time from the moment when the first block of a chain is known until the window of the chain is
 /// chosen, s. The controller reads one more line in this time.
 constexpr double kStartS = 1.5 * kLineS;
-/// Time that the controller stands at each stop before it continues, s. It is a number of cycles,
-/// as measured on the simulated controller.
+/// Time for which the controller rests at each stop before it continues, s. It is a number of
+/// cycles, as measured on the simulated controller.
 constexpr double kStandstillS = 4.0e-3;
 /// Time by which the controller divides the plan into segments before it drives them, s.
 constexpr double kAheadS = 0.020;

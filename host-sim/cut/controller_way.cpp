@@ -25,7 +25,8 @@ std::vector<Stroke> edge_of(const std::vector<Stroke>& beam) {
 /// Returns the distance along the outline to its point nearest to `place`, which is half a kerf
 /// from the outline. Returns nothing if the nearest point is at the end of a stroke.
 std::optional<double> foot_of(const MeasuredRow& outline, const Place& place, double half_kerf) {
-  constexpr double kAtAnEnd = 1.0e-3;  // Distance that counts as at the end of a stroke, mm.
+  // Greatest distance of a point that is at the end of a stroke, mm.
+  constexpr double kAtAnEnd = 1.0e-3;
   for (std::size_t i = 0; i < outline.strokes().size(); ++i) {
     const Stroke& stroke = outline.strokes()[i];
     if (std::abs(distance_to(stroke, place) - half_kerf) > 1.0e-4) continue;

@@ -5,12 +5,13 @@
 
 namespace sim::cut {
 
-/// The time after a cut, and the distance from it, within which the sheet is hot.
+/// The least time between a cut and a pierce that is near the cut.
 struct CoolingRules {
-  double cool_s = 1.0;       ///< Time after a cut during which its heat counts, above 0.
-  double distance_mm = 5.0;  ///< Distance from a cut within which its heat counts, above 0.
+  double cool_s = 1.0;  ///< Least time between a cut and a pierce near it, above 0.
+  /// Greatest distance between a cut and a pierce that is near it, above 0.
+  double distance_mm = 5.0;
   cnc::order::RapidLimits
-      limits{};  ///< Limits of the machine, from which least times between cuts follow.
+      limits{};  ///< Limits of the machine. The least times of motions follow from them.
 };
 
 /// Changes the order of cuts so that pierces keep away from fresh heat. If the next cut would have

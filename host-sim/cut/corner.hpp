@@ -22,8 +22,9 @@ struct Corner {
 };
 
 /// Returns the corners of a row of strokes along the edge of a part on the left, at which the row
-/// turns by at least `min_turn`. In a closed row, the point where it closes counts, too. Outer
-/// corners are arcs of half the kerf around a drawn corner. Drawn rounded corners do not count.
+/// turns by at least `min_turn`. The point where a closed row closes may be a corner, too. Outer
+/// corners are arcs of half the kerf around a drawn corner. Rounded corners of the drawing are no
+/// corners.
 /// @param min_turn radians
 [[nodiscard]] std::vector<Corner> corners_of(const std::vector<Stroke>& strokes,
                                              double min_turn,

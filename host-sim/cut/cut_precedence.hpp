@@ -9,8 +9,9 @@
 namespace sim::cut {
 
 /// Sets Cut::after so that each cut comes after all cuts inside its outline, because it frees the
-/// material around these. The inner cuts may belong to any part. They include cuts on a line, also
-/// open ones that are only partly inside. Of several loops of one contour, the largest is cut last.
+/// material around them. The inner cuts may belong to any part. They include cuts on a line, also
+/// open lines that are only partly inside. Of several loops of one contour, the largest is cut
+/// last.
 /// @param outlines outline of each contour
 void put_parts_last(const drawing::Drawing& drawn,
                     const std::vector<Outline>& outlines,

@@ -44,7 +44,7 @@ cnc::AxisArray<double> scales_of(const cnc::Settings& settings) {
 }
 
 /// Returns the kerf at a heat input, from the laws of the rows around the thickness. Test cuts need
-/// not cover the heat input. Returns nothing if such a row was measured and has no law.
+/// not cover the heat input. Returns nothing if one of these rows was measured and has no law.
 std::optional<double> kerf_of_heat(const cnc::kerf::TableView<double>& table,
                                    std::uint32_t thickness_um,
                                    double heat) {
@@ -232,8 +232,8 @@ void EdgeCheck::Sweep::add_to_profile(const EdgePlace& edge, double stretch_mm, 
   row.push_back(next);
 }
 
-/// Compares actual and planned cut at a point that stands for a stretch of a drawn edge. Adds the
-/// result to `sum`.
+/// Compares the actual cut with the planned cut at a point that represents a stretch of a drawn
+/// edge. Adds the result to `sum`.
 void EdgeCheck::Sweep::look(const Place& place,
                             double stretch_mm,
                             double touches_mm,

@@ -52,7 +52,8 @@ struct EdgeFigures {
   double min_heat_ratio = 1.0;
   /// Greatest ratio of the actual heat input to the planned one along all cuts.
   double greatest_heat_ratio = 1.0;
-  /// Greatest such ratio within a kerf of a corner; 0 if there are no corners.
+  /// Greatest ratio of the actual heat input to the planned one within a kerf of a corner; 0 if
+  /// there are no corners.
   double greatest_corner_ratio = 0.0;
   std::vector<EdgePlace> profile{};  ///< Points along drawn edges at intervals of 0.1 mm.
 };

@@ -90,7 +90,7 @@ class PathDivider {
   const SharedEdges& shared_;
   double half_;
   std::vector<MeasuredRow> rows_;  ///< The paths around all outlines.
-  /// Passages of each contour, in the order along it.
+  /// Passages of each contour, in their order along the contour.
   std::map<std::size_t, std::vector<Passage>> passages_;
   std::vector<FreeStretch> rests_;
   std::vector<std::vector<Run>> runs_;  ///< Runs on each of these paths.

@@ -15,11 +15,12 @@ namespace {
 
 /// Greatest distance from the end of a path to the row along which it continues, in intervals.
 constexpr double kLongestLink = 2.0;
-/// Greatest distance between the beginning of a spur and its corner, in intervals.
+/// Greatest distance between the beginning of a spur (see FillRest::is_spur) and the corner of a
+/// row, in intervals.
 constexpr double kCornerReach = 0.2;
 /// Greatest length of the path with the beam off to the start of a detour, in intervals.
 constexpr double kLongestReturn = 3.0;
-/// Greatest length of a spur, in intervals. A longer one becomes a path of its own.
+/// Greatest length of a spur, in intervals. A longer spur becomes a separate path.
 constexpr double kLongestSpur = 2.0;
 
 /// The rows of one level. Their strokes have consecutive numbers, also from row to row.
@@ -229,8 +230,8 @@ class ChainMaker {
     return drawing::distance(path.path.front().from, path.target.place);
   }
 
-  /// Removes and returns one of the paths that arrive at a row: the one whose beginning is farthest
-  /// from its target. If none arrives, returns an empty path with the target `begin`.
+  /// Removes and returns one of the paths that arrive at a row: the path whose beginning is
+  /// farthest from its target. If none arrives, returns an empty path with the target `begin`.
   static Level::Detour farthest_of(std::vector<Level::Detour>& arriving, const Level::On& begin) {
     if (arriving.empty()) return {.target = begin};
     const auto farthest = std::ranges::max_element(arriving, {}, way_back);

@@ -20,7 +20,7 @@ using pocket::MedialAxis;
 
 /// Tolerance of the medial axis, as a share of the interval.
 constexpr double kAxisTolerance = 0.02;
-/// Least length of a thin part that is reported, in intervals. Shorter ones are corners of the
+/// Least length of a thin part that is reported, in intervals. Shorter parts are corners of the
 /// area.
 constexpr double kMinThin = 2.0;
 constexpr double kNever = std::numeric_limits<double>::infinity();
@@ -87,8 +87,9 @@ class RestFinder {
   }
 
  private:
-  /// Returns the number of the band of a radius: the number of whole half intervals in it. A radius
-  /// that exceeds a row by no more than rounding does not reach the row.
+  /// Returns the number of the band of a radius: the number of whole half intervals in the radius.
+  /// A radius that exceeds a limit only by rounding, kMinRowWidth of the interval, does not reach
+  /// the limit.
   [[nodiscard]] std::size_t band_of(double radius) const {
     return static_cast<std::size_t>(std::max(radius - kMinRowWidth * interval_, 0.0) / half_);
   }
@@ -247,7 +248,7 @@ class RestFinder {
 
   [[nodiscard]] bool ends_at(std::uint32_t node) const { return nodes_.contains(node); }
 
-  /// Joins ridges that meet at nodes to longer lines, two at each node.
+  /// Joins ridges into longer lines where they meet at nodes, two ridges at each node.
   void join_ridges() {
     std::map<std::uint32_t, std::vector<std::size_t>> at_node;
     for (std::size_t i = 0; i < ridges_.size(); ++i) {

@@ -19,8 +19,8 @@ inline constexpr double kMinRowWidth = 1.0e-3;
 /// A line between rows along an outline. The beam along the line covers a gap that the rows leave.
 struct FillRest {
   std::vector<Place> places{};  ///< Points of the line, at least two.
-  /// Level of the line. It is between the rows of this level and those of the level below, which
-  /// are nearer to the edge.
+  /// Level of the line. The line is between the rows of this level and the rows of the level below,
+  /// which are nearer to the edge.
   std::size_t level = 0;
   bool is_spur = false;  ///< Whether the line begins at a corner of a row of its level.
 };
@@ -41,9 +41,9 @@ struct FillRests {
 };
 
 /// Finds the points of an area whose distance from all rows would exceed half an interval plus the
-/// slack, and returns lines that cover them. They are at sharp corners of rows, in the middle of an
-/// area, and in a neck between two rows. Row number n is n + 1/2 intervals inside the edge. The
-/// lines run along the medial axis.
+/// slack, and returns lines that cover them. Such points are at sharp corners of rows, in the
+/// middle of an area, and in a neck between two rows. Row number n is n + 1/2 intervals inside the
+/// edge. The lines run along the medial axis.
 ///
 /// Throws std::runtime_error with the point if contours cross.
 /// @param area closed contours with the area on their left, which may touch

@@ -9,8 +9,7 @@
 
 namespace sim::cut {
 
-/// An end of a rapid. Cuts fix the ends of rapids. So an area may be nearer to an end than to the
-/// rest of the rapid.
+/// An end of a rapid. A cut fixes its position, so areas may be nearer to it than the clearance.
 struct RapidEnd {
   Place place{0.0, 0.0};
   /// Numbers of the areas nearer than the clearance, each with the distance of the end from its

@@ -29,13 +29,13 @@ class FreedAreas {
   /// @pre has(number)
   [[nodiscard]] const LoopArea& area(std::uint32_t number) const { return *areas_.at(number); }
 
-  /// Calls `visit(number, area)` once for each area whose box meets `box`, until a call returns
-  /// true. Returns whether a call returned true. The order of the calls is that of the cells along
-  /// x and y.
+  /// Calls `visit(number, area)` once for each area whose box intersects `box`, until a call
+  /// returns true. Returns whether a call returned true. The order of the calls is that of the
+  /// cells along x and y.
   template <typename Visit>
   bool visit_near(const Box& box, Visit&& visit) const;
 
-  /// Calls `visit(number, area)` once for each area whose box meets the box around a segment,
+  /// Calls `visit(number, area)` once for each area whose box intersects the box around a segment,
   /// extended by `mm`. The calls are approximately in the order along the segment. They end when
   /// one returns true. Returns whether a call returned true.
   template <typename Visit>

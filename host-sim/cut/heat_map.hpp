@@ -13,8 +13,8 @@ namespace sim::cut {
 class HeatMap {
  public:
   /// Makes a map without spots.
-  /// @param distance_mm distance within which heat counts, above 0
-  /// @param lasts_s time after the cut during which heat counts, above 0
+  /// @param distance_mm distance from the beam up to which the sheet is hot after the cut, above 0
+  /// @param lasts_s time after the cut for which it stays hot, above 0
   HeatMap(double distance_mm, double lasts_s);
 
   /// Adds a stroke that is driven with the beam on. Strokes must be added in the order of time.
@@ -22,8 +22,8 @@ class HeatMap {
 
   /// Returns the earliest time at which a point may be pierced, s; −infinity if no spot near it is
   /// hot at `now_s`. The result is never too early. It may be too late, because distances are
-  /// accurate to 1/16 of the distance within which heat counts, and times to the time of a stretch
-  /// of this length.
+  /// accurate to 1/16 of `distance_mm` of the constructor, and times to the time of a stretch of
+  /// this length.
   [[nodiscard]] double cool_from(const Place& place, double now_s) const;
 
  private:
@@ -36,8 +36,8 @@ class HeatMap {
     return column * (std::int64_t{1} << 32) + row;
   }
 
-  double step_mm_;   ///< Length of the stretch that one spot stands for.
-  double reach_mm_;  ///< Distance of a spot from the farthest point at which its heat counts.
+  double step_mm_;   ///< Length of the stretch of a stroke that one spot represents.
+  double reach_mm_;  ///< Distance from a spot up to which the sheet is hot.
   double lasts_s_;
   /// Spots by cells whose size is `reach_mm_`. The latest spot of a cell comes last.
   std::unordered_map<std::int64_t, std::vector<Spot>> cells_;

@@ -97,14 +97,16 @@ struct LayerSettings {
   /// Greatest gap of two neighbouring cuts that become one cut; 0: no cuts become one.
   double common_line_mm = 0.0;
   /// Greatest distance by which a cut along the middle of narrow waste may go into the edges of the
-  /// waste. Narrow waste is narrower than the kerf. 0: no such cuts are made.
+  /// waste. Narrow waste is narrower than the kerf. 0: narrow waste is not cut.
   double narrow_mm = 0.0;
   StartAt start = StartAt::kAny;
   /// Rank of the layer. Layers of lower rank are cut first. Without a value, the rank is 0.
   std::optional<unsigned> rank{};
   /// Power as a share. It replaces `power_w` until power_in_watts() is called.
   std::optional<PowerShare> power_share{};
-  unsigned passes = 1;  ///< Number of times that each contour is cut.
+  /// Whether each pass goes over all contours of the layer. Otherwise each contour gets all its
+  /// passes before the next contour.
+  unsigned passes = 1;
   /// Whether each pass goes over all contours of the layer. Otherwise each contour gets all its
   /// passes before the next contour.
   bool passes_by_layer = false;

@@ -38,7 +38,7 @@ class LoopArea {
   [[nodiscard]] bool comes_near(const Place& from, const Place& to, double mm) const;
 
   /// Returns whether any point of a segment is inside at more than `depth_mm` from the loop. Points
-  /// up to about twice this depth may be missed; deeper ones are not.
+  /// up to about twice this depth may be missed; deeper points are not missed.
   [[nodiscard]] bool is_crossed(const Place& from, const Place& to, double depth_mm) const;
 
  private:

@@ -40,8 +40,8 @@ Middles middles_beside(const DrawnEdges& edges, const std::vector<std::size_t>& 
   double max_off_mm = std::numeric_limits<double>::infinity();
   for (const std::size_t i : contours) max_off_mm = std::min(max_off_mm, edges.narrow_mm(i));
   if (max_off_mm <= 0.0 || half_kerf_mm <= 0.0) return {};
-  // The first list has the outlines whose waste is outside of parts, the second one those whose
-  // waste is in holes.
+  // `rows[0]` has the outlines whose waste is outside of parts, `rows[1]` the outlines whose waste
+  // is in holes.
   std::array<std::vector<const std::vector<Stroke>*>, 2> rows;
   for (const std::size_t i : contours) {
     rows[is_in_hole(edges, contours, i) ? 1 : 0].push_back(&edges.outlines[i].strokes);

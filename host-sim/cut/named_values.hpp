@@ -14,14 +14,15 @@ struct NamedValues {
   std::string place;  ///< Origin of the text, for messages: `FILE:LINE`, or the option.
 };
 
-/// Reads one such text. Throws std::invalid_argument with the place and the required `form` if the
-/// text is not valid.
+/// Reads one text of the form of NamedValues. Throws std::invalid_argument with the place and the
+/// required `form` if the text is not valid.
 [[nodiscard]] NamedValues parse_named_values(std::string_view text,
                                              std::string place,
                                              std::string_view form);
 
-/// Reads one such text from each line. Blank lines, and lines that begin with `#`, are ignored.
-/// Throws std::invalid_argument as parse_named_values() does, and for a file without any such text.
+/// Reads one text of the form of NamedValues from each line. Blank lines, and lines that begin with
+/// `#`, are ignored. Throws std::invalid_argument as parse_named_values() does, and for a file
+/// without any text.
 [[nodiscard]] std::vector<NamedValues> read_named_values(const std::string& text,
                                                          const std::string& file,
                                                          std::string_view form);

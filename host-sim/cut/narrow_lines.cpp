@@ -228,7 +228,7 @@ void NarrowFinder::drop_corners() {
   }
 }
 
-/// Joins stretches that meet at nodes to lines. At a node, a line continues as straight as
+/// Joins stretches into lines where they meet at nodes. At a node, a line continues as straight as
 /// possible.
 void NarrowFinder::join() {
   ends_at_.assign(axis_.nodes.size(), {});

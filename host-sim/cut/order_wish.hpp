@@ -45,7 +45,8 @@ struct OrderWish {
   double junction_deviation_mm = 0.01;
   /// Setting $12: tolerance of arcs. Lines that are welded may use part of it.
   double arc_tolerance_mm = 0.002;
-  std::array<double, 2> steps_per_mm{250.0, 250.0};  ///< Settings $100 and $101.
+  /// Steps per millimetre of X and of Y, settings $100 and $101.
+  std::array<double, 2> steps_per_mm{250.0, 250.0};
   std::uint8_t decimals = 4;  ///< Decimals of printed positions; see cnc::gcode::PrintGrid.
   /// Callback that receives the finished share of the search, and the cost.
   order::OrderProgress progress{};

@@ -28,8 +28,8 @@ double cost_of_leg(const RapidCost& cost, const Beginning& from, const Beginning
   return cost(to.entry.x() - from.exit.x(), to.entry.y() - from.exit.y());
 }
 
-/// Returns, for each beginning of the last cut, the cheapest path that ends with it. The order of
-/// the cuts does not change.
+/// Returns, for each beginning of the last cut, the cheapest path that ends with this beginning.
+/// The order of the cuts does not change.
 std::vector<PartWay> ways_to_last(const std::vector<const UnbegunCut*>& row,
                                   const RapidCost& cost) {
   std::vector<PartWay> ways;
@@ -51,8 +51,8 @@ std::vector<PartWay> ways_to_last(const std::vector<const UnbegunCut*>& row,
   return ways;
 }
 
-/// Returns, for each beginning of the first cut, the cheapest path that starts with it. The order
-/// of the cuts does not change.
+/// Returns, for each beginning of the first cut, the cheapest path that starts with this beginning.
+/// The order of the cuts does not change.
 std::vector<PartWay> ways_from_first(const std::vector<const UnbegunCut*>& row,
                                      const RapidCost& cost) {
   std::vector<PartWay> ways;

@@ -10,7 +10,7 @@
 namespace sim::cut {
 
 /// Figures of a part over all its copies. A part is an outer contour that is cut at an offset, with
-/// the holes and marks in it. A part inside a hole of another part is a part of its own.
+/// the holes and marks inside it. A part inside a hole of another part is a separate part.
 struct PartRow {
   /// Name of the outer contour of the first copy; `on the sheet` in the last row.
   std::string name{};

@@ -18,8 +18,7 @@ struct BeginningRoom {
   std::size_t count = 16;  ///< Approximate number of beginnings.
 };
 
-/// Sets the list of a cut's beginnings. Also sets whether the cut may begin between the listed
-/// ones.
+/// Sets the list of a cut's beginnings. Also sets whether the cut may begin at points between them.
 void find_possible_beginnings(UnbegunCut& cut,
                               const Outline& outline,
                               const LeadRoom& leads,

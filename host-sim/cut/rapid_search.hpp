@@ -59,7 +59,7 @@ class RapidSearch {
   /// A leg that may be tried.
   struct Trial {
     double estimate_mm = 0.0;
-    /// Number of the trial. Among trials with equal estimates, the one with the lowest number is
+    /// Number of the trial. Among trials with equal estimates, the trial with the lowest number is
     /// first.
     std::uint64_t number = 0;
     std::size_t from = 0;

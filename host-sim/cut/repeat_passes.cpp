@@ -71,8 +71,8 @@ class PassRepeater {
     return plan_.plan_of(plan_.cuts[cut]).settings;
   }
 
-  /// Returns the end of the run of cuts that begins at `begin`: all of them are driven once before
-  /// the next pass of any of them.
+  /// Returns the end of the run of cuts that begins at `begin`. In a run, each cut gets one pass
+  /// before any cut gets its next pass.
   [[nodiscard]] std::size_t end_of_run(std::size_t begin) const {
     std::size_t end = begin + 1;
     if (!settings_of(begin).passes_by_layer) return end;

@@ -141,8 +141,8 @@ class Sharing {
     }
   }
 
-  /// Moves a cut forward, before one of the owners of its lines. Of the owners that permit this, it
-  /// is the one of which the greatest length is left. Returns false if no owner permits it.
+  /// Moves a cut forward, before one of the owners of its lines. If several owners permit this, it
+  /// is the owner that keeps the greatest length. Returns false if no owner permits it.
   bool comes_before_an_owner(std::size_t i, const Loss& loss) {
     std::vector<bool> is_before(unbegun_.size());
     std::vector<std::size_t> open{i};

@@ -19,10 +19,10 @@ struct SliceRules {
 /// Appends cuts that divide the rest of the sheet around the parts into pieces that can be carried
 /// away. The cuts are straight lines across the sheet, the vertical ones first. They leave out
 /// points inside a contour, and points nearer to a drawn line than a kerf, so they end in the kerf
-/// around the part. Their power and feed are those of the last cut at an offset from its line, or
-/// if there is none, those of the last cut. If the sheet is not known, it is the box of all cuts
-/// plus the margin. If no cut has a negative X (or Y), this box does not extend below zero there.
-/// Counts the cuts in `safety`.
+/// around the part. They have the power and feed of the last cut at an offset from its line, or if
+/// there is none, of the last cut. If the sheet is not known, it is the box of all cuts plus the
+/// margin. If no cut has a negative X (or Y), this box does not extend below zero there. Counts the
+/// cuts in `safety`.
 void slice_waste(CutPlan& plan, const drawing::Drawing& drawn, const SliceRules& rules);
 
 }  // namespace sim::cut

@@ -161,7 +161,7 @@ Timeline timeline_of(const CutPlan& plan, const CutRange& range) {
   return timeline;
 }
 
-/// Appends steps to those of a timeline. Their times move to follow the existing steps.
+/// Appends the steps of `more` to `all`. Their times move to follow the existing steps.
 void append(Timeline& more, Timeline& all) {
   double now = all.total_s();
   for (TimeStep& step : more.steps) {

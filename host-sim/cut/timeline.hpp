@@ -56,8 +56,8 @@ struct Timeline {
 [[nodiscard]] Timeline timeline_of(const CutPlan& plan);
 
 /// Predicts the time of the plan as it is now, and returns its timeline. Sets `rapids` and
-/// `strokes_s` of `plan.order`; the sum of their times is the total of the timeline. `rapids` are
-/// those of rapids_of(), so that they can be compared with the rapids of other orders.
+/// `strokes_s` of `plan.order`; the sum of their times is the total of the timeline. `rapids` is
+/// computed by rapids_of(), so that it can be compared with the rapids of other orders.
 Timeline predict(CutPlan& plan);
 
 /// Returns the timeline with all times scaled in proportion, so that the total is `total_s`.

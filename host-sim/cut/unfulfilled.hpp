@@ -17,8 +17,8 @@ namespace sim::cut {
                                                       const drawing::Entity& entity,
                                                       unsigned tabs);
 
-/// Returns a warning that lists the settings that a cut on its line cannot fulfil; none if there
-/// are no such settings.
+/// Returns a warning that lists the settings that a cut on its line cannot fulfil; none if it
+/// fulfils all settings.
 [[nodiscard]] std::vector<drawing::Fault> unfulfilled_on_line(const LayerSettings& settings,
                                                               const drawing::Entity& entity,
                                                               const Place& start);

@@ -11,7 +11,8 @@
 namespace sim::cut {
 namespace {
 
-/// Distance from the end of a closed path within which a point counts as the start of the path, mm.
+/// Greatest distance from the end of a closed path of a point that is taken as the start of the
+/// path, mm.
 constexpr double kSameEnd = 1.0e-6;
 /// Least distance from the outlines at the end of a line, as a share of half a kerf. Along the
 /// line, the least distance grows in proportion to the length.

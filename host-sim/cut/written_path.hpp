@@ -10,7 +10,7 @@ namespace sim::cut {
 
 /// Follows a path as a controller reads it from a program of cnc::gcode::ProgramWriter. Ends are on
 /// the grid of printed numbers, and arcs have printed centres. This rounding decides whether the
-/// controller detects a corner where a small arc meets a line.
+/// controller detects a corner between a small arc and a line.
 class WrittenPath {
  public:
   /// Makes an object that is at the start of a path.

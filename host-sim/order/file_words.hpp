@@ -8,12 +8,12 @@
 
 namespace sim::order {
 
-/// Reads the words of a problem file one after another, and counts lines.
+/// Reads the words of a problem file one after another. Keeps the number of the line.
 class FileWords {
  public:
   FileWords(std::string_view text, std::string_view file) : rest_{text}, file_{file} {}
 
-  /// Removes and returns the next word; empty at the end of the file. A colon is a word of its own.
+  /// Removes and returns the next word; empty at the end of the file. A colon is a separate word.
   std::string_view next();
   /// Returns the word that the following call of next() returns, without removing it.
   [[nodiscard]] std::string_view peek() const;

@@ -22,7 +22,7 @@ enum class ArcForm : std::uint8_t {
 
 enum class CommentForm : std::uint8_t { kBrackets, kSemicolon, kNone };
 
-/// The words that each motion has even if they are equal to those of the previous motion.
+/// The words that each motion has, even if the previous motion had equal ones.
 enum class Repeat : std::uint8_t {
   kNothing,
   kMotion,  ///< Only the word G0, G1, G2 or G3.
@@ -40,7 +40,8 @@ struct LineNumbers {
 /// The form in which the time of a dwell is written.
 struct DwellForm {
   char letter = 'P';
-  double per_second = 1.0;  ///< Units of the time in one second: 1000 for milliseconds.
+  /// Number of units of time in a second: 1000 if times are in milliseconds.
+  double per_second = 1.0;
 };
 
 /// The form in which a controller requires the text of a program. A default Post leaves programs
