@@ -5,7 +5,7 @@
 
 namespace sim::cut {
 
-/// The least time between a cut and a pierce that is near the cut.
+/// Rules that let the sheet cool between a cut and a pierce near it.
 struct CoolingRules {
   double cool_s = 1.0;  ///< Least time between a cut and a pierce near it, above 0.
   /// Greatest distance between a cut and a pierce that is near it, above 0.

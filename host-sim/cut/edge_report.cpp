@@ -39,7 +39,7 @@ std::vector<std::string> lines_of(const EdgeFigures& figures) {
                       "of edges are cut otherwise, by the same law",
                       text_of(figures.max_off_known),
                       figures.unknown_mm),
-          fmt::format("power over speed {:.3f} to {:.3f} of what was planned{}",
+          fmt::format("power over speed {:.3f} to {:.3f} of the planned value{}",
                       figures.min_heat_ratio,
                       figures.greatest_heat_ratio,
                       at_corners)};

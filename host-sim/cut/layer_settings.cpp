@@ -81,11 +81,11 @@ void expect_of_side(const LayerRule& rule, const LayerSettings& settings) {
       if (!is_for_image(key)) refuse(key, value, "is not for pictures; leave it out");
       continue;
     }
-    if (holds(kImageKeys, key)) refuse(key, value, "is for a layer with kind=image");
+    if (holds(kImageKeys, key)) refuse(key, value, "is for a layer with kind=image; leave it out");
     if (holds(kFillKeys, key)) {
-      if (side != Side::kFill) refuse(key, value, "is for a layer with kind=fill");
+      if (side != Side::kFill) refuse(key, value, "is for a layer with kind=fill; leave it out");
       const bool is_of_lines = key == "angle" || key == "overscan";
-      if (is_of_lines && !has_lines) refuse(key, value, "is for pattern=lines");
+      if (is_of_lines && !has_lines) refuse(key, value, "is for pattern=lines; leave it out");
       continue;
     }
     if (!is_engraved(side) || holds(kMarkKeys, key)) continue;
@@ -291,7 +291,7 @@ void set(LayerSettings& settings, std::string_view key, std::string_view value) 
   keys.reserve(kSetters.size() + kImageKeys.size());
   for (const KeySetter& setter : kSetters) keys.emplace_back(setter.key);
   for (const std::string_view image_key : kImageKeys) keys.emplace_back(image_key);
-  throw std::invalid_argument(fmt::format("{}: no such setting; settings are {}{}",
+  throw std::invalid_argument(fmt::format("{}: there is no such setting; settings are {}{}",
                                           key,
                                           fmt::join(keys, ", "),
                                           did_you_mean(std::string{key}, keys)));

@@ -224,7 +224,7 @@ class RuleParser {
 
   void read_percent(RuleChange& change, std::size_t at) const {
     if (change.key != "feed" && change.key != "power") {
-      refuse_at(at, "only feed and power can be a percentage of the layer's");
+      refuse_at(at, "only feed and power can be a percentage of the layer's value");
     }
     const char* const end = change.value.data() + change.value.size() - 1;
     const auto [stop, error] = std::from_chars(change.value.data(), end, change.percent);

@@ -148,7 +148,7 @@ class PostReader {
   void check_plain(std::string_view value) const {
     const auto is_plain = [](char c) { return (c >= ' ' && c <= '~') || c == '\t'; };
     if (!std::ranges::all_of(value, is_plain)) {
-      refuse("a character is not plain ASCII, so that controllers do not read it; leave it out");
+      refuse("a character is not plain ASCII, and controllers do not read it; leave it out");
     }
   }
 

@@ -140,7 +140,7 @@ class PostWriter {
   void sort_code(const Word& word, SortedLine& line) {
     const std::string name = text_of(word);
     if (std::ranges::find(kProgramWords, name) == kProgramWords.end()) {
-      throw std::invalid_argument(fmt::format("a post cannot write {}", name));
+      throw std::invalid_argument(fmt::format("a post cannot write the word {}", name));
     }
     const auto number = static_cast<int>(word.value.whole);
     if (word.letter == 'G' && number <= 3) {
