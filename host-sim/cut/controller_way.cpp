@@ -8,8 +8,8 @@
 namespace sim::cut {
 namespace {
 
-/// Distance by which the path overlaps its beginning beyond the point where the beam first reached
-/// the outline, mm.
+/// Extra overlap, mm: the path ends at this distance past the point where the beam first reached
+/// the outline.
 constexpr double kLap = 0.05;
 
 /// Returns the strokes of the beam's path along the edge; none if the path has no lead-in.

@@ -27,7 +27,7 @@ constexpr double kNever = std::numeric_limits<double>::infinity();
 
 /// The kind of point at which a stretch ends.
 enum class EndKind : std::uint8_t {
-  kRow,   ///< A corner of a row: of the level of the stretch.
+  kRow,   ///< A corner of the row at the level of the stretch.
   kTip,   ///< A point that the next row outside still covers.
   kNode,  ///< A node of the axis at which several stretches meet.
   kLeaf,  ///< A node of the axis at which only this stretch ends.

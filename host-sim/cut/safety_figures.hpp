@@ -7,7 +7,7 @@ namespace sim::cut {
 /// Effects of the measures that were taken to make an order of cuts safe to run.
 struct SafetyFigures {
   bool avoids_freed = false;  ///< Whether rapids were routed around freed areas.
-  std::size_t led_round = 0;  ///< Number of rapids that have corners because of this.
+  std::size_t led_round = 0;  ///< Number of rapids that have corners to avoid freed areas.
   double longer_mm = 0.0;     ///< Length by which these rapids exceed straight rapids.
   std::size_t lifted = 0;     ///< Number of rapids that are lifted.
   std::size_t no_way = 0;     ///< Number of rapids without a path; each is a fault.
