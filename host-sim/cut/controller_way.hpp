@@ -12,10 +12,10 @@ namespace sim::cut {
 /// The path for a controller that computes the compensated path itself, or the reason why there is
 /// no such path.
 struct ControllerWay {
-  /// The strokes in order: a pierce in the waste if one is required, the entry (kLeadIn, the first
-  /// stroke under G42), the drawn outline with the part on its left, a short piece of the outline
-  /// for a second time, and the exit (kLeadOut, the first stroke after G40). Empty if `reason` has
-  /// a text.
+  /// The strokes in order. A pierce in the waste comes first, if one is required. The entry follows
+  /// (kLeadIn, the first stroke under G42), then the drawn outline with the part on its left, then
+  /// a short piece of the outline for a second time. The exit is last (kLeadOut, the first stroke
+  /// after G40). Empty if `reason` has a text.
   std::vector<Stroke> strokes{};
   std::string reason{};
 };

@@ -21,9 +21,8 @@ class HeatMap {
   void add(const Stroke& stroke, double begin_s, double end_s);
 
   /// Returns the earliest time at which a point may be pierced, s; −infinity if no spot near it is
-  /// hot at `now_s`. The result is never too early. It may be too late, because distances are
-  /// accurate to 1/16 of `distance_mm` of the constructor, and times to the time of a stretch of
-  /// this length.
+  /// hot at `now_s`. The result is never too early, but may be too late. Distances are accurate to
+  /// 1/16 of `distance_mm` of the constructor, and times to the time of a stretch of this length.
   [[nodiscard]] double cool_from(const Place& place, double now_s) const;
 
  private:

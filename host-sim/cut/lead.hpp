@@ -40,8 +40,8 @@ struct Leads {
 /// Returns whether both leads have free space: they keep clear of all parts.
 [[nodiscard]] bool have_room(const Leads& leads, const LeadRoom& room);
 
-/// A point at which the cut of a closed loop or of a line may begin, with the points where the
-/// rapid to the cut ends and the rapid from it begins.
+/// A point at which the cut of a closed loop or of a line may begin. It includes the points where
+/// the rapid to the cut ends and where the rapid from the cut begins.
 struct Beginning {
   double way_mm = 0.0;        ///< Distance along the loop to this point.
   bool has_leads = true;      ///< Whether the required leads have free space.

@@ -45,8 +45,8 @@ int turns_by_arc(const Stroke& arc, const Place& place) {
   return arc.bulge > 0.0 ? 1 : -1;
 }
 
-/// Returns the contribution of a chord to the winding number around a point: 1 or −1 if a ray from
-/// the point to the right crosses the chord.
+/// Returns the contribution of a chord to the winding number around a point. It is 1 or −1 if a ray
+/// from the point to the right crosses the chord, otherwise 0.
 int turns_by_chord(const Stroke& stroke, const Place& place) {
   const bool from_is_above = stroke.from.y() > place.y();
   const bool to_is_above = stroke.to.y() > place.y();

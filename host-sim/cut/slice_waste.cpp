@@ -54,8 +54,8 @@ LoopArea::Box sheet_of(const CutPlan& plan, const SliceRules& rules) {
           sheet.y1};
 }
 
-/// Returns the layer whose settings slices have: that of the last cut at an offset from its line,
-/// or if there is none, that of the last cut.
+/// Returns the layer whose settings slices have. It is the layer of the last cut at an offset from
+/// its line, or if there is none, of the last cut.
 std::size_t layer_of_slices(const CutPlan& plan) {
   for (auto cut = plan.cuts.rbegin(); cut != plan.cuts.rend(); ++cut) {
     if (plan.plan_of(*cut).settings.side == Side::kWaste) return cut->layer;
