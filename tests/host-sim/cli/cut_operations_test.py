@@ -170,7 +170,7 @@ class Operations(unittest.TestCase):
 
     def test_wrong_patterns_are_refused(self):
         green = "green: kind=fill, power=15%, feed=6000, "
-        for text, told in (("pattern=spiral", "pattern=spiral: wants `lines` or `contour`"),
+        for text, told in (("pattern=spiral", "pattern=spiral: must be `lines` or `contour`"),
                            ("pattern=lines feed=3000", "put a comma between settings"),
                            ("pattern=contour, angle=45", "angle=45: is for pattern=lines"),
                            ("pattern=contour, overscan=2", "overscan=2: is for pattern=lines")):

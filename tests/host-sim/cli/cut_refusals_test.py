@@ -25,7 +25,7 @@ class Refusals(CutBench):
                           "--full-power", "1000").stderr)
         self.assertIn('no layer or colour "blue"; it has',
                       self.refused(self.plate, *STEEL, "--layer", "blue: feed=1"))
-        self.assertIn("--layer: led-in: no such setting; there are power, feed",
+        self.assertIn("--layer: led-in: there is no such setting; settings are power, feed",
                       self.refused(self.plate, *STEEL, "--layer", "red: led-in=arc:1"))
         for number in ("nan", "inf", "1e99", "x"):
             self.assertIn("feed=", self.refused(self.plate, *STEEL, "--feed", number))
