@@ -154,13 +154,13 @@ std::string timed_program(const CutCommandOptions& options,
   }
   if (is_unknown) {
     terminal::print(stderr,
-                    "kerfline: warning: the job is larger than a new controller's travel; "
-                    "--machine or --settings tells of yours\n");
+                    "kerfline: warning: the job is larger than a new controller's travel; give "
+                    "that of your machine with --machine or --settings\n");
   } else if (!check.faults.empty()) {
     terminal::print(
         stderr,
-        "kerfline: the machine as it is set does not take the program; tell of yours with "
-        "--settings, or move the drawing\n");
+        "kerfline: the machine with its present settings refuses the program; give those of your "
+        "machine with --settings, or move the drawing\n");
     status = ExitStatus::kFaults;
   }
   return options.post.applied_to(program_of(job, run, heading_of(job, figures)));
@@ -168,8 +168,8 @@ std::string timed_program(const CutCommandOptions& options,
 
 const char* refusal_of(const CutPlan& plan) {
   if (plan.cuts.empty()) return "nothing is left to cut; no program is written";
-  if (plan.safety.no_way != 0) return "no program is written; its rapids would not be safe";
-  return "no program is written; --anyway cuts what is sound";
+  if (plan.safety.no_way != 0) return "no program is written, as its rapids would not be safe";
+  return "no program is written; --anyway cuts the contours without faults";
 }
 
 /// Returns the wishes of the call, with a progress line while the order is searched.
@@ -250,8 +250,8 @@ std::string put_to_place(const CutCommandOptions& options,
   const cut::PlaceWishes wishes = place_wishes_of(options.place);
   if (wishes.is_asked() && (input.sheet || !options.sheet.save.empty())) {
     throw std::invalid_argument(
-        "--place, --move, --turn, --mirror, --scale and --copies: a sheet has places of its own; "
-        "change them there");
+        "--place, --move, --turn, --mirror, --scale and --copies: a sheet contains the positions "
+        "of its parts; change them there");
   }
   if (input.sheet) return {};
   return place_drawing(input.drawn, wishes, machine ? &*machine : nullptr, options.import.effort);

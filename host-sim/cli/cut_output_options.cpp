@@ -30,13 +30,14 @@ std::string refusal_of_currency(const std::string& text) {
 
 void add_price_options(CLI::App& command, cut::PriceList& prices) {
   command
-      .add_option("--rate", prices.per_hour, "What an hour of the machine costs: prices the job")
+      .add_option(
+          "--rate", prices.per_hour, "Cost of an hour of the machine; with it the job is priced")
       ->check(in_range(0.0, kMaxMoney, ""))
       ->type_name("MONEY");
-  command.add_option("--sheet-cost", prices.per_sheet, "What the sheet costs")
+  command.add_option("--sheet-cost", prices.per_sheet, "Cost of the sheet")
       ->check(in_range(0.0, kMaxMoney, ""))
       ->type_name("MONEY");
-  command.add_option("--currency", prices.currency, "Printed behind amounts")
+  command.add_option("--currency", prices.currency, "Currency that is printed after amounts")
       ->check(CLI::Validator{refusal_of_currency, ""})
       ->type_name("TEXT");
 }
@@ -47,15 +48,18 @@ void add_cut_output_options(CLI::App& command, CutOutputOptions& options) {
   const auto add_file = [&](const char* name, std::string& file, const char* help) {
     mark_file(command.add_option(name, file, help)->type_name("FILE"), FileRole::kOutput);
   };
-  add_file("--svg", options.svg, "Draw parts, path, kerf, order and rapids");
-  add_file("--png", options.png, "The same picture as PNG");
-  add_file("--animation", options.animation, "SVG that plays the job, without scripts");
+  add_file("--svg", options.svg, "Draw parts, path, kerf, order and rapids as SVG");
+  add_file("--png", options.png, "Draw the picture of --svg as PNG");
+  add_file("--animation", options.animation, "Write an SVG without scripts that plays the job");
   command
-      .add_option("--animation-time", options.animation_s, "A longer job is shown faster, in this")
+      .add_option("--animation-time",
+                  options.animation_s,
+                  "Greatest duration of the animation, s; a longer job is shown faster")
       ->check(in_range(1.0, kMaxAnimationS, "s"))
       ->type_name("S")
       ->capture_default_str();
-  add_file("--job-sheet", options.job_sheet, "PDF with picture, conditions, parts and costs");
+  add_file(
+      "--job-sheet", options.job_sheet, "Write a PDF with picture, conditions, parts and costs");
   add_price_options(command, options.prices);
 }
 

@@ -62,7 +62,7 @@ std::vector<drawing::Fault> picture_faults(const drawing::Drawing& drawn,
     faults.push_back({FaultKind::kBadEntity,
                       contour.entity,
                       start_of(contour.shapes.front()),
-                      "its layer burns pictures with kind=image, and it is none",
+                      "its layer has kind=image, which burns pictures only",
                       "give its colour a kind of its own; `image: kind=image` names pictures "
                       "alone"});
   }

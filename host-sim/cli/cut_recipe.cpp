@@ -120,7 +120,7 @@ class RecipeReader {
                       const std::string& pointer,
                       const Json& value) const {
     if (value.is_number()) return value.dump();
-    if (!value.is_string()) refuse(pointer, "wants a text or a number");
+    if (!value.is_string()) refuse(pointer, "must be a text or a number");
     const auto word = value.get<std::string>();
     return file_role(option) ? from_folder(word, folder_) : word;
   }
@@ -128,7 +128,7 @@ class RecipeReader {
   void take(CLI::Option& option, const std::string& key, const Json& value) {
     const std::string pointer = "/" + key;
     if (is_flag(option)) {
-      if (!value.is_boolean()) refuse(pointer, "wants true or false");
+      if (!value.is_boolean()) refuse(pointer, "must be true or false");
       if (value.get<bool>() && option.count() == 0) give(option, pointer, {"true"});
       return;
     }
@@ -154,7 +154,7 @@ class RecipeReader {
   /// Reads `{"NAME": {"key": value}}`, or a list of such objects with their "name".
   void read_layers(const Json& layers) {
     if (!options_.layers_file.empty()) {
-      refuse("/layers", "does not go with --layers of the call; give --layer in place of that");
+      refuse("/layers", "excludes --layers of the call; give --layer instead");
     }
     const std::string pointer = fmt::format("/{}", kLayersKey);
     if (layers.is_object()) {
@@ -163,11 +163,12 @@ class RecipeReader {
       }
       return;
     }
-    if (!layers.is_array()) refuse(pointer, R"(wants {"NAME": {"kind": "cut"}}, an object)");
+    if (!layers.is_array())
+      refuse(pointer, R"(must be an object, such as {"NAME": {"kind": "cut"}})");
     for (std::size_t i = 0; i < layers.size(); ++i) {
       const std::string place = fmt::format("{}/{}", pointer, i);
       if (!layers[i].is_object() || !layers[i].contains("name") || !layers[i]["name"].is_string()) {
-        refuse(place, R"(wants an object with "name")");
+        refuse(place, R"(must be an object with "name")");
       }
       Json settings = layers[i];
       settings.erase("name");
@@ -176,13 +177,13 @@ class RecipeReader {
   }
 
   void read_layer(const std::string& name, const Json& settings, const std::string& pointer) {
-    if (!settings.is_object()) refuse(pointer, R"(wants an object, such as {"kind": "engrave"})");
+    if (!settings.is_object()) refuse(pointer, R"(must be an object, such as {"kind": "engrave"})");
     cut::LayerRule rule{
         name, {}, fmt::format("{}: {}", name_of_input(file_), printable_line(pointer))};
     cut::LayerSettings tried;
     for (const auto& [key, value] : settings.items()) {
       if (!value.is_string() && !value.is_number()) {
-        refuse(fmt::format("{}/{}", pointer, key), "wants a text or a number");
+        refuse(fmt::format("{}/{}", pointer, key), "must be a text or a number");
       }
       const std::string text = value.is_string() ? value.get<std::string>() : value.dump();
       try {
@@ -201,12 +202,13 @@ class RecipeReader {
       if (option->count() == 0 || is_of_the_call(*option)) continue;
       for (const CLI::Option* needed : option->get_needs()) {
         if (needed->count() == 0) {
-          refuse("/" + key_of(*option), fmt::format("needs {}, too", needed->get_name()));
+          refuse("/" + key_of(*option), fmt::format("requires {}, too", needed->get_name()));
         }
       }
       for (const CLI::Option* excluded : option->get_excludes()) {
         if (excluded->count() != 0) {
-          refuse("/" + key_of(*option), fmt::format("does not go with {}", excluded->get_name()));
+          refuse("/" + key_of(*option),
+                 fmt::format("excludes {}; leave one out", excluded->get_name()));
         }
       }
     }
@@ -274,12 +276,15 @@ void add_cut_recipe_options(CLI::App& command, CutCommandOptions& options) {
   mark_file(command
                 .add_option("--recipe",
                             options.recipe,
-                            "JSON with any of these options; those of the call go before it")
+                            "File of any of these options as JSON; options of the call override it")
                 ->type_name("FILE"),
             FileRole::kInput);
-  mark_file(command.add_option("--save-recipe", options.save_recipe, "Write what was in force")
-                ->type_name("FILE"),
-            FileRole::kOutput);
+  mark_file(
+      command
+          .add_option(
+              "--save-recipe", options.save_recipe, "Write the options of this call as a recipe")
+          ->type_name("FILE"),
+      FileRole::kOutput);
 }
 
 void apply_recipe(CLI::App& command, CutCommandOptions& options) {

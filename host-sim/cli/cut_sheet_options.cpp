@@ -23,7 +23,10 @@ void add_cut_sheet_options(CLI::App& command, CutSheetOptions& options) {
   mark_file(command.add_option("--save-sheet", options.save, "Write the job as a sheet file")
                 ->type_name("FILE"),
             FileRole::kOutput);
-  command.add_option("--sheet-margin", options.margin_mm, "Around a drawing saved as a sheet, mm")
+  command
+      .add_option("--sheet-margin",
+                  options.margin_mm,
+                  "Margin around a drawing that is saved as a sheet, mm")
       ->check(in_range(0.0, kMaxSheetMarginMm, "mm"))
       ->type_name("MM")
       ->capture_default_str();

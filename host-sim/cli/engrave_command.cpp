@@ -157,15 +157,15 @@ ExitStatus engrave_picture(const CLI::App& command, EngraveOptions& options) {
   const auto program =
       engrave_program(raster, rows, wish.limits, heading_of(options, raster, rows, inputs));
   if (!program) {
-    terminal::print(stderr, "kerfline: the picture is white; nothing is to be burnt\n");
+    terminal::print(stderr, "kerfline: the picture is white, so that no program is written\n");
     return ExitStatus::kFaults;
   }
   if (!options.picture.empty()) write_file(options.picture, engrave::burn_picture(raster));
   const std::string beyond = machine ? beyond_bed(program->figures, *machine) : "";
   if (!beyond.empty()) {
     terminal::print(stderr,
-                    "kerfline: the picture with its overscan leaves the bed of {}{}; put it "
-                    "elsewhere with --place or --move\n",
+                    "kerfline: the picture with its overscan leaves the bed of {}{}; move it with "
+                    "--place or --move\n",
                     machine->name,
                     beyond);
     return ExitStatus::kFaults;

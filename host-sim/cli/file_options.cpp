@@ -98,7 +98,7 @@ std::optional<FileRole> file_role(const CLI::Option& option) {
 std::string stale_note(const std::string& output) {
   std::error_code is_none;
   if (output.empty() || !std::filesystem::is_regular_file(output, is_none)) return {};
-  return fmt::format("; {} is still the file of before", output);
+  return fmt::format("; {} is still the earlier file", output);
 }
 
 void refuse_shared_files(const std::vector<NamedFile>& files) {

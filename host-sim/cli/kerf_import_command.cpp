@@ -98,7 +98,7 @@ OperationsByMaterial operations_of(const drawing::MaterialLibrary& library,
     if (!operation) {
       print_left_out(options,
                      entry,
-                     fmt::format("the mode {:.40} is none of Cut and Scan; it is left out",
+                     fmt::format("the mode {:.40} is neither Cut nor Scan; it is left out",
                                  printable_line(entry.settings.kind)));
       continue;
     }
@@ -141,8 +141,8 @@ void import_library(const LibraryOptions& options) {
 void add_kerf_import_command(CLI::App& kerf) {
   CLI::App* command = kerf.add_subcommand(
       "import",
-      "Take the settings of a LightBurn library of materials (.clb) into a data base, marked as "
-      "not\nmeasured here. Those of an earlier import of the same file go.");
+      "Import the settings of a LightBurn library of materials (.clb) into a data base, marked as "
+      "not\nmeasured here. They replace the settings of an earlier import of the same file.");
   command->footer(
       "Example:\n"
       "  kerfline kerf import shop.clb --db my.db\n"
@@ -151,13 +151,18 @@ void add_kerf_import_command(CLI::App& kerf) {
   mark_file(command->add_option("FILE.clb", options->file, "The library; - is standard input")
                 ->required(),
             FileRole::kInput);
-  mark_file(command->add_option("--db", options->data_base, "Data base; made when there is none")
+  mark_file(command
+                ->add_option("--db",
+                             options->data_base,
+                             "Data base of kerf records; it is created if it does not exist")
                 ->required()
                 ->type_name("FILE"),
             FileRole::kKept);
-  command->add_option("--laser", options->laser, "Name of the laser that it is for")
+  command->add_option("--laser", options->laser, "Name of the laser of these settings")
       ->type_name("NAME");
-  command->add_option("--on", options->date, "Its day; else when the file was last changed")
+  command
+      ->add_option(
+          "--on", options->date, "Day of the library; default: the last change of the file")
       ->check(day_of_calendar())
       ->type_name("YYYY-MM-DD");
   command->callback([options] { import_library(*options); });

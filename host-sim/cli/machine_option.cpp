@@ -45,7 +45,7 @@ std::string profile_file(const std::string& name) {
     return (shipped_folder() / (name + ".json")).string();
   }
   throw std::invalid_argument(
-      fmt::format("--machine {}: no such machine is shipped; there are {}; or name a file, such as "
+      fmt::format("--machine {}: no such profile is shipped; choose {}, or name a file, such as "
                   "mine.json{}",
                   name,
                   fmt::join(names, ", "),
@@ -58,8 +58,8 @@ void add_machine_option(CLI::App& command, std::string& machine) {
   mark_file(command
                 .add_option("--machine",
                             machine,
-                            "Bed, power and settings: a file, or k40, diode-5w, diode-20w, router, "
-                            "sheet-cutter")
+                            "Profile of the machine, its bed, power and settings: a file, or k40, "
+                            "diode-5w, diode-20w, router, sheet-cutter")
                 ->type_name("NAME"),
             FileRole::kInput);
 }

@@ -96,14 +96,13 @@ void check_sizes(const PocketCommandOptions& options) {
                     options.level_mm())};
   }
   if (options.rest_of_mm > 0.0 && options.rest_of_mm <= options.tool_mm) {
-    throw std::invalid_argument{
-        fmt::format("--rest-of {:g}: must be the tool that went before, larger than --tool {:g} mm",
-                    options.rest_of_mm,
-                    options.tool_mm)};
+    throw std::invalid_argument{fmt::format(
+        "--rest-of {:g}: must be larger than --tool {:g} mm", options.rest_of_mm, options.tool_mm)};
   }
   const std::optional<pocket::StockBox> stock = options.stock_box();
   if (stock && !(stock->x0 < stock->x1 && stock->y0 < stock->y1)) {
-    throw std::invalid_argument{"--stock: wants XMIN,YMIN,XMAX,YMAX in mm, the greater ones last"};
+    throw std::invalid_argument{
+        "--stock: must be XMIN,YMIN,XMAX,YMAX in mm, the greater values last"};
   }
   const auto& clearing = strategy_options_of(options).pocket.clearing;
   const double widest_mm = pocket::widest_spiral_mm(clearing.tool_radius, clearing.corner_radius);
@@ -133,11 +132,11 @@ void check_pocket_options(const CLI::App& command, const PocketCommandOptions& o
     refusals.of({"--holes"}, "this entry", "add --entry plunge");
   }
   if (options.rest_of_mm > 0.0) {
-    refusals.of({"--finish"}, "--rest-of", "its passes go along the walls already");
+    refusals.of({"--finish"}, "--rest-of", "its passes run along the walls already");
     refusals.of({"--stock"}, "--rest-of", "mill open pockets with one tool");
   }
   if (!options.stock.empty()) {
-    refusals.of({"--finish"}, "--stock", "passes along the walls of open pockets are not apart");
+    refusals.of({"--finish"}, "--stock", "open pockets have no separate passes along walls");
   }
   if (options.is_v_carving()) {
     return refusals.of(kOptionsOfClearing, "--v-angle", "leave it out");
@@ -151,7 +150,7 @@ void check_pocket_options(const CLI::App& command, const PocketCommandOptions& o
                          "--strategy adaptive",
                          "--engagement bounds the cut");
     case pocket::Strategy::kZigzag:
-      refusals.of({"--conventional"}, "--strategy zigzag", "lines go both ways");
+      refusals.of({"--conventional"}, "--strategy zigzag", "lines run in both directions");
       break;
     case pocket::Strategy::kPaper:
       refusals.of(

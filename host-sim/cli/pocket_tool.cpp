@@ -50,7 +50,7 @@ void take_values(const CLI::App& command,
   }
   if (tool.feed_per_tooth_mm && options.mill.feed_mm_min == 0.0) {
     throw std::invalid_argument{fmt::format(
-        "--spindle: is needed, as the tool {} of {} has a feed per tooth and no spindle",
+        "--spindle is missing: the tool {} of {} has a feed per tooth and no spindle speed",
         tool.name,
         tool.place)};
   }
@@ -71,8 +71,9 @@ void apply_tool(const CLI::App& command, PocketCommandOptions& options, InputFil
     }
     options.tool_mm = *diameter;
   } else if (options.tools_file.empty()) {
-    throw std::invalid_argument{fmt::format(
-        "--tool {}: is no diameter in mm; a name needs the file of --tools", options.tool)};
+    throw std::invalid_argument{
+        fmt::format("--tool {}: is no diameter in mm; a name requires --tools, the file of tools",
+                    options.tool)};
   } else {
     take_values(command, pocket::tool_named(tools, options.tool, options.tools_file), options);
   }

@@ -36,16 +36,22 @@ constexpr const char* kSendFooter =
     "  kerfline send part.nc --port /dev/ttyACM0 --resume\n"
     "  kerfline cut part.dxf ... | kerfline send - --port /dev/ttyUSB0\n"
     "\n"
-    "Any Grbl controller; --checked and --resume want Kerfline. Before anything moves the\n"
-    "controller is asked for its settings, offsets and position; a program with a line that it\n"
-    "would refuse, or beyond the travel ($130...), is not sent unless --accept-faults says so.\n"
-    "A job sent --numbered or --checked that was interrupted goes on with --resume where the beam\n"
-    "went out: the controller is reset if it is held, and the path is driven, beam off, up to\n"
-    "there. Keys at a terminal: ! or blank holds, ~ or r resumes, q or Ctrl-C stops. A stop "
-    "holds,\n"
-    "and resets at standstill, or at once where a hold does nothing (a tool change, homing, check\n"
-    "mode): the position stays known, but after homing, and no line is left to go on. Without a\n"
-    "terminal it prints for what the machine waits; SIGINT stops as q does.\n"
+    "Works with any Grbl controller; --checked and --resume require Kerfline. Before any motion "
+    "the\n"
+    "settings, offsets and position of the controller are read. A program with a line that the\n"
+    "controller would refuse, or that leaves the travel ($130...), is sent only with\n"
+    "--accept-faults.\n"
+    "An interrupted job that was sent with --numbered or --checked continues with --resume where\n"
+    "the beam went off: the controller is reset if it is held, and the path is driven with the "
+    "beam\n"
+    "off up to that point.\n"
+    "Keys at a terminal: ! or blank holds, ~ or r resumes, q or Ctrl-C stops. A stop holds and "
+    "then\n"
+    "resets at standstill, or resets immediately where a hold has no effect (a tool change, "
+    "homing,\n"
+    "check mode). The position stays known, except during homing, and all lines are dropped. "
+    "Without\n"
+    "a terminal the program prints for what the machine waits; SIGINT stops as q does.\n"
     "Exit status: 0 all done and at rest, 1 faults, refused, aborted or cut off, 2 the call is "
     "wrong.";
 
@@ -54,51 +60,57 @@ void add_options(CLI::App& command, SendCommandOptions& options) {
                 ->required()
                 ->type_name("FILE"),
             FileRole::kInput);
-  auto* const links = command.add_option_group("link", "Where the controller is");
-  links->add_option("--port", options.port, "A serial port")->type_name("DEVICE");
-  links->add_option("--tcp", options.tcp, "Raw TCP")->check(port_address())->type_name("HOST:PORT");
-  links->add_option("--can", options.can, "A CAN interface of the kernel, can0 or vcan0")
+  auto* const links = command.add_option_group("link", "Link to the controller");
+  links->add_option("--port", options.port, "Serial port of the controller")->type_name("DEVICE");
+  links->add_option("--tcp", options.tcp, "Raw TCP address")
+      ->check(port_address())
+      ->type_name("HOST:PORT");
+  links->add_option("--can", options.can, "CAN interface of the kernel, such as can0 or vcan0")
       ->type_name("INTERFACE");
-  links->add_option("--slcan", options.slcan, "A CAN adapter of the serial kind, at 1 Mbit/s")
+  links->add_option("--slcan", options.slcan, "Serial CAN adapter (slcan), at 1 Mbit/s")
       ->type_name("DEVICE");
   links->require_option(1);
-  command.add_option("--node", options.node, "The controller's number on a CAN bus")
+  command.add_option("--node", options.node, "Node number of the controller on the CAN bus")
       ->check(in_whole_range(1, cnc::can::kLastNode))
       ->type_name("N")
       ->capture_default_str();
-  command.add_option("--baud", options.baud, "Of the serial port; USB has none")
+  command.add_option("--baud", options.baud, "Baud rate of the serial port; USB ignores it")
       ->check(in_whole_range(1, 10'000'000, "baud"))
       ->type_name("RATE")
       ->capture_default_str();
-  command.add_flag("--checked",
-                   options.send.checked,
-                   "Number and check every line, and repeat what was damaged");
+  command.add_flag(
+      "--checked", options.send.checked, "Number and check every line, and repeat damaged lines");
   command
       .add_option("--window",
                   options.send.window,
-                  "Bytes on their way at most; else as the controller announces")
+                  "Greatest number of sent bytes without an answer; default: as the controller "
+                  "announces")
       ->check(in_whole_range(16, 65'536, "bytes"))
       ->type_name("BYTES");
   command.add_flag("--accept-faults",
                    options.accept_faults,
-                   "Send a program with faults, or beyond the travel, all the same");
+                   "Send the program although it has faults or leaves the travel");
   command.add_flag("--keep-going",
                    options.send.goes_on_after_errors,
-                   "Go on after a line that the controller refuses");
+                   "Continue after a line that the controller refuses");
   command.add_flag(
       "--stop-when-held",
       options.stop_when_held,
       "End the job where it would wait for an operator: at M0, M6, a hold, an open door.\n"
-      "The controller is reset: no line is left to go on");
-  command.add_flag("--numbered", options.numbered, "With N in each line: --resume can go on then");
+      "The controller is reset, and all lines are dropped");
+  command.add_flag("--numbered",
+                   options.numbered,
+                   "Send each line with a number N, so that --resume can continue the job");
   auto* const resume =
-      command.add_flag("--resume", options.resume, "Go on where the controller was interrupted");
-  command.add_option("--from-line", options.from_line, "Begin with this line of the file")
+      command.add_flag("--resume", options.resume, "Continue the job where it was interrupted");
+  command
+      .add_option(
+          "--from-line", options.from_line, "Number of the line of the file with which to begin")
       ->check(in_whole_range(1, 1'000'000'000))
       ->excludes(resume)
       ->type_name("LINE");
   mark_file(
-      command.add_option("--log", options.log, "Every line in both directions, with its time")
+      command.add_option("--log", options.log, "Write every line of both directions with its time")
           ->type_name("FILE"),
       FileRole::kOutput);
 }
@@ -182,8 +194,8 @@ ExitStatus ask_until_agreed(const SendCommandOptions& options, Line& line, Answe
   }
   terminal::print(
       stderr,
-      "{}: nothing was sent: the controller's answers differ each time, of {}; the line "
-      "damages too many bytes, try a shorter cable or a lower --baud\n",
+      "{}: nothing was sent: the controller's answers to {} differ each time; the link damages too "
+      "many bytes, so try a shorter cable or a lower --baud\n",
       options.file,
       fmt::to_string(fmt::join(agreed.open(), " ")));
   return ExitStatus::kFaults;
@@ -198,8 +210,8 @@ std::size_t index_of(const JobLines& job, const SendCommandOptions& options) {
   for (std::size_t index = 0; index < job.size(); ++index) {
     if (job.number_of(index) >= options.from_line) return index;
   }
-  throw std::invalid_argument(
-      fmt::format("{}: has no line {} to begin with", options.file, options.from_line));
+  throw std::invalid_argument(fmt::format(
+      "{}: line {} does not exist; choose another --from-line", options.file, options.from_line));
 }
 
 /// Chooses numbers for the checked lines of an approach. The controller must not take them for
@@ -262,7 +274,8 @@ ExitStatus judge(const SendCommandOptions& options,
     terminal::print(stderr, "{}: {}\n", options.file, judgement.texts().back());
   }
   if (options.accept_faults) return ExitStatus::kFine;
-  return refuse(options, ": correct these lines, or send all the same with --accept-faults");
+  return refuse(options,
+                ": correct these lines, or send the program nevertheless with --accept-faults");
 }
 
 /// Returns whether a job has only lines that a controller in alarm takes, such as `$X` or settings.

@@ -135,17 +135,20 @@ void add_stock_options(CLI::App& command, StockOptions& options) {
   command
       .add_option("--stock",
                   options.box,
-                  "Carve this block along the steps, mm in machine coordinates; without a bottom "
-                  "it ends below every cut")
+                  "Block that is carved along the steps, mm in machine coordinates; default of the "
+                  "bottom: below every cut")
       ->type_name(kStockForm);
   command
-      .add_option("--tool",
-                  options.tool,
-                  "The tool that carves: diameter and kind, flat if none; corner radius of a bull "
-                  "nose in mm; included angle of a V in degrees and its tip's diameter")
+      .add_option(
+          "--tool",
+          options.tool,
+          "Tool that carves: diameter in mm and kind, flat by default; for a bull nose its "
+          "corner radius; for a V its included angle in degrees and the diameter of its tip")
       ->type_name(kCutterForm);
   command
-      .add_option("--stock-cell", options.cell_mm, "Resolution of the stock, mm; 8 bytes a cell")
+      .add_option("--stock-cell",
+                  options.cell_mm,
+                  "Side of a cell of the stock, mm; a cell takes 8 bytes of memory")
       ->check(in_range(stock::kMinCellMm, stock::kGreatestCellMm, "mm"))
       ->type_name("MM")
       ->capture_default_str();
@@ -154,29 +157,32 @@ void add_stock_options(CLI::App& command, StockOptions& options) {
   };
   add_output("--stock-png", options.png, "Draw the carved stock in plan, coloured by depth");
   add_output("--stock-stl", options.stl, "Write the carved stock as a body, binary STL in mm");
-  add_output("--stock-ply", options.ply, "The same as binary PLY");
+  add_output("--stock-ply", options.ply, "Write the carved stock as binary PLY in mm");
   mark_file(command
                 .add_option("--stock-target",
                             options.target,
-                            "Compare what is left with the pocket of this drawing, or of contours "
-                            "as text, whose places\nare the machine's")
+                            "Compare the carved stock with the pocket of this drawing, or of "
+                            "contours as text, in machine\ncoordinates")
                 ->type_name("FILE"),
             FileRole::kInput);
   command
-      .add_option("--stock-depth", options.depth_mm, "Depth of that pocket below the stock's top")
+      .add_option("--stock-depth",
+                  options.depth_mm,
+                  "Depth of the pocket of --stock-target below the stock's top, mm")
       ->check(in_range(0.0, stock::kDeepestStockMm, "mm"))
       ->type_name("MM");
   mark_file(command
                 .add_option("--stock-surface",
                             options.surface,
-                            "Compare what is left with this surface, a grid or a mesh as kerfline "
-                            "surface reads\nthem, mm in machine coordinates")
+                            "Compare the carved stock with this surface, a grid or a mesh as "
+                            "kerfline surface\nreads them, mm in machine coordinates")
                 ->type_name("FILE"),
             FileRole::kInput);
-  add_output("--stock-map",
-             options.map,
-             "Draw how far the stock is off that surface, in plan, SVG or PNG: gouges red, rests\n"
-             "blue, the worst places listed");
+  add_output(
+      "--stock-map",
+      options.map,
+      "Draw the error of the stock against --stock-surface in plan, SVG or PNG: gouges red,\n"
+      "rests blue, with a list of the worst points");
 }
 
 std::optional<StockWish> stock_wish_of(const StockOptions& options) {

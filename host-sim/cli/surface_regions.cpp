@@ -35,8 +35,8 @@ void add_boundary_options(CLI::App& command, RegionOptions& options) {
                 .add_option("--boundary",
                             options.boundary,
                             "Mill only within the closed contours of a drawing in machine "
-                            "coordinates: SVG, DXF,\nJSON or contours as text; those within "
-                            "others are islands")
+                            "coordinates: SVG, DXF,\nJSON or contours as text; contours within "
+                            "other contours are islands")
                 ->type_name("FILE"),
             FileRole::kInput);
   const std::map<std::string, BoundarySide> sides{{"inside", BoundarySide::kInside},
@@ -45,8 +45,8 @@ void add_boundary_options(CLI::App& command, RegionOptions& options) {
   command
       .add_option("--boundary-side",
                   options.side,
-                  "The tool's rim stays inside, its tip goes up to the line, or its rim goes "
-                  "beyond")
+                  "Limit of the tool at the boundary: its rim stays inside, its tip goes up to the "
+                  "line, or its\nrim goes beyond")
       ->transform(CLI::CheckedTransformer(sides))
       ->option_text("inside|on|outside [on]");
 }
@@ -55,18 +55,18 @@ void add_rest_options(CLI::App& command, RegionOptions& options) {
   command
       .add_option("--rest-of",
                   options.rest_of,
-                  "The surface was milled with this larger tool: mill only where it left stock")
+                  "Larger tool with which the surface was milled: mill only where it left stock")
       ->type_name(kCutterForm);
   command
       .add_option("--rest-allowance",
                   options.rest_allowance_mm,
-                  "Stock that the larger tool left everywhere, mm")
+                  "Allowance that the larger tool left on the whole surface, mm")
       ->check(in_range(0.0, 100.0, "mm"))
       ->type_name("MM");
   command
       .add_option("--rest-depth",
                   options.rest_depth_mm,
-                  "Thickness above which stock is a rest, mm; else three times --tolerance, at "
+                  "Thickness above which stock is a rest, mm; default: three times --tolerance, at "
                   "least 0.02")
       ->check(in_range(0.001, 100.0, "mm"))
       ->type_name("MM");

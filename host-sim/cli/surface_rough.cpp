@@ -13,10 +13,11 @@ namespace sim {
 
 void add_rough_options(CLI::App& command, SurfaceCommandOptions& options) {
   command
-      .add_option("--stock-margin",
-                  options.stock_margin_mm,
-                  "The stock ends at this distance beyond the surface's box, mm: --paths rough "
-                  "comes in from\nbeside it; else from above")
+      .add_option(
+          "--stock-margin",
+          options.stock_margin_mm,
+          "Distance from the surface's box to the edge of the stock, mm: --paths rough then "
+          "comes in from\noutside the stock; default: from above")
       ->check(in_range(0.0, 1000.0, "mm"))
       ->type_name("MM");
 }

@@ -179,8 +179,8 @@ ExitStatus run_taper(const TaperOptions& options) {
   const wall::TaperFit fit =
       wall::fit_taper(InputFiles::read(options.cuts), options.half_angle_deg, options.cuts);
   terminal::print(
-      "heat leans walls by {:.3f} degrees; what the beam leans more takes {:.3f} of "
-      "itself away\n--taper-gain {:.4f}\n",
+      "heat leans walls by {:.3f} degrees; additional lean of the beam removes {:.3f} "
+      "of itself\n--taper-gain {:.4f}\n",
       fit.heat_deg,
       fit.response,
       fit.gain);
@@ -205,15 +205,16 @@ void add_wall_carving_commands(CLI::App& wall_command, ExitStatus& status) {
   carve->callback([carving, &status] { status = run_carve(*carving); });
 
   CLI::App* taper = wall_command.add_subcommand(
-      "taper", "Find the gain that keeps heat from leaning walls, from measured cuts.");
+      "taper",
+      "Find the --taper-gain that compensates the lean of walls by heat, from measured cuts.");
   taper->footer(kTaperFooter);
   const auto measured = std::make_shared<TaperOptions>();
-  mark_file(taper->add_option("CUTS", measured->cuts, "Measured walls")->required(),
+  mark_file(taper->add_option("CUTS", measured->cuts, "File of measured walls")->required(),
             FileRole::kInput);
   taper
       ->add_option("--half-angle",
                    measured->half_angle_deg,
-                   "Between the axis and the side of the beam, degrees")
+                   "Angle between the axis and the side of the beam, degrees")
       ->required()
       ->check(in_range(0.5, 80.0, "degrees"))
       ->type_name("DEG");

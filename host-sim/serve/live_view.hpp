@@ -24,7 +24,7 @@ namespace sim {
 ///      "line":12,"homed":3,"sender":"ws","travel":[300,200,50],"max_spindle":1000,
 ///      "version":"0.2.0+9fa115e","alarm_text":"",
 ///      "job":{"name":"part.nc","id":"3f…","state":"running","done":12,"count":83,"line":15,
-///             "trouble":"","waits":"the end of the job that runs","resume_waits":"…"},
+///             "trouble":"","waits":"the end of the running job","resume_waits":"…"},
 ///      "path":{"from":17,"points":[x,y,speed,move, …]}}
 ///
 /// Lengths are in mm, speeds of the path in mm/s, `feed` in mm/min. `power` is the output, 0…1.

@@ -74,8 +74,9 @@ void PtyLink::point_to(const std::string& device) {
     const bool of_a_pty =
         fs::is_symlink(there) && fs::read_symlink(link).string().starts_with("/dev/pts/");
     if (!of_a_pty) {
-      throw std::invalid_argument(
-          fmt::format("--pty {}: there is a file of this name, and it is no link to a pty", path_));
+      throw std::invalid_argument(fmt::format(
+          "--pty {}: a file of this name exists and is no link to a pty; choose another name",
+          path_));
     }
     // A pty is gone with its server. A link that is left then leads nowhere, or to `device` if that
     // has received the number of the old pty.

@@ -35,7 +35,7 @@ class Reception {
   static constexpr std::string_view kRefusal = "[MSG:Another sender is connected]\r\n";
   static constexpr std::string_view kJobRuns = "[MSG:A job of the page runs]\r\n";
   static constexpr std::string_view kTooFarAhead =
-      "[MSG:More than 64 MiB of lines wait for the machine: the sender is hung up on]\r\n";
+      "[MSG:More than 64 MiB of lines wait for the machine: the sender is disconnected]\r\n";
   static constexpr std::string_view kOnlyRealtime =
       "[MSG:0: a job runs: only realtime commands act]\r\nerror:8\r\n";
   /// Kinds of senders: a page, and the server's job.

@@ -132,7 +132,8 @@ WebReply placed_sheet(const std::string& request) {
   const ordered_json reply =
       is_shallow && json.is_object()
           ? SheetView{json}.reply()
-          : ordered_json{{"faults", {R"(no JSON object with "sheet" and "drawings" came)"}}};
+          : ordered_json{
+                {"faults", {R"(the request is no JSON object with "sheet" and "drawings")"}}};
   return {.status = http_status::kFine,
           .type = "application/json",
           .content = reply.dump(-1, ' ', false, ordered_json::error_handler_t::replace)};

@@ -130,14 +130,13 @@ void WebClient::read_body(Fault fault) {
 /// Answers a request that could not be read. A client that has gone gets no answer.
 void WebClient::refuse(Fault fault) {
   if (fault == boost::asio::error::operation_aborted) {
-    return answer(web_refusal(http_status::kTimeout, "The program did not come in time."));
+    return answer(web_refusal(http_status::kTimeout, "The request did not arrive in time."));
   }
   if (fault == http::error::header_limit) {
     return answer(web_refusal(http_status::kHeadTooLarge, "The request is too long."));
   }
   if (fault == http::error::body_limit) {
-    return answer(
-        web_refusal(http_status::kTooLarge, "A program of more than 64 MiB is not drawn."));
+    return answer(web_refusal(http_status::kTooLarge, "The request is longer than 64 MiB."));
   }
   const bool unfinished =
       fault == http::error::end_of_stream || fault == http::error::partial_message;
@@ -165,7 +164,7 @@ void WebClient::work(WebWork make) {
 std::shared_ptr<WebSocket> WebClient::become_socket() {
   if (!parser_.is_done() || buffer_.size() > 0) {
     answer(web_refusal(http_status::kBadRequest,
-                       "A WebSocket is talked to after its handshake was answered."));
+                       "A WebSocket must wait for the answer to its handshake before it sends."));
     return nullptr;
   }
   stage_ = Stage::kOver;

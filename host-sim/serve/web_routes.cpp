@@ -150,22 +150,21 @@ std::optional<WebReply> WebRoutes::refusal(const HttpRequest& request) const {
   const bool program = is_one_of(kProgramPaths, path);
   const bool order = is_one_of(kOrderPaths, path) || path == kSheetPath;
   if (!is_document(path) && !program && !order) {
-    return web_refusal(http_status::kNotFound, "There is nothing of that name here.");
+    return web_refusal(http_status::kNotFound, "This server has no such address.");
   }
   if (request.method == "GET" || request.method == "HEAD") {
     if (is_document(path)) return {};
-    return web_refusal(http_status::kWrongMethod,
-                       "What is meant for this address is sent with POST.");
+    return web_refusal(http_status::kWrongMethod, "This address accepts only POST.");
   }
   if (request.method != "POST" || (!program && !order)) {
-    return web_refusal(http_status::kWrongMethod, "This is only read, with GET.");
+    return web_refusal(http_status::kWrongMethod, "This address accepts only GET.");
   }
   if (!request.length) {
-    return web_refusal(http_status::kLengthRequired, "The length of the program is not given.");
+    return web_refusal(http_status::kLengthRequired, "The request does not give its length.");
   }
   if (path == "/job" && job_.running()) {
     return web_refusal(http_status::kConflict,
-                       "A job runs. Another program is opened when it has ended.");
+                       "A job runs. Open the program when the job has ended.");
   }
   return {};
 }
@@ -213,7 +212,7 @@ PageService::Answer WebRoutes::get(const std::string& path) const {
 PageService::Answer WebRoutes::load(HttpRequest request) const {
   // A job may have begun while the program was being received.
   const bool keeps = request.path == "/job";
-  if (keeps && job_.running()) return waits("the end of the job that runs");
+  if (keeps && job_.running()) return waits("the end of the running job");
   std::string name = keeps ? request.query["name"].substr(0, kLongestName) : std::string{};
   return WebWork{[name = std::move(name),
                   file = std::make_shared<std::string>(std::move(request.body)),
@@ -236,11 +235,11 @@ WebReply WebRoutes::order(const std::string& path, const std::string& body) {
   const std::string reason = path == "/job/run"      ? awaited_by_run(job_, kind, machine)
                              : path == "/job/resume" ? awaited_by_resume(job_, kind, machine)
                              : job_.running()        ? std::string{}
-                                                     : "a job that runs";
+                                                     : "a running job";
   if (!reason.empty()) return waits(reason);
   if (!reception_.is_operator(order.page)) return waits("control, which this page does not have");
   if (order.id != job_.program()->id) {
-    return waits("a look at the program: another one was opened, " + job_.program()->name);
+    return waits("a check of the program: another one was opened, " + job_.program()->name);
   }
   if (path == "/job/run") return run(order.accepted);
   if (path == "/job/resume") {

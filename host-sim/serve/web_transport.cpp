@@ -130,11 +130,12 @@ void WebTransport::attend_client(WebClient& client, Clock::time_point now) {
 void WebTransport::judge(WebClient& client) {
   const HttpRequest& request = client.request();
   if (!is_our_host(request.host, address_)) {
-    return client.answer(web_refusal(http_status::kForbidden, "This machine has no such name."));
+    return client.answer(web_refusal(http_status::kForbidden,
+                                     "This server does not have the name in the Host line."));
   }
   if (!is_same_origin(request.origin, request.host)) {
     return client.answer(
-        web_refusal(http_status::kForbidden, "Another page must not ask for this."));
+        web_refusal(http_status::kForbidden, "A page of another server must not request this."));
   }
   if (request.wants_web_socket) return open_socket(client);
   if (const auto refused = service_.refusal(request)) return client.answer(*refused);

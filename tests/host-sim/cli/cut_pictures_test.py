@@ -235,7 +235,7 @@ class Pictures(unittest.TestCase):
             self.assertIn(told, self.cut(drawing, *CUT, "--layer", rule, status=status).stderr)
         told = self.cut(drawing, *CUT, "--layer", BURN, "--layer", "#000: kind=image, power=1%, feed=100",
                         status=1).stderr
-        self.assertRegex(told, r'rect "plate" at 1.000 \S+: its layer burns pictures')
+        self.assertRegex(told, r'rect "plate" at 1.000 \S+: its layer has kind=image')
         white = page(PLATE, image('x="10" y="5" width="2" height="1.5"', [[255, 255]]))
         self.assertIn("warning: ", self.cut(white, *CUT, "--layer", BURN).stderr)
         self.assertEqual(re.findall("picture", "".join(statements(self.program.read_text()))), [])

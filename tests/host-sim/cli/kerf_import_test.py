@@ -67,7 +67,7 @@ class Import(unittest.TestCase):
                       done.stdout)
         self.assertIn('shop.clb:4:', done.stderr)
         self.assertIn('Felt "Cut": cut, 4 mm: power not known, 480 mm/min', done.stderr)
-        self.assertIn('Felt "Photo": the mode Image is none of Cut and Scan; it is left out', done.stderr)
+        self.assertIn('Felt "Photo": the mode Image is neither Cut nor Scan; it is left out', done.stderr)
         self.assertIn("Birch, Q in W/(mm/min): not measured here", self.kerf("show").stdout)
         shown = self.kerf("show", "--material", "Birch").stdout
         self.assertRegex(shown, r"3 +cut +65 +600 +2 +\? +Cut; not measured here")
@@ -103,7 +103,7 @@ class Import(unittest.TestCase):
                       self.cut(*call, "Felt", "--thickness", "5", status=2).stderr)
         self.assertIn("did you mean Cut?",
                       self.cut(*call, "Birch", "--thickness", "3", "--entry", "Cat", status=2).stderr)
-        self.assertIn("--entry: is one of a --material",
+        self.assertIn("--entry: requires a --material",
                       self.run_it("cut", "square.svg", "--entry", "x", status=2).stderr)
         self.assertIn("CSP 1N has no entries",
                       self.cut("--material", "CSP 1N", "--thickness", "2", "--entry", "x", status=2).stderr)

@@ -146,8 +146,8 @@ class ProbeGrid(unittest.TestCase):
         self.assertEqual(done.returncode, 1)
         for told in ("row 1, column 3 (X 10, Y 0) touched nothing down to Z -8.000",
                      ":16: an answer is damaged", "row 2, column 3 (X 10, Y 5) has no answer",
-                     "row 3, column 3 (X 10, Y 10) has no answer", "3 of 20 points lack, and nothing is written",
-                     "is still the file of before"):
+                     "row 3, column 3 (X 10, Y 10) has no answer", "3 of 20 points are missing, and nothing is written",
+                     "is still the earlier file"):
             self.assertIn(told, done.stderr)
         self.assertEqual(self.grid.read_text(), "before\n")
         done = self.read("--gaps")

@@ -143,7 +143,7 @@ class SurfaceRegions(unittest.TestCase):
                 (("--rest-of", "ball:6", "--rest-allowance", 0.2), "are a rest everywhere"),
                 (("--rest-depth", 0.1), "--rest-depth: needs --rest-of"),
                 (("--rest-allowance", 0.1), "--rest-allowance: needs --rest-of"),
-                (("--direction", "climb", "--order", "zigzag"), "rows to and fro cut both ways"),
+                (("--direction", "climb", "--order", "zigzag"), "rows to and fro cut in both directions"),
                 (("--direction", "up"), "--direction")):
             done = run("surface", self.surface, *(() if "--tool" in options else ROWS[:2]), *ROWS[2:], "-o",
                        self.program, *options)

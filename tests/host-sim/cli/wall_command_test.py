@@ -95,8 +95,8 @@ class WallCommand(unittest.TestCase):
         hole.write_bytes(pocket_stl(open_floor=True))
         calls = (
             ((hole, "--half-angle", 7, "--at", tips), "hole.stl: encloses no solid: the edge from 10 -10 0"),
-            ((self.part, "--half-angle", 7), "--at: is needed"),
-            ((self.part, "--at", tips), "--half-angle: is needed"),
+            ((self.part, "--half-angle", 7), "--at is missing"),
+            ((self.part, "--at", tips), "--half-angle is missing"),
             ((self.part, "--half-angle", 90, "--at", tips), "--half-angle"),
             ((self.part, "--half-angle", 80, "--margin-angle", 10, "--at", tips), "leave no beam"),
             ((self.part, "--half-angle", 7, "--at", self.file("a", "0 0 0\n1 2\n")), "a:2: `1 2` is none; give"),
