@@ -15,8 +15,8 @@
 namespace sim {
 namespace {
 
-/// Checks that each option comes with the options that it needs. Throws std::invalid_argument
-/// otherwise.
+/// Checks that each option is given together with the options that it requires. Throws
+/// std::invalid_argument otherwise.
 void expect_whole_call(const CutCommandOptions& options) {
   const auto refuse = [](const char* reason) { throw std::invalid_argument(reason); };
   const bool has_material = !options.record.material.empty();
@@ -78,8 +78,7 @@ ProgramDigest CutKerf::digest() const {
 
 namespace {
 
-/// Makes the job's kerf from an entry of a record: the kerf is the entry's own or the one that the
-/// call gives.
+/// Takes the job's kerf from an entry of a record, unless the call gives a kerf.
 void take_entry(CutKerf& kerf, const MaterialRecord& record, const CutCommandOptions& options) {
   if (options.kerf_table) {
     throw std::invalid_argument(fmt::format(

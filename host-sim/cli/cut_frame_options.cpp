@@ -14,7 +14,7 @@
 namespace sim {
 namespace {
 
-/// Power in % above which a beam that is only to be seen begins to burn.
+/// Greatest power of a frame, %. More power may burn the material, and the beam is only to be seen.
 constexpr double kMaxFramePercent = 5.0;
 constexpr double kMaxFrameFeed = 1.0e6;  ///< Greatest feed of a frame, mm/min.
 

@@ -68,7 +68,7 @@ LayerSettings common_settings(const CutCommandOptions& options, LayerSettings ba
 
 namespace {
 
-/// Returns the given power and speed. Without a material both have to be given.
+/// Returns power and speed as given by layer or call. Without a material both are required.
 cut::Condition given_condition(const LayerSettings& settings, std::uint32_t thickness_um) {
   const char* missing = nullptr;
   if (!settings.feed_mm_min)
@@ -117,8 +117,8 @@ cut::Condition condition_of(const CutSource& source, const LayerSettings& settin
   return condition;
 }
 
-/// Returns power and feed of a layer that is engraved. Those of a cut are chosen only if the layer
-/// does not give both.
+/// Returns power and feed of an engraved layer. If the layer does not give both, the missing ones
+/// are chosen as for a cut.
 cut::Condition engraving_of(const CutSource& source,
                             const LayerSettings& settings,
                             const LayerSettings& common) {
@@ -134,7 +134,7 @@ cut::Condition engraving_of(const CutSource& source,
   return cut::engraving(cut, 0.01 * source.options.shop.mark_percent, power, speed);
 }
 
-/// Returns the condition of a layer. Its errors name the layer.
+/// Returns the condition of a layer. Errors that it throws name the layer.
 cut::Condition condition_for(const drawing::Layer& layer,
                              const CutSource& source,
                              const LayerSettings& settings,

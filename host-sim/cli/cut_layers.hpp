@@ -9,7 +9,7 @@
 
 namespace sim {
 
-/// All inputs from which the conditions of layers are chosen.
+/// Inputs from which the powers and feeds of layers are chosen.
 struct CutSource {
   const CutCommandOptions& options;
   const CutKerf& kerf;
@@ -27,7 +27,7 @@ struct CutSource {
 [[nodiscard]] cut::LayerSettings common_settings(const CutCommandOptions& options,
                                                  cut::LayerSettings base = {});
 
-/// Returns the settings of all cuts, and those of each layer that is driven. Their power may be a
+/// Returns the settings of all cuts, then those of each driven layer. A power may still be a
 /// share. Throws as settings_of_layer().
 [[nodiscard]] std::vector<cut::LayerSettings> power_wishes(
     const CutCommandOptions& options,

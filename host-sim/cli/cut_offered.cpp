@@ -39,7 +39,7 @@ LayerSettings applied(const CutCommandOptions& options,
   return settings_for(layer, common_settings(options, base), rules, base);
 }
 
-/// Returns whether the call gives a setting of a layer that is driven along lines, or is filled.
+/// Returns whether the call gives the setting of a layer, for lines or for a filling.
 bool is_said(const CutCommandOptions& options,
              const std::vector<const cut::LayerRule*>& own,
              bool engraved,
@@ -73,7 +73,7 @@ void drop_operation(OfferedValues& offered, LayerChoice& choice, const std::stri
   if (!dropped.empty()) choice.not_taken.push_back(fmt::format("{} not, {}", dropped, reason));
 }
 
-/// Returns what the power and speed of a side are for: `lines`, `filling` or `pictures`.
+/// Returns the use of the power and speed of a side: `lines`, `filling` or `pictures`.
 std::string_view use_of(cut::Side side) {
   if (side == cut::Side::kFill) return "filling";
   return side == cut::Side::kImage ? "pictures" : "lines";

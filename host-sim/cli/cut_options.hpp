@@ -28,8 +28,8 @@ namespace sim {
 struct CutCommandOptions {
   std::string file;
   drawing::ImportOptions import;
-  /// Together with the 2 um of contours that cross (kFillToleranceMm), a cut is within 5 um of the
-  /// drawing.
+  /// This tolerance and the 2 um of crossing contours (kFillToleranceMm) keep a cut within 5 um of
+  /// the drawing.
   OutlineOptions curves{.tolerance_mm = 0.003};
   RecordOptions record;
   double thickness_mm = 0.0;        ///< Thickness of the material; 0 if not given.

@@ -15,7 +15,8 @@
 namespace sim {
 namespace {
 
-constexpr double kFarthestMm = 1.0e5;  ///< Greatest distance of the start and the end of a job.
+/// Greatest coordinate of the start and the end of a job, mm.
+constexpr double kFarthestMm = 1.0e5;
 
 /// Reads a position `X,Y`, mm.
 cut::Place place_from(const char* option, const std::string& text) {

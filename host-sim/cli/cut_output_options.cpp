@@ -16,7 +16,8 @@ constexpr double kMaxAnimationS = 3600.0;
 constexpr double kMaxMoney = 1.0e9;
 constexpr std::size_t kMaxCurrencyBytes = 12;
 
-/// Returns the reason why a text cannot follow an amount on paper and in JSON; empty if it can.
+/// Returns the reason why a text is no currency that can be printed after amounts; empty if it is
+/// one.
 std::string refusal_of_currency(const std::string& text) {
   bool is_sound = !text.empty() && text.size() <= kMaxCurrencyBytes;
   for (std::string_view rest = text; is_sound && !rest.empty();) {

@@ -29,8 +29,8 @@ constexpr const char* kLayersKey = "layers";
 /// Key of `--layers FILE`. The option's own name is already the key of the list of layers.
 constexpr const char* kLayersFileKey = "layers-file";
 
-/// Returns whether an option belongs to the call alone: its files, and options that are no setting
-/// of a job.
+/// Returns whether an option cannot be part of a recipe: files of the call, and options that are no
+/// setting of a job.
 bool is_of_the_call(const CLI::Option& option) {
   constexpr std::array<const char*, 4> kNames{"help", "recipe", "save-recipe", "layer"};
   if (option.get_positional() || option.get_lnames().empty()) return true;
@@ -83,7 +83,8 @@ class RecipeReader {
         cut::marked_json(read_text(file_), name_of_input(file_), kRecipeMark, "recipe");
     const std::vector<std::string> keys = keys_of(command_);
     const cut::JsonFields fields{document, name_of_input(file_), "", keys};
-    // The layers' file of the recipe may come later or earlier in the recipe, and is no conflict.
+    // Layers are read first: a file of layers in the same recipe is no conflict, whichever key
+    // comes first.
     if (document.contains(kLayersKey)) read_layers(document[kLayersKey]);
     for (const auto& [key, value] : document.items()) {
       if (key == kRecipeMark || key == kLayersKey) continue;
@@ -102,7 +103,7 @@ class RecipeReader {
     return *command_.get_option("--" + (key == kLayersFileKey ? kLayersKey : key));
   }
 
-  /// Returns the words that would give the value on the command line.
+  /// Returns the words with which the command line would give the value.
   std::vector<std::string> words_of(const CLI::Option& option,
                                     const std::string& pointer,
                                     const Json& value) const {
@@ -196,7 +197,8 @@ class RecipeReader {
     options_.recipe_layers.push_back(std::move(rule));
   }
 
-  /// Checks the options again with those of the recipe, because the parser has seen only the call.
+  /// Checks which options require or exclude each other, because the parser has not seen those of
+  /// the recipe.
   void expect_needed() const {
     for (const CLI::Option* option : command_.get_options()) {
       if (option->count() == 0 || is_of_the_call(*option)) continue;
@@ -220,7 +222,8 @@ class RecipeReader {
   std::filesystem::path folder_;
 };
 
-/// Returns a number if its text would be unchanged, else the text.
+/// Returns a text as a JSON number if that number is printed as the same text; otherwise as a JSON
+/// string.
 Json value_of(const std::string& text) {
   const Json number = Json::parse(text, nullptr, false);
   return number.is_number() && number.dump() == text ? number : Json(text);

@@ -24,7 +24,7 @@ struct CutSheetOptions {
 /// Adds `--save-sheet` and `--sheet-margin`.
 void add_cut_sheet_options(CLI::App& command, CutSheetOptions& options);
 
-/// Input of a job: a drawing, or a sheet and its parts as a drawing.
+/// Input of a job: a drawing, or a sheet together with the drawing of its placed parts.
 struct CutInput {
   drawing::Drawing drawn;
   std::optional<sheet::Sheet> sheet{};
@@ -39,7 +39,7 @@ struct CutInput {
                                       const drawing::ImportOptions& options,
                                       InputFiles& files);
 
-/// Returns the faults in the positions of a sheet's parts; empty for other drawings.
+/// Returns the faults in the positions of a sheet's parts; empty if the input is no sheet.
 [[nodiscard]] std::vector<drawing::Fault> place_faults(const CutInput& input,
                                                        const std::vector<cut::LayerPlan>& layers,
                                                        const cut::Recipes& recipes);

@@ -26,7 +26,7 @@ namespace {
 using drawing::Drawing;
 using drawing::DrawnContour;
 
-// Greatest distance in mm of the outline's chords in --json from the curves.
+// Greatest distance between the curves and the chords of --json, mm.
 constexpr double kJsonChordMm = 0.01;
 
 constexpr const char* kDrawingFooter =

@@ -78,7 +78,8 @@ JobsDone for_each_job(const JobOptions& options, const std::function<Report(cons
 }
 
 ExitStatus finish(const JobsDone& done) {
-  std::set<std::string> printed;  // A wrong setting is wrong for every file, but printed once.
+  // Errors that were printed: a wrong setting is an error of every file, and is printed once.
+  std::set<std::string> printed;
   for (const std::string& error : done.errors) {
     if (printed.insert(error).second) print_error(error.c_str());
   }

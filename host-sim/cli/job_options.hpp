@@ -36,7 +36,7 @@ struct JobOptions {
                                                      const std::string& file,
                                                      const std::vector<std::string>& set);
 
-/// Reports of the files of a call, and errors of the files that have no report.
+/// Reports of the files of a call, and errors of the files without a report.
 struct JobsDone {
   std::vector<Report> reports;
   std::vector<std::string> errors;

@@ -26,7 +26,7 @@ struct FitCommandOptions {
   RecordOptions record;
   FitOptions fit;
   std::string laser;
-  double gas_pressure_mpa = -1.0;  ///< Negative for any pressure.
+  double gas_pressure_mpa = -1.0;  ///< Gas pressure of the cuts, MPa; negative for any pressure.
 };
 
 struct AdviseOptions {

@@ -46,7 +46,7 @@ std::string day_of(const std::string& file) {
                      static_cast<unsigned>(day.day()));
 }
 
-/// Returns an entry as an operation; empty if its mode has no operation here.
+/// Returns an entry of the library as an operation; empty for a mode other than Cut and Scan.
 std::optional<OperationRecord> operation_of(const drawing::LibraryEntry& entry,
                                             const LibraryOptions& options,
                                             const Origin& origin) {

@@ -30,8 +30,7 @@ std::string law_text(const ThicknessRecord& row) {
   return fmt::format("{:.6g} Q + {:.4f}", row.slope, row.intercept);
 }
 
-/// Checks that the cuts name their laser: a record without the name of its laser could be of any
-/// machine.
+/// Checks that the cuts name their laser, because a record without it could be of any machine.
 void require_named_laser(const std::vector<Experiment>& cuts, const std::string& file) {
   for (const Experiment& cut : cuts) {
     if (!cut.laser.empty()) continue;

@@ -118,7 +118,7 @@ void write_coupon(const CalibrateOptions& options) {
   if (options.powers_w.empty() && options.speeds_mm_min.empty()) {
     const MaterialRecord record = options.record.record();
     plan.slots = default_slots(record, thickness_option(options.thickness_mm));
-    // This machine cuts the slots; a record from elsewhere has another laser.
+    // Only a calibrated record is of this machine's laser, with which the slots are cut.
     if (plan.laser.empty() && record.calibrated) plan.laser = record.laser;
     if (plan.gas_pressure_mpa <= 0.0) plan.gas_pressure_mpa = record.gas_pressure_mpa;
   } else {
@@ -138,7 +138,8 @@ void write_coupon(const CalibrateOptions& options) {
   terminal::print("{}: {} slots\n", options.program, plan.slots.size());
 }
 
-/// Returns the cuts of the same material by the same laser with the same gas as some of `measured`.
+/// Returns the cuts of the data base that have the material, laser and gas pressure of any of
+/// `measured`.
 std::vector<Experiment> cuts_like(const std::vector<Experiment>& measured,
                                   const KnowledgeBase& base,
                                   const std::string& material) {
@@ -152,8 +153,8 @@ std::vector<Experiment> cuts_like(const std::vector<Experiment>& measured,
   return cuts;
 }
 
-/// Adds measured slots. Then fits all cuts that the data base has of each measured material by this
-/// laser.
+/// Adds measured slots to the data base. Then fits, for each measured material, all its cuts by
+/// this laser.
 void take_measurements(const CalibrateOptions& options) {
   if (options.record.data_base.empty()) throw std::invalid_argument("--db is missing");
   if (!options.program.empty() || !options.form.empty()) {

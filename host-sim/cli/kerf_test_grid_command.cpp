@@ -58,7 +58,8 @@ struct GridRange {
   const char* unit;
 };
 
-/// Returns the values of a range. Throws std::invalid_argument with the range.
+/// Returns the `steps` values of a range in a text. Throws std::invalid_argument naming the
+/// permitted range.
 std::vector<double> values_in(const GridRange& range, const std::string& text, std::size_t steps) {
   const std::size_t colon = std::min(text.find(':'), text.size());
   const auto read = [&](std::string_view word) {

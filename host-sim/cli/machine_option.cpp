@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Returns the folder of the shipped profiles, which is next to the program, as it is installed.
+/// Returns the folder of the shipped profiles, by its path relative to the installed program.
 fs::path shipped_folder() {
   std::error_code is_none;
   const fs::path program = fs::read_symlink("/proc/self/exe", is_none);
@@ -36,7 +36,7 @@ std::vector<std::string> shipped_names() {
   return names;
 }
 
-/// Returns the file of a profile that is named by its file or by its shipped name.
+/// Returns the file of a profile from the name of the file or of a shipped profile.
 std::string profile_file(const std::string& name) {
   const fs::path path{name};
   if (path.has_parent_path() || path.has_extension()) return name;

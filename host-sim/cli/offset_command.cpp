@@ -55,7 +55,7 @@ void append(Contour& contour, const cnc::contour::ContourView<double>& more) {
   for (const std::uint32_t end : more.loop_ends) contour.loop_ends.push_back(before + end);
 }
 
-/// Prints the parts of which nothing remains at a distance. Returns whether there are any.
+/// Prints the parts that vanish at an offset of `distance_mm`. Returns whether there are any.
 bool report_vanished(const std::string& file,
                      const std::vector<Vanished>& found,
                      double distance_mm) {

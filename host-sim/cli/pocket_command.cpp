@@ -59,7 +59,8 @@ bool report_unreached(const PocketCommandOptions& options, const std::vector<Con
   constexpr std::size_t kMaxListed = 20;
   ContourOffset offsetter;
   std::size_t count = 0;
-  std::set<std::string> told;  // Each text is printed once, because terraces may share a point.
+  // Texts that were printed: terraces may share a point, whose text is printed once.
+  std::set<std::string> told;
   for (const Contour& area : areas) {
     const double fitting_mm = pocket::fitting_radius(area.view(), options.radius_mm(), offsetter);
     const double radius_mm = fitting_mm > 0.0 ? fitting_mm : options.radius_mm();
@@ -80,8 +81,7 @@ bool report_unreached(const PocketCommandOptions& options, const std::vector<Con
   return count != 0;
 }
 
-/// Returns the connected areas of a terrace. If a stock is given, one of them is the area around
-/// the terrace.
+/// Returns the connected areas of a terrace, within the area around it that a given stock opens.
 std::vector<Contour> areas_to_mill(const Terrace& terrace, const PocketCommandOptions& options) {
   const std::optional<pocket::StockBox> stock = options.stock_box();
   if (!stock) return pocket::areas_of(terrace.contours);
@@ -132,7 +132,8 @@ class PocketMiller {
     milled_.levels = std::max(milled_.levels, levels);
   }
 
-  /// Mills the areas of a terrace into which the tool fits. Adds its levels to `levels`.
+  /// Mills the areas of a terrace into which the tool fits. Adds the number of its levels to
+  /// `levels`.
   std::vector<PathRows> mill_areas(const Terrace& terrace, std::uint32_t& levels) {
     planner_.set_depth(terrace.to_mm - terrace.from_mm);
     std::vector<PathRows> paths;
@@ -160,7 +161,7 @@ class PocketMiller {
   ContourOffset offsetter_;
   std::set<double> floors_mm_;
   MilledDrawing milled_;
-  bool fits_ = false;  ///< Whether the tool fits into some area.
+  bool fits_ = false;  ///< Whether the tool fits into any area.
 };
 
 MilledDrawing carve(const PocketCommandOptions& options, const std::vector<Contour>& areas) {

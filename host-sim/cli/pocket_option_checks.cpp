@@ -47,7 +47,7 @@ LayerDepth parse_layer_depth(const std::string& text) {
                   did_you_mean(depth.layer, names))};
 }
 
-/// Options that have no meaning for V carving.
+/// Options that V carving does not use.
 constexpr std::initializer_list<const char*> kOptionsOfClearing{"--depth-of",
                                                                 "--strategy",
                                                                 "--engagement",
@@ -65,12 +65,12 @@ constexpr std::initializer_list<const char*> kOptionsOfClearing{"--depth-of",
                                                                 "--rest-of",
                                                                 "--holes"};
 
-/// Refuses options of a call that exclude another option.
+/// Checks of a call for options that exclude each other.
 class Refusals {
  public:
   explicit Refusals(const CLI::App& command) : command_{command} {}
 
-  /// Checks that none of the options is in the call. Throws std::invalid_argument otherwise.
+  /// Checks that the call has none of the options `names`. Throws std::invalid_argument otherwise.
   void of(std::initializer_list<const char*> names, const char* mode, const char* remedy) const {
     for (const char* name : names) {
       if (command_.count(name) == 0) continue;
@@ -82,7 +82,8 @@ class Refusals {
   const CLI::App& command_;
 };
 
-/// Checks the sizes. Throws std::invalid_argument if one does not suit the tool.
+/// Checks allowances and step-over. Throws std::invalid_argument if one does not suit the tool's
+/// diameter.
 void check_sizes(const PocketCommandOptions& options) {
   if (options.finish_mm > options.radius_mm()) {
     throw std::invalid_argument{fmt::format("--finish {:g}: must be at most half the tool, {:g} mm",

@@ -94,7 +94,8 @@ void add_entry_options(CLI::App& command, PocketCommandOptions& options) {
       "--conventional", options.conventional, "Mill conventionally; default: climb milling");
 }
 
-/// Adds options for stock that another tool has left, and for the stock around the pockets.
+/// Adds the options for allowances, for stock that another tool has left, and for the box of the
+/// stock.
 void add_stock_shape_options(CLI::App& command, PocketCommandOptions& options) {
   command
       .add_option(

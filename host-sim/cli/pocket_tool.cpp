@@ -14,7 +14,7 @@
 namespace sim {
 namespace {
 
-/// Returns the number that a whole text consists of; empty for every other text.
+/// Returns the number if the text is a number and nothing more; otherwise empty.
 std::optional<double> number_in(const std::string& text) {
   const char* const end = text.data() + text.size();
   double value = 0.0;
@@ -23,7 +23,7 @@ std::optional<double> number_in(const std::string& text) {
   return value;
 }
 
-/// Takes a value from the tool if the call does not give it.
+/// Sets `value` to that of the tool, unless the call gives it.
 void take(const CLI::App& command,
           const char* option,
           const std::optional<double>& value,

@@ -50,7 +50,7 @@ constexpr const char* kProbeGridFooter =
     "Exit status: 0 fine, 1 points are missing, and nothing is written without --gaps, 2 the call\n"
     "is wrong.";
 
-/// Prints the first lines, and the number of the others.
+/// Prints the first kMaxListed lines, and the number of lines after these.
 void list(const std::vector<std::string>& lines) {
   for (std::size_t i = 0; i < std::min(lines.size(), kMaxListed); ++i) {
     terminal::print(stderr, "{}\n", lines[i]);

@@ -27,9 +27,10 @@ struct ProbeGridOptions {
   double retract_mm = surface::ProbeProgram{}.retract_mm;
   double travel_feed = surface::ProbeProgram{}.travel_feed;
   std::optional<double> tip_mm;
-  std::string read;     ///< Log with answers to read; if empty, a program is written.
-  std::string program;  ///< Program whose heading describes what was probed.
-  std::string offset;   ///< Work zero `X,Y,Z`; empty for none.
+  std::string read;  ///< Log with answers to read; if empty, a program is written.
+  /// File of the program that probed the points; its heading contains the options of the grid.
+  std::string program;
+  std::string offset;  ///< Work zero `X,Y,Z`; empty for none.
   bool inches = false;
   bool gaps = false;
   std::string output;

@@ -54,7 +54,7 @@ bool replay_one(const std::string& file, const ReplayOptions& options) {
   return false;
 }
 
-/// Checks the files. Files that are rewritten count as outputs as well.
+/// Checks that --update can rewrite the files. For this check they are inputs and outputs.
 void refuse_unwritable(const ReplayOptions& options) {
   std::vector<NamedFile> files;
   for (const std::string& file : options.files) {

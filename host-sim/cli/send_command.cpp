@@ -115,7 +115,8 @@ void add_options(CLI::App& command, SendCommandOptions& options) {
       FileRole::kOutput);
 }
 
-/// Finds lines that the controller would never take before anything moves.
+/// Checks, before any motion, that no line is too long for the controller. Throws
+/// std::invalid_argument otherwise.
 void check_lengths(const JobLines& job, const SendCommandOptions& options) {
   const bool numbered = options.numbered || options.resume || options.send.checked;
   const std::size_t most =
@@ -129,7 +130,7 @@ void check_lengths(const JobLines& job, const SendCommandOptions& options) {
                   most));
 }
 
-/// Sends plain lines before those of the job.
+/// Sends lines that are not part of the job, and waits for their answers.
 ExitStatus say(const SendCommandOptions& options,
                Line& line,
                const std::vector<JobLine>& words,
@@ -159,7 +160,7 @@ std::vector<JobLine> questions_of(const SendCommandOptions& options) {
   return questions;
 }
 
-/// Sends the queries once, and trusts each answer.
+/// Sends the queries once and uses their answers, for a link without checks.
 ExitStatus ask_once(const SendCommandOptions& options, Line& line, Answers& answers) {
   const SendOptions send{.takes_up = options.resume, .rests_in_alarm = true};
   return say(options,
@@ -172,8 +173,7 @@ ExitStatus ask_once(const SendCommandOptions& options, Line& line, Answers& answ
              });
 }
 
-/// Repeats the queries until all answers agree, because a query has a check but its answers have
-/// none.
+/// Repeats the queries until all answers agree, because answers, unlike queries, have no check.
 ExitStatus ask_until_agreed(const SendCommandOptions& options, Line& line, Answers& answers) {
   constexpr int kMaxRounds = 12;
   AgreedAnswers agreed{options.resume};
@@ -222,12 +222,13 @@ void number_approach(std::vector<JobLine>& lines, SendOptions& send) {
     // Each line has number 1: a later number could be the line in which the beam comes on again.
     send.max_number = 1;
   } else {
-    // After an interruption in the approach, the controller reports a line that no job has.
+    // If the approach is interrupted, the controller reports the first line's number, which no job
+    // has.
     lines.front().n = send.max_number - kFreeNumbers;
   }
 }
 
-/// Brings the machine to the line with which the job begins.
+/// Drives the machine to the position at which the first line of the job begins.
 ExitStatus begin_within(const SendCommandOptions& options,
                         Line& line,
                         const Standing& standing,
@@ -263,7 +264,8 @@ void warn_of_stale_inputs(const SendCommandOptions& options,
   }
 }
 
-/// Judges the program as the page does: lines that the controller would refuse, and the travel.
+/// Checks the program as the page does: prints lines that the controller would refuse, or that
+/// leave the travel.
 ExitStatus judge(const SendCommandOptions& options,
                  const ProgramText& program,
                  const Standpoint& standpoint) {
@@ -278,7 +280,8 @@ ExitStatus judge(const SendCommandOptions& options,
                 ": correct these lines, or send the program nevertheless with --accept-faults");
 }
 
-/// Returns whether a job has only lines that a controller in alarm takes, such as `$X` or settings.
+/// Returns whether a job has only lines that a controller in alarm accepts, such as `$X` or
+/// settings.
 bool has_statements_only(const JobPart& job) {
   for (std::size_t i = 0; i < job.size(); ++i) {
     if (!job[i].text.starts_with('$')) return false;
@@ -318,7 +321,7 @@ ExitStatus send_job(const SendCommandOptions& options, Line& line, std::string f
   return status;
 }
 
-/// Finds faults for which no controller is needed, before the port is opened.
+/// Checks all that does not require the controller, then opens the port and sends the job.
 ExitStatus send(const SendCommandOptions& options) {
   std::string file = read_text(options.file);
   {

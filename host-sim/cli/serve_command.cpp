@@ -50,7 +50,8 @@ constexpr const char* kServeFooter =
 
 constexpr int kLastNode = cnc::can::kLastNode;
 
-constexpr std::string_view kTcp = "tcp:";  ///< Prefix of --slcan for a port instead of a file.
+/// Prefix of a --slcan value that is a TCP port instead of the name of a link.
+constexpr std::string_view kTcp = "tcp:";
 
 struct ServeOptions {
   std::string pty;
@@ -189,8 +190,8 @@ void announce(const Reception& reception) {
   }
 }
 
-/// Returns all settings of the call. At a --speed above 1 the machine's time runs faster but the
-/// sender does not, so that the sender may be silent for longer by this factor.
+/// Returns all settings of the call. A --speed above 1 makes the machine's time run faster, but not
+/// the sender. So the permitted silence of the sender is multiplied by this factor.
 std::vector<SettingChange> all_settings(const ServeOptions& options) {
   std::vector<SettingChange> changes =
       settings_of(options.machine, options.settings_file, options.set);

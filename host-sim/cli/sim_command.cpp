@@ -61,7 +61,7 @@ JobOutputs outputs_for(const SimOptions& options, const std::string& file) {
           .stock = stock_wish_of(stock_for(options.stock, file))};
 }
 
-/// Returns all files of the call, with the names that replace placeholders.
+/// Returns all files of the call. Placeholders in their names are replaced.
 std::vector<NamedFile> files_of(const SimOptions& options) {
   std::vector<NamedFile> files;
   for (const std::string& file : options.job.files) {

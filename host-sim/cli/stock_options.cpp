@@ -101,8 +101,8 @@ std::vector<stock::Ring> rings_of(const std::string& file) {
   return rings;
 }
 
-/// Checks that each option comes with the option that it needs. Throws std::invalid_argument
-/// otherwise.
+/// Checks that each option is given together with the option that it requires. Throws
+/// std::invalid_argument otherwise.
 void refuse_lonely(const StockOptions& options) {
   if (options.target.empty() != !options.depth_mm) {
     throw std::invalid_argument(

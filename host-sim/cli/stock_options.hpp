@@ -43,7 +43,7 @@ void add_stock_options(CLI::App& command, StockOptions& options);
 /// reader to standard error. Throws as read_bytes() and read_surface() do.
 [[nodiscard]] std::shared_ptr<const surface::Mesh> stock_surface_of(const StockOptions& options);
 
-/// Returns options and names of the files to write.
+/// Returns option and name of each file that is to be written.
 [[nodiscard]] std::vector<std::pair<const char*, std::string>> stock_files(
     const StockOptions& options);
 

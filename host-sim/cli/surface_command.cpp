@@ -59,7 +59,7 @@ constexpr const char* kSurfaceFooter =
     "\n"
     "Exit status: 0 fine, 2 the call or FILE is wrong.";
 
-/// Turns points towards the tool, then moves them.
+/// Rotates points so that --approach points down, then moves them by --move.
 void place(std::vector<Eigen::Vector3d>& points, const SurfaceCommandOptions& options) {
   if (const auto& approach = options.approach; !approach.empty()) {
     const Eigen::Matrix3d turn =
@@ -90,7 +90,7 @@ PatchOptions patches_of(const SurfaceCommandOptions& options) {
   return patches;
 }
 
-/// Returns a text on how the surface is milled.
+/// Returns a text on the kind of path, for the program's heading.
 std::string manner_of(const SurfaceCommandOptions& options) {
   if (options.pencil) {
     return fmt::format("along valleys sharper than {:g} degrees", options.pencil_angle_deg);
@@ -242,8 +242,8 @@ void write_heights(const SurfaceCommandOptions& options,
   }
 }
 
-/// Returns the grid of an input at the position to which it is moved. Throws std::invalid_argument
-/// for a mesh.
+/// Returns the grid of an input, rotated and moved as the options require. Throws
+/// std::invalid_argument for a mesh.
 surface::PointGrid grid_of(const surface::SurfaceInput& input,
                            const SurfaceCommandOptions& options) {
   if (!input.grid) {

@@ -21,7 +21,7 @@
 namespace sim {
 namespace {
 
-/// Option of a picture, the member that holds its file, and whether it needs a path.
+/// Option of a picture, with the member for its file, and whether the picture requires a path.
 struct PictureOption {
   const char* name;
   std::string SurfacePictures::*file;

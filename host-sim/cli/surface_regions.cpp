@@ -111,7 +111,7 @@ std::vector<Contour> drawn_in(const std::string& file, double tolerance_mm, Inpu
   return areas;
 }
 
-/// Prints the parts of an area of which an offset leaves nothing.
+/// Prints the parts of an area that vanish in an offset.
 void print_vanished(const std::string& file, const std::vector<Vanished>& found) {
   constexpr std::size_t kMaxListed = 20;
   for (std::size_t i = 0; i < std::min(found.size(), kMaxListed); ++i) {

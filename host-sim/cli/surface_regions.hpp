@@ -14,7 +14,7 @@ class App;
 
 namespace sim {
 
-/// Position of the tool in relation to a boundary that it reaches.
+/// Limit of the tool at a boundary.
 enum class BoundarySide : std::uint8_t {
   kInside,   ///< The tool's rim stays inside.
   kOn,       ///< The tool's tip ends on the line.

@@ -40,7 +40,8 @@ void check_rough_options(const SurfaceCommandOptions& options) {
 }
 
 double rough_step_of(const SurfaceCommandOptions& options, const stock::Cutter& cutter) {
-  constexpr double kUsualShare = 0.8;  // Usual step-over as a share of the radius that clears.
+  // Default step-over as a share of the tool's clearing radius.
+  constexpr double kUsualShare = 0.8;
   const double clearing_mm = surface::clearing_radius(profile_of(cutter), options.layer_mm);
   if (options.step_mm == 0.0) return kUsualShare * clearing_mm;
   if (options.step_mm <= 2.0 * clearing_mm) return options.step_mm;

@@ -36,8 +36,8 @@ const CLI::Option* option_named(const CLI::App& command, const std::string& name
   return nullptr;
 }
 
-/// Returns whether a command takes words: a word that names no subcommand may be a file of such a
-/// command.
+/// Returns whether a command has positional arguments. A word that is no subcommand may then be one
+/// of them.
 bool takes_words(const CLI::App& command) {
   return std::ranges::any_of(options_of(command),
                              [](const CLI::Option* option) { return option->get_positional(); });

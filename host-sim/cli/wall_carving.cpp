@@ -35,7 +35,8 @@ namespace sim {
 namespace {
 
 constexpr double kRadiansPerDegree = std::numbers::pi / 180.0;
-/// Angle in degrees by which a carved wall must lean more than the cone explains to be measured.
+/// Least lean of a carved wall beyond that of the cone, degrees, from which on the wall is
+/// measured.
 constexpr double kBurnReserveDeg = 5.0;
 
 constexpr const char* kTaperFooter =

@@ -24,12 +24,12 @@ namespace sim {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180.0;
-/// Area in mm² that an overhang must hide to count; a smaller area is rounding.
+/// Least area of an overhang that is reported, mm²; a smaller area is rounding.
 constexpr double kMinUndercutMm2 = 1.0e-3;
 /// S word of the full power.
 constexpr double kFullS = 1000.0;
 
-/// Layers of a job, and their results.
+/// Layers of a job, with the results of their computation.
 struct WallJob {
   wall::LayerOptions layers;
   std::size_t layer_count = 0;
@@ -105,7 +105,7 @@ WallJob job_of(const WallOptions& options, const surface::Mesh& part, InputFiles
   WallJob job;
   job.layers = layers_of(options, part, inputs);
   const wall::Obstacles obstacles{part};
-  // The tip is at the waist's distance from a wall, so that the waist touches the wall.
+  // A tip at the waist's distance from a wall counts as touching it, because the waist does.
   const wall::Obstacles touched{part, wall::kTouchMm + asked.strokes.waist_mm};
   const wall::BeamFinder finder{obstacles,
                                 touched,
