@@ -39,7 +39,8 @@ LayerSettings applied(const CutCommandOptions& options,
   return settings_for(layer, common_settings(options, base), rules, base);
 }
 
-/// Returns whether the call gives the setting of a layer, for lines or for a filling.
+/// Returns whether the call gives the setting `key` of a layer. Options of all cuts do not count if
+/// the layer is `engraved`.
 bool is_said(const CutCommandOptions& options,
              const std::vector<const cut::LayerRule*>& own,
              bool engraved,

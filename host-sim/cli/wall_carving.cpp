@@ -35,8 +35,8 @@ namespace sim {
 namespace {
 
 constexpr double kRadiansPerDegree = std::numbers::pi / 180.0;
-/// Least lean of a carved wall beyond that of the cone, degrees, from which on the wall is
-/// measured.
+/// Reserve in the greatest angle between a drawn and a carved wall, beyond half angle and heat,
+/// degrees.
 constexpr double kBurnReserveDeg = 5.0;
 
 constexpr const char* kTaperFooter =

@@ -2,8 +2,8 @@
 
 namespace sim {
 
-/// Version of the tables below, in PRAGMA user_version. Version 1 can be read, too, and becomes
-/// version 2 at the first write.
+/// Version of the tables below, in PRAGMA user_version. Version 1 can be read, too, and is
+/// converted to version 2 at the first write.
 inline constexpr int kSchemaVersion = 2;
 
 /// The tables, which README.md describes. Integers are µm, mW, µm/min and nm, exact. Measured or

@@ -87,7 +87,7 @@ async function run() {
   if (answer.faults) {
     const count = answer.fault_count;
     const yes = await ask(`${job.name} has ${count} fault${count > 1 ? 's' : ''}. The job stops at a line that is refused.`,
-      answer.faults, 'Run all the same');
+      answer.faults, 'Run nevertheless');
     if (!yes) return;
     answer = await job.run(sender.page, answer.faults);
   }
@@ -97,7 +97,7 @@ async function run() {
 async function takeUp() {
   notice.clear();
   const yes = await ask(`Resume ${news.job.name} at line ${news.job.line}?`,
-    ['The machine goes, beam off, to where the beam went out, and cuts on from there.'], 'Resume');
+    ['The machine moves with the beam off to the position where the beam went off, and cuts on from there.'], 'Resume');
   if (yes) tellWhatItWaitsFor(await job.resume(sender.page));
 }
 
@@ -171,7 +171,7 @@ sender.addEventListener('sent', (event) => log.sent(event.detail));
 sender.addEventListener('closed', (event) => {
   controls = false;
   if (event.detail === kTryAgainLater) {
-    notice.tell('Another sender controls the machine. You can watch; take control when it is gone.',
+    notice.tell('Another sender controls the machine. You can watch; take control when that sender has disconnected.',
       (now) => now.sender === '' || now.sender === 'job');
   }
   enable();

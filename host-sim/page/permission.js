@@ -12,7 +12,7 @@ export function reasons(news, controls, opening) {
   const state = news?.state;
   const job = news?.job;
   const runs = job?.state === 'running';
-  const base = !news ? 'the server is not there' : !controls ? 'take control first' : '';
+  const base = !news ? 'the server does not answer' : !controls ? 'take control first' : '';
   const lines = base || (runs ? kOnlyRealtime : '');
   const idle = lines || (state !== 'Idle' ? `the machine is in ${state}` : '');
   const resumeWaits = !news ? 'the server' : opening ? kOpening : job.resume_waits || waitsForControl(news, controls);
@@ -24,10 +24,10 @@ export function reasons(news, controls, opening) {
     home: lines || (['Idle', 'Alarm'].includes(state) ? '' : `the machine is in ${state}`),
     unlock: lines || (state === 'Alarm' ? '' : 'there is no alarm'),
     // A feed hold is safe, so every page may request it, with control or without.
-    hold: !news ? base : kHeldByHold.includes(state) ? '' : 'nothing moves that a hold would stop',
+    hold: !news ? base : kHeldByHold.includes(state) ? '' : 'the machine does not move',
     resume: base || (['Hold', 'Door', 'Tool'].includes(state) ? '' : 'nothing is held'),
     stop: base || (runs ? '' : 'no job runs'),
-    open: !news ? base : opening ? kOpening : runs ? 'a job runs; another program is opened when it has ended' : '',
+    open: !news ? base : opening ? kOpening : runs ? 'a job runs; open the program when it has ended' : '',
     run: !news ? 'the server' : opening ? kOpening : job.waits || waitsForControl(news, controls),
     takeUp: resumeWaits && `it waits for ${resumeWaits}`,
   };

@@ -16,10 +16,10 @@ struct Exchange {
   enum class Kind : char {
     kHeard = '>',   ///< The controller read the bytes.
     kSaid = '<',    ///< The controller wrote the bytes.
-    kBeside = '^',  ///< Realtime bytes reached the controller apart from the stream.
-    kFull = '|',    ///< The controller had more to write, but the link was full; no bytes.
-    kStop = '!',    ///< An emergency stop reached the controller over a bus, apart from the stream;
-                    ///< no bytes.
+    kBeside = '^',  ///< Realtime bytes reached the controller outside the stream.
+    kFull = '|',  ///< The controller had more bytes to write, but the link was full. Has no bytes.
+    /// An emergency stop reached the controller over a bus, outside the stream. Has no bytes.
+    kStop = '!',
   };
   Kind kind = Kind::kHeard;
   std::uint64_t time_ns = 0;  ///< Time of the controller.
@@ -33,7 +33,7 @@ struct ProbedSurface {
   std::string file;     ///< Content of the surface's file.
 };
 
-/// State at the start of the machine that takes part in a conversation.
+/// State of the controller and its machine at the start of a conversation.
 struct ConversationSetting {
   std::vector<SettingChange> settings;
   double probe_plate_z_mm = 0.0;

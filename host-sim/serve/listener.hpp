@@ -18,7 +18,7 @@ namespace sim {
 /// waits.
 [[nodiscard]] std::optional<hal::host::Descriptor> accept_at(const hal::host::Descriptor& listener);
 
-/// Returns whether the call that failed only has to be repeated later.
+/// Returns whether the last failed call, by `errno`, needs only to be repeated later.
 [[nodiscard]] bool is_only_slow();
 
 }  // namespace sim

@@ -26,7 +26,7 @@ void make_raw(int terminal) {
   termios mode{};
   checked(::tcgetattr(terminal, &mode), "pty");
   ::cfmakeraw(&mode);
-  ::cfsetspeed(&mode, B115200);  // A sender expects to read this speed back.
+  ::cfsetspeed(&mode, B115200);  // Senders read the speed back and expect this value.
   checked(::tcsetattr(terminal, TCSAFLUSH, &mode), "pty");
 }
 
@@ -78,8 +78,8 @@ void PtyLink::point_to(const std::string& device) {
           "--pty {}: a file of this name exists and is no link to a pty; choose another name",
           path_));
     }
-    // A pty is gone with its server. A link that is left then leads nowhere, or to `device` if that
-    // has received the number of the old pty.
+    // A pty ends with its server. A link that remains leads nowhere, or to `device` if this has
+    // received the number of the old pty.
     const fs::path leads_to = fs::read_symlink(link);
     const bool is_own = leads_to == device || leads_to == device_;
     if (!is_own && fs::exists(leads_to)) {
@@ -111,7 +111,8 @@ class PtyTransport::Sender final : public Connection {
 
   std::size_t read(std::span<std::byte> into) override {
     const ssize_t count = ::read(master().number(), into.data(), into.size());
-    return count > 0 ? static_cast<std::size_t>(count) : 0;  // EIO: closed, see open().
+    // An error such as EIO means that the port is closed, which open() reports.
+    return count > 0 ? static_cast<std::size_t>(count) : 0;
   }
   std::size_t write(std::span<const std::byte> from) override {
     const ssize_t count = ::write(master().number(), from.data(), from.size());

@@ -33,7 +33,7 @@ class PtyMaster {
   std::string device_;
 };
 
-/// A symbolic link to the pseudo terminal, for senders that need a fixed name. The destructor
+/// A symbolic link to the pseudo terminal, for senders that require a fixed name. The destructor
 /// removes the link if it still points to this terminal.
 class PtyLink {
  public:
@@ -42,9 +42,9 @@ class PtyLink {
   PtyLink& operator=(const PtyLink&) = delete;
   ~PtyLink() { remove(); }
 
-  /// Makes the link point to this device from now on; the link exists at every moment meanwhile.
-  /// Throws std::system_error, or std::invalid_argument if the name belongs to anything other than
-  /// a link that an ended run has left.
+  /// Makes the link point to this device. The link exists at every moment during the change. Throws
+  /// std::system_error, or std::invalid_argument if a file of this name exists and is no link that
+  /// an earlier run has left.
   void point_to(const std::string& device);
   [[nodiscard]] const std::string& path() const { return path_; }
 
@@ -64,7 +64,8 @@ class PtyTransport final : public Transport {
   explicit PtyTransport(const std::string& link);
 
   [[nodiscard]] std::unique_ptr<Connection> accept() override;
-  /// Adds nothing: no event reports that the port is opened, so the loop has to check now and then.
+  /// Adds nothing, because no event reports that the port is opened. The loop has to check it
+  /// periodically.
   void add_to(std::vector<pollfd>&) const override {}
   [[nodiscard]] std::string_view kind() const override { return "pty"; }
   [[nodiscard]] std::string address() const override { return link_.path(); }

@@ -20,7 +20,7 @@ namespace sim {
 /// noticed, however many lines wait. A sender that is more than 64 MiB ahead is disconnected.
 ///
 /// A sender is greeted kGreetAfter after its arrival, because many senders flush their port just
-/// after opening it. Bytes that it sends earlier wait for the greeting.
+/// after opening it. Bytes that the sender sends before the greeting wait for it.
 ///
 /// While a job of the server runs, the job is the sender. A page that operates the machine may come
 /// and go meanwhile: its realtime bytes act, and its lines are refused.
@@ -94,9 +94,9 @@ class Reception {
   std::vector<std::byte> part_;  ///< Bytes that were read last.
   std::vector<Departing> departing_;
   std::string_view sender_kind_;
-  std::string page_key_;  ///< Key of the last page that came.
+  std::string page_key_;  ///< Key of the page that connected last.
   Clock::time_point greet_at_;
-  bool greeted_ = false;  ///< The session has a sender: a connection or a job.
+  bool greeted_ = false;  ///< Whether the session has a greeted sender: a connection or a job.
 };
 
 }  // namespace sim

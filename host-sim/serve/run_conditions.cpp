@@ -8,7 +8,7 @@
 namespace sim {
 namespace {
 
-/// Returns what both a start and a resumption of the job have to wait for.
+/// Returns the condition for which both a start and a resumption of the job have to wait.
 std::string awaited_by_both(const ServedJob& job, std::string_view sender_kind) {
   if (!job.loaded()) return "a program: open one";
   if (job.running()) return "the end of the running job";

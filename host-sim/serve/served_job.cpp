@@ -111,7 +111,7 @@ void ServedJob::end_phase(Clock::time_point now) {
   }
 }
 
-/// Starts to plan the resumption, for which all lines before that of the interruption are read.
+/// Starts to plan the resumption in another thread, which reads all lines before the interruption.
 void ServedJob::begin_plan() {
   sender_.reset();
   phase_ = Phase::kPlanning;

@@ -52,7 +52,7 @@ class Server {
   Session& session_;
   Reception& reception_;
   Pacer pacer_;
-  LiveView* view_ = nullptr;  ///< Null without a page.
+  LiveView* view_ = nullptr;  ///< View for the watchers; null without a page.
   WebTransport* web_ = nullptr;
   std::vector<pollfd> descriptors_;
 };

@@ -26,8 +26,8 @@ constexpr double kMaxPartDistanceMm = 100.0;
 /// Share of the work that `cut` may spend on a drawing. It is small because the page sends a
 /// request after each change.
 constexpr double kEffort = 0.1;
-/// Greatest depth of nesting that is read. A sheet is not nested more deeply, even one with
-/// mistakes, and writing out a deeper one takes stack.
+/// Greatest depth of nested JSON that is read. No sheet is nested more deeply, even with mistakes,
+/// and writing deeper JSON would use more stack.
 constexpr int kDeepest = 16;
 
 /// Part and copy number of each copy that is placed, in the order of Entity::part.

@@ -111,7 +111,7 @@ void WebClient::end_head(Fault fault) {
 
 void WebClient::want_body() {
   stage_ = Stage::kBody;
-  buffer_.reserve(kRequestPart);  // The size of a part that is read at a time.
+  buffer_.reserve(kRequestPart);  // Size of a part that one call reads.
   read_body({});
 }
 
@@ -127,7 +127,7 @@ void WebClient::read_body(Fault fault) {
   http::async_read_some(socket_, buffer_, parser_, then(&WebClient::read_body));
 }
 
-/// Answers a request that could not be read. A client that has gone gets no answer.
+/// Answers a request that could not be read. A client that has disconnected gets no answer.
 void WebClient::refuse(Fault fault) {
   if (fault == boost::asio::error::operation_aborted) {
     return answer(web_refusal(http_status::kTimeout, "The request did not arrive in time."));

@@ -51,7 +51,8 @@ const char* type_of_file(std::string_view path) {
   return "text/html; charset=utf-8";
 }
 
-/// Returns a reply with JSON. A quoted word of a program may contain any byte.
+/// Returns a reply with JSON. Invalid UTF-8 is replaced, because a quoted word of a program may
+/// contain any byte.
 WebReply json_reply(const ordered_json& json, int status = http_status::kFine) {
   return {.status = status,
           .type = kJsonType,
@@ -83,8 +84,8 @@ WebReply shown(const ServedProgram& program,
   ordered_json json = outline_json(program_outline_of(program.text, standpoint.reader));
   json["faults"] = program.barriers;
   for (std::string& text : judgement.texts()) json["faults"].push_back(std::move(text));
-  // The page shows only the first note. That the program is stale matters more than the parts that
-  // were left out, so it comes first.
+  // The page shows only the first note. So a note that the program is stale comes before notes
+  // about parts that were left out.
   std::vector<std::string> notes =
       stale_inputs(program.text, {}, DigestFiles::kBelowFolder, &standpoint.settings);
   notes.insert(notes.end(), program.notes.begin(), program.notes.end());
@@ -132,8 +133,8 @@ Order order_in(const std::string& body) {
   return order;
 }
 
-/// Returns a text in the form in which a page sends it back after it has gone through JSON: a fault
-/// may quote any byte, and invalid ones are replaced.
+/// Returns a text as a page sends it back after its way through JSON: a fault may quote any byte,
+/// and JSON replaces invalid UTF-8.
 std::string as_json_has_it(const std::string& text) {
   return ordered_json::parse(
       ordered_json(text).dump(-1, ' ', false, ordered_json::error_handler_t::replace));
@@ -207,8 +208,8 @@ PageService::Answer WebRoutes::get(const std::string& path) const {
   }};
 }
 
-/// Returns the work that prepares a program. It uses copies of all data that the loop may change
-/// meanwhile.
+/// Returns the work that prepares a program in another thread. The work uses copies of all data
+/// that the loop may change meanwhile.
 PageService::Answer WebRoutes::load(HttpRequest request) const {
   // A job may have begun while the program was being received.
   const bool keeps = request.path == "/job";
@@ -250,8 +251,8 @@ WebReply WebRoutes::order(const std::string& path, const std::string& body) {
   return json_reply({{"stops", job_.program()->name}});
 }
 
-/// Returns the judgement of the job for the present state of the machine; null while it is being
-/// made.
+/// Returns the judgement of the job for the present state of the machine. While there is none,
+/// starts to make it and returns null.
 const Judgement* WebRoutes::judgement() {
   const Standpoint standpoint = standpoint_of(controller_.machine());
   const std::string key = judgement_key(*job_.program(), standpoint);

@@ -53,7 +53,7 @@ class WebTransport final : public Transport {
   [[nodiscard]] std::string_view kind() const override { return "ws"; }
   [[nodiscard]] std::string address() const override { return to_string(address_); }
 
-  /// Takes in a connected client: one that came to the address, or one of a test.
+  /// Adds a connected client, which comes from the listener or from a test.
   void meet(hal::host::Descriptor socket);
   /// Returns the connections that only watch.
   [[nodiscard]] const std::vector<std::shared_ptr<WebSocket>>& watchers() const {
@@ -81,10 +81,11 @@ class WebTransport final : public Transport {
   PageService& service_;
   Now now_;
   hal::host::Descriptor listener_;
-  std::unique_ptr<boost::asio::io_context> context_;  ///< Outlives the sockets, so declared first.
-  std::vector<std::shared_ptr<WebClient>> clients_;   ///< Connected clients, the oldest first.
-  std::deque<Arrival> arrivals_;                      ///< Senders that are not accepted yet.
-  std::vector<std::shared_ptr<WebSocket>> sockets_;   ///< All sockets that are not closed.
+  /// Must outlive the sockets, so it is declared first.
+  std::unique_ptr<boost::asio::io_context> context_;
+  std::vector<std::shared_ptr<WebClient>> clients_;  ///< Connected clients, the oldest first.
+  std::deque<Arrival> arrivals_;                     ///< Senders that are not accepted yet.
+  std::vector<std::shared_ptr<WebSocket>> sockets_;  ///< All sockets that are not closed.
   std::vector<std::shared_ptr<WebSocket>> watchers_;
 };
 

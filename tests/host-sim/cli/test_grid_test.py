@@ -170,7 +170,7 @@ class TestGrid(unittest.TestCase):
             row["measured_mm"] = width
         done = self.measured(squares=form["squares"], slots=form["slots"], measured_by="Ada", measured_on="2026-11-30")
         self.assertIn("measured by Ada on 2026-11-30, grid.json", done.stdout)
-        self.assertIn("kerf 0.150 mm, the mean of 2 slots at 80 percent and 300 mm/min, is taken for all squares",
+        self.assertIn("kerf 0.150 mm, the mean of 2 slots at 80 percent and 300 mm/min, is used for all squares",
                       done.stderr)
         self.assertIn("1 squares have no result", done.stderr)
         (self.folder / "square.svg").write_text(SQUARE)
@@ -201,12 +201,12 @@ class TestGrid(unittest.TestCase):
         for changes, reason in (
                 ({}, "measured_by"), ({"measured_by": "Ada"}, "measured_on"),
                 ({**person, "measured_on": "30.11.2026"}, "measured_on"),
-                ({**person}, "no square is good"), ({**person, "squares": 3}, "/squares: wants the list"),
-                ({**person, "squares": [{"result": "good"}]}, "/squares/0/power_percent: wants a number"),
-                ({**person, "squares": [{**good[0], "result": "yes"}]}, "/squares/0/result: wants"),
+                ({**person}, "no square is good"), ({**person, "squares": 3}, "/squares: must be the list"),
+                ({**person, "squares": [{"result": "good"}]}, "/squares/0/power_percent: must be a number"),
+                ({**person, "squares": [{**good[0], "result": "yes"}]}, "/squares/0/result: must be"),
                 ({**person, "squares": [{**good[0], "power_percent": 101}]}, "/squares/0/power_percent"),
                 ({**person, "squares": good, "slots": slots(4.9)}, "a slot is wider than its path"),
-                ({**person, "squares": good, "slots": slots(5.1, 5.6)}, "kerfs from 0.100 to 0.600 mm"),
+                ({**person, "squares": good, "slots": slots(5.1, 5.6)}, "differ, from 0.100 to 0.600 mm"),
                 ({**person, "squares": good, "material": ""}, "material"), ({"kind": "burn"}, "kind"),
                 ({"kerfline_test_grid": 2}, "kerfline_test_grid")):
             self.form.write_text(json.dumps(fresh))
