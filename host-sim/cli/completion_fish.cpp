@@ -31,7 +31,7 @@ std::string condition_of(const CommandText& command) {
       "{}not __fish_seen_subcommand_from {}", condition, fmt::join(command.subcommands, " "));
 }
 
-/// Returns the words that may follow an option.
+/// Returns the arguments of fish's `complete` for the value of an option.
 std::string fish_value_of(const ParameterText& option) {
   if (!option.takes_value) return "";
   if (!option.choices.empty()) {

@@ -14,7 +14,8 @@
 namespace sim {
 namespace {
 
-/// Greatest power of a frame, %. More power may burn the material, and the beam is only to be seen.
+/// Greatest power along a frame, % of full power. The beam only has to be visible; more power may
+/// burn the material.
 constexpr double kMaxFramePercent = 5.0;
 constexpr double kMaxFrameFeed = 1.0e6;  ///< Greatest feed of a frame, mm/min.
 

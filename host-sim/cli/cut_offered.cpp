@@ -19,7 +19,7 @@ using cut::OfferedValues;
 struct LayerChoice {
   LayerSettings settings{};
   std::vector<std::string> taken{};  ///< Settings that were taken, as `key=value`.
-  /// Reasons why offered settings were not taken, each a clause.
+  /// Reasons why offered settings were not taken, as clauses for one sentence.
   std::vector<std::string> not_taken{};
 };
 
@@ -29,8 +29,8 @@ LayerSettings with_values(LayerSettings settings,
   return settings;
 }
 
-/// Returns the settings after applying the offered ones, then the options of all cuts, then the
-/// rules.
+/// Returns the settings of a layer: the offered ones, overridden by the options of all cuts,
+/// overridden by the rules.
 LayerSettings applied(const CutCommandOptions& options,
                       const drawing::Layer& layer,
                       const std::vector<cut::LayerRule>& rules,

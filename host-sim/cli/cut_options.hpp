@@ -68,7 +68,7 @@ struct CutCommandOptions {
   CutOutputOptions outputs;
 };
 
-/// Adds all options and the text below them.
+/// Adds all options, and the text that `--help` prints below them.
 void add_cut_options(CLI::App& command, const std::shared_ptr<CutCommandOptions>& options);
 
 }  // namespace sim

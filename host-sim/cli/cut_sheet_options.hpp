@@ -29,7 +29,7 @@ struct CutInput {
   drawing::Drawing drawn;
   std::optional<sheet::Sheet> sheet{};
 
-  /// Returns whether the sheet itself is wrong, because a part of it could not be read.
+  /// Returns whether the sheet has faults or any of its drawings could not be read.
   [[nodiscard]] bool is_broken_sheet() const;
 };
 

@@ -43,8 +43,8 @@ struct JobsDone {
 };
 
 /// Runs `work` on every file, with a progress bar on a terminal, or with progress lines if
-/// `progress` requires them. A file that cannot be read does not prevent the reports of others; if
-/// it is the only file, the function throws.
+/// `progress` requires them. A file that cannot be read does not prevent the reports of other
+/// files; if it is the only file, the function throws.
 [[nodiscard]] JobsDone for_each_job(const JobOptions& options,
                                     const std::function<Report(const Job&)>& work);
 

@@ -32,7 +32,7 @@ struct RecordOptions {
 /// Person who measured, and day of the measurement.
 struct PersonOptions {
   std::string by{};  ///< Name of the person; empty if not named.
-  std::string on{};  ///< YYYY-MM-DD; empty if not given.
+  std::string on{};  ///< Day of the measurement, YYYY-MM-DD; empty if not given.
 
   /// Adds `--by` and `--on`.
   void add_to(CLI::App& command);
@@ -76,7 +76,7 @@ void add_unit_option(CLI::App& command, std::string& unit);
 [[nodiscard]] std::uint32_t power_option(double watts);
 [[nodiscard]] std::uint32_t speed_option(double mm_min);
 
-/// Prints the whole record: laws, their accuracy, and the permissible region.
+/// Prints a record: the laws with their accuracy, and the permissible region.
 void print_record(const MaterialRecord& record);
 
 }  // namespace sim

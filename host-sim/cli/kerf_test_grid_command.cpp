@@ -50,7 +50,7 @@ struct TestGridOptions {
   PersonOptions person;
 };
 
-/// A range as an option gives it, `LOW:HIGH` or one number.
+/// Option whose value is a range, `LOW:HIGH`, or one number, and the bounds of both.
 struct GridRange {
   const char* option;
   double least;
@@ -101,7 +101,7 @@ double greatest_s_of(const cut::MachineProfile& machine) {
   return greatest;
 }
 
-/// Checks the feeds. Throws std::invalid_argument if one exceeds the machine's.
+/// Checks the feeds. Throws std::invalid_argument if a feed exceeds the machine's rate.
 void expect_reachable(const TestGrid& grid, const cut::MachineProfile& machine) {
   for (const SettingChange& change : machine.settings) {
     if (change.number != cnc::setting::kRate) continue;
@@ -139,7 +139,7 @@ drawing::Place place_of(const TestGridOptions& options,
                   beyond));
 }
 
-/// Completes the grid with the values that the call gives as text.
+/// Sets the values of the grid that the options give as text, such as ranges.
 void complete(TestGridOptions& options) {
   TestGrid& grid = options.grid;
   if (options.powers.empty() || options.feeds.empty()) {

@@ -86,7 +86,8 @@ std::string synopsis_of(const CommandText& command) {
   return roff + "\n";
 }
 
-/// Returns `the controller …` from `Kerfline: the controller …`.
+/// Returns the program's purpose from its description: `the controller …` from `Kerfline: the
+/// controller …`.
 std::string purpose_of(const CommandText& program) {
   const std::string sentence = first_sentence(program.description);
   const std::size_t colon = sentence.find(": ");

@@ -82,8 +82,8 @@ class Refusals {
   const CLI::App& command_;
 };
 
-/// Checks allowances and step-over. Throws std::invalid_argument if one does not suit the tool's
-/// diameter.
+/// Checks allowances and step-over. Throws std::invalid_argument if one of them is too large for
+/// the tool or the level.
 void check_sizes(const PocketCommandOptions& options) {
   if (options.finish_mm > options.radius_mm()) {
     throw std::invalid_argument{fmt::format("--finish {:g}: must be at most half the tool, {:g} mm",

@@ -217,7 +217,8 @@ std::size_t index_of(const JobLines& job, const SendCommandOptions& options) {
 /// Chooses numbers for the checked lines of an approach. The controller must not take them for
 /// lines of the job that are still to be driven.
 void number_approach(std::vector<JobLine>& lines, SendOptions& send) {
-  constexpr std::uint32_t kFreeNumbers = 100;  // An approach has about ten lines.
+  // Numbers that are kept free for an approach, which has about ten lines.
+  constexpr std::uint32_t kFreeNumbers = 100;
   if (send.takes_up) {
     // Each line has number 1: a later number could be the line in which the beam comes on again.
     send.max_number = 1;

@@ -257,7 +257,7 @@ surface::PointGrid grid_of(const surface::SurfaceInput& input,
 }
 
 /// Returns whether the controller has arcs in all planes of the path. Rows and the links between
-/// them have arcs in both upright planes, lines of one height in the level plane.
+/// them have arcs in G18 and G19, lines of constant height in G17.
 bool knows_arcs_of_path(const SurfaceCommandOptions& options) {
   const bool is_level =
       options.paths == SurfacePaths::kWaterline || options.paths == SurfacePaths::kRough;

@@ -223,8 +223,8 @@ void check_approach(const SurfaceCommandOptions& options) {
   }
 }
 
-/// Checks the options of a path along patches. Throws std::invalid_argument for options that such a
-/// path cannot have.
+/// Checks the options of a path along patches. Throws std::invalid_argument for options that
+/// exclude --smooth.
 void check_smooth(const SurfaceCommandOptions& options) {
   if (!options.patches.smooth) return;
   for (const auto& [name, is_given, reason] :
@@ -237,7 +237,7 @@ void check_smooth(const SurfaceCommandOptions& options) {
 }
 
 /// Checks the options of the kind of lines. Throws std::invalid_argument for options that this kind
-/// cannot have.
+/// of lines does not use.
 void check_line_options(const SurfaceCommandOptions& options) {
   const bool are_rows = options.paths == SurfacePaths::kRows;
   const auto refuse = [](const char* option, const char* remedy) {

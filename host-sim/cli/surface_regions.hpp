@@ -44,15 +44,15 @@ void check_region_options(const RegionOptions& options, const std::string& surfa
 
 /// Returns the areas of the boundary for the tool's tip; empty without a boundary. Prints the parts
 /// of the boundary into which the tool does not fit. Throws std::invalid_argument for a drawing
-/// with faults, with place and remedy.
+/// with faults, with position and remedy.
 /// @param rows tool and tolerance of the path
 [[nodiscard]] std::vector<Contour> boundary_areas_of(const RegionOptions& options,
                                                      const surface::RowOptions& rows,
                                                      InputFiles& inputs);
 
 /// Returns the regions that the options describe. Prints the parts of a boundary into which the
-/// tool does not fit. Throws std::invalid_argument for a drawing with faults, with place and
-/// remedy, and for a text that names no larger tool.
+/// tool does not fit. Throws std::invalid_argument for a drawing with faults, with position and
+/// remedy, and if `rest_of` names no larger tool.
 /// @param rows tool, allowance, tolerance and floor of the path
 [[nodiscard]] surface::MilledRegions regions_of(const RegionOptions& options,
                                                 const surface::Mesh& mesh,

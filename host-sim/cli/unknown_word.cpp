@@ -78,7 +78,7 @@ std::optional<std::string> unknown_word(const CLI::App& app,
     if (is_option(word)) {
       const std::string name = word.substr(0, word.find('='));
       const CLI::Option* option = option_named(*command, name);
-      // Letters of short options, or an option and its value, may be one word.
+      // A word may consist of several short options, or of a short option and its value.
       const bool begins_with_known =
           !name.starts_with("--") && option_named(*command, name.substr(0, 2)) != nullptr;
       if (option == nullptr && !begins_with_known) return unknown_option(*command, path, name);

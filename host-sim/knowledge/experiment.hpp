@@ -23,8 +23,8 @@ struct Experiment {
   std::optional<double> straightness_mm{};
   std::string file{};
   std::size_t line = 0;
-  std::string measured_by{};  ///< Name of the person; empty if not known.
-  std::string measured_on{};  ///< YYYY-MM-DD; empty if not known.
+  std::string measured_by{};  ///< Name of the person who measured; empty if not known.
+  std::string measured_on{};  ///< Day of the measurement, YYYY-MM-DD; empty if not known.
   std::string rejection{};    ///< Reason why the cut is rejected; empty if it is accepted.
 
   /// Returns the kerf: the mean of its widths at top and bottom.

@@ -8,13 +8,13 @@
 
 namespace sim {
 
-/// Origin of a fact: the person, the day and the file.
+/// Origin of measured or imported values: the person, the day and the file.
 struct Origin {
-  /// Whether a person measured it on this machine; otherwise it was imported.
+  /// Whether a person measured the values on this machine; otherwise they were imported.
   bool is_measured_here = false;
   std::string by{};      ///< Name of the person; empty if not known.
-  std::string on{};      ///< YYYY-MM-DD; empty if not known.
-  std::string source{};  ///< The file from which the fact was read.
+  std::string on{};      ///< Day of the fact, YYYY-MM-DD; empty if not known.
+  std::string source{};  ///< File from which the values were read.
   bool operator==(const Origin&) const = default;
 };
 

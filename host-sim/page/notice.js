@@ -1,4 +1,4 @@
-// The banner: one sentence that stays until its cause has ended, or until it is dismissed.
+// Banner with one sentence, shown until its cause has ended or the operator dismisses it.
 
 export class Notice {
   #element;

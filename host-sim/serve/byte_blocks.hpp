@@ -43,7 +43,7 @@ class ByteBlocks {
 
   std::deque<Block> blocks_;
   std::vector<Block> ready_;
-  std::size_t begin_ = 0;  ///< Position of the oldest byte in the first block.
+  std::size_t begin_ = 0;  ///< Index of the oldest byte within the first block.
   std::size_t size_ = 0;
 };
 

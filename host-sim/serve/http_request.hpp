@@ -8,7 +8,7 @@
 
 namespace sim {
 
-/// A request of HTTP/1.1 (RFC 9112), with the fields that the page and its scripts need.
+/// A request of HTTP/1.1 (RFC 9112), with the fields that this server uses.
 struct HttpRequest {
   std::string method;
   std::string path;                          ///< Decoded path, without the query.

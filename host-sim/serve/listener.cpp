@@ -51,7 +51,7 @@ Descriptor listen_at(InternetAddress& address, std::string_view way) {
 
 std::optional<Descriptor> accept_at(const Descriptor& listener) {
   Descriptor socket{::accept4(listener.number(), nullptr, nullptr, SOCK_NONBLOCK | SOCK_CLOEXEC)};
-  if (socket.number() < 0) return {};  // No connection, or one that is closed again.
+  if (socket.number() < 0) return {};  // No connection waits, or it was closed already.
   constexpr int kSilenceSeconds = 4;
   constexpr int kQuestions = 3;
   set_option(socket, IPPROTO_TCP, TCP_NODELAY, 1);

@@ -26,9 +26,9 @@ class LinkListener {
 };
 
 /// The controller's serial line, with one queue in each direction between the controller and the
-/// connected sender. For one thread. Nothing is dropped while a sender is connected: a full queue
-/// makes its writer wait. Without a sender all output of the controller is lost, as on a cable that
-/// is not plugged in.
+/// connected sender. All calls must come from one thread. Nothing is dropped while a sender is
+/// connected: a full queue makes its writer wait. Without a sender all output of the controller is
+/// lost, as on a disconnected cable.
 class LiveLink final : public hal::ByteStream {
  public:
   static constexpr std::size_t kIncoming = 4096;
@@ -42,7 +42,7 @@ class LiveLink final : public hal::ByteStream {
 
   /// Starts to keep the controller's output for a sender.
   void connect() { connected_ = true; }
-  /// Forgets the bytes that are on their way in both directions.
+  /// Drops the queued bytes of both directions.
   void disconnect();
   [[nodiscard]] std::size_t room() const { return incoming_.room(); }
   /// Returns the number of bytes that the controller has not read.
@@ -51,7 +51,7 @@ class LiveLink final : public hal::ByteStream {
   void drop_incoming() { incoming_.clear(); }
   /// @pre bytes.size() is at most room()
   void receive(std::span<const std::byte> bytes);
-  /// Queues a byte that overtakes all others. At most kUrgent such bytes can wait; more are
+  /// Queues a byte that overtakes all normal bytes. At most kUrgent such bytes can wait; more are
   /// dropped.
   void interject(std::byte byte);
   /// Reports to the listener that a realtime byte reaches the controller outside the stream.

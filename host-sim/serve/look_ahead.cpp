@@ -20,8 +20,8 @@ bool marks_a_place(char byte) {
          code == cnc::RealtimeByte::kCycleStartRaw;
 }
 
-/// Returns the length of a chunk that ends with the first byte for which marks_a_place() holds. So
-/// the receiver has no text after such a byte when it reports the byte.
+/// Returns the length of the next chunk, which ends after the first byte for which marks_a_place()
+/// is true. So the receiver has no text after that byte when it reports it.
 std::size_t length_of_chunk(std::span<const char> bytes) {
   const std::span<const char> chunk = bytes.first(std::min(bytes.size(), kChunk));
   const auto mark = std::find_if(chunk.begin(), chunk.end(), marks_a_place);

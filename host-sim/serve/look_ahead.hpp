@@ -39,7 +39,7 @@ class LookAhead {
 
   [[nodiscard]] std::size_t size() const { return lines_.size(); }
   [[nodiscard]] bool overrun() const { return size() > kMax; }
-  /// Forgets all bytes: the sender has gone, or another one begins.
+  /// Drops all bytes, when a sender disconnects or another one begins.
   void forget();
 
  private:

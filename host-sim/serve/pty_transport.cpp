@@ -50,7 +50,7 @@ void open_once(const std::string& device) {
 PtyMaster::PtyMaster()
     : master_{checked(::posix_openpt(O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC), "pty")} {
   checked(::grantpt(number()), "pty");
-  make_raw(number());  // Both ends share the terminal's mode.
+  make_raw(number());  // Sets raw mode for both ends, which share it.
   checked(::unlockpt(number()), "pty");
   device_ = device_of(number());
   open_once(device_);
@@ -64,7 +64,7 @@ bool PtyMaster::in_use() const {
 
 void PtyMaster::flush() const {
   ::tcflush(number(), TCIOFLUSH);
-  make_raw(number());  // Undoes the mode that the last sender set.
+  make_raw(number());  // Restores raw mode, because the last sender may have changed it.
 }
 
 void PtyLink::point_to(const std::string& device) {
@@ -153,7 +153,7 @@ void PtyTransport::release() {
     link_.point_to(fresh->device());
     master_ = std::move(fresh);
   } catch (const std::exception&) {
-    // If no new terminal or link can be made, the old one has to serve.
+    // If no new terminal or link can be made, the old one stays in use.
   }
 }
 

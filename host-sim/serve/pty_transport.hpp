@@ -21,11 +21,11 @@ class PtyMaster {
   PtyMaster();
 
   [[nodiscard]] int number() const { return master_.number(); }
-  /// Returns the device that a sender opens.
+  /// Returns the path of the device that a sender opens.
   [[nodiscard]] const std::string& device() const { return device_; }
   /// Returns whether a sender has the device open, or has left bytes in it.
   [[nodiscard]] bool in_use() const;
-  /// Forgets the bytes that are on their way in both directions. Throws std::system_error.
+  /// Drops the bytes that wait in both directions. Throws std::system_error.
   void flush() const;
 
  private:
@@ -55,9 +55,9 @@ class PtyLink {
   std::string device_;
 };
 
-/// A serial port that exists only in software. The transport can tell one sender from the next only
-/// because the first closes the port. Two senders that open the port together share it, as they
-/// would a real one.
+/// A serial port that exists only in software. The transport distinguishes two senders only if the
+/// first closes the port before the second opens it. Senders that have the port open at the same
+/// time share it, as with a real port.
 class PtyTransport final : public Transport {
  public:
   /// Throws as PtyLink::point_to() does.

@@ -51,7 +51,7 @@ void ServedJob::resume(Clock::time_point now) {
 
 void ServedJob::stop() {
   if (sender_) return sender_->abort();
-  if (running()) end(State::kStopped, "aborted");  // The job ends before anything has been sent.
+  if (running()) end(State::kStopped, "aborted");  // Nothing is being sent yet.
 }
 
 std::size_t ServedJob::file_line() const {

@@ -11,8 +11,8 @@ namespace {
 using hal::host::checked;
 using std::chrono::milliseconds;
 
-// Longest sleep while the machine is idle: a millisecond more or less does not matter then. A
-// sender's bytes wake the loop at once; only the opening of a pty does not.
+// Longest sleep while the machine is idle. A sender's bytes wake the loop immediately; only the
+// opening of a pty does not.
 constexpr milliseconds kRest{10};
 constexpr milliseconds kShortestSleep{1};
 

@@ -16,9 +16,9 @@ namespace sim {
 /// requires no code for it, and a recording contains it:
 /// - For a new sender a soft reset is sent, whose greeting the sender waits for. The machine is at
 ///   rest then, because no motion continues without a sender.
-/// - When a sender is lost, the safety door turns the beam off at once and stops the machine on its
-///   path. When the machine is at rest, a soft reset empties the planner and switches off spindle
-///   and coolant. The position stays known.
+/// - When a sender is lost, the byte of the safety door turns the beam off immediately and stops
+///   the machine on its path. When the machine is at rest, a soft reset empties the planner and
+///   switches off spindle and coolant. The position stays known.
 class Session {
  public:
   /// Applies the settings, which override the stored ones. Throws as apply_settings() does. The

@@ -80,8 +80,8 @@ class SheetView {
     return faults;
   }
 
-  /// Returns the copies in the numbering of place_parts(), which leaves out those whose drawing it
-  /// cannot read.
+  /// Returns the copies in the numbering of place_parts(), which omits copies whose drawing cannot
+  /// be read.
   [[nodiscard]] std::vector<PlacedCopy> numbered_copies() const {
     std::vector<PlacedCopy> copies;
     for (std::size_t part = 0; part < sheet_.parts.size(); ++part) {

@@ -11,7 +11,7 @@
 namespace sim {
 
 /// A serial CAN adapter (slcan) at a TCP port, for python-can's `socket://` and socat. It serves
-/// one host at a time; a host that comes meanwhile waits.
+/// one host at a time; a host that connects meanwhile waits.
 class TcpSlcanWire final : public CanWire {
  public:
   /// Throws as the constructor of TcpTransport does.

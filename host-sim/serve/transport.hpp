@@ -63,7 +63,7 @@ class Transport {
   virtual void add_to(std::vector<pollfd>& descriptors) const = 0;
   /// Returns `pty`, `tcp`, `ws`, `can` or `slcan`.
   [[nodiscard]] virtual std::string_view kind() const = 0;
-  /// Returns the address at which senders find the transport, for people and scripts.
+  /// Returns the address at which senders find the transport, as text for users and scripts.
   [[nodiscard]] virtual std::string address() const = 0;
 };
 

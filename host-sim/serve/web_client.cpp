@@ -30,8 +30,8 @@ WebReply reply_of(const WebWork& make) {
   }
 }
 
-/// Returns the request; nothing if it is malformed. A request with a header twice is malformed,
-/// because two readers could use different ones.
+/// Returns the request; nothing if it is malformed. A request with a duplicate header is malformed,
+/// because two readers could use different values.
 std::optional<HttpRequest> request_of(const http::request_parser<http::string_body>& parser) {
   const auto& head = parser.get();
   for (const auto& field : head) {
@@ -41,7 +41,8 @@ std::optional<HttpRequest> request_of(const http::request_parser<http::string_bo
   request.method = head.method_string();
   request.host = head[http::field::host];
   request.origin = head[http::field::origin];
-  // A server ignores an upgrade in a request of HTTP 1.0 (RFC 9110, 7.8).
+  // Least version of HTTP whose upgrades a server follows; it ignores those of HTTP 1.0 (RFC 9110,
+  // 7.8).
   constexpr unsigned kFirstWithUpgrades = 11;
   request.wants_web_socket = head.version() >= kFirstWithUpgrades &&
                              http::token_list{head[http::field::upgrade]}.exists("websocket");

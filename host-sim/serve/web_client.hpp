@@ -24,10 +24,10 @@
 
 namespace sim {
 
-/// A connection of HTTP, read and written by Boost.Beast, until its one request is answered or it
-/// has become a WebSocket. No call blocks. A slow or silent client occupies only a descriptor,
-/// until its time limit has passed. Handlers run where the transport runs those of its
-/// `io_context`; each handler keeps the client alive.
+/// A connection of HTTP, read and written by Boost.Beast. It exists until its single request is
+/// answered, or until it has become a WebSocket. No call blocks. A slow or silent client occupies
+/// only a descriptor, until its time limit has passed. Handlers run where the transport runs those
+/// of its `io_context`; each handler keeps the client alive.
 class WebClient : public std::enable_shared_from_this<WebClient> {
  public:
   using Clock = std::chrono::steady_clock;

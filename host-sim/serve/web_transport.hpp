@@ -24,13 +24,13 @@ class WebClient;
 
 /// The web server. It serves the resources of the page service over HTTP, a sender's byte stream as
 /// a WebSocket at `/` (text or binary frames), the byte stream of the server's own page at
-/// `/operate`, and a WebSocket at `/observe` for watchers. A request under a foreign name is
+/// `/operate`, and a WebSocket at `/observe` for watchers. A request that names a foreign host is
 /// answered with 403 (see web_guard.hpp).
 ///
 /// HTTP and WebSocket are those of Boost.Beast, on an `io_context` of Boost.Asio whose handlers run
 /// in the loop: the loop polls the sockets' descriptors, and accept() runs the handlers that are
-/// ready. Nothing blocks, and everything is bounded. A client beyond kMaxClients takes the place
-/// of the oldest one that has sent no request yet. A watcher beyond kMaxWatchers is refused with a
+/// ready. No call blocks, and all queues are bounded. A client beyond kMaxClients replaces the
+/// oldest client that has sent no request yet. A watcher beyond kMaxWatchers is refused with a
 /// message.
 class WebTransport final : public Transport {
  public:

@@ -152,7 +152,7 @@ class Engrave(unittest.TestCase):
         picture = self.picture([[0] * 10] * 10)
         fine = ("--width", "20", "--power", "50%", "--feed", "3000")
         for wrong, told in ((("--power", "50%", "--feed", "3000"), "the size of the picture is missing"),
-                            (("--width", "20", "--power", "20W", "--feed", "3000"), "give the power of the laser with --full-power"),
+                            (("--width", "20", "--power", "20W", "--feed", "3000"), "laser with --full-power"),
                             ((*fine, "--min-power", "60%"), "--min-power: exceeds --power"),
                             ((*fine, "--image-dpi", "100"), "--image-dpi"),
                             ((*fine, "--shading", "dots"), "--shading"),

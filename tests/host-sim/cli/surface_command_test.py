@@ -260,7 +260,7 @@ class SurfaceCommand(unittest.TestCase):
                 ((*good, "--tolerance", 0), self.scan, "--tolerance"),
                 ((*good, "--step", 0), self.scan, "--step"),
                 ((*good, "--scallop", 0.015), self.scan, "less than 2 times the --tolerance"),
-                ((*good, "--heights", self.folder / "h.txt"), self.scan, "--heights: needs --at"),
+                ((*good, "--heights", self.folder / "h.txt"), self.scan, "--heights: requires --at"),
                 ((*good, "--like-paper"), self.scan, "--output: there is no program with --like-paper"),
                 (good, nan, "nan.xyz:2"),
                 (good, uneven, "uneven.xyz"),

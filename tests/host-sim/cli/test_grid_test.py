@@ -149,7 +149,7 @@ class TestGrid(unittest.TestCase):
                 (("--power", "20", "--feed", "0:9"), "--feed 0:9: must be LOW:HIGH or one number, 1 to"),
                 (("--power", "20:80", "--feed", "9", "--power-steps", "1"), "a range requires at least 2 steps"),
                 (("--power", "20"), "--power and --feed are missing"),
-                (("--power", "20", "--feed", "300:30000", "--machine", "k40"), "30000 mm/min exceeds the greatest feed"),
+                (("--power", "20", "--feed", "300:30000", "--machine", "k40"), "30000 mm/min exceeds the greatest"),
                 (("--power", "20:80", "--feed", "300:900", "--cell", "40", "--machine", "k40"),
                  "leaves the bed of K40"),
                 (("--power", "20", "--feed", "300", "--move", "-9,0"), "leaves the quadrant of X0 Y0 by 4.000 mm"),

@@ -104,7 +104,7 @@ class WallCommand(unittest.TestCase):
             ((self.part, "--half-angle", 7, "--at", self.file("c", "#\n")), "is empty"),
             (("--cones", self.file("d", "0 0 0 0 0 0 0.5 1 0 0 1 1 0 1 0 1 1\n")), "d:1:"),
             (("--cones", self.file("e", "0 0 0 0 0 1 1.0 1 0 0 1 1 0 1 0 1 1\n")), "e:1:"),
-            ((self.part, "--cones", tips), "without FILE"),
+            ((self.part, "--cones", tips), "excludes FILE"),
         )
         for call, message in calls:
             done = run("wall", *call, "-o", output)
