@@ -23,13 +23,14 @@ std::string quoted_for_zsh(const std::string& text, std::string_view special) {
   return quoted;
 }
 
-/// Returns `_kerfline_kerf_advise` for `kerfline kerf advise`.
+/// Returns the name of a command's zsh function: `_kerfline_kerf_advise` for `kerfline kerf
+/// advise`.
 std::string function_of(std::string path) {
   std::replace(path.begin(), path.end(), ' ', '_');
   return "_" + path;
 }
 
-/// Returns `:message:action` for a value.
+/// Returns zsh's specification of a parameter's value, `:message:action`.
 std::string zsh_value_of(const ParameterText& parameter) {
   std::string action = parameter.takes_file ? "_files" : " ";
   if (!parameter.choices.empty()) action = fmt::format("({})", fmt::join(parameter.choices, " "));

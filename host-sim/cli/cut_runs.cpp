@@ -59,7 +59,7 @@ constexpr std::array kBesideOnController{
     EdgeVariant{"path_follows_kerf", "path follows the kerf, M3 and $860=1", false, "$860=1"},
 };
 
-/// Greatest time of a job that is simulated, s; longer jobs are only read.
+/// Greatest time of a job that is simulated, s; longer jobs are read line by line instead.
 constexpr double kMaxSimulatedS = 3.0 * 3600.0;
 
 ProgramCheck judge(const CutJob& job,

@@ -20,7 +20,7 @@ std::vector<std::string_view> split(std::string_view text, char separator) {
   }
 }
 
-/// Words of a tool in this order: kind, diameter, other values.
+/// Words that describe a tool, in the order kind, diameter, other values.
 struct CutterWords {
   std::string_view kind = "flat";
   std::string_view diameter;

@@ -128,7 +128,7 @@ void import_library(const LibraryOptions& options) {
     count += operations.size();
   }
   terminal::print(
-      "{}: {} settings of {} materials; {}. Kerfs are not known: `kerfline cut` needs "
+      "{}: {} settings of {} materials; {}. Kerfs are not known: `kerfline cut` requires "
       "--kerf, or `kerfline kerf test-grid` measures them\n",
       name_of_input(options.file),
       count,

@@ -90,7 +90,7 @@ std::vector<Contour> areas_to_mill(const Terrace& terrace, const PocketCommandOp
   return pocket::areas_of(pocket::with_surroundings(terrace.contours, *stock, margin_mm));
 }
 
-/// Mills pockets, terrace after terrace.
+/// Computes the paths of all pockets, for each pocket terrace by terrace.
 class PocketMiller {
  public:
   explicit PocketMiller(const PocketCommandOptions& options)

@@ -23,7 +23,7 @@ inline constexpr double kGreatestToolMm = 500.0;
 
 /// Depth of the floor within the contours of a layer.
 struct LayerDepth {
-  std::string layer;      ///< Name of a layer, or a colour as the drawing has it.
+  std::string layer;      ///< Name of a layer, or a colour in the drawing's spelling.
   double depth_mm = 0.0;  ///< Depth below Z 0, at least 0.
 
   [[nodiscard]] bool is_of(const drawing::Layer& other) const {

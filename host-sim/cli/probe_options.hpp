@@ -20,7 +20,7 @@ struct ProbeSurfaceFile {
 /// Options for the plate and the surface at which the probe of the simulated machine triggers.
 struct ProbeOptions {
   std::optional<double> plate_z_mm;
-  std::string surface;  ///< Name of the file; empty for none.
+  std::string surface;  ///< File of the surface; empty for none.
   double tip_mm = 0.0;
 
   void add_to(CLI::App& command);

@@ -30,7 +30,9 @@ struct SimOptions {
 void require_placeholder(const std::string& name, const std::string& option) {
   if (name.empty() || name.find(kPlaceholder) != std::string::npos) return;
   throw std::invalid_argument(fmt::format(
-      "{} {}: with several programs the name needs a {{}} for the name of each", option, name));
+      "{} {}: with several programs the name requires a {{}}, which stands for the name of each",
+      option,
+      name));
 }
 
 std::string with_job_name(const std::string& name, const std::string& file) {

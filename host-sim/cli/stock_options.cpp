@@ -106,11 +106,11 @@ std::vector<stock::Ring> rings_of(const std::string& file) {
 void refuse_lonely(const StockOptions& options) {
   if (options.target.empty() != !options.depth_mm) {
     throw std::invalid_argument(
-        options.target.empty() ? "--stock-depth: needs the drawing of --stock-target"
-                               : "--stock-target: needs the depth of the pocket, --stock-depth");
+        options.target.empty() ? "--stock-depth: requires the drawing of --stock-target"
+                               : "--stock-target: requires the depth of the pocket, --stock-depth");
   }
   if (!options.map.empty() && options.surface.empty()) {
-    throw std::invalid_argument("--stock-map: needs the surface of --stock-surface");
+    throw std::invalid_argument("--stock-map: requires the surface of --stock-surface");
   }
   if (!options.surface.empty() && !options.target.empty()) {
     throw std::invalid_argument(
@@ -119,7 +119,7 @@ void refuse_lonely(const StockOptions& options) {
   }
   if (!options.box.empty()) return;
   const auto refuse_without_stock = [](const char* option) {
-    throw std::invalid_argument(fmt::format("{}: needs the block of --stock", option));
+    throw std::invalid_argument(fmt::format("{}: requires the block of --stock", option));
   };
   for (const auto& [option, value] : stock_files(options)) {
     if (!value.empty()) refuse_without_stock(option);
@@ -189,7 +189,7 @@ std::optional<StockWish> stock_wish_of(const StockOptions& options) {
   refuse_lonely(options);
   if (options.box.empty()) return std::nullopt;
   if (options.tool.empty()) {
-    throw std::invalid_argument("--stock: needs the tool that carves, such as --tool 6");
+    throw std::invalid_argument("--stock: requires the tool that carves, such as --tool 6");
   }
   StockWish wish;
   wish.cell_mm = options.cell_mm;

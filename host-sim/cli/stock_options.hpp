@@ -35,8 +35,8 @@ void add_stock_options(CLI::App& command, StockOptions& options);
 [[nodiscard]] std::optional<StockWish> stock_wish_of(const StockOptions& options);
 
 /// Reads the drawing of the pocket that the stock is to become; empty without a drawing. Throws
-/// std::system_error if the drawing cannot be read, and std::invalid_argument naming it for its
-/// faults.
+/// std::system_error if the drawing cannot be read, and std::invalid_argument naming the drawing if
+/// it has faults.
 [[nodiscard]] std::optional<stock::PocketTarget> stock_target_of(const StockOptions& options);
 
 /// Reads the surface that the stock is to become; null without a surface. Prints the notes of its

@@ -216,7 +216,7 @@ void check_approach(const SurfaceCommandOptions& options) {
   double square = 0.0;
   for (const double part : options.approach) square += part * part;
   if (!(square > 0.0 && std::isfinite(square))) {
-    throw std::invalid_argument("--approach: needs a direction, such as -1,0,0");
+    throw std::invalid_argument("--approach: must be a direction, such as -1,0,0");
   }
   if (options.wants_patches()) {
     throw std::invalid_argument("--approach: patches fit a grid that is seen from above");
@@ -247,7 +247,7 @@ void check_line_options(const SurfaceCommandOptions& options) {
     refuse("--direction", "rows to and fro cut in both directions; use --order oneway");
   }
   if (options.stock_margin_mm && options.paths != SurfacePaths::kRough) {
-    refuse("--stock-margin", "only --paths rough comes in from beside the stock");
+    refuse("--stock-margin", "only --paths rough comes in from outside the stock");
   }
   if (are_rows) return;
   if (options.pencil) refuse("--pencil", "goes along valleys in place of --paths; leave one out");

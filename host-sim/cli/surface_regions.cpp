@@ -185,14 +185,14 @@ void check_region_options(const RegionOptions& options, const std::string& surfa
     throw std::invalid_argument("--boundary: standard input is FILE already; name a file");
   }
   if (options.boundary.empty() && options.side != BoundarySide::kOn) {
-    throw std::invalid_argument("--boundary-side: needs --boundary, a drawing");
+    throw std::invalid_argument("--boundary-side: requires --boundary, a drawing");
   }
   if (!options.rest_of.empty()) return;
   if (options.rest_allowance_mm > 0.0) {
-    throw std::invalid_argument("--rest-allowance: needs --rest-of, the larger tool");
+    throw std::invalid_argument("--rest-allowance: requires --rest-of, the larger tool");
   }
   if (options.rest_depth_mm > 0.0) {
-    throw std::invalid_argument("--rest-depth: needs --rest-of, the larger tool");
+    throw std::invalid_argument("--rest-depth: requires --rest-of, the larger tool");
   }
 }
 

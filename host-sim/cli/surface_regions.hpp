@@ -26,7 +26,7 @@ struct RegionOptions {
   std::string boundary;  ///< Drawing of the boundary; empty for none.
   BoundarySide side = BoundarySide::kOn;
   std::string slope;    ///< Range of slopes, `LOW:HIGH` in degrees; empty for any.
-  std::string rest_of;  ///< The larger tool that milled before; empty for none.
+  std::string rest_of;  ///< Larger tool that milled before; empty for none.
   double rest_allowance_mm = 0.0;
   /// Least depth of the rest; 0 for three tolerances, at least 0.02 mm.
   double rest_depth_mm = 0.0;

@@ -24,7 +24,7 @@ void add_rough_options(CLI::App& command, SurfaceCommandOptions& options) {
 
 void check_rough_options(const SurfaceCommandOptions& options) {
   if (options.layer_mm == 0.0) {
-    throw std::invalid_argument("--paths rough: needs the depth of its levels; give --layers");
+    throw std::invalid_argument("--paths rough: requires the depth of its levels; give --layers");
   }
   for (const auto& [name, is_given] : {std::pair{"--slope", !options.regions.slope.empty()},
                                        std::pair{"--rest-of", !options.regions.rest_of.empty()},
@@ -35,7 +35,7 @@ void check_rough_options(const SurfaceCommandOptions& options) {
   }
   if (options.stock_margin_mm && options.margin_mm > 0.0) {
     throw std::invalid_argument(
-        "--margin: with --stock-margin the tool goes as far as it needs; leave one out");
+        "--margin: with --stock-margin the tool goes as far as required; leave one out");
   }
 }
 

@@ -192,7 +192,7 @@ ExitStatus run_taper(const TaperOptions& options) {
                   fit.rest_deg,
                   fit.passed == 0
                       ? std::string{}
-                      : fmt::format("; {} that an upright beam clears tell nothing", fit.passed));
+                      : fmt::format("; {} that an upright beam clears are not used", fit.passed));
   return ExitStatus::kFine;
 }
 

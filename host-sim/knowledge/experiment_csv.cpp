@@ -107,7 +107,8 @@ class CsvReader {
     return !has_header_ && line.size() == 5 && line.starts_with("sep=");
   }
 
-  /// Chooses the separator. Spreadsheets write semicolons where the decimal mark is a comma.
+  /// Chooses the separator of fields by the header, because spreadsheets write semicolons if the
+  /// decimal mark is a comma.
   void choose_separator(std::string_view header) {
     for (const char candidate : {';', '\t'}) {
       if (std::ranges::count(header, candidate) > std::ranges::count(header, separator_)) {

@@ -46,7 +46,7 @@ std::set<std::uint32_t> powers_around(const OwnedKerfTable<double>& table,
   return powers;
 }
 
-/// Adds a point of the law, with the interval of single cuts around it.
+/// Appends a point of the law to `series`, with the interval of single cuts around it.
 void add_point(ChartSeries& series,
                const MaterialRecord& record,
                const kerf::Condition& at,

@@ -70,8 +70,8 @@ CREATE TABLE point (
   UNIQUE (power, speed_um_min));
 )sql";
 
-/// The table that version 2 adds. It is read by the name of the material, so that a fit leaves it
-/// unchanged. NULL means not known.
+/// Table that version 2 adds. Its rows refer to a material by name, so that a new fit of the
+/// material's record leaves them unchanged. NULL means not known.
 inline constexpr const char* kOperationSchema = R"sql(
 CREATE TABLE operation (
   id INTEGER PRIMARY KEY,

@@ -42,7 +42,7 @@ MaterialRecord csp_1n(kerf::HeatUnit unit) {
                         .calibrated = false,
                         .provenance = "Park and Ahn 2007, Tables 1 to 3"};
   record.provenance += unit == kerf::HeatUnit::kJoulesPerMillimetre
-                           ? "; Q in J/mm, which its figures and correlations ask for"
+                           ? "; Q in J/mm, which its figures and correlations require"
                            : "; Q as in its worked example";
   for (std::size_t i = 0; i < table.rows.size(); ++i) {
     const auto& row = table.rows[i];

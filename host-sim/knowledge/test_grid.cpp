@@ -19,7 +19,7 @@ using drawing::Place;
 
 /// Least height of a label's capitals; lower ones cannot be read on wood.
 constexpr double kMinLabelMm = 1.2;
-constexpr double kLabelSpaceMm = 1.5;  ///< Free space around labels.
+constexpr double kLabelSpaceMm = 1.5;  ///< Distance of labels from squares and slots, mm.
 /// Greatest distance between the curves of a letter and the lines that replace them.
 constexpr double kLetterFaultMm = 0.01;
 constexpr const char* kAxesText = "% right, mm/min up";

@@ -28,7 +28,7 @@ constexpr double kWidestSlotMm = 200.0;
 constexpr double kMaxPasses = 1000.0;
 constexpr double kWidestLineMm = 100.0;
 
-/// Reads a form that was filled in.
+/// Reader of a form that the user has filled in.
 class FormReader {
  public:
   FormReader(const std::string& text, std::string file, const FormPerson& person)
@@ -146,7 +146,7 @@ class FormReader {
       if (const auto one = kerf_of_slot(list, i)) kerfs.push_back(*one);
     }
     if (kerfs.empty()) {
-      notes.emplace_back("no slot was measured: the kerf is not known, and `cut` needs --kerf");
+      notes.emplace_back("no slot was measured: the kerf is not known, and `cut` requires --kerf");
       return std::nullopt;
     }
     const auto [least, most] = std::ranges::minmax(kerfs);
@@ -230,7 +230,7 @@ std::string form_of(const TestGrid& grid) {
   form[kFormMark] = 1;
   form["about"] = grid.is_filled
                       ? "result: good, or bad; read back with kerf test-grid --measured"
-                      : "result: good where the square fell out, else bad; measured_mm: width of "
+                      : "result: good if the square fell out, otherwise bad; measured_mm: width of "
                         "the slot by a caliper; read back with kerf test-grid --measured";
   form["material"] = grid.material;
   form["thickness_mm"] = grid.thickness_mm > 0.0 ? Json(grid.thickness_mm) : Json(nullptr);

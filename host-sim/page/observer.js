@@ -1,4 +1,4 @@
-// Receives the news that the server sends to all watchers. Reconnects after a lost connection.
+// Receives the news that the server sends to all watchers. Reconnects if the connection is lost.
 
 const kRetryMs = 1000;
 

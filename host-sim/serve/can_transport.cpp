@@ -64,7 +64,8 @@ void CanTransport::attend() {
 /// is divided by the speed.
 void CanTransport::pass_time() {
   using std::chrono::microseconds;
-  constexpr microseconds kUsual{2000};  // Somewhat more than a cycle.
+  // Greatest time that counts as silence, slightly more than a cycle.
+  constexpr microseconds kUsual{2000};
   const auto looked = Clock::now();
   const auto away = std::chrono::floor<microseconds>(looked - looked_);
   looked_ += away;

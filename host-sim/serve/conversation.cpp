@@ -20,7 +20,7 @@ bool has_bytes(Exchange::Kind kind) {
          kind == Exchange::Kind::kBeside;
 }
 
-/// Reads one conversation, a line at a time.
+/// Reader of one conversation, which takes its lines one after the other.
 class ConversationReader {
  public:
   explicit ConversationReader(const std::string& name) : name_{name} {}

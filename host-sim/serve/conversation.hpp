@@ -24,7 +24,8 @@ struct Exchange {
   Kind kind = Kind::kHeard;
   std::uint64_t time_ns = 0;  ///< Time of the controller.
   std::string bytes;
-  std::size_t line = 0;  ///< Line of the recording's file; 0 if it was not read from a file.
+  /// Line of the exchange in the recording's file; 0 if it was not read from a file.
+  std::size_t line = 0;
 };
 
 /// A surface that was probed.

@@ -27,7 +27,7 @@ class Session {
           const std::vector<SettingChange>& settings,
           hal::RecordStore& store);
 
-  /// Runs one cycle of the controller's main loop, a millisecond of its time.
+  /// Runs one cycle of the controller's main loop, which is a millisecond of the controller's time.
   void turn();
 
   /// @pre calm()

@@ -109,7 +109,7 @@ ordered_json words_json() {
   return json;
 }
 
-/// An order of a page. All members are empty if the request is not an order.
+/// Order of a page to run, resume or stop a job. All members are empty if the request is no order.
 struct Order {
   std::string id;
   std::string page;
@@ -211,7 +211,7 @@ PageService::Answer WebRoutes::get(const std::string& path) const {
 /// Returns the work that prepares a program in another thread. The work uses copies of all data
 /// that the loop may change meanwhile.
 PageService::Answer WebRoutes::load(HttpRequest request) const {
-  // A job may have begun while the program was being received.
+  // A job may have begun while the program was received.
   const bool keeps = request.path == "/job";
   if (keeps && job_.running()) return waits("the end of the running job");
   std::string name = keeps ? request.query["name"].substr(0, kLongestName) : std::string{};

@@ -288,7 +288,7 @@ class Operations(unittest.TestCase):
                            ('{"kerfline_recipe": 1, "check": 3}', "/check: must be true or false"),
                            ('{"kerfline_recipe": 1, "layers": {"a": {"pwer": 3}}}', "/layers/a/pwer: "),
                            ('{"kerfline_recipe": 1, "layers": {"nowhere": {"power": 3}}}', "/layers/nowhere: "),
-                           ('{"kerfline_recipe": 1, "avoid-margin": 3}', "/avoid-margin: needs --avoid-freed"),
+                           ('{"kerfline_recipe": 1, "avoid-margin": 3}', "/avoid-margin: requires --avoid-freed"),
                            ('{"kerfline_recipe": 1, "feed": "1 2"}', "feed=1 2")):
             recipe = self.file("r.json", text)
             self.assertIn(told, self.refused(self.plain, "--recipe", recipe), text)

@@ -222,7 +222,7 @@ class Pictures(unittest.TestCase):
 
     def test_what_is_wrong_is_named(self):
         drawing = page(PLATE, image('x="10" y="5" width="2" height="1.5"'))
-        for rule, told in (("image: kind=image, power=80%", "a picture needs a power and a feed of its own"),
+        for rule, told in (("image: kind=image, power=80%", "a picture requires its own power and feed"),
                            (BURN + ", min-power=90%", 'layer "" image: min-power is more than power'),
                            (BURN + ", angle=3", "angle=3: is not for pictures"),
                            (BURN + ", lead-in=arc:2", "is not for pictures"),

@@ -179,7 +179,7 @@ class ProbeGrid(unittest.TestCase):
                 (("--pitch", 0.01), "choose a greater pitch"), (("--x", "0"), "--x 0: is not FROM:TO"),
                 (("--x", "5:0"), "does not rise"), (("--y", "nan:4"), "check the unit"),
                 (("--fast-feed", 100), "is not above --feed"), (("--hop", -1), "--hop -1"),
-                (("--tip", -2), "--tip -2"), (("--offset", "1,2,3"), "require --read"), (("--gaps",), "give --read"),
+                (("--tip", -2), "--tip -2"), (("--offset", "1,2,3"), "require --read"), (("--gaps",), "require --read"),
                 (("--columns", 3), "--columns")):
             options = list(map(str, WORDS))
             if words[0] in options:
