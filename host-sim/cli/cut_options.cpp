@@ -135,12 +135,13 @@ void add_material_options(CLI::App& command, CutCommandOptions& options) {
 
 void add_cut_options(CLI::App& command, const std::shared_ptr<CutCommandOptions>& options) {
   command.footer(kCutFooter);
-  mark_file(command
-                .add_option("DRAWING",
-                            options->file,
-                            "SVG, DXF, PDF, LightBurn, JSON or sheet; - is standard input")
-                ->required(),
-            FileRole::kInput);
+  mark_file(
+      command
+          .add_option("DRAWING",
+                      options->file,
+                      "Drawing as SVG, DXF, PDF, LightBurn, JSON or sheet; - is standard input")
+          ->required(),
+      FileRole::kInput);
   add_material_options(command, *options);
   add_cut_recipe_options(command, *options);
   add_cut_place_options(command, options->place);

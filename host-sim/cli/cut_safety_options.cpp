@@ -39,10 +39,11 @@ void add_cut_safety_options(CLI::App& command, const std::shared_ptr<CutCommandO
       ->needs(avoid);
   CLI::Option* const cool =
       command
-          .add_option("--cool",
-                      safety.cool_s,
-                      "Time between a cut and a pierce near it, s: by another order where that is "
-                      "quicker, otherwise by a rest")
+          .add_option(
+              "--cool",
+              safety.cool_s,
+              "Least time between a cut and a pierce near it, s: kept by another order where "
+              "that is quicker, otherwise by a rest")
           ->check(in_range(0.001, kMaxCoolS, "s"))
           ->type_name("S");
   add("--cool-distance",

@@ -184,8 +184,9 @@ void add_drawing_command(CLI::App& app, ExitStatus& status) {
   command->footer(kDrawingFooter);
   const auto options = std::make_shared<DrawingOptions>();
   mark_file(command
-                ->add_option(
-                    "FILE", options->file, "SVG, DXF, PDF, LightBurn or JSON; - is standard input")
+                ->add_option("FILE",
+                             options->file,
+                             "Drawing as SVG, DXF, PDF, LightBurn or JSON; - is standard input")
                 ->required(),
             FileRole::kInput);
   add_import_options(*command, options->import);

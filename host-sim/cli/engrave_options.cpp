@@ -144,9 +144,11 @@ double power_share(const char* option,
 
 void add_engrave_options(CLI::App& command, const std::shared_ptr<EngraveOptions>& options) {
   command.footer(kEngraveFooter);
-  mark_file(command.add_option("IMAGE", options->file, "PNG, JPEG or BMP; - is standard input")
-                ->required(),
-            FileRole::kInput);
+  mark_file(
+      command
+          .add_option("IMAGE", options->file, "Picture as PNG, JPEG or BMP; - is standard input")
+          ->required(),
+      FileRole::kInput);
   add_size_options(command, *options);
   add_tone_options(command, *options);
   add_row_options(command, *options);

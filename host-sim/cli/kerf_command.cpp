@@ -83,7 +83,7 @@ void add_fit_command(CLI::App& kerf, ExitStatus&) {
       "fit",
       "Fit kerf = l1 Q + l2 per thickness to the accepted cuts of a material, with its "
       "permissible\n"
-      "region. The record takes the place of the one with the same name and unit.");
+      "region. It replaces the record with the same name and unit.");
   command->footer(
       "Example:\n"
       "  kerfline kerf fit --db my.db --material acrylic --unit J/mm");
@@ -91,8 +91,10 @@ void add_fit_command(CLI::App& kerf, ExitStatus&) {
   options->record.add_to(*command);
   command->get_option("--db")->required();
   command->get_option("--material")->required();
-  command->add_option("--laser", options->laser, "Only cuts by this laser")->type_name("NAME");
-  command->add_option("--gas", options->gas_pressure_mpa, "Only cuts at this gas pressure, MPa")
+  command->add_option("--laser", options->laser, "Laser whose cuts are fitted")->type_name("NAME");
+  command
+      ->add_option(
+          "--gas", options->gas_pressure_mpa, "Gas pressure of the cuts that are fitted, MPa")
       ->check(in_range(0.0, 10.0, "MPa"));
   LawCriterion& criterion = options->fit.criterion;
   command
@@ -267,9 +269,10 @@ void add_advise_command(CLI::App& kerf, ExitStatus& status) {
 }  // namespace
 
 void add_kerf_command(CLI::App& app, ExitStatus& status) {
-  CLI::App* kerf = app.add_subcommand("kerf",
-                                      "Keep the kerf of materials: test cuts, laws fitted to them, "
-                                      "figures, tables for the controller.");
+  CLI::App* kerf =
+      app.add_subcommand("kerf",
+                         "Measure and predict the kerf: test cuts, laws fitted to them, "
+                         "figures, tables for the controller.");
   kerf->require_subcommand(1);
   kerf->footer(
       "Examples:\n"

@@ -148,9 +148,10 @@ void add_kerf_import_command(CLI::App& kerf) {
       "  kerfline kerf import shop.clb --db my.db\n"
       "  kerfline cut box.svg --db my.db --material Birch --thickness 3 --kerf 0.15 -o box.nc");
   const auto options = std::make_shared<LibraryOptions>();
-  mark_file(command->add_option("FILE.clb", options->file, "The library; - is standard input")
-                ->required(),
-            FileRole::kInput);
+  mark_file(
+      command->add_option("FILE.clb", options->file, "Library of materials; - is standard input")
+          ->required(),
+      FileRole::kInput);
   mark_file(command
                 ->add_option("--db",
                              options->data_base,

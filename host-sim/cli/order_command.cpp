@@ -167,9 +167,10 @@ void add_order_command(CLI::App& app, ExitStatus& status) {
       "order", "Find the cheapest order of a published problem, by the solver that orders cuts.");
   command->footer(kOrderFooter);
   const auto options = std::make_shared<OrderCommandOptions>();
-  mark_file(command->add_option("FILE", options->file, "TSPLIB or PCGLNS; - is standard input")
-                ->required(),
-            FileRole::kInput);
+  mark_file(
+      command->add_option("FILE", options->file, "Problem as TSPLIB or PCGLNS; - is standard input")
+          ->required(),
+      FileRole::kInput);
   std::map<std::string, OrderMethod> methods;
   for (const auto method : {OrderMethod::kOurs,
                             OrderMethod::kAnneal,

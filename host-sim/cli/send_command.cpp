@@ -62,7 +62,7 @@ void add_options(CLI::App& command, SendCommandOptions& options) {
             FileRole::kInput);
   auto* const links = command.add_option_group("link", "Link to the controller");
   links->add_option("--port", options.port, "Serial port of the controller")->type_name("DEVICE");
-  links->add_option("--tcp", options.tcp, "Raw TCP address")
+  links->add_option("--tcp", options.tcp, "Raw TCP address of the controller")
       ->check(port_address())
       ->type_name("HOST:PORT");
   links->add_option("--can", options.can, "CAN interface of the kernel, such as can0 or vcan0")

@@ -140,8 +140,9 @@ void add_turn_options(CLI::App& command, WallJobOptions& job) {
              job.swing_deg,
              in_range(0.0, 180.0, "degrees"),
              "DEG",
-             "Greatest jump of the beam's axis at a corner that is driven with the beam on, before "
-             "and after\nthe corner, degrees; for a greater jump the axis swings with the beam off")
+             "Greatest jump of the beam's axis at a corner where the beam stays on and the axis "
+             "turns before\nand after the corner, degrees; at a greater jump the axis swings with "
+             "the beam off")
       ->capture_default_str();
   add_number(command,
              "--step",
