@@ -149,7 +149,7 @@ std::string report_of(const SurfaceCommandOptions& options,
 }
 
 /// Returns the path of a surface along lines or in levels.
-/// @param rough the border of levels
+/// @param rough stock and limits of the tip, used for levels only
 surface::SurfacePath path_with_progress(const surface::Mesh& mesh,
                                         surface::RowOptions rows,
                                         const surface::RoughOptions& rough,

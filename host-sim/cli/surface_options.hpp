@@ -51,7 +51,7 @@ struct SurfaceCommandOptions {
   double ramp_deg = 0.0;               ///< Angle of the ramp into the stock; 0 for straight down.
   std::optional<double> safe_mm;       ///< Height of rapids; empty for 5 mm above path and surface.
   SurfacePaths paths = SurfacePaths::kRows;
-  /// Stock around the surface; empty if its end is not known.
+  /// Distance from the surface's box to the edge of the stock, mm; empty if the edge is not known.
   std::optional<double> stock_margin_mm;
   /// Order of the rows. If empty: zigzag, or one way if a direction is given.
   std::optional<surface::RowOrder> order;

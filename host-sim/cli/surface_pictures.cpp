@@ -102,7 +102,8 @@ void draw_surface(const SurfacePictures& pictures,
                   const surface::SurfaceInput& input,
                   const stock::Cutter& cutter) {
   std::optional<surface::PointGrid> grid = input.grid;
-  if (grid) grid->points = input.mesh.points;  // The points of the mesh are moved already.
+  // The points of the mesh have already been rotated and moved.
+  if (grid) grid->points = input.mesh.points;
   if (!pictures.data.empty()) draw(pictures, pictures.data, data_scene(input.mesh, grid));
   if (pictures.offset.empty()) return;
   SpaceScene scene = offset_scene(input.mesh, grid, profile_of(cutter));

@@ -52,8 +52,8 @@ void draw_surface(const SurfacePictures& pictures,
                   const stock::Cutter& cutter);
 /// Draws patches.
 void draw_patches(const SurfacePictures& pictures, const surface::patch::PatchSurface& patches);
-/// Draws a path and the stock that it carves, compares the stock with the surface, and prints their
-/// distance.
+/// Draws a path and the stock that it carves. Compares the stock with the surface, and prints the
+/// error.
 void draw_path(const SurfacePictures& pictures,
                const surface::Mesh& mesh,
                const PicturedPath& pictured,

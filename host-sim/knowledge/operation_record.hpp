@@ -12,7 +12,7 @@ namespace sim {
 struct Origin {
   /// Whether a person measured the values on this machine; otherwise they were imported.
   bool is_measured_here = false;
-  std::string by{};      ///< Name of the person; empty if not known.
+  std::string by{};      ///< Name of the person who measured; empty if not known.
   std::string on{};      ///< Day of the fact, YYYY-MM-DD; empty if not known.
   std::string source{};  ///< File from which the values were read.
   bool operator==(const Origin&) const = default;
