@@ -222,7 +222,7 @@ class Pictures(unittest.TestCase):
 
     def test_what_is_wrong_is_named(self):
         drawing = page(PLATE, image('x="10" y="5" width="2" height="1.5"'))
-        for rule, told in (("image: kind=image, power=80%", "a picture needs a power and a feed of its own"),
+        for rule, told in (("image: kind=image, power=80%", "a picture requires its own power and feed"),
                            (BURN + ", min-power=90%", 'layer "" image: min-power exceeds power'),
                            (BURN + ", angle=3", "angle=3: is not for pictures"),
                            (BURN + ", lead-in=arc:2", "is not for pictures"),
@@ -235,7 +235,7 @@ class Pictures(unittest.TestCase):
             self.assertIn(told, self.cut(drawing, *CUT, "--layer", rule, status=status).stderr)
         told = self.cut(drawing, *CUT, "--layer", BURN, "--layer", "#000: kind=image, power=1%, feed=100",
                         status=1).stderr
-        self.assertRegex(told, r'rect "plate" at 1.000 \S+: its layer burns pictures')
+        self.assertRegex(told, r'rect "plate" at 1.000 \S+: its layer has kind=image')
         white = page(PLATE, image('x="10" y="5" width="2" height="1.5"', [[255, 255]]))
         self.assertIn("warning: ", self.cut(white, *CUT, "--layer", BURN).stderr)
         self.assertEqual(re.findall("picture", "".join(statements(self.program.read_text()))), [])

@@ -57,7 +57,7 @@ class Refusals(CutBench):
         told = run("cut", long, *STEEL)
         self.assertEqual(told.returncode, 0, told.stderr)
         self.assertRegex(told.stderr, r"warning: .*\$130 allows 300")
-        self.assertIn("--machine or --settings tells of yours", told.stderr)
+        self.assertIn("give that of your machine with --machine or --settings", told.stderr)
         refused = run("cut", long, *STEEL, "--set", "$130=320")
         self.assertEqual(refused.returncode, 1)
         self.assertIn("$130 allows 320", refused.stderr)
