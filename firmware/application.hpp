@@ -52,7 +52,7 @@ class Controller {
   /// Begins a cycle at its boundary and returns its number. To be called in the step interrupt,
   /// every kTurnTicks, after steps that are due before the boundary and before steps that are due
   /// at it. The cycle reads only bytes that have arrived by now.
-  std::uint32_t begin_turn() noexcept { return steps_.begin_turn(); }
+  std::uint32_t begin_turn() noexcept { return steps_.player().begin_turn(); }
 
   /// Takes the next cycle whose boundary has passed. Returns false if there is none. A cycle may
   /// run late, and several may run one after the other: the result does not depend on the time, as
@@ -133,7 +133,7 @@ class Controller {
   }
 
   /// Runs the step interrupt. Returns the ticks until the next one; 0 stops the timer.
-  std::uint32_t on_step_interrupt() noexcept { return steps_.on_interrupt(); }
+  std::uint32_t on_step_interrupt() noexcept { return steps_.player().on_interrupt(); }
 
   [[nodiscard]] Machine& machine() { return machine_; }
   [[nodiscard]] const Machine& machine() const { return machine_; }
