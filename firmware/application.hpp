@@ -53,7 +53,7 @@ class Controller {
   /// every kTurnTicks. The call comes after the steps that are due before the boundary, and before
   /// the steps that are due at the boundary. The cycle reads only bytes that arrived before this
   /// call.
-  std::uint32_t begin_turn() noexcept { return steps_.begin_turn(); }
+  std::uint32_t begin_turn() noexcept { return steps_.player().begin_turn(); }
 
   /// Takes the next cycle whose boundary has passed. Returns false if there is none. A cycle may
   /// run late, and several cycles may run one after the other. The result does not depend on the
@@ -137,7 +137,7 @@ class Controller {
 
   /// Runs the step interrupt. Returns the number of ticks until the next step interrupt; 0 stops
   /// the timer.
-  std::uint32_t on_step_interrupt() noexcept { return steps_.on_interrupt(); }
+  std::uint32_t on_step_interrupt() noexcept { return steps_.player().on_interrupt(); }
 
   [[nodiscard]] Machine& machine() { return machine_; }
   [[nodiscard]] const Machine& machine() const { return machine_; }

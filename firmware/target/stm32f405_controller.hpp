@@ -36,4 +36,5 @@ extern "C" std::uint32_t late_turns;
 extern "C" std::uint32_t turns_behind;
 
 /// Instantiated in stm32f405_steps.cpp, which is compiled for speed on every board.
+extern template class cnc::StepPlayer<target::Port, target::Application::kSegmentQueue>;
 extern template class cnc::StepGenerator<target::Port, target::Application::kSegmentQueue>;

@@ -138,7 +138,7 @@ Refusal Execution::set_tool_radius() {
   if (const auto fault = take_index('P', kGroup, kToolCount, FaultDetail::kTooLarge, tool)) {
     return fault;
   }
-  if (tool == 0) return block_.blame(FaultDetail::kNegative, 'P');
+  if (tool == 0) return block_.blame(FaultDetail::kBelowOne, 'P');
   const Decimal* const radius = block_.take('R');
   if (radius == nullptr) return missing('R', kGroup);
   const Coordinate length = to_length(*radius);
