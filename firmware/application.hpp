@@ -16,27 +16,27 @@
 
 namespace cnc {
 
-/// The controller on one port. It owns every object except its step generator and the powers of its
-/// rows of pixels, which a chip may keep in separate memory. Allocates nothing.
+/// The controller on one port. It owns every object except its step generator and its pixels, which
+/// a chip may keep in separate memory. It allocates nothing.
 template <hal::StepPort Port>
 class Controller {
  public:
-  /// 64 segments of at most a millisecond.
+  /// Number of segments in the queue of the step interrupt. A segment takes at most a millisecond.
   static constexpr std::uint32_t kSegmentQueue = 64;
   using Steps = StepGenerator<Port, kSegmentQueue>;
-  /// One segment is being played. The others must last until the next ones come in, even if a cycle
-  /// is late.
+  /// While one segment is being played, the others must last until the main loop adds the next
+  /// ones, even if a cycle is late.
   static_assert((kSegmentQueue - 1) * motion::SegmentRate::kShortest >=
                 (kTurnsToMotion + 2) * kTurnTicks + motion::SegmentRate::kMaxSpare);
-  /// The levels of the output must last as long. A segment and the end of motion add several levels
-  /// at once.
+  /// The queued levels of the output must last equally long. A segment and the end of motion each
+  /// add several levels in one step.
   static_assert((Steps::kPieces - PowerShift::kMaxAtOnce - motion::LevelRate::kMaxShort) *
                     motion::LevelRate::kShortest >=
                 (kTurnsToMotion + 2) * kTurnTicks * motion::kNsPerTick);
 
-  /// @param board object that describes the board for `$I+` and restarts it for `$DFU`; null on a
-  ///   desk
-  /// @param kept memory that survives a restart; null for none
+  /// @param board object that describes the board for `$I+` and restarts it for `$DFU`; null for a
+  ///     program without a board
+  /// @param kept memory that survives a restart; null if there is none
   Controller(Steps& steps,
              motion::Pixels& pixels,
              hal::AuxiliaryOutputs& outputs,
@@ -49,20 +49,21 @@ class Controller {
         machine_{steps_, pixels, outputs, inputs, kept},
         protocol_{link, machine_, store, board} {}
 
-  /// Begins a cycle at its boundary and returns its number. To be called in the step interrupt,
-  /// every kTurnTicks, after steps that are due before the boundary and before steps that are due
-  /// at it. The cycle reads only bytes that have arrived by now.
-  std::uint32_t begin_turn() noexcept { return steps_.begin_turn(); }
+  /// Begins a cycle at its boundary and returns the cycle's number. Called in the step interrupt
+  /// every kTurnTicks. The call comes after the steps that are due before the boundary, and before
+  /// the steps that are due at the boundary. The cycle reads only bytes that arrived before this
+  /// call.
+  std::uint32_t begin_turn() noexcept { return steps_.player().begin_turn(); }
 
   /// Takes the next cycle whose boundary has passed. Returns false if there is none. A cycle may
-  /// run late, and several may run one after the other: the result does not depend on the time, as
-  /// long as each ends within kTurnsToMotion. Main loop.
+  /// run late, and several cycles may run one after the other. The result does not depend on the
+  /// time at which a cycle runs, if the cycle ends within kTurnsToMotion. Main loop.
   [[nodiscard]] bool take_turn() { return steps_.take_turn(); }
   /// Returns the number of the cycle that was taken last (wraps).
   [[nodiscard]] std::uint32_t turn() const { return steps_.turn(); }
 
-  /// Runs the cycle that was taken. Lines are read before segments are cut, so that a burst of
-  /// lines is planned as one.
+  /// Runs the cycle that take_turn() took. Lines are read before segments are made, so that lines
+  /// that arrive together are planned together.
   /// @param now microseconds
   void run_turn(hal::TickCount now) {
     protocol_.poll(now);
@@ -71,8 +72,9 @@ class Controller {
     steps_.end_turn();
   }
 
-  /// Runs a cycle for a host that knows its link: polls that would do nothing are left out.
-  /// @param link_waits returns whether the link has a byte
+  /// Runs a cycle for a host that knows the state of its link. Skips polls of the protocol that
+  /// would do nothing.
+  /// @param link_waits returns whether the link has an unread byte
   template <typename LinkWaits>
   void run_turn(hal::TickCount now, const LinkWaits& link_waits) {
     if (link_waits() || !protocol_.is_quiet(now)) protocol_.poll(now);
@@ -81,15 +83,16 @@ class Controller {
     steps_.end_turn();
   }
 
-  /// Begins and runs a cycle, for programs that have both in one thread.
+  /// Begins and runs a cycle, for programs that run the step interrupt and the main loop in one
+  /// thread.
   /// @param now microseconds
   void poll(hal::TickCount now) {
     begin_turn();
     if (take_turn()) run_turn(now);
   }
 
-  /// Handles CAN frames apart from the text: takes those that have arrived and reports the state.
-  /// Main loop, before each cycle.
+  /// Serves the CAN link: processes the frames that have arrived, reports the machine's state, and
+  /// carries out commands that arrived outside the text. Main loop, before each cycle.
   /// @param now microseconds
   void attend(CanLink& can, hal::TickCount now) {
     const Alarm alarm = machine_.alarm();
@@ -101,39 +104,40 @@ class Controller {
     for (std::byte byte{}; can.take_realtime(byte);) protocol_.act_at_once(byte);
   }
 
-  /// Returns the node number that is set for this controller on a CAN bus.
+  /// Returns this controller's node number on a CAN bus, from the settings.
   [[nodiscard]] std::uint8_t can_node() const {
     return static_cast<std::uint8_t>(machine_.settings().get(setting::kCanNode));
   }
-  /// Stores another node number. Returns false if the machine is at work, or if the store fails.
-  /// Main loop.
+  /// Stores `node` as the setting of the node number. Returns false if the machine is busy, or if
+  /// the store fails. Main loop.
   [[nodiscard]] bool store_can_node(std::uint8_t node) {
     return protocol_.store_setting(setting::kCanNode, static_cast<float>(node));
   }
 
-  /// Handles a realtime byte that came apart from the text, see LineProtocol. Main loop.
+  /// Handles a realtime byte that arrived outside the text, see LineProtocol. Main loop.
   void act_at_once(std::byte byte) { protocol_.act_at_once(byte); }
   /// Returns the number of bytes of text that can be received now. Main loop.
   [[nodiscard]] std::uint32_t text_room() const { return protocol_.room(); }
 
-  /// Returns whether every line must carry a number and a check.
+  /// Returns whether every line must have a number and a check.
   [[nodiscard]] bool checks_lines() const { return protocol_.checks_lines(); }
 
-  /// Reports that another sender is at the link (begin_sender), or that the sender is gone
+  /// Report that a new sender uses the link (begin_sender), or that the sender is gone
   /// (lose_sender). Main loop.
   void begin_sender() { protocol_.begin_sender(); }
   void lose_sender() { protocol_.lose_sender(); }
 
-  /// Checks a part of the memory that does not change at work, so that a flipped bit in settings is
-  /// found within 0.2 s. Returns false from the first difference on; the program must then end.
-  /// Main loop, once a millisecond.
+  /// Checks the next part of the memory that must not change during work. All parts are checked
+  /// within 0.2 s, so that a flipped bit in the settings is found within that time. Returns false
+  /// from the first difference on; the program must then end. Main loop, once a millisecond.
   [[nodiscard]] bool check_memory() {
     constexpr std::size_t kBytes = 32;
     return machine_.memory().check(kBytes);
   }
 
-  /// Runs the step interrupt. Returns the ticks until the next one; 0 stops the timer.
-  std::uint32_t on_step_interrupt() noexcept { return steps_.on_interrupt(); }
+  /// Runs the step interrupt. Returns the number of ticks until the next step interrupt; 0 stops
+  /// the timer.
+  std::uint32_t on_step_interrupt() noexcept { return steps_.player().on_interrupt(); }
 
   [[nodiscard]] Machine& machine() { return machine_; }
   [[nodiscard]] const Machine& machine() const { return machine_; }
@@ -145,7 +149,7 @@ class Controller {
   LineProtocol protocol_;
 };
 
-/// Base class that is constructed before the controller.
+/// Base class with the objects that must be constructed before the controller.
 template <hal::StepPort Port>
 class StepsOfApplication {
  protected:
@@ -155,11 +159,11 @@ class StepsOfApplication {
   motion::Pixels pixels_{};
 };
 
-/// The whole controller on one port. The simulator makes one for each run.
+/// The complete controller on one port. The simulator creates one for each run.
 template <hal::StepPort Port>
 class Application : private StepsOfApplication<Port>, public Controller<Port> {
  public:
-  /// Parameters as in Controller.
+  /// The parameters are the same as in Controller.
   Application(Port& port,
               hal::AuxiliaryOutputs& outputs,
               hal::MachineInputs& inputs,

@@ -8,16 +8,17 @@
 
 namespace cnc {
 
-/// Collects bytes into lines. A line ends with CR, LF or CR LF. The pair counts once, so that every
-/// line gets one answer.
+/// Collects bytes into lines. A line ends with CR, LF or CR LF. CR LF counts as one line end, so
+/// that every line gets one answer.
 ///
-/// If a line does not fit, the text of its comments is dropped, however long they are. If it still
-/// does not fit, its first Capacity bytes are kept, the rest up to the line end is dropped, and
-/// `too_long` returns true.
+/// If a line does not fit, the text of its comments is dropped, so that comments of any length are
+/// allowed. If the line still does not fit, its first Capacity bytes are kept and the rest up to
+/// the line end is dropped. `too_long` then returns true.
 template <std::size_t Capacity>
 class LineAssembler {
  public:
-  /// Adds a byte. Returns true if it completes a line; line() is then valid until the next byte.
+  /// Adds a byte. Returns true if the byte completes a line; line() is then valid until the next
+  /// byte is added.
   bool add(char byte) {
     if (size_ >= plain_to_ || byte == '\r' || byte == '\n') return add_other(byte);
     bytes_[size_++] = byte;
@@ -25,16 +26,17 @@ class LineAssembler {
   }
 
   /// Returns the line without its line end.
-  /// @pre add() returned true last
+  /// @pre the last add() returned true
   [[nodiscard]] std::string_view line() const { return {bytes_.data(), size_}; }
   [[nodiscard]] bool too_long() const { return too_long_; }
   /// Returns whether the line has all bytes that were added.
   [[nodiscard]] bool whole() const { return !too_long_ && !shortened_; }
-  /// Returns the check of a line that is not whole(); null if the line is whole.
+  /// Returns the check of a line that has lost bytes; null if the line is complete (`whole`).
   [[nodiscard]] const LongLineCheck* long_line() const { return whole() ? nullptr : &check_; }
-  /// Returns whether the complete line ended with CR: an LF as the next byte belongs to it.
+  /// Returns whether the complete line ended with CR. If the next byte is LF, it belongs to the
+  /// same line end.
   [[nodiscard]] bool ends_with_return() const { return ended_by_ == '\r'; }
-  /// Returns whether a line has begun and not ended.
+  /// Returns whether a line has begun but not ended.
   [[nodiscard]] bool has_begun() const { return ended_by_ == kNothing && size_ > 0; }
 
  private:
@@ -80,7 +82,8 @@ class LineAssembler {
     for (const char byte : bytes_) check_.add(byte);
   }
 
-  /// Drops the text of comments. Keeps their brackets, nested ones too, and the semicolon.
+  /// Drops the text of comments, but keeps their brackets, including nested opening brackets, and
+  /// the semicolon.
   void drop_comments() {
     std::size_t kept = 0;
     char comment = kNothing;
@@ -99,12 +102,15 @@ class LineAssembler {
 
   std::array<char, Capacity> bytes_{};
   std::size_t size_ = 0;
-  std::size_t plain_to_ = Capacity;  ///< Below this size bytes are only appended; 0 after the end.
-  bool shortened_ = false;           ///< The text of comments was dropped.
+  /// If size_ is smaller, a byte is only appended; 0 after a line end and in a line that does not
+  /// fit.
+  std::size_t plain_to_ = Capacity;
+  bool shortened_ = false;  ///< Text of comments was dropped from this line.
   bool too_long_ = false;
-  bool long_ = false;  ///< More bytes came than fit.
+  bool long_ = false;  ///< The line has more bytes than fit.
   LongLineCheck check_{};
-  char ended_by_ = kNothing;  ///< End of the complete line; kNothing while the line is open.
+  /// Byte that ended the complete line; kNothing while the line is open.
+  char ended_by_ = kNothing;
 };
 
 }  // namespace cnc

@@ -7,7 +7,7 @@
 
 namespace cnc {
 
-/// A line whose check is correct.
+/// The covered part and the form of a line whose `*` and digits were found.
 struct LineCheck::Checked {
   std::string_view covered;  ///< Text before the `*`.
   Form form = Form::kNone;
@@ -15,7 +15,7 @@ struct LineCheck::Checked {
 
 namespace {
 
-constexpr std::uint32_t kMaxNumber = 9'999'999;  // Limit of G-code's N.
+constexpr std::uint32_t kMaxNumber = 9'999'999;  // Greatest line number of G-code.
 constexpr std::uint32_t kMinusOne = ~std::uint32_t{0};
 constexpr std::uint32_t kRestart = 110;
 
@@ -24,7 +24,7 @@ std::string_view without_blanks(std::string_view text) {
   return text;
 }
 
-// Replaces string_view::substr, which may throw; exceptions are not available here.
+// Replaces string_view::substr, which may throw: exceptions are disabled.
 std::string_view from(std::size_t place, std::string_view text) {
   text.remove_prefix(place);
   return text;
@@ -34,7 +34,7 @@ bool begins_with_number(std::string_view text) {
   return !text.empty() && (text.front() == 'N' || text.front() == 'n');
 }
 
-/// Returns a line number. −1 is allowed for M110: the next line is then N0.
+/// Returns the line number that `value` holds. M110 may have −1: the next line is then N0.
 std::optional<std::uint32_t> whole_number(const gcode::Decimal& value) {
   constexpr gcode::Decimal kBeforeZero{.whole = 1, .minus = true};
   if (value == kBeforeZero) return kMinusOne;
@@ -42,7 +42,7 @@ std::optional<std::uint32_t> whole_number(const gcode::Decimal& value) {
   return value.whole;
 }
 
-/// Returns whether the line is M110. An N after it replaces `number`.
+/// Returns whether the line is M110. If an N word follows M110, its value replaces `number`.
 bool says_restart(std::string_view text, std::uint32_t& number) {
   if (text.empty() || (text.front() != 'M' && text.front() != 'm')) return false;
   gcode::LineReader reader{text};
@@ -68,7 +68,7 @@ LineCheck::Judgement LineCheck::judge(std::string_view line,
   const bool statement = !text.empty() && text.front() == '$';
   if (statement && !strict()) return judge_plain(line, text, now);
   const auto mark = strict() ? mark_at_end(line) : find_mark(line);
-  // If a line has lost bytes, its `*` may be among them.
+  // The `*` of a line that has lost bytes may be among the lost bytes.
   const bool found = long_line != nullptr ? long_line->found(strict()) : mark.has_value();
   if (!found) return judge_plain(line, text, now);
   const Checked checked{.covered = mark ? mark->covered : line,
@@ -130,8 +130,9 @@ LineCheck::Judgement LineCheck::take(const Checked& checked, hal::TickCount now)
   return good;
 }
 
-/// Decides whether to request a line. With the CRC a missing line is requested once. If the numbers
-/// then stop rising, the sender is repeating lines, and the requested line was lost again.
+/// Decides whether to request a line. With the CRC, a missing line is requested once. If the line
+/// numbers then stop rising, the sender is repeating lines: the requested line was lost again, and
+/// it is requested again.
 LineCheck::Verdict LineCheck::ask(std::uint32_t number, hal::TickCount now) {
   const Verdict verdict = number < wanted_ ? Verdict::kRepeated : Verdict::kMissing;
   if (form_ == Form::kSum) return verdict;

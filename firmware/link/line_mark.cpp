@@ -17,7 +17,7 @@ constexpr bool is_hex_digit(char c) {
   return is_digit(c) || (c >= 'A' && c <= 'F') || (c >= 'a' && c <= 'f');
 }
 
-// Replace string_view::substr, which may throw; exceptions are not available here.
+// Two replacements for string_view::substr, which may throw: exceptions are disabled.
 std::string_view head_of(std::size_t place, std::string_view text) {
   text.remove_suffix(text.size() - place);
   return text;
@@ -28,8 +28,8 @@ std::string_view tail_of(std::size_t place, std::string_view text) {
   return text;
 }
 
-/// Returns whether `digits` may be a check: one to three decimal digits, or the eight digits of a
-/// CRC.
+/// Returns whether `digits` can be a check: one to three decimal digits of a sum, or the eight
+/// digits of a CRC.
 bool looks_like_check(std::string_view digits) {
   if (digits.size() == kCrcDigits) return true;
   return !digits.empty() && digits.size() <= kMaxSumDigits && std::ranges::all_of(digits, is_digit);

@@ -17,18 +17,19 @@ struct LineMark {
   std::string_view covered;  ///< Text before the `*`.
   std::string_view digits;   ///< One to three decimal digits, or eight hexadecimal digits.
 
-  /// Returns the form of the check, compared with the bytes that it covers; kNone if it is wrong.
+  /// Returns the form of the check; kNone if the digits are wrong for the covered bytes.
   [[nodiscard]] Form form() const;
 };
 
-/// Finds the check of a line. A `*` within brackets or comments does not count, and neither does
-/// one that other characters follow.
+/// Finds the check of a line. Ignores a `*` within brackets or comments, and a `*` that is followed
+/// by more than digits, blanks and comments.
 [[nodiscard]] std::optional<LineMark> find_mark(std::string_view line);
 
-/// Finds a CRC of eight digits at the end of a line, whatever precedes it.
+/// Finds `*` and eight digits of a CRC at the end of a line, even within a comment.
 [[nodiscard]] std::optional<LineMark> mark_at_end(std::string_view line);
 
-/// Writes the CRC-32 of a line as eight digits, for the other end of the link and for answers.
+/// Writes the CRC-32 of the text of a line as eight digits, for senders and for answers.
+/// @param covered text before the `*`
 /// @param digits space for eight digits
 void put_line_crc(std::string_view covered, char* digits);
 
@@ -37,11 +38,11 @@ class MarkFinder {
  public:
   enum class Part : std::uint8_t { kOther, kStar, kDigit };
 
-  /// Takes the next byte. Returns whether it is the `*`, or one of its digits, as far as the bytes
-  /// so far show.
+  /// Processes the next byte. Returns whether the byte is the `*` of the check or one of its
+  /// digits, judged by the bytes so far.
   Part add(char byte);
   [[nodiscard]] bool found() const { return star_ != kNowhere; }
-  /// Returns the positions of the `*` and of the end of its digits.
+  /// Return the indices of the `*` and of the first byte after its digits.
   /// @pre found()
   [[nodiscard]] std::size_t star() const { return star_; }
   [[nodiscard]] std::size_t end() const { return end_; }
@@ -52,26 +53,27 @@ class MarkFinder {
   std::size_t place_ = 0;
   std::size_t star_ = kNowhere;
   std::size_t end_ = 0;
-  char closing_ = ' ';  ///< End of the open comment or expression.
+  char closing_ = ' ';  ///< Byte that ends the open comment or expression; a blank if none is open.
 };
 
-/// The check of a line that is too long to be stored whole, computed over all of its bytes.
+/// The check of a line that is too long to be stored completely, computed over all of its bytes.
 class LongLineCheck {
  public:
   void add(char byte);
-  /// Returns whether there is a check.
-  /// @param at_end searches as mark_at_end(), otherwise as find_mark()
+  /// Returns whether the line has a check.
+  /// @param at_end searches like mark_at_end(); otherwise searches like find_mark()
   [[nodiscard]] bool found(bool at_end) const;
   /// Returns the form of the check; kNone if it is wrong.
   /// @pre found(at_end)
   [[nodiscard]] LineMark::Form form(bool at_end) const;
 
  private:
-  /// Check values of the bytes before a `*`, and the digits after it.
+  /// Sum and CRC of the bytes before a `*`, and the digits after it.
   struct Star {
     std::uint32_t crc = 0;
     std::uint8_t sum = 0;
-    std::uint8_t count = 0;  ///< Number of digits; those that do not fit are not stored.
+    /// Number of digits; the count stops at the first digit that does not fit.
+    std::uint8_t count = 0;
     std::array<char, 8> digits{};
 
     void put(char digit);
@@ -81,7 +83,7 @@ class LongLineCheck {
   MarkFinder finder_{};
   Crc32 crc_{};
   std::uint8_t sum_ = 0;
-  Star mark_{};  ///< The `*` that finder_ found.
+  Star mark_{};  ///< The `*` that `finder_` found.
   Star last_{};  ///< The last `*` of the line.
 };
 

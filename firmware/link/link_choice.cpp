@@ -10,7 +10,8 @@ namespace {
 constexpr std::byte kLineFeed{'\n'};
 constexpr std::byte kReturn{'\r'};
 
-/// Returns whether a byte acts by itself, within a line or between two; no line begins with it.
+/// Returns whether `byte` is a realtime byte, which acts within a line or between two lines. No
+/// line begins with such a byte.
 constexpr bool is_realtime(std::byte byte) {
   const auto code = std::to_integer<std::uint8_t>(byte);
   return code >= 0x80 || is_ascii_realtime(code);
@@ -24,12 +25,13 @@ LinkChoice::Change LinkChoice::attend() {
   if (now == session_) return Change::kNone;
   session_ = now;
   skipping_ = within_line_;
-  // Unread bytes of the closed session would keep the space, and make the next sender wait.
+  // Unread bytes of the closed session would fill the receive memory, and the next sender would
+  // wait.
   if (now == 0) static_cast<void>(first_.read({}));
   return now != 0 ? Change::kCame : Change::kWent;
 }
 
-/// Drops bytes of the second link, a bounded number each time.
+/// Drops bytes that arrived on the second link, a bounded number in each call.
 void LinkChoice::drop_second() {
   constexpr int kChunks = 16;
   std::array<std::byte, 64> dropped{};

@@ -9,14 +9,14 @@
 
 namespace cnc {
 
-/// Answers that wait for a link, which may take only part of them at a time.
+/// Answers that wait until a link accepts them. A link may accept only a part of them in one call.
 template <std::size_t Capacity>
 class Outbox {
  public:
   [[nodiscard]] bool empty() const { return sent_ == size_; }
 
-  /// Returns space for the next answer, after the unsent bytes. The caller then reports by `wrote`
-  /// how many bytes it has filled.
+  /// Returns space for the next answer, after the unsent bytes. The caller then reports the number
+  /// of filled bytes with `wrote`.
   /// @pre Count bytes are free
   template <std::size_t Count>
   [[nodiscard]] std::span<char, Count> room() {
@@ -26,7 +26,7 @@ class Outbox {
   }
   void wrote(std::size_t count) { size_ += count; }
 
-  /// Sends as many bytes as the link takes now.
+  /// Sends as many bytes as the link accepts now.
   void send(hal::ByteStream& link) {
     if (empty()) return;
     const std::span<const char> unsent{bytes_.data() + sent_, size_ - sent_};

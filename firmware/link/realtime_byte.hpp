@@ -4,15 +4,15 @@
 
 namespace cnc {
 
-/// Bytes that act at once, wherever they arrive outside a comment. The values are those on the
-/// wire: Grbl 1.1's, and additions by grblHAL.
+/// Bytes that act immediately when they arrive outside a comment, even within a line. Grbl 1.1 and
+/// grblHAL define the values.
 enum class RealtimeByte : std::uint8_t {
   kReset = 0x18,
   kStop = 0x19,  ///< grblHAL's stop; here the same as a reset.
   kCycleStart = '~',
   kFeedHold = '!',
   kStatus = '?',
-  kStatusRaw = 0x80,  ///< grblHAL's forms of ?, ~ and ! that are not ASCII.
+  kStatusRaw = 0x80,  ///< First of grblHAL's forms of ?, ~ and ! that are not ASCII characters.
   kCycleStartRaw = 0x81,
   kFeedHoldRaw = 0x82,
   kParserState = 0x83,
@@ -41,8 +41,8 @@ enum class RealtimeByte : std::uint8_t {
   kToolAcknowledge = 0xA3,
 };
 
-/// Returns whether a realtime byte is an ASCII character. All others have values that occur within
-/// multi-byte characters of UTF-8.
+/// Returns whether a realtime byte is an ASCII character. All other realtime bytes have values that
+/// also occur within multi-byte characters of UTF-8.
 [[nodiscard]] constexpr bool is_ascii_realtime(std::uint8_t byte) {
   switch (static_cast<RealtimeByte>(byte)) {
     case RealtimeByte::kReset:

@@ -54,14 +54,14 @@ void Receiver::receive_all(std::span<const char> received) {
     received = received.subspan(receive(received));
     if (received.empty()) return;
     overrun_ = true;
-    // A character that had begun before this byte is lost; the byte itself may still act.
+    // The incomplete character before this byte is lost; the byte itself may still act.
     if (std::exchange(lead_waits_, false)) continue;
     lose(received.front());
     received = received.subspan(1);
   }
 }
 
-/// Drops a byte of a lost line. Comments are still followed, because they decide which bytes act.
+/// Drops a byte of a lost line. Comments are still tracked, because they decide which bytes act.
 /// CR, LF and CR LF end a line.
 void Receiver::lose(char byte) {
   const auto code = static_cast<std::uint8_t>(byte);
@@ -102,7 +102,7 @@ bool Receiver::receive_low(std::uint8_t byte) {
     reset();
     return true;
   }
-  // An incomplete character stays in its line, where the reader refuses it.
+  // An incomplete character is stored in its line, where the reader of the line refuses it.
   if (lead_waits_ && !store(kLatinLead)) return false;
   lead_waits_ = false;
   continuation_ = 0;
@@ -179,12 +179,13 @@ void Receiver::act(std::uint8_t code) {
     default:
       break;
   }
-  // Overrides for which there is no free space are dropped, as if a knob turns too fast; stops are
-  // not.
+  // An override for which there is no free space is dropped, as if the operator turned the knob
+  // less. A stop is never dropped.
   if (!commands_.try_push(command) && is_stop(command)) late_hold_.store(true);
 }
 
-/// Forgets the state within a line: comment, character of several bytes, pair of bytes.
+/// Resets the state within a line: the comment, the character of several bytes and the pair of
+/// bytes.
 void Receiver::end_text() {
   comment_ = Comment::kNone;
   lead_waits_ = false;
@@ -223,8 +224,9 @@ void Receiver::keep_back() {
   keeps_back_ = true;
 }
 
-/// Extends the kept bytes to the end of their last line, because kToolAcknowledge may have come in
-/// the middle of a line, or between its CR and LF. Returns false if that end has not arrived.
+/// Extends the kept bytes to the end of their last line. This is necessary if kToolAcknowledge
+/// arrived in the middle of a line, or between its CR and LF. Returns false if the end of that line
+/// has not arrived.
 bool Receiver::has_whole_kept() {
   if (kept_ == 0 || lines_.taken() != kept_at_) return true;
   while (lines_.at(kept_ - 1) != '\n' && lines_.at(kept_ - 1) != '\r') {

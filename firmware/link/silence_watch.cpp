@@ -3,7 +3,8 @@
 namespace cnc {
 namespace {
 
-/// Allows for one lost poll and half an interval of lateness of the next.
+/// Number of poll intervals to wait: allows for one lost poll and for a delay of the next poll by
+/// half an interval.
 constexpr float kIntervals = 2.5F;
 
 /// Limits the age of `time` to `most` microseconds.
@@ -13,8 +14,8 @@ void keep_near(hal::TickCount& time, hal::TickCount now, std::int32_t most) {
 
 }  // namespace
 
-/// Notes that bytes came. A sender that sends bytes without a poll for kLongestIntervalUs does not
-/// poll while it streams.
+/// Notes that bytes arrived. If bytes arrive without a poll for kLongestIntervalUs, the sender does
+/// not poll while it streams.
 void SilenceWatch::hear(hal::TickCount now) {
   heard_ = now;
   spoken_to_ = true;
@@ -23,7 +24,7 @@ void SilenceWatch::hear(hal::TickCount now) {
 
 void SilenceWatch::poll(hal::TickCount now) {
   const std::int32_t interval_us = now.since(polled_);
-  if (has_polled_ && interval_us <= 0) return;  // A second poll within one cycle.
+  if (has_polled_ && interval_us <= 0) return;  // This is a second poll in one cycle.
   if (has_polled_) {
     std::copy_backward(intervals_us_.begin(), intervals_us_.end() - 1, intervals_us_.end());
     intervals_us_.front() = interval_us;

@@ -11,39 +11,41 @@ namespace cnc {
 /// Decides whether a silent sender is gone or only has nothing to send, by the sender's earlier
 /// behaviour.
 ///
-/// A sender that polls (`?`) continues to poll. It is gone if no byte came for 1.2 times the
-/// allowed time, or for 2.5 times the longest of its last intervals if that is longer, but at most
-/// kMaxUs. A sender that does not poll owes a byte only after everything it sent has been
-/// answered. It is gone if the allowed time has passed since its last byte and since the last
-/// answer.
+/// A sender that polls (`?`) continues to poll. It counts as gone if no byte arrived for a time
+/// that is the longer of two: 1.2 times the allowed time, or 2.5 times the longest of its last
+/// intervals, but at most kMaxUs. A sender that does not poll owes a byte only after all of its
+/// lines have been answered. It counts as gone if 1.2 times the allowed time has passed since its
+/// last byte and since the last answer.
 ///
-/// Times are those of cycles, so that the same bytes in the same cycles give the same decision.
+/// All times are times of cycles, so that the same bytes in the same cycles give the same decision.
 /// Main loop.
 class SilenceWatch {
  public:
-  /// CNCjs and gSender poll four times a second by a timer, and are at times a little late.
+  /// Factor on the allowed time: CNCjs and gSender poll four times a second by a timer that is
+  /// sometimes a little late.
   static constexpr float kGrace = 1.2F;
-  /// Longest time to wait after an interval, in microseconds.
+  /// Upper bound of the time that is derived from the poll intervals, microseconds.
   static constexpr std::int32_t kMaxUs = 2'000'000;
-  /// Longest interval that counts as regular polling; longer ones come from a user who checks now
-  /// and then. A fifth below kMaxUs.
+  /// Longest interval that counts as regular polling, microseconds: a longer interval means that a
+  /// user requests reports by hand. A fifth below kMaxUs.
   static constexpr std::int32_t kLongestIntervalUs = 1'600'000;
 
-  /// Notes that bytes of any kind came. To be called before poll().
+  /// Notes that bytes of any kind arrived. Called before poll().
   void hear(hal::TickCount now);
-  /// Notes that a status report was requested.
+  /// Notes that the sender requested a status report.
   void poll(hal::TickCount now);
   /// Notes that a line was answered.
   void answer(hal::TickCount now) { answered_ = now; }
-  /// Restarts for another sender, whose behaviour is still unknown.
+  /// Restarts for a new sender, whose behaviour is not known yet.
   void begin_sender() { forget_polls(); }
 
-  /// Returns whether the sender is gone. To be called at least once in kLongSilenceUs.
-  /// @param allowed_ms above 0
-  /// @param owes all lines have been answered, and the sender's program has not ended
+  /// Returns whether the sender is gone. Called at least once in kLongSilenceUs.
+  /// @param allowed_ms allowed silence, above 0
+  /// @param owes whether all lines have been answered and the sender's program has not ended
   [[nodiscard]] bool gone(hal::TickCount now, float allowed_ms, bool owes);
-  /// Returns whether gone() is false whatever the sender owes, as a byte came within the time
-  /// allowed. @param allowed_ms above 0
+  /// Returns whether gone() is false for both values of `owes`, because a byte arrived within the
+  /// allowed time.
+  /// @param allowed_ms allowed silence, above 0
   [[nodiscard]] bool heard_within(hal::TickCount now, float allowed_ms) const {
     return static_cast<float>(now.since(heard_)) <= 1000.0F * allowed_ms;
   }
@@ -51,7 +53,8 @@ class SilenceWatch {
   [[nodiscard]] bool polls() const { return longest_interval() > 0; }
 
  private:
-  /// Greatest age of a stored time: a longer silence changes no decision, and ticks wrap.
+  /// Greatest age of a stored time, microseconds. A longer silence changes no decision, and the age
+  /// must stay small because ticks wrap.
   static constexpr std::int32_t kLongSilenceUs = 1'000'000'000;
 
   void forget_polls();
@@ -59,11 +62,12 @@ class SilenceWatch {
     return *std::max_element(intervals_us_.begin(), intervals_us_.end());
   }
 
-  std::array<std::int32_t, 3> intervals_us_{};  ///< Last intervals between polls, the latest first.
+  /// Last three intervals between polls, latest first.
+  std::array<std::int32_t, 3> intervals_us_{};
   hal::TickCount heard_{};
   hal::TickCount answered_{};
   hal::TickCount polled_{};
-  bool spoken_to_ = false;  ///< A byte has come from the sender.
+  bool spoken_to_ = false;  ///< At least one byte has come from the sender.
   bool has_polled_ = false;
 };
 

@@ -271,8 +271,8 @@ inline constexpr std::array<SettingInfo, 83> kRows{{
     SettingInfo{900, Group::kAxes, Type::kChoice, "Rotary axes", "kind",
      0.0F, kinematics::kHasFiveAxes ? 6.0F : 0.0F, 0.0F,
      "Each by itself,A C tables,B C tables,A C heads,B C heads,A head C table,B head C table",
-     "What the tilting axis and C turn, for G43.4. Words of A, B, C are the tool's rotation as the "
-     "part sees it."},
+     "Parts that the tilting axis and C rotate, for G43.4. Words of A, B, C are the tool's "
+     "rotation as the part sees it."},
     SettingInfo{901, Group::kAxes, Type::kBits, "Rotary axes reversed", "mask",
      0.0F, 3.0F, 0.0F, "Tilting axis,Turning axis",
      "Axes that count the other way round."},

@@ -6,23 +6,24 @@
 
 namespace cnc {
 
-/// A number that senders know, and its text.
+/// A number that senders know, with its text.
 struct CodeText {
   std::uint8_t number;
-  const char* text;  ///< Has neither "ok" nor "error", which only an acknowledgement may hold.
+  /// Must not contain "ok" or "error", which only an acknowledgement may contain.
+  const char* text;
 };
 
-/// Returns every number after `error:`, in order (`$EE`). Grbl's 12 and 17 are missing: no value of
-/// a setting can require too many steps, and there is always a power output.
+/// Returns every number that can follow `error:`, in rising order (`$EE`). Grbl's 12 and 17 are
+/// missing: no setting can require too many steps, and there is always a power output.
 [[nodiscard]] std::span<const CodeText> error_texts();
 /// Returns the text of an error number.
-/// @pre the number is in the table
+/// @pre error_texts() contains the number
 [[nodiscard]] std::string_view error_text(std::uint8_t number);
-/// Returns every number after `ALARM:`, in order (`$EA`).
+/// Returns every number that can follow `ALARM:`, in rising order (`$EA`).
 [[nodiscard]] std::span<const CodeText> alarm_texts();
 
-/// Errors of the protocol itself; those of G-code are gcode::ErrorCode. Source: gnea/grbl,
-/// doc/csv/error_codes_en_US.csv, and grblHAL's 79.
+/// Errors of the protocol itself; errors of G-code are in gcode::ErrorCode. Source: gnea/grbl,
+/// doc/csv/error_codes_en_US.csv; 79 is from grblHAL.
 namespace error_number {
 inline constexpr std::uint8_t kWrongCheck = 1;
 inline constexpr std::uint8_t kBadNumber = 2;
@@ -39,7 +40,8 @@ inline constexpr std::uint8_t kTextTooLong = 14;
 inline constexpr std::uint8_t kJogBeyondTravel = 15;
 inline constexpr std::uint8_t kNotAJog = 16;
 inline constexpr std::uint8_t kEmergencyStop = 79;
-inline constexpr std::uint8_t kNotDone = 200;  ///< Our own number, beyond those of grblHAL.
+/// Kerfline's own number, above the numbers of grblHAL.
+inline constexpr std::uint8_t kNotDone = 200;
 }  // namespace error_number
 
 }  // namespace cnc

@@ -7,8 +7,8 @@
 
 namespace cnc {
 
-/// Returns whether an automatic report is due: reports are on (0x8C) and the interval of $481 has
-/// passed since the last.
+/// Returns whether an automatic report is due: automatic reports are switched on (0x8C), and the
+/// interval of $481 has passed since the last automatic report.
 bool LineProtocol::report_is_due() const {
   if (!auto_report_) return false;
   const float interval_ms = machine_.settings().get(setting::kReportInterval);
@@ -16,7 +16,8 @@ bool LineProtocol::report_is_due() const {
   return now_.since(reported_) >= static_cast<std::int32_t>(1000.0F * interval_ms);
 }
 
-/// Answers `?` and the other requests for reports, whatever else is going on.
+/// Sends a status report if one was requested or is due, even while lines or listings wait. Returns
+/// whether it sent one.
 bool LineProtocol::report() {
   form_.inches = inches();
   const bool due = report_is_due();
@@ -75,8 +76,8 @@ bool LineProtocol::tell_news() {
   return attend_startup_trial();
 }
 
-/// Writes `[MSG:17.204 mm are uncut from 12.000,3.500,0.000 on; ~ goes on without them]`, in
-/// machine coordinates.
+/// Writes a message in machine coordinates, such as `[MSG:17.204 mm are uncut from
+/// 12.000,3.500,0.000 on; ~ goes on without them]`.
 void LineProtocol::tell_uncut(const Uncut& uncut) {
   Reply reply = begin_answer();
   reply.text("[MSG:")
@@ -87,7 +88,8 @@ void LineProtocol::tell_uncut(const Uncut& uncut) {
   answer(reply.text(held ? " on; ~ goes on without them]" : " on]").end());
 }
 
-/// Reports results that senders require before the acknowledgement of the line that caused them.
+/// Reports results that senders expect before the acknowledgement of the line that caused them.
+/// Returns whether a line was written.
 bool LineProtocol::tell_result() {
   if (machine_.news().probe_ended.take()) {
     Reply reply = begin_answer();
@@ -113,7 +115,7 @@ void LineProtocol::welcome() {
   tell_trouble();
 }
 
-/// Writes all lines that a new sender needs to recognise the controller.
+/// Writes the lines by which a new sender recognises the controller.
 void LineProtocol::greet() {
   greeting_due_ = false;
   status_.begin_anew();
@@ -131,9 +133,9 @@ void LineProtocol::tell_trouble() {
   answer(reply.letter(']').end());
 }
 
-/// Saves positions that G10, G28.1 and G30.1 have changed. Saving waits until nothing moves and
-/// beam and spindle are off, because flash stops the processor for longer than a fault may leave
-/// them on.
+/// Saves positions that G10, G28.1 and G30.1 have changed. Saves only while nothing moves and beam
+/// and spindle are off: writing flash stops the processor for longer than a fault may leave beam or
+/// spindle on.
 void LineProtocol::save_places() {
   const gcode::StoredPlaces& places = machine_.interpreter().places();
   if (!machine_.idle() || machine_.tool_runs() || saving_failed_ || stored_.has_saved(places))

@@ -3,8 +3,8 @@
 #include "firmware/protocol/line_protocol.hpp"
 #include "firmware/protocol/sender_words.hpp"
 
-/// Carries out `$K…`, the statements about kerf tables. They are allowed at rest only, because they
-/// read or write flash at length.
+/// Executes the statements about kerf tables, `$K…`. They are allowed only at rest, because reading
+/// and writing flash takes long.
 namespace cnc {
 
 void LineProtocol::take_kerf_statement(const Statement& statement) {
@@ -60,7 +60,8 @@ void LineProtocol::keep_kerf_table() {
   acknowledge();
 }
 
-/// Erases a kerf table. `*` erases all, including damaged tables, which have no readable name.
+/// Erases a kerf table. `*` erases all tables, including damaged tables, which have no readable
+/// name.
 void LineProtocol::erase_kerf_table(const Statement& statement) {
   if (statement.text == "*") {
     if (!kerf_.forget_all()) return refuse(error_number::kStoreFailed);
@@ -106,7 +107,8 @@ void LineProtocol::ask_kerf(const Statement& statement) {
   acknowledge();
 }
 
-/// Gives the machine the table as it is now; none if it is damaged or erased.
+/// Gives the machine the current content of the table; no content if the table is damaged or
+/// erased.
 void LineProtocol::select_kerf(std::uint32_t index) {
   kerf::SelectedTable selected{.count = static_cast<std::uint32_t>(kerf_.count()), .index = index};
   if (index < selected.count) {

@@ -10,7 +10,7 @@ namespace {
 constexpr std::uint32_t kPartsOfUnit = 1000;
 constexpr std::uint32_t kBillionthsOfPart = 1'000'000'000 / kPartsOfUnit;
 
-/// Returns the value of a hexadecimal digit; 16 if it is not one.
+/// Returns the value of a hexadecimal digit; 16 if `c` is not a hexadecimal digit.
 std::uint32_t value_of_digit(char c) {
   if (c >= '0' && c <= '9') return static_cast<std::uint32_t>(c - '0');
   if (c >= 'A' && c <= 'F') return static_cast<std::uint32_t>(c - 'A' + 10);
@@ -18,7 +18,8 @@ std::uint32_t value_of_digit(char c) {
   return 16;
 }
 
-/// Takes `,number` from the front of the text, in whole thousandths.
+/// Removes `,number` from the front of `text` and converts the number to whole thousandths. Returns
+/// false if `text` does not begin with a comma and such a number.
 bool take_thousandths(std::string_view& text, std::uint32_t& thousandths) {
   if (text.empty() || text.front() != ',') return false;
   text.remove_prefix(1);

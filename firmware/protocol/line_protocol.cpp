@@ -10,20 +10,20 @@
 namespace cnc {
 namespace {
 
-/// Rows of a listing in one cycle, so that `$ES` does not delay the planner.
+/// Maximum number of rows of a listing in one poll, so that `$ES` does not delay the planner.
 constexpr int kRowsInATurn = 8;
 
-/// Lines in one poll, of which a cycle has two. So a burst of lines is planned within the time of a
-/// cycle.
+/// Maximum number of lines in one poll. A cycle polls twice, so the planner can plan these lines
+/// within the time of a cycle.
 constexpr int kLinesInATurn = 4;
 
-/// Returns whether a line has only blanks and comments.
+/// Returns whether a line contains only blanks and comments.
 bool is_empty(std::string_view line) {
   gcode::LineReader reader{line};
   return !reader.begin(false) && reader.at_end();
 }
 
-/// Appends the CRC of the reply so far.
+/// Appends the CRC of the reply's present text.
 Reply& put_crc(Reply& reply) {
   std::array<char, 8> digits{};
   put_line_crc(reply.view(), digits.data());
@@ -43,7 +43,7 @@ LineProtocol::LineProtocol(hal::ByteStream& link,
       kerf_{store},
       listing_{machine, stored_, kerf_, board} {
   const Progress kept = machine_.progress();
-  load_settings();  // Other steps per millimetre make the machine forget its progress.
+  load_settings();  // If the steps per millimetre differ, the machine drops its progress.
   machine_.set_power_table(stored_.load_power_table());
   machine_.set_places(stored_.load_places());
   machine_.set_progress(kept.any() ? kept : stored_.load_progress());
@@ -85,10 +85,11 @@ void LineProtocol::poll(hal::TickCount now) {
       }
       std::string_view line = assembler_.line();
       if (passes_check(line)) handle(line);
-      // Most lines are answered at once: no other line is to be sent before the answer.
+      // Most lines can be answered immediately, because no other line must be written before their
+      // answer.
       const bool silent = outbox_.empty() && !listing_.active() && !tell_news();
-      // A sender that waits for each answer gets it now, so its next line can be read in this
-      // cycle.
+      // A sender that waits for each answer gets the answer now, so its next line can be read in
+      // this cycle.
       if (silent && !machine_.busy() && finish_line()) outbox_.send(link_);
     }
   }
@@ -96,7 +97,7 @@ void LineProtocol::poll(hal::TickCount now) {
 
 void LineProtocol::receive() {
   const bool may_wait = link_.may_wait();
-  // Reads no more than the receiver can hold.
+  // The number of chunks is limited to the receiver's capacity.
   for (std::size_t chunk = 0; chunk < Receiver::kRealBytes / incoming_.size(); ++chunk) {
     const std::size_t room =
         may_wait ? std::min<std::size_t>(incoming_.size(), receiver_.room()) : incoming_.size();
@@ -111,7 +112,7 @@ void LineProtocol::act_at_once(std::byte byte) {
   silence_.hear(now_);
   const auto code = std::to_integer<std::uint8_t>(byte);
   if (code == static_cast<std::uint8_t>(RealtimeByte::kToolAcknowledge)) return refuse_tool();
-  if (machine_.changes_tool()) receive();  // Lines that came before `~`.
+  if (machine_.changes_tool()) receive();  // Reads the lines that arrived before `~`.
   receiver_.act_at_once(code);
 }
 
@@ -145,15 +146,15 @@ void LineProtocol::watch_link() {
   if (gone && allowed_ms > 0.0F && machine_.beam_works()) machine_.lose_link();
 }
 
-/// Returns whether the sender must send more: all lines are answered, and the program has not
+/// Returns whether the sender must send more lines: all lines are answered, and the program has not
 /// switched the beam off.
 bool LineProtocol::sender_owes() const {
   const bool lit = machine_.interpreter().state().spindle != gcode::SpindleMode::kOff;
   return lit && owed_ == Owed::kNothing && !machine_.busy();
 }
 
-/// Checks for silence of a sender that checks its lines. While a line waits for the machine, or its
-/// answer for the link, no further line can be expected.
+/// Checks for silence of a sender that sends checked lines. No further line can be expected while a
+/// line waits for the machine, or while its answer waits for the link.
 void LineProtocol::watch_checks() {
   if (!check_.active()) return;
   if (owed_ != Owed::kNothing || machine_.busy()) check_.keep(now_);
@@ -195,7 +196,7 @@ void LineProtocol::lose_sender() {
   if (!machine_.idle() || machine_.tool_runs()) machine_.safety_door();
 }
 
-/// Finishes the last line. Returns whether a line was written.
+/// Finishes the last line, if the machine has executed it. Returns whether a line was written.
 bool LineProtocol::finish_line() {
   if (owed_ == Owed::kNothing) return false;
   if (tell_result()) return true;
@@ -230,8 +231,8 @@ bool LineProtocol::read_line() {
   return receiver_.take_until([this](char byte) { return assembler_.add(byte); });
 }
 
-/// Refuses a lost line. The beginning that was kept of the first lost line is dropped, because it
-/// has no end.
+/// Refuses a lost line. Drops the stored beginning of the first lost line, because its end was
+/// lost. Returns whether a line was lost.
 bool LineProtocol::refuse_lost_line() {
   if (!receiver_.take_lost_line()) return false;
   assembler_ = {};
@@ -239,7 +240,7 @@ bool LineProtocol::refuse_lost_line() {
   return true;
 }
 
-/// Returns whether the line is to be carried out. Removes its number and check.
+/// Removes the number and the check from the line. Returns whether the line is to be executed.
 bool LineProtocol::passes_check(std::string_view& line) {
   const LineCheck::Judgement judged = check_.judge(line, assembler_.long_line(), now_);
   line = judged.text;
@@ -264,8 +265,8 @@ bool LineProtocol::passes_check(std::string_view& line) {
   return false;
 }
 
-/// Requests a line. Senders that use the sum expect an acknowledgement after the request, as from
-/// Marlin.
+/// Requests a line. With the sum, an acknowledgement follows the request, because senders expect it
+/// as from Marlin.
 void LineProtocol::ask_again(LineCheck::Verdict verdict) {
   Reply reply = begin_answer();
   reply.text(verdict == LineCheck::Verdict::kDrop ? "Dropped: " : "Resend: ");
@@ -293,8 +294,8 @@ void LineProtocol::handle(std::string_view line) {
   refuse(error_number::kLocked);
 }
 
-/// Gives a line of G-code to the machine, first with the selected kerf table if the tables have
-/// changed.
+/// Passes a line of G-code to the machine. If the kerf tables have changed, passes the selected
+/// table first.
 gcode::Refusal LineProtocol::accept(std::string_view line) {
   const gcode::Material& material = machine_.interpreter().state().material;
   const bool wanted = material.thickness_um != 0 && !machine_.kerf().holds(material.table);
@@ -313,7 +314,7 @@ void LineProtocol::take_gcode(std::string_view line) {
 void LineProtocol::refuse(const gcode::Fault& fault,
                           std::uint32_t first_column,
                           std::uint8_t number) {
-  // If the text of comments was dropped, columns differ from those of the line that was sent.
+  // If the text of comments was dropped, columns differ from the columns of the sent line.
   const bool known = fault.column != 0 && assembler_.whole();
   Reply reason = begin_reason(known ? fault.column + first_column - 1 : 0);
   reason.wrote(gcode::describe(fault, reason.room()));

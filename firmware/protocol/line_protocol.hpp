@@ -25,74 +25,78 @@
 
 namespace cnc {
 
-/// The conversation over one link, as in Grbl 1.1: one line in, one answer out, in order; realtime
-/// bytes act in between.
+/// The conversation with a sender over one link, as in Grbl 1.1: each line gets one answer, in
+/// order. Realtime bytes act between lines and answers.
 ///
-/// `ok` is sent when the whole line is planned, or complete if it is a dwell, a probe or homing. So
-/// a sender that waits for it never overruns the planner. No line is read before the answer to the
-/// line before is on its way. A refused line is answered by `[MSG:column: reason]` and `error:N`
-/// with Grbl's number.
+/// `ok` is sent after the complete line is planned. For a dwell, a probe or homing, `ok` is sent
+/// after the action has ended. So a sender that waits for `ok` never overruns the planner. No line
+/// is read before the answer to the previous line has been sent. A refused line is answered by
+/// `[MSG:column: reason]` and `error:N` with Grbl's number.
 ///
 /// If a sender checks its lines (LineCheck), missing lines are requested by `Resend: N`. With the
-/// CRC the answers name their line, and carry a CRC as well: `ok N12*8D1F03A2`.
+/// CRC, each answer contains the number of its line and a CRC: `ok N12*8D1F03A2`.
 ///
-/// The protocol never waits for the link: answers are made line by line as the link takes them, a
-/// status report before all others. No line except an acknowledgement contains "ok" or "error", in
-/// any case, because senders would count it.
+/// The protocol never waits for the link. It makes the next line only after the link has taken the
+/// previous one, and a status report before any other line. No line except an acknowledgement
+/// contains "ok" or "error" in upper or lower case, because senders would count it as an
+/// acknowledgement.
 class LineProtocol {
  public:
   static constexpr std::size_t kLongestLine = gcode::kLongestLine;
 
-  /// Gives the machine the content of the store.
-  /// @param board may be null
+  /// Passes the content of the store to the machine.
+  /// @param board board for `$I+` and `$DFU`; may be null
   LineProtocol(hal::ByteStream& link,
                Machine& machine,
                hal::RecordStore& store,
                hal::ControlBoard* board);
 
-  /// Reads and answers lines as far as that is possible without waiting.
+  /// Reads and answers as many lines as possible without waiting.
   /// @param now microseconds
   void poll(hal::TickCount now);
 
-  /// Returns whether poll() would send nothing and change nothing, if the link has no byte. A host
-  /// that knows its link leaves out such polls, except one in each kMaxQuietUs.
+  /// Returns whether poll() would send nothing and change nothing if the link has no byte. A host
+  /// that knows the state of its link may skip such polls, but must poll once in each kMaxQuietUs.
   [[nodiscard]] bool is_quiet(hal::TickCount now) const;
 
-  /// Handles a realtime byte that came apart from the stream. Its order relative to lines is
-  /// unknown, so 0xA3, which depends on that order, is answered by a message.
+  /// Handles a realtime byte that arrived outside the stream. Its order relative to lines is
+  /// unknown, so 0xA3, whose effect depends on that order, is answered by a message.
   void act_at_once(std::byte byte);
   /// Returns the number of bytes of lines that can be received now.
   [[nodiscard]] std::uint32_t room() const { return receiver_.room(); }
 
-  /// Returns whether every line must carry a number and a check.
+  /// Returns whether every line must have a number and a check.
   [[nodiscard]] bool checks_lines() const { return check_.strict(); }
 
-  /// Begins another sender, which is greeted. It gets no answers to lines of the sender before, and
-  /// those of them that are still unread are dropped.
+  /// Restarts the protocol for a new sender and greets it. The new sender gets no answers to lines
+  /// of the previous sender; unread lines of the previous sender are dropped.
   void begin_sender();
 
-  /// Changes a setting and stores it, as a line would, for requests that come apart from the
-  /// stream. Returns false if the machine is at work, the value is out of range or the store fails.
+  /// Changes a setting and stores it, as a line `$number=value` does, for requests that arrive
+  /// outside the stream. Returns false if the machine is busy, the value is out of range or the
+  /// store fails.
   [[nodiscard]] bool store_setting(std::uint16_t number, float value);
 
-  /// Handles the loss of the sender when no other is there: motion and spindle stop as by the
-  /// safety door. The position stays known, and the next sender may resume or reset.
+  /// Handles the loss of the sender when no other sender is connected: stops motion and spindle as
+  /// the safety door does. The position stays known, and the next sender may resume or reset.
   void lose_sender();
 
  private:
-  /// End of the start-up lines. One more position follows the last line, to report its fault.
+  /// Value of `startup_line_` after the start-up lines. The index after the last line serves to
+  /// report the fault of the last line.
   static constexpr std::size_t kStartupDone = StoredState::kStartupLines + 1;
-  /// Times that are measured from now_ and the last bytes wrap far later.
+  /// Longest time between two polls, microseconds. Times since now_ and since the last bytes are
+  /// measured in ticks, which wrap only after a much longer time.
   static constexpr std::int32_t kMaxQuietUs = 1'000'000;
 
-  /// Answer that the last line still waits for.
+  /// Answer that is still owed for the last line.
   enum class Owed : std::uint8_t { kNothing, kAck, kHoming };
 
-  /// A start-up line that was stored and runs for the first time.
+  /// A start-up line that was just stored and runs for the first time.
   struct StartupTrial {
     std::size_t index;
-    StoredText before;    ///< The line that it replaces.
-    bool failed = false;  ///< The line was refused, raised an alarm or was cut short by a reset.
+    StoredText before;    ///< Previous content of the start-up line.
+    bool failed = false;  ///< The line was refused, raised an alarm or was interrupted by a reset.
   };
 
   // Main sequence, in line_protocol.cpp.
@@ -122,7 +126,7 @@ class LineProtocol {
   [[nodiscard]] bool ends_tool_change(RealtimeByte command);
   void attend_tool_change();
 
-  // Lines that no line requested, in events.cpp.
+  // Lines that no sender requested, in events.cpp.
   [[nodiscard]] bool report();
   [[nodiscard]] bool report_is_due() const;
   [[nodiscard]] bool tell_news();
@@ -139,7 +143,7 @@ class LineProtocol {
   void run_startup_line();
   void tell_startup_fault();
 
-  // `$`, in statements.cpp.
+  // Statements (`$`), in statements.cpp.
   void take_statement(std::string_view line);
   void take_command(const Statement& statement);
   void change_setting(const Statement& statement);
@@ -155,12 +159,12 @@ class LineProtocol {
   void set_power_table(const Statement& statement);
   [[nodiscard]] bool rests() const;
 
-  // `$RESUME`, in progress_statements.cpp.
+  // Statements about the progress (`$RESUME`), in progress_statements.cpp.
   void tell_progress();
   void reenter(const Statement& statement);
   void save_progress();
 
-  // `$K`, in kerf_statements.cpp.
+  // Statements about kerf tables (`$K`), in kerf_statements.cpp.
   void take_kerf_statement(const Statement& statement);
   void refuse_kerf(const KerfTables::Trouble& trouble, std::uint16_t column);
   void write_kerf_part(const Statement& statement);
@@ -176,13 +180,13 @@ class LineProtocol {
   void refuse(std::uint8_t number, Reply& reason);
   void refuse(std::uint8_t number);
   void refuse(const compensation::Fault& fault);
-  /// @param number 0 for the fault's own number
+  /// @param number number of the error; 0 for the number that belongs to the fault
   void refuse(const gcode::Fault& fault, std::uint32_t first_column, std::uint8_t number = 0);
   void acknowledge() { owed_ = Owed::kAck; }
   void message(std::string_view words);
-  /// Returns space for the next line; answer() sends it. One line at a time.
+  /// Returns space for the next line; answer() then sends the line. Only one line may be open.
   [[nodiscard]] Reply begin_answer() { return Reply{outbox_.room<Reply::kCapacity>()}; }
-  /// Sends an acknowledgement, which names its line if lines are numbered.
+  /// Sends an acknowledgement; with the CRC it contains the number of its line.
   void answer_line(Reply& reply);
   void say_ok();
   void answer(const Reply& reply) { outbox_.wrote(reply.view().size()); }
@@ -193,32 +197,36 @@ class LineProtocol {
   hal::ControlBoard* board_;
   StoredState stored_;
   KerfTables kerf_;
-  std::uint32_t kerf_seen_ = 0;      ///< Revision when the machine was given a table.
+  /// Revision of the tables when the machine was last given a table.
+  std::uint32_t kerf_seen_ = 0;
   std::array<char, 64> incoming_{};  ///< Bytes of one read from the link.
   Receiver receiver_{};
   LineAssembler<kLongestLine> assembler_{};
   LineCheck check_{};
   SilenceWatch silence_{};
-  Outbox<3 * Reply::kCapacity> outbox_{};  ///< Holds a message, a reason and its number.
+  /// Has space for a message, a reason and an error number.
+  Outbox<3 * Reply::kCapacity> outbox_{};
   Listing listing_;
   StatusReport status_{};
   ReportForm form_{};
   Owed owed_ = Owed::kNothing;
   Alarm told_alarm_ = Alarm::kNone;
   bool tool_told_ = false;
-  bool takes_part_ = false;          ///< The sender takes part in a tool change by 0xA3.
-  bool tool_change_ends_ = false;    ///< `~` has come; earlier lines are done first.
-  std::string_view tool_refusal_{};  ///< Reason why 0xA3 was refused, until reported.
+  bool takes_part_ = false;  ///< The sender takes part in a tool change (0xA3).
+  /// `~` has arrived; the tool change ends after the earlier lines are done.
+  bool tool_change_ends_ = false;
+  std::string_view tool_refusal_{};  ///< Reason for refusing 0xA3; empty after the report.
   hal::TickCount now_{};
   hal::TickCount reported_{};  ///< Time of the last automatic report.
   bool auto_report_ = false;
-  bool modes_wanted_ = false;  ///< 0x83: the parser state is to be sent between lines.
-  bool beginning_ = true;      ///< After power-up or a reset: the banner is due.
-  bool greeting_due_ = false;  ///< A new sender is to be greeted; nothing else changes.
-  bool unheard_ = false;       ///< The sender of the line being done is gone.
+  bool modes_wanted_ = false;  ///< The parser state (0x83) is to be sent between lines.
+  bool beginning_ = true;      ///< The banner is due, after power-up or a reset.
+  /// The lines for a new sender are due; the protocol's state does not change.
+  bool greeting_due_ = false;
+  bool unheard_ = false;  ///< The sender of the line in execution is gone.
   bool saving_failed_ = false;
-  std::size_t startup_line_ = kStartupDone;  ///< Next start-up line to run.
-  bool starts_ = false;                      ///< The lines done last were start-up lines.
+  std::size_t startup_line_ = kStartupDone;  ///< Index of the next start-up line to run.
+  bool starts_ = false;                      ///< The last executed line was a start-up line.
   std::optional<StartupTrial> startup_trial_{};
 };
 

@@ -86,7 +86,7 @@ bool Listing::row(Reply& reply, const ReportForm& form) {
   return false;
 }
 
-/// Writes the tables, and how many of the possible ones are stored.
+/// Writes a row for each kerf table, then a row with the number of stored tables and the maximum.
 bool Listing::kerf_row(Reply& reply) {
   const std::size_t count = kerf_.count();
   if (row_ > count) return false;
@@ -105,7 +105,7 @@ bool Listing::kerf_row(Reply& reply) {
   return true;
 }
 
-/// Writes the image as statements that can be sent back.
+/// Writes the image as statements that can be sent back to store the table.
 bool Listing::kerf_image_row(Reply& reply) {
   if (row_ > KerfTables::kMaxParts) return false;
   std::array<std::byte, KerfTables::kPartBytes> bytes{};
@@ -114,7 +114,7 @@ bool Listing::kerf_image_row(Reply& reply) {
     put_kerf_part(reply, row_, std::span{bytes}.first(size));
   } else {
     reply.text("$KS");
-    row_ = KerfTables::kMaxParts;  // This was the last row.
+    row_ = KerfTables::kMaxParts;  // Ends the listing after this row.
   }
   reply.end();
   return true;
@@ -134,7 +134,7 @@ bool Listing::settings_row(Reply& reply) {
   return true;
 }
 
-/// Writes the next tool whose radius is known.
+/// Writes the next tool with its radius; leaves out tools whose radius is zero.
 bool Listing::tool_row(Reply& reply, const ReportForm& form) {
   constexpr std::size_t kBefore = gcode::kCoordinateSystemCount + 5;
   for (; row_ < kBefore + gcode::kToolCount; ++row_) {

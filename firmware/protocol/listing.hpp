@@ -11,12 +11,12 @@
 
 namespace cnc {
 
-/// Kinds of listings, which are answers of one or many lines.
+/// Kinds of listings, each with its statement. A listing is an answer of one or many lines.
 enum class ListingKind : std::uint8_t {
   kNone,
   kHelp,            ///< `$`
   kSettings,        ///< `$$`
-  kOneSetting,      ///< `$110`; the argument is its number.
+  kOneSetting,      ///< `$110`; the argument is the setting's number.
   kParameters,      ///< `$#`
   kParserState,     ///< `$G`
   kBuildInfo,       ///< `$I`
@@ -32,11 +32,11 @@ enum class ListingKind : std::uint8_t {
   kKerfImage,       ///< `$KR=`; the argument is the table's index.
 };
 
-/// Makes an answer line by line, as the link takes them: `$ES` has more bytes than the memory can
-/// hold, and a status report must not wait for its end.
+/// Makes a listing line by line, as fast as the link takes the lines: `$ES` has more bytes than the
+/// memory can hold, and a status report must not wait for the end of the listing.
 class Listing {
  public:
-  /// @param board may be null
+  /// @param board board for `$I+`; may be null
   Listing(const Machine& machine, StoredState& stored, KerfTables& kerf, hal::ControlBoard* board)
       : machine_{machine}, stored_{stored}, kerf_{kerf}, board_{board} {}
 
@@ -44,7 +44,7 @@ class Listing {
   void stop() { kind_ = ListingKind::kNone; }
   [[nodiscard]] bool active() const { return kind_ != ListingKind::kNone; }
 
-  /// Writes the next line. Returns false, with nothing written, after the last line.
+  /// Writes the next line. Returns false and writes nothing after the last line.
   [[nodiscard]] bool next(Reply& reply, const ReportForm& form);
 
  private:

@@ -4,8 +4,9 @@
 
 namespace cnc {
 
-/// Writes `[RESUME:120|12.000,3.500,0.000|can]`: the line, its position in machine coordinates, and
-/// whether the position is still valid. Writes `[RESUME:0]` if no program was interrupted.
+/// Writes `[RESUME:120|12.000,3.500,0.000|can]`: number of the interrupted line, position in
+/// machine coordinates, and `can` or `home`, depending on whether the position is still valid.
+/// Writes `[RESUME:0]` if no program was interrupted.
 void LineProtocol::tell_progress() {
   const Progress& progress = machine_.progress();
   Reply reply = begin_answer();
@@ -19,8 +20,8 @@ void LineProtocol::tell_progress() {
   acknowledge();
 }
 
-/// Begins re-entry. The sender must name the line, so that the operator does not continue another
-/// program than intended; 0 ends re-entry.
+/// Begins re-entry into the interrupted program. The sender must name the interrupted line, so that
+/// the operator does not continue a wrong program. 0 ends re-entry.
 void LineProtocol::reenter(const Statement& statement) {
   const auto line = gcode::read_decimal(statement.text);
   const bool whole = line.ok() && line.value().length == statement.text.size() &&
@@ -45,9 +46,10 @@ void LineProtocol::reenter(const Statement& statement) {
   acknowledge();
 }
 
-/// Saves the progress at rest, so that the state of a program in a hold or an alarm outlives power.
-/// When the program ends, its progress is erased. With a damaged store it saves nothing: a save
-/// would erase the sign of damage, which the operator has not acknowledged yet.
+/// Saves the progress while the machine is at rest. So the progress of a program in a hold or an
+/// alarm survives a loss of power. After the program has ended, the stored progress is erased. If
+/// the store is damaged, nothing is saved: a save would remove the sign of damage before the
+/// operator has acknowledged it.
 void LineProtocol::save_progress() {
   if (machine_.alarm() == Alarm::kStoreDamaged) return;
   const Progress& progress = machine_.progress();

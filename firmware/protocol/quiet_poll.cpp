@@ -1,17 +1,19 @@
 #include "firmware/protocol/line_protocol.hpp"
 
-/// Decides which polls would do nothing; in a simulated job most would. For hosts: no board calls
-/// it. Each condition stands for a step of LineProtocol::poll() that does nothing if it holds.
+/// Decides which polls would do nothing, so that the simulator can skip them; no board calls it.
+/// Each condition belongs to one step of LineProtocol::poll(): if the condition holds, that step
+/// does nothing.
 namespace cnc {
 
-/// Returns whether everything received is done, or waits for the machine.
+/// Returns whether poll() can only wait for the machine: the machine is busy, or all lines are
+/// answered and the machine is not idle.
 bool LineProtocol::waits_for_machine() const {
   if (machine_.busy()) return true;
   const bool all_is_done = owed_ == Owed::kNothing && !beginning_ && startup_line_ >= kStartupDone;
   return all_is_done && !machine_.idle();
 }
 
-/// Returns whether something is to be reported, stored or judged, or may be soon.
+/// Returns whether a report or a save is due now or may soon be due.
 bool LineProtocol::has_to_tell() const {
   if (!outbox_.empty() || listing_.active() || auto_report_ || modes_wanted_ || greeting_due_ ||
       startup_trial_ || !tool_refusal_.empty()) {

@@ -8,11 +8,11 @@ namespace {
 constexpr int kMinFeed = 10;
 constexpr int kMaxFeed = 200;
 
-/// Returns the percentage after a step. A step that would leave the range goes to the end of the
-/// range, as in Grbl.
+/// Returns the percentage after a step. A step beyond the range ends at the limit of the range, as
+/// in Grbl.
 int stepped(int percent, int step) { return std::clamp(percent + step, kMinFeed, kMaxFeed); }
 
-/// Changes an override. Returns whether the byte is an override.
+/// Changes the override that `command` names. Returns false if `command` names no override.
 bool change(RealtimeByte command, OverridePercent& percent) {
   switch (command) {
     case RealtimeByte::kFeedReset:

@@ -5,8 +5,8 @@
 
 namespace cnc {
 
-/// Applies a realtime byte to the machine, in any state. Bytes without a meaning, and those that
-/// request a report or a reset, have no effect here.
+/// Applies a realtime byte to the machine, in any state. Ignores bytes without a meaning and bytes
+/// that request a report or a reset.
 void apply(RealtimeByte command, Machine& machine);
 
 }  // namespace cnc

@@ -39,7 +39,7 @@ Reply& Reply::number(std::uint32_t value) {
   return text({digits.data() + first, digits.size() - first});
 }
 
-/// Appends a point and exactly `count` digits.
+/// Appends a decimal point and exactly `count` digits; appends nothing if `count` is 0.
 Reply& Reply::fraction(std::uint32_t digits, std::uint32_t count) {
   if (count == 0) return *this;
   letter('.');
@@ -51,7 +51,8 @@ Reply& Reply::value(float value, std::uint32_t least) {
   if (value < 0.0F) letter('-');
   const float magnitude = value < 0.0F ? -value : value;
   auto units = static_cast<std::uint32_t>(magnitude);
-  constexpr std::uint32_t kDigits = 7;  // Digits of a float; more digits would show its rounding.
+  // Significant digits of a float; more digits would show its rounding.
+  constexpr std::uint32_t kDigits = 7;
   const std::uint32_t before = digits_of(units);
   std::uint32_t count = std::min<std::uint32_t>(
       kPowers.size() - 1, std::max<std::uint32_t>(least, kDigits - std::min(kDigits, before)));
@@ -71,12 +72,12 @@ Reply& Reply::whole(float value) {
 }
 
 Reply& Reply::place(Coordinate place, bool inches) {
-  constexpr std::uint64_t kPerThousandth = 1000;     // nm in a thousandth of a millimetre.
-  constexpr std::uint64_t kPerTenThousandth = 2540;  // nm in a ten-thousandth of an inch.
+  constexpr std::uint64_t kPerThousandth = 1000;     // Nanometres in a thousandth of a millimetre.
+  constexpr std::uint64_t kPerTenThousandth = 2540;  // Nanometres in a ten-thousandth of an inch.
   const std::int64_t nanometres = place.nanometres();
   const auto magnitude = static_cast<std::uint64_t>(nanometres < 0 ? -nanometres : nanometres);
   const std::uint64_t step = inches ? kPerTenThousandth : kPerThousandth;
-  // A kilometre is 10^9 thousandths, so the rest is computed in 32 bits.
+  // A kilometre has 10^9 thousandths of a millimetre, so 32 bits suffice for the number of steps.
   const auto steps = static_cast<std::uint32_t>((magnitude + step / 2) / step);
   const std::uint32_t decimals = inches ? 4 : 3;
   if (nanometres < 0 && steps != 0) letter('-');

@@ -9,8 +9,8 @@
 
 namespace cnc {
 
-/// Builds one line for the link, including its end, in memory of the caller. Text that does not fit
-/// is cut off, but never the end.
+/// Builds one line for the link, including its line end, in memory of the caller. Text that does
+/// not fit is cut off; the line end always fits.
 class Reply {
  public:
   static constexpr std::size_t kCapacity = 320;
@@ -21,21 +21,21 @@ class Reply {
   Reply& text(std::string_view words);
   Reply& letter(char one) { return text({&one, 1}); }
   Reply& number(std::uint32_t value);
-  /// Appends the value with the fewest decimals that show seven digits, at least `least` and at
-  /// most six.
+  /// Appends `value` with seven significant digits and at most six decimals. Omits trailing zeros
+  /// after the first `least` decimals.
   /// @pre |value| < 2^31
   Reply& value(float value, std::uint32_t least);
-  /// Appends the nearest whole number.
+  /// Appends the whole number that is nearest to `value`.
   /// @pre |value| < 2^31
   Reply& whole(float value);
-  /// Appends a position in mm (degrees) with three decimals, or in inches with four.
+  /// Appends a position in mm (degrees) with three decimals, or in inches with four decimals.
   Reply& place(Coordinate place, bool inches);
   void clear() { size_ = 0; }
-  /// Appends the line end; the last call.
+  /// Appends the line end; must be the last call.
   Reply& end();
 
-  /// Returns the free space for a caller that writes directly. The caller then reports by `wrote`
-  /// how many bytes it has filled.
+  /// Returns the free space for a caller that writes directly. The caller then reports the number
+  /// of filled bytes with `wrote`.
   [[nodiscard]] std::span<char> room() {
     return bytes_.subspan(size_, kCapacity - kEnd.size() - size_);
   }

@@ -67,7 +67,8 @@ std::string_view coolant_words(const gcode::Coolant& coolant) {
   return coolant.flood ? " M8" : " M9";
 }
 
-/// Writes the compensation. Writes nothing for G40, which senders do not require.
+/// Writes the words of the cutter compensation. Writes nothing for G40, because senders do not
+/// require it.
 void put_compensation(Reply& reply, const gcode::CutterCompensation& wanted, bool inches) {
   if (wanted.side == gcode::CutterSide::kOn) return;
   const bool left = wanted.side == gcode::CutterSide::kLeft;
@@ -79,7 +80,8 @@ void put_compensation(Reply& reply, const gcode::CutterCompensation& wanted, boo
   reply.value(wanted.width_mm / (inches ? kMillimetresPerInch : 1.0F), 0);
 }
 
-/// Writes the path mode with its tolerances, because G64 without them means others.
+/// Writes the path mode with its tolerances, because G64 without tolerances would set other
+/// tolerances.
 void put_path_control(Reply& reply, const gcode::PathControl& path, bool inches) {
   switch (path.mode) {
     case gcode::PathMode::kPath:
@@ -138,7 +140,8 @@ void put_places(Reply& reply, const Position& place, const ReportForm& form) {
   }
 }
 
-/// Writes the modes. F is in the units in use, because it will be read back in them.
+/// Writes the modes. F is in the units in use (G20 or G21), because a reader applies the same
+/// units.
 void put_parser_state(Reply& reply, const Machine& machine) {
   const gcode::ModalState& state = machine.interpreter().state();
   const bool inches = state.units == gcode::Units::kInches;

@@ -5,8 +5,8 @@
 
 namespace cnc {
 
-/// Returns whether a sender could count a printed text as an acknowledgement, or whether the text
-/// would end the brackets around it.
+/// Returns whether a printed `text` would confuse senders: it contains a word of an acknowledgement
+/// ("ok" or "error"), or a square bracket, which would disturb the brackets around it.
 [[nodiscard]] inline bool confuses_senders(std::string_view text) {
   const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; };
   const auto holds = [&](std::string_view word) {

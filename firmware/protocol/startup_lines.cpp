@@ -4,9 +4,9 @@
 
 namespace cnc {
 
-/// Stores a start-up line and runs it once, as Grbl does, to show whether it can run. It is stored
-/// before it runs, because storing must not wait for the motion or outputs that it starts. If it
-/// fails later, attend_startup_trial() restores the line before.
+/// Stores a start-up line and runs it once, as Grbl does, to show whether it can run. The line is
+/// stored before it runs, because nothing can be stored while the line's motion or outputs are on.
+/// If the line fails later, attend_startup_trial() restores the previous line.
 void LineProtocol::set_startup_line(const Statement& statement) {
   if (machine_.locked()) return refuse(error_number::kLocked);
   if (statement.text.size() > StoredText::kLongest) return refuse(error_number::kTextTooLong);
@@ -25,9 +25,9 @@ void LineProtocol::set_startup_line(const Statement& statement) {
   refuse(*refusal, statement.column);
 }
 
-/// Ends the trial of a stored line as soon as the line is complete. A line that fails would stop
-/// the machine at every start, so the previous line is stored again. Returns whether a line was
-/// written.
+/// Ends the trial of a stored line after the line has been executed. If the line failed, stores the
+/// previous line again, because a failing line would stop the machine at every start. Returns
+/// whether a line was written.
 bool LineProtocol::attend_startup_trial() {
   if (!startup_trial_) return false;
   if (machine_.alarm() != Alarm::kNone) startup_trial_->failed = true;
@@ -46,7 +46,7 @@ bool LineProtocol::attend_startup_trial() {
   return true;
 }
 
-/// Reports a path that the last start-up line could not drive.
+/// Reports a path of the last start-up line that the machine could not drive.
 void LineProtocol::tell_startup_fault() {
   const auto fault = machine_.news().take_path_fault();
   if (!fault) return;
@@ -55,8 +55,8 @@ void LineProtocol::tell_startup_fault() {
   answer(reply.letter(']').end());
 }
 
-/// Runs the next start-up line. It is shown as in Grbl, but without an answer that a sender would
-/// count.
+/// Runs the next start-up line. Prints the line as Grbl does, but without an answer, because a
+/// sender would count it as an acknowledgement.
 void LineProtocol::run_startup_line() {
   tell_startup_fault();
   if (startup_line_ == StoredState::kStartupLines) {

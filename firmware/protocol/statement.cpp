@@ -19,7 +19,7 @@ class Name {
       ++size_;
     }
   }
-  /// Returns whether the name fits; one that is too long matches no statement.
+  /// Returns whether the name fits. A name that is too long matches no statement.
   [[nodiscard]] bool fits() const { return size_ <= kLongest; }
   [[nodiscard]] std::string_view view() const { return {letters_.data(), size_}; }
 
@@ -49,7 +49,8 @@ constexpr std::array<NamedListing, 13> kListings{{
     {"PC", ListingKind::kPowerTable},
 }};
 
-/// Returns the whole number that the name is; nothing if it is not one.
+/// Returns the whole number that `name` contains; nothing if `name` is not a whole number up to
+/// 65535.
 std::optional<std::uint16_t> number_in(std::string_view name) {
   std::uint32_t number = 0;
   for (const char c : name) {
@@ -60,7 +61,7 @@ std::optional<std::uint16_t> number_in(std::string_view name) {
   return static_cast<std::uint16_t>(number);
 }
 
-/// Returns the axes after `H` as bits; nothing if a letter is not an axis.
+/// Returns the axes after `H`, one bit each; nothing if a letter is not an axis.
 std::optional<std::uint8_t> axes_in(std::string_view letters) {
   std::uint32_t axes = 0;
   for (const char letter : letters) {
@@ -115,7 +116,7 @@ std::optional<Statement> read_assignment(std::string_view name) {
   return Statement{.kind = StatementKind::kChangeSetting, .number = *number};
 }
 
-/// Returns the text without the comment and the blanks at its end.
+/// Returns `text` without the comment and the blanks at its end.
 std::string_view without_comment(std::string_view text) {
   const std::size_t comment = text.find_first_of("(;");
   if (comment != std::string_view::npos) text.remove_suffix(text.size() - comment);
@@ -141,7 +142,7 @@ std::optional<Statement> read_statement(std::string_view line) {
   while (begin < line.size() && gcode::is_blank(line[begin])) ++begin;
   statement->text = line;
   statement->text.remove_prefix(begin);
-  // The jog's reader handles comments itself.
+  // The reader of the jog handles comments itself.
   if (statement->kind != StatementKind::kJog) statement->text = without_comment(statement->text);
   statement->column = static_cast<std::uint16_t>(begin + 1);
   return statement;

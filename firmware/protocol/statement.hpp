@@ -15,7 +15,7 @@ enum class StatementKind : std::uint8_t {
   kSetStartupLine,  ///< `$N0=`; `number` is 0 or 1.
   kCheck,           ///< `$C`
   kUnlock,          ///< `$X`
-  kHome,            ///< `$H`, `$HXY`; `axes`, 0 for all.
+  kHome,            ///< `$H`, `$HXY`; axes in `axes`, 0 for all axes.
   kJog,             ///< `$J=`
   kSleep,           ///< `$SLP`
   kRestore,         ///< `$RST=`
@@ -38,12 +38,13 @@ struct Statement {
   ListingKind listing = ListingKind::kNone;
   std::uint16_t number = 0;
   std::uint8_t axes = 0;
-  std::string_view text{};   ///< Text after the `=`, without blanks and comment at its ends.
-  std::uint16_t column = 0;  ///< Start of `text` in the line, from 1.
+  /// Text after the `=`, without blanks at its ends and without a comment.
+  std::string_view text{};
+  std::uint16_t column = 0;  ///< Column of the first character of `text` in the line, from 1.
 };
 
-/// Reads a line that begins with `$`. Returns nothing if there is no such statement. Names may be
-/// written in lower case and with blanks.
+/// Reads a line that begins with `$`. Returns nothing if there is no statement of that name. Names
+/// may have lower-case letters and blanks.
 [[nodiscard]] std::optional<Statement> read_statement(std::string_view line);
 
 }  // namespace cnc

@@ -7,7 +7,7 @@
 namespace cnc {
 namespace {
 
-/// Reads a value. Returns false if the text is not exactly one number.
+/// Reads a value. Returns false if `text` is not exactly one number.
 bool read_value(std::string_view text, float& value) {
   const auto reading = gcode::read_decimal(text);
   if (!reading.ok() || reading.value().length != text.size()) return false;
@@ -17,8 +17,8 @@ bool read_value(std::string_view text, float& value) {
 
 }  // namespace
 
-/// Returns whether the machine is at rest and no action waits, so that settings may change and
-/// texts may be stored.
+/// Returns whether the machine is at rest and no action waits. Only then may settings change and
+/// texts be stored.
 bool LineProtocol::rests() const {
   const MachineState state = machine_.state();
   return machine_.idle() && (state == MachineState::kIdle || state == MachineState::kAlarm ||
@@ -28,7 +28,8 @@ bool LineProtocol::rests() const {
 void LineProtocol::load_settings() {
   for (const SettingInfo& info : setting_table()) {
     const auto value = stored_.load_setting(info);
-    // A value that is within its range but does not fit the other settings is left at its default.
+    // A value that is within its range but does not fit the other settings is ignored, and the
+    // default stays.
     if (value) static_cast<void>(machine_.change_setting(info.number, *value).ok());
   }
 }
@@ -54,7 +55,7 @@ void LineProtocol::take_statement(std::string_view line) {
     default:
       break;
   }
-  // The remaining statements store data, or occupy the machine alone.
+  // The remaining statements store data, or need the machine for themselves.
   if (!rests()) return refuse(error_number::kNotIdle);
   const bool stores =
       statement->kind != StatementKind::kHome && statement->kind != StatementKind::kSleep;
@@ -116,8 +117,9 @@ void LineProtocol::change_setting(const Statement& statement) {
   acknowledge();
 }
 
-/// Reports that soft limits do not act yet. $20 and $22 keep their values independently, so that a
-/// backup may be restored in any order. Axes that were homed keep their limits.
+/// Reports that soft limits do not act yet, because no axis is homed and homing is disabled. $20
+/// and $22 can be set independently, so that a backup may be restored in any order. Limits of homed
+/// axes act.
 void LineProtocol::tell_waiting_limits() {
   const Settings& settings = machine_.settings();
   const bool waiting = settings.get(setting::kSoftLimits) != 0.0F && machine_.homed() == 0 &&
@@ -197,7 +199,7 @@ void LineProtocol::toggle_check_mode() {
   if (!machine_.toggle_check_mode()) return refuse(error_number::kNotIdle);
   message(was_on ? "Disabled" : "Enabled");
   say_ok();
-  beginning_ = was_on;  // Leaving check mode is a reset.
+  beginning_ = was_on;  // Leaving check mode has the effect of a reset.
 }
 
 void LineProtocol::restore(const Statement& statement) {

@@ -17,12 +17,12 @@ constexpr std::uint32_t kPins = 16;
 constexpr std::uint32_t kWorkOffset = 32;
 constexpr std::uint32_t kOverrides = 64;
 constexpr std::uint32_t kGrblBits = kMachinePosition | kBuffers;
-/// First value of $10 that has grblHAL's meaning. Smaller values are those of Grbl and its older
-/// masks. For them, a report without WCO, Ov and later fields would leave senders of Grbl without
-/// the work position.
+/// Smallest value of $10 that is read as grblHAL's mask. Smaller values are read as Grbl's mask or
+/// its older masks. For them all other fields are shown, because a sender for Grbl needs WCO to
+/// compute the work position.
 constexpr std::uint32_t kFirstOfGrblHal = kWorkOffset;
 
-// Number of reports between two with a slow field, as in Grbl.
+// Number of reports between two reports with a slow field, as in Grbl.
 constexpr int kOffsetPauseAtRest = 10;
 constexpr int kOffsetPauseMoving = 30;
 constexpr int kOverridePauseAtRest = 10;
@@ -67,8 +67,8 @@ void put_feed_and_speed(Reply& reply, const Machine& machine, const ReportForm& 
   reply.letter(',').whole(machine.spindle_now());
 }
 
-/// Writes the active inputs. Block delete is a switch, as in grblHAL; it is on by default, so only
-/// the full report shows it.
+/// Writes the active inputs. Block delete is reported as an input, as in grblHAL. It is on by
+/// default, so only the full report shows it.
 void put_pins(Reply& reply, const hal::InputState& inputs, bool block_delete) {
   std::array<char, kAxisCount + 7> letters{};
   std::size_t count = 0;
@@ -155,7 +155,7 @@ bool StatusReport::offset_is_due(const Position& offset, bool moving) {
   if (offset == told_offset_ && --offset_wait_ >= 0) return false;
   told_offset_ = offset;
   offset_wait_ = moving ? kOffsetPauseMoving : kOffsetPauseAtRest;
-  // Avoids both slow fields in one report, unless both have changed.
+  // Avoids two slow fields in one report, unless both have changed.
   if (override_wait_ == 0) override_wait_ = 1;
   return true;
 }

@@ -10,20 +10,22 @@ namespace cnc {
 
 /// The answer to `?`: `<Idle|MPos:…|Bf:…|FS:…>`.
 ///
-/// `$10` selects the fields. The values 0…3 are Grbl's two bits (machine or work position, and the
-/// buffers); all other fields are then on. From 4 on every bit adds its field, as in grblHAL. WCO
-/// and Ov (with A) are slow fields, as in Grbl: they are in the report after a change or a reset,
-/// and otherwise once in 10 to 30 reports.
+/// `$10` selects the fields. In values below 32, two bits have Grbl's meaning (machine or work
+/// position, and the buffers), and all other fields are shown. In larger values each bit selects
+/// its field, as in grblHAL. WCO and Ov (with A) are slow fields, as in Grbl: a report contains
+/// them after a change or a reset, and otherwise only once in 10 to 30 reports.
 class StatusReport {
  public:
   /// Writes a report.
-  /// @param full all fields, whatever `$10` selects (0x87)
+  /// @param receive_room free space for received bytes, shown in Bf
+  /// @param full whether to show all fields, for any value of `$10` (0x87)
   void write(Reply& reply,
              const Machine& machine,
              std::uint32_t receive_room,
              const ReportForm& form,
              bool full);
-  /// Restarts as after a reset: the next report has WCO, and the one after it Ov.
+  /// Restarts the slow fields, as after a reset: the next report has WCO, and the report after it
+  /// has Ov.
   void begin_anew() { offset_wait_ = override_wait_ = 0; }
 
  private:
@@ -44,7 +46,7 @@ class StatusReport {
 
   Position told_offset_{};
   Accessories told_{};
-  int offset_wait_ = 0;  ///< Reports until the field is shown again.
+  int offset_wait_ = 0;  ///< Number of reports until the field is shown again.
   int override_wait_ = 0;
 };
 

@@ -7,13 +7,13 @@
 
 namespace cnc {
 
-/// Writes `$110=12000.000`.
+/// Writes a setting as `$110=12000.000`.
 void put_setting(Reply& reply, const SettingInfo& info, float value);
-/// Writes `: 1.000 to 1000.000 mm`.
+/// Writes the range of a setting as `: 1.000 to 1000.000 mm`.
 void put_range(Reply& reply, const SettingInfo& info);
 
-// Each function writes a row of a listing of grblHAL's, from 0 on. It returns false, with nothing
-// written, after the last row.
+// Each of the following functions writes row `row`, counted from 0, of a listing that grblHAL
+// defines. It returns false and writes nothing if the listing has no such row.
 
 /// Writes `[SETTING:number|group|name|unit|type|format|least|most|reboot|null]`.
 [[nodiscard]] bool put_setting_details(Reply& reply, std::size_t row);

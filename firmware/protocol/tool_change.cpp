@@ -2,13 +2,14 @@
 
 #include "firmware/protocol/line_protocol.hpp"
 
-/// A tool change in which the sender takes part: the sender sends 0xA3, then lines for the change.
-/// These lines are carried out before the program lines that it had already sent, until `~`.
+/// Handles a tool change in which the sender takes part. The sender sends 0xA3, then lines for the
+/// change. Until `~`, these lines are executed before the program lines that the sender had sent
+/// earlier.
 namespace cnc {
 
-/// Lets the sender take part if it is certain which lines came before 0xA3: all of them must wait
-/// in the receiver and leave space for a line. Numbered lines can be checked only in their order,
-/// so none may wait.
+/// Lets the sender take part if the lines that arrived before 0xA3 are known with certainty. All
+/// these lines must still wait in the receiver and leave free space for a line. Numbered lines can
+/// be checked only in their order, so no numbered line may wait.
 void LineProtocol::acknowledge_tool() {
   if (machine_.state() != MachineState::kTool || takes_part_) return;
   take_line_feed();
@@ -27,27 +28,26 @@ void LineProtocol::refuse_tool() {
   tool_refusal_ = "Tool change: too many lines came before 0xA3, ~ goes on";
 }
 
-/// Takes the LF after a CR that ended a line; by itself it would end another line.
+/// Takes the LF after a CR that ended a line, because a separate LF would end another line.
 void LineProtocol::take_line_feed() {
   if (assembler_.ends_with_return() && receiver_.take_line_feed()) {
     static_cast<void>(assembler_.add('\n'));
   }
 }
 
-/// Forgets that the sender takes part. The change itself stays open, and waits for `~` or another
-/// 0xA3.
+/// Resets the sender's part in the change. The tool change itself stays open and waits for `~` or
+/// another 0xA3.
 void LineProtocol::forget_tool_change() {
   takes_part_ = false;
   tool_change_ends_ = false;
   tool_refusal_ = {};
 }
 
-/// Returns whether a tool is being changed and the sender at the link has not yet said that it
-/// takes part.
+/// Returns whether a tool is being changed and the sender has not sent 0xA3.
 bool LineProtocol::awaits_tool() const { return machine_.changes_tool() && !takes_part_; }
 
-/// Returns whether a command is the `~` that ends a tool change; lines that came before it are done
-/// first.
+/// Returns whether `command` is a `~` that ends a tool change. The change ends only after the lines
+/// that arrived before `~` are done.
 bool LineProtocol::ends_tool_change(RealtimeByte command) {
   const bool start =
       command == RealtimeByte::kCycleStart || command == RealtimeByte::kCycleStartRaw;
@@ -66,7 +66,8 @@ void LineProtocol::attend_tool_change() {
     return machine_.resume();
   }
   if (!takes_part_) return;
-  if (assembler_.has_begun()) return;  // This line ends after the lines that were kept back.
+  // The lines that were kept back may continue only after the end of this line.
+  if (assembler_.has_begun()) return;
   take_line_feed();
   receiver_.release();
   takes_part_ = false;

@@ -49,12 +49,13 @@ std::optional<std::uint16_t> FlashLog::number_after(std::optional<std::uint16_t>
       if ((!number || candidate > *number) && (!next || candidate < *next)) next = candidate;
     }
     if (!next || find(*next, found)) return next;
-    number = next;  // The record was erased.
+    number = next;  // The record with the number `next` was erased.
   }
   return std::nullopt;
 }
 
-/// Finds the last record of the number. Returns false if there is none, or if it was erased.
+/// Finds the last complete record of the number. Returns false if there is none, or if that record
+/// erases the number.
 bool FlashLog::find(std::uint16_t number, FoundRecord& found) const {
   if (!exists_) return false;
   bool any = false;
@@ -70,7 +71,8 @@ bool FlashLog::find(std::uint16_t number, FoundRecord& found) const {
   return any && found.head.size != 0;
 }
 
-/// Returns whether the record is whole and no later record has its number.
+/// Returns whether the record is the last complete record of its number and does not erase the
+/// number.
 bool FlashLog::is_last(const FoundRecord& record) const {
   FoundRecord last;
   return find(record.head.number, last) && last.place == record.place;
@@ -80,7 +82,8 @@ bool FlashLog::append(std::uint16_t number, std::span<const std::byte> record) {
   const std::size_t begin = tail_is_fresh_ ? tail_ : tail_ + 1;
   const std::size_t end = begin + extent_of(record);
   if (!has_room_ || end >= sector_.words()) return false;
-  // A word that looks erased may have been begun just before an earlier power cut.
+  // The word at the tail looks erased, but an earlier power cut may have interrupted its
+  // programming.
   if ((tail_is_fresh_ || sector_.program(tail_, 0)) &&
       sector_.write_record(begin, number, record)) {
     has_room_ = sector_.mark(end);
@@ -88,7 +91,8 @@ bool FlashLog::append(std::uint16_t number, std::span<const std::byte> record) {
     tail_ = end + 1;
     return true;
   }
-  // The failed record must not count later. If this fails, too, nothing more can be done.
+  // Zeros the failed record, so that it is never read. If zeroing fails, too, no other remedy
+  // exists.
   static_cast<void>(sector_.blot_out(begin, end));
   has_room_ = false;
   return false;

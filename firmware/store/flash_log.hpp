@@ -11,27 +11,28 @@
 
 namespace cnc {
 
-/// Records in a log over several flash sectors, which are used in turn. A new value is appended.
-/// When the sector is full, the last value of each number is copied into the next sector, which
-/// becomes valid with its last word.
+/// Stores records as a log in several flash sectors, which are used in turn. Each save appends a
+/// record. When the sector is full, the last record of each number is copied into the next sector.
+/// That sector becomes valid when its last word is written.
 ///
-/// Power may fail at any flash operation, repeatedly. Three properties hold nevertheless. A record
-/// whose save returned true is there afterwards. A record whose save did not is there as a whole or
-/// not at all. A value that one power-up has loaded is loaded at the next power-up, too. For that
-/// the constructor makes words firm that a cut may have left half done, before it trusts them. It
+/// Power may fail at any flash operation, repeatedly. Three properties hold nevertheless. After a
+/// save has returned true, its record is stored. After a save that power interrupted, the record is
+/// stored completely or not stored. If one power-up has loaded a value, the next power-up loads it,
+/// too. For the third property, the constructor makes unsteady words firm before it uses them. It
 /// writes nothing if nothing was saved since the last power-up. Flash that holds no log, or another
-/// program's data, counts as an empty log and is erased by the first save.
+/// program's data, counts as an empty log; the first save erases it.
 ///
-/// Damage means that a saved record cannot be read any more, and it is distinguished from a save
-/// that was cut off. Each bit of a log that flips is either harmless or detected. Damage stays
-/// until the next save, so every power-up before that save detects it.
+/// Damage means that a saved record cannot be read any more. It is distinguished from an
+/// interrupted save. Every flipped bit in a log is either harmless or detected. Damage stays until
+/// the next save, so every power-up before that save detects it.
 ///
-/// Main loop context. Costs, with w words in a sector: the constructor reads at most 28 w words of
-/// a sector that holds garbage, and 2 w of others. load reads at most 2 w. save reads at most w²/4,
-/// with one erase, when the sector is full, otherwise 4 w. RAM: this object, no buffer.
+/// Main loop context. Number of words that are read, with w words in a sector: the constructor
+/// reads at most 28 w words of a sector that contains garbage, and 2 w of any other sector; load
+/// reads at most 2 w; save reads at most w²/4 and erases once if the sector is full, otherwise 4 w.
+/// RAM: only this object, no buffer.
 class FlashLog final : public hal::RecordStore {
  public:
-  /// @pre the flash has at least two sectors of 64 words; it outlives the log
+  /// @pre the flash has at least two sectors of at least 64 words; the flash outlives the log
   explicit FlashLog(hal::FlashSectors& flash);
 
   [[nodiscard]] std::size_t load(std::uint16_t number, std::span<std::byte> into) override;
@@ -39,19 +40,21 @@ class FlashLog final : public hal::RecordStore {
   [[nodiscard]] hal::StoreWear wear() const override;
   [[nodiscard]] bool damaged() const override { return damaged_; }
 
-  /// Returns the next higher number that has a record; without `number`, the lowest.
+  /// Returns the lowest number above `number` that has a record; without `number`, the lowest
+  /// number that has one.
   [[nodiscard]] std::optional<std::uint16_t> number_after(
       std::optional<std::uint16_t> number) const;
 
  private:
-  /// End of a sector's records, and how certain it is.
+  /// End of a sector's records, and results of the search for it.
   struct Tail {
-    std::size_t end = log_format::kFirstRecord;      ///< Place after the last record or seal.
-    std::size_t touched = log_format::kFirstRecord;  ///< Place after the last non-erased word.
-    std::optional<FoundRecord> last{};               ///< Last record, if no seal follows.
+    std::size_t end = log_format::kFirstRecord;      ///< Word index after the last record or seal.
+    std::size_t touched = log_format::kFirstRecord;  ///< Word index after the last non-erased word.
+    std::optional<FoundRecord> last{};               ///< Last record; nothing if a seal follows it.
     bool sealed = false;                             ///< The tail ends with a seal.
-    bool lost = false;  ///< A record that was whole once is unreadable.
-    bool clean = true;  ///< Up to the last record, seal or mark there are only these and zeros.
+    bool lost = false;  ///< A record that was completely written is unreadable.
+    /// All words before the last record, seal or mark belong to one of these or are zero.
+    bool clean = true;
   };
 
   // Power-up, in log_recovery.cpp.
@@ -67,7 +70,7 @@ class FlashLog final : public hal::RecordStore {
   [[nodiscard]] bool is_last(const FoundRecord& record) const;
   [[nodiscard]] bool append(std::uint16_t number, std::span<const std::byte> record);
 
-  // Copying into the next sector, in log_compaction.cpp.
+  // Compaction: copying into the next sector, in log_compaction.cpp.
   [[nodiscard]] bool compact(std::optional<std::uint16_t> number,
                              std::span<const std::byte> record);
   [[nodiscard]] std::size_t words_without(std::optional<std::uint16_t> number) const;
@@ -76,11 +79,11 @@ class FlashLog final : public hal::RecordStore {
 
   hal::FlashSectors& flash_;
   LogSector sector_;
-  bool exists_ = false;    ///< sector_ holds a log.
-  bool damaged_ = false;   ///< See damaged().
-  bool clean_ = true;      ///< Each record head in sector_ belongs to a whole record.
+  bool exists_ = false;    ///< `sector_` contains a log.
+  bool damaged_ = false;   ///< Result of damaged().
+  bool clean_ = true;      ///< Each record head in `sector_` begins a complete record.
   bool has_room_ = false;  ///< All words after the tail look erased.
-  /// The word at the tail was never begun, because this program's run reached it.
+  /// The programming of the word at the tail was never begun: this run wrote the word before it.
   bool tail_is_fresh_ = false;
   std::size_t tail_ = log_format::kFirstRecord;
   std::uint32_t erases_ = 0;

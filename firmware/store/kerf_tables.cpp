@@ -10,10 +10,10 @@ namespace {
 
 // Numbers of records.
 constexpr std::uint16_t kKerfDirectory = 0x6000;
-constexpr std::uint16_t kKerfParts = 0x6100;  ///< + 32 · bank + part.
+constexpr std::uint16_t kKerfParts = 0x6100;  ///< Plus 32 · bank + part.
 constexpr std::uint16_t kBankStride = 32;
 
-/// One bank more than tables, so that there is always one that the directory does not name.
+/// Number of banks: one more than tables, so that at least one bank is not in the directory.
 constexpr std::size_t kBanks = KerfTables::kMaxStored + 1;
 constexpr std::size_t kEntryBytes = 3;
 static_assert(KerfTables::kMaxParts <= kBankStride);
@@ -32,7 +32,7 @@ constexpr std::size_t parts_of(std::size_t bytes) {
   return (bytes + KerfTables::kPartBytes - 1) / KerfTables::kPartBytes;
 }
 
-/// A stored image, with one part at a time in memory.
+/// A stored image of which one part at a time is in memory.
 class StoredImage final : public kerf::ImageSource {
  public:
   StoredImage(hal::RecordStore& store, std::size_t bank, std::size_t bytes)
@@ -57,7 +57,8 @@ class StoredImage final : public kerf::ImageSource {
   hal::RecordStore& store_;
   std::size_t bank_;
   std::size_t bytes_;
-  std::size_t fetched_ = KerfTables::kMaxParts;  ///< Number of the part in memory; initially none.
+  /// Number of the part in memory; initially no part.
+  std::size_t fetched_ = KerfTables::kMaxParts;
   PartBytes part_{};
 };
 
@@ -67,7 +68,7 @@ bool is_built_in(std::string_view name) {
   });
 }
 
-/// Returns whether the first part of an image is enough to see this error.
+/// Returns whether an image with this error can be refused after its first part.
 bool shows_in_head(kerf::TableError error) {
   return error == kerf::TableError::kNotATable || error == kerf::TableError::kOtherVersion ||
          error == kerf::TableError::kTooManyRows || error == kerf::TableError::kTooManyBands ||
@@ -101,7 +102,7 @@ std::size_t KerfTables::built_in() { return kBuiltInTables.size(); }
 KerfTables::Trouble KerfTables::take_part(std::size_t part, std::span<const std::byte> bytes) {
   checked_ = false;
   const std::size_t before = part == 0 ? 0 : size_;
-  size_ = 0;  // Any refusal ends the table that was being written.
+  size_ = 0;  // Every refusal ends the transfer of the table.
   if (bytes.empty() || bytes.size() > kPartBytes || before != part * kPartBytes) {
     return {.tables = KerfTablesError::kOutOfOrder};
   }
@@ -150,7 +151,7 @@ std::optional<KerfTablesError> KerfTables::keep() {
   return std::nullopt;
 }
 
-/// Returns the first bank that the directory does not name; there is always one.
+/// Returns the first bank that is not in the directory. At least one bank is always free.
 std::size_t KerfTables::spare_bank() const {
   std::array<bool, kBanks> taken{};
   for (const Entry& entry : load_directory()) {
@@ -159,8 +160,8 @@ std::size_t KerfTables::spare_bank() const {
   return static_cast<std::size_t>(std::find(taken.begin(), taken.end(), false) - taken.begin());
 }
 
-/// Erases the parts of a bank to free their space. Failures are ignored, because these parts are
-/// never read.
+/// Erases the parts of a bank to free their space in the store. Failures are ignored, because these
+/// parts are never read.
 void KerfTables::forget_parts(std::size_t bank) {
   for (std::size_t part = 0; part < kMaxParts; ++part) {
     PartBytes record{};
@@ -258,7 +259,7 @@ std::size_t KerfTables::read_part(std::size_t index,
 
 std::optional<KerfTablesError> KerfTables::forget(std::string_view name) {
   if (is_built_in(name)) return KerfTablesError::kBuiltIn;
-  size_ = 0;  // The spare bank may be another one from now on.
+  size_ = 0;  // The spare bank may change now, and its parts would then be missing.
   Directory directory = load_directory();
   for (Entry& entry : directory) {
     if (!is_named(entry, name)) continue;

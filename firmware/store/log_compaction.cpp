@@ -22,8 +22,8 @@ std::size_t FlashLog::words_without(std::optional<std::uint16_t> number) const {
   return words;
 }
 
-/// Copies the last records of all numbers except `number`.
-/// @return end of the copies; 0 if flash refused one or they do not fit
+/// Copies the last records of all numbers except `number` into `next`.
+/// @return word index after the copies; 0 if the flash refused a word or the records do not fit
 std::size_t FlashLog::copy_all_but(std::optional<std::uint16_t> number, LogSector& next) const {
   std::size_t tail = log_format::kFirstRecord;
   FoundRecord found;
@@ -38,10 +38,10 @@ std::size_t FlashLog::copy_all_but(std::optional<std::uint16_t> number, LogSecto
   return tail;
 }
 
-/// Copies the valid records into the next sector, with `record` as the number's new one. Until the
-/// commit word is written the old sector is valid, from then on the new one. The old sector is
-/// erased by the next compaction and not before. Returns false if the records do not fit into a
-/// sector (before anything is erased), or if flash refuses.
+/// Copies the valid records into the next sector, with `record` as the new record of `number`. The
+/// old sector is valid until the commit word is written; from then on the new sector is valid. The
+/// old sector is erased only by a later compaction. Returns false if the records do not fit into a
+/// sector (before anything is erased), or if the flash refuses a word.
 bool FlashLog::compact(std::optional<std::uint16_t> number, std::span<const std::byte> record) {
   const std::size_t extent = words_of(record);
   const std::size_t words = log_format::kFirstRecord + words_without(number) + extent + 1;

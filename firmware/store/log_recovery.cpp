@@ -5,8 +5,9 @@
 
 namespace cnc {
 
-/// Selects, of all complete sectors, the one with the highest sequence. A nearly complete sector is
-/// barred: it may read as complete at the next power-up, when later values are in another sector.
+/// Selects the complete sector with the highest sequence. Bars each sector that has a head but no
+/// commit: its commit word may be unsteady and read as complete at the next power-up, when another
+/// sector has later values.
 void FlashLog::choose_sector() {
   unsigned headless = 0;
   for (std::size_t i = 0; i < flash_.sector_count(); ++i) {
@@ -29,8 +30,8 @@ void FlashLog::choose_sector() {
   }
 }
 
-/// Returns whether a sector without its head holds records that are later than all in the chosen
-/// sector. A sector whose erasing was cut off is the older of the two.
+/// Returns whether a sector without a valid head contains records that are later than all records
+/// in the chosen sector. A sector whose erase was interrupted contains only older records.
 bool FlashLog::holds_later_log(std::size_t sector) const {
   const LogSector later{flash_, sector, sector_.sequence() + 1};
   FoundRecord found;
@@ -39,10 +40,12 @@ bool FlashLog::holds_later_log(std::size_t sector) const {
 
 FlashLog::Tail FlashLog::find_tail() const {
   Tail tail;
-  bool debris = false;  // Unexplained words since the last record, seal or mark.
-  // An unexplained word directly before the present one. A zero clears it: before zeros there is a
-  // record that a power-up has copied to a place after them, because it may read differently at any
-  // time.
+  // Since the last record, seal or mark there are words that are neither zero nor erased nor part
+  // of any of these.
+  bool debris = false;
+  // The word directly before the present word is such a word. A zero word resets this flag, because
+  // a record before zeros may be unreadable without damage: a power-up has zeroed the words after
+  // it and copied the record to a position after the zeros.
   bool torn = false;
   for (std::size_t place = log_format::kFirstRecord; place < sector_.words();) {
     const std::uint32_t word = sector_.word(place);
@@ -77,13 +80,14 @@ void FlashLog::settle_tail() {
   tail_ = tail.end;
   clean_ = tail.clean;
   damaged_ = damaged_ || tail.lost;
-  if (damaged_) return;  // A seal would hide the damage. The next save copies all whole records.
+  // A seal would hide the damage. The next save copies all complete records into another sector.
+  if (damaged_) return;
   has_room_ = tail.sealed || (sector_.confirm() && seal(tail));
   if (!has_room_) start_anew(tail);
 }
 
 /// Copies all valid records into the next sector, because there is no free space for a seal. The
-/// last record is copied as it was read first: its CRC may read differently at any time.
+/// last record is written from the bytes of one reading, because its words may be unsteady.
 void FlashLog::start_anew(const Tail& tail) {
   if (!tail.last) {
     static_cast<void>(compact(std::nullopt, {}));
@@ -94,21 +98,22 @@ void FlashLog::start_anew(const Tail& tail) {
   static_cast<void>(compact(tail.last->head.number, std::span{bytes}.first(size)));
 }
 
-/// Returns the place after the last word that may have been begun after the last record or seal.
+/// Returns the index after the last word whose programming may have begun since the last record or
+/// seal.
 std::size_t FlashLog::end_of_begun(const Tail& tail) const {
   std::size_t end = tail.touched;
   FoundRecord begun;
   for (std::size_t place = tail.end; place < tail.touched; ++place) {
-    // Words of this record that look erased may have been begun as well.
+    // The programming of this record's words may have begun even if they look erased.
     if (sector_.read_record_head(place, begun)) end = std::max(end, begun.end());
   }
-  // The following word may have been begun as well.
+  // The programming of the next word may have begun, too.
   return end + 1;
 }
 
-/// Makes all words zero that a power cut left after the last record. Then writes that record again,
-/// because its CRC may have been cut off, too, and a seal after it. Returns false if there is no
-/// free space for that.
+/// Zeros all words that a power cut left after the last record. Then writes that record again,
+/// because its CRC may be unsteady, and a seal after it. Returns false if there is no free space
+/// for the record and the seal, or if the flash refuses a word.
 bool FlashLog::seal(const Tail& tail) {
   std::size_t place = end_of_begun(tail);
   const std::size_t extent = tail.last ? tail.last->head.extent() : 0;

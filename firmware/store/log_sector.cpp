@@ -10,7 +10,8 @@ using log_format::SectorHead;
 
 constexpr std::size_t kWordBytes = 4;
 
-/// Returns a word of up to four bytes, the first in the lowest bits; missing bytes are zero.
+/// Returns the word that contains up to four bytes, the first byte in the lowest bits; missing
+/// bytes are zero.
 std::uint32_t word_of(std::span<const std::byte> bytes, std::size_t index) {
   std::uint32_t word = 0;
   const std::size_t first = index * kWordBytes;

@@ -11,14 +11,15 @@ namespace cnc {
 
 /// A record that was found in a sector.
 struct FoundRecord {
-  std::size_t place = 0;  ///< Word index in the sector.
+  std::size_t place = 0;  ///< Index of the record's first word in the sector.
   log_format::RecordHead head{};
 
   [[nodiscard]] std::size_t end() const { return place + head.extent(); }
 };
 
-/// One sector of the log: reads and writes the format of log_format.hpp, and makes no decisions.
-/// Functions that write return false at the first word that flash refuses. Main loop context.
+/// One sector of the log. Reads and writes the format of log_format.hpp, and leaves all decisions
+/// to the log. Functions that write return false at the first word that the flash refuses. Main
+/// loop context.
 class LogSector {
  public:
   LogSector(hal::FlashSectors& flash, std::size_t sector, std::uint32_t sequence = 0)
@@ -33,25 +34,25 @@ class LogSector {
   }
   [[nodiscard]] bool erase() { return flash_->erase(sector_); }
 
-  /// Reads the head. Returns false if there is no head, or if it is not whole.
+  /// Reads the head. Returns false if there is no complete head of this version.
   [[nodiscard]] bool read_head(log_format::SectorHead& head) const;
-  /// Writes the head without the commit, and adopts its sequence.
+  /// Writes the head without the commit word, and adopts the sequence in `head`.
   [[nodiscard]] bool write_head(const log_format::SectorHead& head);
   [[nodiscard]] bool committed() const {
     return log_format::is_commit(word(log_format::kCommitAt)) ||
            log_format::is_commit(word(log_format::kConfirmAt));
   }
-  /// Returns whether the sector was complete and has lost its head. A log of another version has
-  /// its own head.
+  /// Returns whether the sector was complete and has lost its head. A log of another version has a
+  /// valid head, too.
   [[nodiscard]] bool is_headless() const;
   [[nodiscard]] bool commit() { return program(log_format::kCommitAt, log_format::kCommitted); }
-  /// Makes a commit firm that may have been cut off.
+  /// Writes the second commit word, because the writing of the first may have been interrupted.
   [[nodiscard]] bool confirm() { return program(log_format::kConfirmAt, log_format::kCommitted); }
-  /// Makes sure that the commit word, which may have been begun, never reads as a commit.
+  /// Zeros both commit words, so that an unsteady commit word is never read as a commit.
   [[nodiscard]] bool bar();
   [[nodiscard]] bool barred() const { return word(log_format::kBarredAt) == 0; }
 
-  /// Reads the record at `place`. Returns false if no whole record begins there.
+  /// Reads the record at word index `place`. Returns false if no complete record begins there.
   [[nodiscard]] bool read_record(std::size_t place, FoundRecord& found) const;
   [[nodiscard]] bool has_mark(std::size_t place) const {
     return word(place) == log_format::mark_at(sequence_, place);
@@ -61,32 +62,34 @@ class LogSector {
     return program(place, log_format::mark_at(sequence_, place));
   }
   /// Reads the head of a record at `place`. Returns false if there is no head, or if its record
-  /// exceeds the sector.
+  /// would be longer than kLongestRecord or the rest of the sector.
   [[nodiscard]] bool read_record_head(std::size_t place, FoundRecord& found) const;
-  /// Finds the first record that begins at `place` or later, and before `end`.
-  /// @param trusting takes every head for that of a whole record; true for a sector that is known
-  ///   to hold whole records only
+  /// Finds the first record that begins at `place` or later, but before `end`.
+  /// @param trusting accepts every head without a check of its record; true for a sector that is
+  ///     known to contain only complete records
   [[nodiscard]] bool next_record(std::size_t place,
                                  std::size_t end,
                                  bool trusting,
                                  FoundRecord& found) const;
   /// Copies the bytes of a record.
-  /// @return bytes copied: all of the record, or as many as `into` can hold
+  /// @return number of copied bytes: the record's size, or the size of `into` if that is smaller
   std::size_t copy_bytes(const FoundRecord& record, std::span<std::byte> into) const;
   [[nodiscard]] bool holds(const FoundRecord& record, std::span<const std::byte> bytes) const;
 
   /// Writes a record.
-  /// @pre the words from `place` on are erased and were never begun; the record fits
+  /// @pre the words from `place` on are erased, and their programming was never begun; the record
+  ///     fits
   [[nodiscard]] bool write_record(std::size_t place,
                                   std::uint16_t number,
                                   std::span<const std::byte> bytes);
-  /// Copies a record of another sector.
-  /// @pre as for write_record()
+  /// Copies a record of sector `from`, which may be this sector.
+  /// @pre same as for write_record()
   [[nodiscard]] bool copy_record(std::size_t place,
                                  const LogSector& from,
                                  const FoundRecord& record);
-  /// Makes words zero for good, from the last to the first. The head of a record that was cut off
-  /// tells how far the record may have been written, so it is erased last.
+  /// Zeros the words from `begin` to before `end`, beginning with the last. The head of an
+  /// interrupted record shows the record's extent, so the head is zeroed after the rest of the
+  /// record.
   [[nodiscard]] bool blot_out(std::size_t begin, std::size_t end);
 
  private:

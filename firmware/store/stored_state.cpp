@@ -9,9 +9,9 @@ namespace cnc {
 namespace {
 
 // Numbers of records. The record of a setting has the setting's number.
-constexpr std::uint16_t kSystems = 0x4000;    ///< + 0…8 for G54…G59.3.
-constexpr std::uint16_t kG28 = 0x4100;        ///< + 1 for G30.
-constexpr std::uint16_t kToolRadii = 0x4200;  ///< + 0…1, six tools each.
+constexpr std::uint16_t kSystems = 0x4000;    ///< Plus 0 to 8 for G54 to G59.3.
+constexpr std::uint16_t kG28 = 0x4100;        ///< Plus 1 for G30.
+constexpr std::uint16_t kToolRadii = 0x4200;  ///< Plus 0 or 1; each record has six tools.
 constexpr std::uint16_t kStartupLine = 0x5000;
 constexpr std::uint16_t kUserText = 0x5100;
 constexpr std::uint16_t kPowerTable = 0x5200;
@@ -24,8 +24,8 @@ using Record = std::array<std::byte, hal::RecordStore::kLongestRecord>;
 static_assert(motion::PowerTable::kMaxPoints * kPointBytes <= hal::RecordStore::kLongestRecord);
 static_assert(kPlaceBytes <= hal::RecordStore::kLongestRecord);
 
-/// Writes a word in little-endian order on every machine, so that a store can be moved to another
-/// machine.
+/// Writes a word in little-endian order on every computer, so that a store can be moved between
+/// computers.
 template <typename Word>
 void put(std::span<std::byte> to, Word word) {
   for (std::size_t i = 0; i < sizeof(Word); ++i) to[i] = static_cast<std::byte>(word >> (8 * i));
@@ -40,7 +40,7 @@ Word get(std::span<const std::byte> from) {
   return word;
 }
 
-/// Returns the record number of a position by its index.
+/// Returns the record number of the position with this index.
 constexpr std::uint16_t place_record(std::size_t index) {
   constexpr std::size_t kHomes = gcode::kCoordinateSystemCount;
   constexpr std::size_t kTools = kHomes + 2;

@@ -11,17 +11,17 @@
 
 namespace target {
 
-/// Answers for a controller on one link while its image must not run: a greeting, then the reason
-/// and an error for every line. It needs no clock, no store and no other part of the firmware. Main
-/// loop context.
+/// Answers senders on one link while the image must not run: sends a greeting, then the reason and
+/// an error for every line. Needs no clock, no store and no other part of the firmware. Main loop
+/// context.
 class RefusalTalk {
  public:
-  /// @param reason a line `[MSG:…]` with its end; it and the stream outlive this object
+  /// @param reason text `[MSG:…]` with its line end; `reason` and `stream` outlive this object
   RefusalTalk(hal::ByteStream& stream, std::string_view reason)
       : stream_{stream}, reason_{reason} {}
 
-  /// Begins with the banner and the reason, as senders expect on connection. Answers to an earlier
-  /// sender are dropped.
+  /// Begins with the banner and the reason, because senders expect them on connection. Drops unsent
+  /// answers to an earlier sender.
   void greet() {
     owed_.fill(0);
     rest_ = {};
@@ -30,8 +30,8 @@ class RefusalTalk {
     owe(kReason);
   }
 
-  /// Takes the bytes that have come and sends as many as fit; never waits.
-  /// @return whether the line `$DFU` has come, by which a user leaves for the boot loader
+  /// Processes the bytes that have arrived and sends as many answers as fit. Never waits.
+  /// @return whether the line `$DFU` has arrived, with which a user enters the boot loader
   [[nodiscard]] bool attend() {
     std::array<std::byte, 32> bytes{};
     bool wants_loader = false;
@@ -43,7 +43,7 @@ class RefusalTalk {
     return wants_loader;
   }
 
-  /// Returns whether all answers are written.
+  /// Returns whether the link has taken all answers.
   [[nodiscard]] bool idle() const { return rest_.empty() && next_owed() == kParts; }
 
  private:
@@ -51,8 +51,8 @@ class RefusalTalk {
   enum Part : std::size_t { kGreeting, kStatus, kReason, kError, kOk, kParts };
   static constexpr std::string_view kLeave = "$DFU";
 
-  /// Takes a byte.
-  /// @return whether it ends the line `$DFU`
+  /// Processes a byte.
+  /// @return whether the byte ends the line `$DFU`
   bool take(char byte) {
     constexpr char kReset = 0x18;
     if (byte == '?') {
@@ -68,7 +68,8 @@ class RefusalTalk {
     return false;
   }
 
-  /// Ends a line. An empty line gets no answer, because it is the second half of a line end.
+  /// Ends a line. Returns whether the line is `$DFU`. An empty line gets no answer, because it is
+  /// the second half of a CR LF.
   bool end_line() {
     if (length_ == 0) return false;
     const bool leaves = std::string_view{line_.data(), std::min(length_, line_.size())} == kLeave &&
@@ -114,7 +115,7 @@ class RefusalTalk {
       case kReason:
         return reason_;
       case kError:
-        return "error:9\r\n";  // G-code is locked.
+        return "error:9\r\n";  // Number of the error "G-code is locked out".
       default:
         return "ok\r\n";
     }
@@ -122,10 +123,11 @@ class RefusalTalk {
 
   hal::ByteStream& stream_;
   std::string_view reason_;
-  std::string_view rest_{};                     ///< Unsent rest of the present part.
-  std::array<std::uint32_t, kParts> owed_{};    ///< How often each part must still be sent.
-  std::array<char, kLeave.size() + 1> line_{};  ///< Beginning of the line that is coming in.
-  std::size_t length_ = 0;                      ///< Length of that line so far, in bytes.
+  std::string_view rest_{};  ///< Unsent rest of the present answer.
+  /// Number of times that each answer must still be sent.
+  std::array<std::uint32_t, kParts> owed_{};
+  std::array<char, kLeave.size() + 1> line_{};  ///< Beginning of the line that is arriving.
+  std::size_t length_ = 0;                      ///< Number of bytes of that line so far.
 };
 
 }  // namespace target

@@ -1,5 +1,5 @@
-/// The question to answer before the image is flashed onto its board. It is in the ELF file, from
-/// which toolchain/image_files.py prints it, and never on the chip.
+/// A question that the user must answer before flashing the image onto the board. The text is only
+/// in the ELF file, from which toolchain/image_files.py prints it, and never on the chip.
 
 #include <array>
 #include <cstddef>

@@ -1,7 +1,7 @@
 #pragma once
 
-/// Declarations that the sources of an image share: the board, by the header and the name that the
-/// build gives, and the objects that stm32f405_main.cpp sets up.
+/// Declarations that the sources of an image share: the board, whose header and name the build
+/// sets, and the objects that stm32f405_main.cpp sets up.
 
 #include KERFLINE_BOARD_HEADER
 #include "firmware/application.hpp"
@@ -28,11 +28,13 @@ extern Application application;
 
 }  // namespace target
 
-/// For a debugger: number of boundaries so far at which the due handover was missing.
+/// For a debugger: number of boundaries at which the handover of the cycle that was due was
+/// missing.
 extern "C" std::uint32_t late_turns;
-/// For a debugger: number of cycles that were due and not complete at the last boundary. Written
-/// before late_turns.
+/// For a debugger: number of cycles that were due but not complete at the last boundary. Written
+/// before `late_turns`.
 extern "C" std::uint32_t turns_behind;
 
 /// Instantiated in stm32f405_steps.cpp, which is compiled for speed on every board.
+extern template class cnc::StepPlayer<target::Port, target::Application::kSegmentQueue>;
 extern template class cnc::StepGenerator<target::Port, target::Application::kSegmentQueue>;

@@ -45,8 +45,8 @@ void enter_boot_loader() {
 }
 
 void stand_still() {
-  // Clears memory word by word: the image may be truncated before the library function that fills
-  // memory.
+  // Clears memory word by word instead of by a library function, because a truncated image may lack
+  // that function.
   kept.wanted = 0;
   kept.fault.mark = 0;
   for (;;) asm volatile("wfi");
@@ -62,13 +62,13 @@ using namespace target;
 
 extern "C" {
 
-/// Called for a virtual function of an abstract class under construction, which never happens.
+/// Called for a pure virtual function of a class that is under construction; this never happens.
 [[noreturn]] void __cxa_pure_virtual() {
   stop(chip::Fault::kContract, 0, address_of(__builtin_return_address(0)));
 }
 
-/// Handles a fault.
-/// @param frame registers that the core pushed: r0 to r3, r12, lr, pc, status
+/// Handles a fault of the core.
+/// @param frame address of the registers that the core pushed: r0 to r3, r12, lr, pc, status
 [[noreturn, gnu::used]] void fault_taken(const std::uint32_t* frame, std::uint32_t exception) {
   Power::darken();
   constexpr std::uint32_t kNmi = 2;
@@ -80,8 +80,8 @@ extern "C" {
   stop(chip::Fault::kException, exception, readable ? frame[kProgramCounter] : 0);
 }
 
-/// Switches to a new stack first, because a stack that has overflowed cannot be used to handle its
-/// fault.
+/// Entry of all faults. Switches to a new stack first, because an overflowed stack cannot be used
+/// to handle a fault.
 [[gnu::naked, noreturn]] void fault_entry() {
   asm volatile(
       "mrs   r0, msp      \n"

@@ -1,6 +1,6 @@
 #pragma once
 
-/// The ways in which a program ends on an STM32F405, and the record of the end for the next start.
+/// Functions that end a program on an STM32F405, and the record of the end for the next start.
 
 #include <bit>
 #include <cstdint>
@@ -12,7 +12,7 @@ namespace target {
 /// Memory that keeps its content over a restart.
 struct Kept {
   static constexpr std::uint32_t kBootLoader = 0x4446'5521;
-  /// The last start found the image unfit to run.
+  /// Value of `wanted`: the last start found the image unfit to run.
   static constexpr std::uint32_t kUnfit = 0x4E4F'5421;
 
   std::uint32_t wanted;
@@ -22,14 +22,15 @@ extern Kept kept;
 
 [[noreturn]] void restart();
 
-/// Ends the program: first switches the beam off, whatever the program was doing. The restart
-/// switches off the motors' current and reports the fault.
+/// Ends the program. First switches the beam off, in every state of the program. The restart then
+/// switches off the current of the motors and reports the fault.
 [[noreturn]] void stop(hal::stm32f405::Fault fault, std::uint32_t exception, std::uint32_t place);
 
-/// Jumps from flash to ST's boot loader, which requires the chip in its state after reset.
+/// Jumps to ST's boot loader. Requires the chip in its state after a reset.
 [[noreturn]] void enter_boot_loader();
 
-/// Waits for the next reset, which tries again. The beam is off, and nothing else was started.
+/// Waits for the next reset, which starts the program again. The beam is off, and no other part of
+/// the chip was started.
 [[noreturn]] void stand_still();
 
 inline std::uint32_t address_of(const void* object) { return std::bit_cast<std::uint32_t>(object); }

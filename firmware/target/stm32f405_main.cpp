@@ -1,6 +1,6 @@
-/// The controller on an STM32F405: start-up, main loop, vectors. The code before the program is in
-/// stm32f405_start.cpp, the code that ends it in stm32f405_ends.cpp, and the step interrupt in
-/// stm32f405_steps.cpp.
+/// The controller on an STM32F405: start-up, main loop and vectors. Code that runs before the
+/// program is in stm32f405_start.cpp, code that ends the program is in stm32f405_ends.cpp, and the
+/// step interrupt is in stm32f405_steps.cpp.
 
 #include <array>
 #include <cstddef>
@@ -57,7 +57,7 @@ cnc::FlashLog log{flash};
 constinit chip::PatientStore<cnc::FlashLog> store{log};
 constinit chip::ChipBoard<kBoard> board{};
 constinit cnc::MemoryWatch image_watch{};
-/// Keeps its content over a restart.
+/// This memory keeps its content over a restart.
 [[gnu::section(".noinit")]] cnc::KeptProgress kept_progress;
 
 }  // namespace
@@ -74,7 +74,7 @@ Application application{steps, pixels, port, port, store, can.link(), &board, &k
 
 namespace {
 
-/// Sets up everything on the chip, with interrupts still off.
+/// Sets up all used peripherals of the chip. Interrupts are still off.
 void begin_chip(const chip::Clocks& clocks, const chip::StoreSectors& sectors) {
   const bool faulted = kept.fault.mark == chip::FaultRecord::kValid;
   kept.fault.mark = 0;
@@ -109,7 +109,7 @@ chip::Polarity polarity_of(const cnc::Settings& settings) {
           .spindle = mask(cnc::setting::kSpindleInvert)};
 }
 
-/// Applies changed settings of the pins' polarity, which can change at rest only.
+/// Applies changed settings of the pins' polarity. These settings can change only at rest.
 void follow_settings(chip::Polarity& followed) {
   const chip::Polarity wanted = polarity_of(application.machine().settings());
   if (wanted == followed) return;
@@ -117,8 +117,9 @@ void follow_settings(chip::Polarity& followed) {
   port.configure(wanted);
 }
 
-/// Stops the program if a bit has flipped in settings or image. Each cycle reads a piece, so that a
-/// change is found within two passes: 0.2 s for the settings, 2.1 s for the image.
+/// Stops the program if a bit has flipped in the settings or the image. Each cycle checks a piece
+/// of both. A change is found within two passes over the memory: 0.2 s for the settings, 2.1 s for
+/// the image.
 void look_for_damage() {
   constexpr std::size_t kCyclesOfRound = 800;
   const std::size_t piece = image_header.bytes / kCyclesOfRound + 1;
@@ -147,8 +148,8 @@ void follow_senders() {
   }
 }
 
-/// Runs one cycle. Its time is that of its boundary, so that the result does not depend on when it
-/// runs.
+/// Runs one cycle. The time of a cycle is the time of its boundary, so that the result does not
+/// depend on when the cycle runs.
 void run_turn() {
   const std::uint32_t turn = application.turn();
   line.begin_turn(turn);
@@ -165,13 +166,14 @@ void run_turn() {
   chip::Watchdog<>::begin();
   for (;;) {
     if (!application.take_turn()) {
-      asm volatile("wfi");  // If an interrupt came just before, the clock's next one ends the wait.
+      // If an interrupt came just before wfi, the next clock interrupt ends the wait.
+      asm volatile("wfi");
       continue;
     }
     follow_settings(polarity);
     run_turn();
     look_for_damage();
-    // The loop feeds the watchdog only if the step interrupt has come, too.
+    // The loop feeds the watchdog only if the step interrupt has run since the last feeding.
     if (port.timer().take_alive()) chip::Watchdog<>::feed();
     if (board.wants_boot_loader() && line.sent() && usb_line.sent()) leave_for_boot_loader();
   }
@@ -188,7 +190,7 @@ using namespace target;
 
 extern "C" {
 
-/// For a debugger: address of the tick to which the edge being driven belongs.
+/// For a debugger: address of the tick to which the present outputs of the step interrupt belong.
 extern const hal::TickCount* const step_tick;
 [[gnu::section(".places"), gnu::used]] constinit const hal::TickCount* const step_tick =
     &port.timer().due();
@@ -196,7 +198,7 @@ extern const hal::TickCount* const step_tick;
 [[noreturn]] void start_up() {
   Power::darken();
   if (kept.wanted == Kept::kBootLoader) enter_boot_loader();
-  // In a damaged image the check itself may be damaged, and would restart the chip for ever.
+  // In a damaged image the check itself may be damaged, and would then restart the chip forever.
   if (kept.wanted == Kept::kUnfit && kept.fault.mark == chip::FaultRecord::kValid) stand_still();
   kept.wanted = Kept::kUnfit;
   chip::forget_boot_loader<Bus>();
@@ -209,15 +211,15 @@ extern const hal::TickCount* const step_tick;
   kept.wanted = 0;
   begin_chip(clocks, fitness.store);
   for (const Routine* routine = init_begin; routine != init_end; ++routine) (*routine)();
-  // The store is ready now. USB starts only here, because a host that saw the board earlier would
-  // get no answer: repairing a store may take seconds of erasing.
+  // The store is ready now. USB starts only here, because the controller could not answer a host
+  // before: repairing a store may take seconds of erasing.
   usb_line.set_up(clocks);
   asm volatile("cpsie i" ::: "memory");
   run();
 }
 
-/// Entry after reset. Boot loaders may also jump here, with their stack anywhere and their masks
-/// set: BASEPRI would hold interrupts back, and CONTROL.SPSEL would select another stack.
+/// Entry after reset. Boot loaders may also jump here, with any stack and any interrupt masks:
+/// BASEPRI would block interrupts, and CONTROL.SPSEL would select another stack.
 [[gnu::naked, noreturn]] void reset_entry() {
   asm volatile(
       "cpsid i              \n"
@@ -235,7 +237,7 @@ void step_interrupt();
 void line_interrupt() { line.on_interrupt(); }
 void usb_interrupt() { usb_line.on_interrupt(); }
 void can_interrupt() { Can::on_interrupt(); }
-/// Runs above the step interrupt, which it supervises.
+/// Runs at a higher priority than the step interrupt, which it supervises.
 void clock_interrupt() {
   clock_of_the_loop.on_interrupt();
   port.timer().make_up();

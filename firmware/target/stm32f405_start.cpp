@@ -41,7 +41,8 @@ bool image_is_whole() {
 
 namespace {
 
-/// Leaves a refusal for the boot loader after the last two bytes of the serial line have gone out.
+/// Ends a refusal and restarts into the boot loader, after the serial line has sent its last two
+/// bytes.
 [[noreturn]] void leave_refusal() {
   constexpr std::uint32_t kLooks = 200'000;
   for (std::uint32_t look = 0; look < kLooks; ++look) asm volatile("nop");

@@ -1,7 +1,7 @@
 #pragma once
 
-/// Start-up of an STM32F405 before the program: initializes memory, and checks whether the image
-/// may run on this chip.
+/// The part of the start-up of an STM32F405 that runs before the program: initializes memory, and
+/// checks whether the image may run on this chip.
 
 #include <array>
 #include <cstddef>
@@ -12,16 +12,17 @@
 
 namespace target {
 
-/// Sets up memory as C++ requires, and fills the stack below the caller with kPaint.
+/// Sets up memory as C++ requires, and fills the stack below the caller's frame with kPaint.
 void begin_memory();
 
-/// Returns the image without the four bytes of its checksum.
+/// Returns the two parts of the image before and after the four bytes of its checksum.
 std::array<std::span<const std::byte>, 2> checked_parts();
 
-/// Checks that the flash holds the image as it was built. Needs no memory to be set up.
+/// Returns whether the flash contains the unchanged image. Works before memory is set up.
 bool image_is_whole();
 
-/// Reports on every link why nothing runs, until a reset or the way into the boot loader.
+/// Reports on every link why the image does not run, until a reset or the change to the boot
+/// loader.
 [[noreturn]] void refuse(const hal::stm32f405::Clocks& clocks,
                          const hal::stm32f405::Fitness& fitness);
 

@@ -7,16 +7,16 @@ namespace hal::host {
 namespace {
 
 constexpr unsigned kAfterTheData =
-    1 + 1 + 1 + 7 + 3;                      ///< Delimiters, acknowledgement, end, silence.
-constexpr unsigned kErrorBits = 6 + 8 + 3;  ///< Error flag, delimiter, silence.
+    1 + 1 + 1 + 7 + 3;                      ///< Bits: delimiters, acknowledgement, end, silence.
+constexpr unsigned kErrorBits = 6 + 8 + 3;  ///< Bits: error flag, error delimiter, silence.
 constexpr unsigned kErrorOfSender = 8;
 constexpr unsigned kPassive = 128;
 constexpr unsigned kWarning = 96;
 constexpr unsigned kBusOff = 256;
 constexpr double kBitsOfSilence = 128.0 * 11.0;
 
-/// Counts the bits of a frame as sent: after five equal bits the sender inserts (stuffs) one of the
-/// opposite value.
+/// Counts the bits of a frame on the wire. After five equal bits the sender inserts (stuffs) one
+/// bit of the opposite value.
 class StuffedBits {
  public:
   void add(unsigned value, unsigned width) {
@@ -121,7 +121,8 @@ void CanBus::advance_to(std::uint64_t now_ns) {
     come_back();
     Node* const sender = winner();
     if (sender == nullptr) {
-      // No node is ready to send: time advances until a node sends or returns from bus-off.
+      // No node is ready to send: time advances until the next node returns from bus-off, or to the
+      // end of this call.
       double next_ns = end_ns;
       for (const auto& node : nodes_) {
         if (node->off_) next_ns = std::min(next_ns, static_cast<double>(node->off_until_ns_));
@@ -146,8 +147,8 @@ void CanBus::come_back() {
   }
 }
 
-/// Returns, of all nodes that have a frame to send, the one whose frame has the smallest
-/// identifier; null if no node has a frame.
+/// Returns the node that sends next: its frame has the smallest identifier of all waiting frames.
+/// Returns null if no frame waits.
 CanBus::Node* CanBus::winner() {
   Node* best = nullptr;
   for (const auto& node : nodes_) {
@@ -179,8 +180,8 @@ void CanBus::pass(Node& sender) {
 void CanBus::fail(Node& sender, bool acknowledged) {
   spend(chance() * can_bits(sender.to_send_.front()) + kErrorBits);
   ++disturbed_;
-  // The errors of a node that is alone count up to error passive and no further (ISO 11898-1,
-  // 12.1.4.2).
+  // If no other node acknowledges, the sender's error count rises only until the node is error
+  // passive (ISO 11898-1, 12.1.4.2).
   if (acknowledged || sender.transmit_errors_ < kPassive) {
     sender.be_disturbed(kErrorOfSender, true);
   }

@@ -25,15 +25,15 @@ class Descriptor {
   }
 
   [[nodiscard]] int number() const { return number_; }
-  /// Returns the descriptor and gives up its ownership; the caller closes it.
+  /// Returns the descriptor and gives up its ownership. The caller must close the descriptor.
   [[nodiscard]] int release() { return std::exchange(number_, -1); }
 
  private:
   int number_ = -1;
 };
 
-/// Returns the result of a system call. Throws std::system_error with `what` in its text if the
-/// call failed.
+/// Returns `result`, the result of a system call. Throws std::system_error with `what` in its text
+/// if the call failed.
 inline int checked(int result, const std::string& what) {
   if (result < 0) throw std::system_error(errno, std::generic_category(), what);
   return result;

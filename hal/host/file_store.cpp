@@ -25,7 +25,7 @@ namespace {
 constexpr std::string_view kHead = "kerfline store 2\n";
 constexpr std::string_view kEnd = "end ";
 
-/// Reads `number` in the given base. Returns false if the text is not exactly one number.
+/// Reads a number in the given base. Returns false if `text` is not exactly one number.
 template <typename Number>
 bool read_number(std::string_view text, int base, Number& number) {
   const auto read = std::from_chars(text.data(), text.data() + text.size(), number, base);
@@ -90,8 +90,8 @@ std::string read_whole(int file) {
   }
 }
 
-/// Removes the last line of a file of the second format from `text`. If that line is wrong, returns
-/// the reason.
+/// Removes the last line of a file of the second format from `text`. Returns the reason if that
+/// line is wrong.
 std::optional<std::string> wrong_end(std::string_view& text) {
   const std::size_t last = text.substr(0, text.size() - 1).rfind('\n') + 1;
   const std::string_view line = text.substr(last);
@@ -111,7 +111,7 @@ FileStore::FileStore(std::string path) : path_{std::move(path)} {
     if (open_and_lock()) read();
   } catch (const std::exception& error) {
     release();
-    // A reason that concerns a line of the file begins with a colon already.
+    // A reason that concerns a line of the file already begins with a colon.
     const std::string reason = error.what();
     throw std::runtime_error(path_ + (reason.starts_with(':') ? "" : ": ") + reason);
   }
@@ -125,7 +125,8 @@ void FileStore::release() {
 }
 
 bool FileStore::open_and_lock() {
-  constexpr int kMaxTries = 100;  // Another process may replace the file at times.
+  // Another process may replace the file between opening and locking.
+  constexpr int kMaxTries = 100;
   const std::string target = without_links(path_);
   for (int i = 0; i < kMaxTries; ++i) {
     release();
@@ -150,7 +151,7 @@ bool FileStore::open_and_lock() {
 }
 
 /// Locks and completes the file before it gets its name, so that a killed process leaves no empty
-/// file.
+/// file under that name.
 bool FileStore::create() {
   ReplacingFile fresh{path_};
   fresh.write(text_of(records_));
@@ -191,7 +192,7 @@ bool FileStore::save(std::uint16_t number, std::span<const std::byte> record) {
   return false;
 }
 
-/// Locks the new file before it gets its name.
+/// Writes all records into a new file and locks that file before it gets the name of the old file.
 bool FileStore::write() {
   try {
     ReplacingFile fresh{path_};

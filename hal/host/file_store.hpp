@@ -6,23 +6,24 @@
 
 namespace hal::host {
 
-/// Records in one text file, one record a line: number, colon, bytes in hexadecimal. The first line
-/// names the format. The last line has the number of records and the CRC-32 of all lines before it:
+/// Stores records in one text file, one record in each line: number, colon, bytes in hexadecimal.
+/// The first line names the format. The last line contains the number of records and the CRC-32 of
+/// all lines before it:
 ///
 ///     kerfline store 2
 ///     7:736576656e
 ///     end 1 0a3b4c5d
 ///
-/// Every save writes a new file next to the old one and renames it over the old one. So the file is
-/// whole at any moment: it has the content from before the save or from after it. While the object
-/// lives, the file is locked against other processes. Files of the first format, which have records
-/// alone, can be read as well.
+/// Every save writes a new file next to the old file and renames the new file over the old one. So
+/// at any moment the file is complete: it has the content before the save or after it. While the
+/// object exists, the file is locked against other processes. Files of the first format, which
+/// contain only records, can be read, too.
 class FileStore final : public MemoryStore {
  public:
-  /// Reads the file, or creates it. Throws std::runtime_error, which names the file and, if a line
-  /// is wrong, the line. It throws if the file is empty, damaged, cut off, not a store, locked by
-  /// another process, or cannot be opened or written. Damage is never taken for the absence of
-  /// records.
+  /// Reads the file, or creates it if it does not exist. Throws std::runtime_error, which names the
+  /// file and the wrong line, if any. Throws if the file is empty, damaged, truncated, not a store,
+  /// or locked by another process, or if it cannot be opened or written. Damage is never mistaken
+  /// for missing records.
   explicit FileStore(std::string path);
   ~FileStore();
   FileStore(const FileStore&) = delete;
@@ -40,7 +41,7 @@ class FileStore final : public MemoryStore {
   void release();
 
   std::string path_;
-  int lock_ = -1;  ///< Locked open file: the one that `path_` leads to.
+  int lock_ = -1;  ///< Descriptor of the locked file to which `path_` leads; -1: none.
 };
 
 }  // namespace hal::host

@@ -7,7 +7,7 @@
 namespace hal::host {
 namespace {
 
-/// Returns 32 random bits for a location, by SplitMix64's mixing.
+/// Returns 32 random bits for a seed, by the mixing function of SplitMix64.
 std::uint32_t coins(std::uint64_t seed) {
   seed += 0x9E37'79B9'7F4A'7C15;
   seed = (seed ^ (seed >> 30)) * 0xBF58'476D'1CE4'E5B9;
@@ -17,14 +17,15 @@ std::uint32_t coins(std::uint64_t seed) {
 
 constexpr unsigned kMoods = 5;
 
-/// The bits that have changed, out of those that were to change, and the bits that are unsteady.
+/// Effect of a power cut on the bits that the operation changes: bits that changed, and bits that
+/// are unsteady.
 struct Tear {
   std::uint32_t changed;
   std::uint32_t unsteady;
 };
 
-/// Returns the state after a random cut. A cut comes early, late or in the middle of the operation:
-/// few of the bits changed, most of them, or half.
+/// Returns the effect of a random cut. A cut comes early, late or in the middle of the operation:
+/// few of the bits have changed, most of them, or half.
 Tear tear(std::mt19937_64& random, CutKind kind, unsigned mood) {
   const auto word = [&random] { return static_cast<std::uint32_t>(random()); };
   const auto few = [&word] {

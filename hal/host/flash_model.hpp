@@ -9,35 +9,35 @@
 
 namespace hal::host {
 
-/// One operation that changes flash.
+/// One operation that changes the flash.
 struct FlashOperation {
   enum class Kind : std::uint8_t { kProgram, kErase };
   Kind kind = Kind::kProgram;
   std::size_t sector = 0;
-  std::size_t word = 0;        ///< Word to program; unused by kErase.
-  std::uint32_t value = 0xFF;  ///< Value to program; unused by kErase.
+  std::size_t word = 0;        ///< Index of the word to program; unused for kErase.
+  std::uint32_t value = 0xFF;  ///< Value to program; unused for kErase.
 };
 
-/// State in which a power cut leaves the word or sector that was being changed.
+/// State in which a power cut leaves the word or sector of the interrupted operation.
 enum class CutKind : std::uint8_t {
   kBefore,   ///< Unchanged.
-  kAfter,    ///< Changed completely, although the caller never learns that.
-  kTorn,     ///< Some bits changed and some unchanged; all are firm.
-  kMarginal  ///< Some bits changed, some unchanged, and some unsteady.
+  kAfter,    ///< Changed completely, but the caller gets no result.
+  kTorn,     ///< Some bits changed, and the others are unchanged; all are firm.
+  kMarginal  ///< Some bits changed, some are unchanged, and some are unsteady.
 };
 
-/// Time at which an unsteady bit is decided again: each read, or each power-up.
+/// Event at which an unsteady bit takes a new random value: each read, or each power-up.
 enum class Unsteadiness : std::uint8_t { kEachRead, kEachPowerUp };
 
-/// Model of NOR flash. Programming clears bits, and erasing a sector sets all of its bits. The
-/// model remembers which changes a power cut left half done, and how often each sector was erased.
-/// A copy is an independent flash with the same content.
+/// Model of NOR flash. Programming clears bits; erasing a sector sets all of its bits. The model
+/// stores the changes that a power cut left incomplete, and the number of erases of each sector. A
+/// copy is an independent flash with the same content.
 ///
-/// Unsteady bits become firm when they are programmed to 0, or erased. Unlike on a real chip, a cut
+/// An unsteady bit becomes firm when it is programmed to 0 or erased. Unlike on a real chip, a cut
 /// does not end the running program: the test that simulates the cut continues with a copy.
 class FlashModel final : public FlashSectors {
  public:
-  /// Two sectors of 16 KiB, the smallest sectors of a controller.
+  /// Two sectors of 16 KiB, the size of a controller's smallest sectors.
   static constexpr std::size_t kSectors = 2;
   static constexpr std::size_t kWords = 4096;
 
@@ -50,24 +50,25 @@ class FlashModel final : public FlashSectors {
   [[nodiscard]] bool erase(std::size_t sector) override;
 
   using Watcher = std::function<void(const FlashModel& before, const FlashOperation& next)>;
-  /// Calls `watcher` just before each operation; a null watcher ends that.
+  /// Calls `watcher` just before each operation; null ends the calls.
   void watch(Watcher watcher) { watcher_ = std::move(watcher); }
   /// Makes the flash refuse every operation after the next `operations`, as worn or locked flash
   /// does.
   void refuse_after(std::uint64_t operations) { left_ = operations; }
-  /// Cuts the power during an operation, at a random state given by the seed. The watcher is not
-  /// called afterwards.
+  /// Cuts the power during `operation` and leaves a random state that `seed` determines. The
+  /// watcher is not called afterwards.
   void cut_at(const FlashOperation& operation, CutKind kind, std::uint64_t seed);
-  /// Simulates a power-up: from now on unsteady bits read by the chances of `seed`.
+  /// Simulates a power-up: from now on `seed` determines the values of unsteady bits.
   void power_up(std::uint64_t seed, Unsteadiness unsteadiness);
 
   [[nodiscard]] std::uint64_t operations() const { return operations_; }
   [[nodiscard]] std::uint32_t erases(std::size_t sector) const { return erases_[sector]; }
-  /// Writes a word as a programmer's probe would: any bits may change, and no operation counts.
+  /// Sets a word like a debug probe: any bits may change, and the change does not count as an
+  /// operation.
   void set_word(std::size_t sector, std::size_t word, std::uint32_t value);
 
  private:
-  /// Content of a word. Bits that are 1 in `unsteady` may read as either value.
+  /// Content of a word. Bits that are 1 in `unsteady` may read as 0 or 1.
   struct Word {
     std::uint32_t bits = kErased;
     std::uint32_t unsteady = 0;

@@ -7,7 +7,7 @@
 
 namespace hal::host {
 
-/// Records that are lost when the process ends.
+/// Stores records in memory; they are lost when the process ends.
 class MemoryStore : public RecordStore {
  public:
   [[nodiscard]] std::size_t load(std::uint16_t number, std::span<std::byte> into) override;

@@ -9,8 +9,8 @@
 
 namespace hal::host {
 
-/// Pins of a controller without hardware. Remembers their state for the program that simulates the
-/// machine at these pins. To be used by one thread.
+/// Pins of a controller without hardware. Stores the state of the pins for the program that
+/// simulates the machine. Used by one thread only.
 class RecordingPort final : public AuxiliaryOutputs, public MachineInputs {
  public:
   static constexpr std::size_t kMotors = 6;
@@ -65,8 +65,8 @@ class RecordingPort final : public AuxiliaryOutputs, public MachineInputs {
     return state;
   }
 
-  /// Sets the pins as a chip's reset leaves them: all outputs low, the motors without current. The
-  /// motor positions and the states of the switches stay.
+  /// Sets the pins to their state after a chip's reset: all outputs low, and no current in the
+  /// motors. The motor positions and the states of the switches stay.
   void reset() {
     negative_ = {};
     analog = {};
@@ -79,7 +79,7 @@ class RecordingPort final : public AuxiliaryOutputs, public MachineInputs {
     changed = true;
   }
 
-  // State of the machine: outputs that it sees, and inputs that it feeds back.
+  // State of the machine: outputs that the machine reads, and inputs that the machine sets.
   std::array<std::int32_t, kMotors> position{};         ///< Steps since power-up.
   std::array<std::int32_t, kMotors> second_position{};  ///< Steps of second motors since power-up.
   std::array<std::uint16_t, 4> analog{};
@@ -90,16 +90,16 @@ class RecordingPort final : public AuxiliaryOutputs, public MachineInputs {
   bool mist = false;
   bool flood = false;
   bool changed = false;        ///< A motor stepped or the power changed; cleared by the reader.
-  bool timer_started = false;  ///< Start of the timer was requested; cleared by the reader.
+  bool timer_started = false;  ///< A start of the timer was requested; cleared by the reader.
   bool probe = false;
   SwitchMask limits{};
-  std::uint8_t motors_enabled = 0;  ///< Bit i: motor of axis i has current.
-  InputState panel{};               ///< Door and buttons; the simulation of the operator sets them.
+  std::uint8_t motors_enabled = 0;  ///< Bit i: the motor of axis i has current.
+  InputState panel{};               ///< Door and buttons, set by the simulation of the operator.
 
  private:
   using Steps = std::array<std::int32_t, kMotors>;
 
-  /// For each mask of motors: 1 for each motor of the mask, 0 for the others.
+  /// For each mask of motors: 1 for each motor in the mask, 0 for each other motor.
   static constexpr auto kOnes = [] {
     std::array<Steps, 1U << kMotors> ones{};
     for (std::size_t mask = 0; mask < ones.size(); ++mask) {
@@ -111,8 +111,7 @@ class RecordingPort final : public AuxiliaryOutputs, public MachineInputs {
   }();
 
   /// Counts the steps of all motors without a branch for each motor, because the pattern of steps
-  /// cannot be predicted. Uses a lookup table, because shifts for each motor took a fifth of the
-  /// step generator's time.
+  /// cannot be predicted. A lookup table is faster than a shift for each motor.
   void count_steps(AxisMask axes, Steps& steps) const noexcept {
     const Steps& forward = kOnes[axes.bits & ~negative_.bits & (kOnes.size() - 1)];
     const Steps& backward = kOnes[axes.bits & negative_.bits & (kOnes.size() - 1)];

@@ -22,14 +22,14 @@
 namespace hal::host {
 namespace {
 
-/// Name of a file that is being written, stored so that a signal handler can read it.
+/// Name of a file that is being written, stored in a form that a signal handler can read.
 struct Unfinished {
   std::atomic<bool> taken{false};
   std::atomic<bool> named{false};
   std::array<char, 4096> name{};
 };
-// More files than a command writes at a time. A file without a free entry is still written, but not
-// removed on a signal.
+// The array has more entries than a command writes files at a time. A file without a free entry is
+// still written, but not removed on a signal.
 std::array<Unfinished, 16> unfinished;
 
 void keep_name(const std::string& name) {
@@ -49,11 +49,11 @@ void forget_name(const std::string& name) {
   }
 }
 
-/// Signals by which a user ends a command.
+/// Signals with which a user ends a command.
 constexpr std::array kEndingSignals{SIGINT, SIGTERM, SIGHUP};
 
-/// Blocks kEndingSignals in this thread for the lifetime of the object. So the name of a created
-/// file is registered before a signal handler reads the names.
+/// Blocks kEndingSignals in this thread while the object exists. So a created file's name is
+/// registered before a signal handler reads the names.
 class SignalsHeldBack {
  public:
   SignalsHeldBack() {
@@ -78,8 +78,8 @@ void remove_and_end(int signal) {
   static_cast<void>(::raise(signal));
 }
 
-/// Returns the number of the process's own open file that `path` stands for; nothing if it stands
-/// for none.
+/// Returns the number of the process's own open file that `path` names; nothing if `path` names
+/// none.
 std::optional<int> own_stream(std::string_view path) {
   if (path == "/dev/stdout") return STDOUT_FILENO;
   if (path == "/dev/stderr") return STDERR_FILENO;
@@ -93,8 +93,8 @@ std::optional<int> own_stream(std::string_view path) {
   return std::nullopt;
 }
 
-/// Opens a device or a pipe for writing. Waits a limited time for the reader of a pipe, because an
-/// endless wait would look like a program that hangs. On failure returns -1 and sets errno, to
+/// Opens a device or a pipe for writing. Waits a limited time for the reader of a pipe, because
+/// during an endless wait the program would seem to hang. On failure returns -1 and sets errno, to
 /// ENXIO if there is no reader.
 int open_with_reader(const std::string& target) {
   constexpr int kPeriodMs = 20;
@@ -115,13 +115,13 @@ int open_with_reader(const std::string& target) {
 }  // namespace
 
 std::string without_links(const std::string& path) {
-  constexpr int kMaxLinks = 40;  // The limit of Linux.
+  constexpr int kMaxLinks = 40;  // Linux follows at most 40 links.
   std::filesystem::path followed{path};
   for (int links = 0; links < kMaxLinks; ++links) {
     std::error_code is_none;
     const std::filesystem::path next = std::filesystem::read_symlink(followed, is_none);
     if (is_none) return followed.string();
-    followed = followed.parent_path() / next;  // If `next` is absolute, it replaces the whole path.
+    followed = followed.parent_path() / next;  // An absolute `next` replaces the complete path.
   }
   throw std::system_error{ELOOP, std::generic_category(), path};
 }
@@ -160,7 +160,8 @@ void ReplacingFile::open_in_place() {
 
 void ReplacingFile::open_beside() {
   static std::atomic<unsigned> count{0};
-  constexpr int kMaxNames = 1000;  // Killed processes with the same number may have left files.
+  // Killed processes with the same process number may have left files.
+  constexpr int kMaxNames = 1000;
   const std::string folder = std::filesystem::path{target_}.parent_path().string();
   const SignalsHeldBack held_back;
   for (int i = 0; i < kMaxNames; ++i) {
@@ -178,11 +179,11 @@ void ReplacingFile::open_beside() {
   fail("cannot create");
 }
 
-/// Gives the new file the owner and the mode of the old one, so that the same users may read it.
+/// Gives the new file the owner and the mode of the old file, so that the same users may read it.
 void ReplacingFile::take_mode_of_target() {
   struct ::stat old {};
   if (::stat(target_.c_str(), &old) != 0) return;
-  // Only root may change the owner. The mode comes after the owner, because a change of owner
+  // Only root may change the owner. The mode is set after the owner, because a change of owner
   // clears bits of the mode.
   if (::fchown(descriptor_, old.st_uid, old.st_gid) != 0) errno = 0;
   if (::fchmod(descriptor_, old.st_mode & 0777) != 0) errno = 0;
@@ -213,8 +214,8 @@ bool ReplacingFile::commit_as_new() {
   if (::renameat2(AT_FDCWD, beside_.c_str(), AT_FDCWD, target_.c_str(), RENAME_NOREPLACE) != 0) {
     if (errno == EEXIST) return false;
     if (errno != EINVAL && errno != ENOSYS) fail("cannot create");
-    // This file system cannot refuse to rename over an existing file, so a file that was created in
-    // between is replaced.
+    // This file system cannot refuse to rename over an existing file. A file that another process
+    // has just created is then replaced.
     if (std::rename(beside_.c_str(), target_.c_str()) != 0) fail("cannot create");
   }
   forget_name(beside_);

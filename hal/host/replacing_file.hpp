@@ -8,17 +8,17 @@
 
 namespace hal::host {
 
-/// A file that is written next to its target and replaces the target once it is whole.
+/// A file that is written next to its target and replaces the target when it is complete.
 ///
-/// Until commit() the target stays unchanged: a full disk, an error, a signal or a kill loses the
-/// new file only. If the path is a symbolic link, the link stays and the file that it leads to is
-/// replaced. Devices, pipes and the process's own streams (`/dev/stdout`) cannot be replaced by a
-/// file: they are written directly.
-/// Every failure of the file system is reported as a std::system_error whose text names the target.
+/// Until commit() the target stays unchanged: after a full disk, an error, a signal or a kill, only
+/// the new file is lost. If the path is a symbolic link, the link stays, and the file to which it
+/// leads is replaced. Devices, pipes and the process's own streams (`/dev/stdout`) cannot be
+/// replaced by a file, so they are written directly. Every failure of the file system is reported
+/// as a std::system_error whose text names the target.
 class ReplacingFile {
  public:
-  /// Creates the new file next to `path`. Throws if no file can be written at `path`: it is a
-  /// folder, it is write-protected, or its folder does not exist.
+  /// Creates the new file next to `path`. Throws if no file can be written at `path`, because it is
+  /// a folder, it is write-protected, or its folder does not exist.
   explicit ReplacingFile(std::string path);
   /// Removes the new file unless it was committed.
   ~ReplacingFile();
@@ -27,20 +27,21 @@ class ReplacingFile {
 
   void write(std::string_view bytes);
 
-  /// Completes the file. If a file is to be replaced, first waits until the disk has the bytes,
-  /// then renames the new file to the target. A second call does nothing.
+  /// Completes the file. If it replaces a file, first waits until the disk has stored the new
+  /// bytes. Then renames the new file to the target. A second call does nothing.
   void commit();
 
-  /// Like commit(), for a target that does not exist yet. Returns false if the target has come into
-  /// existence meanwhile; the target then stays unchanged.
+  /// Completes the file like commit(), for a target that does not exist yet. Returns false and
+  /// leaves the target unchanged if another process has created the target meanwhile.
   [[nodiscard]] bool commit_as_new();
 
-  /// Returns the descriptor of the open file, for locks. It is valid after commit(), too.
+  /// Returns the descriptor of the open file, which serves for locks. It is still valid after
+  /// commit().
   [[nodiscard]] int descriptor() const { return descriptor_; }
 
-  /// From now on removes this process's unfinished files when SIGINT, SIGTERM or SIGHUP ends it,
-  /// unless the process handles or ignores these signals itself. To be called once, at the start of
-  /// the process.
+  /// From now on, SIGINT, SIGTERM and SIGHUP remove this process's unfinished files before they end
+  /// the process. Signals that the process already handles or ignores are not changed. Called once,
+  /// at the start of the process.
   static void remove_unfinished_on_signals();
 
  private:
@@ -50,15 +51,15 @@ class ReplacingFile {
   [[noreturn]] void fail(const char* action) const;
 
   std::string path_;
-  std::string target_;  ///< `path_` with its symbolic links followed.
+  std::string target_;  ///< `path_` after following its symbolic links.
   std::string beside_;  ///< Path of the new file; empty if the target is written directly.
   int descriptor_ = -1;
-  bool replaces_ = false;  ///< The target exists already.
+  bool replaces_ = false;  ///< The target existed when this object was created.
   bool committed_ = false;
 };
 
-/// Returns `path` with the symbolic links of its last part followed, even if they lead to no file.
-/// Throws std::system_error if the links never end.
+/// Returns `path` after following the symbolic links of its last part, even if they lead to no
+/// file. Throws std::system_error if the links form a loop.
 [[nodiscard]] std::string without_links(const std::string& path);
 
 }  // namespace hal::host

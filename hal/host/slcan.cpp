@@ -9,8 +9,8 @@ bool Slcan::receive(CanFrame& frame) {
   return true;
 }
 
-/// Drops the frame while the channel is closed. It is not kept for later, because a host that opens
-/// the channel does not expect earlier frames.
+/// Drops the frame while the channel is closed, because a host that opens the channel does not
+/// expect earlier frames.
 bool Slcan::send(const CanFrame& frame) {
   if (frame.length > frame.data.size() || room() == 0) return false;
   if (!open_) return true;
@@ -38,7 +38,8 @@ bool Slcan::obey(std::string_view line) {
   if (line.size() > kLongestSlcanLine) return false;
   switch (line[0]) {
     case 'O':
-    case 'L':  // "Listen only" is the same as "open" here, because the bus has no other node.
+    // "Listen only" has the same effect as "open" here, because the bus has no other node.
+    case 'L':
       open_ = true;
       return true;
     case 'C':
@@ -62,7 +63,7 @@ bool Slcan::obey(std::string_view line) {
       to_say_ += "NKERF";
       return true;
     case 'Z':
-      return line == "Z0";  // Time stamps of frames can only be off.
+      return line == "Z0";  // Time stamps of frames are not supported.
     default:
       return false;
   }

@@ -11,19 +11,19 @@
 
 namespace hal::host {
 
-/// The adapter's side of the serial-line protocol for CAN (Lawicel's, as slcand and python-can use
-/// it): a node on a bus that consists of the adapter and the host.
+/// The adapter's side of the serial-line protocol for CAN by Lawicel, which slcand and python-can
+/// use. It is a node on a bus that consists of the adapter and the host.
 ///
-/// `t12320A0B` CR is a frame with an identifier of 11 bits and `T` one of 29 bits; `r` and `R`
-/// request such frames. `O` opens the channel and `C` closes it. `S0`…`S8` and `s` set a bit rate,
-/// which has no effect here. `F` requests the state, `V` the version and `N` the number. Each line
-/// is answered with CR, or with BEL if it was refused. Before `O` no frame passes in either
-/// direction.
+/// `t12320A0B` CR is a frame with an identifier of 11 bits; `T` begins a frame with 29 bits. `r`
+/// and `R` request such frames. `O` opens the channel and `C` closes it. `S0` to `S8` and `s` set a
+/// bit rate, which has no effect here. `F` requests the state, `V` the version and `N` the serial
+/// number. Each line is answered with CR, or with BEL if it was refused. While the channel is
+/// closed, no frame passes in either direction.
 class Slcan final : public CanPort {
  public:
-  static constexpr std::size_t kFrames = 32;  ///< Frames that can wait, in each direction.
+  static constexpr std::size_t kFrames = 32;  ///< Capacity of the queue of received frames.
 
-  // Side of the node.
+  // Functions of CanPort, for the program that uses the node.
 
   [[nodiscard]] bool receive(CanFrame& frame) override;
   [[nodiscard]] bool send(const CanFrame& frame) override;
@@ -31,21 +31,21 @@ class Slcan final : public CanPort {
   [[nodiscard]] CanHealth health() const override { return counts_; }
   void hear_only(std::span<const std::uint32_t> /*heard*/, std::size_t /*urgent*/) override {}
 
-  // Side of the wire.
+  // Functions for the program that moves bytes to and from the serial line.
 
-  /// Takes bytes from the host, which may be split anywhere. A frame for which there is no free
-  /// space counts as lost.
+  /// Processes bytes from the host, which may be split at any byte. A frame for which there is no
+  /// free space counts as lost.
   void hear(std::span<const std::byte> bytes);
-  /// Returns whether there is free space for all frames that one read of the wire may bring.
+  /// Returns whether there is free space for all frames that one read from the wire may contain.
   [[nodiscard]] bool can_hear() const { return received_.size() < kFrames / 2; }
-  /// Returns the bytes that are to be sent to the host.
+  /// Returns the bytes that must be sent to the host.
   [[nodiscard]] std::string_view to_say() const { return to_say_; }
-  /// Removes the first `count` bytes of to_say(), which have been sent.
+  /// Removes the first `count` bytes of to_say() after they have been sent.
   /// @pre count is at most to_say().size()
   void said(std::size_t count) { to_say_.erase(0, count); }
 
   [[nodiscard]] bool open() const { return open_; }
-  /// Closes the channel after the host has disconnected, and discards all waiting lines and frames.
+  /// Closes the channel after the host has disconnected, and drops all waiting lines and frames.
   void close();
 
  private:

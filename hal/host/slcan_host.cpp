@@ -31,8 +31,8 @@ void SlcanHost::hear(std::span<const char> bytes) {
   }
 }
 
-/// Takes a line that the adapter sent. A line without a frame (empty, or `z`) only confirms that
-/// the adapter took a frame.
+/// Processes a line from the adapter. A line without a frame (empty, or `z`) only confirms that the
+/// adapter has accepted a frame.
 void SlcanHost::take_line() {
   const auto frame = read_slcan(line_);
   line_.clear();

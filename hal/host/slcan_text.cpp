@@ -6,7 +6,7 @@
 namespace hal::host {
 namespace {
 
-/// Reads all of `digits` as a hexadecimal number. Returns false if `digits` is anything else.
+/// Reads a hexadecimal number. Returns false if `digits` is not exactly one number.
 bool read_number(std::string_view digits, std::uint32_t& number) {
   const char* const end = digits.data() + digits.size();
   const auto [rest, error] = std::from_chars(digits.data(), end, number, 16);

@@ -48,7 +48,7 @@ Descriptor open_socket(const std::string& interface) {
   }
 }
 
-/// Returns an ioctl request about the interface.
+/// Returns an ioctl request for the interface.
 ifreq request_for(const std::string& interface) {
   ifreq request{};
   if (interface.empty() || interface.size() >= sizeof request.ifr_name) {
@@ -59,7 +59,7 @@ ifreq request_for(const std::string& interface) {
 }
 
 /// Returns the number of the interface. Throws if the interface is not a CAN bus or is down, so
-/// that this is reported before a program waits for frames.
+/// that the user learns this before a program waits for frames.
 int find_interface(const Descriptor& socket, const std::string& interface) {
   ifreq request = request_for(interface);
   const auto ask = [&](unsigned long question) {
@@ -115,7 +115,7 @@ CanFrame from_kernel(const KernelFrame& raw) {
   return frame;
 }
 
-/// Returns the kernel's count of frames that it dropped, or `known` if the message has no count.
+/// Returns the kernel's count of dropped frames, or `known` if the message contains no count.
 std::uint32_t drops_in(msghdr& message, std::uint32_t known) {
   for (cmsghdr* part = CMSG_FIRSTHDR(&message); part != nullptr;
        part = CMSG_NXTHDR(&message, part)) {
@@ -139,7 +139,8 @@ void SocketCan::hear_only(std::span<const std::uint32_t> heard, std::size_t /*ur
   constexpr can_err_mask_t kErrors = CAN_ERR_CRTL | CAN_ERR_BUSOFF | CAN_ERR_RESTARTED;
   std::vector<can_filter> filters;
   for (const std::uint32_t id : heard) {
-    // The mask must not contain the error flag: the kernel would filter error frames instead.
+    // The mask must not contain the error flag, because the kernel would then filter error frames
+    // instead.
     filters.push_back(
         {.can_id = id & kLimit11, .can_mask = CAN_SFF_MASK | CAN_EFF_FLAG | CAN_RTR_FLAG});
   }
@@ -150,7 +151,8 @@ void SocketCan::hear_only(std::span<const std::uint32_t> heard, std::size_t /*ur
 }
 
 bool SocketCan::receive(CanFrame& frame) {
-  constexpr int kMaxErrors = 64;  // Bounds the time of a call; more errors wait for the next.
+  // Bounds the time of a call; further error frames wait for the next call.
+  constexpr int kMaxErrors = 64;
   for (int errors = 0; errors < kMaxErrors; ++errors) {
     KernelFrame raw{};
     iovec place{&raw, sizeof raw};
@@ -192,7 +194,7 @@ void SocketCan::flush() {
   }
 }
 
-/// Handles a failed call: the interface is down, unplugged, or only without free space for now.
+/// Handles a failed call: the interface is down or unplugged, or it has no free space at present.
 void SocketCan::take_fault(int fault) {
   if (is_only_full(fault)) return;
   to_send_.clear();

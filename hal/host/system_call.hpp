@@ -6,7 +6,8 @@
 
 namespace hal::host {
 
-/// System calls that are declared with an ellipsis. If they fail, they return -1 and set errno.
+/// Call system functions that are declared with an ellipsis. On failure they return -1 and set
+/// errno.
 [[nodiscard]] int open_file(const std::string& path, int flags, ::mode_t mode = 0);
 [[nodiscard]] int control_file(int descriptor, int command, int argument = 0);
 

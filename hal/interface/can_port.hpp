@@ -7,11 +7,11 @@
 
 namespace hal {
 
-/// A frame of CAN 2.0, as SocketCAN's can_frame has it.
+/// A frame of CAN 2.0, with the content of SocketCAN's can_frame.
 struct CanFrame {
-  std::uint32_t id = 0;  ///< Identifier of 11 bits, or 29 in an extended frame.
+  std::uint32_t id = 0;  ///< Identifier of 11 bits; of 29 bits in an extended frame.
   bool extended = false;
-  bool remote = false;      ///< Requests `length` bytes and carries none.
+  bool remote = false;      ///< Requests a frame of `length` bytes and has no data.
   std::uint8_t length = 0;  ///< Number of data bytes, 0 to 8.
   std::array<std::byte, 8> data{};
 
@@ -27,15 +27,16 @@ struct CanFrame {
   return frame;
 }
 
-/// State of a node, as its error counters determine it (ISO 11898-1, 12.1.4).
+/// State of a node, which its error counters determine (ISO 11898-1, 12.1.4).
 enum class CanState : std::uint8_t { kActive, kWarning, kPassive, kBusOff };
 
 struct CanHealth {
   CanState state = CanState::kActive;
   std::uint8_t transmit_errors = 0;
   std::uint8_t receive_errors = 0;
-  std::uint32_t bus_offs = 0;     ///< Bus-offs since start-up; the node recovers from each.
-  std::uint32_t lost_frames = 0;  ///< Received frames for which there was no free space.
+  /// Number of bus-offs since start-up; the node recovers from each.
+  std::uint32_t bus_offs = 0;
+  std::uint32_t lost_frames = 0;  ///< Number of received frames for which there was no free space.
 };
 
 /// A node on a CAN bus. Main loop context; no call blocks.
@@ -43,14 +44,15 @@ class CanPort {
  public:
   /// Takes the oldest received frame. Returns false if there is none.
   [[nodiscard]] virtual bool receive(CanFrame& frame) = 0;
-  /// Queues a frame. Frames are sent in the order of calls, and each is repeated until another node
+  /// Queues a frame. Frames are sent in the order of the calls. Each is repeated until another node
   /// has acknowledged it. Returns false if there is no free space.
   [[nodiscard]] virtual bool send(const CanFrame& frame) = 0;
   /// Returns the number of frames that can be queued now.
   [[nodiscard]] virtual std::size_t room() const = 0;
   [[nodiscard]] virtual CanHealth health() const = 0;
-  /// Restricts reception to frames with these identifiers of 11 bits. Other frames never delay the
-  /// first `urgent` identifiers. A port that cannot filter passes all frames.
+  /// Restricts reception to frames with these identifiers of 11 bits. Frames with the first
+  /// `urgent` identifiers are never delayed by any other frames. A port that cannot filter passes
+  /// all frames.
   virtual void hear_only(std::span<const std::uint32_t> identifiers, std::size_t urgent) = 0;
 
  protected:

@@ -4,11 +4,11 @@
 
 namespace hal {
 
-/// The machine's switches as they read at one moment, with their polarity already corrected: true
+/// The states of the machine's switches at one moment, with their polarity already corrected: true
 /// means "limit reached", "button pressed" or "door open".
 struct InputState {
-  std::uint8_t limits = 0;         ///< Bit i: a limit switch of axis i, at either end.
-  std::uint8_t second_limits = 0;  ///< The second motor's switch on axes that have two.
+  std::uint8_t limits = 0;         ///< Bit i: a limit switch of axis i is reached, at either end.
+  std::uint8_t second_limits = 0;  ///< Bit i: the switch of the second motor of axis i is reached.
   bool probe = false;
   bool door = false;
   bool hold = false;
@@ -19,7 +19,7 @@ struct InputState {
   constexpr bool operator==(const InputState&) const = default;
 };
 
-/// Reads all switches at once, undebounced. Main loop context, never blocks.
+/// Reads all switches at the same time, without debouncing. Main loop context; never blocks.
 class MachineInputs {
  public:
   [[nodiscard]] virtual InputState read_inputs() = 0;

@@ -5,14 +5,14 @@
 
 namespace hal {
 
-/// Bit i belongs to axis i (X Y Z A B C). The port decides the meaning of a bit in hardware
-/// (polarity, port, pin).
+/// A set of axes: bit i means axis i (X Y Z A B C). The port maps each bit to hardware (polarity,
+/// port, pin).
 struct AxisMask {
   std::uint8_t bits = 0;
   constexpr bool operator==(const AxisMask&) const = default;
 };
 
-/// Limit switches as they read at one moment. Bit i of `first` is the switch of axis i; bit i of
+/// States of the limit switches at one moment. Bit i of `first` is the switch of axis i. Bit i of
 /// `second` is the switch of its second motor, if the axis has one.
 struct SwitchMask {
   std::uint8_t first = 0;
@@ -20,24 +20,26 @@ struct SwitchMask {
 };
 
 /// The step and direction pins of the machine, the output that follows the motion (beam or
-/// spindle), and the timer behind them.
+/// spindle), and the timer that calls the step interrupt.
 ///
 /// Called from the step interrupt: every operation is noexcept and wait-free, cannot fail, and
 /// costs a few stores on STM32F405. `start_timer` is called only at the boundaries of the main
 /// loop's cycles.
 ///
-/// | operation        | contract                                                   |
-/// |------------------|------------------------------------------------------------|
-/// | set_direction(m) | axes in m run negative; the caller keeps the set-up time   |
-/// | raise_steps(m, s) | leading edge on every axis in m, and on the second motors |
-/// |                  | of those in s, the same instant                            |
-/// | lower_steps()    | trailing edge on every axis                                |
-/// | set_power(p)     | output duty p / 65535, 0 is off                            |
-/// | change_outputs(h, l) | digital outputs with a bit in h go high, in l low      |
-/// | set_analog(c, v) | analog output c to v / 65535                               |
-/// | switches()       | the limit switches now, with their bounce                  |
-/// | probe_contact()  | whether the probe input reports contact now                |
-/// | start_timer()    | interrupt now, then after the ticks each interrupt asks    |
+/// | operation        | contract                                                         |
+/// |------------------|------------------------------------------------------------------|
+/// | set_direction(m) | axes in m go in the negative direction, all others in the        |
+/// |                  | positive direction; the caller waits for the set-up time         |
+/// | raise_steps(m, s) | leading edge at the motors of the axes in m and, at the same    |
+/// |                  | instant, at the second motors of the axes in s                   |
+/// | lower_steps()    | trailing edge at all motors                                      |
+/// | set_power(p)     | sets the output's duty to p / 65535; 0 is off                    |
+/// | change_outputs(h, l) | digital outputs whose bit is set in h go high, in l low      |
+/// | set_analog(c, v) | sets analog output c to v / 65535                                |
+/// | switches()       | returns the states of the limit switches, without debouncing     |
+/// | probe_contact()  | returns whether the probe input reports contact                  |
+/// | start_timer()    | requests an interrupt now; each interrupt returns the number of  |
+/// |                  | ticks until the next interrupt                                   |
 template <typename Port>
 concept StepPort = requires(Port& port, AxisMask axes, std::uint16_t value, std::uint8_t bits) {
   requires noexcept(port.set_direction(axes));

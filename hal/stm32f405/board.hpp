@@ -19,21 +19,21 @@ inline constexpr std::size_t kDigitalOutputs = 8;
 struct Motor {
   Pin step{};
   Pin direction{};
-  Pin enable{};  ///< Absent where motors share Board::motors_enable.
+  Pin enable{};  ///< Enable input of this motor; absent if the motors share Board::motors_enable.
 };
 
 /// Description of a board: the function of each pin. Only pins that exist are set up. Inputs have
-/// their pull-up and are active low; outputs are active high. $2 to $6 and $14 to $16 invert them,
+/// pull-ups and are active low; outputs are active high. $2 to $6 and $14 to $16 invert them,
 /// except the power output: its low level always means that the beam is off.
 struct Board {
   const char* name = "";
   std::uint32_t crystal_hz = 8'000'000;
 
   std::array<Motor, kAxes> motors{};
-  std::array<Motor, kAxes> second_motors{};  ///< Second motors of axes that have two.
-  Pin motors_enable{};                       ///< Enable input of all motors at once.
-  Pin motor_power{};                         ///< Pin driven high from start-up on.
-  Pin held_low{};                            ///< Pin driven low from start-up on.
+  std::array<Motor, kAxes> second_motors{};  ///< Second motors of axes that have two motors.
+  Pin motors_enable{};                       ///< Common enable input of all motors.
+  Pin motor_power{};                         ///< Pin that is driven high from start-up on.
+  Pin held_low{};                            ///< Pin that is driven low from start-up on.
   std::array<Pin, kAxes> limits{};
   std::array<Pin, kAxes> second_limits{};
   Pin probe{};
@@ -43,13 +43,13 @@ struct Board {
   Pin reset{};
   Pin emergency_stop{};
 
-  Pin power{};  ///< Beam or spindle speed: a pin of kPowerChannels.
+  Pin power{};  ///< Beam power or spindle speed: a pin of kPowerChannels.
   std::uint32_t power_hz = 5'000;
   Pin spindle_enable{};
   Pin spindle_direction{};
   Pin mist{};
   Pin flood{};
-  std::array<Pin, kDigitalOutputs> outputs{};  ///< Outputs of M62 to M65, P0 to P7.
+  std::array<Pin, kDigitalOutputs> outputs{};  ///< Outputs P0 to P7 of M62 to M65.
 
   Pin transmit{};
   Pin receive{};
@@ -58,17 +58,18 @@ struct Board {
   bool has_usb = true;  ///< The board has a USB socket at kUsbPins.
   usb::Identity usb{};
 
-  Pin can_transmit{};  ///< CAN1, to a transceiver; with can_receive a pair of kCanPins.
+  /// CAN1, to a transceiver; `can_transmit` and `can_receive` are a pair of kCanPins.
+  Pin can_transmit{};
   Pin can_receive{};
   std::uint32_t can_bit_rate = 500'000;
 };
 
-/// D- and D+ of the full-speed USB core (the data sheet's table 9); the chip has no alternative
-/// pins.
+/// D- and D+ of the full-speed USB core (table 9 of the data sheet). The chip has no other pins for
+/// them.
 inline constexpr std::array<Pin, 2> kUsbPins{pa(11), pa(12)};
 
-/// Pins that a board has named so far, a bit for each pin of each port, and whether a pin was named
-/// twice.
+/// Pins that a board has named so far, one bit for each pin of each port. Also detects whether a
+/// pin was named twice.
 class PinCensus {
  public:
   constexpr void add(Pin pin) {
@@ -129,8 +130,9 @@ constexpr PinCensus pins_of(const Board& board) {
   return census;
 }
 
-/// Checks that no output is a pin of the debugger (PA13, PA14), which drives these pins while it is
-/// attached. Exempt are inputs, and a pin that is held at the level of its reset pull-down.
+/// Checks that no output is a debugger's pin (PA13, PA14), because an attached debugger drives
+/// these pins. Allowed are inputs, and a pin that is held at the level of its pull-down during
+/// reset.
 constexpr bool debugger_is_left_alone(Board board) {
   for (Pin* const pin : {&board.probe,
                          &board.door,
@@ -147,7 +149,7 @@ constexpr bool debugger_is_left_alone(Board board) {
   return !outputs.has(pa(13)) && !outputs.has(pa(14));
 }
 
-/// Checks that each motor that has a step pin also has a direction pin and a pin that enables it.
+/// Checks that each motor that has a step pin also has a direction pin and an enable pin.
 constexpr bool motors_are_whole(const Board& board) {
   for (const std::array<Motor, kAxes>& motors : {board.motors, board.second_motors}) {
     for (const Motor& motor : motors) {
@@ -159,8 +161,8 @@ constexpr bool motors_are_whole(const Board& board) {
   return true;
 }
 
-/// Checks that the real baud rate is within 2 % of `baud` at this clock; used for full speed and
-/// for 16 MHz.
+/// Checks that the real baud rate is within 2 % of `baud` at this clock. It is called for full
+/// speed and for 16 MHz.
 constexpr bool baud_is_near(std::uint32_t clock_hz, std::uint32_t baud) {
   if (baud == 0 || clock_hz / baud < 16) return false;
   const std::uint32_t divider = (clock_hz + baud / 2) / baud;
@@ -168,7 +170,7 @@ constexpr bool baud_is_near(std::uint32_t clock_hz, std::uint32_t baud) {
   return (real > baud ? real - baud : baud - real) * 50 <= baud;
 }
 
-/// A board for which an image can be built. Instantiating the template runs the checks.
+/// Checks that an image can be built for a board. Instantiating the template runs the checks.
 template <const Board& kBoard>
 struct CheckedBoard {
   static constexpr PowerChannel kPower = power_channel_of(kBoard.power);

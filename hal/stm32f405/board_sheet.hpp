@@ -8,27 +8,28 @@
 
 namespace hal::stm32f405 {
 
-/// The connector of a pin, by the name that the board's maker has printed on it.
+/// The connector of a pin, with the name that is printed on the board.
 struct Connector {
   Pin pin{};
   const char* name = "";
 };
 
-/// Facts about a board that a user needs besides its pins. No image contains them: they go into
-/// docs/boards.md and into the text printed when an image is built.
+/// Facts about a board, other than its pins, that a user needs. No image contains them: they are
+/// printed in docs/boards.md and when an image is built.
 struct BoardSheet {
-  const char* chips = "";    ///< Chips with which the board is sold.
-  const char* caution = "";  ///< A question to answer before flashing, and the reason for it.
+  const char* chips = "";  ///< Chips with which the board is sold.
+  /// A question that the user must answer before flashing, and the reason for it.
+  const char* caution = "";
   const char* notes = "";
-  std::array<const char*, kAxes> sockets{};    ///< Sockets of the motors' drivers.
-  std::span<const Connector> connectors = {};  ///< Connectors of the other pins, except USB's.
+  std::array<const char*, kAxes> sockets{};    ///< Name of the driver socket of each axis's motor.
+  std::span<const Connector> connectors = {};  ///< Connectors of the other pins, except USB.
 };
 
-/// Sheet of a board; each board's header specializes it.
+/// Sheet of a board; the header of each board specializes it.
 template <const Board& kBoard>
 inline constexpr BoardSheet kSheet{};
 
-/// Returns the name of the pin's connector; null if the sheet has none for the pin.
+/// Returns the name of the pin's connector; null if the sheet has no connector for the pin.
 constexpr const char* connector_of(const BoardSheet& sheet, Pin pin) {
   for (const Connector& connector : sheet.connectors) {
     if (connector.pin == pin) return connector.name;
@@ -54,7 +55,7 @@ constexpr bool sheet_is_whole(const BoardSheet& sheet, const Board& board) {
   return !named.clash() && named == pins;
 }
 
-/// The sheet of a board that can be bought. Instantiating the template runs the check.
+/// Checks the sheet of a board that is sold. Instantiating the template runs the check.
 template <const Board& kBoard>
 struct CheckedSheet {
   static_assert(sheet_is_whole(kSheet<kBoard>, kBoard),

@@ -7,7 +7,7 @@
 
 namespace hal::stm32f405 {
 
-/// Access of the port to its registers: by loads and stores on the chip, through a model of the
+/// Access of the port to its registers: by loads and stores on the chip, by a model of the
 /// registers in a test. Any context.
 template <typename Type>
 concept RegisterBus = requires(Address address, Word value) {
@@ -19,22 +19,22 @@ concept RegisterBus = requires(Address address, Word value) {
   noexcept->std::same_as<void>;
 };
 
-/// Registers of the chip itself.
+/// Access to the real registers of the chip.
 struct MemoryBus {
   static Word read(Address address) noexcept { return *at(address); }
   static void write(Address address, Word value) noexcept { *at(address) = value; }
-  /// Completes all earlier accesses before the next instruction, which is fetched again.
+  /// Completes all earlier accesses before the next instruction is fetched.
   static void barrier() noexcept { asm volatile("dsb \n isb" ::: "memory"); }
 
  private:
   static volatile Word* at(Address address) noexcept {
-    // Where a register is comes from the manual. NOLINTNEXTLINE(performance-no-int-to-ptr)
+    // The manual gives each address as a number. NOLINTNEXTLINE(performance-no-int-to-ptr)
     return reinterpret_cast<volatile Word*>(static_cast<std::uintptr_t>(address));
   }
 };
 static_assert(RegisterBus<MemoryBus>);
 
-/// Replaces the bits in `mask` with the bits of `value`. The change is not atomic.
+/// Replaces the bits in `mask` by the bits of `value`. The change is not atomic.
 template <RegisterBus Bus>
 void modify(Address address, Word mask, Word value) noexcept {
   Bus::write(address, (Bus::read(address) & ~mask) | value);
@@ -51,7 +51,7 @@ void clear(Address address, Word bits) noexcept {
 }
 
 /// Reads the register until the bits in `mask` equal `wanted`, at most `looks` times. Returns false
-/// if they never did.
+/// if they never became equal.
 template <RegisterBus Bus>
 [[nodiscard]] bool wait_for(Address address, Word mask, Word wanted, std::uint32_t looks) noexcept {
   for (std::uint32_t look = 0; look < looks; ++look) {
@@ -64,12 +64,12 @@ template <RegisterBus Bus>
 /// @param priority 0 (most urgent) to 15
 template <RegisterBus Bus>
 void enable_interrupt(unsigned number, unsigned priority) noexcept {
-  const unsigned place = 8 * (number % 4) + 4;  // A priority is the upper half of its byte.
+  const unsigned place = 8 * (number % 4) + 4;  // The priority is in the upper half of its byte.
   modify<Bus>(core::interrupt_priority(number), Word{0xF} << place, Word{priority} << place);
   Bus::write(core::interrupt_on(number), bit(number % 32));
 }
 
-/// Requests an interrupt now.
+/// Makes an interrupt pending, so that it runs as soon as its priority allows.
 template <RegisterBus Bus>
 void pend_interrupt(unsigned number) noexcept {
   Bus::write(core::interrupt_pend(number), bit(number % 32));

@@ -7,11 +7,12 @@
 
 namespace hal::stm32f405 {
 
-/// Queues between a link's interrupt and the main loop. They are separate from the link object
-/// because that object has initial values other than zero, all of which the image must store.
+/// Queues between a link's interrupt and the main loop. They are separate from the link object,
+/// because that object has non-zero initial values, and the image must then store all bytes of the
+/// object.
 struct ByteRings {
-  /// Bytes that arrive in 88 ms at 115,200 baud, the longest time between two reads by the main
-  /// loop.
+  /// Capacity for the bytes that arrive at 115,200 baud in 88 ms, the longest time between two
+  /// reads by the main loop.
   static constexpr std::uint32_t kReceiveBytes = 1024;
   static constexpr std::uint32_t kSendBytes = 512;
 
@@ -19,10 +20,10 @@ struct ByteRings {
   SpscRing<std::byte, kSendBytes> to_send{};
 };
 
-/// Queues like ByteRings, for USB, which makes the host wait when they are full.
+/// Queues for USB, like ByteRings. USB makes the host wait while they are full.
 struct UsbRings {
-  static constexpr std::uint32_t kReceiveBytes = 512;  ///< Bytes of one cycle, which is one USB
-                                                       ///< frame.
+  /// Capacity for the bytes of one cycle, which has the length of a USB frame.
+  static constexpr std::uint32_t kReceiveBytes = 512;
   static constexpr std::uint32_t kSendBytes = 512;
 
   SpscRing<std::byte, kReceiveBytes> received{};

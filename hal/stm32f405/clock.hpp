@@ -7,9 +7,10 @@
 namespace hal::stm32f405 {
 
 enum class ClockSource : std::uint8_t {
-  kCrystal,   ///< 168 MHz from the board's crystal.
-  kInternal,  ///< 168 MHz from the chip's oscillator, within 1 %: the crystal did not start.
-  kSlow,      ///< 16 MHz without PLL: too slow for the step interrupt.
+  kCrystal,  ///< 168 MHz from the board's crystal.
+  /// 168 MHz from the chip's oscillator, within 1 %, because the crystal did not start.
+  kInternal,
+  kSlow,  ///< 16 MHz without PLL, too slow for the step interrupt.
 };
 
 /// Clock frequencies of the chip's parts, in Hz.
@@ -29,15 +30,16 @@ inline constexpr Clocks kFullSpeed{.source = ClockSource::kCrystal,
                                    .apb1_timers = 84'000'000,
                                    .apb2_timers = 168'000'000};
 
-/// Returns whether the PLL can make 168 MHz from a crystal. Its input is the crystal's frequency
-/// divided by a whole number, 1 MHz here. The crystal must have 4 to 26 MHz (RM0090, 7.3.2).
+/// Returns whether the PLL can make 168 MHz from a crystal of `hz`. The PLL's input is 1 MHz, made
+/// from the crystal's frequency by a whole divisor. The crystal must have 4 to 26 MHz (RM0090,
+/// 7.3.2).
 constexpr bool is_usable_crystal(std::uint32_t hz) {
   return hz % 1'000'000 == 0 && hz >= 4'000'000 && hz <= 26'000'000;
 }
 
-/// Takes the chip from reset to 168 MHz. Every wait is bounded: if the crystal does not start or
-/// the PLL does not lock, it continues with the clock that works, and the result says which. To be
-/// called once, before interrupts are enabled. Takes some 100 ms at worst.
+/// Sets the clocks from their state after reset to 168 MHz. Every wait is bounded. If the crystal
+/// does not start or the PLL does not lock, the chip continues with a clock that works. The result
+/// names the clock in use. Called once, before interrupts are enabled. Takes at most some 100 ms.
 /// @pre is_usable_crystal(crystal_hz)
 template <RegisterBus Bus>
 class ClockStart {
@@ -59,12 +61,13 @@ class ClockStart {
 
  private:
   static constexpr std::uint32_t kInternalHz = 16'000'000;
-  // One read takes at least 4 clocks of 16 MHz. Crystals need 2 ms to start, up to 20 ms when cold.
+  // One read takes at least 4 clocks of 16 MHz. A crystal needs 2 ms to start, up to 20 ms if it is
+  // cold.
   static constexpr std::uint32_t kCrystalLooks = 200'000;
   static constexpr std::uint32_t kPllLooks = 10'000;  ///< The PLL locks within 0.3 ms.
 
-  /// Returns to the internal oscillator: a boot loader may have set any clock, and the settings of
-  /// a running PLL cannot be changed.
+  /// Returns to the internal oscillator, because a boot loader may have selected any clock, and the
+  /// settings of a running PLL cannot be changed.
   static void back_to_internal() noexcept {
     set<Bus>(rcc::kCr, rcc::kHsiOn);
     static_cast<void>(wait_for<Bus>(rcc::kCr, rcc::kHsiReady, rcc::kHsiReady, kPllLooks));
@@ -76,7 +79,7 @@ class ClockStart {
 
   static bool start_pll(std::uint32_t input_hz, bool crystal) noexcept {
     const Word divider = input_hz / 1'000'000;
-    const Word multiplier = 336;  // 336 MHz: divided by 2 for the core, by 7 for USB.
+    const Word multiplier = 336;  // 336 MHz, which is divided by 2 for the core and by 7 for USB.
     Bus::write(rcc::kPllCfgr,
                divider | multiplier << 6 | (crystal ? rcc::kPllFromHse : 0) | Word{7} << 24);
     set<Bus>(rcc::kCr, rcc::kPllOn);
@@ -85,8 +88,8 @@ class ClockStart {
     return false;
   }
 
-  /// Sets the wait states of the flash before the core becomes faster than it. RM0090, 3.5.1
-  /// requires that they be read back.
+  /// Sets the wait states of the flash before the core clock becomes faster than the flash. RM0090,
+  /// 3.5.1 requires that the setting be read back.
   static bool slow_flash_down() noexcept {
     const Word wanted =
         flash::kFiveWaitStates | flash::kPrefetch | flash::kInstructionCache | flash::kDataCache;

@@ -14,22 +14,22 @@
 
 namespace hal::stm32f405 {
 
-/// Facts that start-up found out, and locations in memory.
+/// Facts that start-up has determined, and memory that `$I+` reports on.
 struct StartReport {
   Clocks clocks{};
   ResetCause cause = ResetCause::kUnknown;
-  FaultRecord fault{};  ///< Valid with ResetCause::kFault.
+  FaultRecord fault{};  ///< Valid if `cause` is ResetCause::kFault.
   std::uint32_t image_bytes = 0;
-  std::uint32_t image_checksum = 0;  ///< CRC-32 of the image; slow, not for use during motion.
+  std::uint32_t image_checksum = 0;  ///< CRC-32 of the image.
   std::span<const std::uint32_t> stack{};
 };
 
-/// An F405 or F407 as `$I+` reports it.
+/// A board with an F405 or F407, as `$I+` reports it.
 template <const Board& kBoard, RegisterBus Bus = MemoryBus>
 class ChipBoard final : public ControlBoard {
  public:
   void set_report(const StartReport& report) { report_ = report; }
-  /// Returns whether the boot loader was requested.
+  /// Returns whether enter_boot_loader() was called.
   [[nodiscard]] bool wants_boot_loader() const { return wants_boot_loader_; }
 
   [[nodiscard]] std::size_t describe(std::size_t row, std::span<char> into) override {
@@ -102,9 +102,9 @@ class ChipBoard final : public ControlBoard {
   static constexpr const char* text_of(ResetCause cause) { return stm32f405::text_of(cause); }
   static constexpr const char* text_of(Fault fault) { return stm32f405::text_of(fault); }
 
-  /// Returns the supply voltage below which the chip holds itself in reset (RM0090, 3.9.10 and the
-  /// data sheet's VBOR). An option byte determines it, which stays as the board's maker or owner
-  /// has set it.
+  /// Returns the supply voltage below which the chip holds itself in reset (RM0090, 3.9.10, and
+  /// VBOR in the data sheet). An option byte determines it, which the board's maker or owner has
+  /// set; the firmware does not change it.
   static const char* brown_out_level() {
     static constexpr std::array kLevels{"2.7 V", "2.4 V", "2.1 V", "1.8 V, BOR level 3 is safer"};
     return kLevels[Bus::read(flash::kOptions) >> flash::kBrownOutShift & 3U];

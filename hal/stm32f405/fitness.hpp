@@ -12,22 +12,23 @@ namespace hal::stm32f405 {
 
 /// Reason why an image must not run on this chip.
 enum class Unfitness : std::uint8_t {
-  kDamaged,      ///< The image differs from the one that was built: it is truncated or changed.
+  kDamaged,      ///< The image in the flash is truncated or changed.
   kUnknownChip,  ///< The size of the flash cannot be read.
   kSmallChip,    ///< The flash has no space for the store after the image.
 };
 
 struct Fitness {
   std::optional<Unfitness> fault{};
-  std::uint32_t flash_kib = 0;   ///< Flash of the chip; 0 if unknown.
-  std::uint32_t wanted_kib = 0;  ///< Flash of the smallest chip on which the image runs.
-  StoreSectors store{};          ///< Valid if there is no fault.
+  std::uint32_t flash_kib = 0;  ///< Flash size of the chip in KiB; 0 if unknown.
+  /// Flash size in KiB of the smallest chip on which the image can run.
+  std::uint32_t wanted_kib = 0;
+  StoreSectors store{};  ///< Sectors of the store; valid if there is no fault.
 };
 
 /// Decides whether an image may run on a chip.
-/// @param whole the image is complete and undamaged
+/// @param whole whether the image is complete and undamaged
 /// @param end address of the first byte after the image
-/// @param flash_kib flash of the chip in KiB, 0 if unknown
+/// @param flash_kib flash size of the chip in KiB; 0 if unknown
 constexpr Fitness fitness_of(bool whole, Address end, std::uint32_t flash_kib) {
   Fitness fitness{.flash_kib = flash_kib};
   const auto fits = [end](std::uint32_t kib) {
@@ -47,8 +48,9 @@ constexpr Fitness fitness_of(bool whole, Address end, std::uint32_t flash_kib) {
   return fitness;
 }
 
-/// Writes the line that tells a user why nothing runs and what to do. Returns its length in bytes.
-/// @pre fitness.fault
+/// Writes a line that tells the user why the image does not run and what to do. Returns its length
+/// in bytes.
+/// @pre `fitness.fault` has a value
 inline std::size_t describe(const Fitness& fitness, std::span<char> into) {
   TextRow text{into};
   text.text("[MSG:Nothing runs: ");

@@ -9,19 +9,19 @@
 
 namespace hal::stm32f405 {
 
-/// The two sectors of the chip's flash that hold the store. Before use() it has no sectors, and
-/// every word reads as erased.
+/// The two sectors of the chip's flash that contain the store. Before use() there are no sectors,
+/// and every word reads as erased.
 ///
-/// Programming and erasing stop the core while they last, because it runs from the same flash: 16
-/// to 100 us for a word, 1 to 2 s for a sector of 128 KiB. Bytes that arrive on the wire meanwhile
-/// are lost and marked as lost. The caller must prepare the watchdog first (PatientStore). While
-/// the supply is below the supervisor's level (watch_supply), both operations refuse: the supply
-/// may fail before a word is whole.
+/// Programming and erasing stop the core, because the core runs from the same flash: for 16 to 100
+/// us for a word, and 1 to 2 s for a sector of 128 KiB. Bytes that arrive on the serial line
+/// meanwhile are lost and marked as lost. The caller must lengthen the watchdog's period first
+/// (PatientStore). While the supply voltage is below the supervisor's level (watch_supply), both
+/// operations refuse, because the supply may fail before they are complete.
 template <RegisterBus Bus = MemoryBus>
 class Flash final : public FlashSectors {
  public:
-  /// Sets the sectors; to be called once, at start-up.
-  /// @pre store_fits(sectors, the chip's size)
+  /// Sets the sectors. Called once, at start-up.
+  /// @pre store_fits(sectors, flash size of the chip)
   void use(const StoreSectors& sectors) noexcept {
     sectors_ = sectors;
     in_use_ = true;
@@ -30,7 +30,7 @@ class Flash final : public FlashSectors {
   [[nodiscard]] std::size_t sector_count() const override { return sectors_.size(); }
   [[nodiscard]] std::size_t words_per_sector() const override { return kWords; }
 
-  /// Returns the word; kErased if it does not exist.
+  /// Returns the word; kErased if the word does not exist.
   [[nodiscard]] std::uint32_t read(std::size_t sector, std::size_t word) const override {
     return exists(sector, word) ? Bus::read(address(sector, word)) : kErased;
   }
@@ -55,9 +55,10 @@ class Flash final : public FlashSectors {
   }
 
  private:
-  /// Only the first 16 KiB of a sector are used, because a log is searched from its start.
+  /// Only the first 16 KiB of a sector are used, because a log is searched from its start and
+  /// larger sectors would take longer.
   static constexpr std::size_t kWords = 16 * kKib / 4;
-  // One read takes some ten clocks of 168 MHz, if the flash lets the core run at all.
+  // One read takes some ten clocks of 168 MHz, unless the flash stops the core.
   static constexpr std::uint32_t kProgramLooks = 100'000;
   static constexpr std::uint32_t kEraseLooks = 100'000'000;
 
@@ -70,8 +71,8 @@ class Flash final : public FlashSectors {
 
   static bool supply_is_low() noexcept { return (Bus::read(pwr::kCsr) & pwr::kSupplyIsLow) != 0; }
 
-  /// Unlocks the flash if it is locked. A boot loader may leave it unlocked, and keys written to
-  /// unlocked flash would lock it until the next reset (RM0090, 3.6.1).
+  /// Unlocks the flash if it is locked. A boot loader may leave the flash unlocked. Keys that are
+  /// written to unlocked flash would lock it until the next reset (RM0090, 3.6.1).
   static bool unlock() noexcept {
     if ((Bus::read(flash::kControl) & flash::kLock) != 0) {
       Bus::write(flash::kKey, flash::kFirstKey);
@@ -81,8 +82,7 @@ class Flash final : public FlashSectors {
     return (Bus::read(flash::kControl) & flash::kLock) == 0;
   }
 
-  /// Waits for the end of the operation and then locks the flash, whether or not the operation
-  /// succeeded.
+  /// Waits for the end of the operation. Then locks the flash, even if the operation failed.
   static bool finish(std::uint32_t looks) noexcept {
     const bool done = wait_for<Bus>(flash::kStatus, flash::kBusy, 0, looks);
     const bool refused = (Bus::read(flash::kStatus) & flash::kErrors) != 0;
@@ -90,7 +90,7 @@ class Flash final : public FlashSectors {
     return done && !refused;
   }
 
-  /// Empties the data cache, which still holds the erased words (RM0090, 3.6.4).
+  /// Empties the data cache, which may still contain words from before the erase (RM0090, 3.6.4).
   static void forget_cache() noexcept {
     clear<Bus>(flash::kAcr, flash::kDataCache);
     set<Bus>(flash::kAcr, flash::kDataCacheReset);

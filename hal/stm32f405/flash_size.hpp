@@ -6,15 +6,15 @@
 
 namespace hal::stm32f405 {
 
-/// Returns the size of the chip's flash in KiB, as the factory has written it into the chip.
-/// Returns 0 on chips of other families, which may store it elsewhere, and if the figure is
-/// impossible. Any context.
+/// Returns the size of the chip's flash in KiB, as the factory has stored it in the chip. Returns 0
+/// if the stored size is impossible, and on chips of other families, which may store it at another
+/// address. Any context.
 template <RegisterBus Bus>
 [[nodiscard]] std::uint32_t flash_kib() noexcept {
   constexpr std::uint32_t kLargestOfTheFamilies = 2048;
   if (!is_known_family<Bus>()) return 0;
-  const std::uint32_t kib = Bus::read(kFlashSize) >> 16U;  // The upper half of the word has the
-                                                           // size.
+  // The size is in the upper half of the word.
+  const std::uint32_t kib = Bus::read(kFlashSize) >> 16U;
   return kib <= kLargestOfTheFamilies ? kib : 0;
 }
 

@@ -12,9 +12,9 @@
 
 namespace hal::stm32f405 {
 
-/// Switches, probe and buttons, with their bounce. Any context. An input is active low, because its
-/// switch closes to ground against the pull-up. A switch that opens when it is reached is inverted
-/// by a setting; then a broken cable reads as reached.
+/// Switches, probe and buttons, without debouncing. Any context. An input is active low, because
+/// its switch closes to ground against the pull-up. For a switch that opens when it is reached, a
+/// setting inverts the input; a broken cable then reads as reached.
 template <const Board& kBoard, RegisterBus Bus>
 class Inputs {
  public:
@@ -51,7 +51,7 @@ class Inputs {
   }
 
  private:
-  /// Returns whether an input is active; a pin that the board does not have is never active.
+  /// Returns whether an input is active. A pin that the board does not have is never active.
   template <Pin kPin>
   static bool active(bool inverted) noexcept {
     if constexpr (kPin.exists()) return PinSetUp<Bus>::is_high(kPin) == inverted;

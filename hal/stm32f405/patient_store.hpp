@@ -9,10 +9,11 @@
 
 namespace hal::stm32f405 {
 
-/// A store around another store that lengthens the watchdog's period during each save. A save that
-/// moves the log to its other sector searches the whole log several times (a third of a second) and
-/// erases a sector (up to 2 s). Main loop.
-/// @tparam Store class of the inner store; it is final, so that the stack use of its calls is known
+/// A store that wraps another store and lengthens the watchdog's period during each save. A save
+/// may move the log to its other sector. It then searches the complete log several times (a third
+/// of a second) and erases a sector (up to 2 s). Main loop.
+/// @tparam Store class of the wrapped store; it is final, so that the stack use of its calls is
+///     known
 template <typename Store, RegisterBus Bus = MemoryBus>
 class PatientStore final : public RecordStore {
  public:

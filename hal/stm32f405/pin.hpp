@@ -6,11 +6,11 @@
 
 namespace hal::stm32f405 {
 
-/// One pin of the chip, or none.
+/// A pin of the chip, or no pin.
 struct Pin {
   static constexpr std::uint8_t kNone = 0xFF;
 
-  std::uint8_t port = kNone;  ///< 0 is port A.
+  std::uint8_t port = kNone;  ///< Number of the port; 0 is port A.
   std::uint8_t number = 0;
 
   constexpr bool operator==(const Pin&) const = default;
@@ -31,15 +31,15 @@ constexpr Pin pg(int number) { return pin_of('G', number); }
 
 enum class PinMode : std::uint8_t { kInput, kOutput, kAlternate };
 
-/// Setting up and driving single pins, for start-up and faults. Most functions do nothing if the
-/// pin does not exist. Main loop, or with interrupts off.
+/// Sets up and drives single pins, for start-up and faults. Most functions do nothing if the pin
+/// does not exist. Called in the main loop, or with interrupts off.
 template <RegisterBus Bus>
 struct PinSetUp {
   static void set_mode(Pin pin, PinMode mode) noexcept {
     modify<Bus>(gpio::mode(pin.port), two_bits(pin, 3), two_bits(pin, static_cast<Word>(mode)));
   }
 
-  /// Makes the pin an input with its pull-up, because switches close to ground.
+  /// Makes the pin an input with a pull-up, because switches close to ground.
   static void make_input(Pin pin) noexcept {
     if (!pin.exists()) return;
     turn_port_on(pin);
@@ -76,19 +76,20 @@ struct PinSetUp {
   }
 
   /// Switches the port's clock on. Reading the register back gives the clock the two cycles that it
-  /// needs (erratum 2.2.13 of ES0182).
+  /// needs (ES0182, erratum 2.2.13).
   static void turn_port_on(Pin pin) noexcept {
     set<Bus>(rcc::kAhb1Enr, bit(pin.port));
     static_cast<void>(Bus::read(rcc::kAhb1Enr));
   }
 
  private:
-  /// 25 MHz: edges of some 10 ns, fast enough for drivers and too slow to make long cables ring.
+  /// Up to 25 MHz: edges of some 10 ns are fast enough for drivers and too slow to make long cables
+  /// ring.
   static constexpr Word kMediumSpeed = 1;
   static constexpr Word kLowSpeed = 0;
 
-  /// Returns the speed setting for a pin. PC13 to PC15 are fed through the switch of the backup
-  /// domain and allow 2 MHz at most (DS8626, table 7).
+  /// Returns the speed setting for a pin. PC13 to PC15 are supplied through the switch of the
+  /// backup domain and allow at most 2 MHz (DS8626, table 7).
   static constexpr Word speed_of(Pin pin) {
     return pin.port == pc(13).port && pin.number >= 13 ? kLowSpeed : kMediumSpeed;
   }

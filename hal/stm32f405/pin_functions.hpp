@@ -7,8 +7,8 @@
 
 namespace hal::stm32f405 {
 
-/// A timer channel that can drive a pin (data sheet DS8626, table 9). TIM2 is
-/// missing: it is the step timer.
+/// A timer channel that can drive a pin (data sheet DS8626, table 9). TIM2 is missing, because it
+/// is the step timer.
 struct PowerChannel {
   Pin pin{};
   Address timer = 0;
@@ -34,7 +34,8 @@ inline constexpr std::array<PowerChannel, 24> kPowerChannels{{
     {pd(13), timer::kTim4, 2, 2}, {pb(8), timer::kTim4, 3, 2},  {pb(9), timer::kTim4, 4, 2},
 }};
 
-/// Returns the timer channel of a pin; if the pin has none, one whose exists() is false.
+/// Returns the timer channel of a pin. If the pin has none, returns a channel whose exists() is
+/// false.
 constexpr PowerChannel power_channel_of(Pin pin) {
   for (const PowerChannel& channel : kPowerChannels) {
     if (channel.pin == pin) return channel;
@@ -42,7 +43,7 @@ constexpr PowerChannel power_channel_of(Pin pin) {
   return {};
 }
 
-/// A serial interface and its pair of pins (the same table of the data sheet).
+/// A serial interface and its pair of pins (table 9 of DS8626).
 struct SerialPins {
   Pin transmit{};
   Pin receive{};
@@ -52,7 +53,7 @@ struct SerialPins {
   std::uint8_t interrupt = 0;
 
   [[nodiscard]] constexpr bool exists() const { return base != 0; }
-  /// Returns whether the interface is on the faster bus, as USART1 and USART6 are.
+  /// Returns whether the interface is on the faster bus (APB2), as USART1 and USART6 are.
   [[nodiscard]] constexpr bool fast() const { return base >= 0x4001'0000; }
   [[nodiscard]] constexpr Address clock() const { return fast() ? rcc::kApb2Enr : rcc::kApb1Enr; }
 };
@@ -67,7 +68,8 @@ inline constexpr std::array<SerialPins, 7> kSerialPins{{
     {pc(6), pc(7), 0x4001'1400, 8, 5, 71},     // USART6
 }};
 
-/// Returns the interface on these two pins; if they have none, one whose exists() is false.
+/// Returns the interface on these two pins. If there is none, returns an interface whose exists()
+/// is false.
 constexpr SerialPins serial_pins_of(Pin transmit, Pin receive) {
   for (const SerialPins& pins : kSerialPins) {
     if (pins.transmit == transmit && pins.receive == receive) return pins;
@@ -75,8 +77,8 @@ constexpr SerialPins serial_pins_of(Pin transmit, Pin receive) {
   return {};
 }
 
-/// A pair of pins for CAN1 (the same table of the data sheet). PA12 and PA11 are left out, because
-/// USB uses them.
+/// A pair of pins for CAN1 (table 9 of DS8626). The pair PA12 and PA11 is left out, because USB
+/// uses these pins.
 struct CanPins {
   Pin transmit{};
   Pin receive{};
@@ -86,7 +88,7 @@ struct CanPins {
 
 inline constexpr std::array<CanPins, 2> kCanPins{{{pb(9), pb(8)}, {pd(1), pd(0)}}};
 
-/// Returns the pair of these two pins; if they have none, one whose exists() is false.
+/// Returns the pair of these two pins. If there is none, returns a pair whose exists() is false.
 constexpr CanPins can_pins_of(Pin transmit, Pin receive) {
   for (const CanPins& pins : kCanPins) {
     if (pins.transmit == transmit && pins.receive == receive) return pins;

@@ -11,7 +11,7 @@ namespace hal::stm32f405 {
 
 inline constexpr std::size_t kAxisSets = std::size_t{1} << kAxes;
 
-/// For each set of axes: the pins of these axes on one port, as a bit mask.
+/// The pins of each set of axes on one port, as a bit mask for each set.
 using PortTable = std::array<std::uint16_t, kAxisSets>;
 
 constexpr PortTable port_table(const std::array<Pin, kAxes>& pins, unsigned port) {
@@ -39,20 +39,21 @@ constexpr std::array<Pin, kAxes> direction_pins(const std::array<Motor, kAxes>& 
   return pins;
 }
 
-/// The step or direction pins of all motors, driven together: one table look-up and one store for
-/// each port, whatever the set of axes. Step interrupt.
+/// The step or direction pins of all motors, which are driven together. For any set of axes this
+/// takes one table look-up and one store for each port. Step interrupt.
 ///
 /// @tparam kPins pins of first and second motors
 template <MotorPins kPins, RegisterBus Bus>
 class PinGroup {
  public:
-  /// Inverts the pins of these axes: they are low when active, the others high.
-  /// @param axes axes of which both motors' pins are inverted
+  /// Inverts the pins of the axes in `axes`, so that they are low when active. All other pins are
+  /// high when active.
+  /// @param axes axes for which the pins of both motors are inverted
   void invert(std::uint8_t axes) noexcept {
     for_ports([&]<unsigned kPort>() { inverted_[kPort] = pins_on<kPort>(axes, axes); });
   }
 
-  /// Drives the pins of these axes active and leaves all other pins unchanged.
+  /// Drives the pins of these axes to their active level and leaves all other pins unchanged.
   void raise(std::uint8_t first, std::uint8_t second) noexcept {
     for_ports([&]<unsigned kPort>() {
       const Word pins = pins_on<kPort>(first, second);
@@ -61,7 +62,8 @@ class PinGroup {
     });
   }
 
-  /// Drives the pins of these axes active and all others inactive.
+  /// Drives the pins of these axes to their active level and all other pins to their inactive
+  /// level.
   void drive(std::uint8_t first, std::uint8_t second) noexcept {
     for_ports([&]<unsigned kPort>() {
       const Word high = pins_on<kPort>(first, second) ^ inverted_[kPort];

@@ -4,8 +4,8 @@
 
 namespace hal::stm32f405 {
 
-/// Pins whose polarity is the opposite of the board's, as the settings $2 to $6 and $14 to $16 say.
-/// Each member has a bit for each axis, or for each pin in the order given.
+/// Pins whose polarity is the opposite of the board's, from the settings $2 to $6 and $14 to $16.
+/// Each member has one bit for each axis, or for each pin in the given order.
 struct Polarity {
   std::uint8_t steps = 0;
   std::uint8_t directions = 0;

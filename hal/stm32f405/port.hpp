@@ -19,7 +19,7 @@ namespace hal::stm32f405 {
 template <const Board& kBoard, RegisterBus Bus = MemoryBus>
 class Port final : public AuxiliaryOutputs, public MachineInputs {
  public:
-  /// Sets up all pins and timers: motors without current, outputs off. To be called once, with
+  /// Sets up all pins and timers. Motors have no current, and outputs are off. Called once, with
   /// interrupts off.
   void set_up(const Clocks& clocks) noexcept {
     clocks_ = clocks;
@@ -28,8 +28,8 @@ class Port final : public AuxiliaryOutputs, public MachineInputs {
     power_.set_up(clocks);
     timer_.set_up(clocks);
   }
-  /// Sets up the pins that keep one level at rest, but no timer. A board on which nothing runs
-  /// needs no more.
+  /// Sets up only the pins that keep one level at rest, but no timer. This suffices on a board on
+  /// which the image must not run.
   void set_up_at_rest() noexcept {
     steps_.set_up();
     directions_.set_up();
@@ -77,7 +77,7 @@ class Port final : public AuxiliaryOutputs, public MachineInputs {
       if ((lower >> i & 1U) != 0) PinSetUp<Bus>::write(kBoard.outputs[i], false);
     }
   }
-  /// No board has an analog output.
+  /// Does nothing, because no board has an analog output.
   void set_analog(std::uint8_t, std::uint16_t) noexcept {}
   void start_timer() noexcept { timer_.start(); }
   [[nodiscard]] bool probe_contact() const noexcept { return inputs_.probe_contact(); }
@@ -101,8 +101,8 @@ class Port final : public AuxiliaryOutputs, public MachineInputs {
     if (output < kBoard.outputs.size()) PinSetUp<Bus>::write(kBoard.outputs[output], high);
   }
   void set_analog_output(std::uint8_t, std::uint16_t) override {}
-  /// Switches the current of the motors. Motors that share an enable pin have current if any of
-  /// them is to have it.
+  /// Switches the current of the motors. Motors that share an enable pin have current if at least
+  /// one of them must have current.
   void set_motors_enabled(std::uint8_t axes) override {
     motors_enabled_ = axes;
     for (std::size_t axis = 0; axis < kAxes; ++axis) {
@@ -114,15 +114,15 @@ class Port final : public AuxiliaryOutputs, public MachineInputs {
   }
 
   // Functions of MachineInputs.
-  /// Reads all inputs. Reports an emergency stop if the clock is too slow for the step interrupt,
-  /// or after refuse_motion(): nothing may move then.
+  /// Reads all inputs. Also reports an emergency stop if the clock is too slow for the step
+  /// interrupt, or after refuse_motion(), because nothing may move then.
   [[nodiscard]] InputState read_inputs() override {
     InputState state = inputs_.read();
     if (clocks_.source == ClockSource::kSlow || refuses_motion_) state.emergency_stop = true;
     return state;
   }
 
-  /// Forbids motion until the next restart: the emergency stop reads as pressed from now on.
+  /// Forbids motion until the next restart: from now on the emergency stop reads as pressed.
   void refuse_motion() noexcept { refuses_motion_ = true; }
 
   [[nodiscard]] constexpr StepTimer<Bus>& timer() { return timer_; }

@@ -6,20 +6,20 @@
 
 namespace hal::stm32f405 {
 
-/// The pin of the beam, or of a spindle's speed: a duty cycle made by its own timer. At duty 0 the
-/// pin stays low, at full duty it stays high.
+/// The pin of the beam power or of the spindle speed. A separate timer makes the duty cycle. At
+/// duty 0 the pin stays low; at full duty it stays high.
 template <const Board& kBoard, RegisterBus Bus>
 class PowerPin {
  public:
-  /// Makes the power pin a plain output at low level, and the spindle's enable pin, too. This is
-  /// the first action after reset and after any fault. It needs no peripheral clocks, no memory and
-  /// no earlier set-up.
+  /// Makes the power pin and the spindle's enable pin plain outputs at low level. This is the first
+  /// action after reset and after any fault. It needs no memory, no peripheral clocks and no
+  /// earlier set-up.
   [[gnu::always_inline]] static void darken() noexcept {
     darken(kBoard.power);
     if constexpr (kBoard.spindle_enable.exists()) darken(kBoard.spindle_enable);
   }
 
-  /// Sets up the timer with duty 0. To be called once, with interrupts off.
+  /// Sets up the timer with duty 0. Called once, with interrupts off.
   void set_up(const Clocks& clocks) noexcept {
     set<Bus>(kChannel.clock(), kChannel.clock_bit());
     period_ = (kChannel.fast() ? clocks.apb2_timers : clocks.apb1_timers) / kBoard.power_hz;
@@ -40,20 +40,21 @@ class PowerPin {
     PinSetUp<Bus>::hand_over(kBoard.power, kChannel.function, false);
   }
 
-  /// Sets the duty. It takes effect with the next period, but duty 0 at once. Any context.
-  /// @param duty 65535 is full
+  /// Sets the duty. It takes effect with the next period; duty 0 takes effect immediately. Any
+  /// context.
+  /// @param duty 0 to 65535, which is full duty
   void set_duty(std::uint16_t duty) noexcept {
-    // Duty 65535 becomes the whole period, a value that the counter never reaches: the output has
+    // Duty 65535 becomes the full period, a value that the counter never reaches, so the output has
     // no gap.
     const std::uint32_t high = (duty * period_ + kFull / 2) / kFull;
     Bus::write(kChannel.timer + compare(), high);
     if (duty == 0) Bus::write(kChannel.timer + timer::kEvents, timer::kUpdate);
   }
 
-  /// Returns whether the duty is above 0, by the timer's register. Any context, after set_up().
+  /// Returns whether the duty in the timer's register is above 0. Any context, after set_up().
   [[nodiscard]] static bool lit() noexcept { return Bus::read(kChannel.timer + compare()) != 0; }
 
-  /// Returns whether the pulses are longer than those of `duty`, by the timer's registers. Any
+  /// Returns whether the pulses in the timer's registers are longer than those of `duty`. Any
   /// context.
   [[nodiscard]] static bool exceeds(std::uint16_t duty) noexcept {
     const std::uint32_t period = Bus::read(kChannel.timer + timer::kReload) + 1;
@@ -63,7 +64,8 @@ class PowerPin {
  private:
   static constexpr PowerChannel kChannel = CheckedBoard<kBoard>::kPower;
   static constexpr std::uint32_t kFull = 65535;
-  /// Bounds the period so that duty times period fits into 32 bits, and period and duty into 16.
+  /// Upper bound of the period in clocks. It lets period and duty fit into 16 bits, and their
+  /// product into 32 bits.
   static constexpr std::uint32_t kLongestPeriod = 65535;
 
   static constexpr Address compare() { return timer::compare(kChannel.channel); }

@@ -6,16 +6,16 @@
 
 namespace hal::stm32f405 {
 
-/// Size of the guard below the stack in bytes; a power of two. No code may access it.
+/// Size in bytes of the guard below the stack, a power of two. No code may access the guard.
 inline constexpr std::uint32_t kGuardBytes = 256;
 
-/// Makes each access to the guard below the stack a fault. All other memory remains accessible as
-/// it is without protection. To be called once, at start-up.
+/// Makes each access to the guard below the stack a fault. All other memory remains accessible, as
+/// without protection. Called once, at start-up.
 /// @param guard start of the guard, a multiple of kGuardBytes
 template <RegisterBus Bus>
 void guard_stack(Address guard) noexcept {
   constexpr Word kBytes = 7 << 1;   // Size of 2^(7 + 1) bytes.
-  constexpr Word kNever = bit(28);  // No execution; access code 0 forbids reads and writes.
+  constexpr Word kNever = bit(28);  // Forbids execution; access code 0 forbids reads and writes.
   constexpr Word kOn = 1;
   constexpr Word kRestAsWithout = 4;
   static_assert(kGuardBytes == 2U << (kBytes >> 1));
@@ -25,8 +25,8 @@ void guard_stack(Address guard) noexcept {
   Bus::write(core::kProtection, kRestAsWithout | kOn);
 }
 
-/// Makes a supply voltage below 2.9 V raise an interrupt. So the beam goes off before the brown-out
-/// reset, and the flash refuses writes (Flash).
+/// Makes a supply voltage below 2.9 V raise an interrupt, so that the beam goes off before the
+/// brown-out reset. The flash then also refuses writes (Flash).
 template <RegisterBus Bus>
 void watch_supply() noexcept {
   modify<Bus>(pwr::kCr, 7 << 5, pwr::kSupervisor2900mV | pwr::kSupervisorOn);

@@ -2,8 +2,8 @@
 
 #include <cstdint>
 
-/// Addresses and bits of the STM32F405 (ST, RM0090 rev. 19) and of its core (Arm, DDI 0403E), as
-/// far as this port uses them.
+/// Addresses and bits of the STM32F405 (ST, RM0090 rev. 19) and of its core (Arm, DDI 0403E) that
+/// this port uses.
 namespace hal::stm32f405 {
 
 using Address = std::uint32_t;
@@ -31,7 +31,7 @@ inline constexpr Word kHsiOn = bit(0);
 inline constexpr Word kHsiReady = bit(1);
 inline constexpr Word kHseOn = bit(16);
 inline constexpr Word kHseReady = bit(17);
-inline constexpr Word kSecurityOn = bit(19);  ///< NMI when the crystal stops.
+inline constexpr Word kSecurityOn = bit(19);  ///< Raises an NMI if the crystal stops.
 inline constexpr Word kPllOn = bit(24);
 inline constexpr Word kPllReady = bit(25);
 inline constexpr Word kPllFromHse = bit(22);
@@ -41,8 +41,8 @@ inline constexpr Word kSwitchedMask = 3 << 2;
 inline constexpr Word kSwitchedToPll = 2 << 2;
 inline constexpr Word kApb1By4 = 5 << 10;
 inline constexpr Word kApb2By2 = 4 << 13;
-inline constexpr Word kPowerClock = bit(28);   ///< In kApb1Enr.
-inline constexpr Word kSystemClock = bit(14);  ///< In kApb2Enr.
+inline constexpr Word kPowerClock = bit(28);   ///< Bit of kApb1Enr.
+inline constexpr Word kSystemClock = bit(14);  ///< Bit of kApb2Enr.
 
 inline constexpr Word kForgetResets = bit(24);
 inline constexpr Word kBrownOutReset = bit(25);
@@ -61,7 +61,8 @@ inline constexpr Word kHighestScale = bit(14);
 inline constexpr Word kSupervisorOn = bit(4);
 inline constexpr Word kSupervisor2900mV = 7 << 5;
 inline constexpr Address kCsr = kCr + 0x04;
-inline constexpr Word kSupplyIsLow = bit(2);  ///< Supply below the supervisor's level, if it is on.
+/// The supply is below the supervisor's level; valid if the supervisor is on.
+inline constexpr Word kSupplyIsLow = bit(2);
 }  // namespace pwr
 
 /// External interrupts, chapter 12.
@@ -80,7 +81,8 @@ inline constexpr Address kKey = kBase + 0x04;
 inline constexpr Address kStatus = kBase + 0x0C;
 inline constexpr Address kControl = kBase + 0x10;
 inline constexpr Address kOptions = kBase + 0x14;
-inline constexpr unsigned kBrownOutShift = 2;  ///< Two option bits; 3 is the lowest level.
+/// Position of the two bits of the brown-out level; 3 is the lowest level.
+inline constexpr unsigned kBrownOutShift = 2;
 inline constexpr Address kMemory = 0x0800'0000;
 
 inline constexpr Word kFirstKey = 0x4567'0123;
@@ -91,7 +93,7 @@ inline constexpr Word kInstructionCache = bit(9);
 inline constexpr Word kDataCache = bit(10);
 inline constexpr Word kDataCacheReset = bit(12);
 inline constexpr Word kBusy = bit(16);
-inline constexpr Word kErrors = 0xF2;  ///< Each is cleared by writing 1.
+inline constexpr Word kErrors = 0xF2;  ///< Error flags; writing 1 to a flag clears it.
 inline constexpr Word kProgram = bit(0);
 inline constexpr Word kEraseSector = bit(1);
 inline constexpr Word kBy32 = 2 << 8;
@@ -106,7 +108,7 @@ inline constexpr Address kRemap = 0x4001'3800;
 inline constexpr Word kSystemMemory = 1;
 }  // namespace syscfg
 
-/// General-purpose pins, chapter 8. Port 0 is A.
+/// General-purpose pins, chapter 8. Port 0 is port A.
 namespace gpio {
 inline constexpr unsigned kPorts = 9;
 constexpr Address base(unsigned port) { return 0x4002'0000 + 0x400 * port; }
@@ -114,8 +116,8 @@ constexpr Address mode(unsigned port) { return base(port) + 0x00; }
 constexpr Address speed(unsigned port) { return base(port) + 0x08; }
 constexpr Address pull(unsigned port) { return base(port) + 0x0C; }
 constexpr Address input(unsigned port) { return base(port) + 0x10; }
-/// Returns the register whose bits 0…15 set a pin and 16…31 reset it. One store changes pins, so no
-/// interrupt can come in between.
+/// Returns the register whose bits 0 to 15 set a pin and whose bits 16 to 31 reset it. One store
+/// changes several pins, so no interrupt can come in between.
 constexpr Address set_reset(unsigned port) { return base(port) + 0x18; }
 constexpr Address alternate(unsigned port, unsigned pin) {
   return base(port) + (pin < 8 ? 0x20 : 0x24);
@@ -135,7 +137,7 @@ inline constexpr Address kEvents = 0x14;
 inline constexpr Address kCounter = 0x24;
 inline constexpr Address kPrescaler = 0x28;
 inline constexpr Address kReload = 0x2C;
-inline constexpr Address kBreak = 0x44;  ///< TIM1 only.
+inline constexpr Address kBreak = 0x44;  ///< Exists only in TIM1.
 constexpr Address compare_mode(unsigned channel) { return channel < 3 ? 0x18 : 0x1C; }
 inline constexpr Address kCompareEnable = 0x20;
 constexpr Address compare(unsigned channel) { return 0x34 + 4 * (channel - 1); }
@@ -169,7 +171,8 @@ inline constexpr Word kRoomInterrupt = bit(7);
 inline constexpr Word kOn = bit(13);
 }  // namespace usart
 
-/// Independent watchdog, chapter 21. Its clock is 32 kHz, 17 to 47 kHz over chips and temperatures.
+/// Independent watchdog, chapter 21. Its clock is 32 kHz, but 17 to 47 kHz over all chips and
+/// temperatures.
 namespace watchdog {
 inline constexpr Address kBase = 0x4000'3000;
 inline constexpr Address kKey = kBase + 0x00;
@@ -184,10 +187,10 @@ inline constexpr Word kBegin = 0xCCCC;
 /// Identification of the chip, chapters 38 and 39.
 inline constexpr Address kDeviceCode = 0xE004'2000;
 inline constexpr Address kUniqueId = 0x1FFF'7A10;
-inline constexpr Address kFlashSize = 0x1FFF'7A20;     ///< In KiB, in the upper half.
-inline constexpr Address kSystemMemory = 0x1FFF'0000;  ///< ST's boot loader, table 3.
+inline constexpr Address kFlashSize = 0x1FFF'7A20;     ///< Size in KiB, in the upper half.
+inline constexpr Address kSystemMemory = 0x1FFF'0000;  ///< Address of ST's boot loader, table 3.
 
-/// The core: system control, system timer, interrupts, memory protection.
+/// Registers of the core: system control, system timer, interrupts, memory protection.
 namespace core {
 inline constexpr Address kTickControl = 0xE000'E010;
 inline constexpr Address kTickReload = 0xE000'E014;
@@ -210,7 +213,7 @@ inline constexpr Address kRegionSize = 0xE000'EDA0;
 inline constexpr Word kResetNow = 0x05FA'0004;
 inline constexpr Word kFpuOn = 0xF << 20;
 inline constexpr Word kFaultsOn = 7 << 16;  ///< Separate memory, bus and usage faults.
-inline constexpr Word kTickOn = 7;          ///< The timer counts core clocks and interrupts.
+inline constexpr Word kTickOn = 7;          ///< Core clocks are counted; interrupts are on.
 }  // namespace core
 
 /// Positions in the vector table after the core's sixteen entries, table 62.
@@ -220,7 +223,7 @@ inline constexpr unsigned kTim2 = 28;
 inline constexpr unsigned kCount = 82;
 }  // namespace interrupt
 
-// Checks the composed addresses against the figures of the manual's memory map.
+// Checks the composed addresses against the addresses in the manual's memory map.
 static_assert(rcc::kCsr == 0x4002'3874 && rcc::kApb2Enr == 0x4002'3844);
 static_assert(flash::kControl == 0x4002'3C10);
 static_assert(gpio::set_reset(0) == 0x4002'0018 && gpio::input(2) == 0x4002'0810);

@@ -14,19 +14,19 @@ enum class Fault : std::uint8_t {
   kCrystal,
   kStack,
   kBeam,           ///< The beam was on while nothing moved.
-  kConfiguration,  ///< A bit flipped in values that follow from settings.
-  kImage,          ///< A bit flipped in the program in the flash.
+  kConfiguration,  ///< A bit flipped in values that are computed from settings.
+  kImage,          ///< A bit flipped in the image in the flash.
 };
 
-/// State of the program when a fault stopped it. It is kept in memory that start-up does not clear,
-/// so that the next start can report it.
+/// Record of a fault that stopped the program. It is in memory that start-up does not clear, so
+/// that the next start can report it.
 struct FaultRecord {
   static constexpr std::uint32_t kValid = 0x4661'756C;
 
   std::uint32_t mark;
   Fault fault;
-  std::uint8_t exception;  ///< Number of the core's exception.
-  std::uint32_t place;     ///< Address in the program; 0 if unknown.
+  std::uint8_t exception;  ///< Number of the core's exception; 0 if the fault was no exception.
+  std::uint32_t place;     ///< Address in the program, 0 if unknown; for kBeam: ticks_left().
 };
 
 enum class ResetCause : std::uint8_t {
@@ -39,8 +39,9 @@ enum class ResetCause : std::uint8_t {
   kFault,
 };
 
-/// Returns the cause by the chip's flags. Several flags are set at once: power-on is also a
-/// brown-out, and every reset pulls the reset pin. So the most specific flag is checked first.
+/// Returns the cause that the chip's flags show. One reset sets several flags: power-on also sets
+/// the brown-out flag, and every reset sets the pin flag. So the most specific flag is checked
+/// first.
 constexpr ResetCause cause_of(Word flags, bool fault_recorded) {
   if (fault_recorded) return ResetCause::kFault;
   if ((flags & rcc::kPowerOnReset) != 0) return ResetCause::kPowerOn;
@@ -95,7 +96,7 @@ constexpr const char* text_of(Fault fault) {
   return "none";
 }
 
-/// Reads the reset flags and clears them for the next reset. To be called once.
+/// Reads the reset flags and clears them for the next reset. Called once.
 template <RegisterBus Bus>
 [[nodiscard]] ResetCause take_reset_cause(bool fault_recorded) noexcept {
   const Word flags = Bus::read(rcc::kCsr);

@@ -12,11 +12,11 @@
 
 namespace hal::stm32f405 {
 
-/// The board's serial interface: an interrupt routine between the wire and two rings.
+/// The board's serial interface: an interrupt routine transfers bytes between the wire and two
+/// rings.
 ///
-/// A byte that is damaged, or for which there was no free space, leaves kLostByte in its place. No
-/// valid line may contain kLostByte, so a line that was not received whole is refused instead of
-/// being guessed.
+/// If a byte is damaged, or if there is no free space for it, kLostByte is stored in its place. No
+/// valid line may contain kLostByte, so an incomplete line is refused.
 template <const Board& kBoard, RegisterBus Bus = MemoryBus>
 class SerialLine final : public ByteStream {
  public:
@@ -27,7 +27,7 @@ class SerialLine final : public ByteStream {
   constexpr explicit SerialLine(ByteRings& rings)
       : received_{rings.received}, to_send_{rings.to_send} {}
 
-  /// Sets up the interface. To be called once, with interrupts off.
+  /// Sets up the interface. Called once, with interrupts off.
   void set_up(const Clocks& clocks) noexcept {
     set<Bus>(kPins.clock(), bit(kPins.clock_bit));
     PinSetUp<Bus>::turn_port_on(kPins.transmit);
@@ -42,7 +42,8 @@ class SerialLine final : public ByteStream {
 
   // Functions for the main loop.
 
-  /// Begins a cycle: from now on read() returns only bytes that had arrived by its boundary.
+  /// Begins a cycle: from now on read() returns only bytes that had arrived by the boundary of the
+  /// cycle.
   void begin_turn(std::uint32_t turn) { marks_.begin_turn(turn); }
 
   [[nodiscard]] std::size_t read(std::span<std::byte> into) override {
@@ -55,8 +56,9 @@ class SerialLine final : public ByteStream {
     std::size_t count = 0;
     while (count < from.size() && to_send_.try_push(from[count])) ++count;
     if (count > 0) {
-      // The interrupt may run between the push and this write. It then finds no byte to send and
-      // disables itself, so this requests it once more.
+      // The interrupt disables its request when it finds no byte to send, so this write enables the
+      // request after each push. If the interrupt has already sent the bytes, it disables the
+      // request again.
       Bus::write(kPins.base + usart::kCr1, kAtRest | usart::kRoomInterrupt);
       pend_interrupt<Bus>(kInterrupt);
     }
@@ -65,21 +67,21 @@ class SerialLine final : public ByteStream {
 
   [[nodiscard]] bool may_wait() const override { return false; }
 
-  /// Returns whether all written bytes have left the ring for the wire.
+  /// Returns whether the interface has taken all written bytes from the ring.
   [[nodiscard]] bool sent() const { return to_send_.size() == 0; }
   [[nodiscard]] std::uint32_t lost_bytes() const { return lost_.load(std::memory_order_relaxed); }
 
-  /// Marks the boundary of a cycle. To be called from an interrupt of higher priority than this
-  /// line's.
+  /// Marks the boundary of a cycle. Called from an interrupt of higher priority than the line's
+  /// interrupt.
   void note_turn(std::uint32_t turn) noexcept { marks_.note(turn, received_.place()); }
 
-  // Function for the line's own interrupt.
+  // The function for the line's own interrupt.
 
   void on_interrupt() noexcept {
     for (std::uint32_t byte = 0; byte < kMaxAtOnce; ++byte) {
       const Word status = Bus::read(kPins.base + usart::kStatus);
       if ((status & (usart::kReceived | usart::kDamaged)) == 0) break;
-      // Reading the data after the status clears both flags.
+      // Reading the data register after the status register clears both flags.
       const auto data = static_cast<std::byte>(Bus::read(kPins.base + usart::kData) & 0xFFU);
       keep((status & usart::kDamaged) != 0 ? kLostByte : data, (status & usart::kDamaged) != 0);
     }
@@ -90,7 +92,8 @@ class SerialLine final : public ByteStream {
   static constexpr SerialPins kPins = CheckedBoard<kBoard>::kSerial;
   static constexpr Word kAtRest =
       usart::kOn | usart::kReceiver | usart::kTransmitter | usart::kReceivedInterrupt;
-  /// The hardware holds two bytes; an emulator may deliver a whole file at once.
+  /// Maximum number of bytes in one interrupt. The hardware holds two bytes, but an emulator may
+  /// deliver a complete file in one interrupt.
   static constexpr std::uint32_t kMaxAtOnce = 16;
 
   void keep(std::byte byte, bool damaged) noexcept {
@@ -121,7 +124,7 @@ class SerialLine final : public ByteStream {
   SpscRing<std::byte, ByteRings::kSendBytes>& to_send_;
   TurnMarks marks_{};
   std::atomic<std::uint32_t> lost_{0};
-  bool gap_ = false;  ///< A byte was dropped, and kLostByte is not yet in its place.
+  bool gap_ = false;  ///< A byte was dropped, and kLostByte is not stored in its place yet.
 };
 
 }  // namespace hal::stm32f405

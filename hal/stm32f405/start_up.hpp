@@ -10,21 +10,22 @@
 
 namespace hal::stm32f405 {
 
-/// Vector table, at the start of the image: the initial stack pointer, then the handlers of each
+/// Vector table, at the start of the image: the initial stack pointer, then the handler of each
 /// exception and interrupt. Aligned as VTOR requires.
 struct alignas(512) VectorTable {
-  static constexpr std::size_t kCoreEntries = 15;  ///< Entries of the core; the first is reset.
+  /// Number of entries of the core; the first is reset.
+  static constexpr std::size_t kCoreEntries = 15;
 
   std::uint32_t* stack;
   std::array<Routine, kCoreEntries + interrupt::kCount> entries;
 
-  /// Returns the entry of an interrupt, by the chip's number.
+  /// Returns the entry of an interrupt. `number` is the chip's number of the interrupt.
   constexpr Routine& interrupt_entry(unsigned number) { return entries[kCoreEntries + number]; }
 };
 static_assert(sizeof(Routine) != 4 || sizeof(VectorTable) == 512);
 
-/// Stops everything that a boot loader may have left running: interrupts, their timer, DMA. Pins
-/// keep their state, so the beam stays off.
+/// Stops everything that a boot loader may have left running: interrupts, the core's timer, DMA,
+/// USB and other peripherals. Pins keep their state, so the beam stays off.
 template <RegisterBus Bus>
 void forget_boot_loader() noexcept {
   constexpr Word kDmaUsbEthernet = bit(21) | bit(22) | bit(25) | bit(29);
@@ -41,10 +42,10 @@ void forget_boot_loader() noexcept {
   Bus::write(rcc::kAhb1Reset, 0);
 }
 
-/// Sets up the core for the program: FPU, separate faults, its vectors, and the stack guard. The
-/// barrier makes these writes take effect before the following code runs (Arm, DDI 0403E, A3.7.3
-/// and B3.2.5).
-/// @param guard see guard_stack
+/// Sets up the core for the program: FPU, separate fault handlers, the vector table and the stack
+/// guard. The barrier makes these writes take effect before the following code runs (Arm, DDI
+/// 0403E, A3.7.3 and B3.2.5).
+/// @param guard address of the guard, see guard_stack
 template <RegisterBus Bus>
 void start_core(Address vectors, Address guard) noexcept {
   set<Bus>(core::kCoprocessors, core::kFpuOn);

@@ -8,31 +8,31 @@
 
 namespace hal::stm32f405 {
 
-/// The step clock. TIM2 counts ticks of 250 ns endlessly; its first compare value is the time of
-/// the next step interrupt. Each due time is computed from the due time before it, so a late
+/// The step clock. TIM2 counts ticks of 250 ns without end. Its first compare value is the time of
+/// the next step interrupt. Each due time is computed from the previous due time, so a late
 /// interrupt does not delay later ones.
 ///
-/// The time from a due tick to its edge at the pin is most of a microsecond, or several. The time
-/// that `play` asks to wait after an edge counts from the real edge. So a pulse is never shorter
-/// than requested, and neither is a direction's set-up time. After the end of a pulse, only a wait
-/// as long as the pulse counts from the edge. So the low level lasts long enough, and a late edge
-/// does not make the next one late.
+/// An edge appears at its pin up to several microseconds after its due tick. The wait that `play`
+/// returns after an edge is measured from the real edge. So a pulse and a direction's set-up time
+/// are never shorter than requested. After the end of a pulse, the wait from the real edge is
+/// limited to the pulse's length. So the low level lasts at least as long as the pulse, but a late
+/// edge does not delay the next edge further.
 ///
-/// Also at rest the interrupt comes every 10 ms, as a sign of life.
+/// At rest the interrupt comes every 10 ms, to show that it still works.
 ///
 /// A second compare value marks the boundary of the main loop's cycles, at every millisecond of the
-/// same clock. Steps that are due before the boundary are played before it, and steps that are due
-/// at it or later are played after it, however late either is. So the boundary has a fixed place in
-/// the order of steps.
+/// same clock. Steps that are due before the boundary are played before it. Steps that are due at
+/// the boundary or later are played after it. This holds even if the step or the boundary is late,
+/// so the boundary has a fixed place in the order of steps.
 template <RegisterBus Bus>
 class StepTimer {
  public:
   static constexpr std::uint32_t kTicksPerSecond = 4'000'000;
   static constexpr std::uint32_t kRestTicks = kTicksPerSecond / 100;
   static constexpr std::uint32_t kTurnTicks = kTicksPerSecond / 1000;
-  static constexpr unsigned kPriority = 1;  ///< Below the interrupts that handle faults.
+  static constexpr unsigned kPriority = 1;  ///< Less urgent than the interrupts that handle faults.
 
-  /// Sets up the timer. To be called once, with interrupts off.
+  /// Sets up the timer. Called once, with interrupts off.
   static void set_up(const Clocks& clocks) noexcept {
     set<Bus>(rcc::kApb1Enr, bit(0));
     Bus::write(timer::kTim2 + timer::kPrescaler, clocks.apb1_timers / kTicksPerSecond - 1);
@@ -45,8 +45,8 @@ class StepTimer {
     enable_interrupt<Bus>(interrupt::kTim2, kPriority);
   }
 
-  /// Starts the boundaries, which are at multiples of a cycle's length; the first is at the second
-  /// multiple from now. Main loop, once.
+  /// Starts the boundaries, which are at multiples of kTurnTicks. The first boundary is at the
+  /// second multiple from now. Main loop, once.
   void begin_turns() noexcept {
     turn_ = TickCount{(now().raw() / kTurnTicks + 2) * kTurnTicks};
     Bus::write(timer::kTim2 + timer::compare(2), turn_.raw());
@@ -54,14 +54,14 @@ class StepTimer {
     Bus::write(timer::kTim2 + timer::kInterrupts, timer::kCompare1 | timer::kCompare2);
   }
 
-  /// Starts playing, with the first interrupt due at this boundary. To be called within a boundary,
-  /// while nothing is played.
+  /// Starts playing. The first step interrupt is due at this boundary. Called at a boundary, while
+  /// nothing is played.
   void start() noexcept { wanted_ = true; }
 
-  /// Handles the interrupt: a boundary or a step, and requests another interrupt if the other is
-  /// due as well.
+  /// Handles the interrupt, which is due for a boundary or a step. If both are due, requests
+  /// another interrupt for the second.
   /// @param turn called at a boundary
-  /// @param play the step generator's part; returns the ticks until its next call, 0 to stop
+  /// @param play step generator's part; returns the number of ticks until its next call, 0 to stop
   template <typename Play, typename Turn>
   void on_interrupt(const Play& play, const Turn& turn) noexcept {
     Bus::write(timer::kTim2 + timer::kStatus, ~(timer::kCompare1 | timer::kCompare2));
@@ -71,16 +71,16 @@ class StepTimer {
     } else if (now().reached(comes_)) {
       step(play);
     }
-    // The timer fires when the counter reaches a compare value, never for a value that has passed
-    // already.
+    // The timer fires only when the counter reaches a compare value, not for a value that has
+    // already passed.
     if (now().reached(comes_) || turn_is_due()) pend_interrupt<Bus>(interrupt::kTim2);
   }
 
-  /// Returns the tick to which the present outputs of the interrupt belong, as if edges took no
-  /// time. A debugger finds it here. Any context.
+  /// Returns the tick to which the present outputs of the interrupt belong, without the delay of
+  /// the edges. A debugger reads it here. Any context.
   [[nodiscard]] constexpr const TickCount& due() const noexcept { return due_; }
 
-  /// Notes the time of an edge. To be called from `play` after pins have changed.
+  /// Notes the time of an edge. Called from `play` after pins have changed.
   void note_edge() noexcept {
     edge_ = now();
     edge_made_ = true;
@@ -91,29 +91,28 @@ class StepTimer {
     pulse_ended_ = true;
   }
 
-  /// Returns the ticks until the next step interrupt, by the registers. The result is negative if
-  /// the interrupt is overdue or running. Any context.
+  /// Returns the number of ticks until the next step interrupt, from the registers. The number is
+  /// negative if the interrupt is overdue or running. Any context.
   [[nodiscard]] static std::int32_t ticks_left() noexcept {
     const TickCount comes{Bus::read(timer::kTim2 + timer::compare(1))};
     return comes.since(now());
   }
 
-  /// Requests a boundary that is overdue by more than 100 us, as happens when its compare value has
-  /// changed by a fault. To be called from the interrupt of the time base, which has a higher
-  /// priority.
+  /// Requests a boundary that is overdue by more than 100 us, which happens if a fault has changed
+  /// its compare value. Called from the interrupt of the time base, which has a higher priority.
   void make_up() noexcept {
     constexpr std::uint32_t kOverdue = kTicksPerSecond / 10'000;
     const bool turns = turns_.load(std::memory_order_relaxed);
     if (turns && now().reached(turn_.plus(kOverdue))) pend_interrupt<Bus>(interrupt::kTim2);
   }
 
-  /// Returns whether there was an interrupt since the last call. Main loop.
+  /// Returns whether the interrupt has run since the last call. Main loop.
   [[nodiscard]] bool take_alive() noexcept { return alive_.exchange(false); }
 
  private:
   static TickCount now() noexcept { return TickCount{Bus::read(timer::kTim2 + timer::kCounter)}; }
 
-  /// Returns whether the boundary has passed and no earlier step is still waiting.
+  /// Returns whether the boundary has passed and no earlier step is waiting.
   [[nodiscard]] bool turn_is_due() const noexcept {
     return turns_.load(std::memory_order_relaxed) && (!running_ || due_.reached(turn_)) &&
            now().reached(turn_);
@@ -127,7 +126,7 @@ class StepTimer {
       wanted_ = false;
       running_ = true;
       comes_ = due_;
-      // While this interrupt runs, the compare value is in the past: see ticks_left().
+      // While this interrupt runs, the compare value must be in the past: see ticks_left().
       Bus::write(timer::kTim2 + timer::compare(1), due_.raw() - 1);
     }
     turn_ = turn_.plus(kTurnTicks);
@@ -144,13 +143,13 @@ class StepTimer {
     due_ = due_.plus(wait);
     if (!pulse_ended_) pulse_ = wait;
     const std::uint32_t least = pulse_ended_ && pulse_ < wait ? pulse_ : wait;
-    const TickCount after_edge = edge_.plus(least + 1);  // Plus 1 for the tick of the edge.
+    const TickCount after_edge = edge_.plus(least + 1);  // The added tick is the tick of the edge.
     comes_ = edge_made_ && after_edge.reached(due_) ? after_edge : due_;
     Bus::write(timer::kTim2 + timer::compare(1), comes_.raw());
   }
 
-  /// Schedules the next sign of life. `due_` stays, because an output that changes at rest belongs
-  /// to the last boundary.
+  /// Schedules the next sign of life. `due_` stays unchanged, because an output that changes at
+  /// rest belongs to the last boundary.
   void rest() noexcept {
     comes_ = now().plus(kRestTicks);
     Bus::write(timer::kTim2 + timer::compare(1), comes_.raw());
@@ -162,11 +161,14 @@ class StepTimer {
   bool running_ = false;
   bool edge_made_ = false;
   bool pulse_ended_ = false;
-  std::uint32_t pulse_ = 0;  ///< Length in ticks of the last wait that was not after a pulse's end.
+  /// Length in ticks of the last wait that did not follow a pulse's end.
+  std::uint32_t pulse_ = 0;
   TickCount edge_{};
-  TickCount due_{kRestTicks};    ///< Due time, by the waits that `play` requested.
-  TickCount comes_{kRestTicks};  ///< Next step: due_, or later after a late edge.
-  TickCount turn_{};             ///< Next boundary.
+  /// Due time of the present or next step, from the waits that `play` returned.
+  TickCount due_{kRestTicks};
+  /// Time of the next step interrupt: `due_`, or later after a late edge.
+  TickCount comes_{kRestTicks};
+  TickCount turn_{};  ///< Time of the next boundary.
 };
 
 }  // namespace hal::stm32f405

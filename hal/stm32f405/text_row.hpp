@@ -6,7 +6,7 @@
 
 namespace hal::stm32f405 {
 
-/// Writes a line into a buffer of the caller. Text that does not fit is cut off.
+/// Writes a line into memory of the caller. Text that does not fit is cut off.
 class TextRow {
  public:
   explicit TextRow(std::span<char> into) : into_{into} {}
@@ -21,7 +21,7 @@ class TextRow {
     for (; unit > 0; unit /= 10) letter(static_cast<char>('0' + value / unit % 10));
     return *this;
   }
-  /// Appends eight hexadecimal digits.
+  /// Appends the value as eight hexadecimal digits.
   TextRow& hexadecimal(std::uint32_t value) {
     for (unsigned digit = 8; digit-- > 0;) letter("0123456789abcdef"[value >> (4 * digit) & 0xFU]);
     return *this;

@@ -7,8 +7,9 @@
 
 namespace hal::stm32f405 {
 
-/// Returns whether the chip is of the F405, F407 or F429 families, whose factory data are at the
-/// addresses that this port reads. On other chips such a read may cause a fault. Any context.
+/// Returns whether the chip is of the F405, F407 or F429 family. Only these are known to have
+/// factory data at the addresses that this port reads; on other chips such a read may cause a
+/// fault. Any context.
 template <RegisterBus Bus>
 [[nodiscard]] bool is_known_family() noexcept {
   constexpr std::array<Word, 3> kFamilies{0x413, 0x411, 0x419};  // RM0090, 38.6.1; ES0182, 2.1.2.

@@ -6,8 +6,8 @@
 
 namespace hal::stm32f405 {
 
-/// Restarts the chip if it is not fed for 128 ms (87 to 240 ms, over the tolerance of its
-/// oscillator). Once begun it cannot be stopped. Main loop.
+/// Restarts the chip if it is not fed for 128 ms (87 to 240 ms, because of the tolerance of its
+/// oscillator). Once started, it cannot be stopped. Main loop.
 template <RegisterBus Bus = MemoryBus>
 class Watchdog {
  public:
@@ -17,8 +17,8 @@ class Watchdog {
   }
   static void feed() noexcept { Bus::write(watchdog::kKey, watchdog::kFeed); }
 
-  /// Lengthens the period to at least 5 s, because no code runs while the flash is erased: up to 2
-  /// s for 128 KiB (DS8626, table 41).
+  /// Lengthens the period to at least 5 s, because no code runs while the flash is erased. Erasing
+  /// 128 KiB takes up to 2 s (DS8626, table 41).
   static void be_patient() noexcept { change(kBy64, kLongestTicks); }
   static void be_strict() noexcept { change(kBy8, kUsualTicks); }
 
@@ -27,7 +27,7 @@ class Watchdog {
   static constexpr Word kBy64 = 4;
   static constexpr Word kUsualTicks = 511;
   static constexpr Word kLongestTicks = 4095;
-  /// A change takes five clocks of 17 kHz at worst.
+  /// Maximum number of reads during a change, which takes at most five clocks of 17 kHz.
   static constexpr std::uint32_t kChangeLooks = 20'000;
 
   static void change(Word prescaler, Word ticks) noexcept {

@@ -43,19 +43,19 @@ class CanHost final : public hal::ByteStream {
   /// Queues text for the node.
   [[nodiscard]] std::size_t write(std::span<const std::byte> from) override;
 
-  /// Sends realtime bytes, at most eight, in a frame apart from the text. Returns whether the port
-  /// had capacity for the frame.
+  /// Sends at most eight realtime bytes in a separate frame. Returns whether the port had capacity
+  /// for the frame.
   [[nodiscard]] bool act(std::span<const std::byte> bytes);
   /// Sends a network command to this node, or to all nodes. Returns whether the port had capacity
   /// for the frame.
   [[nodiscard]] bool order(cnc::can::NetworkCommand command, bool all = false);
-  /// Sets whether a heartbeat is sent every kHeartbeatUs. A node that has received no heartbeat in
-  /// a session waits for the host without a time limit.
+  /// Sets whether a heartbeat is sent every kHeartbeatUs. Without any heartbeat in a session, the
+  /// node waits for the host without a time limit.
   void beat(bool beats) { beats_ = beats; }
 
-  /// Returns the state in the node's last heartbeat; nothing before the first heartbeat.
+  /// Returns the state in the node's last heartbeat; empty before the first heartbeat.
   [[nodiscard]] std::optional<cnc::can::NodeState> state() const { return state_; }
-  /// Returns how many frames of the node have arrived.
+  /// Returns the number of frames that have arrived from the node.
   [[nodiscard]] std::uint32_t frames() const { return frames_; }
   [[nodiscard]] const std::vector<Emergency>& emergencies() const { return emergencies_; }
   [[nodiscard]] const cnc::IsoTpReceiver::Counts& received() const { return receiver_.counts(); }

@@ -83,7 +83,7 @@ ExitStatus check_all(const JobOptions& options) {
 void add_check_command(CLI::App& app, ExitStatus& status) {
   CLI::App* command = app.add_subcommand(
       "check",
-      "Look programs over: time, bounds, travel, and every fault as file:line:column: message.");
+      "Check programs: time, bounds, travel, and every fault as file:line:column: message.");
   command->footer(
       "Examples:\n"
       "  kerfline check part.nc --settings laser.settings\n"

@@ -17,15 +17,16 @@ struct ParameterText {
   /// Text of the value, such as ` FILE REQUIRED` or ` Z=-10`; empty for a flag.
   std::string value;
   std::string description;
-  std::vector<std::string> choices;  ///< The only values that the parameter takes; empty for any.
+  /// The only values that the parameter accepts; empty if it accepts any value.
+  std::vector<std::string> choices;
   bool takes_value = false;
   bool takes_file = false;  ///< Whether the value is the name of a file, of a link or of a device.
   bool may_repeat = false;
 };
 
-/// One command with everything that `--help` prints about it.
+/// One command with all texts that `--help` prints about it.
 struct CommandText {
-  std::string path;  ///< Name of the command after the names above it: `kerfline kerf advise`.
+  std::string path;  ///< Names from the program down to the command: `kerfline kerf advise`.
   std::string description;
   std::string footer;
   std::vector<ParameterText> positionals;
@@ -33,7 +34,7 @@ struct CommandText {
   std::vector<std::string> subcommands;  ///< Names of the subcommands, without this command's path.
 };
 
-/// Lists `app` and all commands below it, each in front of its subcommands.
+/// Returns `app` and all commands below it. Each command comes before its subcommands.
 [[nodiscard]] std::vector<CommandText> command_tree(const CLI::App& app);
 
 /// Returns the command of `path`, which must be in the list.

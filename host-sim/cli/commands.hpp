@@ -6,7 +6,7 @@ class App;  // Forward declaration only, because CLI11's header takes seconds to
 
 namespace sim {
 
-/// Exit status that a command returns to the shell.
+/// Exit status of the program.
 enum class ExitStatus : int {
   kFine = 0,
   kFaults = 1,  ///< The program has faults, or the run ended in an alarm.

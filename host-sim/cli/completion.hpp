@@ -7,8 +7,8 @@
 
 namespace sim {
 
-/// Each function returns the script with which a shell completes commands, options, closed sets of
-/// values and names of files after `kerfline`.
+/// Each function returns the script with which a shell completes the words after `kerfline`:
+/// commands, options, values of closed sets, and names of files.
 [[nodiscard]] std::string bash_completion(std::span<const CommandText> commands);
 [[nodiscard]] std::string zsh_completion(std::span<const CommandText> commands);
 [[nodiscard]] std::string fish_completion(std::span<const CommandText> commands);

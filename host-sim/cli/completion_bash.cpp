@@ -6,8 +6,8 @@
 namespace sim {
 namespace {
 
-// The script is plain bash, because the helpers of the bash-completion package may be missing.
-// Between `--option` and its value bash may see a word `=`.
+// The script uses plain bash, because the helpers of the bash-completion package may be missing. It
+// skips the word `=` that bash may see between `--option` and its value.
 constexpr const char* kBashScript =
     R"(# Completion of kerfline for bash; written by `kerfline completion bash`.
 _kerfline() {{
@@ -39,7 +39,8 @@ _kerfline() {{
 complete -F _kerfline kerfline
 )";
 
-/// Returns the case of an option that takes a value: the words that may follow the option.
+/// Returns a branch of the script's `case` for an option with a value: the words that may follow
+/// it.
 std::string value_case(const CommandText& command, const ParameterText& option) {
   std::vector<std::string> patterns;
   for (const std::string& name : option.names) {
@@ -52,7 +53,8 @@ std::string value_case(const CommandText& command, const ParameterText& option) 
   return fmt::format("    {}) {} ;;\n", fmt::join(patterns, "|"), action);
 }
 
-/// Returns the case of a command: its subcommands, closed sets of its positionals, its options.
+/// Returns a branch of the script's `case` for a command: its subcommands, the closed sets of its
+/// positionals, and its options.
 std::string words_case(const CommandText& command) {
   std::vector<std::string> words = command.subcommands;
   bool takes_files = false;

@@ -15,8 +15,7 @@ std::string quoted_for_fish(const std::string& text) {
   return quoted + "'";
 }
 
-/// Returns the condition under which the words so far are those of `command`, without one of its
-/// subcommands.
+/// Returns the condition of fish that the words so far name `command` and none of its subcommands.
 std::string condition_of(const CommandText& command) {
   std::string condition;
   std::size_t from = command.path.find(' ');
@@ -32,7 +31,7 @@ std::string condition_of(const CommandText& command) {
       "{}not __fish_seen_subcommand_from {}", condition, fmt::join(command.subcommands, " "));
 }
 
-/// Returns the words that may follow an option.
+/// Returns the arguments of fish's `complete` for the value of an option.
 std::string fish_value_of(const ParameterText& option) {
   if (!option.takes_value) return "";
   if (!option.choices.empty()) {

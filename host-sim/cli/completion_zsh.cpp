@@ -23,13 +23,14 @@ std::string quoted_for_zsh(const std::string& text, std::string_view special) {
   return quoted;
 }
 
-/// Returns `_kerfline_kerf_advise` for `kerfline kerf advise`.
+/// Returns the name of a command's zsh function: `_kerfline_kerf_advise` for `kerfline kerf
+/// advise`.
 std::string function_of(std::string path) {
   std::replace(path.begin(), path.end(), ' ', '_');
   return "_" + path;
 }
 
-/// Returns `:message:action` for a value.
+/// Returns zsh's specification of a parameter's value, `:message:action`.
 std::string zsh_value_of(const ParameterText& parameter) {
   std::string action = parameter.takes_file ? "_files" : " ";
   if (!parameter.choices.empty()) action = fmt::format("({})", fmt::join(parameter.choices, " "));
@@ -62,7 +63,7 @@ std::string leaf_function(const CommandText& command) {
   return fmt::format("{}() {{\n{}\n}}\n", function_of(command.path), body);
 }
 
-/// Returns the function of a command that has subcommands: it calls their functions.
+/// Returns the zsh function of a command with subcommands, which calls the functions of these.
 std::string branch_function(std::span<const CommandText> commands, const CommandText& command) {
   std::string options;
   for (const ParameterText& option : command.options) options += option_specs(option);
@@ -103,7 +104,8 @@ std::string zsh_completion(std::span<const CommandText> commands) {
     script +=
         command.subcommands.empty() ? leaf_function(command) : branch_function(commands, command);
   }
-  // The script is loaded by compinit as a function, or sourced.
+  // compinit loads the script as a function. A script that is sourced registers the function
+  // instead.
   script +=
       "if [[ $funcstack[1] == _kerfline ]]; then\n"
       "  _kerfline \"$@\"\n"

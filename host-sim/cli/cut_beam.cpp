@@ -15,23 +15,23 @@
 namespace sim {
 namespace {
 
-/// Checks that each option comes with the options that it needs. Throws std::invalid_argument
-/// otherwise.
+/// Checks that each option is given together with the options that it requires. Throws
+/// std::invalid_argument otherwise.
 void expect_whole_call(const CutCommandOptions& options) {
   const auto refuse = [](const char* reason) { throw std::invalid_argument(reason); };
   const bool has_material = !options.record.material.empty();
   if (has_material && options.thickness_mm <= 0.0) {
-    refuse("--thickness: is needed with --material, mm");
+    refuse("--thickness is missing; --material requires it, mm");
   }
   if (!has_material && !options.entry.empty()) {
-    refuse("--entry: is one of a --material; name it, or leave it out");
+    refuse("--entry: requires a --material; name one, or leave --entry out");
   }
   if (!has_material && (!options.record.data_base.empty() || !options.record.unit.empty())) {
-    refuse("--db and --unit: are for the record of a --material; name it, or leave them out");
+    refuse("--db and --unit: require a --material; name one, or leave them out");
   }
   if (!options.kerf_table) return;
   if (!has_material || options.kerf_mm) {
-    refuse("--kerf-table: the controller needs the kerf of a --material, and no --kerf");
+    refuse("--kerf-table: requires the kerf of a --material; name one, and leave out --kerf");
   }
 }
 
@@ -54,15 +54,15 @@ void guess_full_power(cut::Beam& beam,
   });
   if (watts > 0.0 && has_shares) {
     throw std::invalid_argument(
-        "power is given in watts and as a share; say with --full-power or --machine what the laser "
-        "gives, W");
+        "power is given in watts and as a share; give the power of the laser, W, with --full-power "
+        "or --machine");
   }
   beam.knows_watts = watts > 0.0;
   beam.full_power_w = beam.knows_watts ? watts : 100.0;
   if (!beam.knows_watts) return;
   notes.push_back(
       fmt::format("the laser's full power is not given: S{:g} is taken as {:g} W, the greatest "
-                  "power of the call; say with --full-power or --machine what it gives",
+                  "power of the call; give the full power with --full-power or --machine",
                   beam.full_power_s,
                   watts));
 }
@@ -78,12 +78,11 @@ ProgramDigest CutKerf::digest() const {
 
 namespace {
 
-/// Makes the job's kerf from an entry of a record: the kerf is the entry's own or the one that the
-/// call gives.
+/// Takes the job's kerf from an entry of a record, unless the call gives a kerf.
 void take_entry(CutKerf& kerf, const MaterialRecord& record, const CutCommandOptions& options) {
   if (options.kerf_table) {
     throw std::invalid_argument(fmt::format(
-        "--kerf-table: the controller needs a law of the kerf, and {} has none; calibrate it",
+        "--kerf-table: the controller requires a law of the kerf, and {} has none; calibrate it",
         record.name));
   }
   const std::uint32_t thickness_um = thickness_option(options.thickness_mm);

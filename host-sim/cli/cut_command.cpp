@@ -43,7 +43,8 @@ using cut::CutJob;
 using cut::CutPlan;
 using drawing::Drawing;
 
-/// Returns the faults that the importer found, except those that the settings of a layer correct.
+/// Returns the faults that the importer found, except faults that the settings of a layer make
+/// harmless.
 std::vector<drawing::Fault> faults_of(const Drawing& drawn,
                                       const std::vector<cut::LayerPlan>& layers) {
   std::vector<drawing::Fault> faults = picture_faults(drawn, layers);
@@ -74,13 +75,13 @@ void print_warnings(const std::vector<drawing::Fault>& warnings, const Drawing& 
   }
 }
 
-/// Prints the faults of a drawing, with the number of those that it does not list.
+/// Prints the faults of a drawing, and the number of faults that the importer did not list.
 void print_all_faults(const std::vector<drawing::Fault>& faults, const Drawing& drawn) {
   print_faults(faults, drawn);
   if (drawn.more_faults != 0) terminal::print(stderr, "and {} more faults\n", drawn.more_faults);
 }
 
-/// Prints notes on what was left out without a fault, except in layers that are skipped.
+/// Prints notes about entities that were left out without a fault, except in skipped layers.
 void print_notes(const Drawing& drawn,
                  const std::vector<cut::LayerPlan>& layers,
                  const std::vector<cut::LayerRule>& rules) {
@@ -108,7 +109,7 @@ void append(std::vector<drawing::Fault>& faults, const std::vector<drawing::Faul
   faults.insert(faults.end(), more.begin(), more.end());
 }
 
-/// Prints faults for which no cut is planned, and returns the status.
+/// Prints faults that prevent the planning of cuts, and returns the exit status.
 ExitStatus refuse(const CutCommandOptions& options,
                   const std::vector<drawing::Fault>& faults,
                   const Drawing& drawn) {
@@ -118,7 +119,8 @@ ExitStatus refuse(const CutCommandOptions& options,
   return ExitStatus::kFaults;
 }
 
-/// Returns the settings of a machine with a laser: the machine's own, and those of the call.
+/// Returns the settings of a machine with a laser: laser mode, then those of the profile, then
+/// those of the call.
 std::vector<SettingChange> machine_of(const CutCommandOptions& options) {
   std::vector<SettingChange> settings{parse_setting("$32=1", "laser mode")};
   settings.insert(settings.end(), options.machine_settings.begin(), options.machine_settings.end());
@@ -132,8 +134,8 @@ bool names_settings(const CutCommandOptions& options) {
          !options.machine_settings.empty();
 }
 
-/// Returns the program, with its time in its heading. If the machine refuses it, the program has
-/// faults.
+/// Returns the program, with its time in the heading. Prints the machine's faults of the program
+/// and sets `status` accordingly.
 std::string timed_program(const CutCommandOptions& options,
                           const CutJob& job,
                           const CutRun& run,
@@ -154,13 +156,13 @@ std::string timed_program(const CutCommandOptions& options,
   }
   if (is_unknown) {
     terminal::print(stderr,
-                    "kerfline: warning: the job is larger than a new controller's travel; "
-                    "--machine or --settings tells of yours\n");
+                    "kerfline: warning: the job is larger than a new controller's travel; give "
+                    "that of your machine with --machine or --settings\n");
   } else if (!check.faults.empty()) {
     terminal::print(
         stderr,
-        "kerfline: the machine as it is set does not take the program; tell of yours with "
-        "--settings, or move the drawing\n");
+        "kerfline: the machine with its present settings refuses the program; give those of your "
+        "machine with --settings, or move the drawing\n");
     status = ExitStatus::kFaults;
   }
   return options.post.applied_to(program_of(job, run, heading_of(job, figures)));
@@ -168,11 +170,12 @@ std::string timed_program(const CutCommandOptions& options,
 
 const char* refusal_of(const CutPlan& plan) {
   if (plan.cuts.empty()) return "nothing is left to cut; no program is written";
-  if (plan.safety.no_way != 0) return "no program is written; its rapids would not be safe";
-  return "no program is written; --anyway cuts what is sound";
+  if (plan.safety.no_way != 0) return "no program is written, as its rapids would not be safe";
+  return "no program is written; --anyway cuts the contours without faults";
 }
 
-/// Returns the wishes of the call, with a progress line while the order is searched.
+/// Returns the requirements of the call for the order. A progress line is shown while it is
+/// searched.
 cut::OrderWish searched_order(const CutCommandOptions& options) {
   order::OrderProgress progress;
   if (is_terminal(stderr)) {
@@ -188,8 +191,8 @@ cut::OrderWish searched_order(const CutCommandOptions& options) {
   return wish;
 }
 
-/// Writes pictures, program, frame and reports of a job. If the job has faults, writes no program,
-/// unless the call requires one of the sound parts.
+/// Writes pictures, program, frame and reports of a job. If the job has faults, the program is
+/// written only if the call requires the contours without faults.
 ExitStatus write_job(const CutCommandOptions& options,
                      const CutJob& job,
                      const CutRun& run,
@@ -237,27 +240,27 @@ ExitStatus refuse_off_the_bed(const CutCommandOptions& options) {
   return ExitStatus::kFaults;
 }
 
-/// Takes from a machine the values that the call does not give.
+/// Completes the options by values of the machine's profile where the call gives none.
 void take_machine(CutCommandOptions& options, const cut::MachineProfile& machine) {
   if (options.full_power_w == 0.0) options.full_power_w = machine.full_power_w;
   options.machine_settings = machine.settings;
 }
 
-/// Moves a drawing to its position. Returns a line about the position, see place_drawing().
+/// Moves a drawing to its position on the machine. Returns the text of place_drawing() about it.
 std::string put_to_place(const CutCommandOptions& options,
                          CutInput& input,
                          const std::optional<cut::MachineProfile>& machine) {
   const cut::PlaceWishes wishes = place_wishes_of(options.place);
   if (wishes.is_asked() && (input.sheet || !options.sheet.save.empty())) {
     throw std::invalid_argument(
-        "--place, --move, --turn, --mirror, --scale and --copies: a sheet has places of its own; "
-        "change them there");
+        "--place, --move, --turn, --mirror, --scale and --copies: a sheet contains the positions "
+        "of its parts; change them there");
   }
   if (input.sheet) return {};
   return place_drawing(input.drawn, wishes, machine ? &*machine : nullptr, options.import.effort);
 }
 
-/// Returns the pictures and cuts of a call in their order, with each of their passes.
+/// Returns the plan of all pictures and cuts of a call: in their order, with each pass.
 CutPlan planned(const CutSource& source,
                 const Drawing& drawn,
                 const std::vector<cut::LayerPlan>& layers,

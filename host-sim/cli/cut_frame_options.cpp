@@ -14,7 +14,8 @@
 namespace sim {
 namespace {
 
-/// Power in % above which a beam that is only to be seen begins to burn.
+/// Greatest power along a frame, % of full power. The beam only has to be visible; more power may
+/// burn the material.
 constexpr double kMaxFramePercent = 5.0;
 constexpr double kMaxFrameFeed = 1.0e6;  ///< Greatest feed of a frame, mm/min.
 
@@ -33,22 +34,28 @@ std::vector<std::string> frame_heading(const CutFrameOptions& options, const cut
 }  // namespace
 
 void add_cut_frame_options(CLI::App& command, CutFrameOptions& options) {
-  mark_file(command.add_option("--frame", options.file, "Write a program that traces the job")
-                ->type_name("FILE"),
-            FileRole::kOutput);
+  mark_file(
+      command
+          .add_option("--frame", options.file, "Write a program that traces the border of the job")
+          ->type_name("FILE"),
+      FileRole::kOutput);
   const std::map<std::string, cut::FrameShape> shapes{{"hull", cut::FrameShape::kHull},
                                                       {"box", cut::FrameShape::kBox}};
-  command.add_option("--frame-shape", options.shape, "Around all cuts: hull, or upright box")
+  command
+      .add_option("--frame-shape",
+                  options.shape,
+                  "Border of all cuts: their convex hull, or their box along X and Y")
       ->transform(CLI::CheckedTransformer(shapes))
       ->option_text("hull|box [hull]");
   command
       .add_option("--frame-power",
                   options.power_percent,
-                  "Of full power, %; 0 keeps the beam off, for machines without a visible beam")
+                  "Power along the frame, % of full power; 0 keeps the beam off, for machines "
+                  "without a visible beam")
       ->check(in_range(0.0, kMaxFramePercent, "%"))
       ->type_name("%")
       ->capture_default_str();
-  command.add_option("--frame-feed", options.feed_mm_min, "Along the frame, mm/min")
+  command.add_option("--frame-feed", options.feed_mm_min, "Feed along the frame, mm/min")
       ->check(in_range(1.0, kMaxFrameFeed, "mm/min"))
       ->type_name("MM/MIN")
       ->capture_default_str();

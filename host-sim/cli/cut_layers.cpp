@@ -68,16 +68,16 @@ LayerSettings common_settings(const CutCommandOptions& options, LayerSettings ba
 
 namespace {
 
-/// Returns the given power and speed. Without a material both have to be given.
+/// Returns power and speed as given by layer or call. Without a material both are required.
 cut::Condition given_condition(const LayerSettings& settings, std::uint32_t thickness_um) {
   const char* missing = nullptr;
   if (!settings.feed_mm_min)
-    missing = "feed is not given; say --feed, or feed= for the layer, mm/min";
+    missing = "feed is not given; give --feed, or feed= for the layer, mm/min";
   if (!settings.power_w) {
-    missing = "power is not given; say --power, or power= for the layer, as 40W, 60% or S600";
+    missing = "power is not given; give --power, or power= for the layer, as 40W, 60% or S600";
   }
   if (missing != nullptr) {
-    throw std::invalid_argument(fmt::format("{}, or name a --material that knows", missing));
+    throw std::invalid_argument(fmt::format("{}, or name a --material with known cuts", missing));
   }
   return {{thickness_um, power_option(*settings.power_w), speed_option(*settings.feed_mm_min)}};
 }
@@ -101,12 +101,12 @@ cut::Condition condition_of(const CutSource& source, const LayerSettings& settin
     if (kerf.material) return chosen_condition(source, settings);
     if (!kerf.origin.empty()) {
       throw std::invalid_argument(
-          fmt::format("the kerf of {} is not known ({}); say --kerf, such as 0.15, mm",
+          fmt::format("the kerf of {} is not known ({}); give --kerf, such as 0.15, mm",
                       kerf.record.name,
                       kerf.origin));
     }
     throw std::invalid_argument(
-        "the kerf is not known; say --kerf, such as 0.15, mm, or name a --material");
+        "the kerf is not known; give --kerf, such as 0.15, mm, or name a --material");
   }
   const std::uint32_t thickness_um = thickness_option(source.options.thickness_mm);
   const bool is_given = settings.power_w && settings.feed_mm_min;
@@ -117,8 +117,8 @@ cut::Condition condition_of(const CutSource& source, const LayerSettings& settin
   return condition;
 }
 
-/// Returns power and feed of a layer that is engraved. Those of a cut are chosen only if the layer
-/// does not give both.
+/// Returns power and feed of an engraved layer. If the layer does not give both, the missing ones
+/// are chosen as for a cut.
 cut::Condition engraving_of(const CutSource& source,
                             const LayerSettings& settings,
                             const LayerSettings& common) {
@@ -134,7 +134,7 @@ cut::Condition engraving_of(const CutSource& source,
   return cut::engraving(cut, 0.01 * source.options.shop.mark_percent, power, speed);
 }
 
-/// Returns the condition of a layer. Its errors name the layer.
+/// Returns the condition of a layer. Errors that it throws name the layer.
 cut::Condition condition_for(const drawing::Layer& layer,
                              const CutSource& source,
                              const LayerSettings& settings,
@@ -192,7 +192,7 @@ cut::Recipes recipes_of(const CutSource& source,
   for (const cut::ShopRule& rule : rules) {
     if (source.options.thickness_mm > 0.0 || !asks_for_thickness(rule)) continue;
     throw std::invalid_argument(
-        fmt::format("{}: \"{}\": needs the thickness of the sheet; say --thickness, mm",
+        fmt::format("{}: \"{}\": requires the thickness of the sheet; give --thickness, mm",
                     rule.place,
                     rule.text));
   }

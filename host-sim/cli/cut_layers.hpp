@@ -9,15 +9,15 @@
 
 namespace sim {
 
-/// All inputs from which the conditions of layers are chosen.
+/// Inputs from which the powers and feeds of layers are chosen.
 struct CutSource {
   const CutCommandOptions& options;
   const CutKerf& kerf;
   const cut::Beam& beam;
 };
 
-/// Reads the rules for layers of a call. Throws std::invalid_argument with the place of a wrong
-/// rule, also for a rule that names no layer of the drawing.
+/// Reads the rules for layers of a call. Throws std::invalid_argument naming the option or the line
+/// of the file of a wrong rule. A rule for a layer that the drawing does not have is wrong, too.
 [[nodiscard]] std::vector<cut::LayerRule> layer_rules_of(const CutCommandOptions& options,
                                                          const drawing::Drawing& drawn,
                                                          InputFiles& inputs);
@@ -27,7 +27,7 @@ struct CutSource {
 [[nodiscard]] cut::LayerSettings common_settings(const CutCommandOptions& options,
                                                  cut::LayerSettings base = {});
 
-/// Returns the settings of all cuts, and those of each layer that is driven. Their power may be a
+/// Returns the settings of all cuts, then those of each driven layer. A power may still be a
 /// share. Throws as settings_of_layer().
 [[nodiscard]] std::vector<cut::LayerSettings> power_wishes(
     const CutCommandOptions& options,

@@ -19,7 +19,7 @@ using cut::OfferedValues;
 struct LayerChoice {
   LayerSettings settings{};
   std::vector<std::string> taken{};  ///< Settings that were taken, as `key=value`.
-  /// Reasons why offered settings were not taken, each a clause.
+  /// Reasons why offered settings were not taken, as clauses for one sentence.
   std::vector<std::string> not_taken{};
 };
 
@@ -29,8 +29,8 @@ LayerSettings with_values(LayerSettings settings,
   return settings;
 }
 
-/// Returns the settings after applying the offered ones, then the options of all cuts, then the
-/// rules.
+/// Returns the settings of a layer: the offered ones, overridden by the options of all cuts,
+/// overridden by the rules.
 LayerSettings applied(const CutCommandOptions& options,
                       const drawing::Layer& layer,
                       const std::vector<cut::LayerRule>& rules,
@@ -39,7 +39,8 @@ LayerSettings applied(const CutCommandOptions& options,
   return settings_for(layer, common_settings(options, base), rules, base);
 }
 
-/// Returns whether the call gives a setting of a layer that is driven along lines, or is filled.
+/// Returns whether the call gives the setting `key` of a layer. Options of all cuts do not count if
+/// the layer is `engraved`.
 bool is_said(const CutCommandOptions& options,
              const std::vector<const cut::LayerRule*>& own,
              bool engraved,
@@ -73,7 +74,7 @@ void drop_operation(OfferedValues& offered, LayerChoice& choice, const std::stri
   if (!dropped.empty()) choice.not_taken.push_back(fmt::format("{} not, {}", dropped, reason));
 }
 
-/// Returns what the power and speed of a side are for: `lines`, `filling` or `pictures`.
+/// Returns the use of the power and speed of a side: `lines`, `filling` or `pictures`.
 std::string_view use_of(cut::Side side) {
   if (side == cut::Side::kFill) return "filling";
   return side == cut::Side::kImage ? "pictures" : "lines";

@@ -11,14 +11,14 @@ namespace sim {
 
 /// Returns the settings of a layer. A setting that neither the options of all cuts nor a rule give
 /// is taken from the drawing, with two exceptions. If the call names a material, power, feed and
-/// passes of a cut are the material's. If a layer is filled in place of its lines, or the other way
-/// round, its offered power, feed and passes do not apply. Throws std::invalid_argument that names
-/// the option or the rule.
+/// passes of a cut are those of the material. If the drawing offers settings for lines but the
+/// layer is filled, or the other way round, power, feed and passes are not taken. Throws
+/// std::invalid_argument that names the option or the rule.
 [[nodiscard]] cut::LayerSettings settings_of_layer(const CutCommandOptions& options,
                                                    const drawing::Layer& layer,
                                                    const std::vector<cut::LayerRule>& rules);
 
-/// Returns a line for each layer of which the drawing offers settings: the settings that were
+/// Returns a line for each layer for which the drawing offers settings: the settings that were
 /// taken, and the reasons why others were not. Throws as settings_of_layer().
 [[nodiscard]] std::vector<std::string> offered_lines(const CutCommandOptions& options,
                                                      const drawing::Drawing& drawn,

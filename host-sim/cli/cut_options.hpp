@@ -28,8 +28,8 @@ namespace sim {
 struct CutCommandOptions {
   std::string file;
   drawing::ImportOptions import;
-  /// Together with the 2 um of contours that cross (kFillToleranceMm), a cut is within 5 um of the
-  /// drawing.
+  /// This tolerance and the 2 um of crossing contours (kFillToleranceMm) keep a cut within 5 um of
+  /// the drawing.
   OutlineOptions curves{.tolerance_mm = 0.003};
   RecordOptions record;
   double thickness_mm = 0.0;        ///< Thickness of the material; 0 if not given.
@@ -68,7 +68,7 @@ struct CutCommandOptions {
   CutOutputOptions outputs;
 };
 
-/// Adds all options and the text below them.
+/// Adds all options, and the text that `--help` prints below them.
 void add_cut_options(CLI::App& command, const std::shared_ptr<CutCommandOptions>& options);
 
 }  // namespace sim

@@ -15,7 +15,8 @@
 namespace sim {
 namespace {
 
-constexpr double kFarthestMm = 1.0e5;  ///< Greatest distance of the start and the end of a job.
+/// Greatest coordinate of the start and the end of a job, mm.
+constexpr double kFarthestMm = 1.0e5;
 
 /// Reads a position `X,Y`, mm.
 cut::Place place_from(const char* option, const std::string& text) {
@@ -28,7 +29,7 @@ cut::Place place_from(const char* option, const std::string& text) {
       return value;
     }
     throw std::invalid_argument(fmt::format(
-        "{} {}: wants X,Y in mm, each at most {:g}, such as 0,300", option, text, kFarthestMm));
+        "{} {}: must be X,Y in mm, each at most {:g}, such as 0,300", option, text, kFarthestMm));
   };
   if (comma == std::string::npos) static_cast<void>(number(text.size(), text.size()));
   return {number(0, comma), number(comma + 1, text.size())};
@@ -65,34 +66,43 @@ cnc::Settings settings_with(const std::vector<SettingChange>& changes) {
 
 void add_cut_order_options(CLI::App& command, CutOrderOptions& options) {
   using order::OrderMethod;
-  command.add_option("--order", options.method, "How the order of the cuts is found")
+  command.add_option("--order", options.method, "Method that finds the order of the cuts")
       ->transform(CLI::CheckedTransformer(words_of({OrderMethod::kOurs,
                                                     OrderMethod::kNearest,
                                                     OrderMethod::kFile,
                                                     OrderMethod::kAnneal,
                                                     OrderMethod::kExact})))
       ->option_text("ours|nearest|file|anneal|exact [ours]");
-  command.add_option("--cost", options.cost, "What of the rapids is to be little")
+  command.add_option("--cost", options.cost, "Quantity of the rapids that the search minimizes")
       ->transform(
           CLI::CheckedTransformer(words_of({cut::OrderCost::kTime, cut::OrderCost::kLength})))
       ->option_text("time|length [time]");
-  command.add_option("--group", options.grouping, "What is cut together")
+  command
+      .add_option(
+          "--group",
+          options.grouping,
+          "Contours that are cut one after the other: of a layer, of a part, or no grouping")
       ->transform(CLI::CheckedTransformer(
           words_of({cut::Grouping::kNone, cut::Grouping::kLayer, cut::Grouping::kPart})))
       ->option_text("none|layer|part [none]");
-  command.add_option("--from", options.from, "Where the head is before the job, mm; 0,0")
+  command
+      .add_option("--from", options.from, "Position of the head before the job, mm; default: 0,0")
       ->type_name("X,Y");
-  command.add_option("--to", options.to, "Where it goes after the job, mm; as --from")
+  command
+      .add_option("--to",
+                  options.to,
+                  "Position to which the head goes after the job, mm; default: that of --from")
       ->type_name("X,Y");
   constexpr double kMaxSeconds = 1.0e6;
   command
       .add_option("--seconds",
                   options.seconds,
-                  "Time of the search; without it the same order on every machine")
+                  "Time of the search, s; default: a fixed number of steps, with the same order on "
+                  "every machine")
       ->check(in_range(0.0, kMaxSeconds, "s"))
       ->type_name("S");
   constexpr std::int64_t kMaxSeed = 9'000'000'000'000'000;
-  command.add_option("--seed", options.seed, "Of the search's random numbers")
+  command.add_option("--seed", options.seed, "Seed of the search's random numbers")
       ->check(in_whole_range(0, kMaxSeed))
       ->capture_default_str();
 }

@@ -27,9 +27,9 @@ struct CutOrderOptions {
 /// Adds --order, --cost, --group, --from, --to, --seconds and --seed.
 void add_cut_order_options(CLI::App& command, CutOrderOptions& options);
 
-/// Returns how the cuts are to be ordered on a machine with these settings. Throws
-/// std::invalid_argument naming the option, or the setting, that is wrong.
-/// @param progress called now and then while the order is searched; may be empty
+/// Returns the requirements for the order of the cuts on a machine with these settings. Throws
+/// std::invalid_argument naming the wrong option or setting.
+/// @param progress called repeatedly while the order is searched; may be empty
 [[nodiscard]] cut::OrderWish order_wish_of(const CutOrderOptions& options,
                                            const std::vector<SettingChange>& settings,
                                            order::OrderProgress progress);

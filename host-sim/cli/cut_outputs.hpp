@@ -10,8 +10,8 @@
 
 namespace sim {
 
-/// Writes the picture if the options require one.
-/// @param edges null if they were not measured
+/// Writes the pictures that the options require.
+/// @param edges measured edges; null if they were not measured
 void write_pictures(const CutOutputOptions& options,
                     const cut::CutJob& job,
                     const cut::Timeline& timeline,
@@ -19,7 +19,7 @@ void write_pictures(const CutOutputOptions& options,
 
 /// Prints the parts of the job's time and money, adds them to the report, and writes the files
 /// about them that the options require.
-/// @param job_time_s as account_of()
+/// @param job_time_s time of the job, see account_of()
 void account_for(const CutOutputOptions& options,
                  const cut::CutJob& job,
                  const cut::Timeline& timeline,

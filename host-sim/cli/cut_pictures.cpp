@@ -44,7 +44,7 @@ std::vector<cut::Cut> picture_cuts_of(const CutCommandOptions& options,
 cut::Condition picture_condition(const cut::LayerSettings& settings, std::uint32_t thickness_um) {
   if (!settings.power_w || !settings.feed_mm_min) {
     throw std::invalid_argument(
-        "a picture needs a power and a feed of its own, such as power=20%, feed=3000");
+        "a picture requires its own power and feed, such as power=20%, feed=3000");
   }
   return {{thickness_um, power_option(*settings.power_w), speed_option(*settings.feed_mm_min)}};
 }
@@ -62,7 +62,7 @@ std::vector<drawing::Fault> picture_faults(const drawing::Drawing& drawn,
     faults.push_back({FaultKind::kBadEntity,
                       contour.entity,
                       start_of(contour.shapes.front()),
-                      "its layer burns pictures with kind=image, and it is none",
+                      "its layer has kind=image, which burns pictures only",
                       "give its colour a kind of its own; `image: kind=image` names pictures "
                       "alone"});
   }

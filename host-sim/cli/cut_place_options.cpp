@@ -34,37 +34,53 @@ std::optional<cut::Place> two_numbers(const std::string& text, char between) {
 cut::Place point_from(const char* option, const std::string& text, const char* wanted) {
   const auto point = two_numbers(text, ',');
   if (point) return *point;
-  throw std::invalid_argument(fmt::format("{} {}: wants {}", option, text, wanted));
+  throw std::invalid_argument(fmt::format("{} {}: must be {}", option, text, wanted));
 }
 
 }  // namespace
 
 void add_machine_options(CLI::App& command, CutPlaceOptions& options) {
   add_machine_option(command, options.machine);
-  command.add_option("--place", options.place, "corner or centre of the bed, or X,Y in mm")
+  command
+      .add_option("--place",
+                  options.place,
+                  "Position of the drawing: corner or centre of the bed, or X,Y in mm")
       ->type_name("WHERE");
-  command.add_option("--place-margin", options.margin_mm, "Of --place corner, mm")
+  command
+      .add_option("--place-margin",
+                  options.margin_mm,
+                  "Distance from the edges of the bed with --place corner, mm")
       ->check(in_range(0.0, 1000.0, "mm"))
       ->type_name("MM")
       ->capture_default_str();
-  command.add_option("--move", options.move, "Then move it by this, mm; --move=-5,0")
+  command
+      .add_option("--move",
+                  options.move,
+                  "Distance by which the drawing is moved after --place, mm, such as --move=-5,0")
       ->type_name("DX,DY");
 }
 
 void add_cut_place_options(CLI::App& command, CutPlaceOptions& options) {
   add_machine_options(command, options);
-  command.add_option("--turn", options.turn_deg, "Turn the drawing to the left, about its middle")
+  command
+      .add_option("--turn",
+                  options.turn_deg,
+                  "Angle by which the drawing is rotated to the left about its middle, degrees")
       ->check(in_range(-360.0, 360.0, "degrees"))
       ->type_name("DEG");
-  command.add_option("--mirror", options.mirror, "x: left and right change places; y: up and down")
+  command
+      .add_option("--mirror",
+                  options.mirror,
+                  "Mirror the drawing: x exchanges left and right, y up and down")
       ->check(CLI::IsMember({"x", "y"}))
       ->type_name("AXIS");
-  command.add_option("--scale", options.scale, "Make it larger or smaller by this factor")
+  command.add_option("--scale", options.scale, "Factor by which the drawing is scaled")
       ->check(in_range(1.0e-4, 1.0e4, ""))
       ->type_name("F");
-  command.add_option("--copies", options.copies, "Copies along X and along Y, such as 3x2")
+  command
+      .add_option("--copies", options.copies, "Number of copies along X and along Y, such as 3x2")
       ->type_name("NxM");
-  command.add_option("--copy-gap", options.gap_mm, "Between copies, mm")
+  command.add_option("--copy-gap", options.gap_mm, "Distance between copies, mm")
       ->check(in_range(0.0, 1.0e4, "mm"))
       ->type_name("MM")
       ->capture_default_str();
@@ -97,7 +113,7 @@ cut::PlaceWishes place_wishes_of(const CutPlaceOptions& options) {
   };
   if (!counts || !is_count(counts->x()) || !is_count(counts->y())) {
     throw std::invalid_argument(fmt::format(
-        "--copies {}: wants NxM, each from 1 to {}, such as 3x2", options.copies, kMaxColumns));
+        "--copies {}: must be NxM, each from 1 to {}, such as 3x2", options.copies, kMaxColumns));
   }
   wishes.columns = static_cast<std::size_t>(counts->x());
   wishes.rows = static_cast<std::size_t>(counts->y());

@@ -29,8 +29,8 @@ constexpr const char* kLayersKey = "layers";
 /// Key of `--layers FILE`. The option's own name is already the key of the list of layers.
 constexpr const char* kLayersFileKey = "layers-file";
 
-/// Returns whether an option belongs to the call alone: its files, and options that are no setting
-/// of a job.
+/// Returns whether an option cannot be part of a recipe: files of the call, and options that are no
+/// setting of a job.
 bool is_of_the_call(const CLI::Option& option) {
   constexpr std::array<const char*, 4> kNames{"help", "recipe", "save-recipe", "layer"};
   if (option.get_positional() || option.get_lnames().empty()) return true;
@@ -83,7 +83,8 @@ class RecipeReader {
         cut::marked_json(read_text(file_), name_of_input(file_), kRecipeMark, "recipe");
     const std::vector<std::string> keys = keys_of(command_);
     const cut::JsonFields fields{document, name_of_input(file_), "", keys};
-    // The layers' file of the recipe may come later or earlier in the recipe, and is no conflict.
+    // Layers are read first: a file of layers in the same recipe is no conflict, whichever key
+    // comes first.
     if (document.contains(kLayersKey)) read_layers(document[kLayersKey]);
     for (const auto& [key, value] : document.items()) {
       if (key == kRecipeMark || key == kLayersKey) continue;
@@ -102,7 +103,7 @@ class RecipeReader {
     return *command_.get_option("--" + (key == kLayersFileKey ? kLayersKey : key));
   }
 
-  /// Returns the words that would give the value on the command line.
+  /// Returns the words with which the command line would give the value.
   std::vector<std::string> words_of(const CLI::Option& option,
                                     const std::string& pointer,
                                     const Json& value) const {
@@ -120,7 +121,7 @@ class RecipeReader {
                       const std::string& pointer,
                       const Json& value) const {
     if (value.is_number()) return value.dump();
-    if (!value.is_string()) refuse(pointer, "wants a text or a number");
+    if (!value.is_string()) refuse(pointer, "must be a text or a number");
     const auto word = value.get<std::string>();
     return file_role(option) ? from_folder(word, folder_) : word;
   }
@@ -128,7 +129,7 @@ class RecipeReader {
   void take(CLI::Option& option, const std::string& key, const Json& value) {
     const std::string pointer = "/" + key;
     if (is_flag(option)) {
-      if (!value.is_boolean()) refuse(pointer, "wants true or false");
+      if (!value.is_boolean()) refuse(pointer, "must be true or false");
       if (value.get<bool>() && option.count() == 0) give(option, pointer, {"true"});
       return;
     }
@@ -154,7 +155,7 @@ class RecipeReader {
   /// Reads `{"NAME": {"key": value}}`, or a list of such objects with their "name".
   void read_layers(const Json& layers) {
     if (!options_.layers_file.empty()) {
-      refuse("/layers", "does not go with --layers of the call; give --layer in place of that");
+      refuse("/layers", "excludes --layers of the call; give --layer instead");
     }
     const std::string pointer = fmt::format("/{}", kLayersKey);
     if (layers.is_object()) {
@@ -163,11 +164,12 @@ class RecipeReader {
       }
       return;
     }
-    if (!layers.is_array()) refuse(pointer, R"(wants {"NAME": {"kind": "cut"}}, an object)");
+    if (!layers.is_array())
+      refuse(pointer, R"(must be an object, such as {"NAME": {"kind": "cut"}})");
     for (std::size_t i = 0; i < layers.size(); ++i) {
       const std::string place = fmt::format("{}/{}", pointer, i);
       if (!layers[i].is_object() || !layers[i].contains("name") || !layers[i]["name"].is_string()) {
-        refuse(place, R"(wants an object with "name")");
+        refuse(place, R"(must be an object with "name")");
       }
       Json settings = layers[i];
       settings.erase("name");
@@ -176,13 +178,13 @@ class RecipeReader {
   }
 
   void read_layer(const std::string& name, const Json& settings, const std::string& pointer) {
-    if (!settings.is_object()) refuse(pointer, R"(wants an object, such as {"kind": "engrave"})");
+    if (!settings.is_object()) refuse(pointer, R"(must be an object, such as {"kind": "engrave"})");
     cut::LayerRule rule{
         name, {}, fmt::format("{}: {}", name_of_input(file_), printable_line(pointer))};
     cut::LayerSettings tried;
     for (const auto& [key, value] : settings.items()) {
       if (!value.is_string() && !value.is_number()) {
-        refuse(fmt::format("{}/{}", pointer, key), "wants a text or a number");
+        refuse(fmt::format("{}/{}", pointer, key), "must be a text or a number");
       }
       const std::string text = value.is_string() ? value.get<std::string>() : value.dump();
       try {
@@ -195,18 +197,20 @@ class RecipeReader {
     options_.recipe_layers.push_back(std::move(rule));
   }
 
-  /// Checks the options again with those of the recipe, because the parser has seen only the call.
+  /// Checks which options require or exclude each other, because the parser has not seen those of
+  /// the recipe.
   void expect_needed() const {
     for (const CLI::Option* option : command_.get_options()) {
       if (option->count() == 0 || is_of_the_call(*option)) continue;
       for (const CLI::Option* needed : option->get_needs()) {
         if (needed->count() == 0) {
-          refuse("/" + key_of(*option), fmt::format("needs {}, too", needed->get_name()));
+          refuse("/" + key_of(*option), fmt::format("requires {}, too", needed->get_name()));
         }
       }
       for (const CLI::Option* excluded : option->get_excludes()) {
         if (excluded->count() != 0) {
-          refuse("/" + key_of(*option), fmt::format("does not go with {}", excluded->get_name()));
+          refuse("/" + key_of(*option),
+                 fmt::format("excludes {}; leave one out", excluded->get_name()));
         }
       }
     }
@@ -218,7 +222,8 @@ class RecipeReader {
   std::filesystem::path folder_;
 };
 
-/// Returns a number if its text would be unchanged, else the text.
+/// Returns a text as a JSON number if that number is printed as the same text; otherwise as a JSON
+/// string.
 Json value_of(const std::string& text) {
   const Json number = Json::parse(text, nullptr, false);
   return number.is_number() && number.dump() == text ? number : Json(text);
@@ -274,12 +279,15 @@ void add_cut_recipe_options(CLI::App& command, CutCommandOptions& options) {
   mark_file(command
                 .add_option("--recipe",
                             options.recipe,
-                            "JSON with any of these options; those of the call go before it")
+                            "File of any of these options as JSON; options of the call override it")
                 ->type_name("FILE"),
             FileRole::kInput);
-  mark_file(command.add_option("--save-recipe", options.save_recipe, "Write what was in force")
-                ->type_name("FILE"),
-            FileRole::kOutput);
+  mark_file(
+      command
+          .add_option(
+              "--save-recipe", options.save_recipe, "Write the options of this call as a recipe")
+          ->type_name("FILE"),
+      FileRole::kOutput);
 }
 
 void apply_recipe(CLI::App& command, CutCommandOptions& options) {

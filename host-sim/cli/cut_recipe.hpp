@@ -14,14 +14,12 @@ namespace sim {
 /// Adds `--recipe` and `--save-recipe`.
 void add_cut_recipe_options(CLI::App& command, CutCommandOptions& options);
 
-/// Applies the recipe to the options of the call. Options of the call go before those of the
-/// recipe, and rules of the call come after those of the recipe. Names of files are relative to the
-/// folder of the recipe. Throws std::invalid_argument `FILE: /key: reason`, and as read_text()
-/// does.
+/// Applies the recipe to the options of the call. Options of the call override those of the recipe.
+/// Rules of the call come after those of the recipe. Names of files are relative to the folder of
+/// the recipe. Throws std::invalid_argument `FILE: /key: reason`, and as read_text() does.
 void apply_recipe(CLI::App& command, CutCommandOptions& options);
 
-/// Writes the options in force as a recipe, except the drawing and the outputs, if the call
-/// requires it.
+/// Writes all options except the drawing and the outputs as a recipe, if the call requires it.
 void save_recipe(const CLI::App& command, const CutCommandOptions& options);
 
 }  // namespace sim

@@ -8,16 +8,20 @@
 namespace sim {
 
 void add_cut_rule_options(CLI::App& command, CutRuleOptions& options) {
-  mark_file(command.add_option("--rules", options.file, "Rules for contours, one to a line")
-                ->type_name("FILE"),
-            FileRole::kInput);
+  mark_file(
+      command.add_option("--rules", options.file, "File of rules for contours, one to a line")
+          ->type_name("FILE"),
+      FileRole::kInput);
   command
       .add_option("--rule",
                   options.rules,
                   "One rule, such as 'hole diameter < thickness: feed=60%'; may be repeated")
       ->type_name("TEXT")
       ->allow_extra_args(false);
-  command.add_option("--mark-power", options.mark_percent, "Of what rules mark, % of the layer's")
+  command
+      .add_option("--mark-power",
+                  options.mark_percent,
+                  "Power with which rules mark, % of the layer's power")
       ->check(in_range(0.1, 100.0, "%"))
       ->type_name("%")
       ->capture_default_str();

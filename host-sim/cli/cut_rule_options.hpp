@@ -22,7 +22,8 @@ struct CutRuleOptions {
 /// Adds `--rules`, `--rule` and `--mark-power`.
 void add_cut_rule_options(CLI::App& command, CutRuleOptions& options);
 
-/// Reads the rules of a call. Throws std::invalid_argument with place and column of a wrong rule.
+/// Reads the rules of a call. Throws std::invalid_argument naming the option or the line of the
+/// file, and the column, of a wrong rule.
 [[nodiscard]] std::vector<cut::ShopRule> shop_rules(const CutRuleOptions& options,
                                                     InputFiles& inputs);
 

@@ -19,9 +19,9 @@ namespace {
 
 using cut::CutJob;
 
-/// A program for the simulated machine, and the statements that the machine needs before it.
+/// A program for the simulated machine, and the statements that the machine must receive before it.
 struct SimulatedProgram {
-  std::string statements;  ///< Whole lines of statements.
+  std::string statements;  ///< Complete lines that begin with `$`.
   std::string program;
   [[nodiscard]] std::string text() const { return statements + program; }
   [[nodiscard]] std::size_t lines_before() const {
@@ -59,7 +59,7 @@ constexpr std::array kBesideOnController{
     EdgeVariant{"path_follows_kerf", "path follows the kerf, M3 and $860=1", false, "$860=1"},
 };
 
-/// Greatest time of a job that is simulated.
+/// Greatest time of a job that is simulated, s; longer jobs are read line by line instead.
 constexpr double kMaxSimulatedS = 3.0 * 3600.0;
 
 ProgramCheck judge(const CutJob& job,

@@ -43,14 +43,14 @@ struct ProgramCheck {
 /// Returns the settings of the machine for which programs of the run are made.
 [[nodiscard]] cnc::Settings settings_of(const CutRun& run);
 
-/// Measured edges of a job: rows for each way of driving, for programs to read, and the figures of
-/// the first way.
+/// Measured edges of a job. It is driven in several variants, each of which has a row for the
+/// report.
 struct EdgeChecks {
   nlohmann::ordered_json rows{};
   cut::EdgeFigures first{};
 };
 
-/// Drives the job and measures the edges, once under power that follows the speed and once under
+/// Simulates the job and measures the edges, once with power that follows the speed and once with
 /// constant power. If the controller finds the path next to the parts, drives it once with power
 /// that keeps the kerf and once with a path that follows it. Prints the results to `told`.
 [[nodiscard]] EdgeChecks check_edges(const cut::CutJob& job, const CutRun& run, std::FILE* told);

@@ -26,33 +26,44 @@ void add_cut_safety_options(CLI::App& command, const std::shared_ptr<CutCommandO
         ->type_name("MM");
   };
   CLI::Option* const avoid = command.add_flag(
-      "--avoid-freed", safety.avoid_freed, "Lead rapids round holes and parts that are cut free");
+      "--avoid-freed", safety.avoid_freed, "Lead rapids round holes and parts that were cut free");
   add("--avoid-margin",
       safety.avoid_margin_mm,
       kMaxDistanceMm,
-      "Distance of these rapids from kerf and hole, where there is room; 0.1")
+      "Distance of these rapids from kerfs and holes where space permits, mm; default: 0.1")
       ->needs(avoid);
-  add("--lift", safety.lift_mm, 1000.0, "Z of rapids that find no way round; else a fault")
+  add("--lift",
+      safety.lift_mm,
+      1000.0,
+      "Z of rapids for which no path round exists, mm; default: such a rapid is a fault")
       ->needs(avoid);
   CLI::Option* const cool =
       command
-          .add_option("--cool",
-                      safety.cool_s,
-                      "Pierce near to what was cut only so long after it: in another order where "
-                      "that is quicker, else after a rest")
+          .add_option(
+              "--cool",
+              safety.cool_s,
+              "Least time between a cut and a pierce near it, s: kept by another order where "
+              "that is quicker, otherwise by a rest")
           ->check(in_range(0.001, kMaxCoolS, "s"))
           ->type_name("S");
-  add("--cool-distance", safety.cool_distance_mm, kMaxLengthMm, "What is near; five kerfs")
+  add("--cool-distance",
+      safety.cool_distance_mm,
+      kMaxLengthMm,
+      "Distance up to which --cool counts a cut as near, mm; default: five kerfs")
       ->needs(cool);
   add("--chain",
       safety.chain_mm,
       kMaxLengthMm,
-      "Join cuts by links through the waste, no longer than this, where that is quicker");
-  CLI::Option* const slice =
-      add("--slice", safety.slice_mm, kMaxLengthMm, "Cut the waste into pieces of this size, last");
+      "Greatest length of a link through the waste that joins two cuts where that is quicker, mm; "
+      "default: no links");
+  CLI::Option* const slice = add("--slice",
+                                 safety.slice_mm,
+                                 kMaxLengthMm,
+                                 "Size of the pieces into which the waste is cut at the end, mm");
   command
-      .add_option(
-          "--slice-margin", safety.slice_margin_mm, "Width of the sheet round all that is cut; 5")
+      .add_option("--slice-margin",
+                  safety.slice_margin_mm,
+                  "Width of the sheet around all cuts, mm; default: 5")
       ->check(in_range(0.0, kMaxLengthMm, "mm"))
       ->needs(slice)
       ->type_name("MM");

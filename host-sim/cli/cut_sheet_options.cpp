@@ -23,7 +23,10 @@ void add_cut_sheet_options(CLI::App& command, CutSheetOptions& options) {
   mark_file(command.add_option("--save-sheet", options.save, "Write the job as a sheet file")
                 ->type_name("FILE"),
             FileRole::kOutput);
-  command.add_option("--sheet-margin", options.margin_mm, "Around a drawing saved as a sheet, mm")
+  command
+      .add_option("--sheet-margin",
+                  options.margin_mm,
+                  "Margin around a drawing that is saved as a sheet, mm")
       ->check(in_range(0.0, kMaxSheetMarginMm, "mm"))
       ->type_name("MM")
       ->capture_default_str();
@@ -65,7 +68,7 @@ std::vector<drawing::Fault> place_faults(const CutInput& input,
   for (std::size_t i = 0; i < input.drawn.contours.size(); ++i) {
     const drawing::DrawnContour& contour = input.drawn.contours[i];
     const cut::LayerPlan& plan = recipes.of(i, layers[contour.entity.layer]);
-    // If lines are shared, parts may lie edge to edge: the plan finds the parts that are too near.
+    // With common lines, parts may touch edge to edge. The plan then finds parts that are too near.
     const bool shares_lines = plan.settings.common_line_mm > 0.0;
     uses.push_back({.is_cut = cut::is_driven(plan.settings.side),
                     .is_edge = contour.closed && plan.settings.side == cut::Side::kWaste,

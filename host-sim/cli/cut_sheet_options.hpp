@@ -24,12 +24,12 @@ struct CutSheetOptions {
 /// Adds `--save-sheet` and `--sheet-margin`.
 void add_cut_sheet_options(CLI::App& command, CutSheetOptions& options);
 
-/// Input of a job: a drawing, or a sheet and its parts as a drawing.
+/// Input of a job: a drawing, or a sheet together with the drawing of its placed parts.
 struct CutInput {
   drawing::Drawing drawn;
   std::optional<sheet::Sheet> sheet{};
 
-  /// Returns whether the sheet itself is wrong, because a part of it could not be read.
+  /// Returns whether the sheet has faults or any of its drawings could not be read.
   [[nodiscard]] bool is_broken_sheet() const;
 };
 
@@ -39,7 +39,7 @@ struct CutInput {
                                       const drawing::ImportOptions& options,
                                       InputFiles& files);
 
-/// Returns the faults in the positions of a sheet's parts; empty for other drawings.
+/// Returns the faults in the positions of a sheet's parts; empty if the input is no sheet.
 [[nodiscard]] std::vector<drawing::Fault> place_faults(const CutInput& input,
                                                        const std::vector<cut::LayerPlan>& layers,
                                                        const cut::Recipes& recipes);

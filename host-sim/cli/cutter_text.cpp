@@ -20,7 +20,7 @@ std::vector<std::string_view> split(std::string_view text, char separator) {
   }
 }
 
-/// Words of a tool in this order: kind, diameter, other values.
+/// Words that describe a tool, in the order kind, diameter, other values.
 struct CutterWords {
   std::string_view kind = "flat";
   std::string_view diameter;
@@ -76,7 +76,7 @@ stock::Cutter cutter_of(const char* option, const std::string& text) {
     refuse_option(
         option,
         text,
-        "takes a diameter in mm and flat, ball, `bull,` and the corner radius in mm, or `v,` "
+        "must be a diameter in mm and flat, ball, `bull,` and the corner radius in mm, or `v,` "
         "and the included angle in degrees and the tip's diameter, such as 6, 6,ball, "
         "6,bull,0.5 or 6,v,60,0.2; or the kind first, such as ball:6");
   }

@@ -33,7 +33,7 @@ void add_completion_command(CLI::App& app) {
       app.add_subcommand("completion", "Print the script with which a shell completes commands.");
   command->footer(kCompletionFooter);
   const auto shell = std::make_shared<std::string>();
-  command->add_option("SHELL", *shell, "Which shell reads it")
+  command->add_option("SHELL", *shell, "Shell that reads the script")
       ->required()
       ->check(CLI::IsMember({"bash", "zsh", "fish"}));
   command->callback([&app, shell] {
@@ -45,8 +45,7 @@ void add_completion_command(CLI::App& app) {
 }
 
 void add_manual_command(CLI::App& app) {
-  CLI::App* command =
-      app.add_subcommand("manual", "Print the manual page, in the language of man.");
+  CLI::App* command = app.add_subcommand("manual", "Print the manual page in the format of man.");
   command->footer(kManualFooter);
   command->callback(
       [&app] { terminal::write_data(manual_page(command_tree(app), cnc::identity::version())); });

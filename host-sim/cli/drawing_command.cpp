@@ -26,7 +26,7 @@ namespace {
 using drawing::Drawing;
 using drawing::DrawnContour;
 
-// Greatest distance in mm of the outline's chords in --json from the curves.
+// Greatest distance between the curves and the chords of --json, mm.
 constexpr double kJsonChordMm = 0.01;
 
 constexpr const char* kDrawingFooter =
@@ -180,21 +180,25 @@ ExitStatus look_at(const DrawingOptions& options) {
 
 void add_drawing_command(CLI::App& app, ExitStatus& status) {
   CLI::App* command = app.add_subcommand(
-      "drawing", "Look a drawing over: its contours, which of them are holes, and every fault.");
+      "drawing", "Check a drawing: its contours, which of them are holes, and every fault.");
   command->footer(kDrawingFooter);
   const auto options = std::make_shared<DrawingOptions>();
   mark_file(command
-                ->add_option(
-                    "FILE", options->file, "SVG, DXF, PDF, LightBurn or JSON; - is standard input")
+                ->add_option("FILE",
+                             options->file,
+                             "Drawing as SVG, DXF, PDF, LightBurn or JSON; - is standard input")
                 ->required(),
             FileRole::kInput);
   add_import_options(*command, options->import);
   add_text_option(*command, options->import.text);
   mark_file(
-      command->add_option("--svg", options->svg, "Draw what was read, with the places of faults")
+      command
+          ->add_option(
+              "--svg", options->svg, "Draw the contours that were read, with the points of faults")
           ->type_name("FILE"),
       FileRole::kOutput);
-  command->add_flag("--json", options->json, "As JSON, with outlines within 0.01 mm");
+  command->add_flag(
+      "--json", options->json, "Print the contours as JSON, with outlines within 0.01 mm");
   command->callback([options, &status] { status = look_at(*options); });
 }
 

@@ -33,7 +33,8 @@ using engrave::EngraveSettings;
 /// Greatest time of a job that is simulated; the time of longer jobs is estimated.
 constexpr double kMaxPreviewS = 1800.0;
 
-/// Returns the settings of the machine, the profile's first.
+/// Returns the settings of the machine: laser mode, then those of the profile, then those of the
+/// call.
 std::vector<SettingChange> machine_settings(const EngraveOptions& options,
                                             const std::optional<cut::MachineProfile>& machine) {
   std::vector<SettingChange> settings{parse_setting("$32=1", "laser mode")};
@@ -53,7 +54,8 @@ double greatest_s(const std::vector<SettingChange>& settings) {
   return greatest;
 }
 
-/// Returns how an engraving leaves the bed; empty if it stays within the bed.
+/// Returns a text on the distance by which an engraving leaves the bed; empty if it stays within
+/// the bed.
 std::string beyond_bed(const engrave::EngraveFigures& figures, const cut::MachineProfile& machine) {
   constexpr double kSlackMm = 1.0e-3;
   const cut::BedBox bed = machine.bed();
@@ -157,15 +159,15 @@ ExitStatus engrave_picture(const CLI::App& command, EngraveOptions& options) {
   const auto program =
       engrave_program(raster, rows, wish.limits, heading_of(options, raster, rows, inputs));
   if (!program) {
-    terminal::print(stderr, "kerfline: the picture is white; nothing is to be burnt\n");
+    terminal::print(stderr, "kerfline: the picture is white, so that no program is written\n");
     return ExitStatus::kFaults;
   }
   if (!options.picture.empty()) write_file(options.picture, engrave::burn_picture(raster));
   const std::string beyond = machine ? beyond_bed(program->figures, *machine) : "";
   if (!beyond.empty()) {
     terminal::print(stderr,
-                    "kerfline: the picture with its overscan leaves the bed of {}{}; put it "
-                    "elsewhere with --place or --move\n",
+                    "kerfline: the picture with its overscan leaves the bed of {}{}; move it with "
+                    "--place or --move\n",
                     machine->name,
                     beyond);
     return ExitStatus::kFaults;

@@ -47,10 +47,10 @@ struct EngraveOptions {
   std::string picture;
 };
 
-/// Adds all options and the text below them.
+/// Adds all options, and the text that `--help` prints below them.
 void add_engrave_options(CLI::App& command, const std::shared_ptr<EngraveOptions>& options);
 
-/// Returns how the rows are driven, and sets the powers of the tone curve. Throws
+/// Returns the settings with which rows are driven, and sets the powers of the tone curve. Throws
 /// std::invalid_argument that names the option.
 [[nodiscard]] engrave::EngraveSettings engrave_settings_of(
     EngraveOptions& options,

@@ -27,8 +27,8 @@ std::string identity_of(const struct ::stat& file) {
   return fmt::format("{}:{}", file.st_dev, file.st_ino);
 }
 
-/// Returns an identity, which is equal for two names of one file. It is empty for a target to which
-/// several outputs may be written, such as a device.
+/// Returns the identity of a file, which is the same for all its names. It is empty for a target to
+/// which several outputs may be written, such as a device.
 std::string identity_of(const std::string& name) {
   struct ::stat found {};
   if (name == kStandardInput) {
@@ -46,8 +46,8 @@ std::string identity_of(const std::string& name) {
   return (folder / target.filename()).string();
 }
 
-/// Returns the identity of standard output if it goes into a file. The file conflicts with any
-/// other file of the call.
+/// Returns the identity of standard output if it goes into a file. No other file of the call may
+/// have this identity.
 std::optional<std::string> identity_of_standard_output() {
   struct ::stat found {};
   const bool is_file = ::fstat(STDOUT_FILENO, &found) == 0 && S_ISREG(found.st_mode);
@@ -85,7 +85,7 @@ CLI::Option* mark_file(CLI::Option* option, FileRole role) {
 std::optional<FileRole> file_role(const CLI::Option& option) {
   for (const auto& [role, mark] : kMarks) {
     try {
-      // Not const in CLI11, though it changes nothing.
+      // CLI11 does not declare get_validator() const, although the function changes nothing.
       // NOLINTNEXTLINE(cppcoreguidelines-pro-type-const-cast)
       if (const_cast<CLI::Option&>(option).get_validator(mark) != nullptr) return role;
     } catch (const CLI::OptionNotFound&) {
@@ -98,7 +98,7 @@ std::optional<FileRole> file_role(const CLI::Option& option) {
 std::string stale_note(const std::string& output) {
   std::error_code is_none;
   if (output.empty() || !std::filesystem::is_regular_file(output, is_none)) return {};
-  return fmt::format("; {} is still the file of before", output);
+  return fmt::format("; {} is still the earlier file", output);
 }
 
 void refuse_shared_files(const std::vector<NamedFile>& files) {

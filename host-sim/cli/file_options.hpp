@@ -12,15 +12,16 @@ class Option;
 
 namespace sim {
 
-/// Use that a command makes of a file.
+/// Use of a file by a command.
 enum class FileRole : std::uint8_t {
   kInput,
   kOutput,
   kKept,  ///< The file is read and changed: a data base, a store, the link to a port.
 };
 
-/// Marks an option whose values are names of files, so that refuse_shared_files() knows the files.
-/// Every option that names a file has to be marked. Names that cannot be a file's are refused.
+/// Marks an option whose values are names of files, so that refuse_shared_files() checks the files.
+/// Every option that names a file must be marked. The option refuses empty names, and `-` for
+/// outputs.
 CLI::Option* mark_file(CLI::Option* option, FileRole role);
 [[nodiscard]] std::optional<FileRole> file_role(const CLI::Option& option);
 
@@ -30,7 +31,7 @@ struct NamedFile {
   FileRole role;
 };
 
-/// Returns `; NAME is still the file of before` if the file of an output exists already, for the
+/// Returns `; NAME is still the earlier file` if the file of an output exists already, for the
 /// end of a message that nothing is written. Empty if there is no file, and for devices.
 [[nodiscard]] std::string stale_note(const std::string& output);
 
@@ -39,7 +40,7 @@ struct NamedFile {
 /// file.
 void refuse_shared_files(const std::vector<NamedFile>& files);
 
-/// Checks the files of the commands that were called, as the function above.
+/// Checks all files of the commands that were called. Throws as the overload above does.
 void refuse_shared_files(const CLI::App& app);
 
 }  // namespace sim

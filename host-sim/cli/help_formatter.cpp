@@ -6,7 +6,7 @@
 namespace sim {
 namespace {
 
-/// A text without its paragraph of examples, and that paragraph.
+/// Text below the options of a command, split into its paragraph of examples and the rest.
 struct Footer {
   std::string examples;
   std::string rest;

@@ -8,8 +8,8 @@ class FormatterBase;
 
 namespace sim {
 
-/// Returns a formatter of `--help`. It prints the examples of the command, from the text below it,
-/// directly after its description.
+/// Returns a formatter of `--help`. It prints the examples in a command's footer directly after the
+/// command's description.
 [[nodiscard]] std::shared_ptr<CLI::FormatterBase> help_formatter();
 
 }  // namespace sim

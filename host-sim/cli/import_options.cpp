@@ -27,8 +27,9 @@ CLI::Validator unit_values() {
   const CLI::Validator range = in_range(drawing::kMinUnitMm, drawing::kGreatestUnitMm, "mm");
   const auto check = [range](const std::string& text) -> std::string {
     if (drawing::drawing_unit_mm(text) || range(text).empty()) return {};
-    return fmt::format(
-        "`{}` is no unit; it takes {}, or millimetres", text, drawing::drawing_unit_names());
+    return fmt::format("`{}` is no unit; choose {}, or a length in millimetres",
+                       text,
+                       drawing::drawing_unit_names());
   };
   return CLI::Validator{check, ""};
 }
@@ -44,10 +45,10 @@ void add_import_options(CLI::App& command, drawing::ImportOptions& options) {
             options.finds_gap = options.mends_gaps = text == kAutoGap;
             if (!options.finds_gap) options.gap_mm = std::stod(text);
           },
-          fmt::format("Ends no farther apart are joined, mm, 0 to {}; `auto`: a wider gap, up to "
-                      "0.5 mm, where that closes most open ends. Without this option, also two "
-                      "ends up to 0.2 mm apart with no other one near, and contours that nearly "
-                      "close",
+          fmt::format("Greatest gap between two ends that are joined, mm, 0 to {}; `auto`: a wider "
+                      "gap, up to 0.5 mm, if it closes most open ends. Without this option two "
+                      "ends up to 0.2 mm apart without a third end near them are joined, too, and "
+                      "contours that nearly close are closed",
                       drawing::kGreatestGapMm))
       ->check(gap_values())
       ->type_name("MM|auto")
@@ -59,7 +60,8 @@ void add_import_options(CLI::App& command, drawing::ImportOptions& options) {
             const auto named = drawing::drawing_unit_mm(text);
             options.unit_mm = named ? *named : std::stod(text);
           },
-          fmt::format("Unit of DXF, or pixel of SVG, in place of the drawing's own: {}, or mm",
+          fmt::format("Unit of a DXF, or pixel of an SVG, in place of that in the drawing: {}, or "
+                      "its length in mm",
                       drawing::drawing_unit_names()))
       ->check(unit_values())
       ->type_name("UNIT");

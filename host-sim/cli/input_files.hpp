@@ -11,7 +11,7 @@ namespace sim {
 /// Reads the input files of one job and keeps the digests of those that decide its program.
 class InputFiles {
  public:
-  /// Begins without digests.
+  /// Creates an object without digests.
   /// @param program the file of the program, to whose folder the names in digests are relative;
   ///   empty if the program goes to standard output
   explicit InputFiles(std::string program) : program_{std::move(program)} {}

@@ -20,16 +20,22 @@ void JobOptions::add_to(CLI::App& command) {
   mark_file(command.add_option("FILE", files, "G-code programs; - is standard input")->required(),
             FileRole::kInput);
   add_machine_option(command, machine);
-  mark_file(
-      command.add_option("--settings", settings_file, "File of $N=value lines")->type_name("FILE"),
-      FileRole::kInput);
-  command.add_option("--set", set, "One setting, such as '$110=12000' (mm/min); may be repeated")
+  mark_file(command
+                .add_option("--settings",
+                            settings_file,
+                            "File of the machine's settings, `$N=value` on each line")
+                ->type_name("FILE"),
+            FileRole::kInput);
+  command
+      .add_option("--set",
+                  set,
+                  "One setting of the machine, such as '$110=12000' (mm/min); may be repeated")
       ->type_name("$N=V")
       ->allow_extra_args(false);
   probe.add_to(command);
   command.add_flag("--json", json, "Print the report as JSON");
   command.add_flag(
-      "--progress", progress, "Print percent and time every 5 s where no terminal shows a bar");
+      "--progress", progress, "Print percent and time every 5 s if there is no terminal for a bar");
 }
 
 std::vector<SettingChange> settings_of(const std::string& machine,
@@ -72,7 +78,8 @@ JobsDone for_each_job(const JobOptions& options, const std::function<Report(cons
 }
 
 ExitStatus finish(const JobsDone& done) {
-  std::set<std::string> printed;  // A wrong setting is wrong for every file, but printed once.
+  // Errors that were printed: a wrong setting is an error of every file, and is printed once.
+  std::set<std::string> printed;
   for (const std::string& error : done.errors) {
     if (printed.insert(error).second) print_error(error.c_str());
   }

@@ -36,15 +36,15 @@ struct JobOptions {
                                                      const std::string& file,
                                                      const std::vector<std::string>& set);
 
-/// Reports of the files of a call, and errors of the files that have no report.
+/// Reports of the files of a call, and errors of the files without a report.
 struct JobsDone {
   std::vector<Report> reports;
   std::vector<std::string> errors;
 };
 
 /// Runs `work` on every file, with a progress bar on a terminal, or with progress lines if
-/// `progress` requires them. A file that cannot be read does not prevent the reports of others; if
-/// it is the only file, the function throws.
+/// `progress` requires them. A file that cannot be read does not prevent the reports of other
+/// files; if it is the only file, the function throws.
 [[nodiscard]] JobsDone for_each_job(const JobOptions& options,
                                     const std::function<Report(const Job&)>& work);
 

@@ -26,7 +26,7 @@ struct FitCommandOptions {
   RecordOptions record;
   FitOptions fit;
   std::string laser;
-  double gas_pressure_mpa = -1.0;  ///< Negative for any pressure.
+  double gas_pressure_mpa = -1.0;  ///< Gas pressure of the cuts, MPa; negative for any pressure.
 };
 
 struct AdviseOptions {
@@ -39,8 +39,9 @@ struct AdviseOptions {
 void add_add_command(CLI::App& kerf, ExitStatus&) {
   CLI::App* command = kerf.add_subcommand(
       "add",
-      fmt::format("Judge test cuts and keep them, the rejected ones too.\nThe header of a file: {}",
-                  kExperimentHeader));
+      fmt::format(
+          "Judge test cuts and keep all of them, rejected ones too.\nThe header of a file: {}",
+          kExperimentHeader));
   command->footer(
       "Example:\n"
       "  kerfline kerf add cuts.csv --db my.db --laser 'K40 tube'");
@@ -82,7 +83,7 @@ void add_fit_command(CLI::App& kerf, ExitStatus&) {
       "fit",
       "Fit kerf = l1 Q + l2 per thickness to the accepted cuts of a material, with its "
       "permissible\n"
-      "region. The record takes the place of the one with the same name and unit.");
+      "region. It replaces the record with the same name and unit.");
   command->footer(
       "Example:\n"
       "  kerfline kerf fit --db my.db --material acrylic --unit J/mm");
@@ -90,24 +91,29 @@ void add_fit_command(CLI::App& kerf, ExitStatus&) {
   options->record.add_to(*command);
   command->get_option("--db")->required();
   command->get_option("--material")->required();
-  command->add_option("--laser", options->laser, "Only cuts by this laser")->type_name("NAME");
-  command->add_option("--gas", options->gas_pressure_mpa, "Only cuts at this gas pressure, MPa")
+  command->add_option("--laser", options->laser, "Laser whose cuts are fitted")->type_name("NAME");
+  command
+      ->add_option(
+          "--gas", options->gas_pressure_mpa, "Gas pressure of the cuts that are fitted, MPa")
       ->check(in_range(0.0, 10.0, "MPa"));
   LawCriterion& criterion = options->fit.criterion;
   command
       ->add_option("--law-close",
                    criterion.close_mm,
-                   "The law holds where no mean of cuts is farther from it, mm")
+                   "Greatest distance of a mean of cuts from a law that holds, mm")
       ->check(in_range(0.0, 10.0, "mm"))
       ->capture_default_str();
   command
       ->add_option(
           "--law-correlation",
           criterion.min_correlation,
-          "Or where the correlation is at least this and no mean is farther than --law-far")
+          "Least correlation with which a law holds, too, if no mean is farther than --law-far")
       ->check(in_range(0.0, 1.0, ""))
       ->capture_default_str();
-  command->add_option("--law-far", criterion.far_mm, "mm")
+  command
+      ->add_option("--law-far",
+                   criterion.far_mm,
+                   "Greatest distance of a mean from a law with that correlation, mm")
       ->check(in_range(0.0, 10.0, "mm"))
       ->capture_default_str();
   command->callback([options] { fit(*options); });
@@ -139,7 +145,7 @@ void show(const RecordOptions& options, bool with_cuts) {
 void add_show_command(CLI::App& kerf, ExitStatus&) {
   CLI::App* command = kerf.add_subcommand(
       "show",
-      "Print a record: laws, residuals, permissible region; without --material their names.");
+      "Print a record: laws, residuals, permissible region; without --material, the names of all.");
   command->footer(
       "Examples:\n"
       "  kerfline kerf show\n"
@@ -148,7 +154,8 @@ void add_show_command(CLI::App& kerf, ExitStatus&) {
   const auto options = std::make_shared<RecordOptions>();
   const auto with_cuts = std::make_shared<bool>(false);
   options->add_to(*command);
-  command->add_flag("--cuts", *with_cuts, "The test cuts instead, and why some were rejected");
+  command->add_flag(
+      "--cuts", *with_cuts, "Print the test cuts instead, with the reasons of rejections");
   command->callback([options, with_cuts] { show(*options, *with_cuts); });
 }
 
@@ -236,9 +243,9 @@ ExitStatus advise(const AdviseOptions& options) {
 }
 
 void add_advise_command(CLI::App& kerf, ExitStatus& status) {
-  CLI::App* command = kerf.add_subcommand(
-      "advise",
-      "Say what is permissible and how wide the beam cuts; exit status 1 when it is refused.");
+  CLI::App* command = kerf.add_subcommand("advise",
+                                          "Print the permissible powers and speeds and the kerf; "
+                                          "exit status 1 for a cut that is refused.");
   command->footer(
       "Examples:\n"
       "  kerfline kerf advise --material 'CSP 1N' --thickness 2\n"
@@ -246,12 +253,14 @@ void add_advise_command(CLI::App& kerf, ExitStatus& status) {
   const auto options = std::make_shared<AdviseOptions>();
   options->record.add_to(*command);
   command->get_option("--material")->required();
-  command->add_option("--thickness", options->thickness_mm, "mm")
+  command->add_option("--thickness", options->thickness_mm, "Thickness of the material, mm")
       ->required()
       ->check(thickness_range())
       ->type_name("T");
-  command->add_option("--power", options->power_w, "W")->check(power_range())->type_name("P");
-  command->add_option("--speed", options->speed_mm_min, "mm/min")
+  command->add_option("--power", options->power_w, "Power of the beam, W")
+      ->check(power_range())
+      ->type_name("P");
+  command->add_option("--speed", options->speed_mm_min, "Speed of the cut, mm/min")
       ->check(speed_range())
       ->type_name("V");
   command->callback([options, &status] { status = advise(*options); });
@@ -260,9 +269,10 @@ void add_advise_command(CLI::App& kerf, ExitStatus& status) {
 }  // namespace
 
 void add_kerf_command(CLI::App& app, ExitStatus& status) {
-  CLI::App* kerf = app.add_subcommand("kerf",
-                                      "How wide the beam cuts: test cuts, laws fitted to them, "
-                                      "figures, tables for the controller.");
+  CLI::App* kerf =
+      app.add_subcommand("kerf",
+                         "Measure and predict the kerf: test cuts, laws fitted to them, "
+                         "figures, tables for the controller.");
   kerf->require_subcommand(1);
   kerf->footer(
       "Examples:\n"

@@ -46,7 +46,7 @@ std::string day_of(const std::string& file) {
                      static_cast<unsigned>(day.day()));
 }
 
-/// Returns an entry as an operation; empty if its mode has no operation here.
+/// Returns an entry of the library as an operation; empty for a mode other than Cut and Scan.
 std::optional<OperationRecord> operation_of(const drawing::LibraryEntry& entry,
                                             const LibraryOptions& options,
                                             const Origin& origin) {
@@ -98,7 +98,7 @@ OperationsByMaterial operations_of(const drawing::MaterialLibrary& library,
     if (!operation) {
       print_left_out(options,
                      entry,
-                     fmt::format("the mode {:.40} is none of Cut and Scan; it is left out",
+                     fmt::format("the mode {:.40} is neither Cut nor Scan; it is left out",
                                  printable_line(entry.settings.kind)));
       continue;
     }
@@ -128,7 +128,7 @@ void import_library(const LibraryOptions& options) {
     count += operations.size();
   }
   terminal::print(
-      "{}: {} settings of {} materials; {}. Kerfs are not known: `kerfline cut` needs "
+      "{}: {} settings of {} materials; {}. Kerfs are not known: `kerfline cut` requires "
       "--kerf, or `kerfline kerf test-grid` measures them\n",
       name_of_input(options.file),
       count,
@@ -141,23 +141,29 @@ void import_library(const LibraryOptions& options) {
 void add_kerf_import_command(CLI::App& kerf) {
   CLI::App* command = kerf.add_subcommand(
       "import",
-      "Take the settings of a LightBurn library of materials (.clb) into a data base, marked as "
-      "not\nmeasured here. Those of an earlier import of the same file go.");
+      "Import the settings of a LightBurn library of materials (.clb) into a data base, marked as "
+      "not\nmeasured here. They replace the settings of an earlier import of the same file.");
   command->footer(
       "Example:\n"
       "  kerfline kerf import shop.clb --db my.db\n"
       "  kerfline cut box.svg --db my.db --material Birch --thickness 3 --kerf 0.15 -o box.nc");
   const auto options = std::make_shared<LibraryOptions>();
-  mark_file(command->add_option("FILE.clb", options->file, "The library; - is standard input")
-                ->required(),
-            FileRole::kInput);
-  mark_file(command->add_option("--db", options->data_base, "Data base; made when there is none")
+  mark_file(
+      command->add_option("FILE.clb", options->file, "Library of materials; - is standard input")
+          ->required(),
+      FileRole::kInput);
+  mark_file(command
+                ->add_option("--db",
+                             options->data_base,
+                             "Data base of kerf records; it is created if it does not exist")
                 ->required()
                 ->type_name("FILE"),
             FileRole::kKept);
-  command->add_option("--laser", options->laser, "Name of the laser that it is for")
+  command->add_option("--laser", options->laser, "Name of the laser of these settings")
       ->type_name("NAME");
-  command->add_option("--on", options->date, "Its day; else when the file was last changed")
+  command
+      ->add_option(
+          "--on", options->date, "Day of the library; default: the last change of the file")
       ->check(day_of_calendar())
       ->type_name("YYYY-MM-DD");
   command->callback([options] { import_library(*options); });

@@ -30,13 +30,12 @@ std::string law_text(const ThicknessRecord& row) {
   return fmt::format("{:.6g} Q + {:.4f}", row.slope, row.intercept);
 }
 
-/// Checks that the cuts name their laser: a record without the name of its laser could be of any
-/// machine.
+/// Checks that the cuts name their laser, because a record without it could be of any machine.
 void require_named_laser(const std::vector<Experiment>& cuts, const std::string& file) {
   for (const Experiment& cut : cuts) {
     if (!cut.laser.empty()) continue;
     throw std::invalid_argument(
-        fmt::format("{}:{}: column laser is empty; say with --laser NAME which laser cut these",
+        fmt::format("{}:{}: column laser is empty; name the laser of these cuts with --laser NAME",
                     file,
                     cut.line));
   }
@@ -47,7 +46,9 @@ void require_named_laser(const std::vector<Experiment>& cuts, const std::string&
 void add_unit_option(CLI::App& command, std::string& unit) {
   command
       .add_option(
-          "--unit", unit, "Unit of Q = P / V: `printed` is W/(mm/min), the default; or `J/mm`")
+          "--unit",
+          unit,
+          "Unit of the heat input Q = P / V: `printed`, W/(mm/min), or `J/mm`; default: printed")
       ->check(CLI::IsMember({kPrinted, kJoules}));
 }
 
@@ -58,10 +59,14 @@ std::optional<cnc::kerf::HeatUnit> unit_of(const std::string& option) {
 }
 
 void RecordOptions::add_to(CLI::App& command) {
-  mark_file(command.add_option("--db", data_base, "Data base; without it the shipped records")
-                ->type_name("FILE"),
-            FileRole::kKept);
-  command.add_option("--material", material, "As it is named there, such as \"CSP 1N\"")
+  mark_file(
+      command
+          .add_option("--db", data_base, "Data base of kerf records; default: the shipped records")
+          ->type_name("FILE"),
+      FileRole::kKept);
+  command
+      .add_option(
+          "--material", material, "Name of the material in the data base, such as \"CSP 1N\"")
       ->type_name("NAME");
   add_unit_option(command, unit);
 }
@@ -88,22 +93,25 @@ void PersonOptions::add_to(CLI::App& command) {
 }
 
 void CutOptions::add_to(CLI::App& command) {
-  mark_file(command.add_option("--db", data_base, "Data base; made when there is none")
-                ->required()
-                ->type_name("FILE"),
-            FileRole::kKept);
+  mark_file(
+      command
+          .add_option(
+              "--db", data_base, "Data base of kerf records; it is created if it does not exist")
+          ->required()
+          ->type_name("FILE"),
+      FileRole::kKept);
   command
       .add_option(
-          "--max-dross", limits.dross_area_mm2, "Greatest mean dross area of a good cut, mm2")
+          "--max-dross", limits.dross_area_mm2, "Greatest mean dross area of an accepted cut, mm2")
       ->check(in_range(0.0, 1.0e6, "mm2"))
       ->capture_default_str();
   command
       .add_option("--max-straightness",
                   limits.straightness_mm,
-                  "Greatest straightness error of a good cut, mm")
+                  "Greatest straightness error of an accepted cut, mm")
       ->check(in_range(0.0, 1000.0, "mm"))
       ->capture_default_str();
-  command.add_option("--laser", laser, "Name of the laser, for cuts whose file leaves it empty")
+  command.add_option("--laser", laser, "Name of the laser for cuts whose file does not name one")
       ->type_name("NAME");
   person.add_to(command);
 }

@@ -13,15 +13,15 @@ class Validator;
 
 namespace sim {
 
-/// The record that a command uses: options that all commands of `kerfline kerf` share.
+/// Options that name the kerf record; all commands of `kerfline kerf` share them.
 struct RecordOptions {
   std::string data_base;
   std::string material;
   std::string unit;
 
   void add_to(CLI::App& command);
-  /// Opens the data base, or returns the shipped records if no data base is named. Queries only
-  /// read.
+  /// Opens the data base, or returns the shipped records if no data base is named. With kRead the
+  /// data base stays unchanged.
   [[nodiscard]] KnowledgeBase open(SqlFile::Mode mode = SqlFile::Mode::kRead) const;
   [[nodiscard]] std::optional<cnc::kerf::HeatUnit> heat_unit() const;
   [[nodiscard]] MaterialRecord record() const { return open().record_of(material, heat_unit()); }
@@ -32,7 +32,7 @@ struct RecordOptions {
 /// Person who measured, and day of the measurement.
 struct PersonOptions {
   std::string by{};  ///< Name of the person; empty if not named.
-  std::string on{};  ///< YYYY-MM-DD; empty if not given.
+  std::string on{};  ///< Day of the measurement, YYYY-MM-DD; empty if not given.
 
   /// Adds `--by` and `--on`.
   void add_to(CLI::App& command);
@@ -44,7 +44,7 @@ struct CutOptions {
   AcceptanceLimits limits;
   std::string laser{};  ///< Laser of cuts whose file does not name it.
   PersonOptions person{};
-  /// Whether the cuts are to be fitted at once, so that their laser must be known.
+  /// Whether the command also fits the cuts, for which it must know their laser.
   bool asks_for_laser = false;
 
   void add_to(CLI::App& command);
@@ -67,7 +67,7 @@ void add_unit_option(CLI::App& command, std::string& unit);
                                            double value,
                                            double most,
                                            const char* unit);
-/// Return checks of options with these values; messages name range and unit.
+/// Return checks for options with such values. Their messages name range and unit.
 [[nodiscard]] CLI::Validator thickness_range();
 [[nodiscard]] CLI::Validator power_range();
 [[nodiscard]] CLI::Validator speed_range();
@@ -76,7 +76,7 @@ void add_unit_option(CLI::App& command, std::string& unit);
 [[nodiscard]] std::uint32_t power_option(double watts);
 [[nodiscard]] std::uint32_t speed_option(double mm_min);
 
-/// Prints the whole record: laws, their accuracy, and the permissible region.
+/// Prints a record: the laws with their accuracy, and the permissible region.
 void print_record(const MaterialRecord& record);
 
 }  // namespace sim

@@ -70,8 +70,9 @@ void plot(const PlotOptions& options) {
 }
 
 void add_plot_command(CLI::App& kerf) {
-  CLI::App* command = kerf.add_subcommand(
-      "plot", "Draw a record: 7 kerf over speed and over power, 8 kerf over effective heat input.");
+  CLI::App* command = kerf.add_subcommand("plot",
+                                          "Draw a record: figure 7, kerf over speed and over "
+                                          "power, or 8, kerf over effective heat input.");
   command->footer(
       "Examples:\n"
       "  kerfline kerf plot --material 'CSP 1N' --thickness 2 --svg kerf.svg\n"
@@ -79,15 +80,17 @@ void add_plot_command(CLI::App& kerf) {
   const auto options = std::make_shared<PlotOptions>();
   options->record.add_to(*command);
   command->get_option("--material")->required();
-  command->add_option("--figure", options->figure, "As numbered by Park and Ahn 2007")
+  command->add_option("--figure", options->figure, "Number of the figure in Park and Ahn 2007")
       ->check(CLI::IsMember({7, 8}))
       ->capture_default_str();
-  command->add_option("--thickness", options->thickness_mm, "mm, of figure 7")
+  command
+      ->add_option(
+          "--thickness", options->thickness_mm, "Thickness of the material in figure 7, mm")
       ->check(thickness_range())
       ->capture_default_str();
-  mark_file(command->add_option("--svg", options->svg, "Write it as SVG")->type_name("FILE"),
+  mark_file(command->add_option("--svg", options->svg, "Draw the figure as SVG")->type_name("FILE"),
             FileRole::kOutput);
-  mark_file(command->add_option("--png", options->png, "The same as pixels")->type_name("FILE"),
+  mark_file(command->add_option("--png", options->png, "Draw the figure as PNG")->type_name("FILE"),
             FileRole::kOutput);
   command->callback([options] { plot(*options); });
 }
@@ -115,7 +118,7 @@ void write_coupon(const CalibrateOptions& options) {
   if (options.powers_w.empty() && options.speeds_mm_min.empty()) {
     const MaterialRecord record = options.record.record();
     plan.slots = default_slots(record, thickness_option(options.thickness_mm));
-    // This machine cuts the slots; a record from elsewhere has another laser.
+    // Only a calibrated record is of this machine's laser, with which the slots are cut.
     if (plan.laser.empty() && record.calibrated) plan.laser = record.laser;
     if (plan.gas_pressure_mpa <= 0.0) plan.gas_pressure_mpa = record.gas_pressure_mpa;
   } else {
@@ -127,7 +130,7 @@ void write_coupon(const CalibrateOptions& options) {
     if (plan.laser.empty()) {
       terminal::print(
           stderr,
-          "kerfline: {} names no laser; write its name into the form, or give it by --laser "
+          "kerfline: {} names no laser; write its name into the form, or give it with --laser "
           "NAME, here or with --measured\n",
           options.form);
     }
@@ -135,7 +138,8 @@ void write_coupon(const CalibrateOptions& options) {
   terminal::print("{}: {} slots\n", options.program, plan.slots.size());
 }
 
-/// Returns the cuts of the same material by the same laser with the same gas as some of `measured`.
+/// Returns the cuts of the data base that have the material, laser and gas pressure of any of
+/// `measured`.
 std::vector<Experiment> cuts_like(const std::vector<Experiment>& measured,
                                   const KnowledgeBase& base,
                                   const std::string& material) {
@@ -149,8 +153,8 @@ std::vector<Experiment> cuts_like(const std::vector<Experiment>& measured,
   return cuts;
 }
 
-/// Adds measured slots. Then fits all cuts that the data base has of each measured material by this
-/// laser.
+/// Adds measured slots to the data base. Then fits, for each measured material, all its cuts by
+/// this laser.
 void take_measurements(const CalibrateOptions& options) {
   if (options.record.data_base.empty()) throw std::invalid_argument("--db is missing");
   if (!options.program.empty() || !options.form.empty()) {
@@ -183,41 +187,50 @@ void add_calibrate_command(CLI::App& kerf) {
       "--out coupon.nc --form slots.csv\n"
       "  kerfline kerf calibrate --measured slots.csv --db my.db --unit J/mm\n"
       "\n"
-      "In the form dross and straightness may stay empty: they are not judged then. Lines of "
-      "slots\n"
-      "that were not measured may stay empty, too.");
+      "In the form, dross and straightness may stay empty; the cut is then judged without them. "
+      "The\n"
+      "line of a slot that was not measured may stay empty, too.");
   const auto options = std::make_shared<CalibrateOptions>();
   options->record.add_to(*command);
   CouponPlan& plan = options->plan;
-  command->add_option("--thickness", options->thickness_mm, "mm")->check(thickness_range());
-  command->add_option("--powers", options->powers_w, "W; else those of the record")
+  command->add_option("--thickness", options->thickness_mm, "Thickness of the material, mm")
+      ->check(thickness_range());
+  command
+      ->add_option("--powers",
+                   options->powers_w,
+                   "Powers of the slots, W, such as 30,45,60; default: those of the record")
       ->delimiter(',')
       ->check(power_range());
-  command->add_option("--speeds", options->speeds_mm_min, "mm/min; else those of the record")
+  command
+      ->add_option("--speeds",
+                   options->speeds_mm_min,
+                   "Speeds of the slots, mm/min, such as 400,600,800; default: those of the record")
       ->delimiter(',')
       ->check(speed_range());
-  command->add_option("--full-power", plan.full_power_w, "What the laser gives at --full-s, W")
+  command->add_option("--full-power", plan.full_power_w, "Power of the laser at --full-s, W")
       ->check(in_range(0.001, from_thousandths(cnc::kerf::kMaxPowerMw), "W"));
-  command->add_option("--full-s", plan.full_power_s, "$30")
+  command->add_option("--full-s", plan.full_power_s, "S word of full power, the machine's $30")
       ->check(in_range(1.0, 1.0e6, ""))
       ->capture_default_str();
-  command->add_option(
-      "--laser", plan.laser, "Its name in the form, and of cuts whose form leaves it empty");
+  command->add_option("--laser",
+                      plan.laser,
+                      "Name of the laser in the form, and for cuts whose form does not name one");
   options->person.add_to(*command);
-  command->add_option("--gas", plan.gas_pressure_mpa, "Its pressure in the form, MPa")
+  command->add_option("--gas", plan.gas_pressure_mpa, "Pressure of the gas in the form, MPa")
       ->check(in_range(0.0, 10.0, "MPa"));
-  command->add_option("--length", plan.length_mm, "Of a slot, mm")
+  command->add_option("--length", plan.length_mm, "Length of a slot, mm")
       ->check(in_range(10.0, 1000.0, "mm"))
       ->capture_default_str();
-  command->add_option("--pitch", plan.pitch_mm, "From slot to slot, mm")
+  command->add_option("--pitch", plan.pitch_mm, "Distance between slots, mm")
       ->check(in_range(1.0, 100.0, "mm"))
       ->capture_default_str();
   const auto add_file = [&](FileRole role, const char* name, std::string& file, const char* help) {
     mark_file(command->add_option(name, file, help)->type_name("FILE"), role);
   };
-  add_file(FileRole::kOutput, "--out", options->program, "The coupon's G-code");
-  add_file(FileRole::kOutput, "--form", options->form, "The form, CSV");
-  add_file(FileRole::kInput, "--measured", options->measured, "A form that was filled in");
+  add_file(FileRole::kOutput, "--out", options->program, "Write the coupon's G-code");
+  add_file(FileRole::kOutput, "--form", options->form, "Write the form as CSV");
+  add_file(
+      FileRole::kInput, "--measured", options->measured, "Read the form with the measured values");
   command->callback([options] {
     if (options->measured.empty()) {
       write_coupon(*options);
@@ -249,11 +262,16 @@ void add_image_command(CLI::App& kerf) {
   const auto options = std::make_shared<ImageOptions>();
   options->record.add_to(*command);
   command->get_option("--material")->required();
-  command->add_option("--as", options->name, "Its name on the controller; else the material's")
+  command
+      ->add_option("--as",
+                   options->name,
+                   "Name of the table on the controller; default: that of the material")
       ->type_name("NAME");
-  mark_file(command->add_option("--out", options->out, "The file")->required()->type_name("FILE"),
+  mark_file(command->add_option("--out", options->out, "File of the lines")
+                ->required()
+                ->type_name("FILE"),
             FileRole::kOutput);
-  command->add_flag("--bytes", options->bytes, "The bytes themselves instead of lines");
+  command->add_flag("--bytes", options->bytes, "Write the bytes of the image instead of lines");
   command->callback([options] { write_image_file(*options); });
 }
 

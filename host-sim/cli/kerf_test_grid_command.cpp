@@ -50,7 +50,7 @@ struct TestGridOptions {
   PersonOptions person;
 };
 
-/// A range as an option gives it, `LOW:HIGH` or one number.
+/// Option whose value is a range, `LOW:HIGH`, or one number, and the bounds of both.
 struct GridRange {
   const char* option;
   double least;
@@ -58,7 +58,8 @@ struct GridRange {
   const char* unit;
 };
 
-/// Returns the values of a range. Throws std::invalid_argument with the range.
+/// Returns the `steps` values of a range in a text. Throws std::invalid_argument naming the
+/// permitted range.
 std::vector<double> values_in(const GridRange& range, const std::string& text, std::size_t steps) {
   const std::size_t colon = std::min(text.find(':'), text.size());
   const auto read = [&](std::string_view word) {
@@ -67,24 +68,25 @@ std::vector<double> values_in(const GridRange& range, const std::string& text, s
     const auto result = std::from_chars(word.data(), end, value);
     const bool is_number = result.ec == std::errc{} && result.ptr == end && std::isfinite(value);
     if (is_number && value >= range.least && value <= range.most) return value;
-    throw std::invalid_argument(fmt::format("{} {}: wants LOW:HIGH or one number, {:g} to {:g} {}",
-                                            range.option,
-                                            text,
-                                            range.least,
-                                            range.most,
-                                            range.unit));
+    throw std::invalid_argument(
+        fmt::format("{} {}: must be LOW:HIGH or one number, {:g} to {:g} {}",
+                    range.option,
+                    text,
+                    range.least,
+                    range.most,
+                    range.unit));
   };
   const std::string_view words{text};
   const double low = read(words.substr(0, colon));
   const double high = colon == text.size() ? low : read(words.substr(colon + 1));
   if (low > high) {
     throw std::invalid_argument(
-        fmt::format("{} {}: the lower number comes first", range.option, text));
+        fmt::format("{} {}: must have the lower number first", range.option, text));
   }
   if (low == high) return {low};
   if (steps < 2) {
     throw std::invalid_argument(
-        fmt::format("{} {}: a range needs 2 steps at least", range.option, text));
+        fmt::format("{} {}: a range requires at least 2 steps", range.option, text));
   }
   return steps_between(low, high, steps);
 }
@@ -99,14 +101,14 @@ double greatest_s_of(const cut::MachineProfile& machine) {
   return greatest;
 }
 
-/// Checks the feeds. Throws std::invalid_argument if one exceeds the machine's.
+/// Checks the feeds. Throws std::invalid_argument if a feed exceeds the machine's rate.
 void expect_reachable(const TestGrid& grid, const cut::MachineProfile& machine) {
   for (const SettingChange& change : machine.settings) {
     if (change.number != cnc::setting::kRate) continue;
     const auto most = static_cast<double>(change.value);
     if (grid.feeds_mm_min.back() <= most) continue;
     throw std::invalid_argument(
-        fmt::format("--feed: {:g} mm/min is more than {} drives, {:g} mm/min",
+        fmt::format("--feed: {:g} mm/min exceeds the greatest feed of {}, {:g} mm/min",
                     grid.feeds_mm_min.back(),
                     machine.name,
                     most));
@@ -137,12 +139,12 @@ drawing::Place place_of(const TestGridOptions& options,
                   beyond));
 }
 
-/// Completes the grid with the values that the call gives as text.
+/// Sets the values of the grid that the options give as text, such as ranges.
 void complete(TestGridOptions& options) {
   TestGrid& grid = options.grid;
   if (options.powers.empty() || options.feeds.empty()) {
     throw std::invalid_argument(
-        "--power and --feed: are needed, such as --power 20:80 --feed "
+        "--power and --feed are missing; give both, such as --power 20:80 --feed "
         "300:1500; or --measured reads a form");
   }
   grid.powers_percent = values_in(
@@ -161,9 +163,9 @@ void complete(TestGridOptions& options) {
 
 void write_grid(const CLI::App& command, TestGridOptions& options) {
   complete(options);
-  if (options.grid.material.empty()) throw std::invalid_argument("--material: is needed");
+  if (options.grid.material.empty()) throw std::invalid_argument("--material is missing");
   if (!options.grid.is_filled && options.grid.thickness_mm <= 0.0) {
-    throw std::invalid_argument("--thickness: is needed for squares that are cut, mm");
+    throw std::invalid_argument("--thickness is missing; cut squares require it, mm");
   }
   if (options.program.empty() && options.form.empty()) {
     throw std::invalid_argument("--out, --form or --measured is missing");
@@ -230,23 +232,25 @@ void take_form(const TestGridOptions& options) {
 
 void add_grid_options(CLI::App& command, TestGridOptions& options) {
   TestGrid& grid = options.grid;
-  command.add_option("--material", grid.material, "Its name in the form")->type_name("NAME");
-  command.add_option("--thickness", grid.thickness_mm, "mm")->check(thickness_range());
-  command.add_option("--laser", grid.laser, "Its name in the form")->type_name("NAME");
-  command.add_option("--power", options.powers, "Percent of full power, by column")
+  command.add_option("--material", grid.material, "Name of the material in the form")
+      ->type_name("NAME");
+  command.add_option("--thickness", grid.thickness_mm, "Thickness of the material, mm")
+      ->check(thickness_range());
+  command.add_option("--laser", grid.laser, "Name of the laser in the form")->type_name("NAME");
+  command.add_option("--power", options.powers, "Powers of the columns, percent of full power")
       ->type_name("LOW:HIGH");
-  command.add_option("--feed", options.feeds, "mm/min, by row")->type_name("LOW:HIGH");
+  command.add_option("--feed", options.feeds, "Feeds of the rows, mm/min")->type_name("LOW:HIGH");
   const auto steps = [&](const char* name, std::size_t& value, const char* help) {
     command.add_option(name, value, help)
         ->check(in_whole_range(1, kMaxGridSteps))
         ->capture_default_str();
   };
-  steps("--power-steps", options.power_steps, "Columns");
-  steps("--feed-steps", options.feed_steps, "Rows");
-  command.add_option("--kind", options.kind, "Squares are cut, or filled with lines")
+  steps("--power-steps", options.power_steps, "Number of columns");
+  steps("--feed-steps", options.feed_steps, "Number of rows");
+  command.add_option("--kind", options.kind, "Kind of the squares: cut, or filled with lines")
       ->check(CLI::IsMember({"cut", "fill"}))
       ->capture_default_str();
-  command.add_option("--passes", grid.passes, "Times that each square and slot is driven")
+  command.add_option("--passes", grid.passes, "Number of passes over each square and slot")
       ->check(in_whole_range(1, 100))
       ->capture_default_str();
   const auto length =
@@ -255,26 +259,36 @@ void add_grid_options(CLI::App& command, TestGridOptions& options) {
             ->check(in_range(least, most, "mm"))
             ->capture_default_str();
       };
-  length("--cell", grid.cell_mm, 1.0, 100.0, "Side of a square");
-  length("--gap", grid.gap_mm, 0.5, 100.0, "Between squares, and between slots");
-  length("--interval", grid.interval_mm, 0.01, 10.0, "From line to line of a filled square");
-  length("--label-height", grid.label_mm, 1.0, 20.0, "Of the numbers, if there is room");
-  command.add_option("--label-power", grid.labels.power_percent, "Of the numbers, percent")
+  length("--cell", grid.cell_mm, 1.0, 100.0, "Side of a square, mm");
+  length("--gap", grid.gap_mm, 0.5, 100.0, "Distance between squares and between slots, mm");
+  length(
+      "--interval", grid.interval_mm, 0.01, 10.0, "Distance between lines of a filled square, mm");
+  length(
+      "--label-height", grid.label_mm, 1.0, 20.0, "Height of the numbers where space permits, mm");
+  command.add_option("--label-power", grid.labels.power_percent, "Power of the numbers, percent")
       ->check(in_range(kMinGridPercent, kFullPercent, "percent"))
       ->capture_default_str();
-  command.add_option("--label-feed", grid.labels.feed_mm_min, "Of the numbers, mm/min")
+  command.add_option("--label-feed", grid.labels.feed_mm_min, "Feed of the numbers, mm/min")
       ->check(in_range(1.0, kGreatestGridFeed, "mm/min"))
       ->capture_default_str();
-  command.add_option("--slots", grid.slots_mm, "Widths of the slots' paths, mm; else 5,10,15")
+  command.add_option("--slots", grid.slots_mm, "Widths of the slots' paths, mm; default: 5,10,15")
       ->delimiter(',')
       ->expected(1, 10)
       ->check(in_range(1.0, 100.0, "mm"));
-  command.add_option("--slot-power", options.slot_power, "Percent; else the greatest")
+  command
+      .add_option("--slot-power",
+                  options.slot_power,
+                  "Power of the slots, percent; default: the greatest of --power")
       ->check(in_range(kMinGridPercent, kFullPercent, "percent"));
-  command.add_option("--slot-feed", options.slot_feed, "mm/min; else the slowest")
+  command
+      .add_option("--slot-feed",
+                  options.slot_feed,
+                  "Feed of the slots, mm/min; default: the least of --feed")
       ->check(in_range(1.0, kGreatestGridFeed, "mm/min"));
-  command.add_flag("--constant-power", options.constant_power, "M3 instead of M4");
-  command.add_option("--air", options.air, "on or M8, M7, off")
+  command.add_flag("--constant-power",
+                   options.constant_power,
+                   "Use M3 instead of M4: power does not follow the speed");
+  command.add_option("--air", options.air, "Air assist: on or M8, M7, off")
       ->check(CLI::IsMember({"on", "M7", "M8", "off"}))
       ->capture_default_str();
 }
@@ -285,16 +299,16 @@ void add_kerf_test_grid_command(CLI::App& kerf) {
   CLI::App* command = kerf.add_subcommand(
       "test-grid",
       "Write a grid of squares, power by column and feed by row, with numbers and slots for a\n"
-      "caliper (--out), and a form for what came of it (--form); or read the form (--measured).");
+      "caliper (--out), and a form for its results (--form); or read the form (--measured).");
   command->footer(
       "Examples:\n"
       "  kerfline kerf test-grid --material birch --thickness 3 --power 20:80 --feed 300:1500 "
       "--machine k40 --out grid.nc --form grid.json\n"
       "  kerfline kerf test-grid --measured grid.json --db my.db\n"
       "\n"
-      "In the form the result of a square is good or bad, the width of a slot is that of the "
+      "In the form, the result of a square is good or bad, the width of a slot is that of the "
       "hole,\n"
-      "and measured_by and measured_on say who measured, and when.");
+      "measured_by is the person who measured, and measured_on is the day.");
   const auto options = std::make_shared<TestGridOptions>();
   add_grid_options(*command, *options);
   add_machine_options(*command, options->place);
@@ -302,10 +316,13 @@ void add_kerf_test_grid_command(CLI::App& kerf) {
   const auto add_file = [&](FileRole role, const char* name, std::string& file, const char* help) {
     mark_file(command->add_option(name, file, help)->type_name("FILE"), role);
   };
-  add_file(FileRole::kOutput, "--out", options->program, "The grid's G-code");
-  add_file(FileRole::kOutput, "--form", options->form, "The form, JSON");
-  add_file(FileRole::kInput, "--measured", options->measured, "A form that was filled in");
-  add_file(FileRole::kKept, "--db", options->data_base, "Data base; made when there is none");
+  add_file(FileRole::kOutput, "--out", options->program, "Write the grid's G-code");
+  add_file(FileRole::kOutput, "--form", options->form, "Write the form as JSON");
+  add_file(FileRole::kInput, "--measured", options->measured, "Read the form with the results");
+  add_file(FileRole::kKept,
+           "--db",
+           options->data_base,
+           "Data base of kerf records; it is created if it does not exist");
   options->person.add_to(*command);
   command->callback([command, options] {
     if (options->measured.empty()) {

@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Returns the folder of the shipped profiles, which is next to the program, as it is installed.
+/// Returns the folder of the shipped profiles, by its path relative to the installed program.
 fs::path shipped_folder() {
   std::error_code is_none;
   const fs::path program = fs::read_symlink("/proc/self/exe", is_none);
@@ -36,7 +36,7 @@ std::vector<std::string> shipped_names() {
   return names;
 }
 
-/// Returns the file of a profile that is named by its file or by its shipped name.
+/// Returns the file of a profile from the name of the file or of a shipped profile.
 std::string profile_file(const std::string& name) {
   const fs::path path{name};
   if (path.has_parent_path() || path.has_extension()) return name;
@@ -45,7 +45,7 @@ std::string profile_file(const std::string& name) {
     return (shipped_folder() / (name + ".json")).string();
   }
   throw std::invalid_argument(
-      fmt::format("--machine {}: no such machine is shipped; there are {}; or name a file, such as "
+      fmt::format("--machine {}: no such profile is shipped; choose {}, or name a file, such as "
                   "mine.json{}",
                   name,
                   fmt::join(names, ", "),
@@ -58,8 +58,8 @@ void add_machine_option(CLI::App& command, std::string& machine) {
   mark_file(command
                 .add_option("--machine",
                             machine,
-                            "Bed, power and settings: a file, or k40, diode-5w, diode-20w, router, "
-                            "sheet-cutter")
+                            "Profile of the machine, its bed, power and settings: a file, or k40, "
+                            "diode-5w, diode-20w, router, sheet-cutter")
                 ->type_name("NAME"),
             FileRole::kInput);
 }

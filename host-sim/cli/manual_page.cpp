@@ -53,7 +53,7 @@ std::string as_printed(std::string_view text) {
   return roff + ".fi\n";
 }
 
-/// Returns one paragraph that is filled.
+/// Returns a text as one paragraph, whose line breaks roff chooses.
 std::string paragraph(std::string text) {
   std::replace(text.begin(), text.end(), '\n', ' ');
   return escaped_roff(text) + "\n";
@@ -86,7 +86,8 @@ std::string synopsis_of(const CommandText& command) {
   return roff + "\n";
 }
 
-/// Returns `the controller …` from `Kerfline: the controller …`.
+/// Returns the program's purpose from its description: `the controller …` from `Kerfline: the
+/// controller …`.
 std::string purpose_of(const CommandText& program) {
   const std::string sentence = first_sentence(program.description);
   const std::size_t colon = sentence.find(": ");
@@ -106,7 +107,7 @@ std::string manual_page(std::span<const CommandText> commands, std::string_view 
                                  escaped_roff(title),
                                  name,
                                  escaped_roff(version));
-  page += ".ad l\n.nh\n";  // Ragged right margin, and options are not hyphenated.
+  page += ".ad l\n.nh\n";  // The right margin is ragged, and options are not hyphenated.
   page += fmt::format(".SH NAME\n{} \\- {}", name, paragraph(purpose_of(program)));
   page += ".SH SYNOPSIS\n" + synopsis_of(program);
   page += ".SH DESCRIPTION\n" + paragraph(program.description);

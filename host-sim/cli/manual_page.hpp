@@ -8,8 +8,8 @@
 
 namespace sim {
 
-/// Returns kerfline(1) as man's roff. It has the `--help` of each command, beginning with the
-/// program itself.
+/// Returns kerfline(1) in the roff of man. It contains the `--help` of each command, first that of
+/// the program itself.
 [[nodiscard]] std::string manual_page(std::span<const CommandText> commands,
                                       std::string_view version);
 

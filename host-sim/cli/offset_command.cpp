@@ -27,16 +27,18 @@ constexpr const char* kOffsetFooter =
     "FILE is a drawing, SVG, DXF or JSON, as `kerfline drawing` reads it, or text: a vertex to\n"
     "a line, `x y` or `x y bulge`, in mm; bulge = tan(sweep / 4) of the arc to the next vertex,\n"
     "positive to the left. `closed` or a blank line ends a loop, `#` begins a comment. Loops\n"
-    "inside others are holes, loops in those islands, whichever way they run; parts of a file of\n"
-    "parts have nothing to do with each other. Lines and arcs stay what they are, other curves\n"
-    "become smooth arcs within the tolerance. The result is written as text.\n"
+    "within other loops are holes, and loops within holes are islands, in whichever direction "
+    "they\n"
+    "run. In a file of several parts, each part is offset by itself. Lines and arcs are kept. "
+    "Other\n"
+    "curves become smooth arcs within the tolerance. The result is written as text.\n"
     "\n"
     "Examples:\n"
     "  kerfline offset part.svg --distance 0.28 --tolerance 0.1 --dxf cut.dxf -o cut.txt\n"
     "  kerfline offset part.txt --distance -1 -2 -3 --svg pocket.svg -o pocket.txt\n"
     "\n"
-    "Exit status: 0 fine, 1 the contours have faults or something of them vanishes, 2 the call "
-    "is wrong.";
+    "Exit status: 0 fine, 1 the contours have faults or a part of them vanishes, 2 the call is "
+    "wrong.";
 
 struct OffsetOptions {
   std::string file;
@@ -53,7 +55,7 @@ void append(Contour& contour, const cnc::contour::ContourView<double>& more) {
   for (const std::uint32_t end : more.loop_ends) contour.loop_ends.push_back(before + end);
 }
 
-/// Prints the parts of which nothing remains at a distance. Returns whether there are any.
+/// Prints the parts that vanish at an offset of `distance_mm`. Returns whether there are any.
 bool report_vanished(const std::string& file,
                      const std::vector<Vanished>& found,
                      double distance_mm) {
@@ -142,9 +144,11 @@ void add_offset_command(CLI::App& app, ExitStatus& status) {
           ->required(),
       FileRole::kInput);
   command
-      ->add_option("-d,--distance",
-                   options->distances_mm,
-                   "mm; positive lets material grow, negative lets it shrink; several at once")
+      ->add_option(
+          "-d,--distance",
+          options->distances_mm,
+          "Distance of the offset, mm: a positive one makes the material larger, a negative "
+          "one smaller; several are possible")
       ->required()
       ->expected(1, -1)
       ->check(in_range(-drawing::kFarthestMm, drawing::kFarthestMm, "mm"));
@@ -152,7 +156,7 @@ void add_offset_command(CLI::App& app, ExitStatus& status) {
   const auto add_output = [&](const char* name, std::string& file, const char* help) {
     mark_file(command->add_option(name, file, help)->type_name("FILE"), FileRole::kOutput);
   };
-  add_output("-o,--output", options->output, "Where to write; else standard output");
+  add_output("-o,--output", options->output, "File of the offsets; default: standard output");
   add_output("--svg", options->svg, "Draw the contours and their offsets");
   add_output("--dxf", options->dxf, "Write the offsets as polylines with bulges");
   command->callback([options, &status] { status = offset_or_tell(*options); });

@@ -31,15 +31,15 @@ constexpr const char* kOrderFooter =
     "EDGE_WEIGHT_TYPE EUC_2D, CEIL_2D or EXPLICIT as FULL_MATRIX), or of the library of cutting\n"
     "problems with precedence (TYPE PCGLNS or GTSP): a matrix with -1 for a forbidden leg, groups "
     "of\n"
-    "vertices of which one each is visited, and lines `a b -1`, group a before group b. The tour "
-    "is\n"
-    "closed and begins at the start group, or the first node.\n"
+    "vertices of which exactly one is visited, and lines `a b -1`: group a comes before group b. "
+    "The\n"
+    "tour is closed and begins at the start group, or at the first node.\n"
     "\n"
-    "  ours     local search with random trials; a proof where one is found in time\n"
-    "  anneal   simulated annealing as in Han and Na's paper on torch paths; takes its own time\n"
+    "  ours     local search with random trials; proves the optimum if --seconds suffice\n"
+    "  anneal   simulated annealing as in Han and Na's paper on torch paths; ignores --seconds\n"
     "  nearest  always the nearest vertex of the groups that may come next\n"
-    "  file     as the file lists them, the first vertex of each group\n"
-    "  exact    the optimum, proven, up to 65 groups where the memory is enough\n"
+    "  file     the order of the file, with the first vertex of each group\n"
+    "  exact    the proven optimum, for up to 65 groups if --memory suffices\n"
     "\n"
     "Examples:\n"
     "  kerfline order r1000.tsp --seconds 5\n"
@@ -167,9 +167,10 @@ void add_order_command(CLI::App& app, ExitStatus& status) {
       "order", "Find the cheapest order of a published problem, by the solver that orders cuts.");
   command->footer(kOrderFooter);
   const auto options = std::make_shared<OrderCommandOptions>();
-  mark_file(command->add_option("FILE", options->file, "TSPLIB or PCGLNS; - is standard input")
-                ->required(),
-            FileRole::kInput);
+  mark_file(
+      command->add_option("FILE", options->file, "Problem as TSPLIB or PCGLNS; - is standard input")
+          ->required(),
+      FileRole::kInput);
   std::map<std::string, OrderMethod> methods;
   for (const auto method : {OrderMethod::kOurs,
                             OrderMethod::kAnneal,
@@ -178,7 +179,7 @@ void add_order_command(CLI::App& app, ExitStatus& status) {
                             OrderMethod::kExact}) {
     methods.emplace(name_of(method), method);
   }
-  command->add_option("--order", options->solve.method, "How the order is found")
+  command->add_option("--order", options->solve.method, "Method that finds the order, as below")
       ->transform(CLI::CheckedTransformer(methods))
       ->option_text("ours|anneal|nearest|file|exact [ours]");
   constexpr double kMaxSeconds = 1.0e6;
@@ -186,24 +187,26 @@ void add_order_command(CLI::App& app, ExitStatus& status) {
       command
           ->add_option("--seconds",
                        options->solve.seconds,
-                       "Time; without it ours takes 1 s and exact as long as it needs")
+                       "Greatest time of the search, s; default: 1 for ours, no limit for exact")
           ->check(in_range(0.0, kMaxSeconds, "s"));
   constexpr std::int64_t kMaxSteps = 1'000'000'000'000;
   command
       ->add_option("--steps",
                    options->solve.steps,
-                   "Steps instead of seconds: the same result on every machine")
+                   "Number of steps of the search, in place of --seconds; gives the same result on "
+                   "every machine")
       ->check(in_whole_range(1, kMaxSteps))
       ->excludes(seconds);
   constexpr std::int64_t kMaxSeed = 9'000'000'000'000'000;
-  command->add_option("--seed", options->solve.seed, "Of the random numbers")
+  command->add_option("--seed", options->solve.seed, "Seed of the random numbers")
       ->check(in_whole_range(0, kMaxSeed))
       ->capture_default_str();
   constexpr std::int64_t kMaxMemory = 1'000'000;
-  command->add_option("--memory", options->memory_mb, "For the proof of exact, MB")
+  command->add_option("--memory", options->memory_mb, "Memory for the proof of exact, MB")
       ->check(in_whole_range(1, kMaxMemory, "MB"))
       ->capture_default_str();
-  command->add_flag("--json", options->json, "As JSON, with the course of annealing");
+  command->add_flag(
+      "--json", options->json, "Print the result as JSON, with the course of annealing");
   command->callback([options, &status] { status = solve_or_tell(*options); });
 }
 

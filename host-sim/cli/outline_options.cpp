@@ -15,14 +15,16 @@ void add_outline_options(CLI::App& command, OutlineOptions& outline) {
     methods.emplace(name_of(method), method);
   }
   command
-      .add_option(
-          "--tolerance", outline.tolerance_mm, "Between a drawing's curves and their arcs, mm")
+      .add_option("--tolerance",
+                  outline.tolerance_mm,
+                  "Greatest distance between the drawing's curves and their arcs, mm")
       ->check(in_range(kMinToleranceMm, kGreatestToleranceMm, "mm"))
       ->capture_default_str();
   command
       .add_option("--fit",
                   outline.method,
-                  "How curves become arcs: fewest, or paper, halving until biarcs fit")
+                  "Method that turns curves into arcs: fewest arcs, or as in the paper, by halving "
+                  "until biarcs fit")
       ->transform(CLI::CheckedTransformer(methods))
       ->option_text("fewest|paper [fewest]");
 }
@@ -34,8 +36,8 @@ void add_text_option(CLI::App& command, drawing::TextMode& text) {
   command
       .add_option("--text",
                   text,
-                  "Letters: skip; outline, in the font that is named; stroke, single lines that "
-                  "are engraved as colour `text`")
+                  "Treatment of letters: skip; outline, in the font of the drawing; or stroke, "
+                  "single lines that are engraved as colour `text`")
       ->transform(CLI::CheckedTransformer(modes))
       ->option_text("skip|outline|stroke [skip]");
 }

@@ -12,7 +12,7 @@ namespace sim {
 /// Adds `--tolerance` and `--fit`, which set how curves of a drawing become arcs.
 void add_outline_options(CLI::App& command, OutlineOptions& outline);
 
-/// Adds `--text skip|outline|stroke`, which sets how letters are treated.
+/// Adds `--text skip|outline|stroke`: leave letters out, or cut them by outline or by single lines.
 void add_text_option(CLI::App& command, drawing::TextMode& text);
 
 }  // namespace sim

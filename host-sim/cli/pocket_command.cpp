@@ -36,13 +36,14 @@ using pocket::Terrace;
 using pocket::Terraces;
 
 constexpr const char* kPocketFooter =
-    "Each outer contour of FILE is a pocket, holes in it are islands, and contours within those "
-    "are\n"
-    "pockets again. The top of the stock is Z 0. Passes are the paper's dynamic offset made exact\n"
-    "for every corner, arc and island: as far apart as nothing is left between them, driven from\n"
-    "the middle outwards without lifting where a link fits. Corners narrower than the tool stay.\n"
-    "With --rest-of, only what a larger tool has left is milled: corners, narrow places.\n"
-    "With --v-angle, shapes are carved: letters, lines of ornaments.\n"
+    "Each outer contour of FILE is a pocket, holes in it are islands, and contours within islands\n"
+    "are pockets again. The top of the stock is Z 0. Passes are the paper's dynamic offset, exact\n"
+    "for every corner, arc and island. They are as far apart as possible without stock left "
+    "between\n"
+    "them, and run from the middle outwards, without lifting where a link fits. Corners narrower\n"
+    "than the tool stay.\n"
+    "With --rest-of, only the stock that a larger tool left is milled: corners, narrow regions.\n"
+    "With --v-angle, shapes are carved, such as letters and lines of ornaments.\n"
     "\n"
     "Examples:\n"
     "  kerfline pocket tray.svg --tool 6 --depth 4 --depth-step 2 --feed 1200 --plunge-feed 300 "
@@ -58,7 +59,8 @@ bool report_unreached(const PocketCommandOptions& options, const std::vector<Con
   constexpr std::size_t kMaxListed = 20;
   ContourOffset offsetter;
   std::size_t count = 0;
-  std::set<std::string> told;  // Each text is printed once, because terraces may share a point.
+  // Texts that were printed: terraces may share a point, whose text is printed once.
+  std::set<std::string> told;
   for (const Contour& area : areas) {
     const double fitting_mm = pocket::fitting_radius(area.view(), options.radius_mm(), offsetter);
     const double radius_mm = fitting_mm > 0.0 ? fitting_mm : options.radius_mm();
@@ -79,8 +81,8 @@ bool report_unreached(const PocketCommandOptions& options, const std::vector<Con
   return count != 0;
 }
 
-/// Returns the connected areas of a terrace. If a stock is given, one of them is the area around
-/// the terrace.
+/// Returns the connected areas of a terrace. If a stock is given, one area is that around the
+/// stock, together with the pockets that are open to it.
 std::vector<Contour> areas_to_mill(const Terrace& terrace, const PocketCommandOptions& options) {
   const std::optional<pocket::StockBox> stock = options.stock_box();
   if (!stock) return pocket::areas_of(terrace.contours);
@@ -88,7 +90,7 @@ std::vector<Contour> areas_to_mill(const Terrace& terrace, const PocketCommandOp
   return pocket::areas_of(pocket::with_surroundings(terrace.contours, *stock, margin_mm));
 }
 
-/// Mills pockets, terrace after terrace.
+/// Computes the paths of all pockets, for each pocket terrace by terrace.
 class PocketMiller {
  public:
   explicit PocketMiller(const PocketCommandOptions& options)
@@ -102,11 +104,10 @@ class PocketMiller {
     }
     if (paths.empty() && options_.rest_of_mm > 0.0) {
       throw pocket::NoPocketPath{fmt::format(
-          "a tool of {:g} mm has left nothing of it; no program is needed", options_.rest_of_mm)};
+          "a tool of {:g} mm has left no stock in it; no program is needed", options_.rest_of_mm)};
     }
     if (paths.empty()) {
-      throw pocket::NoPocketPath{
-          "nothing of it lies in the stock; are the places of --stock right?"};
+      throw pocket::NoPocketPath{"no pocket is within the stock; check the corners of --stock"};
     }
     for (const std::size_t index : pocket::short_order(paths)) milled_.append(paths[index]);
     milled_.floors_mm.assign(floors_mm_.begin(), floors_mm_.end());
@@ -132,7 +133,8 @@ class PocketMiller {
     milled_.levels = std::max(milled_.levels, levels);
   }
 
-  /// Mills the areas of a terrace into which the tool fits. Adds its levels to `levels`.
+  /// Mills the areas of a terrace into which the tool fits. Adds the number of its levels to
+  /// `levels`.
   std::vector<PathRows> mill_areas(const Terrace& terrace, std::uint32_t& levels) {
     planner_.set_depth(terrace.to_mm - terrace.from_mm);
     std::vector<PathRows> paths;
@@ -160,7 +162,7 @@ class PocketMiller {
   ContourOffset offsetter_;
   std::set<double> floors_mm_;
   MilledDrawing milled_;
-  bool fits_ = false;  ///< Whether the tool fits into some area.
+  bool fits_ = false;  ///< Whether the tool fits into any area.
 };
 
 MilledDrawing carve(const PocketCommandOptions& options, const std::vector<Contour>& areas) {
@@ -173,13 +175,14 @@ MilledDrawing carve(const PocketCommandOptions& options, const std::vector<Conto
     milled.wide_area_mm2 += one.wide_area_mm2;
     if (!one.points.empty()) paths.push_back(std::move(one));
   }
-  if (paths.empty()) throw pocket::NoPocketPath{"no shape in it can be carved"};
+  if (paths.empty())
+    throw pocket::NoPocketPath{"it has no shape that can be carved; draw closed contours"};
   milled.pockets = paths.size();
   for (const std::size_t index : pocket::short_order(paths)) milled.append(paths[index]);
   if (milled.wide_area_mm2 > 0.0) {
     terminal::print(stderr,
                     "{}: {:.1f} mm2 are too wide for {:g} mm of depth and stay; clear them with a "
-                    "flat tool, or take a larger one with --tool or --depth\n",
+                    "flat tool, or increase --tool or --depth\n",
                     options.file,
                     milled.wide_area_mm2,
                     wanted.greatest_depth_mm);
@@ -252,7 +255,7 @@ std::vector<Terraces> read_pockets(const PocketCommandOptions& options,
   const std::vector<ContourPart>& parts = read.parts;
   const std::vector<LayerDepth> depths = layer_depths_of(options, parts);
   std::vector<Terraces> pockets;
-  if (parts.empty()) throw pocket::NoPocketPath{"no contour in it; draw one"};
+  if (parts.empty()) throw pocket::NoPocketPath{"it has no contour; draw one"};
   for (const ContourPart& part : parts) {
     append_loops(part.contour.view(), walls);
     for (Terraces& terraces :
@@ -262,7 +265,7 @@ std::vector<Terraces> read_pockets(const PocketCommandOptions& options,
   }
   refuse_contacts(pockets);
   if (pockets.empty()) {
-    throw pocket::NoPocketPath{"nothing in it is deeper than Z 0; give a depth with --depth-of"};
+    throw pocket::NoPocketPath{"no contour in it is deeper than Z 0; give a depth with --depth-of"};
   }
   return pockets;
 }
@@ -278,9 +281,10 @@ ExitStatus mill_file(const PocketCommandOptions& options, InputFiles& inputs) {
   }
   const bool is_incomplete = !options.is_v_carving() && report_unreached(options, areas);
   if (is_incomplete && !options.anyway) {
-    terminal::print(stderr,
-                    "kerfline: no program is written; --anyway mills what the tool reaches{}\n",
-                    stale_note(options.output));
+    terminal::print(
+        stderr,
+        "kerfline: no program is written; --anyway mills the regions that the tool reaches{}\n",
+        stale_note(options.output));
     return ExitStatus::kFaults;
   }
   MilledDrawing milled =

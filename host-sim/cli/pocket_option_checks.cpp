@@ -47,7 +47,7 @@ LayerDepth parse_layer_depth(const std::string& text) {
                   did_you_mean(depth.layer, names))};
 }
 
-/// Options that have no meaning for V carving.
+/// Options that V carving does not use.
 constexpr std::initializer_list<const char*> kOptionsOfClearing{"--depth-of",
                                                                 "--strategy",
                                                                 "--engagement",
@@ -65,12 +65,12 @@ constexpr std::initializer_list<const char*> kOptionsOfClearing{"--depth-of",
                                                                 "--rest-of",
                                                                 "--holes"};
 
-/// Refuses options of a call that exclude another option.
+/// Checks of a call for options that exclude each other.
 class Refusals {
  public:
   explicit Refusals(const CLI::App& command) : command_{command} {}
 
-  /// Checks that none of the options is in the call. Throws std::invalid_argument otherwise.
+  /// Checks that the call has none of the options `names`. Throws std::invalid_argument otherwise.
   void of(std::initializer_list<const char*> names, const char* mode, const char* remedy) const {
     for (const char* name : names) {
       if (command_.count(name) == 0) continue;
@@ -82,7 +82,8 @@ class Refusals {
   const CLI::App& command_;
 };
 
-/// Checks the sizes. Throws std::invalid_argument if one does not suit the tool.
+/// Checks allowances and step-over. Throws std::invalid_argument if one of them is too large for
+/// the tool or the level.
 void check_sizes(const PocketCommandOptions& options) {
   if (options.finish_mm > options.radius_mm()) {
     throw std::invalid_argument{fmt::format("--finish {:g}: must be at most half the tool, {:g} mm",
@@ -96,14 +97,13 @@ void check_sizes(const PocketCommandOptions& options) {
                     options.level_mm())};
   }
   if (options.rest_of_mm > 0.0 && options.rest_of_mm <= options.tool_mm) {
-    throw std::invalid_argument{
-        fmt::format("--rest-of {:g}: must be the tool that went before, larger than --tool {:g} mm",
-                    options.rest_of_mm,
-                    options.tool_mm)};
+    throw std::invalid_argument{fmt::format(
+        "--rest-of {:g}: must be larger than --tool {:g} mm", options.rest_of_mm, options.tool_mm)};
   }
   const std::optional<pocket::StockBox> stock = options.stock_box();
   if (stock && !(stock->x0 < stock->x1 && stock->y0 < stock->y1)) {
-    throw std::invalid_argument{"--stock: wants XMIN,YMIN,XMAX,YMAX in mm, the greater ones last"};
+    throw std::invalid_argument{
+        "--stock: must be XMIN,YMIN,XMAX,YMAX in mm, the greater values last"};
   }
   const auto& clearing = strategy_options_of(options).pocket.clearing;
   const double widest_mm = pocket::widest_spiral_mm(clearing.tool_radius, clearing.corner_radius);
@@ -133,11 +133,11 @@ void check_pocket_options(const CLI::App& command, const PocketCommandOptions& o
     refusals.of({"--holes"}, "this entry", "add --entry plunge");
   }
   if (options.rest_of_mm > 0.0) {
-    refusals.of({"--finish"}, "--rest-of", "its passes go along the walls already");
+    refusals.of({"--finish"}, "--rest-of", "its passes run along the walls already");
     refusals.of({"--stock"}, "--rest-of", "mill open pockets with one tool");
   }
   if (!options.stock.empty()) {
-    refusals.of({"--finish"}, "--stock", "passes along the walls of open pockets are not apart");
+    refusals.of({"--finish"}, "--stock", "open pockets have no separate passes along walls");
   }
   if (options.is_v_carving()) {
     return refusals.of(kOptionsOfClearing, "--v-angle", "leave it out");
@@ -151,7 +151,7 @@ void check_pocket_options(const CLI::App& command, const PocketCommandOptions& o
                          "--strategy adaptive",
                          "--engagement bounds the cut");
     case pocket::Strategy::kZigzag:
-      refusals.of({"--conventional"}, "--strategy zigzag", "lines go both ways");
+      refusals.of({"--conventional"}, "--strategy zigzag", "lines run in both directions");
       break;
     case pocket::Strategy::kPaper:
       refusals.of(

@@ -20,49 +20,55 @@ constexpr double kSteepestDeg = 45.0;
 
 void add_shape_options(CLI::App& command, PocketCommandOptions& options) {
   command
-      .add_option("--tool",
-                  options.tool,
-                  "Diameter of the tool, of a V tool at its top, mm; or its name in --tools")
+      .add_option(
+          "--tool",
+          options.tool,
+          "Diameter of the tool, of a V tool its greatest, mm; or the tool's name in --tools")
       ->required()
       ->type_name("MM|NAME");
   mark_file(command
                 .add_option(
                     "--tools",
                     options.tools_file,
-                    "File of tools, one to a line, as `NAME: diameter=MM, key=value`: angle of a V "
-                    "tool,\nflutes, feed-per-tooth, feed, plunge-feed, spindle, depth-step, "
-                    "stepover. An option\ngoes before the file")
+                    "File of tools, one to a line, as `NAME: diameter=MM, key=value`. Keys: angle "
+                    "(of a V tool),\nflutes, feed-per-tooth, feed, plunge-feed, spindle, "
+                    "depth-step, stepover. An option\nof the call overrides the file")
                 ->type_name("FILE"),
             FileRole::kInput);
   command
-      .add_option("--depth", options.depth_mm, "Of the pocket below Z 0, mm; of V carving at most")
+      .add_option("--depth",
+                  options.depth_mm,
+                  "Depth of the pocket below Z 0, mm; with --v-angle the greatest depth")
       ->required()
       ->check(in_range(kMinDepthMm, kGreatestDepthMm, "mm"))
       ->type_name("MM");
   command
       .add_option("--depth-of",
                   options.depths_of,
-                  "Another depth within the contours of a layer or colour: deeper ones are pockets "
-                  "in\npockets, less deep ones bosses, 0 islands; may be repeated")
+                  "Depth within the contours of a layer or colour, mm, in place of --depth: deeper "
+                  "ones are\npockets in pockets, less deep ones bosses, 0 islands; may be repeated")
       ->type_name("LAYER=MM");
   command
       .add_option("--depth-step",
                   options.depth_step_mm,
-                  "Greatest depth of one level, mm; all levels are equal. Else half the tool")
+                  "Greatest depth of one level, mm; all levels are equal; default: half the tool's "
+                  "diameter")
       ->check(in_range(kMinDepthMm, kGreatestDepthMm, "mm"))
       ->type_name("MM");
   command
-      .add_option("--stepover",
-                  options.stepover_mm,
-                  "Greatest distance of passes, mm. Else the greatest that leaves nothing;\n"
-                  "of lines, half the tool, of spirals half the tool less --corner")
+      .add_option(
+          "--stepover",
+          options.stepover_mm,
+          "Greatest distance between passes, mm; default: the greatest that leaves no stock;\n"
+          "for lines half the tool, for spirals half the tool less --corner")
       ->check(in_range(kMinDepthMm, kGreatestToolMm, "mm"))
       ->type_name("MM");
   command
-      .add_option("--corner",
-                  options.corner_mm,
-                  "Radius of the turns of all passes but those at the wall, mm; up to a sixth\n"
-                  "of the tool. Else a twentieth of it")
+      .add_option(
+          "--corner",
+          options.corner_mm,
+          "Radius of the corners of all passes except those at the wall, mm, up to a sixth\n"
+          "of the tool's diameter; default: a twentieth of it")
       ->check(in_range(0.0, kGreatestToolMm, "mm"))
       ->type_name("MM");
 }
@@ -75,57 +81,60 @@ void add_entry_options(CLI::App& command, PocketCommandOptions& options) {
       .add_option(
           "--entry",
           options.entry,
-          "The way into the stock: a helix where one fits, else a ramp along the first\n"
-          "pass or, of crescents, the middle; only ramps; or straight down, where the tool\n"
-          "cuts at its centre or a hole is drilled")
+          "Path into the stock: a helix where one fits, otherwise a ramp along the first pass or,\n"
+          "with crescents, along the middle; only ramps; or straight down, for a tool that cuts\n"
+          "at its centre or a hole that is drilled before")
       ->transform(CLI::CheckedTransformer(entries))
       ->option_text("helix|ramp|plunge [helix]");
-  command.add_option("--slope", options.slope_deg, "Of helices and ramps, degrees")
+  command.add_option("--slope", options.slope_deg, "Slope of helices and ramps, degrees")
       ->check(in_range(0.1, kSteepestDeg, "degrees"))
       ->type_name("DEG")
       ->capture_default_str();
-  command.add_flag("--conventional", options.conventional, "Mill against the climb");
+  command.add_flag(
+      "--conventional", options.conventional, "Mill conventionally; default: climb milling");
 }
 
-/// Adds options for stock that another tool has left, and for the stock around the pockets.
+/// Adds the options for allowances, for stock that another tool has left, and for the box of the
+/// stock.
 void add_stock_shape_options(CLI::App& command, PocketCommandOptions& options) {
   command
       .add_option(
           "--finish",
           options.finish_mm,
-          "Leave this allowance at the walls, mm, and take it off by passes along them at the "
-          "end, with\narcs in and out; up to half the tool")
+          "Allowance that is left at the walls and removed at the end by passes along them, mm, "
+          "with\narcs in and out; up to half the tool's diameter")
       ->check(in_range(kMinDepthMm, kGreatestToolMm, "mm"))
       ->type_name("MM");
   command
-      .add_option(
-          "--finish-floor",
-          options.floor_mm,
-          "Leave this allowance at the floors, mm, and take it off in one more level; up to\n"
-          "--depth-step")
+      .add_option("--finish-floor",
+                  options.floor_mm,
+                  "Allowance that is left at the floors and removed in one more level, mm; up to\n"
+                  "--depth-step")
       ->check(in_range(kMinDepthMm, kGreatestToolMm, "mm"))
       ->type_name("MM");
   command
       .add_option(
           "--wear",
           options.wear_tool,
-          "Drive the passes of --finish under G41 or G42 with D and this number: the radius of "
-          "that\ntool is by how much yours is larger than --tool, such as G10 L1 P1 R0.02")
+          "Number of the tool in the D word with which the passes of --finish run under G41 or "
+          "G42.\nSet its radius to the excess of your tool's radius over that of --tool, such as "
+          "G10 L1 P1 R0.02")
       ->check(in_whole_range(1, cnc::gcode::kToolCount))
       ->type_name("NUMBER");
   command
       .add_option("--rest-of",
                   options.rest_of_mm,
-                  "The pockets were milled with this larger tool, diameter in mm: mill only the "
-                  "rest\nthat it left")
+                  "Diameter of the larger tool that milled the pockets before, mm: only the stock "
+                  "that it\nleft is milled")
       ->check(in_range(kMinToolMm, kGreatestToolMm, "mm"))
       ->type_name("MM");
   command
       .add_option(
           "--stock",
           options.stock,
-          "The stock in plan, mm. Pockets that reach its edge are open there: the tool comes "
-          "in from\nbeside it, and goes beyond it as far as it must; not with --strategy paper")
+          "Box of the stock in plan, mm. Pockets that reach its edge are open there: the tool "
+          "comes in\nfrom outside the stock and goes beyond it as required; not with --strategy "
+          "paper")
       ->expected(4)
       ->delimiter(',')
       ->type_name("XMIN,YMIN,XMAX,YMAX");
@@ -142,8 +151,8 @@ void add_strategy_options(CLI::App& command, PocketCommandOptions& options) {
       .add_option(
           "--strategy",
           options.strategy,
-          "Passes along the walls; spirals from the middle outwards where nothing but a ring is\n"
-          "between passes; crescents that engage no more of the tool than --engagement says, for\n"
+          "Shape of the passes: along the walls; spirals from the middle outwards where only a\n"
+          "ring is between passes; crescents that engage at most --engagement of the tool, for\n"
           "hard stock and deep levels; lines along X; or the paper's spiral as printed, for one\n"
           "convex contour, with plunges")
       ->transform(CLI::CheckedTransformer(strategies))
@@ -151,21 +160,22 @@ void add_strategy_options(CLI::App& command, PocketCommandOptions& options) {
   command
       .add_option("--engagement",
                   options.engagement_deg,
-                  "Of the tool's circumference that cuts with --strategy adaptive, at most, "
-                  "degrees; entries\nand stretches narrower than 1.2 tools have more, which "
+                  "Greatest angle of the tool's circumference that cuts with --strategy adaptive, "
+                  "degrees;\nentries and stretches narrower than 1.2 tools exceed it, which "
                   "--report lists")
       ->check(in_range(pocket::kMinEngagementDeg, pocket::kGreatestEngagementDeg, "degrees"))
       ->type_name("DEG")
       ->capture_default_str();
-  command.add_flag("--keep-feed",
-                   options.keeps_feed,
-                   "No higher feed where --engagement makes chips thin; else --feed divided by\n"
-                   "its sine there, below 90 degrees");
+  command.add_flag(
+      "--keep-feed",
+      options.keeps_feed,
+      "Keep --feed where --engagement makes chips thin; default: --feed divided by the\n"
+      "sine of --engagement there, below 90 degrees");
   command
       .add_option("--v-angle",
                   options.v_angle_deg,
-                  "Carve with a V tool of this included angle, degrees: along the middle of each\n"
-                  "shape, as deep as it is wide there")
+                  "Included angle of a V tool, degrees: it carves along the middle of each shape,\n"
+                  "as deep as its width requires there")
       ->check(in_range(pocket::kMinVAngleDeg, pocket::kGreatestVAngleDeg, "degrees"))
       ->type_name("DEG");
 }
@@ -189,25 +199,27 @@ void add_pocket_options(CLI::App& command, PocketCommandOptions& options) {
   add_entry_options(command, options);
   add_strategy_options(command, options);
   add_stock_shape_options(command, options);
-  add_mill_options(command, options.mill, "; else that of --tools");
+  add_mill_options(command, options.mill, "; default: that of --tools");
   add_height_options(command, options.mill);
   add_outline_options(command, options.outline);
-  command.add_flag("--anyway", options.anyway, "Mill what the tool reaches, and leave the rest");
+  command.add_flag("--anyway",
+                   options.anyway,
+                   "Mill the regions that the tool reaches, although others are left");
   options.post.add_to(command);
-  command.add_option("--decimals", options.decimals, "Of positions, mm")
+  command.add_option("--decimals", options.decimals, "Decimals of positions in mm")
       ->check(in_whole_range(cnc::gcode::PrintGrid::kFewest, cnc::gcode::PrintGrid::kMax))
       ->capture_default_str();
   const auto add_output = [&](const char* name, std::string& file, const char* help) {
     mark_file(command.add_option(name, file, help)->type_name("FILE"), FileRole::kOutput);
   };
-  add_output("-o,--output", options.output, "Where to write; else standard output");
-  add_output("--report", options.report, "Passes, rows and lengths as JSON");
+  add_output("-o,--output", options.output, "File of the program; default: standard output");
+  add_output("--report", options.report, "Write passes, rows and lengths as JSON");
   add_output("--svg", options.svg, "Draw the pockets and their passes");
   add_output(
       "--holes",
       options.holes,
-      "Write a program for a drill as wide as the tool, or a little less: it makes a hole, in "
-      "pecks\nof a level each, wherever --entry plunge goes down");
+      "Write a program for a drill of the tool's diameter or slightly less: it drills a hole, one "
+      "peck\nper level, at each point where --entry plunge goes down");
 }
 
 pocket::StrategyOptions strategy_options_of(const PocketCommandOptions& options) {

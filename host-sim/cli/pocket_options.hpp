@@ -23,7 +23,7 @@ inline constexpr double kGreatestToolMm = 500.0;
 
 /// Depth of the floor within the contours of a layer.
 struct LayerDepth {
-  std::string layer;      ///< Name of a layer, or a colour as the drawing has it.
+  std::string layer;      ///< Name of a layer, or a colour in the drawing's spelling.
   double depth_mm = 0.0;  ///< Depth below Z 0, at least 0.
 
   [[nodiscard]] bool is_of(const drawing::Layer& other) const {
@@ -53,9 +53,10 @@ struct PocketCommandOptions {
   pocket::Strategy strategy = pocket::Strategy::kContour;
   double engagement_deg = 60.0;
   bool keeps_feed = false;  ///< Whether the feed stays the same where chips are thin.
-  double finish_mm = 0.0;   ///< Stock for separate passes along the walls; 0 for no such passes.
-  double floor_mm = 0.0;    ///< Stock for a separate level at the floor; 0 for no such level.
-  /// Tool whose wear compensates the passes along the walls; 0 for no compensation.
+  /// Allowance for separate passes along the walls, mm; 0 for no such passes.
+  double finish_mm = 0.0;
+  double floor_mm = 0.0;  ///< Allowance for a separate level at the floor, mm; 0 for no such level.
+  /// Number of the tool whose radius compensates the passes along walls; 0 for no compensation.
   std::uint32_t wear_tool = 0;
   std::vector<double> stock{};  ///< Least X and Y, greatest X and Y, mm; empty if not given.
   double rest_of_mm = 0.0;      ///< Diameter of the tool that milled before; 0 if there was none.
@@ -83,12 +84,12 @@ struct PocketCommandOptions {
 /// Adds all options, with their ranges, units and defaults.
 void add_pocket_options(CLI::App& command, PocketCommandOptions& options);
 
-/// Reads the tool, and takes from it the values that the call does not give. Throws
+/// Reads the tool, and completes the options by its values where the call gives none. Throws
 /// std::invalid_argument for a text that names no tool, and for values that neither the call nor
 /// the tool gives.
 void apply_tool(const CLI::App& command, PocketCommandOptions& options, InputFiles& inputs);
 
-/// Checks the options. Throws std::invalid_argument for options that the strategy does not have.
+/// Checks the options. Throws std::invalid_argument for options that the strategy does not use.
 void check_pocket_options(const CLI::App& command, const PocketCommandOptions& options);
 
 /// Returns the depths that the options give to layers. Throws std::invalid_argument for a text of
@@ -96,13 +97,13 @@ void check_pocket_options(const CLI::App& command, const PocketCommandOptions& o
 [[nodiscard]] std::vector<LayerDepth> layer_depths_of(const PocketCommandOptions& options,
                                                       const std::vector<ContourPart>& parts);
 
-/// Returns how the options require pockets to be milled.
+/// Returns the options of the strategy with which pockets are milled.
 [[nodiscard]] pocket::StrategyOptions strategy_options_of(const PocketCommandOptions& options);
 
-/// Returns how the options require areas to be carved: as deep as the options and the tool allow.
+/// Returns the options of V carving, with the greatest depth that both --depth and the tool permit.
 [[nodiscard]] pocket::VCarveOptions carve_options_of(const PocketCommandOptions& options);
 
-/// Returns how the options require the machine to be driven.
+/// Returns feeds, spindle, coolant and heights of the program.
 [[nodiscard]] pocket::MillSettings mill_settings_of(const PocketCommandOptions& options);
 
 }  // namespace sim

@@ -20,9 +20,9 @@ using cnc::pocket::Use;
 struct PathLengths {
   double pass_mm = 0.0;
   double link_mm = 0.0;
-  double return_mm = 0.0;  ///< Rapids at depth.
+  double return_mm = 0.0;  ///< Length of rapids at depth.
   double entry_mm = 0.0;
-  double between_rows_mm = 0.0;  ///< Rapids in the plane.
+  double between_rows_mm = 0.0;  ///< Length of rapids in plan.
 
   [[nodiscard]] double fed_mm() const { return pass_mm + link_mm + entry_mm; }
 

@@ -10,7 +10,7 @@
 
 namespace sim {
 
-/// Path of all pockets of a drawing, and the figures that are reported of it.
+/// Path of all pockets of a drawing, with the figures for its report.
 struct MilledDrawing : pocket::PathRows {
   Contour walls;
   std::size_t pockets = 0;          ///< Number of pockets with a path.

@@ -14,7 +14,7 @@
 namespace sim {
 namespace {
 
-/// Returns the number that a whole text consists of; empty for every other text.
+/// Returns the number if the text is a number and nothing more; otherwise empty.
 std::optional<double> number_in(const std::string& text) {
   const char* const end = text.data() + text.size();
   double value = 0.0;
@@ -23,7 +23,7 @@ std::optional<double> number_in(const std::string& text) {
   return value;
 }
 
-/// Takes a value from the tool if the call does not give it.
+/// Sets `value` to that of the tool, unless the call gives it.
 void take(const CLI::App& command,
           const char* option,
           const std::optional<double>& value,
@@ -50,7 +50,7 @@ void take_values(const CLI::App& command,
   }
   if (tool.feed_per_tooth_mm && options.mill.feed_mm_min == 0.0) {
     throw std::invalid_argument{fmt::format(
-        "--spindle: is needed, as the tool {} of {} has a feed per tooth and no spindle",
+        "--spindle is missing: the tool {} of {} has a feed per tooth and no spindle speed",
         tool.name,
         tool.place)};
   }
@@ -71,8 +71,9 @@ void apply_tool(const CLI::App& command, PocketCommandOptions& options, InputFil
     }
     options.tool_mm = *diameter;
   } else if (options.tools_file.empty()) {
-    throw std::invalid_argument{fmt::format(
-        "--tool {}: is no diameter in mm; a name needs the file of --tools", options.tool)};
+    throw std::invalid_argument{
+        fmt::format("--tool {}: is no diameter in mm; a name requires --tools, the file of tools",
+                    options.tool)};
   } else {
     take_values(command, pocket::tool_named(tools, options.tool, options.tools_file), options);
   }

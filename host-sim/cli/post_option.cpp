@@ -15,7 +15,7 @@ void PostOption::add_to(CLI::App& command) {
   mark_file(command
                 .add_option("--post",
                             file_,
-                            "Write the program as this file says a controller wants it: heading, "
+                            "File of the form in which a controller requires programs: heading, "
                             "line numbers,\narcs, words")
                 ->type_name("FILE"),
             FileRole::kInput);
@@ -27,8 +27,8 @@ void PostOption::read(const CLI::App& command, InputFiles& inputs, unsigned& dec
   if (!post_->decimals) return;
   const unsigned most = *post_->decimals;
   if (command.count("--decimals") > 0 && decimals > most) {
-    throw std::invalid_argument(
-        fmt::format("--decimals {}: the post {} has {}; take one of them", decimals, file_, most));
+    throw std::invalid_argument(fmt::format(
+        "--decimals {}: the post {} has {}; give at most that many", decimals, file_, most));
   }
   decimals = std::min(decimals, most);
 }

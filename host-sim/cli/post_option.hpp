@@ -18,15 +18,15 @@ class PostOption {
   /// Adds `--post`.
   void add_to(CLI::App& command);
 
-  /// Reads the file of the post, if the call names one, and keeps its digest. Limits the decimals
-  /// of positions to those of the post. Throws as read_text() and read_post() do, and
+  /// Reads the post if the call names its file, and keeps its digest. Limits the decimals of
+  /// positions to those of the post. Throws as read_text() and read_post() do, and
   /// std::invalid_argument if `--decimals` requires more decimals.
   void read(const CLI::App& command, InputFiles& inputs, unsigned& decimals);
 
   /// Returns whether the call names a file.
   [[nodiscard]] bool is_asked() const { return !file_.empty(); }
 
-  /// Returns whether arcs of a plane stay arcs.
+  /// Returns whether the controller accepts arcs in a plane.
   [[nodiscard]] bool knows_arcs(cnc::Plane plane) const {
     return !post_ || post_->knows_arcs(plane);
   }

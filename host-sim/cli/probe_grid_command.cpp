@@ -38,19 +38,19 @@ constexpr const char* kProbeGridFooter =
     "  kerfline surface probe-grid --read sender.log --program probe.nc -o grid.xyz\n"
     "  kerfline sim probe.nc --probe-surface part.stl --probe-tip 2 --answers sender.log\n"
     "\n"
-    "The program probes each point by G38.3: one that is missed is reported, and the program\n"
-    "goes on. The rows run along X as a serpentine from the least X and Y. Set the work zero\n"
-    "before it is run, with the lowest point of the tip as the tool.\n"
+    "The program probes each point by G38.3: a point without contact is reported, and the program\n"
+    "continues. The rows run along X as a serpentine from the least X and Y. Before running the\n"
+    "program, set the work zero with the lowest point of the tip as the tool.\n"
     "\n"
-    "The grid has the points of touch: where the ball's lowest point was, moved along the ball\n"
-    "by the normal that neighbours give. No point is below the surface by more than a step; where\n"
-    "the surface bends much within a pitch points are above it. With --tip 0 the grid has the\n"
-    "heights of the tip.\n"
+    "The grid contains the points of touch: the position of the ball's lowest point, moved along\n"
+    "the ball by the normal that neighbours give. No point is below the surface by more than a\n"
+    "step; points are above it where the surface bends much within a pitch. With --tip 0 the grid\n"
+    "contains the heights of the tip.\n"
     "\n"
-    "Exit status: 0 fine, 1 points lack, and nothing is written without --gaps, 2 the call is "
-    "wrong.";
+    "Exit status: 0 fine, 1 points are missing, and nothing is written without --gaps, 2 the call\n"
+    "is wrong.";
 
-/// Prints the first lines, and the number of the others.
+/// Prints the first kMaxListed lines, and the number of lines after these.
 void list(const std::vector<std::string>& lines) {
   for (std::size_t i = 0; i < std::min(lines.size(), kMaxListed); ++i) {
     terminal::print(stderr, "{}\n", lines[i]);
@@ -68,7 +68,7 @@ void write(const std::string& output, const std::string& text) {
 ExitStatus write_program(const ProbeGridOptions& options) {
   if (!options.program.empty() || !options.offset.empty() || options.inches || options.gaps) {
     throw std::invalid_argument(
-        "probe-grid: --program, --offset, --inches and --gaps are for answers; give --read");
+        "probe-grid: --program, --offset, --inches and --gaps require --read; give it");
   }
   const surface::ProbeProgram program = options.probe_program();
   list(surface::warnings_of(program));
@@ -97,7 +97,7 @@ surface::ProbePlan plan_of(const ProbeGridOptions& options, double& tip_mm) {
                         options.hop_mm;
   if (has_grid) {
     throw std::invalid_argument(
-        "probe-grid: the grid is that of --program; leave out the options of the grid");
+        "probe-grid: the grid is given by --program; leave out the options of the grid");
   }
   const ProbeHeading heading =
       surface::read_probe_heading(read_text(options.program), name_of_input(options.program));
@@ -113,15 +113,15 @@ Eigen::Vector3d zero_of(const ProbeGridOptions& options, const ProbeLog& log) {
   const std::string name = name_of_input(options.read);
   if (log.changed_line > 0) {
     throw std::invalid_argument(
-        fmt::format("{}:{}: the work offset changes among the answers; give the one that holds "
-                    "with --offset",
+        fmt::format("{}:{}: the work offset changes among the answers; give the valid one with "
+                    "--offset",
                     name,
                     log.changed_line));
   }
   if (log.offset) return *log.offset;
   terminal::print(stderr,
-                  "{}: has no work offset; X, Y and Z are taken as machine coordinates, unless you "
-                  "give --offset\n",
+                  "{}: has no work offset; X, Y and Z are read as machine coordinates unless "
+                  "--offset is given\n",
                   name);
   return Eigen::Vector3d::Zero();
 }
@@ -161,7 +161,7 @@ ExitStatus read_answers(const ProbeGridOptions& options) {
   double tip_mm = 0.0;
   surface::ProbePlan plan = plan_of(options, tip_mm);
   if (!(tip_mm >= 0.0 && std::isfinite(tip_mm))) {
-    throw std::invalid_argument(fmt::format("--tip {:g}: a diameter is 0 mm or more", tip_mm));
+    throw std::invalid_argument(fmt::format("--tip {:g}: must be at least 0 mm", tip_mm));
   }
   const ProbeLog log =
       surface::read_probe_log(read_text(options.read), options.inches ? kInchMm : 1.0);
@@ -171,11 +171,12 @@ ExitStatus read_answers(const ProbeGridOptions& options) {
   list(probed.faults);
   const bool has_any = probed.faults.size() < probed.points.size();
   if (!probed.faults.empty() && !(options.gaps && has_any)) {
-    terminal::print(stderr,
-                    "{} of {} points lack, and nothing is written{}; probe them, or add --gaps\n",
-                    probed.faults.size(),
-                    probed.points.size(),
-                    stale_note(options.output));
+    terminal::print(
+        stderr,
+        "{} of {} points are missing, and nothing is written{}; probe them, or add --gaps\n",
+        probed.faults.size(),
+        probed.points.size(),
+        stale_note(options.output));
     return ExitStatus::kFaults;
   }
   const auto points = surface::touched_points(plan.grid, probed.points, tip_mm);

@@ -39,18 +39,21 @@ double required(const char* option, const std::optional<double>& value, const ch
 }
 
 void add_grid_options(CLI::App& command, ProbeGridOptions& options) {
-  command.add_option("--x", options.x, "Columns from and to here, mm in work coordinates")
+  command
+      .add_option("--x", options.x, "X of the first and the last column, mm in work coordinates")
       ->type_name("FROM:TO");
-  command.add_option("--y", options.y, "Rows from and to here")->type_name("FROM:TO");
-  CLI::Option* pitch = command
-                           .add_option("--pitch",
-                                       options.pitch_mm,
-                                       "Distance of neighbours at most, mm; they are spread evenly")
-                           ->type_name("MM");
-  command.add_option("--columns", options.columns, "Points along X, in place of --pitch")
+  command.add_option("--y", options.y, "Y of the first and the last row, mm in work coordinates")
+      ->type_name("FROM:TO");
+  CLI::Option* pitch =
+      command
+          .add_option("--pitch",
+                      options.pitch_mm,
+                      "Greatest distance between neighbours, mm; points are spread evenly")
+          ->type_name("MM");
+  command.add_option("--columns", options.columns, "Number of points along X, in place of --pitch")
       ->type_name("N")
       ->excludes(pitch);
-  command.add_option("--rows", options.rows, "Points along Y, in place of --pitch")
+  command.add_option("--rows", options.rows, "Number of points along Y, in place of --pitch")
       ->type_name("N")
       ->excludes(pitch);
 }
@@ -60,45 +63,53 @@ void add_touch_options(CLI::App& command, ProbeGridOptions& options) {
       [&](const char* name, std::optional<double>& value, const char* unit, const char* help) {
         command.add_option(name, value, help)->type_name(unit);
       };
-  add("--safe", options.safe_mm, "Z", "Height of rapids, above everything");
-  add("--depth", options.depth_mm, "Z", "Height down to which a point is searched");
-  add("--feed", options.feed, "F", "Speed of the touch that counts, mm/min");
-  add("--fast-feed", options.fast_feed, "F", "Touch at this speed before, and rise by --retract");
-  command.add_option("--retract", options.retract_mm, "mm between both touches")
+  add("--safe", options.safe_mm, "Z", "Z of rapids, above all obstacles, mm");
+  add("--depth", options.depth_mm, "Z", "Z down to which the probe searches a point, mm");
+  add("--feed", options.feed, "F", "Feed of the touch that is measured, mm/min");
+  add("--fast-feed",
+      options.fast_feed,
+      "F",
+      "Feed of a first touch, mm/min, after which the probe rises by --retract; default: no first "
+      "touch");
+  command
+      .add_option("--retract",
+                  options.retract_mm,
+                  "Height by which the probe rises between both touches, mm")
       ->type_name("MM")
       ->capture_default_str();
   add("--hop",
       options.hop_mm,
       "MM",
-      "Rise only by this above each contact, and move on watching the probe, so that a\n"
-      "wall stops the tip; for gentle surfaces. Without it rapids are at --safe");
-  command.add_option("--travel-feed", options.travel_feed, "Speed of ways with --hop, mm/min")
+      "Height above each contact to which the probe rises, mm: it then moves on with the probe\n"
+      "watched, so that a wall stops it; for gentle surfaces. Default: rapids at --safe");
+  command.add_option("--travel-feed", options.travel_feed, "Feed of moves with --hop, mm/min")
       ->type_name("F")
       ->capture_default_str();
-  add("--tip", options.tip_mm, "MM", "Diameter of the probe's ball; 0 is a point");
+  add("--tip", options.tip_mm, "MM", "Diameter of the probe's ball, mm; default: 0, a point");
 }
 
 void add_read_options(CLI::App& command, ProbeGridOptions& options) {
   mark_file(command
                 .add_option("--read",
                             options.read,
-                            "A sender's log with the answers [PRB:…]; - is standard input")
+                            "Log of a sender with the answers [PRB:…]; - is standard input")
                 ->type_name("FILE"),
             FileRole::kInput);
   mark_file(command
                 .add_option("--program",
                             options.program,
-                            "The program that was run, whose heading has the options of the grid")
+                            "Program that was run; its heading contains the options of the grid")
                 ->type_name("FILE"),
             FileRole::kInput);
   command
       .add_option("--offset",
                   options.offset,
-                  "Work zero in machine coordinates, mm; else as the log says in WCO: or [G54:…]")
+                  "Work zero in machine coordinates, mm; default: as logged in WCO: or [G54:…]")
       ->type_name("X,Y,Z");
-  command.add_flag("--inches", options.inches, "The log has inches ($13=1)");
-  command.add_flag(
-      "--gaps", options.gaps, "Write the grid though points lack, with nan as their height");
+  command.add_flag("--inches", options.inches, "Read the log in inches ($13=1)");
+  command.add_flag("--gaps",
+                   options.gaps,
+                   "Write the grid although points are missing, with nan as their height");
 }
 
 }  // namespace
@@ -107,9 +118,12 @@ void ProbeGridOptions::add_to(CLI::App& command) {
   add_grid_options(command, *this);
   add_touch_options(command, *this);
   add_read_options(command, *this);
-  mark_file(command.add_option("-o,--output", output, "Where to write; else standard output")
-                ->type_name("FILE"),
-            FileRole::kOutput);
+  mark_file(
+      command
+          .add_option(
+              "-o,--output", output, "File of the program or the grid; default: standard output")
+          ->type_name("FILE"),
+      FileRole::kOutput);
 }
 
 surface::ProbeGrid ProbeGridOptions::grid() const {

@@ -14,7 +14,7 @@ namespace sim {
 
 /// Options of `kerfline surface probe-grid`.
 struct ProbeGridOptions {
-  std::string x;  ///< Range `FROM:TO`.
+  std::string x;  ///< X of the first and the last column, `FROM:TO` in mm.
   std::string y;
   std::optional<double> pitch_mm;
   std::optional<std::size_t> columns;
@@ -27,9 +27,10 @@ struct ProbeGridOptions {
   double retract_mm = surface::ProbeProgram{}.retract_mm;
   double travel_feed = surface::ProbeProgram{}.travel_feed;
   std::optional<double> tip_mm;
-  std::string read;     ///< Log with answers to read; if empty, a program is written.
-  std::string program;  ///< Program whose heading describes what was probed.
-  std::string offset;   ///< Work zero `X,Y,Z`; empty for none.
+  std::string read;  ///< Log whose answers are read; if empty, a program is written.
+  /// File of the program that probed the points; its heading contains the options of the grid.
+  std::string program;
+  std::string offset;  ///< Work zero `X,Y,Z` in machine coordinates, mm; empty if not given.
   bool inches = false;
   bool gaps = false;
   std::string output;

@@ -32,16 +32,17 @@ void ProbeOptions::add_to(CLI::App& command) {
   mark_file(command
                 .add_option("--probe-surface",
                             surface,
-                            "A surface that the probe touches: a grid or a mesh as kerfline\n"
+                            "Surface that the probe touches: a grid or a mesh as kerfline\n"
                             "surface reads them, mm in machine coordinates. Without\n"
-                            "--probe-plate the plate is away")
+                            "--probe-plate there is then no plate")
                 ->type_name("FILE"),
             FileRole::kInput);
   command
-      .add_option("--probe-tip",
-                  tip_mm,
-                  "Diameter of the probe's ball, whose lowest point is the tool's place; 0 is a\n"
-                  "point")
+      .add_option(
+          "--probe-tip",
+          tip_mm,
+          "Diameter of the probe's ball, mm; its lowest point is the tool position; 0 is a\n"
+          "point")
       ->check(in_range(0.0, kMaxTipMm, "mm"))
       ->type_name("MM")
       ->capture_default_str();
@@ -55,7 +56,8 @@ double ProbeOptions::plate_mm() const {
 std::optional<ProbeSurfaceFile> ProbeOptions::read() const {
   if (!surface.empty()) return ProbeSurfaceFile{.bytes = read_bytes(surface), .tip_mm = tip_mm};
   if (tip_mm > 0.0) {
-    throw std::invalid_argument("--probe-tip: nothing has a ball to touch; give --probe-surface");
+    throw std::invalid_argument(
+        "--probe-tip: there is no surface for the ball; give --probe-surface");
   }
   return {};
 }

@@ -11,16 +11,16 @@ class App;
 
 namespace sim {
 
-/// File of a surface to probe, as it was read.
+/// Content of the file of a surface that the probe touches.
 struct ProbeSurfaceFile {
   std::string bytes;
   double tip_mm = 0.0;  ///< Diameter of the ball that probes the surface.
 };
 
-/// Options for the plate and the surface that close the probe circuit of the simulated machine.
+/// Options for the plate and the surface at which the probe of the simulated machine triggers.
 struct ProbeOptions {
   std::optional<double> plate_z_mm;
-  std::string surface;  ///< Name of the file; empty for none.
+  std::string surface;  ///< File of the surface; empty for none.
   double tip_mm = 0.0;
 
   void add_to(CLI::App& command);

@@ -20,7 +20,7 @@ constexpr const char* kReplayFooter =
     "  kerfline serve --tcp 2323 --record talk.txt      # and then\n"
     "  kerfline replay talk.txt\n"
     "\n"
-    "Exit status: 0 the controller says the same, 1 it says something else, 2 the call is wrong.";
+    "Exit status: 0 the controller's answers are the same, 1 they differ, 2 the call is wrong.";
 
 struct ReplayOptions {
   std::vector<std::string> files;
@@ -54,7 +54,7 @@ bool replay_one(const std::string& file, const ReplayOptions& options) {
   return false;
 }
 
-/// Checks the files. Files that are rewritten count as outputs as well.
+/// Checks that --update can rewrite the files. For this check they are inputs and outputs.
 void refuse_unwritable(const ReplayOptions& options) {
   std::vector<NamedFile> files;
   for (const std::string& file : options.files) {
@@ -79,7 +79,7 @@ ExitStatus replay_all(const ReplayOptions& options) {
 
 void add_replay_command(CLI::App& app, ExitStatus& status) {
   CLI::App* command = app.add_subcommand(
-      "replay", "Repeat conversations recorded by serve and compare what the controller says.");
+      "replay", "Repeat conversations recorded by serve and compare the controller's answers.");
   command->footer(kReplayFooter);
   const auto options = std::make_shared<ReplayOptions>();
   mark_file(
@@ -87,7 +87,7 @@ void add_replay_command(CLI::App& app, ExitStatus& status) {
           ->required(),
       FileRole::kInput);
   command->add_flag("--times", options->with_times, "Compare the times of answers, too");
-  command->add_flag("--update", options->update, "Rewrite what the controller says");
+  command->add_flag("--update", options->update, "Rewrite the controller's answers in the files");
   command->callback([options, &status] { status = replay_all(*options); });
 }
 

@@ -36,16 +36,22 @@ constexpr const char* kSendFooter =
     "  kerfline send part.nc --port /dev/ttyACM0 --resume\n"
     "  kerfline cut part.dxf ... | kerfline send - --port /dev/ttyUSB0\n"
     "\n"
-    "Any Grbl controller; --checked and --resume want Kerfline. Before anything moves the\n"
-    "controller is asked for its settings, offsets and position; a program with a line that it\n"
-    "would refuse, or beyond the travel ($130...), is not sent unless --accept-faults says so.\n"
-    "A job sent --numbered or --checked that was interrupted goes on with --resume where the beam\n"
-    "went out: the controller is reset if it is held, and the path is driven, beam off, up to\n"
-    "there. Keys at a terminal: ! or blank holds, ~ or r resumes, q or Ctrl-C stops. A stop "
-    "holds,\n"
-    "and resets at standstill, or at once where a hold does nothing (a tool change, homing, check\n"
-    "mode): the position stays known, but after homing, and no line is left to go on. Without a\n"
-    "terminal it prints for what the machine waits; SIGINT stops as q does.\n"
+    "Works with any Grbl controller; --checked and --resume require Kerfline. Before any motion "
+    "the\n"
+    "settings, offsets and position of the controller are read. A program with a line that the\n"
+    "controller would refuse, or that leaves the travel ($130...), is sent only with\n"
+    "--accept-faults.\n"
+    "An interrupted job that was sent with --numbered or --checked continues with --resume where\n"
+    "the beam went off: the controller is reset if it is held, and the path is driven with the "
+    "beam\n"
+    "off up to that point.\n"
+    "Keys at a terminal: ! or blank holds, ~ or r resumes, q or Ctrl-C stops. A stop holds and "
+    "then\n"
+    "resets at standstill, or resets immediately where a hold has no effect (a tool change, "
+    "homing,\n"
+    "check mode). The position stays known, except during homing, and all lines are dropped. "
+    "Without\n"
+    "a terminal the program prints for what the machine waits; SIGINT stops as q does.\n"
     "Exit status: 0 all done and at rest, 1 faults, refused, aborted or cut off, 2 the call is "
     "wrong.";
 
@@ -54,56 +60,63 @@ void add_options(CLI::App& command, SendCommandOptions& options) {
                 ->required()
                 ->type_name("FILE"),
             FileRole::kInput);
-  auto* const links = command.add_option_group("link", "Where the controller is");
-  links->add_option("--port", options.port, "A serial port")->type_name("DEVICE");
-  links->add_option("--tcp", options.tcp, "Raw TCP")->check(port_address())->type_name("HOST:PORT");
-  links->add_option("--can", options.can, "A CAN interface of the kernel, can0 or vcan0")
+  auto* const links = command.add_option_group("link", "Link to the controller");
+  links->add_option("--port", options.port, "Serial port of the controller")->type_name("DEVICE");
+  links->add_option("--tcp", options.tcp, "Raw TCP address of the controller")
+      ->check(port_address())
+      ->type_name("HOST:PORT");
+  links->add_option("--can", options.can, "CAN interface of the kernel, such as can0 or vcan0")
       ->type_name("INTERFACE");
-  links->add_option("--slcan", options.slcan, "A CAN adapter of the serial kind, at 1 Mbit/s")
+  links->add_option("--slcan", options.slcan, "Serial CAN adapter (slcan), at 1 Mbit/s")
       ->type_name("DEVICE");
   links->require_option(1);
-  command.add_option("--node", options.node, "The controller's number on a CAN bus")
+  command.add_option("--node", options.node, "Node number of the controller on the CAN bus")
       ->check(in_whole_range(1, cnc::can::kLastNode))
       ->type_name("N")
       ->capture_default_str();
-  command.add_option("--baud", options.baud, "Of the serial port; USB has none")
+  command.add_option("--baud", options.baud, "Baud rate of the serial port; USB ignores it")
       ->check(in_whole_range(1, 10'000'000, "baud"))
       ->type_name("RATE")
       ->capture_default_str();
-  command.add_flag("--checked",
-                   options.send.checked,
-                   "Number and check every line, and repeat what was damaged");
+  command.add_flag(
+      "--checked", options.send.checked, "Number and check every line, and repeat damaged lines");
   command
       .add_option("--window",
                   options.send.window,
-                  "Bytes on their way at most; else as the controller announces")
+                  "Greatest number of sent bytes without an answer; default: as the controller "
+                  "announces")
       ->check(in_whole_range(16, 65'536, "bytes"))
       ->type_name("BYTES");
   command.add_flag("--accept-faults",
                    options.accept_faults,
-                   "Send a program with faults, or beyond the travel, all the same");
+                   "Send the program although it has faults or leaves the travel");
   command.add_flag("--keep-going",
                    options.send.goes_on_after_errors,
-                   "Go on after a line that the controller refuses");
+                   "Continue after a line that the controller refuses");
   command.add_flag(
       "--stop-when-held",
       options.stop_when_held,
       "End the job where it would wait for an operator: at M0, M6, a hold, an open door.\n"
-      "The controller is reset: no line is left to go on");
-  command.add_flag("--numbered", options.numbered, "With N in each line: --resume can go on then");
+      "The controller is reset, and all lines are dropped");
+  command.add_flag("--numbered",
+                   options.numbered,
+                   "Send each line with a number N, so that --resume can continue the job");
   auto* const resume =
-      command.add_flag("--resume", options.resume, "Go on where the controller was interrupted");
-  command.add_option("--from-line", options.from_line, "Begin with this line of the file")
+      command.add_flag("--resume", options.resume, "Continue the job where it was interrupted");
+  command
+      .add_option(
+          "--from-line", options.from_line, "Number of the line of the file with which to begin")
       ->check(in_whole_range(1, 1'000'000'000))
       ->excludes(resume)
       ->type_name("LINE");
   mark_file(
-      command.add_option("--log", options.log, "Every line in both directions, with its time")
+      command.add_option("--log", options.log, "Write every line of both directions with its time")
           ->type_name("FILE"),
       FileRole::kOutput);
 }
 
-/// Finds lines that the controller would never take before anything moves.
+/// Checks, before any motion, that no line is too long for the controller. Throws
+/// std::invalid_argument otherwise.
 void check_lengths(const JobLines& job, const SendCommandOptions& options) {
   const bool numbered = options.numbered || options.resume || options.send.checked;
   const std::size_t most =
@@ -117,7 +130,7 @@ void check_lengths(const JobLines& job, const SendCommandOptions& options) {
                   most));
 }
 
-/// Sends plain lines before those of the job.
+/// Sends lines that are not part of the job, and waits for their answers.
 ExitStatus say(const SendCommandOptions& options,
                Line& line,
                const std::vector<JobLine>& words,
@@ -147,7 +160,7 @@ std::vector<JobLine> questions_of(const SendCommandOptions& options) {
   return questions;
 }
 
-/// Sends the queries once, and trusts each answer.
+/// Sends the queries once and uses their answers, for a link without checks.
 ExitStatus ask_once(const SendCommandOptions& options, Line& line, Answers& answers) {
   const SendOptions send{.takes_up = options.resume, .rests_in_alarm = true};
   return say(options,
@@ -160,8 +173,7 @@ ExitStatus ask_once(const SendCommandOptions& options, Line& line, Answers& answ
              });
 }
 
-/// Repeats the queries until all answers agree, because a query has a check but its answers have
-/// none.
+/// Repeats the queries until all answers agree, because answers, unlike queries, have no check.
 ExitStatus ask_until_agreed(const SendCommandOptions& options, Line& line, Answers& answers) {
   constexpr int kMaxRounds = 12;
   AgreedAnswers agreed{options.resume};
@@ -182,8 +194,8 @@ ExitStatus ask_until_agreed(const SendCommandOptions& options, Line& line, Answe
   }
   terminal::print(
       stderr,
-      "{}: nothing was sent: the controller's answers differ each time, of {}; the line "
-      "damages too many bytes, try a shorter cable or a lower --baud\n",
+      "{}: nothing was sent: the controller's answers to {} differ each time; the link damages too "
+      "many bytes, so try a shorter cable or a lower --baud\n",
       options.file,
       fmt::to_string(fmt::join(agreed.open(), " ")));
   return ExitStatus::kFaults;
@@ -198,24 +210,26 @@ std::size_t index_of(const JobLines& job, const SendCommandOptions& options) {
   for (std::size_t index = 0; index < job.size(); ++index) {
     if (job.number_of(index) >= options.from_line) return index;
   }
-  throw std::invalid_argument(
-      fmt::format("{}: has no line {} to begin with", options.file, options.from_line));
+  throw std::invalid_argument(fmt::format(
+      "{}: line {} does not exist; choose another --from-line", options.file, options.from_line));
 }
 
 /// Chooses numbers for the checked lines of an approach. The controller must not take them for
 /// lines of the job that are still to be driven.
 void number_approach(std::vector<JobLine>& lines, SendOptions& send) {
-  constexpr std::uint32_t kFreeNumbers = 100;  // An approach has about ten lines.
+  // Numbers that are kept free for an approach, which has about ten lines.
+  constexpr std::uint32_t kFreeNumbers = 100;
   if (send.takes_up) {
     // Each line has number 1: a later number could be the line in which the beam comes on again.
     send.max_number = 1;
   } else {
-    // After an interruption in the approach, the controller reports a line that no job has.
+    // If the approach is interrupted, the controller reports the first line's number, which no job
+    // has.
     lines.front().n = send.max_number - kFreeNumbers;
   }
 }
 
-/// Brings the machine to the line with which the job begins.
+/// Drives the machine to the position at which the first line of the job begins.
 ExitStatus begin_within(const SendCommandOptions& options,
                         Line& line,
                         const Standing& standing,
@@ -251,7 +265,8 @@ void warn_of_stale_inputs(const SendCommandOptions& options,
   }
 }
 
-/// Judges the program as the page does: lines that the controller would refuse, and the travel.
+/// Checks the program as the page does: prints lines that the controller would refuse, or that
+/// leave the travel.
 ExitStatus judge(const SendCommandOptions& options,
                  const ProgramText& program,
                  const Standpoint& standpoint) {
@@ -262,10 +277,12 @@ ExitStatus judge(const SendCommandOptions& options,
     terminal::print(stderr, "{}: {}\n", options.file, judgement.texts().back());
   }
   if (options.accept_faults) return ExitStatus::kFine;
-  return refuse(options, ": correct these lines, or send all the same with --accept-faults");
+  return refuse(options,
+                ": correct these lines, or send the program nevertheless with --accept-faults");
 }
 
-/// Returns whether a job has only lines that a controller in alarm takes, such as `$X` or settings.
+/// Returns whether a job has only lines that a controller in alarm accepts, such as `$X` or
+/// settings.
 bool has_statements_only(const JobPart& job) {
   for (std::size_t i = 0; i < job.size(); ++i) {
     if (!job[i].text.starts_with('$')) return false;
@@ -305,7 +322,7 @@ ExitStatus send_job(const SendCommandOptions& options, Line& line, std::string f
   return status;
 }
 
-/// Finds faults for which no controller is needed, before the port is opened.
+/// Checks all that does not require the controller, then opens the port and sends the job.
 ExitStatus send(const SendCommandOptions& options) {
   std::string file = read_text(options.file);
   {

@@ -41,15 +41,17 @@ constexpr const char* kServeFooter =
     "  kerfline serve --tcp 2323 --ws 8000\n"
     "  kerfline serve --can vcan0 --node 17\n"
     "\n"
-    "Prints a line for each way in, such as `tcp 127.0.0.1:2323`, and then `ready`. One\n"
-    "sender at a time controls the machine. Ends on Ctrl-C or SIGTERM.\n"
-    "When the sender is lost, the machine stops on its path, beam off, and is reset.\n"
-    "A --record or --trace that cannot be written any more, as on a full disk, is given up with a\n"
-    "message; the machine goes on, and the exit status is 2.";
+    "Prints a line for each link, such as `tcp 127.0.0.1:2323`, and then `ready`. One sender at a\n"
+    "time controls the machine. The program ends on Ctrl-C or SIGTERM.\n"
+    "If the connection to the sender is lost, the machine stops on its path with the beam off and\n"
+    "is reset.\n"
+    "If --record or --trace cannot be written, for instance on a full disk, a message is printed,\n"
+    "the machine continues without this file, and the exit status is 2.";
 
 constexpr int kLastNode = cnc::can::kLastNode;
 
-constexpr std::string_view kTcp = "tcp:";  ///< Prefix of --slcan for a port instead of a file.
+/// Prefix of a --slcan value that is a TCP port instead of the name of a link.
+constexpr std::string_view kTcp = "tcp:";
 
 struct ServeOptions {
   std::string pty;
@@ -69,30 +71,35 @@ struct ServeOptions {
 };
 
 void add_ways_in(CLI::App& command, ServeOptions& options) {
-  mark_file(
-      command.add_option("--pty", options.pty, "A serial port under this name")->type_name("LINK"),
-      FileRole::kKept);
+  mark_file(command.add_option("--pty", options.pty, "Name of the serial port that is created")
+                ->type_name("LINK"),
+            FileRole::kKept);
   command
       .add_option("--tcp",
                   options.tcp,
-                  "Raw TCP; from this machine only unless an address is given; port 0 is any free")
+                  "Port for raw TCP, from this machine only unless an address is given; 0 is any "
+                  "free port")
       ->check(port_address())
       ->type_name("[ADDRESS:]PORT");
   command
-      .add_option("--ws",
-                  options.ws,
-                  "The page, and WebSocket for senders; from this machine only unless an address\n"
-                  "is given; port 0 is any free")
+      .add_option(
+          "--ws",
+          options.ws,
+          "Port for the page and for senders over WebSocket, from this machine only unless\n"
+          "an address is given; 0 is any free port")
       ->check(port_address())
       ->type_name("[ADDRESS:]PORT");
   command
-      .add_option("--can", options.can, "A node of a CAN interface of the kernel, can0 or vcan0")
+      .add_option(
+          "--can",
+          options.can,
+          "CAN interface of the kernel on which the controller is a node, such as can0 or vcan0")
       ->type_name("INTERFACE");
   mark_file(
       command
           .add_option("--slcan",
                       options.slcan,
-                      "A CAN adapter of the serial kind under this name, or behind a port as\n"
+                      "Name of the serial CAN adapter (slcan) that is created, or its TCP port as\n"
                       "tcp:[ADDRESS:]PORT, with the controller as the only node on its bus")
           ->type_name("LINK"),
       FileRole::kKept);
@@ -100,14 +107,16 @@ void add_ways_in(CLI::App& command, ServeOptions& options) {
       .add_option(
           "--node",
           options.node,
-          "The controller's number on a CAN bus: a setting, $859, that is 17 unless changed")
+          "Node number of the controller on the CAN bus; default: setting $859, which is 17 unless "
+          "changed")
       ->check(in_whole_range(1, kLastNode))
       ->type_name("N");
 }
 
 void add_options(CLI::App& command, ServeOptions& options) {
   add_ways_in(command, options);
-  command.add_option("--speed", options.speed, "Machine seconds per second")
+  command
+      .add_option("--speed", options.speed, "Speed of the simulation, machine seconds per second")
       ->check(in_range(0.01, 1000.0, "s per s"))
       ->type_name("N")
       ->capture_default_str();
@@ -115,17 +124,22 @@ void add_options(CLI::App& command, ServeOptions& options) {
     mark_file(command.add_option(name, file, help)->type_name("FILE"), role);
   };
   add_machine_option(command, options.machine);
-  add_file(FileRole::kInput, "--settings", options.settings_file, "File of $N=value lines");
-  command.add_option("--set", options.set, "One setting, such as '$110=12000'; may be repeated")
+  add_file(FileRole::kInput,
+           "--settings",
+           options.settings_file,
+           "File of the machine's settings, `$N=value` on each line");
+  command
+      .add_option(
+          "--set", options.set, "One setting of the machine, such as '$110=12000'; may be repeated")
       ->type_name("$N=V")
       ->allow_extra_args(false);
   add_file(FileRole::kKept,
            "--store",
            options.store,
-           "Keep changed settings, offsets and start-up lines there; else they end with\n"
-           "the run. --settings and --set are on top of it");
+           "File that keeps changed settings, offsets and start-up lines; default: they end with\n"
+           "the run. --settings and --set override it");
   add_file(
-      FileRole::kOutput, "--record", options.record, "Keep the conversation, for kerfline replay");
+      FileRole::kOutput, "--record", options.record, "Write the conversation for kerfline replay");
   add_file(FileRole::kOutput, "--trace", options.trace, "Write every step as text, as sim does");
   options.probe.add_to(command);
 }
@@ -176,8 +190,8 @@ void announce(const Reception& reception) {
   }
 }
 
-/// Returns all settings of the call. At a --speed above 1 the machine's time runs faster but the
-/// sender does not, so that the sender may be silent for longer by this factor.
+/// Returns all settings of the call. A --speed above 1 makes the machine's time run faster, but not
+/// the sender. So the permitted silence of the sender is multiplied by this factor.
 std::vector<SettingChange> all_settings(const ServeOptions& options) {
   std::vector<SettingChange> changes =
       settings_of(options.machine, options.settings_file, options.set);
@@ -198,8 +212,8 @@ ExitStatus serve(const ServeOptions& options) {
   const auto ways = {&options.pty, &options.tcp, &options.ws, &options.can, &options.slcan};
   if (std::all_of(ways.begin(), ways.end(), [](const auto* way) { return way->empty(); })) {
     throw std::invalid_argument(
-        "serve: give senders a way in: --pty LINK, --tcp PORT, --ws PORT, --can INTERFACE or "
-        "--slcan LINK");
+        "serve: a link for senders is missing; give --pty LINK, --tcp PORT, --ws PORT, --can "
+        "INTERFACE or --slcan LINK");
   }
   const std::vector<SettingChange> settings = all_settings(options);
   const auto surface = options.probe.read();

@@ -30,7 +30,9 @@ struct SimOptions {
 void require_placeholder(const std::string& name, const std::string& option) {
   if (name.empty() || name.find(kPlaceholder) != std::string::npos) return;
   throw std::invalid_argument(fmt::format(
-      "{} {}: with several programs the name needs a {{}} for the name of each", option, name));
+      "{} {}: with several programs the name requires a {{}}, which stands for the name of each",
+      option,
+      name));
 }
 
 std::string with_job_name(const std::string& name, const std::string& file) {
@@ -61,7 +63,7 @@ JobOutputs outputs_for(const SimOptions& options, const std::string& file) {
           .stock = stock_wish_of(stock_for(options.stock, file))};
 }
 
-/// Returns all files of the call, with the names that replace placeholders.
+/// Returns all files of the call. Placeholders in their names are replaced.
 std::vector<NamedFile> files_of(const SimOptions& options) {
   std::vector<NamedFile> files;
   for (const std::string& file : options.job.files) {
@@ -163,21 +165,24 @@ void add_sim_command(CLI::App& app, ExitStatus& status) {
     mark_file(command->add_option(name, file, help)->type_name("FILE"), FileRole::kOutput);
   };
   add_output("--trace", options->outputs.trace, "Write every step as text");
-  add_output("--vcd", options->outputs.vcd, "Write the edges for logic-analyser viewers");
+  add_output("--vcd",
+             options->outputs.vcd,
+             "Write the edges of all pins as VCD for logic-analyser viewers");
   add_output("--report", options->report, "Write the report as JSON");
   add_output("--answers",
              options->outputs.answers,
              "Write the controller's answers, as a sender logs them");
   add_output("--knots",
              options->outputs.knots,
-             "Write `time_s x y z a b c` of the axes for each cell of the plan: under G43.4 and "
-             "input shaping");
-  add_output("--svg", options->outputs.svg, "Draw the path as cut");
-  add_output("--png", options->outputs.png, "The same as pixels");
+             "Write `time_s x y z a b c` of the axes for each cell of the plan, under G43.4 and "
+             "with input shaping");
+  add_output("--svg", options->outputs.svg, "Draw the cut path as SVG");
+  add_output("--png", options->outputs.png, "Draw the cut path as PNG");
   command
       ->add_option("--kerf",
                    options->outputs.kerf_width_mm,
-                   "Width of the cut in the picture; else 0.1 of a laser and a line of a mill")
+                   "Width of the cut in the picture, mm; default: 0.1 for a laser, a thin line for "
+                   "a mill")
       ->check(in_range(0.0, 100.0, "mm"))
       ->type_name("WIDTH");
   add_stock_options(*command, options->stock);

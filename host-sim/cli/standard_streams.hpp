@@ -2,9 +2,9 @@
 
 namespace sim {
 
-/// Prepares the process for streams that fail. An input or output that the caller closed stays
-/// closed, so that no file gets its number. A pipe without a reader, or a file beyond a limit, is
-/// an error of the call that writes instead of a signal.
+/// Prepares the process for standard streams that fail. A stream that the parent process closed is
+/// replaced by one whose use fails, so that no other file gets its number. A write to a pipe
+/// without a reader, or beyond a limit of file sizes, returns an error instead of raising a signal.
 /// @pre it is the first call of the process
 void prepare_standard_streams();
 

@@ -101,16 +101,16 @@ std::vector<stock::Ring> rings_of(const std::string& file) {
   return rings;
 }
 
-/// Checks that each option comes with the option that it needs. Throws std::invalid_argument
-/// otherwise.
+/// Checks that each option is given together with the option that it requires. Throws
+/// std::invalid_argument otherwise.
 void refuse_lonely(const StockOptions& options) {
   if (options.target.empty() != !options.depth_mm) {
     throw std::invalid_argument(
-        options.target.empty() ? "--stock-depth: needs the drawing of --stock-target"
-                               : "--stock-target: needs the depth of the pocket, --stock-depth");
+        options.target.empty() ? "--stock-depth: requires the drawing of --stock-target"
+                               : "--stock-target: requires the depth of the pocket, --stock-depth");
   }
   if (!options.map.empty() && options.surface.empty()) {
-    throw std::invalid_argument("--stock-map: needs the surface of --stock-surface");
+    throw std::invalid_argument("--stock-map: requires the surface of --stock-surface");
   }
   if (!options.surface.empty() && !options.target.empty()) {
     throw std::invalid_argument(
@@ -119,7 +119,7 @@ void refuse_lonely(const StockOptions& options) {
   }
   if (!options.box.empty()) return;
   const auto refuse_without_stock = [](const char* option) {
-    throw std::invalid_argument(fmt::format("{}: needs the block of --stock", option));
+    throw std::invalid_argument(fmt::format("{}: requires the block of --stock", option));
   };
   for (const auto& [option, value] : stock_files(options)) {
     if (!value.empty()) refuse_without_stock(option);
@@ -135,17 +135,20 @@ void add_stock_options(CLI::App& command, StockOptions& options) {
   command
       .add_option("--stock",
                   options.box,
-                  "Carve this block along the steps, mm in machine coordinates; without a bottom "
-                  "it ends below every cut")
+                  "Block that is carved along the steps, mm in machine coordinates; default of the "
+                  "bottom: below every cut")
       ->type_name(kStockForm);
   command
-      .add_option("--tool",
-                  options.tool,
-                  "The tool that carves: diameter and kind, flat if none; corner radius of a bull "
-                  "nose in mm; included angle of a V in degrees and its tip's diameter")
+      .add_option(
+          "--tool",
+          options.tool,
+          "Tool that carves: diameter in mm and kind, flat by default; for a bull nose its "
+          "corner radius; for a V its included angle in degrees and the diameter of its tip")
       ->type_name(kCutterForm);
   command
-      .add_option("--stock-cell", options.cell_mm, "Resolution of the stock, mm; 8 bytes a cell")
+      .add_option("--stock-cell",
+                  options.cell_mm,
+                  "Side of a cell of the stock, mm; a cell takes 8 bytes of memory")
       ->check(in_range(stock::kMinCellMm, stock::kGreatestCellMm, "mm"))
       ->type_name("MM")
       ->capture_default_str();
@@ -154,36 +157,39 @@ void add_stock_options(CLI::App& command, StockOptions& options) {
   };
   add_output("--stock-png", options.png, "Draw the carved stock in plan, coloured by depth");
   add_output("--stock-stl", options.stl, "Write the carved stock as a body, binary STL in mm");
-  add_output("--stock-ply", options.ply, "The same as binary PLY");
+  add_output("--stock-ply", options.ply, "Write the carved stock as binary PLY in mm");
   mark_file(command
                 .add_option("--stock-target",
                             options.target,
-                            "Compare what is left with the pocket of this drawing, or of contours "
-                            "as text, whose places\nare the machine's")
+                            "Compare the carved stock with the pocket of this drawing, or of "
+                            "contours as text, in machine\ncoordinates")
                 ->type_name("FILE"),
             FileRole::kInput);
   command
-      .add_option("--stock-depth", options.depth_mm, "Depth of that pocket below the stock's top")
+      .add_option("--stock-depth",
+                  options.depth_mm,
+                  "Depth of the pocket of --stock-target below the stock's top, mm")
       ->check(in_range(0.0, stock::kDeepestStockMm, "mm"))
       ->type_name("MM");
   mark_file(command
                 .add_option("--stock-surface",
                             options.surface,
-                            "Compare what is left with this surface, a grid or a mesh as kerfline "
-                            "surface reads\nthem, mm in machine coordinates")
+                            "Compare the carved stock with this surface, a grid or a mesh as "
+                            "kerfline surface\nreads them, mm in machine coordinates")
                 ->type_name("FILE"),
             FileRole::kInput);
-  add_output("--stock-map",
-             options.map,
-             "Draw how far the stock is off that surface, in plan, SVG or PNG: gouges red, rests\n"
-             "blue, the worst places listed");
+  add_output(
+      "--stock-map",
+      options.map,
+      "Draw the error of the stock against --stock-surface in plan, SVG or PNG: gouges red,\n"
+      "rests blue, with a list of the worst points");
 }
 
 std::optional<StockWish> stock_wish_of(const StockOptions& options) {
   refuse_lonely(options);
   if (options.box.empty()) return std::nullopt;
   if (options.tool.empty()) {
-    throw std::invalid_argument("--stock: needs the tool that carves, such as --tool 6");
+    throw std::invalid_argument("--stock: requires the tool that carves, such as --tool 6");
   }
   StockWish wish;
   wish.cell_mm = options.cell_mm;

@@ -35,15 +35,15 @@ void add_stock_options(CLI::App& command, StockOptions& options);
 [[nodiscard]] std::optional<StockWish> stock_wish_of(const StockOptions& options);
 
 /// Reads the drawing of the pocket that the stock is to become; empty without a drawing. Throws
-/// std::system_error if the drawing cannot be read, and std::invalid_argument naming it for its
-/// faults.
+/// std::system_error if the drawing cannot be read, and std::invalid_argument naming the drawing if
+/// it has faults.
 [[nodiscard]] std::optional<stock::PocketTarget> stock_target_of(const StockOptions& options);
 
 /// Reads the surface that the stock is to become; null without a surface. Prints the notes of its
 /// reader to standard error. Throws as read_bytes() and read_surface() do.
 [[nodiscard]] std::shared_ptr<const surface::Mesh> stock_surface_of(const StockOptions& options);
 
-/// Returns options and names of the files to write.
+/// Returns option and name of each file that is to be written.
 [[nodiscard]] std::vector<std::pair<const char*, std::string>> stock_files(
     const StockOptions& options);
 

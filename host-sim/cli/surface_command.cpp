@@ -41,10 +41,12 @@ namespace {
 constexpr const char* kSurfaceFooter =
     "FILE is XYZ text or CSV of a measured grid, STL, PLY, or a height map as ESRI ASCII grid,\n"
     "GeoTIFF, TIFF, PGM, PNG or JSON. Four neighbours of a grid are two triangles, which share\n"
-    "the diagonal from the first point of a row to the second of the next row; --mesh writes\n"
-    "them. The tool goes over it in straight rows, in lines of one height or of one distance from\n"
-    "the border: it touches points, edges and facets, never cuts in, and arcs stay arcs, in G18\n"
-    "along X, in G19 along Y, and in G17 at one height.\n"
+    "the diagonal from the first point of a row to the second of the next row; --mesh writes "
+    "these\n"
+    "triangles. The tool runs over the surface in straight rows, or in lines of constant height "
+    "or\n"
+    "at constant distance from the border. It touches points, edges and facets and never cuts in.\n"
+    "Arcs are kept: in G18 along X, in G19 along Y, and in G17 at constant height.\n"
     "\n"
     "Examples:\n"
     "  kerfline surface scan.xyz --tool ball:4 --step 0.3 --feed 1500 --plunge-feed 500 \\\n"
@@ -57,7 +59,7 @@ constexpr const char* kSurfaceFooter =
     "\n"
     "Exit status: 0 fine, 2 the call or FILE is wrong.";
 
-/// Turns points towards the tool, then moves them.
+/// Rotates points so that --approach points down, then moves them by --move.
 void place(std::vector<Eigen::Vector3d>& points, const SurfaceCommandOptions& options) {
   if (const auto& approach = options.approach; !approach.empty()) {
     const Eigen::Matrix3d turn =
@@ -88,7 +90,7 @@ PatchOptions patches_of(const SurfaceCommandOptions& options) {
   return patches;
 }
 
-/// Returns a text on how the surface is milled.
+/// Returns a text on the kind of path, for the program's heading.
 std::string manner_of(const SurfaceCommandOptions& options) {
   if (options.pencil) {
     return fmt::format("along valleys sharper than {:g} degrees", options.pencil_angle_deg);
@@ -147,7 +149,7 @@ std::string report_of(const SurfaceCommandOptions& options,
 }
 
 /// Returns the path of a surface along lines or in levels.
-/// @param rough the border of levels
+/// @param rough stock and limits of the tip, used for levels only
 surface::SurfacePath path_with_progress(const surface::Mesh& mesh,
                                         surface::RowOptions rows,
                                         const surface::RoughOptions& rough,
@@ -240,8 +242,8 @@ void write_heights(const SurfaceCommandOptions& options,
   }
 }
 
-/// Returns the grid of an input at the position to which it is moved. Throws std::invalid_argument
-/// for a mesh.
+/// Returns the grid of an input, rotated and moved as the options require. Throws
+/// std::invalid_argument for a mesh.
 surface::PointGrid grid_of(const surface::SurfaceInput& input,
                            const SurfaceCommandOptions& options) {
   if (!input.grid) {
@@ -255,7 +257,7 @@ surface::PointGrid grid_of(const surface::SurfaceInput& input,
 }
 
 /// Returns whether the controller has arcs in all planes of the path. Rows and the links between
-/// them have arcs in both upright planes, lines of one height in the level plane.
+/// them have arcs in G18 and G19, lines of constant height in G17.
 bool knows_arcs_of_path(const SurfaceCommandOptions& options) {
   const bool is_level =
       options.paths == SurfacePaths::kWaterline || options.paths == SurfacePaths::kRough;

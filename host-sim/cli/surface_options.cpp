@@ -21,7 +21,8 @@ namespace {
 constexpr double kMinMm = 1.0e-6;
 constexpr double kMinSurfaceToleranceMm = 1.0e-4;
 constexpr double kGreatestSurfaceToleranceMm = 5.0;
-/// Least scallop in tolerances. At this scallop, half of its height is left for the rows.
+/// Least scallop as a multiple of the tolerance. Half of this scallop is then left for the distance
+/// of the rows.
 constexpr double kMinScallopTolerances = 2.0;
 
 void add_reading_options(CLI::App& command, SurfaceCommandOptions& options) {
@@ -34,48 +35,53 @@ void add_reading_options(CLI::App& command, SurfaceCommandOptions& options) {
   command
       .add_option("--pitch",
                   options.reading.pitch_mm,
-                  "Distance of a height map's points, mm; else as the file says")
+                  "Distance between the points of a height map, mm; default: as given in the file")
       ->check(in_range(kMinMm, surface::kFarthestMm, "mm"))
       ->type_name("MM");
   command
       .add_option("--height",
                   options.reading.height_mm,
-                  "Height of a picture's white over its black, mm; else as the file says")
+                  "Height of a picture's white above its black, mm; default: as given in the file")
       ->check(in_range(kMinMm, surface::kFarthestMm, "mm"))
       ->type_name("MM");
-  command.add_flag("--repair",
-                   options.reading.repair,
-                   "Fill missing points and outliers from their neighbours, and say which");
+  command.add_flag(
+      "--repair",
+      options.reading.repair,
+      "Replace missing points and outliers by values from their neighbours, and print them");
   command
-      .add_option("--approach",
-                  options.approach,
-                  "Direction in which the tool comes, as in FILE: the surface is turned so that "
-                  "it is\ndown, about a level axis, before it is moved [0,0,-1]")
+      .add_option(
+          "--approach",
+          options.approach,
+          "Direction in which the tool approaches, in coordinates of FILE: the surface is "
+          "rotated about\na level axis until it points down, before --move; default: 0,0,-1")
       ->expected(3)
       ->delimiter(',')
       ->type_name("X,Y,Z");
-  command.add_option("--move", options.move_mm, "Way by which the surface is moved, mm")
+  command.add_option("--move", options.move_mm, "Vector by which the surface is moved, mm")
       ->expected(3)
       ->delimiter(',')
       ->type_name("X,Y,Z");
 }
 
 void add_stock_layer_options(CLI::App& command, SurfaceCommandOptions& options) {
-  command.add_option("--allowance", options.allowance_mm, "Stock that stays everywhere, mm")
+  command
+      .add_option("--allowance",
+                  options.allowance_mm,
+                  "Thickness of stock that is left on the whole surface, mm")
       ->check(in_range(0.0, 100.0, "mm"))
       ->type_name("MM");
   command
       .add_option(
           "--stock-top",
           options.stock_top_mm,
-          "Z of the stock's top, mm, to which rapids go down; else the surface's highest point")
+          "Z of the stock's top, mm, to which rapids go down; default: the surface's highest point")
       ->check(in_range(-surface::kFarthestMm, surface::kFarthestMm, "mm"))
       ->type_name("MM");
   command
       .add_option("--layers",
                   options.layer_mm,
-                  "Mill layers of this depth from the top of the stock downwards, each where it is "
-                  "above\nthe surface, mm: roughing")
+                  "Depth of a layer of roughing, mm: layers from the top of the stock downwards, "
+                  "each where it is\nabove the surface")
       ->check(in_range(0.001, 1000.0, "mm"))
       ->type_name("MM");
 }
@@ -90,8 +96,9 @@ void add_direction_option(CLI::App& command, SurfaceCommandOptions& options) {
       .add_option_function<std::string>(
           "--direction",
           take,
-          "The side of the stock of later lines, for a spindle that turns clockwise: on the right "
-          "for\nclimb, on the left for conventional. All rows go one way then")
+          "Direction of milling for a spindle that rotates clockwise: the stock that is still to "
+          "be cut is\non the right for climb, on the left for conventional. Rows then all run in "
+          "one direction")
       ->check(CLI::IsMember({"climb", "conventional", "both"}))
       ->option_text("climb|conventional|both [both]");
 }
@@ -105,17 +112,22 @@ void add_line_options(CLI::App& command, SurfaceCommandOptions& options) {
   command
       .add_option("--paths",
                   options.paths,
-                  "Straight rows, lines of one height each, lines of one distance each from the "
-                  "border over\nthe surface, or roughing: areas of levels, cleared as pockets are")
+                  "Kind of lines: straight rows, lines of constant height, lines at constant "
+                  "distance from the\nborder over the surface, or roughing, in which the areas of "
+                  "levels are cleared like pockets")
       ->transform(CLI::CheckedTransformer(paths))
       ->option_text("rows|waterline|contour|rough [rows]");
   command
-      .add_option("--angle", options.angle_deg, "Of rows from X, counter-clockwise, degrees [0]")
+      .add_option("--angle",
+                  options.angle_deg,
+                  "Angle of rows from X, counter-clockwise, degrees; default: 0")
       ->check(in_range(-360.0, 360.0, "degrees"))
       ->type_name("DEG");
   const std::map<std::string, surface::RowOrder> orders{{"zigzag", surface::RowOrder::kZigzag},
                                                         {"oneway", surface::RowOrder::kOneWay}};
-  command.add_option("--order", options.order, "Rows to and fro, or all one way with lifts")
+  command
+      .add_option(
+          "--order", options.order, "Order of rows: to and fro, or all in one direction with lifts")
       ->transform(CLI::CheckedTransformer(orders))
       ->option_text("zigzag|oneway [zigzag]");
   add_direction_option(command, options);
@@ -123,76 +135,78 @@ void add_line_options(CLI::App& command, SurfaceCommandOptions& options) {
 
 void add_row_options(CLI::App& command, SurfaceCommandOptions& options) {
   command
-      .add_option("--tool",
-                  options.tool,
-                  "Diameter and kind of the tool, flat if none; corner radius of a bull nose; "
-                  "angle of a V\nand diameter of its tip; mm and degrees. Also ball:4")
+      .add_option(
+          "--tool",
+          options.tool,
+          "Diameter in mm and kind of the tool, flat by default; for a bull nose its corner "
+          "radius; for a V\nits angle in degrees and the diameter of its tip. The kind may "
+          "come first: ball:4")
       ->type_name(kCutterForm);
   command
       .add_option("--tolerance",
                   options.tolerance_mm,
-                  "The tip is never below the place where it touches, and at most twice this "
-                  "above, mm")
+                  "Tolerance of the path, mm: the tip is never below the height of touch, and at "
+                  "most twice\nthe tolerance above it")
       ->check(in_range(kMinSurfaceToleranceMm, kGreatestSurfaceToleranceMm, "mm"))
       ->capture_default_str();
   command
       .add_option("--step",
                   options.step_mm,
-                  "Between rows in plan, levels in Z, or lines over the surface, mm; else as "
-                  "--scallop asks,\nor a tenth of the tool's diameter")
+                  "Distance between rows in plan, levels in Z, or lines over the surface, mm; "
+                  "default: by\n--scallop, or a tenth of the tool's diameter")
       ->check(in_range(0.001, 500.0, "mm"))
       ->type_name("MM");
   command
       .add_option(
           "--scallop",
           options.scallop_mm,
-          "Of the stock between rows, at right angles to the surface, at most, mm: rows are "
-          "added\nwhere the surface is steep across; waterlines keep it where that is 45 degrees "
-          "or "
-          "steeper")
+          "Greatest height of the stock between rows, normal to the surface, mm: rows are added "
+          "where the\nsurface is steep across them; waterlines keep this height where the surface "
+          "is 45 degrees or steeper")
       ->check(in_range(1.0e-4, 50.0, "mm"))
       ->type_name("MM");
   command
       .add_option("--margin",
                   options.margin_mm,
-                  "Distance by which rows go on beyond the surface's box, mm")
+                  "Distance by which rows extend beyond the surface's box, mm")
       ->check(in_range(0.0, 1000.0, "mm"))
       ->type_name("MM");
   command
       .add_option("--floor",
                   options.floor_mm,
-                  "Z below which the tip never goes, mm; beside the surface it goes there, where "
-                  "rows\notherwise end")
+                  "Least Z of the tip, mm; outside the surface the tip runs at this Z, where rows "
+                  "otherwise end")
       ->check(in_range(-surface::kFarthestMm, surface::kFarthestMm, "mm"))
       ->type_name("MM");
   command.add_flag(
-      "--lines", options.lines_only, "No arcs: for controllers that do not know G18 and G19");
+      "--lines", options.lines_only, "Write no arcs, for controllers without G18 and G19");
 }
 
 void add_patch_options(CLI::App& command, PatchOptions& options) {
   mark_file(command
                 .add_option("--patches",
                             options.file,
-                            "Fit smooth bicubic patches to the places of the tip over a grid's "
-                            "points, and write\nthem")
+                            "Fit smooth bicubic patches to the positions of the tip over a grid's "
+                            "points, and write\nthe patches")
                 ->type_name("FILE"),
             FileRole::kOutput);
   command.add_flag("--smooth",
                    options.smooth,
-                   "Mill such patches: over a noisy grid the path is smooth, never cuts in, and is "
-                   "up to\n--fit-tolerance higher");
+                   "Mill along such patches: over a noisy grid the path is smooth, never cuts in, "
+                   "and is up to\n--fit-tolerance higher");
   command
       .add_option("--fit-tolerance",
                   options.fit_mm,
-                  "Of patches, mm; else --tolerance, or 1 for "
-                  "--like-paper")
+                  "Tolerance of patches, mm; default: --tolerance, or 1 for --like-paper")
       ->check(in_range(1.0e-4, 100.0, "mm"))
       ->type_name("MM");
-  command.add_flag("--like-paper",
-                   options.like_paper,
-                   "Count the flat pieces of the patches by the tests of paper 4, in place of a "
-                   "program");
-  command.add_option("--flatness", options.flatness_mm, "Of those pieces, mm")
+  command.add_flag(
+      "--like-paper",
+      options.like_paper,
+      "Count the flat pieces of the patches by the tests of paper 4, and write no program");
+  command
+      .add_option(
+          "--flatness", options.flatness_mm, "Flatness of the pieces that --like-paper counts, mm")
       ->check(in_range(1.0e-4, 100.0, "mm"))
       ->capture_default_str();
 }
@@ -202,15 +216,15 @@ void check_approach(const SurfaceCommandOptions& options) {
   double square = 0.0;
   for (const double part : options.approach) square += part * part;
   if (!(square > 0.0 && std::isfinite(square))) {
-    throw std::invalid_argument("--approach: needs a direction, such as -1,0,0");
+    throw std::invalid_argument("--approach: must be a direction, such as -1,0,0");
   }
   if (options.wants_patches()) {
     throw std::invalid_argument("--approach: patches fit a grid that is seen from above");
   }
 }
 
-/// Checks the options of a path along patches. Throws std::invalid_argument for options that such a
-/// path cannot have.
+/// Checks the options of a path along patches. Throws std::invalid_argument for options that
+/// exclude --smooth.
 void check_smooth(const SurfaceCommandOptions& options) {
   if (!options.patches.smooth) return;
   for (const auto& [name, is_given, reason] :
@@ -223,17 +237,17 @@ void check_smooth(const SurfaceCommandOptions& options) {
 }
 
 /// Checks the options of the kind of lines. Throws std::invalid_argument for options that this kind
-/// cannot have.
+/// of lines does not use.
 void check_line_options(const SurfaceCommandOptions& options) {
   const bool are_rows = options.paths == SurfacePaths::kRows;
   const auto refuse = [](const char* option, const char* remedy) {
     throw std::invalid_argument(fmt::format("{}: {}", option, remedy));
   };
   if (options.direction && options.order == surface::RowOrder::kZigzag) {
-    refuse("--direction", "rows to and fro cut both ways; take --order oneway");
+    refuse("--direction", "rows to and fro cut in both directions; use --order oneway");
   }
   if (options.stock_margin_mm && options.paths != SurfacePaths::kRough) {
-    refuse("--stock-margin", "only --paths rough comes in from beside the stock");
+    refuse("--stock-margin", "only --paths rough comes in from outside the stock");
   }
   if (are_rows) return;
   if (options.pencil) refuse("--pencil", "goes along valleys in place of --paths; leave one out");
@@ -267,48 +281,54 @@ void add_surface_options(CLI::App& command, SurfaceCommandOptions& options) {
   command
       .add_option("--slot-feed",
                   options.mill.slot_feed_mm_min,
-                  "Of rows of layers with stock on both sides, mm/min; else --feed")
+                  "Feed along rows of layers with stock on both sides, mm/min; default: --feed")
       ->check(in_range(0.1, 1.0e6, "mm/min"))
       ->type_name("MM/MIN");
   command
       .add_option("--ramp",
                   options.ramp_deg,
-                  "Enter the stock on a ramp of this angle above the first line, degrees; else "
-                  "straight down")
+                  "Angle of the ramp above the first line on which the tool enters the stock, "
+                  "degrees; default:\nstraight down")
       ->check(in_range(0.1, 60.0, "degrees"))
       ->type_name("DEG");
-  command.add_option("--safe", options.safe_mm, "Z of rapids, mm; else 5 mm above all")
+  command
+      .add_option(
+          "--safe", options.safe_mm, "Z of rapids, mm; default: 5 mm above path and surface")
       ->check(in_range(-surface::kFarthestMm, surface::kFarthestMm, "mm"))
       ->type_name("MM");
-  command.add_option("--decimals", options.decimals, "Of positions, mm")
+  command.add_option("--decimals", options.decimals, "Decimals of positions in mm")
       ->check(in_whole_range(cnc::gcode::PrintGrid::kFewest, cnc::gcode::PrintGrid::kMax))
       ->capture_default_str();
   options.post.add_to(command);
   const auto add_output = [&](const char* name, std::string& file, const char* help) {
     mark_file(command.add_option(name, file, help)->type_name("FILE"), FileRole::kOutput);
   };
-  add_output("-o,--output", options.output, "Where to write; else standard output");
-  add_output("--report", options.report, "Elements, rows and lengths as JSON");
-  add_output("--mesh", options.mesh, "Write the triangles that count, as PLY with doubles");
-  mark_file(command
-                .add_option("--at",
-                            options.at,
-                            "Places, `X Y` in mm on each line: write the heights of the tip there "
-                            "in place of\na program")
-                ->type_name("FILE"),
-            FileRole::kInput);
+  add_output("-o,--output", options.output, "File of the program; default: standard output");
+  add_output("--report", options.report, "Write elements, rows and lengths as JSON");
   add_output(
-      "--heights", options.heights, "Where `X Y Z` of them is written; else standard output");
+      "--mesh", options.mesh, "Write the triangles of the milled surface as PLY with doubles");
+  mark_file(
+      command
+          .add_option(
+              "--at",
+              options.at,
+              "File of positions, `X Y` in mm on each line: write the heights of the tip there "
+              "in place of\na program")
+          ->type_name("FILE"),
+      FileRole::kInput);
+  add_output("--heights", options.heights, "File of `X Y Z` for --at; default: standard output");
 }
 
 void check_surface_options(const SurfaceCommandOptions& options) {
   if (options.file.empty()) {
-    throw std::invalid_argument("surface: needs a FILE, a measured grid, a mesh or a height map");
+    throw std::invalid_argument(
+        "surface: FILE is missing; give a measured grid, a mesh or a height map");
   }
   check_approach(options);
-  if (options.tool.empty()) throw std::invalid_argument("--tool: is needed, such as ball:4");
+  if (options.tool.empty())
+    throw std::invalid_argument("--tool is missing; give it, such as ball:4");
   if (!options.heights.empty() && !options.wants_heights()) {
-    throw std::invalid_argument("--heights: needs --at, the places");
+    throw std::invalid_argument("--heights: requires --at, the file of positions");
   }
   if (options.scallop_mm > 0.0 &&
       options.scallop_mm < kMinScallopTolerances * options.tolerance_mm) {
@@ -338,9 +358,10 @@ void check_surface_options(const SurfaceCommandOptions& options) {
     }
     return;
   }
-  if (options.mill.feed_mm_min == 0.0) throw std::invalid_argument("--feed: is needed, mm/min");
+  if (options.mill.feed_mm_min == 0.0)
+    throw std::invalid_argument("--feed is missing; give it in mm/min");
   if (options.mill.plunge_mm_min == 0.0) {
-    throw std::invalid_argument("--plunge-feed: is needed, mm/min");
+    throw std::invalid_argument("--plunge-feed is missing; give it in mm/min");
   }
 }
 

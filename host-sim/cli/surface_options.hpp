@@ -24,20 +24,22 @@ namespace sim {
 /// Lines along which a tool moves over a surface.
 enum class SurfacePaths : std::uint8_t {
   kRows,       ///< Lines that are straight in plan.
-  kWaterline,  ///< Lines at one height each.
-  kContour,    ///< Lines at one distance each from the border, over the surface.
-  kRough,      ///< Areas of levels, cleared as pockets are.
+  kWaterline,  ///< Lines of constant height.
+  kContour,    ///< Lines at constant distance from the border, measured over the surface.
+  kRough,      ///< Levels whose areas are cleared like pockets.
 };
 
 /// Options of `kerfline surface`.
 struct SurfaceCommandOptions {
   std::string file;
   surface::ReadOptions reading;
-  std::vector<double> approach{};  ///< The tool's direction, X, Y and Z; empty for down.
-  std::vector<double> move_mm{};   ///< Displacement in X, Y and Z; empty for none.
+  /// Direction in which the tool approaches, X, Y and Z; empty for down.
+  std::vector<double> approach{};
+  /// Displacement of the surface in X, Y and Z, mm; empty for none.
+  std::vector<double> move_mm{};
   std::string tool;
   double tolerance_mm = 0.01;
-  /// Step-over; 0 for that of the scallop, or a tenth of the tool's diameter.
+  /// Step-over, mm; 0 for a step-over by the scallop, or a tenth of the tool's diameter.
   double step_mm = 0.0;
   double scallop_mm = 0.0;          ///< Greatest height of scallops; 0 for any.
   std::optional<double> angle_deg;  ///< Angle of the rows; empty for along X.
@@ -49,7 +51,7 @@ struct SurfaceCommandOptions {
   double ramp_deg = 0.0;               ///< Angle of the ramp into the stock; 0 for straight down.
   std::optional<double> safe_mm;       ///< Height of rapids; empty for 5 mm above path and surface.
   SurfacePaths paths = SurfacePaths::kRows;
-  /// Stock around the surface; empty if its end is not known.
+  /// Distance from the surface's box to the edge of the stock, mm; empty if the edge is not known.
   std::optional<double> stock_margin_mm;
   /// Order of the rows. If empty: zigzag, or one way if a direction is given.
   std::optional<surface::RowOrder> order;
@@ -65,7 +67,8 @@ struct SurfaceCommandOptions {
   SurfacePictures pictures;
   std::string output;
   std::string report;
-  std::string mesh;     ///< File for the surface as it is used; empty for none.
+  std::string
+      mesh;  ///< File for the triangles of the surface, after all changes to it; empty for none.
   std::string at;       ///< File of points whose heights are required.
   std::string heights;  ///< File for these heights.
 
@@ -87,8 +90,8 @@ void check_surface_options(const SurfaceCommandOptions& options);
 /// Adds the options of roughing in levels.
 void add_rough_options(CLI::App& command, SurfaceCommandOptions& options);
 
-/// Checks the options of roughing in levels. Throws std::invalid_argument for options that it
-/// cannot have, and if an option is missing.
+/// Checks the options of roughing in levels. Throws std::invalid_argument for options that roughing
+/// does not use, and if an option is missing.
 void check_rough_options(const SurfaceCommandOptions& options);
 
 /// Returns the step-over of roughing in levels, mm: that of the options, or a step-over that suits
@@ -96,7 +99,7 @@ void check_rough_options(const SurfaceCommandOptions& options);
 [[nodiscard]] double rough_step_of(const SurfaceCommandOptions& options,
                                    const stock::Cutter& cutter);
 
-/// Returns how the options require paths to be made.
+/// Returns the options of the algorithm that computes rows and lines.
 [[nodiscard]] surface::RowOptions row_options_of(const SurfaceCommandOptions& options,
                                                  const stock::Cutter& cutter);
 
@@ -107,7 +110,7 @@ void add_pencil_options(CLI::App& command, SurfaceCommandOptions& options);
 /// because such a path has no rows.
 void check_pencil_options(const SurfaceCommandOptions& options);
 
-/// Returns how the options require valleys to be followed.
+/// Returns the options of the algorithm that computes paths along valleys.
 [[nodiscard]] surface::PencilOptions pencil_options_of(const SurfaceCommandOptions& options,
                                                        const stock::Cutter& cutter);
 

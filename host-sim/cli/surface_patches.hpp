@@ -17,7 +17,8 @@ struct PatchOptions {
   bool smooth = false;  ///< Whether the path follows the patches.
   /// Whether to count flat pieces as paper 4 does, in place of a program.
   bool like_paper = false;
-  /// Tolerance of the fit; 0 for 1 mm with the paper, else for the path's tolerance.
+  /// Tolerance of the fit, mm; 0 stands for 1 mm if `like_paper`, otherwise for the path's
+  /// tolerance.
   double fit_mm = 0.0;
   double flatness_mm = 0.5;  ///< Greatest thickness of a flat piece.
 };
@@ -28,13 +29,14 @@ struct PatchOptions {
 [[nodiscard]] std::shared_ptr<const surface::SmoothTips> smooth_tips(
     const surface::PointGrid& grid, const surface::RowOptions& rows, const PatchOptions& options);
 
-/// Prints how well the patches of a path fit, writes them if the options require it, and returns
+/// Prints the error of the patches of a path, writes them if the options require it, and returns
 /// them.
 const surface::patch::PatchSurface& reported_patches(const surface::SmoothTips& smooth,
                                                      const PatchOptions& options);
 
 /// Fits a smooth composite Bezier surface to the positions of a tool's tip over each point of a
-/// grid. Prints how well it fits, writes and counts what the options require, and returns it.
+/// grid. Prints its error, writes it and counts its flat pieces if the options require that, and
+/// returns it.
 /// @pre the fit's tolerance is above 0; the grid has at least two rows and columns
 surface::patch::PatchSurface fit_patches(const surface::PointGrid& grid,
                                          const stock::Cutter& cutter,

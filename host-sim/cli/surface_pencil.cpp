@@ -13,8 +13,8 @@ namespace sim {
 void add_pencil_options(CLI::App& command, SurfaceCommandOptions& options) {
   command.add_flag("--pencil",
                    options.pencil,
-                   "No rows: one pass along each valley in which the tool touches both sides, and "
-                   "along the\nfeet of walls");
+                   "Mill, in place of rows, one pass along each valley in which the tool touches "
+                   "both sides, and\nalong the feet of walls");
   command
       .add_option("--pencil-angle",
                   options.pencil_angle_deg,

@@ -21,7 +21,7 @@
 namespace sim {
 namespace {
 
-/// Option of a picture, the member that holds its file, and whether it needs a path.
+/// Option of a picture, with the member for its file, and whether the picture requires a path.
 struct PictureOption {
   const char* name;
   std::string SurfacePictures::*file;
@@ -31,15 +31,15 @@ struct PictureOption {
 
 constexpr std::array<PictureOption, 6> kPictures{{
     {"--picture-data", &SurfacePictures::data, false, "Draw the surface as read, SVG or PNG"},
-    {"--picture-offset", &SurfacePictures::offset, false, "Draw the places of the tool's tip"},
+    {"--picture-offset", &SurfacePictures::offset, false, "Draw the positions of the tool's tip"},
     {"--picture-patches", &SurfacePictures::patches, false, "Fit patches and draw them"},
     {"--picture-paths", &SurfacePictures::paths, true, "Draw the path over the surface"},
     {"--picture-carved", &SurfacePictures::carved, true, "Draw the stock that the path carves"},
     {"--picture-map",
      &SurfacePictures::map,
      true,
-     "Draw how far that stock is off the surface, in plan: gouges red, rests blue, the\nworst "
-     "places listed"},
+     "Draw the error of that stock against the surface in plan: gouges red, rests blue, with "
+     "a\nlist of the worst points"},
 }};
 
 Viewpoint viewpoint_of(const SurfacePictures& pictures) {
@@ -62,14 +62,14 @@ void add_surface_picture_options(CLI::App& command, SurfacePictures& pictures) {
   command
       .add_option("--picture-cell",
                   pictures.cell_mm,
-                  "Resolution of the carved stock, mm; else 600,000 cells in all")
+                  "Resolution of the carved stock, mm; default: 600,000 cells in total")
       ->check(in_range(stock::kMinCellMm, stock::kGreatestCellMm, "mm"))
       ->type_name("MM");
   command
       .add_option("--picture-view",
                   pictures.view_deg,
-                  "Where the viewer of pictures stands: from X counter-clockwise, and above the "
-                  "plan,\n5 to 85; degrees; else -60,35")
+                  "Direction from which pictures are seen, degrees: azimuth from X "
+                  "counter-clockwise, and elevation\nabove the plan, 5 to 85; default: -60,35")
       ->expected(2)
       ->delimiter(',')
       ->type_name("AZIMUTH,ELEVATION");
@@ -102,7 +102,8 @@ void draw_surface(const SurfacePictures& pictures,
                   const surface::SurfaceInput& input,
                   const stock::Cutter& cutter) {
   std::optional<surface::PointGrid> grid = input.grid;
-  if (grid) grid->points = input.mesh.points;  // The points of the mesh are moved already.
+  // The points of the mesh have already been rotated and moved.
+  if (grid) grid->points = input.mesh.points;
   if (!pictures.data.empty()) draw(pictures, pictures.data, data_scene(input.mesh, grid));
   if (pictures.offset.empty()) return;
   SpaceScene scene = offset_scene(input.mesh, grid, profile_of(cutter));

@@ -26,12 +26,12 @@ struct SurfacePictures {
   std::string map;
   /// Size of the cells of the carved stock; empty for a size that suits the stock.
   std::optional<double> cell_mm{};
-  std::vector<double> view_deg{};  ///< Azimuth and elevation; empty for the usual ones.
+  std::vector<double> view_deg{};  ///< Azimuth and elevation, degrees; empty for the defaults.
 
   [[nodiscard]] bool need_path() const { return !paths.empty() || !carved.empty() || !map.empty(); }
 };
 
-/// The path of a job as its pictures need it.
+/// Path of a job and the data that its pictures require.
 struct PicturedPath {
   surface::SurfacePath path;
   double safe_mm = 0.0;
@@ -52,8 +52,8 @@ void draw_surface(const SurfacePictures& pictures,
                   const stock::Cutter& cutter);
 /// Draws patches.
 void draw_patches(const SurfacePictures& pictures, const surface::patch::PatchSurface& patches);
-/// Draws a path and the stock that it carves, compares the stock with the surface, and prints their
-/// distance.
+/// Draws a path and the stock that it carves. Compares the stock with the surface, and prints the
+/// error.
 void draw_path(const SurfacePictures& pictures,
                const surface::Mesh& mesh,
                const PicturedPath& pictured,

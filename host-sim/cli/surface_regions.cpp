@@ -35,8 +35,8 @@ void add_boundary_options(CLI::App& command, RegionOptions& options) {
                 .add_option("--boundary",
                             options.boundary,
                             "Mill only within the closed contours of a drawing in machine "
-                            "coordinates: SVG, DXF,\nJSON or contours as text; those within "
-                            "others are islands")
+                            "coordinates: SVG, DXF,\nJSON or contours as text; contours within "
+                            "other contours are islands")
                 ->type_name("FILE"),
             FileRole::kInput);
   const std::map<std::string, BoundarySide> sides{{"inside", BoundarySide::kInside},
@@ -45,8 +45,8 @@ void add_boundary_options(CLI::App& command, RegionOptions& options) {
   command
       .add_option("--boundary-side",
                   options.side,
-                  "The tool's rim stays inside, its tip goes up to the line, or its rim goes "
-                  "beyond")
+                  "Limit of the tool at the boundary: its rim stays inside, its tip goes up to the "
+                  "line, or its\nrim goes beyond")
       ->transform(CLI::CheckedTransformer(sides))
       ->option_text("inside|on|outside [on]");
 }
@@ -55,18 +55,18 @@ void add_rest_options(CLI::App& command, RegionOptions& options) {
   command
       .add_option("--rest-of",
                   options.rest_of,
-                  "The surface was milled with this larger tool: mill only where it left stock")
+                  "Larger tool with which the surface was milled: mill only where it left stock")
       ->type_name(kCutterForm);
   command
       .add_option("--rest-allowance",
                   options.rest_allowance_mm,
-                  "Stock that the larger tool left everywhere, mm")
+                  "Allowance that the larger tool left on the whole surface, mm")
       ->check(in_range(0.0, 100.0, "mm"))
       ->type_name("MM");
   command
       .add_option("--rest-depth",
                   options.rest_depth_mm,
-                  "Thickness above which stock is a rest, mm; else three times --tolerance, at "
+                  "Thickness above which stock is a rest, mm; default: three times --tolerance, at "
                   "least 0.02")
       ->check(in_range(0.001, 100.0, "mm"))
       ->type_name("MM");
@@ -111,7 +111,7 @@ std::vector<Contour> drawn_in(const std::string& file, double tolerance_mm, Inpu
   return areas;
 }
 
-/// Prints the parts of an area of which an offset leaves nothing.
+/// Prints the parts of an area that vanish in an offset.
 void print_vanished(const std::string& file, const std::vector<Vanished>& found) {
   constexpr std::size_t kMaxPlaces = 20;
   for (std::size_t i = 0; i < std::min(found.size(), kMaxPlaces); ++i) {
@@ -185,14 +185,14 @@ void check_region_options(const RegionOptions& options, const std::string& surfa
     throw std::invalid_argument("--boundary: standard input is FILE already; name a file");
   }
   if (options.boundary.empty() && options.side != BoundarySide::kOn) {
-    throw std::invalid_argument("--boundary-side: needs --boundary, a drawing");
+    throw std::invalid_argument("--boundary-side: requires --boundary, a drawing");
   }
   if (!options.rest_of.empty()) return;
   if (options.rest_allowance_mm > 0.0) {
-    throw std::invalid_argument("--rest-allowance: needs --rest-of, the larger tool");
+    throw std::invalid_argument("--rest-allowance: requires --rest-of, the larger tool");
   }
   if (options.rest_depth_mm > 0.0) {
-    throw std::invalid_argument("--rest-depth: needs --rest-of, the larger tool");
+    throw std::invalid_argument("--rest-depth: requires --rest-of, the larger tool");
   }
 }
 

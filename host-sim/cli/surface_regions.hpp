@@ -14,7 +14,7 @@ class App;
 
 namespace sim {
 
-/// Position of the tool in relation to a boundary that it reaches.
+/// Limit of the tool at a boundary.
 enum class BoundarySide : std::uint8_t {
   kInside,   ///< The tool's rim stays inside.
   kOn,       ///< The tool's tip ends on the line.
@@ -26,7 +26,7 @@ struct RegionOptions {
   std::string boundary;  ///< Drawing of the boundary; empty for none.
   BoundarySide side = BoundarySide::kOn;
   std::string slope;    ///< Range of slopes, `LOW:HIGH` in degrees; empty for any.
-  std::string rest_of;  ///< The larger tool that milled before; empty for none.
+  std::string rest_of;  ///< Larger tool that milled before; empty for none.
   double rest_allowance_mm = 0.0;
   /// Least depth of the rest; 0 for three tolerances, at least 0.02 mm.
   double rest_depth_mm = 0.0;
@@ -44,15 +44,15 @@ void check_region_options(const RegionOptions& options, const std::string& surfa
 
 /// Returns the areas of the boundary for the tool's tip; empty without a boundary. Prints the parts
 /// of the boundary into which the tool does not fit. Throws std::invalid_argument for a drawing
-/// with faults, with place and remedy.
+/// with faults, with position and remedy.
 /// @param rows tool and tolerance of the path
 [[nodiscard]] std::vector<Contour> boundary_areas_of(const RegionOptions& options,
                                                      const surface::RowOptions& rows,
                                                      InputFiles& inputs);
 
 /// Returns the regions that the options describe. Prints the parts of a boundary into which the
-/// tool does not fit. Throws std::invalid_argument for a drawing with faults, with place and
-/// remedy, and for a text that names no larger tool.
+/// tool does not fit. Throws std::invalid_argument for a drawing with faults, with position and
+/// remedy, and if `rest_of` names no larger tool.
 /// @param rows tool, allowance, tolerance and floor of the path
 [[nodiscard]] surface::MilledRegions regions_of(const RegionOptions& options,
                                                 const surface::Mesh& mesh,

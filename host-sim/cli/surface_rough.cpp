@@ -13,17 +13,18 @@ namespace sim {
 
 void add_rough_options(CLI::App& command, SurfaceCommandOptions& options) {
   command
-      .add_option("--stock-margin",
-                  options.stock_margin_mm,
-                  "The stock ends at this distance beyond the surface's box, mm: --paths rough "
-                  "comes in from\nbeside it; else from above")
+      .add_option(
+          "--stock-margin",
+          options.stock_margin_mm,
+          "Distance from the surface's box to the edge of the stock, mm: --paths rough then "
+          "comes in from\noutside the stock; default: from above")
       ->check(in_range(0.0, 1000.0, "mm"))
       ->type_name("MM");
 }
 
 void check_rough_options(const SurfaceCommandOptions& options) {
   if (options.layer_mm == 0.0) {
-    throw std::invalid_argument("--paths rough: needs the depth of its levels; give --layers");
+    throw std::invalid_argument("--paths rough: requires the depth of its levels; give --layers");
   }
   for (const auto& [name, is_given] : {std::pair{"--slope", !options.regions.slope.empty()},
                                        std::pair{"--rest-of", !options.regions.rest_of.empty()},
@@ -34,12 +35,13 @@ void check_rough_options(const SurfaceCommandOptions& options) {
   }
   if (options.stock_margin_mm && options.margin_mm > 0.0) {
     throw std::invalid_argument(
-        "--margin: with --stock-margin the tool goes as far as it needs; leave one out");
+        "--margin: with --stock-margin the tool goes as far as required; leave one out");
   }
 }
 
 double rough_step_of(const SurfaceCommandOptions& options, const stock::Cutter& cutter) {
-  constexpr double kUsualShare = 0.8;  // Usual step-over as a share of the radius that clears.
+  // Default step-over as a share of the tool's clearing radius.
+  constexpr double kUsualShare = 0.8;
   const double clearing_mm = surface::clearing_radius(profile_of(cutter), options.layer_mm);
   if (options.step_mm == 0.0) return kUsualShare * clearing_mm;
   if (options.step_mm <= 2.0 * clearing_mm) return options.step_mm;

@@ -55,7 +55,7 @@ bool Line::close_log() {
 }
 
 void Line::drop_log(const std::system_error& error) {
-  terminal::print(stderr, "kerfline: --log: {}; the job goes on without its log\n", error.what());
+  terminal::print(stderr, "kerfline: --log: {}; the job continues without its log\n", error.what());
   log_failed = true;
   file.reset();
 }
@@ -150,12 +150,13 @@ void Transfer::attend_operator() {
   if (*key == 'q') sender_.abort();
 }
 
-/// Shows the state to an operator at a terminal, and reads the keys.
+/// Reports for what the machine waits, or ends the job if the call requires that.
 void Transfer::attend_wait() {
   if (sender_.state() == Sender::State::kStopping) return;
   const std::string words = wait_.attend(sender_.machine_state(), sender_.file_line(), line_.now());
   if (words.empty()) return;
-  if (options_.stop_when_held) return sender_.abort("stopped instead of waiting: it " + words);
+  if (options_.stop_when_held)
+    return sender_.abort("stopped instead of waiting: the machine " + words);
   if (keys_.any()) return;
   bar_.clear();
   terminal::print(stderr, "kerfline: {}: {}\n", options_.file, words);

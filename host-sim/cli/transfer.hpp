@@ -44,14 +44,14 @@ struct SendCommandOptions {
   [[nodiscard]] bool begins_at_start() const { return !resume && from_line == 0; }
 };
 
-/// The link, and the log of all lines on it. Throws as the open functions of ports do, and
-/// std::system_error for a log that cannot be written. If a log can no longer be written, as on a
-/// full disk, it ends with a message and does not stop the job.
+/// The link to the controller, with a log of all its lines. The constructor throws as the open
+/// functions of ports do, and std::system_error if the log cannot be written. If a log can no
+/// longer be written, as on a full disk, it ends with a message and does not stop the job.
 struct Line {
   using Clock = std::chrono::steady_clock;
 
   explicit Line(const SendCommandOptions& options);
-  /// Keeps the log of a job that ended in an exception.
+  /// Closes the log, so that it is kept even if the job ended in an exception.
   ~Line() { static_cast<void>(close_log()); }
   Line(const Line&) = delete;
   Line& operator=(const Line&) = delete;
@@ -81,7 +81,7 @@ class Transfer {
   /// Called for every line that arrives.
   std::function<void(std::string_view)> on_answer;
 
-  /// Runs until the transfer is over. Prints the reason of a failure at once.
+  /// Runs until the transfer is over. Prints the reason of a failure immediately.
   ExitStatus run();
   /// Prints the summary of the transfer.
   void tell() const;

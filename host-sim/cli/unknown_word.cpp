@@ -36,8 +36,8 @@ const CLI::Option* option_named(const CLI::App& command, const std::string& name
   return nullptr;
 }
 
-/// Returns whether a command takes words: a word that names no subcommand may be a file of such a
-/// command.
+/// Returns whether a command has positional arguments. A word that is no subcommand may then be one
+/// of them.
 bool takes_words(const CLI::App& command) {
   return std::ranges::any_of(options_of(command),
                              [](const CLI::Option* option) { return option->get_positional(); });
@@ -78,7 +78,7 @@ std::optional<std::string> unknown_word(const CLI::App& app,
     if (is_option(word)) {
       const std::string name = word.substr(0, word.find('='));
       const CLI::Option* option = option_named(*command, name);
-      // Letters of short options, or an option and its value, may be one word.
+      // A word may consist of several short options, or of a short option and its value.
       const bool begins_with_known =
           !name.starts_with("--") && option_named(*command, name.substr(0, 2)) != nullptr;
       if (option == nullptr && !begins_with_known) return unknown_option(*command, path, name);

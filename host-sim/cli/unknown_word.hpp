@@ -10,8 +10,8 @@ class App;
 
 namespace sim {
 
-/// Finds the first word of a call that is no command and the first option that its command does not
-/// have. Returns a message with the nearest known word; empty if all words are known.
+/// Finds the first word of a call that is neither a command nor an option of its command. Returns a
+/// message with the nearest known word; empty if all words are known.
 [[nodiscard]] std::optional<std::string> unknown_word(const CLI::App& app,
                                                       const std::vector<std::string>& words);
 

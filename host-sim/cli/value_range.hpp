@@ -18,7 +18,8 @@ namespace sim {
                                             std::int64_t most,
                                             const char* unit = "");
 
-/// Returns a check for PORT or ADDRESS:PORT of a socket; a wrong one is refused with the range.
+/// Returns a check for PORT or ADDRESS:PORT of a socket. It refuses a wrong port with the permitted
+/// range.
 [[nodiscard]] CLI::Validator port_address();
 
 }  // namespace sim

@@ -35,7 +35,7 @@ struct CarveOptions {
   }
 };
 
-/// Adds the options, and the text below them.
+/// Adds the options, and the text that `--help` prints below them.
 void add_carve_options(CLI::App& command, CarveOptions& options);
 
 /// Checks the options. Throws std::invalid_argument for options that exclude each other.

@@ -35,7 +35,8 @@ namespace sim {
 namespace {
 
 constexpr double kRadiansPerDegree = std::numbers::pi / 180.0;
-/// Angle in degrees by which a carved wall must lean more than the cone explains to be measured.
+/// Reserve in the greatest angle between a drawn and a carved wall, beyond half angle and heat,
+/// degrees.
 constexpr double kBurnReserveDeg = 5.0;
 
 constexpr const char* kTaperFooter =
@@ -179,8 +180,8 @@ ExitStatus run_taper(const TaperOptions& options) {
   const wall::TaperFit fit =
       wall::fit_taper(InputFiles::read(options.cuts), options.half_angle_deg, options.cuts);
   terminal::print(
-      "heat leans walls by {:.3f} degrees; what the beam leans more takes {:.3f} of "
-      "itself away\n--taper-gain {:.4f}\n",
+      "heat leans walls by {:.3f} degrees; additional lean of the beam removes {:.3f} "
+      "of itself\n--taper-gain {:.4f}\n",
       fit.heat_deg,
       fit.response,
       fit.gain);
@@ -191,7 +192,7 @@ ExitStatus run_taper(const TaperOptions& options) {
                   fit.rest_deg,
                   fit.passed == 0
                       ? std::string{}
-                      : fmt::format("; {} that an upright beam clears tell nothing", fit.passed));
+                      : fmt::format("; {} that an upright beam clears are not used", fit.passed));
   return ExitStatus::kFine;
 }
 
@@ -205,15 +206,16 @@ void add_wall_carving_commands(CLI::App& wall_command, ExitStatus& status) {
   carve->callback([carving, &status] { status = run_carve(*carving); });
 
   CLI::App* taper = wall_command.add_subcommand(
-      "taper", "Find the gain that keeps heat from leaning walls, from measured cuts.");
+      "taper",
+      "Find the --taper-gain that compensates the lean of walls by heat, from measured cuts.");
   taper->footer(kTaperFooter);
   const auto measured = std::make_shared<TaperOptions>();
-  mark_file(taper->add_option("CUTS", measured->cuts, "Measured walls")->required(),
+  mark_file(taper->add_option("CUTS", measured->cuts, "File of measured walls")->required(),
             FileRole::kInput);
   taper
       ->add_option("--half-angle",
                    measured->half_angle_deg,
-                   "Between the axis and the side of the beam, degrees")
+                   "Angle between the axis and the side of the beam, degrees")
       ->required()
       ->check(in_range(0.5, 80.0, "degrees"))
       ->type_name("DEG");

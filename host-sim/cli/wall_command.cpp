@@ -24,15 +24,18 @@ namespace sim {
 namespace {
 
 constexpr const char* kWallFooter =
-    "FILE is a closed STL or PLY mesh. A focused beam is a cone: beside an upright wall it has to\n"
-    "lean away by its half angle, or it burns the wall above. --at lists tips of the beam, and\n"
-    "each gets the axis of least tilt on which the cone clears the whole part; a tip within 1 um\n"
-    "of a face touches it, and a tip deeper in the part is out of reach.\n"
+    "FILE is a closed STL or PLY mesh. A focused beam is a cone: near an upright wall it has to\n"
+    "lean away by its half angle, or it burns the wall above the tip. --at lists tips of the "
+    "beam.\n"
+    "For each tip, the axis of least tilt is found on which the cone clears the part. A tip "
+    "within\n"
+    "1 um of a face touches the face, and a tip deeper in the part is out of reach.\n"
     "\n"
-    "--layer cuts the part from a stock, which is its box, layer by layer from the top: hatch "
-    "lines\n"
-    "over all that the part leaves free as seen from above, then a line along its walls. Program\n"
-    "lines are tips and rotary axes under G43.4, and the axis turns no faster than --turn-rate.\n"
+    "--layer cuts the part from a stock, which is the part's box, layer by layer from the top:\n"
+    "hatch lines over the area that the part leaves free as seen from above, then a line along "
+    "its\n"
+    "walls. The program contains tips and rotary axes under G43.4, and the beam's axis rotates at\n"
+    "most by --turn-rate.\n"
     "\n"
     "Examples:\n"
     "  kerfline wall part.stl --half-angle 7 --layer 0.01 --hatch 0.02 --hatch-turn 67 --power 20 "
@@ -85,7 +88,8 @@ ExitStatus run_wall(const WallOptions& options) {
     return run_part(options);
   }
   if (!options.file.empty() || !options.at.empty()) {
-    throw std::invalid_argument("--cones: has triangles of its own, without FILE and --at");
+    throw std::invalid_argument(
+        "--cones: gives its own triangles and excludes FILE and --at; leave them out");
   }
   write_text(options, wall::cone_answers(InputFiles::read(options.cones), options.cones));
   return ExitStatus::kFine;
@@ -95,7 +99,7 @@ ExitStatus run_wall(const WallOptions& options) {
 
 void add_wall_command(CLI::App& app, ExitStatus& status) {
   CLI::App* command =
-      app.add_subcommand("wall", "Lean a laser's beam so that upright walls stay upright.");
+      app.add_subcommand("wall", "Lean a laser's beam so that it cuts upright walls.");
   command->footer(kWallFooter);
   const auto options = std::make_shared<WallOptions>();
   add_wall_options(*command, *options);

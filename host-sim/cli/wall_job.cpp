@@ -24,12 +24,12 @@ namespace sim {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180.0;
-/// Area in mm² that an overhang must hide to count; a smaller area is rounding.
+/// Least area of an overhang that is reported, mm²; a smaller area is rounding.
 constexpr double kMinUndercutMm2 = 1.0e-3;
 /// S word of the full power.
 constexpr double kFullS = 1000.0;
 
-/// Layers of a job, and their results.
+/// Layers of a job, with the results of their computation.
 struct WallJob {
   wall::LayerOptions layers;
   std::size_t layer_count = 0;
@@ -105,7 +105,7 @@ WallJob job_of(const WallOptions& options, const surface::Mesh& part, InputFiles
   WallJob job;
   job.layers = layers_of(options, part, inputs);
   const wall::Obstacles obstacles{part};
-  // The tip is at the waist's distance from a wall, so that the waist touches the wall.
+  // A tip at the waist's distance from a wall counts as touching it, because the waist does.
   const wall::Obstacles touched{part, wall::kTouchMm + asked.strokes.waist_mm};
   const wall::BeamFinder finder{obstacles,
                                 touched,
@@ -200,7 +200,7 @@ void print_figures(const WallOptions& options, const WallJob& job) {
   }
   if (figures.overlaps > 0) {
     terminal::print(stderr,
-                    "{}: {} beams are in the part, by up to {:.3f} degrees\n",
+                    "{}: {} beams enter the part, by up to {:.3f} degrees\n",
                     options.file,
                     figures.overlaps,
                     figures.max_overlap_rad / kDegree);
@@ -208,8 +208,8 @@ void print_figures(const WallOptions& options, const WallJob& job) {
   if (job.undercut.area_mm2 > kMinUndercutMm2) {
     const Eigen::Vector3d& place = job.undercut.place;
     terminal::print(stderr,
-                    "{}: the part overhangs {:.3f} mm2 of what is below, most at {:.3f} {:.3f} "
-                    "{:.3f}; that stays\n",
+                    "{}: the part overhangs {:.3f} mm2, most at {:.3f} {:.3f} {:.3f}; the stock "
+                    "below stays\n",
                     options.file,
                     job.undercut.area_mm2,
                     place.x(),
@@ -230,13 +230,13 @@ ExitStatus write_wall_job(const WallOptions& options,
                     fmt::format("leaves nothing to remove in {} layers of {:g} mm",
                                 job.layer_count,
                                 job.layers.layer_mm),
-                    "give a thinner --layer, more --depth or a --stock-margin");
+                    "decrease --layer, increase --depth or give a --stock-margin");
   }
   if (job.figures.runs == 0 && options.job.avoids) {
     surface::refuse(options.file,
                     0,
                     fmt::format("all {} tips are out of reach", job.figures.lost),
-                    "give more --max-tilt, or --allow-lean");
+                    "increase --max-tilt, or give --allow-lean");
   }
   print_figures(options, job);
   if (options.output.empty()) {

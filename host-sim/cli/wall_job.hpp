@@ -10,8 +10,8 @@
 namespace sim {
 
 /// Writes the program that cuts a part layer by layer, its beams and its report, and prints its
-/// figures. Returns kFaults if a tip is out of reach. Throws std::invalid_argument, before any file
-/// is written, for a part that cannot be cut.
+/// figures. Returns kFaults if a tip is out of reach. If the part cannot be cut, throws
+/// std::invalid_argument before any file is written.
 /// @pre check_wall_options() accepts the options, and require_solid() the part
 [[nodiscard]] ExitStatus write_wall_job(const WallOptions& options,
                                         const surface::Mesh& part,

@@ -21,14 +21,12 @@ namespace sim {
 namespace {
 
 constexpr const char* kJointsFooter =
-    "FILE is a program under G43.4, from `wall --layer` or from elsewhere. Each line and arc of "
-    "the\n"
-    "tip becomes as few straight moves of X Y Z and the rotary axes as keep the tip within\n"
-    "--tip-tolerance of its place, with the inverse of their time (G93), in machine coordinates: "
-    "a\n"
-    "controller that drives them has no work offset. Beam, spindle, coolant, dwells and stops "
-    "stay;\n"
-    "what cannot be carried over is refused with its line.\n"
+    "FILE is a program under G43.4, from `wall --layer` or from another source. Each line and arc\n"
+    "of the tip becomes straight moves of X Y Z and the rotary axes, as few as keep the tip "
+    "within\n"
+    "--tip-tolerance of its path. They have inverse-time feeds (G93) and machine coordinates, so\n"
+    "that the controller must have no work offset. Beam, spindle, coolant, dwells and stops are\n"
+    "kept. Any other word is refused with its line.\n"
     "\n"
     "Example:\n"
     "  kerfline wall joints part.nc --settings five.settings --zero 0,0,-80 -o joints.nc";
@@ -93,13 +91,19 @@ void add_wall_joints_command(CLI::App& wall_command, ExitStatus& status) {
   mark_file(command
                 ->add_option("--settings",
                              options->settings_file,
-                             "The machine's $N=value lines, with $900 to $917")
+                             "File of the machine's settings, `$N=value` on each line, with $900 "
+                             "to $917")
                 ->type_name("FILE"),
             FileRole::kInput);
-  command->add_option("--set", options->set, "One setting of the machine; may be repeated")
+  command
+      ->add_option("--set",
+                   options->set,
+                   "One setting of the machine, such as '$110=12000'; may be repeated")
       ->type_name("$N=V")
       ->allow_extra_args(false);
-  command->add_option("--zero", options->zero, "Machine place of the zero of G54, mm; 0,0,0")
+  command
+      ->add_option(
+          "--zero", options->zero, "Machine position of the zero of G54, mm; default: 0,0,0")
       ->delimiter(',')
       ->expected(3)
       ->check(in_range(-100'000.0, 100'000.0, "mm"))
@@ -107,15 +111,16 @@ void add_wall_joints_command(CLI::App& wall_command, ExitStatus& status) {
   command
       ->add_option("--tip-tolerance",
                    options->program.tip_tolerance_mm,
-                   "Of the tip between the ends of a move, mm")
+                   "Greatest error of the tip between the ends of a move, mm")
       ->check(in_range(1.0e-5, 10.0, "mm"))
       ->capture_default_str()
       ->type_name("MM");
-  command
-      ->add_option("--decimals", options->program.decimals, "Digits after the point of X, Y and Z")
+  command->add_option("--decimals", options->program.decimals, "Decimals of X, Y and Z")
       ->check(in_whole_range(3, 7))
       ->capture_default_str();
-  mark_file(command->add_option("-o,--output", options->output, "The program; else standard output")
+  mark_file(command
+                ->add_option(
+                    "-o,--output", options->output, "File of the program; default: standard output")
                 ->type_name("FILE"),
             FileRole::kOutput);
   command->callback([options, &status] { status = run_joints(*options); });

@@ -8,7 +8,7 @@ class App;
 
 namespace sim {
 
-/// Adds the command `joints` to `kerfline wall`; it sets `status` when it runs.
+/// Adds the command `joints` to `kerfline wall`. The command sets `status` when it runs.
 void add_wall_joints_command(CLI::App& wall_command, ExitStatus& status);
 
 }  // namespace sim

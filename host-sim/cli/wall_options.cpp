@@ -29,53 +29,57 @@ void add_beam_options(CLI::App& command, WallOptions& options) {
              options.half_angle_deg,
              in_range(0.5, 80.0, "degrees"),
              "DEG",
-             "Between the axis and the side of the beam, degrees");
+             "Angle between the axis and the side of the beam, degrees");
   add_number(command,
              "--margin-angle",
              options.margin_deg,
              in_range(0.0, 45.0, "degrees"),
              "DEG",
-             "By which the beam stays clear beyond its side, degrees")
+             "Angle beyond the side of the beam that stays clear of the part, degrees")
       ->capture_default_str();
   add_number(command,
              "--taper-gain",
              options.taper_gain,
              in_range(0.0, wall::kMaxTaperGain, ""),
              "GAIN",
-             "Half angles by which the beam leans more, against the lean by heat: see `wall taper`")
+             "Additional lean of the beam against the lean of walls by heat, in half angles; see "
+             "`wall taper`")
       ->capture_default_str();
   add_number(command,
              "--max-tilt",
              options.max_tilt_deg,
              in_range(0.0, 89.0, "degrees"),
              "DEG",
-             "Greatest tilt of the machine, degrees")
+             "Greatest tilt that the machine permits, degrees")
       ->capture_default_str();
 }
 
 void add_layer_options(CLI::App& command, WallJobOptions& job) {
   const CLI::Validator length = in_range(1.0e-4, 1.0e3, "mm");
   const CLI::Validator margin = in_range(0.0, 1.0e3, "mm");
-  add_number(command,
-             "--layer",
-             job.layers.layer_mm,
-             length,
-             "MM",
-             "Depth of a layer, mm: write the program that cuts the part from a stock");
+  add_number(
+      command,
+      "--layer",
+      job.layers.layer_mm,
+      length,
+      "MM",
+      "Depth of a layer, mm; with it the program is written that cuts the part from a stock");
   add_number(command,
              "--depth",
              job.layers.depth_mm,
              length,
              "MM",
-             "From the top of the stock to the last layer; else as deep as the part");
+             "Depth of the last layer below the top of the stock, mm; default: that of the part");
   add_number(command,
              "--stock-margin",
              job.layers.margin_mm,
              margin,
              "MM",
-             "Distance by which the stock goes beyond the part on every side, mm")
+             "Distance by which the stock extends beyond the part on every side, mm")
       ->capture_default_str();
-  command.add_option("--stock-top", job.stock_top_mm, "Z of the stock's top, mm; else the part's")
+  command
+      .add_option(
+          "--stock-top", job.stock_top_mm, "Z of the stock's top, mm; default: that of the part")
       ->check(in_range(-1.0e4, 1.0e4, "mm"))
       ->type_name("Z");
   add_number(command,
@@ -83,7 +87,7 @@ void add_layer_options(CLI::App& command, WallJobOptions& job) {
              job.strokes.hatch_mm,
              length,
              "MM",
-             "Distance of hatch lines, mm; else only walls are cut");
+             "Distance between hatch lines, mm; default: only walls are cut");
   add_number(command,
              "--hatch-angle",
              job.strokes.angle_deg,
@@ -96,15 +100,15 @@ void add_layer_options(CLI::App& command, WallJobOptions& job) {
              job.strokes.turn_deg,
              in_range(-360.0, 360.0, "degrees"),
              "DEG",
-             "By which lines turn from layer to layer, degrees")
+             "Angle by which the lines rotate from layer to layer, degrees")
       ->capture_default_str();
-  command.add_flag("--no-contour", job.without_contour, "Without the lines along walls");
+  command.add_flag("--no-contour", job.without_contour, "Omit the lines along walls");
   add_number(command,
              "--waist",
              job.strokes.waist_mm,
              in_range(0.0, 10.0, "mm"),
              "MM",
-             "Radius of the beam at its tip, which stays off walls by it, mm")
+             "Radius of the beam at its tip, mm; the tip keeps this distance from walls")
       ->capture_default_str();
 }
 
@@ -116,57 +120,62 @@ void add_turn_options(CLI::App& command, WallJobOptions& job) {
       ->transform(CLI::CheckedTransformer(kAxes))
       ->option_text("AC|BC [AC]");
   command
-      .add_option("--avoid", job.avoids, "What beams clear; none: they are upright and burn walls")
+      .add_option("--avoid",
+                  job.avoids,
+                  "Walls that beams avoid; with none all beams are upright and burn walls")
       ->transform(CLI::CheckedTransformer(kAvoid))
       ->option_text("all|none [all]");
   command.add_flag("--allow-lean",
                    job.allows_lean,
-                   "Burn tips out of reach with the beam that is in the part least");
+                   "Burn tips that are out of reach, with the beam that enters the part least");
   add_number(command,
              "--turn-rate",
              job.turn_rate_deg_per_mm,
              in_range(0.1, 1.0e5, "degrees/mm"),
              "DEG/MM",
-             "Greatest turn of the axis on the way of the tip, degrees/mm")
+             "Greatest rotation of the beam's axis along the path of the tip, degrees/mm")
       ->capture_default_str();
   add_number(command,
              "--swing",
              job.swing_deg,
              in_range(0.0, 180.0, "degrees"),
              "DEG",
-             "Where walls make the axis jump by more, it swings while the beam is off, degrees; "
-             "else it\nturns before and behind the corner")
+             "Greatest jump of the beam's axis at a corner where the beam stays on and the axis "
+             "turns before\nand after the corner, degrees; at a greater jump the axis swings with "
+             "the beam off")
       ->capture_default_str();
   add_number(command,
              "--step",
              job.step_mm,
              in_range(0.005, 100.0, "mm"),
              "MM",
-             "Greatest distance of tips beside a wall, mm")
+             "Greatest distance between tips along a wall, mm")
       ->capture_default_str();
 }
 
 void add_burn_options(CLI::App& command, WallJobOptions& job) {
   const CLI::Validator watts = in_range(0.001, 1.0e5, "W");
-  add_number(command, "--power", job.power_w, watts, "W", "Of the beam");
+  add_number(command, "--power", job.power_w, watts, "W", "Power of the beam, W");
   add_number(command,
              "--full-power",
              job.full_power_w,
              watts,
              "W",
-             "What the laser gives at S1000; else the power");
+             "Power of the laser at S1000, W; default: that of --power");
   add_number(command,
              "--feed",
              job.feed_mm_min,
              in_range(0.1, 1.0e6, "mm/min"),
              "MM/MIN",
-             "Of the tip over the part");
-  command.add_flag("--constant-power", job.constant_power, "M3 instead of M4");
+             "Feed of the tip over the part, mm/min");
+  command.add_flag("--constant-power",
+                   job.constant_power,
+                   "Use M3 instead of M4: power does not follow the speed");
   mark_file(command
                 .add_option("--record",
                             job.record,
-                            "Depths of passes as measured, JSON: the layer is as deep as a pass "
-                            "of this power\nand feed")
+                            "File of measured depths of passes, JSON: a layer is as deep as a pass "
+                            "with this power\nand feed")
                 ->type_name("FILE"),
             FileRole::kInput);
   add_number(command,
@@ -174,42 +183,44 @@ void add_burn_options(CLI::App& command, WallJobOptions& job) {
              job.safe_above_mm,
              in_range(0.0, 1.0e3, "mm"),
              "MM",
-             "Height above the stock at the begin and the end, mm")
+             "Height above the stock at begin and end of the program, mm")
       ->capture_default_str();
-  command.add_option("--decimals", job.decimals, "Digits after the point of X, Y and Z")
+  command.add_option("--decimals", job.decimals, "Decimals of X, Y and Z")
       ->check(in_whole_range(3, 6))
       ->capture_default_str();
   mark_file(
       command.add_option("--beams", job.beams, "Write `x y z i j k` of all beams in order, mm")
           ->type_name("FILE"),
       FileRole::kOutput);
-  mark_file(
-      command.add_option("--report", job.report, "Write the figures as JSON")->type_name("FILE"),
-      FileRole::kOutput);
+  mark_file(command.add_option("--report", job.report, "Write the figures of the program as JSON")
+                ->type_name("FILE"),
+            FileRole::kOutput);
 }
 
 /// Checks the options of a program. Throws std::invalid_argument if one is missing.
 void check_job_options(const WallOptions& options) {
   const WallJobOptions& job = options.job;
   if (!options.at.empty()) {
-    throw std::invalid_argument("--at: has tips of its own, without --layer and --record");
+    throw std::invalid_argument(
+        "--at: gives the tips and excludes --layer and --record; leave one out");
   }
   if (job.layers.layer_mm > 0.0 && !job.record.empty()) {
-    throw std::invalid_argument("--record: says how deep a layer is, and so does --layer");
+    throw std::invalid_argument(
+        "--record: the depth of a layer is given by --layer already; leave one out");
   }
-  if (job.power_w == 0.0) throw std::invalid_argument("--power: is needed, W");
-  if (job.feed_mm_min == 0.0) throw std::invalid_argument("--feed: is needed, mm/min");
+  if (job.power_w == 0.0) throw std::invalid_argument("--power is missing; give it in W");
+  if (job.feed_mm_min == 0.0) throw std::invalid_argument("--feed is missing; give it in mm/min");
   if (job.full_power_w > 0.0 && job.power_w > job.full_power_w) {
     throw std::invalid_argument(fmt::format(
-        "--power: {:g} W is more than the {:g} W of --full-power", job.power_w, job.full_power_w));
+        "--power: {:g} W exceeds the {:g} W of --full-power", job.power_w, job.full_power_w));
   }
   if (job.strokes.hatch_mm == 0.0 && job.without_contour) {
-    throw std::invalid_argument("--no-contour: without a --hatch nothing is cut");
+    throw std::invalid_argument("--no-contour: without --hatch nothing is cut; add --hatch");
   }
   if (job.avoids && options.max_tilt_deg < options.clear_deg()) {
     throw std::invalid_argument(
-        fmt::format("--max-tilt: {:g} degrees do not clear an upright wall, which needs {:g}; "
-                    "tilt more or --avoid none",
+        fmt::format("--max-tilt: {:g} degrees do not clear an upright wall, which requires {:g}; "
+                    "increase it or use --avoid none",
                     options.max_tilt_deg,
                     options.clear_deg()));
   }
@@ -233,41 +244,44 @@ void add_wall_options(CLI::App& command, WallOptions& options) {
   mark_file(command
                 .add_option("--at",
                             options.at,
-                            "Tips, `X Y Z` in mm on each line: write `x y z i j k`, the tip and "
-                            "the axis of its\nbeam")
+                            "File of tips, `X Y Z` in mm on each line: write `x y z i j k`, the "
+                            "tip and the axis of\nits beam")
                 ->type_name("FILE"),
             FileRole::kInput);
   mark_file(command
                 .add_option("--cones",
                             options.cones,
-                            "Beams and triangles, `ox oy oz ax ay az cos2 h` and nine coordinates "
-                            "on each line:\nwrite `hit clearance_mm` in place of beams")
+                            "File of beams and triangles, `ox oy oz ax ay az cos2 h` and nine "
+                            "coordinates on each\nline: write `hit clearance_mm` in place of beams")
                 ->type_name("FILE"),
             FileRole::kInput);
   mark_file(
-      command.add_option("-o,--output", options.output, "Where to write; else standard output")
+      command
+          .add_option("-o,--output", options.output, "File of the result; default: standard output")
           ->type_name("FILE"),
       FileRole::kOutput);
 }
 
 void check_wall_options(const WallOptions& options) {
-  if (options.file.empty()) throw std::invalid_argument("wall: needs a FILE, a closed mesh");
+  if (options.file.empty())
+    throw std::invalid_argument("wall: FILE is missing; give a closed mesh");
   if (options.at.empty() && !options.job.wants_layers()) {
-    throw std::invalid_argument("--at: is needed, the tips of the beam, or --layer for a program");
+    throw std::invalid_argument(
+        "--at is missing; give the tips of the beam, or --layer for a program");
   }
   if (options.half_angle_deg == 0.0) {
-    throw std::invalid_argument("--half-angle: is needed, degrees");
+    throw std::invalid_argument("--half-angle is missing; give it in degrees");
   }
   if (options.clear_deg() > 85.0) {
-    throw std::invalid_argument(
-        fmt::format("--margin-angle: {:g} degrees beside a half angle of {:g} leave no beam",
-                    options.clear_deg() - options.half_angle_deg,
-                    options.half_angle_deg));
+    throw std::invalid_argument(fmt::format(
+        "--margin-angle: {:g} degrees with a half angle of {:g} leave no beam; choose less",
+        options.clear_deg() - options.half_angle_deg,
+        options.half_angle_deg));
   }
   if (options.job.wants_layers()) {
     check_job_options(options);
   } else if (!options.job.beams.empty() || !options.job.report.empty()) {
-    throw std::invalid_argument("--beams and --report: are of a program, which --layer makes");
+    throw std::invalid_argument("--beams and --report: describe a program; add --layer");
   }
 }
 

@@ -52,7 +52,7 @@ struct WallOptions {
   std::string output;
   WallJobOptions job;
 
-  /// Returns the half angle of the cone that is kept clear.
+  /// Returns the half angle of the cone that must not touch the part, degrees.
   [[nodiscard]] double clear_deg() const {
     return half_angle_deg * (1.0 + taper_gain) + margin_deg;
   }

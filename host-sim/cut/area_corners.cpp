@@ -9,12 +9,12 @@
 namespace sim::cut {
 namespace {
 
-/// Greatest half of the turn at a corner.
+/// Greatest half of the angle by which a path turns at one corner, radians.
 constexpr double kLargestStep = 0.25 * std::numbers::pi;
-constexpr double kTinyTurn = 1.0e-3;  ///< Turns below this are smooth, radians.
-/// Sine of the angle that still counts as touching: about ten degrees.
+constexpr double kTinyTurn = 1.0e-3;  ///< Turns below this angle are smooth, radians.
+/// Sine of the tolerance of AreaCorner::is_touched_from(): about ten degrees.
 constexpr double kTouchingSine = 0.17;
-/// Least distance of corners from a large arc, as a share of its radius.
+/// Least distance of corners from a large arc, as a share of its radius. It limits their number.
 constexpr double kShareOfRadius = 0.001;
 
 Place turned_by(const Place& way, double angle) {
@@ -22,7 +22,7 @@ Place turned_by(const Place& way, double angle) {
           std::sin(angle) * way.x() + std::cos(angle) * way.y()};
 }
 
-/// Adds the corners of tangents outside of an arc that turns left.
+/// Adds the corners between tangents of an arc that turns left.
 /// @param tangent unit direction at the start of the arc, with the centre on the left
 void add_tangents(std::vector<AreaCorner>& corners,
                   const Place& centre,
@@ -52,8 +52,8 @@ bool AreaCorner::is_touched_from(const Place& other) const {
 }
 
 std::vector<AreaCorner> corners_around(const LoopArea& area, double distance_mm) {
-  // The distance is slightly larger than required, so that rounding does not bring a path along the
-  // polygon too near.
+  // The distance is slightly larger than required. Otherwise rounding might bring a path along the
+  // polygon too near to the area.
   const double away = area.skin_mm() + 1.001 * distance_mm + 1.0e-6;
   std::vector<AreaCorner> corners;
   const std::vector<Stroke>& loop = area.strokes();

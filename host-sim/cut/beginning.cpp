@@ -10,12 +10,12 @@
 namespace sim::cut {
 namespace {
 
-/// Greatest number of points of each kind that are tried for the usual beginning, for each length
-/// of the leads.
+/// Greatest number of middles of strokes, and of ends of strokes, that are tried as the usual
+/// beginning with each length of the leads.
 constexpr std::size_t kMaxUsualSpots = 64;
 constexpr std::array kLeadShares{1.0, 0.5, 0.25, 0.125};
 
-/// A point of the loop, as a distance from its start, with the length of its stroke.
+/// A point of the loop, as the distance along the loop, with the length of its stroke.
 struct Spot {
   double way_mm = 0.0;
   double room_mm = 0.0;
@@ -25,8 +25,8 @@ bool needs_leads(const LayerSettings& settings) {
   return settings.lead_in.kind != LeadKind::kNone || settings.lead_out.kind != LeadKind::kNone;
 }
 
-/// Returns the middles of strokes, then the points where strokes meet; each group begins with the
-/// longest strokes.
+/// Returns the middles of strokes, then the points between strokes. Both groups are in the order of
+/// length, the longest strokes first.
 std::vector<Spot> usual_spots(const MeasuredRow& loop) {
   std::vector<Spot> middles;
   std::vector<Spot> joints;
@@ -44,7 +44,8 @@ std::vector<Spot> usual_spots(const MeasuredRow& loop) {
   return middles;
 }
 
-/// Returns the corners of the loop. For an outer corner this is the middle of the arc around it.
+/// Returns the distances along the loop to its corners. For an outer corner this is the middle of
+/// the arc around it.
 std::vector<double> corner_spots(const MeasuredRow& loop,
                                  const LayerSettings& settings,
                                  double half_kerf_mm) {
@@ -58,8 +59,8 @@ std::vector<double> corner_spots(const MeasuredRow& loop,
   return spots;
 }
 
-/// Returns about `count` points, evenly spaced on each stroke. Strokes that are too short for this
-/// get none.
+/// Returns the distances to about `count` points that are evenly spaced on each stroke. Strokes
+/// that are much shorter than the spacing have no point.
 std::vector<double> stroke_spots(const MeasuredRow& loop, std::size_t count) {
   std::vector<double> spots;
   const double spacing = loop.length() / static_cast<double>(count);
@@ -80,7 +81,7 @@ std::vector<double> stroke_spots(const MeasuredRow& loop, std::size_t count) {
   return spots;
 }
 
-/// Reduces the points to `count`, evenly spread over the list.
+/// Reduces the points to `count`, taken evenly from the whole list.
 void thin(std::vector<double>& spots, std::size_t count) {
   if (spots.size() <= count) return;
   std::vector<double> fewer;

@@ -20,8 +20,8 @@ namespace {
 double share_of_full(double watts, const Beam& beam) {
   if (watts <= beam.full_power_w) return watts / beam.full_power_w;
   throw std::invalid_argument(
-      fmt::format("{:g} W are more than the laser's {:g} W; choose less, or say with --full-power "
-                  "what it gives",
+      fmt::format("{:g} W are more than the laser's {:g} W; choose less, or give the laser's "
+                  "power with --full-power",
                   watts,
                   beam.full_power_w));
 }
@@ -36,7 +36,7 @@ engrave::ToneCurve tone_of(const LayerPlan& layer, const Beam& beam) {
       .gamma = image.gamma,
       .is_inverted = image.is_inverted};
   if (tone.min_power > tone.max_power) {
-    throw std::invalid_argument("min-power is more than power; choose less");
+    throw std::invalid_argument("min-power exceeds power; choose a lower min-power");
   }
   return tone;
 }
@@ -79,7 +79,7 @@ std::vector<Stroke> strokes_of(const std::vector<engrave::EngravedRow>& rows) {
   return strokes;
 }
 
-/// Returns a picture as its layer burns it; null if the picture is white.
+/// Returns a picture as the settings of its layer burn it; null if the picture is white.
 std::shared_ptr<const BurntPicture> burnt(const drawing::DrawnPicture& picture,
                                           const LayerPlan& layer,
                                           engrave::EngraveSettings settings,
@@ -137,8 +137,8 @@ std::vector<Cut> picture_cuts(const drawing::Drawing& drawn,
     warnings.push_back({drawing::FaultKind::kPicture,
                         picture.entity,
                         {},
-                        "the picture is white; nothing of it is burnt",
-                        "burn what is light with invert=on"});
+                        "the picture is white, so nothing is burnt",
+                        "burn its light areas with invert=on"});
   }
   const auto rank_of = [&layers](const Cut& cut) {
     return layers[cut.layer].settings.rank.value_or(0);

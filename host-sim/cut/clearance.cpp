@@ -9,7 +9,7 @@
 namespace sim::cut {
 namespace {
 
-/// Returns the square of the distance between a point and a box.
+/// Returns the square of the distance between a point and a box, mm².
 double squared_distance(const cnc::contour::FlatBox<double>& box, const Place& place) {
   const double x = std::max({box.x0 - place.x(), place.x() - box.x1, 0.0});
   const double y = std::max({box.y0 - place.y(), place.y() - box.y1, 0.0});
@@ -18,8 +18,8 @@ double squared_distance(const cnc::contour::FlatBox<double>& box, const Place& p
 
 }  // namespace
 
-/// Returns a box around a stroke. The height of the arc is added on all sides, which is more than
-/// needed.
+/// Returns a box around a stroke. The box is larger than necessary, because the height of the arc
+/// is added on all sides.
 Clearance::Box Clearance::box_of(const Stroke& stroke) {
   const Place chord = stroke.to - stroke.from;
   const double size = std::abs(stroke.bulge);
@@ -76,7 +76,8 @@ Clearance::Nearest Clearance::nearest(const Place& place, const Nearest& last) c
   return last.stroke == nullptr ? nearest(place) : nearest_from(last.entry, place);
 }
 
-/// Measures one stroke first, so that strokes farther away than this one are left out.
+/// Searches for the nearest stroke. Measures stroke `first` before all others, so that the search
+/// can leave out strokes that are farther away than this one.
 Clearance::Nearest Clearance::nearest_from(std::uint32_t first, const Place& place) const {
   Nearest found{.distance_mm = reach_mm_};
   const auto look = [&](std::uint32_t index) {

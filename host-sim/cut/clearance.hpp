@@ -9,20 +9,21 @@
 
 namespace sim::cut {
 
-/// Finds the strokes near a point among many strokes. It measures only a few of them, however close
-/// together they lie.
+/// Index of many strokes that finds the strokes near a point. A search measures only a few strokes,
+/// even where many are close together.
 class Clearance {
  public:
-  /// The nearest stroke and its distance.
+  /// The nearest stroke and its distance, as a search returns them.
   struct Nearest {
     double distance_mm = 0.0;
-    std::size_t owner = 0;           ///< Owner of the nearest stroke, as given to add().
+    /// Owner of the nearest stroke, which is the argument of add().
+    std::size_t owner = 0;
     std::size_t looks = 0;           ///< Number of strokes that the search measured.
     const Stroke* stroke = nullptr;  ///< The nearest stroke; null if none is within reach.
-    std::uint32_t entry = 0;         ///< Index of the nearest stroke in this object.
+    std::uint32_t entry = 0;         ///< Number of the nearest stroke in this index.
   };
 
-  /// Searches only within `reach_mm`.
+  /// Makes an index whose searches find only strokes within `reach_mm`.
   /// @param reach_mm above 0
   explicit Clearance(double reach_mm) : reach_mm_{reach_mm} {}
   ~Clearance() = default;
@@ -33,21 +34,21 @@ class Clearance {
   /// Prepares the searches. Call it after the last add().
   void prepare();
 
-  /// Returns the nearest stroke. If no stroke is within reach, the distance is the reach and the
-  /// owner has no meaning.
+  /// Returns the nearest stroke. If no stroke is within reach, `distance_mm` is the reach and
+  /// `owner` has no meaning.
   [[nodiscard]] Nearest nearest(const Place& place) const;
-  /// Returns the nearest stroke, and is faster than the other overload if the point is near the
-  /// last one. Of several strokes with one owner at equal distances, it may return another one than
-  /// the other overload.
-  /// @param last the result for the last point
+  /// Returns the nearest stroke, and does so faster than the other overload if the point is near
+  /// the previous point. If several strokes of one owner are equally near, the overloads may return
+  /// different strokes.
+  /// @param last the result for the previous point
   [[nodiscard]] Nearest nearest(const Place& place, const Nearest& last) const;
 
-  /// Returns the owners of all strokes whose boxes come within `mm` of the box of a stroke, in no
+  /// Returns the owners of all strokes whose boxes are within `mm` of the box of `stroke`, in no
   /// particular order.
   [[nodiscard]] std::vector<std::size_t> owners_near(const Stroke& stroke, double mm) const;
 
   /// Returns whether every point of a stroke is at least `min_mm` from all added strokes. The
-  /// answer is exact.
+  /// result is exact.
   [[nodiscard]] bool is_clear(const Stroke& stroke, double min_mm) const;
 
  private:

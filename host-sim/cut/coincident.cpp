@@ -15,7 +15,7 @@ int depth_of(Side side) {
       return 2;
     case Side::kMark:
       return 1;
-    case Side::kFill:  // The area is engraved, independently of the treatment of its outline.
+    case Side::kFill:  // The fill engraves the area, however its outline is cut.
     case Side::kImage:
     case Side::kSkip:
     case Side::kStart:
@@ -26,7 +26,7 @@ int depth_of(Side side) {
 
 std::vector<drawing::Fault> skip_coincident(const drawing::Drawing& drawn,
                                             std::vector<Side>& sides) {
-  // Selected contour of each group of coincident contours, by the first contour drawn in the group.
+  // For each group of coincident contours, by its first drawn contour: the selected contour.
   std::map<std::size_t, std::size_t> deepest;
   for (std::size_t i = 0; i < drawn.contours.size(); ++i) {
     const auto& lies_on = drawn.contours[i].lies_on;
@@ -49,7 +49,7 @@ std::vector<drawing::Fault> skip_coincident(const drawing::Drawing& drawn,
                                     kept.line,
                                     layer.name,
                                     layer.colour),
-                        "it is left out, and cut or engraved as that one"});
+                        "it is left out, and the other contour is cut or engraved"});
   }
   return warnings;
 }

@@ -7,14 +7,14 @@
 
 namespace sim::cut {
 
-/// Returns a rank for the depth to which a contour with this side is cut: 3 for a cut through the
-/// sheet next to the line, 2 for a cut on the line, 1 for a mark, 0 for no cut.
+/// Returns the rank of a side by the depth of its cut: 3 for a cut through the sheet next to the
+/// line, 2 for a cut on the line, 1 for a mark, 0 for no cut.
 [[nodiscard]] int depth_of(Side side);
 
 /// Selects one contour to be driven where contours on several layers lie on top of each other. A
-/// contour that is cut next to its line comes before one that is cut on its line, which comes
-/// before one that is engraved. Among equal ones, the first one drawn is selected.
-/// @param sides by contour; the sides of the other contours become kSkip
+/// contour that is cut next to its line has precedence over one that is cut on its line, and this
+/// over one that is engraved. Among contours of equal precedence, the first one drawn is selected.
+/// @param sides side of each contour; becomes kSkip for contours that are not selected
 /// @return a warning for each contour that is skipped
 [[nodiscard]] std::vector<drawing::Fault> skip_coincident(const drawing::Drawing& drawn,
                                                           std::vector<Side>& sides);

@@ -15,10 +15,11 @@ using cnc::kerf::Window;
 
 std::invalid_argument refusal(const MaterialRecord& record, const std::string& reason) {
   return std::invalid_argument(
-      fmt::format("{}: {}; `kerfline kerf advise` tells more", record.name, reason));
+      fmt::format("{}: {}; `kerfline kerf advise` lists what is permissible", record.name, reason));
 }
 
-/// Returns the powers of the record's own rows. Powers between them do not permit other speeds.
+/// Returns the powers for which the record has rows, in ascending order. Powers between them do not
+/// permit other speeds.
 std::vector<std::uint32_t> powers_of(const OwnedKerfTable<double>& table) {
   std::vector<std::uint32_t> powers;
   for (const cnc::kerf::Band& band : table.bands) powers.push_back(band.power_mw);
@@ -27,8 +28,8 @@ std::vector<std::uint32_t> powers_of(const OwnedKerfTable<double>& table) {
   return powers;
 }
 
-/// Returns the lowest power that permits the highest speed, or the required speed; 0 if there is
-/// none.
+/// Returns the lowest power that permits the required speed. Without a required speed, returns the
+/// lowest power that permits the highest speed. Returns 0 if no power does.
 std::uint32_t choose_power(const OwnedKerfTable<double>& table,
                            std::uint32_t thickness_um,
                            std::optional<std::uint32_t> speed_um_min,

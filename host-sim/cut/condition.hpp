@@ -11,13 +11,14 @@ namespace sim::cut {
 struct Condition {
   cnc::kerf::Condition cut{};
   double kerf_mm = 0.0;
-  /// Half width of the interval around `kerf_mm` that holds 95 % of cuts.
+  /// Half width of the interval around `kerf_mm` that contains the kerfs of 95 % of cuts.
   double half_interval_mm = 0.0;
 };
 
-/// Returns the condition for a cut. Given values are kept. A missing speed becomes the highest
-/// permissible speed, and a missing power the lowest power that permits this speed. If nothing is
-/// permissible, throws std::invalid_argument, which says what the record permits.
+/// Returns the condition for a cut. A given power or speed is used unchanged. A missing speed
+/// becomes the highest permissible speed, and a missing power the lowest power that permits this
+/// speed. If nothing is permissible, throws std::invalid_argument with the conditions that the
+/// record permits.
 /// @param max_power_mw full power of the laser; no higher power is chosen
 [[nodiscard]] Condition choose(const MaterialRecord& record,
                                std::uint32_t thickness_um,
@@ -25,15 +26,15 @@ struct Condition {
                                std::optional<std::uint32_t> speed_um_min,
                                std::uint32_t max_power_mw = cnc::kerf::kMaxPowerMw);
 
-/// Returns the condition for engraving a line: that of a cut, with its own power and speed.
-/// Engraving needs no kerf, so the record need not know the width.
+/// Returns the condition for engraving a line. Without a given power or speed, it follows from the
+/// condition of a cut. The kerf is 0, because an engraved line has none.
 /// @param share engraving power over cutting power, 0 to 1, used if no power is given
 [[nodiscard]] Condition engraving(const Condition& cut,
                                   double share,
                                   std::optional<std::uint32_t> power_mw,
                                   std::optional<std::uint32_t> speed_um_min);
 
-/// Returns the greatest power that the record has at a thickness, mW; 0 if the record has none.
+/// Returns the greatest power that the record permits at a thickness, mW; 0 if it permits none.
 [[nodiscard]] std::uint32_t greatest_power(const MaterialRecord& record,
                                            std::uint32_t thickness_um);
 

@@ -14,7 +14,7 @@ namespace {
 
 using drawing::Place;
 
-/// Points outside a circle by up to this share of its radius lie on the circle.
+/// Share of a circle's radius by which a point may be outside and still count as in the circle.
 constexpr double kOnCircle = 1.0e-12;
 /// Arcs whose centres and radii agree within this distance belong to one circle, mm.
 constexpr double kSameCircleMm = 1.0e-6;
@@ -33,7 +33,7 @@ Circle around(const Place& a, const Place& b) {
   return {0.5 * (a + b), 0.5 * drawing::distance(a, b)};
 }
 
-/// Returns the circle through three points. For three points on a line, returns the circle around
+/// Returns the circle through three points. If the points are on a line, returns the circle around
 /// the two that are farthest apart.
 Circle around(const Place& a, const Place& b, const Place& c) {
   const Place ab = b - a;
@@ -48,8 +48,8 @@ Circle around(const Place& a, const Place& b, const Place& c) {
   return {a + way, way.norm()};
 }
 
-/// Shuffles points in an order that is the same on any machine. Without it, points along a curve
-/// take n³ steps.
+/// Shuffles points in the same way on every machine. The search would take n³ steps for n points in
+/// the order of a curve.
 void shuffle(std::vector<Place>& places) {
   std::uint64_t state = 1;
   for (std::size_t i = places.size(); i > 1; --i) {
@@ -58,7 +58,7 @@ void shuffle(std::vector<Place>& places) {
   }
 }
 
-/// Returns the diameter of a contour that is a circle.
+/// Returns the diameter of a contour that is a circle; nothing for any other contour.
 std::optional<double> own_diameter(const drawing::DrawnContour& contour) {
   const auto* const first = std::get_if<drawing::Arc>(&contour.shapes.front());
   if (first == nullptr || !contour.closed) return {};

@@ -7,11 +7,11 @@
 namespace sim::cut {
 
 /// Returns the diameter of the smallest circle around all points, mm; 0 for fewer than two points.
-/// Source: Welzl 1991, in its iterative form. The radius is accurate to a few roundings.
+/// Source: Welzl 1991, in its iterative form. The error of the radius is a few roundings.
 [[nodiscard]] double enclosing_diameter(std::vector<drawing::Place> places);
 
-/// Returns the diameter of a contour, mm: of a circle its own, of any other contour that of the
-/// smallest circle around it, within 0.002 mm.
+/// Returns the diameter of a contour, mm. A circle has its own diameter. Any other contour has the
+/// diameter of the smallest circle around it, within 0.002 mm.
 [[nodiscard]] double diameter_of(const drawing::DrawnContour& contour);
 
 }  // namespace sim::cut

@@ -9,10 +9,9 @@ namespace sim::cut {
 
 std::string reason_against_controller(const UnbegunCut& cut, bool is_hole, std::size_t loops) {
   const LayerSettings& settings = cut.settings;
-  if (cut.is_open)
-    return "it is an open line: parts share it, or it is in the middle of what is narrow";
+  if (cut.is_open) return "it is an open line, which parts share or which is in narrow waste";
   if (cut.is_on_edge) return "it goes along an edge that parts share";
-  if (loops != 1) return "the kerf parts it";
+  if (loops != 1) return "the kerf divides it into several paths";
   if (settings.tabs != 0 && !is_hole) return "it has tabs";
   if (settings.corner_loop_mm > 0.0 || settings.corner_dwell_s > 0.0) {
     return "it has corner loops or dwells";

@@ -9,16 +9,16 @@
 
 namespace sim::cut {
 
-/// Returns the reason why a controller cannot compute the compensated path of a cut itself. The
-/// text is empty if it may be able to.
+/// Returns the reason why a controller cannot compute the compensated path of a cut. The text is
+/// empty if there is no such reason, although the controller may still fail.
 /// @param loops number of cuts of the same contour
 [[nodiscard]] std::string reason_against_controller(const UnbegunCut& cut,
                                                     bool is_hole,
                                                     std::size_t loops);
 
-/// Removes beginnings from which the controller cannot compute its path, unless that would remove
-/// all of them.
-/// @pre there is no reason against the controller
+/// Removes the beginnings of a cut from which the controller cannot compute the path. If no
+/// beginning would be left, removes none.
+/// @pre reason_against_controller() returned no reason
 void keep_what_the_controller_finds(UnbegunCut& cut, const Outline& outline, const LeadRoom& room);
 
 }  // namespace sim::cut

@@ -11,17 +11,17 @@ namespace {
 using cnc::motion::Drive;
 using cnc::motion::Limits;
 
-/// Longer than any stretch of a plan, ns.
+/// Time that is longer than any stretch of a plan, ns.
 constexpr std::uint32_t kAnyNs = 1'000'000'000;
-/// Time for which the controller takes one line of the program, s: one cycle of its main loop.
+/// Time that the controller takes for one line of the program, s: one cycle of its main loop.
 constexpr double kLineS = 1.0e-3;
-/// Time from the moment when the first block of a chain is known until its window is chosen, s. The
-/// controller reads one more line in this time.
+/// Time from the moment when the first block of a chain is known until the window of the chain is
+/// chosen, s. The controller reads one more line in this time.
 constexpr double kStartS = 1.5 * kLineS;
-/// Time at each stop until the controller continues, s. It is a number of cycles measured on the
-/// simulated controller.
+/// Time for which the controller rests at each stop before it continues, s. It is a number of
+/// cycles, as measured on the simulated controller.
 constexpr double kStandstillS = 4.0e-3;
-/// Time by which the plan is cut into segments before they are driven, s.
+/// Time by which the controller divides the plan into segments before it drives them, s.
 constexpr double kAheadS = 0.020;
 
 Limits limits_of(const OrderWish& machine) {
@@ -78,9 +78,10 @@ void ControllerClock::put(const cnc::path::PathItem& item) {
   make_blocks();
 }
 
-/// Makes blocks of the pieces of the path. A piece out of the motors' reach is left out, because
-/// the machine refuses such a program. A chain is driven as soon as its end is known, because
-/// blocks after a stop do not affect the motion before it. So each plan consists of few blocks.
+/// Makes blocks of the finished pieces of the path. A piece that the motors cannot reach is left
+/// out, because the machine refuses a program that contains it. A chain is driven as soon as its
+/// end is known, because blocks after a stop do not affect the motion before the stop. So each plan
+/// consists of few blocks.
 void ControllerClock::make_blocks() {
   while (!queue_.full()) {
     const cnc::path::PathPiece* const piece = path_.next();
@@ -97,11 +98,12 @@ void ControllerClock::make_blocks() {
   }
 }
 
-/// Follows the plan for a stretch. Returns false if there is nothing to drive.
+/// Follows the plan for one stretch and counts its time. Returns false if there is nothing to
+/// drive.
 bool ControllerClock::drive() {
   if (plan_.at_end()) return false;
   const cnc::motion::SourceLine line = queue_.at(plan_.blocks_left()).line;
-  // Line numbers have 24 bits, so the motion is the newest one with this number.
+  // Line numbers have 24 bits and repeat, so the motion is the newest one with this number.
   constexpr std::size_t kLineNumbers = std::size_t{1} << 24U;
   const std::size_t newest = times_.size() - 1;
   const std::size_t motion = newest - (newest - line.number) % kLineNumbers;
@@ -123,8 +125,8 @@ void ControllerClock::pass(std::size_t motion, double seconds) {
   now_s_ += seconds;
 }
 
-/// Chooses the window for the blocks up to the next stop, as the controller's segmenter does. If
-/// this stop is not yet known, chooses the longest window.
+/// Begins a chain and chooses its window for the blocks up to the next stop, as the controller's
+/// segmenter does. If the next stop is not yet known, chooses the longest window.
 void ControllerClock::begin_chain(std::size_t motion) {
   end_chain();
   in_chain_ = true;
@@ -145,8 +147,8 @@ cnc::motion::TimeWindow ControllerClock::longest_window() {
   return cnc::motion::window_for(limits_, axes);
 }
 
-/// Ends a chain. The motion is the mean of the plan over the window, so it ends later than the plan
-/// by the length of the window.
+/// Ends a chain. The actual motion is the mean of the plan over the window, so it ends later than
+/// the plan by the length of the window.
 void ControllerClock::end_chain() {
   if (in_chain_) pass(last_, static_cast<double>(window_.seconds()));
   in_chain_ = false;

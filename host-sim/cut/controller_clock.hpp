@@ -13,15 +13,15 @@
 
 namespace sim::cut {
 
-/// Predicts the time that a controller takes for each motion of a program. It runs the controller's
-/// own planner: welds and corners, look-ahead, and the window of a limit of jerk.
+/// Predicts the time that a controller takes for each motion of a program. It runs the planner of
+/// the controller: welds and corners, look-ahead, and the window that a limit of jerk requires.
 ///
-/// No pulses are made, so a motion costs microseconds of computing however long it lasts. The delay
-/// of the motors after the plan (input shaping, backlash) and the cycles of the main loop are not
-/// counted.
+/// No pulses are made, so the prediction of a motion takes microseconds, however long the motion
+/// lasts. Two delays are not counted: that of the motors after the plan (input shaping, backlash),
+/// and that of the cycles of the main loop.
 ///
-/// Motions are added in the order of the program. Some motions are held back until the following
-/// ones are known, as on the controller. The times are therefore known only at the end.
+/// Motions are added in the order of the program. As on the controller, some motions are held back
+/// until the following motions are known. The times are therefore known only at the end.
 class ControllerClock {
  public:
   explicit ControllerClock(const OrderWish& machine);
@@ -31,11 +31,11 @@ class ControllerClock {
   /// @param feed_mm_s above 0, or 0 for a rapid
   /// @param is_lit whether the beam is on
   void move(const Stroke& path, double feed_mm_s, bool is_lit);
-  /// Stops the machine, as a dwell does: the planner knows no later motion before the stop.
+  /// Stops the machine, as a dwell does. The planner does not know later motions before the stop.
   void rest();
   /// Stops the machine and returns the time of each motion since the last call, s, in the order in
-  /// which the motions were added. The window of a limit of jerk is counted with the last motion
-  /// before a stop.
+  /// which the motions were added. The time that the window adds at a stop belongs to the last
+  /// motion before the stop.
   [[nodiscard]] std::vector<double> finish();
 
  private:
@@ -56,17 +56,18 @@ class ControllerClock {
   WrittenPath written_;
   std::vector<double> times_{};  ///< Time of each motion, s.
   std::size_t last_ = 0;         ///< Number of the last motion that was driven.
-  bool in_chain_ = false;        ///< The window of the last chain is not yet counted.
+  bool in_chain_ = false;        ///< Whether a chain has begun whose window is not yet counted.
 
-  // State from which the controller chooses a window. Times are seconds since the start of the
-  // program.
-  double now_s_ = 0.0;    ///< Time up to which the plan has been driven.
+  // State from which the controller chooses a window. These times are seconds since the start of
+  // the program.
+  double now_s_ = 0.0;    ///< Time up to which the plan has been followed.
   double read_s_ = 0.0;   ///< Time at which the newest line was read.
   double ready_s_ = 0.0;  ///< Time at which the first block of the next chain was known.
-  /// Times at which the plan left the latest blocks, in a ring of the queue's capacity.
+  /// Times at which the plan left the latest blocks. The array is a ring with the capacity of the
+  /// queue.
   std::array<double, cnc::motion::kLookAheadBlocks> left_s_{};
-  std::size_t pushed_ = 0;  ///< Number of all blocks so far.
-  std::size_t left_ = 0;    ///< Number of blocks that the plan has left.
+  std::size_t pushed_ = 0;  ///< Number of blocks that were put into the queue so far.
+  std::size_t left_ = 0;    ///< Number of blocks whose ends the plan has passed so far.
 };
 
 }  // namespace sim::cut

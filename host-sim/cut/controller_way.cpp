@@ -8,11 +8,11 @@
 namespace sim::cut {
 namespace {
 
-/// Distance by which the end of the path continues past the point where the beam reached the
-/// outline, mm.
+/// Extra overlap, mm: the path ends at this distance past the point where the beam first reached
+/// the outline.
 constexpr double kLap = 0.05;
 
-/// Returns the strokes of the beam's path along the edge; none if no lead comes before them.
+/// Returns the strokes of the beam's path along the edge; none if the path has no lead-in.
 std::vector<Stroke> edge_of(const std::vector<Stroke>& beam) {
   std::vector<Stroke> contour;
   if (beam.front().purpose == Purpose::kContour) return contour;
@@ -22,15 +22,16 @@ std::vector<Stroke> edge_of(const std::vector<Stroke>& beam) {
   return contour;
 }
 
-/// Returns the distance along the outline to the foot of a point that is half a kerf from the
-/// outline; nothing if the foot is at the end of a stroke.
+/// Returns the distance along the outline to its point nearest to `place`, which is half a kerf
+/// from the outline. Returns nothing if the nearest point is at the end of a stroke.
 std::optional<double> foot_of(const MeasuredRow& outline, const Place& place, double half_kerf) {
-  constexpr double kAtAnEnd = 1.0e-3;  // Distance from an end of a stroke, mm.
+  // Greatest distance of a point that is at the end of a stroke, mm.
+  constexpr double kAtAnEnd = 1.0e-3;
   for (std::size_t i = 0; i < outline.strokes().size(); ++i) {
     const Stroke& stroke = outline.strokes()[i];
     if (std::abs(distance_to(stroke, place) - half_kerf) > 1.0e-4) continue;
     const double length = length_of(stroke);
-    // The distance to the point is smooth along the stroke, and has one minimum within half a turn.
+    // Along a stroke of at most half a turn, the distance to `place` is smooth and has one minimum.
     double low = 0.0;
     double high = 1.0;
     for (int k = 0; k < 100; ++k) {
@@ -48,15 +49,15 @@ std::optional<double> foot_of(const MeasuredRow& outline, const Place& place, do
   return std::nullopt;
 }
 
-/// Returns the distance along the edge after its start at which the beam reaches the edge. The
-/// offset lines of entry and outline meet in the corner between them.
+/// Returns the distance from the start of the edge to the point where the beam reaches the edge. At
+/// this point the offset lines of the entry and of the outline intersect.
 double lag_of(const Place& entry, const Place& leaving, double half_kerf) {
   const double turn = std::atan2(-drawing::cross(entry, leaving), entry.dot(leaving));
   return turn > 0.0 ? half_kerf * std::tan(0.5 * turn) : 0.0;
 }
 
-/// Returns the end of a lead-out from a point next to the edge into the waste; nothing if there is
-/// no free space.
+/// Returns the end of a lead-out from `beside`, a point next to the edge, into the waste. Returns
+/// nothing if there is no free space.
 std::optional<Place> exit_of(const Place& beside,
                              const Place& tangent,
                              double length,
@@ -94,14 +95,14 @@ ControllerWay controller_way(const std::vector<Stroke>& outline,
   const MeasuredRow beside{contour};
   const Place reached = beside.place(std::min(lag, beside.length()));
   if (!room.parts.is_clear({beam.front().from, reached}, half_kerf - kClearSlackMm)) {
-    return {.reason = "there is no room for a straight lead-in"};
+    return {.reason = "there is no free space for a straight lead-in"};
   }
   const double lap = std::min(settings.overcut_mm + lag + kLap, 0.5 * row.length());
   const Place tangent = row.leaving(lap);
   const Place last = row.place(lap) + half_kerf * right_of(tangent);
   const double exit_mm = std::max(settings.lead_out.length_mm, 4.0 * half_kerf);
   const auto exit = exit_of(last, tangent, exit_mm, room);
-  if (!exit) return {.reason = "there is no room for a lead-out"};
+  if (!exit) return {.reason = "there is no free space for a lead-out"};
 
   ControllerWay way;
   const Place entered = beam.front().from + pierce * entry;

@@ -10,11 +10,11 @@
 namespace sim::cut {
 namespace {
 
-/// Number of cuts ahead among which one may overtake: enough to leave the hot neighbourhood, few
-/// enough to be quick.
+/// Number of the cuts next in order of which one may overtake the others. It is large enough to
+/// leave the hot neighbourhood, and small enough for a fast search.
 constexpr std::size_t kMaxOvertaken = 64;
 
-/// The time of the job so far, and the heat of its cuts.
+/// Follows a job, and keeps its time and the heat of its cuts.
 class HeatClock {
  public:
   explicit HeatClock(const CoolingRules& rules)
@@ -23,7 +23,8 @@ class HeatClock {
   [[nodiscard]] double now_s() const { return now_s_; }
   [[nodiscard]] const Place& here() const { return here_; }
 
-  /// Returns the time that a pierce must wait if the beam arrives at `arrival_s`, s.
+  /// Returns the time that a cut must wait before its pierce if the beam arrives there at
+  /// `arrival_s`, s.
   [[nodiscard]] double wait_at(const Cut& cut, double arrival_s) const {
     if (cut.strokes.front().purpose == Purpose::kLink) return 0.0;
     return std::max(0.0, heat_.cool_from(cut.start(), arrival_s) - arrival_s);
@@ -51,7 +52,7 @@ class HeatClock {
   Place here_{0.0, 0.0};
 };
 
-/// Chooses the order, cut by cut.
+/// Chooses the order of the cuts of a plan, one cut after the other.
 class CoolOrder {
  public:
   CoolOrder(CutPlan& plan, const CoolingRules& rules)
@@ -86,8 +87,8 @@ class CoolOrder {
     return std::ranges::all_of(cut.after, [this](std::size_t before) { return is_done_[before]; });
   }
 
-  /// Returns the position in the order of the cut that comes next: the cut with the least sum of
-  /// wait and detour.
+  /// Returns the present position in the order of the cut that comes to position `i`: the ready cut
+  /// with the least sum of wait and detour.
   [[nodiscard]] std::size_t best_at(std::size_t i) const {
     const Place& here = clock_.here();
     const auto cost_of = [&](std::size_t k) {
@@ -108,7 +109,7 @@ class CoolOrder {
     return best;
   }
 
-  /// Returns the additional time of travel if cut `k` overtakes the cuts from `i` on, s.
+  /// Returns the additional time of travel if the cut at position `k` moves to position `i`, s.
   [[nodiscard]] double detour(std::size_t i, std::size_t k) const {
     const Place& here = clock_.here();
     double added = way(here, rapid_end(at(k))) + way(beam_end(at(k)), rapid_end(at(i))) -
@@ -149,7 +150,7 @@ void wait_for_cooling(CutPlan& plan, const CoolingRules& rules) {
   for (std::size_t i = 0; i < plan.cuts.size(); ++i) {
     Cut& cut = plan.cuts[i];
     for (const Place& place : rapid_before(plan, i)) clock.travel(place);
-    // Round up to the next millisecond, which is the resolution of programs.
+    // Rounds up to the next millisecond, because programs give times in milliseconds.
     cut.wait_s = 1.0e-3 * std::ceil(1.0e3 * clock.wait_at(cut, clock.now_s()));
     clock.cut(cut, plan.plan_of(cut), cut.wait_s);
     if (cut.wait_s <= 0.0) continue;

@@ -7,12 +7,14 @@
 namespace sim::cut {
 namespace {
 
-/// Tolerance within which the radius of an arc around a drawn corner is half the kerf, mm.
+/// Greatest difference between half the kerf and the radius of an arc that counts as an arc around
+/// a drawn corner, mm.
 constexpr double kSameRadius = 1.0e-6;
-/// Tolerance for measuring whether the beam is clear of parts, mm. A beam along its own edge is
-/// just clear.
+/// Tolerance for measuring whether the beam is clear of parts, mm. A beam along its own edge has no
+/// distance to spare.
 constexpr double kLoopSlack = 1.0e-5;
-/// Greatest turn of a corner with a loop; for sharper corners the loop would be too far away.
+/// Greatest turn of a corner that has a loop, radians. The loop of a sharper corner would extend
+/// too far.
 constexpr double kSharpest = 170.0 * std::numbers::pi / 180.0;
 
 double sweep_of(const Stroke& stroke) { return 4.0 * std::atan(stroke.bulge); }
@@ -30,9 +32,9 @@ double turn_between(const Stroke& before, const Stroke& after) {
   return std::abs(std::atan2(drawing::cross(from, to), drawing::dot(from, to)));
 }
 
-/// Returns a loop: straight on from the start of the arc, around to the right, and straight to the
-/// end of the arc. Both lines are tangential to the loop, and cross where the corner would be
-/// without the arc.
+/// Returns a loop past an outer corner. It goes straight on from the start of the arc around the
+/// corner, around to the right, and straight to the end of this arc. Both lines are tangential to
+/// the round part. They cross at the point where the path would have its corner without the arc.
 std::vector<Stroke> loop_past(const Stroke& arc, double radius_mm) {
   const double turn = sweep_of(arc);
   const double round_mm = length_of(arc) / turn;
@@ -47,7 +49,7 @@ std::vector<Stroke> loop_past(const Stroke& arc, double radius_mm) {
 
 struct RoomyLoop {
   std::vector<Stroke> strokes{};  ///< Strokes of the loop; empty if there is no free space.
-  double share = 1.0;             ///< Share of the required radius.
+  double share = 1.0;             ///< Share of the required radius that the loop has.
 };
 
 RoomyLoop loop_with_room(const Stroke& arc,
@@ -108,7 +110,7 @@ CornerWork treat_corners(std::vector<Stroke>& strokes,
       }
       if (work.without_room++ == 0) work.first_without = corner.place;
     }
-    // At the beginning of the cut, the beam comes from the lead, so there is no dwell.
+    // At the start of the cut the beam comes from the lead, so there is no dwell.
     if (corner.stroke != 0) strokes[done].dwell_s = settings.corner_dwell_s;
   }
   treated.insert(treated.end(), strokes.begin() + static_cast<std::ptrdiff_t>(done), strokes.end());

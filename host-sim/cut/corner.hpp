@@ -14,34 +14,37 @@ namespace sim::cut {
 struct Corner {
   std::size_t stroke =
       /// Number of a stroke: at an outer corner the arc around it, at an inner corner the stroke
-      /// that leaves it.
+      /// that begins there.
       0;
-  bool is_outer = false;  ///< The waste is on the outside of the turn, so a loop has free space.
+  /// Whether the waste is on the outside of the turn. A loop may then have free space.
+  bool is_outer = false;
   Place place{0.0, 0.0};  ///< Point in the middle of the turn.
 };
 
-/// Returns the corners between strokes along the edge of a part on the left, which turn by at least
-/// `min_turn`. In a closed row, the point where it closes counts, too. Outer corners are arcs of
-/// half the kerf around a drawn corner. Drawn rounded corners do not count.
+/// Returns the corners of a row of strokes along the edge of a part on the left, at which the row
+/// turns by at least `min_turn`. The point where a closed row closes may be a corner, too. Outer
+/// corners are arcs of half the kerf around a drawn corner. Rounded corners of the drawing are no
+/// corners.
 /// @param min_turn radians
 [[nodiscard]] std::vector<Corner> corners_of(const std::vector<Stroke>& strokes,
                                              double min_turn,
                                              double half_kerf_mm);
 
-/// Figures of the treatment of a cut's corners.
+/// Result of the treatment of a cut's corners.
 struct CornerWork {
-  /// Number of outer corners whose loops would come too near to a part.
+  /// Number of outer corners without a loop, because it would come too near to a part.
   std::size_t without_room = 0;
   std::optional<Place> first_without{};  ///< Point of the first outer corner without a loop.
-  std::size_t smaller = 0;               ///< Number of loops with a radius below the set one.
-  std::optional<Place> first_smaller{};  ///< Point of the first loop with a smaller radius.
+  std::size_t smaller = 0;               ///< Number of loops with a radius below the required one.
+  /// Point of the first corner whose loop has a smaller radius.
+  std::optional<Place> first_smaller{};
 };
 
 /// Changes strokes to prevent burnt corners, as the settings require. A loop continues straight
 /// past an outer corner, turns around in the waste and comes back along the next edge. So the beam
-/// passes the part at speed. Where there is not enough free space, the loop is reduced, at most to
-/// an eighth. At inner corners, and where a loop has no free space, the beam rests off for the
-/// dwell before it continues.
+/// passes the corner of the part at speed. Where free space is lacking, the radius of the loop is
+/// reduced, at most to an eighth. At inner corners, and at outer corners without free space, the
+/// beam rests there with its power off for the dwell.
 /// @param parts all drawn edges; every point of a loop is at least half the kerf from each of them
 CornerWork treat_corners(std::vector<Stroke>& strokes,
                          const LayerSettings& settings,

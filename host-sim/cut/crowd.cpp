@@ -37,7 +37,8 @@ bool holds(const Extremes& outer, const Extremes& inner) {
          (outer.most - inner.most).minCoeff() >= 0.0;
 }
 
-/// Adds a frame around a crowd in a hole, so that there is material around the hole.
+/// Adds a frame around a crowd to `region` if the crowd has a hole without the outline around it.
+/// The frame is the material around the hole.
 /// @return whether a frame was added
 bool frame_holes(const std::vector<Outline>& outlines,
                  const std::vector<std::size_t>& crowd,
@@ -66,7 +67,7 @@ bool frame_holes(const std::vector<Outline>& outlines,
   return true;
 }
 
-/// Returns the outline of a crowd that is nearest to the first stroke of a path.
+/// Returns the outline of a crowd that is nearest to the middle of a path's first stroke.
 std::size_t owner_of(const std::vector<Stroke>& loop,
                      const std::vector<Outline>& outlines,
                      const std::vector<std::size_t>& crowd) {
@@ -84,8 +85,9 @@ std::size_t owner_of(const std::vector<Stroke>& loop,
   return owner;
 }
 
-/// Returns the offset paths of all outlines of a crowd, treated as one region.
-/// @param by_turns whether outlines lie against each other, and may overlap by a hair
+/// Returns the offset paths of the region that all outlines of a crowd enclose together; nothing if
+/// there is no offset.
+/// @param by_turns whether outlines lie against each other, so that they may overlap by rounding
 std::optional<Rows> paths_of(const std::vector<Outline>& outlines,
                              const std::vector<std::size_t>& crowd,
                              double half_kerf_mm,
@@ -100,7 +102,7 @@ std::optional<Rows> paths_of(const std::vector<Outline>& outlines,
     if (by_turns) region = filled_area(region, FilledBy::kTurns);
     Rows loops = loops_of(offset.offset(region.view(), half_kerf_mm));
     if (!has_frame) return loops;
-    // The path around the frame encloses all others.
+    // The path along the frame encloses all others, so it has the largest area.
     const auto frame = std::ranges::max_element(
         loops, {}, [](const std::vector<Stroke>& loop) { return area_of(loop); });
     if (frame != loops.end()) loops.erase(frame);
@@ -110,7 +112,7 @@ std::optional<Rows> paths_of(const std::vector<Outline>& outlines,
   }
 }
 
-/// Returns all rows that are driven between and around outlines.
+/// Returns all rows along which the beam is driven, around outlines and between them.
 Rows driven_of(const Rows& around, const CutsBetween& between) {
   Rows driven = around;
   driven.insert(driven.end(), between.middles.begin(), between.middles.end());
@@ -120,7 +122,8 @@ Rows driven_of(const Rows& around, const CutsBetween& between) {
   return driven;
 }
 
-/// Returns the uncut stretches of each outline of a crowd; nothing if one of them is too long.
+/// Returns the uncut stretches of each outline of a crowd. Returns nothing if a stretch is longer
+/// than kMaxHoldMm, unless it would stay uncut even without the other outlines.
 std::optional<std::vector<std::vector<Rest>>> rests_of_crowd(
     const DrawnEdges& edges,
     const std::vector<std::size_t>& crowd,
@@ -183,8 +186,8 @@ std::vector<drawing::Fault> held_together(const drawing::Drawing& drawn,
     if (beside[i].gouges.empty()) continue;
     drawing::Fault held = beside[i].gouges.front();
     held.reason = fmt::format(
-        "comes nearer to an edge than the kerf, {} contour{} in all: what is so near holds "
-        "together, and no cut takes anything off it",
+        "comes nearer to an edge than the kerf, {} contour{} in all; the parts hold together "
+        "there, and no cut takes anything off them",
         crowd.size(),
         crowd.size() == 1 ? "" : "s");
     held.entity = drawn.contours[i].entity;

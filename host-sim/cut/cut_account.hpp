@@ -10,9 +10,9 @@
 
 namespace sim::cut {
 
-/// Account of the time and money of a job.
+/// Account of the time and the money that a job takes.
 struct CutAccount {
-  Timeline timeline{};  ///< Its times add up to the time of the job on the simulated machine.
+  Timeline timeline{};  ///< Times that add up to the time of the job on the simulated machine.
   /// Time of the job, predicted from its lengths, feeds and accelerations.
   double predicted_s = 0.0;
   PriceList prices{};
@@ -22,21 +22,21 @@ struct CutAccount {
 };
 
 /// Returns the account of a job.
-/// @param job_time_s time on the simulated machine; 0 if the machine refused the program: then the
-/// predicted times count
+/// @param job_time_s time on the simulated machine. It is 0 if the machine refused the program; the
+/// account then has the predicted times
 [[nodiscard]] CutAccount account_of(const drawing::Drawing& drawn,
                                     const CutPlan& plan,
                                     const Timeline& predicted,
                                     double job_time_s,
                                     const PriceList& prices);
 
-/// Returns the account as lines for people: the time by kind, the cuts by layer if there are
-/// several layers, and the costs if there is a price.
+/// Returns the account as lines of text: the time by kind, the cuts by layer if there are several
+/// layers, and the costs if there is a price.
 /// @param drawn the drawing with the names of the layers
 [[nodiscard]] std::vector<std::string> lines_of(const CutAccount& account,
                                                 const drawing::Drawing& drawn);
 
-/// Adds `time`, `cuts_by_layer` and `parts` to a report, and `cost` if there is a price.
+/// Adds `time`, `pierces`, `cuts_by_layer` and `parts` to a report, and `cost` if there is a price.
 void add_to_report(nlohmann::ordered_json& report,
                    const CutAccount& account,
                    const drawing::Drawing& drawn);

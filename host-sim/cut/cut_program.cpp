@@ -20,7 +20,7 @@ using cnc::gcode::ProgramWriter;
 using cnc::gcode::WriterError;
 using Written = cnc::Result<std::string_view, WriterError>;
 
-/// Writes the strokes of cuts one after the other.
+/// Writes the strokes of cuts as G-code, one after the other.
 class StrokeWriter {
  public:
   StrokeWriter(const Beam& beam, cnc::gcode::PrintGrid grid)
@@ -28,8 +28,8 @@ class StrokeWriter {
 
   void go_to(const Place& place) { take(writer_.rapid(place), place); }
 
-  /// Writes the rapid before a cut, or after the last one. A lifted rapid is straight. Z returns to
-  /// 0 at its end, where the beam cuts.
+  /// Writes the rapid before a cut, or after the last cut. If it is lifted, it is straight, and Z
+  /// returns to 0 at its end, where the beam cuts.
   void go_along(const std::vector<Place>& way, double lift_mm) {
     const std::string before = std::exchange(text_, {});
     for (std::size_t i = 1; i < way.size(); ++i) go_to(way[i]);
@@ -37,19 +37,20 @@ class StrokeWriter {
     text_ = before + text_;
   }
 
-  /// Writes a wait with M5, because M3 may keep a beam on at rest.
+  /// Writes a wait with the beam off. This requires M5, because M3 may keep a beam on at rest.
   void wait(double seconds) {
     if (seconds <= 0.0) return;
     text_ += fmt::format("M5\nG4 P{:.3f}\n{}\n", seconds, beam_.follows_speed ? "M4" : "M3");
   }
 
-  /// Lowers Z for a pass before the rapid to it, and raises Z for the next first pass.
+  /// Sets Z for a cut before the rapid to it: lower for each further pass, and 0 again for a first
+  /// pass.
   void lower_to(const Cut& cut, const LayerPlan& layer) {
     const double height_mm = -layer.settings.z_step_mm * (cut.pass - 1);
     if (height_mm != 0.0) has_lowered_ = true;
     if (has_lowered_ && !writer_.set_height(height_mm)) {
-      throw std::invalid_argument(
-          fmt::format("z-step={:g}: Z{:g} is too low", layer.settings.z_step_mm, height_mm));
+      throw std::invalid_argument(fmt::format(
+          "z-step={:g}: Z{:g} is too low; use fewer passes", layer.settings.z_step_mm, height_mm));
     }
   }
   void raise() {
@@ -69,15 +70,15 @@ class StrokeWriter {
     }
   }
 
-  /// Writes rows without their first line, because this rapid is already written. The rows have
-  /// their own motions, feeds and powers. Therefore the writer restarts, and the next line gives
-  /// all words.
+  /// Writes the rows of a picture without their first line, which is the rapid that is already
+  /// written. The writer does not know the motions, feeds and powers in these rows. Therefore it
+  /// restarts, and its next line has all words.
   void burn(const std::string& rows) {
     text_ += rows.substr(rows.find('\n') + 1);
     writer_ = ProgramWriter{grid_};
   }
 
-  /// Writes a cut for G42. The controller needs F and S as they are for the whole cut.
+  /// Writes a cut for G42. F and S of the whole cut come before G42.
   void write_for_controller(const Cut& cut, const LayerPlan& layer) {
     const std::uint32_t feed = layer.condition.cut.speed_um_min;
     const std::uint32_t power = power_of(layer.condition);
@@ -101,7 +102,7 @@ class StrokeWriter {
     return static_cast<std::uint32_t>(std::lround(1000.0 * value));
   }
 
-  /// Returns the feed at which a pierce takes its set time.
+  /// Returns the feed at which a pierce takes its set time, at most the feed of the layer, µm/min.
   static std::uint32_t pierce_feed(const Stroke& stroke, const LayerPlan& layer) {
     const double feed = std::min(from_thousandths(layer.condition.cut.speed_um_min),
                                  60.0 * length_of(stroke) / layer.settings.pierce_s);
@@ -111,11 +112,11 @@ class StrokeWriter {
   [[nodiscard]] std::uint32_t power_of(const Condition& condition) const {
     const double watts = from_thousandths(condition.cut.power_mw);
     if (watts > beam_.full_power_w) {
-      throw std::invalid_argument(fmt::format(
-          "{:g} W are more than the laser's {:g} W; choose less with --power, or say with "
-          "--full-power what it gives",
-          watts,
-          beam_.full_power_w));
+      throw std::invalid_argument(
+          fmt::format("{:g} W are more than the laser's {:g} W; choose less with --power, or give "
+                      "the laser's power with --full-power",
+                      watts,
+                      beam_.full_power_w));
     }
     return thousandths(watts / beam_.full_power_w * beam_.full_power_s);
   }
@@ -123,8 +124,8 @@ class StrokeWriter {
   void write(const Stroke& stroke) {
     const Written written = writer_.cut(stroke.from, stroke.to, stroke.bulge);
     if (written.ok() || written.error() != WriterError::kTooFlat) return take(written, stroke.to);
-    // The arc is so flat that its centre is out of range. It is written as lines within half a
-    // digit of the arc.
+    // The arc is so flat that its centre is out of range. It is written as lines that deviate from
+    // it by at most half of the last digit.
     const double height = 0.5 * std::abs(stroke.bulge) * drawing::distance(stroke.from, stroke.to);
     const double lines = std::ceil(std::sqrt(2.0 * height / digit_mm_));
     for (double i = 0.0; i < lines; i += 1.0) {
@@ -136,8 +137,8 @@ class StrokeWriter {
   void take(const Written& written, const Place& place) {
     if (!written.ok()) {
       throw std::invalid_argument(
-          fmt::format("X{:g} Y{:g} mm is too far from zero for a program; is the unit of the "
-                      "drawing right?",
+          fmt::format("X{:g} Y{:g} mm is too far from zero for a program; check the unit of the "
+                      "drawing",
                       place.x(),
                       place.y()));
     }
@@ -149,7 +150,7 @@ class StrokeWriter {
   double digit_mm_;
   ProgramWriter writer_;
   std::string text_;
-  bool has_lowered_ = false;  ///< A lowered Z has been written.
+  bool has_lowered_ = false;  ///< Whether a Z below 0 has been written.
 };
 
 std::string_view kind_of(const Cut& cut, const LayerPlan& layer) {
@@ -200,7 +201,7 @@ std::string program_of(const CutPlan& plan,
   for (const std::string& line : heading) text += comment_line(line);
   text += "G21 G90 G17 G94 G54\n";
   if (beam.kerf_table && !plan.cuts.empty()) {
-    // All cuts of a sheet have the same thickness.
+    // All cuts of a job have the same thickness.
     const Condition& any = plan.plan_of(plan.cuts.front()).condition;
     text +=
         fmt::format("M190 P{} Q{:g}\n", *beam.kerf_table, from_thousandths(any.cut.thickness_um));
@@ -217,7 +218,7 @@ std::string program_of(const CutPlan& plan,
                                      entity_of(cut, drawn).name,
                                      pass_text(cut, layer)));
     if (layer.settings.air != air) {
-      // M7 and M8 may be active at the same time, so the old one is switched off first.
+      // M7 and M8 may be active at the same time, so the previous gas is switched off first.
       if (air != Air::kOff) text += word_of(Air::kOff);
       if (layer.settings.air != Air::kOff) text += word_of(layer.settings.air);
       air = layer.settings.air;

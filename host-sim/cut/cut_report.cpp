@@ -54,7 +54,8 @@ std::string line_of(const SharedLineFigures& shared) {
       shared.max_off_mm);
 }
 
-/// Returns `1800 W at 4000 mm/min`, with a percentage if the power in watts is not known.
+/// Returns `1800 W at 4000 mm/min`, with `percent` instead of `W` if the power in watts is not
+/// known.
 std::string condition_text(const Condition& condition, const Beam& beam) {
   return fmt::format("{:g} {} at {:g} mm/min",
                      from_thousandths(condition.cut.power_mw),
@@ -62,7 +63,8 @@ std::string condition_text(const Condition& condition, const Beam& beam) {
                      from_thousandths(condition.cut.speed_um_min));
 }
 
-/// Returns `layer "cut" red: CSP 1N, 2 mm; 1800 W at 4000 mm/min; kerf 0.5617 mm`.
+/// Returns the line about a layer: `layer "cut" red: CSP 1N, 2 mm; 1800 W at 4000 mm/min; kerf
+/// 0.5617 mm`.
 std::string layer_line(const CutJob& job, std::size_t index) {
   const LayerPlan& plan = job.plan.layers[index];
   const drawing::Layer& layer = job.drawn.layers[index];
@@ -81,7 +83,8 @@ std::string layer_line(const CutJob& job, std::size_t index) {
   return line;
 }
 
-/// Returns the power at the greatest S, and whether the power follows the speed.
+/// Returns a text with the power at the greatest S. It also says whether the power follows the
+/// speed.
 std::string full_power_text(const Beam& beam) {
   const std::string power =
       beam.knows_watts ? fmt::format("{:g} W", beam.full_power_w) : "full power, 100 percent";
@@ -136,7 +139,7 @@ Json json_of(const Recipes& recipes, const drawing::Drawing& drawn) {
   return rows;
 }
 
-/// Returns the number of curves in the drawing that are cut as arcs.
+/// Returns the number of free-form curves of the drawing that are cut as arcs.
 std::size_t curves_of(const CutJob& job) {
   std::set<std::size_t> contours;
   for (const Cut& cut : job.plan.cuts) {
@@ -177,7 +180,7 @@ std::string line_of_corners(const CutFigures& figures) {
                      figures.corner_dwell_s);
 }
 
-/// Breaks lines so that, as comments of a program, they are not longer than Grbl accepts.
+/// Breaks lines that would be longer than Grbl accepts as comments of a program.
 std::vector<std::string> none_too_long(const std::vector<std::string>& lines) {
   constexpr std::size_t kLineWidth = 76;
   std::vector<std::string> result;

@@ -9,22 +9,24 @@
 
 namespace sim::cut {
 
-/// Rank of a cut in the order that the user requires: all cuts of a lower turn come before it.
+/// Turn of a cut in the order that the user requires. All cuts of a lower turn come before it.
+/// Turns are compared by rank, then by part, then by layer.
 struct CutTurn {
-  unsigned rank = 0;      ///< The rank of the cut's layer.
-  std::size_t part = 0;   ///< Turn of the cut's part in a sheet file.
-  std::size_t layer = 0;  ///< Number of the layer if each layer is cut as a whole, otherwise 0.
+  unsigned rank = 0;     ///< The rank of the cut's layer.
+  std::size_t part = 0;  ///< Turn of the cut's part, from the sheet file.
+  /// Number of the layer if the cuts of each layer stay together, otherwise 0.
+  std::size_t layer = 0;
   auto operator<=>(const CutTurn&) const = default;
 };
 
-/// Returns the turn that the user requires for a cut.
+/// Returns the turn that the user requires for a cut, without regard to Cut::after.
 [[nodiscard]] CutTurn wished_turn(const UnbegunCut& cut, Grouping grouping);
 
-/// Returns for each cut how many different turns come before its own.
+/// Returns, for each cut, the number of different turns that come before its own turn.
 [[nodiscard]] std::vector<std::size_t> numbered(const std::vector<CutTurn>& turns);
 
-/// Returns the turns of all cuts. They are the required turns, except for a cut that must come
-/// after a cut of a later turn: it gets that later turn.
+/// Returns the turns of all cuts. They are the turns that the user requires, with one exception: a
+/// cut that must come after a cut of a later turn has this later turn.
 /// @param cuts cuts whose `after` has no cycle
 [[nodiscard]] std::vector<CutTurn> turns_of(const std::vector<UnbegunCut>& cuts, Grouping grouping);
 

@@ -36,7 +36,7 @@ class DoubledLines {
   }
 
   LeftLines find() {
-    std::size_t first = 0;  // Number of the first stroke of the contour.
+    std::size_t first = 0;  // Number of the first stroke of contour `i`.
     for (const std::size_t i : contours_) {
       if (!outlines_[i].is_beside) leave_out(i, first);
       first += outlines_[i].strokes.size();
@@ -68,12 +68,12 @@ class DoubledLines {
     for (const SharedStretch& stretch : doubled) length_mm_ += stretch.to_mm - stretch.from_mm;
     auto rests =
         outlines_[contour].is_closed ? rests_between(path, doubled) : rests_of_open(path, doubled);
-    // The beam at the ends of the other line covers such a short rest.
+    // The beam at the ends of the other line covers so short a rest.
     std::erase_if(rests, [](const auto& rest) { return length_of(rest) < 2.0 * kTouchesMm; });
     left_.rests[contour] = std::move(rests);
   }
 
-  /// Returns the stretches of a stroke along which strokes with lower numbers run.
+  /// Returns the stretches of a stroke that run along strokes with lower numbers.
   [[nodiscard]] std::vector<SharedStretch> stretches_before(std::size_t number) const {
     const Stroke& stroke = strokes_[number];
     std::vector<SharedStretch> stretches;
@@ -93,8 +93,8 @@ class DoubledLines {
     left_.warning = {drawing::FaultKind::kDuplicate,
                      drawn_.contours[first_].entity,
                      place_,
-                     fmt::format("{} line{} along others within {} mm, this is the first; there "
-                                 "they are driven once, which leaves out {:.3f} mm",
+                     fmt::format("{} line{} along others within {} mm, this one first; what "
+                                 "they share is driven once, which leaves out {:.3f} mm",
                                  count,
                                  count == 1 ? " runs" : "s run",
                                  kTouchesMm,
@@ -108,7 +108,7 @@ class DoubledLines {
   std::vector<Stroke> strokes_;        ///< Strokes of all contours, in the order of `contours_`.
   Clearance near_;
   LeftLines left_;
-  std::size_t first_ = 0;  ///< The first contour of which a stretch is left out.
+  std::size_t first_ = 0;  ///< Number of the first contour of which a stretch is left out.
   Place place_{0.0, 0.0};  ///< Start of the first stretch that is left out.
   double length_mm_ = 0.0;
 };

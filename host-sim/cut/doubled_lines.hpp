@@ -15,22 +15,22 @@ namespace sim::cut {
 /// stretches are driven twice.
 inline constexpr double kShortestDoubledMm = 0.2;
 
-/// Lines without the stretches along which another line is cut.
+/// The lines that remain after stretches along other lines are left out.
 struct LeftLines {
-  /// Remaining lines of each contour of which a stretch is left out: open rows in the contour's
-  /// order; empty if nothing remains.
+  /// For each contour of which a stretch is left out, its remaining lines: open rows in the
+  /// contour's order; empty if nothing remains.
   std::map<std::size_t, std::vector<std::vector<Stroke>>> rests{};
-  /// Reports the length that is left out, and the first point.
+  /// Warning with the length that is left out and the first point; nothing if all lines remain.
   std::optional<drawing::Fault> warning{};
 };
 
 /// Leaves out stretches of lines that are cut or engraved on the line and that run along another
 /// line. The other line may run in either direction, within kTouchesMm. An edge that is cut next to
 /// its line has precedence over a line that is cut, and this over a line that is engraved. Among
-/// equal ones, the first one drawn has precedence. A line that runs back along itself is driven
-/// once.
-/// @param outlines by contour
-/// @param sides by contour; filled contours are not compared
+/// lines of equal precedence, the first one drawn stays. A line that runs back along itself is
+/// driven once.
+/// @param outlines outline of each contour
+/// @param sides side of each contour; filled contours are not compared
 [[nodiscard]] LeftLines without_doubled(const drawing::Drawing& drawn,
                                         const std::vector<Outline>& outlines,
                                         const std::vector<Side>& sides);

@@ -18,20 +18,21 @@
 namespace sim::cut {
 namespace {
 
-/// Distance between checked points of drawn edges, mm.
+/// Distance between the points of drawn edges that are checked, mm.
 constexpr double kEdgeEvery = 0.02;
-/// Deviation of the chords that replace the curves of drawn edges, mm. Drawn edges are the
-/// drawing's own curves, not the arcs that are cut.
+/// Greatest deviation of the chords that replace drawn edges, mm. Drawn edges are the curves of the
+/// drawing itself, not the arcs that are cut.
 constexpr double kEdgeChord = 1.0e-5;
-/// Distance within which the plan's beam touches an edge, mm. For a curve that is cut as arcs,
-/// their tolerance is added. For a line that two parts share, the line's own tolerance is added.
+/// Distance within which the plan's beam touches an edge, mm. For a curve that is cut as arcs, the
+/// tolerance of these arcs is added. For a line that two parts share, the line's own tolerance is
+/// added.
 constexpr double kTouches = 1.0e-3;
 constexpr double kNoLimit = std::numeric_limits<double>::infinity();
-/// Width around the beam that counts as cut under unknown conditions where no test cut covers them,
-/// mm.
+/// Distance from the edge of the beam within which drawn edges count as cut under unknown
+/// conditions, mm. It applies where no test cut covers the condition of the beam.
 constexpr double kAroundUnknown = 0.1;
-/// Distance from a pierce within which cuts are not swept, mm, because the beam is wider while it
-/// pierces and shortly after.
+/// Distance from a pierce within which cuts are not swept, mm. The beam is wider while it pierces,
+/// and shortly after.
 constexpr double kAroundPierce = 0.1;
 
 cnc::AxisArray<double> scales_of(const cnc::Settings& settings) {
@@ -42,7 +43,8 @@ cnc::AxisArray<double> scales_of(const cnc::Settings& settings) {
   return steps;
 }
 
-/// Returns the kerf of a heat input that no test cut may cover, from the laws around the thickness.
+/// Returns the kerf at a heat input, from the laws of the rows around the thickness. Test cuts need
+/// not cover the heat input. Returns nothing if one of these rows was measured and has no law.
 std::optional<double> kerf_of_heat(const cnc::kerf::TableView<double>& table,
                                    std::uint32_t thickness_um,
                                    double heat) {
@@ -79,7 +81,7 @@ class EdgeCheck::Sweep final : public TraceSink {
                 sweep({place[0], place[1]});
               }} {
     lay_out_plan();
-    // With kerf control, the motors leave the path on which the energy is measured.
+    // With kerf control, the motors leave the path along which `energy_` measures.
     if (simulator.settings().get(cnc::setting::kKerfControl) != 0.0F) {
       simulator.add_sink(heat_);
       return;
@@ -90,7 +92,7 @@ class EdgeCheck::Sweep final : public TraceSink {
   }
 
   void on_row(const TraceRow& row) override {
-    // The output may have been switched off only now, so the path up to here was cut.
+    // The beam may have been on until now, so the path up to here was cut.
     const bool lit = row.duty > 0.0F || duty_ > 0.0F;
     duty_ = row.duty;
     if (!lit) return;
@@ -100,26 +102,27 @@ class EdgeCheck::Sweep final : public TraceSink {
   [[nodiscard]] EdgeFigures figures() const;
 
  private:
-  static constexpr double kNear = 2.0;  ///< Reach of the searches, mm.
+  static constexpr double kNear = 2.0;  ///< Greatest distance at which searches find strokes, mm.
 
   struct Sum {
     EdgeFigures figures{};
     double sizes_mm = 0.0;
-    double since_mm = 0.0;  ///< Distance since the last point of the profile.
+    double since_mm = 0.0;  ///< Distance from the last point of the profile.
   };
 
-  /// Adds a disc around the beam, with the kerf of the present heat input.
+  /// Adds a disc around the beam to the swept area, with the kerf of the present heat input.
   void sweep(const Place& here) {
     if (pierces_.nearest(here).distance_mm < kAroundPierce) return;
     nearest_ = strokes_.nearest(here, nearest_);
     const LayerPlan& layer = job_.plan.plan_of(job_.plan.cuts[nearest_.owner]);
     if (is_engraved(layer.settings.side)) {
-      joules_per_mm_ = 0.0;  // Nothing is cut through, and the next cut has its own heat input.
+      // Nothing is cut through here. The next cut has a heat input of its own.
+      joules_per_mm_ = 0.0;
       return;
     }
     const double radius = 0.5 * kerf_at(layer);
     swept_.add(here, radius);
-    // This covers all edges around the beam, including those that this beam was too narrow to
+    // `unknown_` contains all edges around the beam, also edges that this beam was too narrow to
     // reach.
     if (!is_known(layer)) unknown_.add(here, radius + kAroundUnknown);
     const double ratio = ratio_of(layer);
@@ -131,7 +134,7 @@ class EdgeCheck::Sweep final : public TraceSink {
 
   void look(const drawing::Shape& edge, double touches_mm, Sum& sum) const;
   void look(const Place& place, double stretch_mm, double touches_mm, Sum& sum) const;
-  /// Adds a point to the profile if it is far enough from the last one or begins an edge.
+  /// Adds a point to the profile if it is far enough from the last point, or if it begins an edge.
   static void add_to_profile(const EdgePlace& edge, double stretch_mm, Sum& sum);
 
   EnergyMeter::Options options_of(const CutJob& job, Simulator& simulator) {
@@ -156,13 +159,14 @@ class EdgeCheck::Sweep final : public TraceSink {
                         cnc::kerf::heat_input<double>(table_.unit, cut.power_mw, cut.speed_um_min);
     return kerf_of_heat(table_.view(), cut.thickness_um, heat).value_or(layer.condition.kerf_mm);
   }
-  /// Returns whether test cuts cover this power at the speed that gives the present heat input.
+  /// Returns whether test cuts cover the planned power at the speed that would give the present
+  /// heat input.
   [[nodiscard]] bool is_known(const LayerPlan& layer) const {
     const cnc::kerf::Condition& cut = layer.condition.cut;
     const auto speeds =
         cnc::kerf::permissible_speeds(table_.view(), cut.thickness_um, cut.power_mw);
     const double speed = cut.speed_um_min / ratio_of(layer);
-    // Tolerance of the measured heat input when it is as planned.
+    // Tolerance of the measurement of heat input, as a share.
     constexpr double kMeasured = 0.01;
     return speeds.ok() && speed >= (1.0 - kMeasured) * speeds.value().least &&
            speed <= (1.0 + kMeasured) * speeds.value().most;
@@ -172,7 +176,8 @@ class EdgeCheck::Sweep final : public TraceSink {
     greatest_ratio_ = std::max(greatest_ratio_, ratio);
   }
 
-  /// Records the kerf of the plan along its strokes with the beam on.
+  /// Records the strokes, corners and pierces of the plan, and the area that the planned beam
+  /// covers.
   void lay_out_plan() {
     for (std::size_t index = 0; index < job_.plan.cuts.size(); ++index) {
       const Cut& cut = job_.plan.cuts[index];
@@ -200,11 +205,11 @@ class EdgeCheck::Sweep final : public TraceSink {
   cnc::AxisArray<double> scale_;
   ProgrammedPath path_;
   PathDeviation deviation_;
-  double joules_per_mm_ = 0.0;  ///< Heat input of the window that ends here.
+  double joules_per_mm_ = 0.0;  ///< Heat input of the window that ends here, J/mm.
   EnergyMeter energy_;
   CourseHeat heat_;
   Clearance strokes_{kNear};
-  Clearance::Nearest nearest_{};  ///< The stroke nearest to the last point.
+  Clearance::Nearest nearest_{};  ///< The stroke nearest to the previous point.
   Clearance pierces_{kNear};
   Clearance corners_{kNear};
   PlannedArea planned_;
@@ -227,7 +232,8 @@ void EdgeCheck::Sweep::add_to_profile(const EdgePlace& edge, double stretch_mm, 
   row.push_back(next);
 }
 
-/// Evaluates a stretch of a drawn edge, and adds it to `sum`.
+/// Compares the actual cut with the planned cut at a point that represents a stretch of a drawn
+/// edge. Adds the result to `sum`.
 void EdgeCheck::Sweep::look(const Place& place,
                             double stretch_mm,
                             double touches_mm,

@@ -12,58 +12,63 @@
 
 namespace sim::cut {
 
-/// A signed distance and its point, mm.
+/// A signed distance, mm, and the point where it occurs.
 struct EdgePeak {
   double mm = 0.0;
   Place place{0.0, 0.0};
 };
 
-/// Width that was cut off the part at a point of a drawn edge. These points form a row along the
-/// edges.
+/// A checked point of a drawn edge, with the width that was cut off the part there. The points form
+/// a row along the edges.
 struct EdgePlace {
   Place place{0.0, 0.0};
   double mm = 0.0;
-  bool reached = false;  ///< The beam of the plan reaches this point.
-  bool joins = false;    ///< The edge leads here from the previous point of the row.
+  bool reached = false;  ///< Whether the beam of the plan touches this point.
+  /// Whether the edge leads from the previous point of the row to this point.
+  bool joins = false;
 };
 
-/// Accuracy of the parts: the edge that the beam leaves, measured from the drawn edge. A positive
-/// distance is cut off the part, a negative one is left on it.
+/// Accuracy of the parts: distances of the edge that the beam leaves from the drawn edge. A
+/// positive distance is cut off the part, a negative one is left on it.
 struct EdgeFigures {
-  /// Greatest width cut off the part, over the points that the plan's beam just touches.
+  /// Greatest width that is cut off the part, at the points that the plan's beam touches.
   EdgePeak max_off{};
-  /// Greatest width left on the part, over the same points: all except inner corners, slots and
-  /// tabs.
+  /// Greatest width that is left on the part, at the same points. Inner corners, slots and tabs are
+  /// not among them.
   EdgePeak max_left{};
-  double mean_mm = 0.0;       ///< Mean of the absolute distances at these points.
-  std::size_t places = 0;     ///< Number of checked points; 0: nothing was cut.
+  double mean_mm = 0.0;  ///< Mean of the absolute distances at these points.
+  /// Number of checked points that the plan's beam touches; 0: nothing was cut.
+  std::size_t places = 0;
   double untouched_mm = 0.0;  ///< Length of drawn edges that the plan's beam does not touch.
   /// Greatest distance between the actual edge and the edge that the plan's path and kerf would
   /// leave. It includes inner corners.
   EdgePeak max_off_model{};
-  /// Greatest such distance over the points that the beam reaches only under conditions that test
-  /// cuts cover.
+  /// The same distance, only at points that the beam reaches under conditions that test cuts cover.
   EdgePeak max_off_known{};
-  /// Length of drawn edges that the beam reaches under other conditions.
+  /// Length of drawn edges that the beam reaches under conditions that no test cut covers.
   double unknown_mm = 0.0;
-  /// Least ratio of the actual P / V to the planned one, in windows of 0.05 mm along all cuts.
+  /// Least ratio of the actual heat input P / V to the planned one, in windows of 0.05 mm along all
+  /// cuts.
   double min_heat_ratio = 1.0;
-  /// Greatest ratio of the actual P / V to the planned one along all cuts.
+  /// Greatest ratio of the actual heat input to the planned one along all cuts.
   double greatest_heat_ratio = 1.0;
-  /// Greatest ratio within a kerf of corners; 0 if there are no corners.
+  /// Greatest ratio of the actual heat input to the planned one within a kerf of a corner; 0 if
+  /// there are no corners.
   double greatest_corner_ratio = 0.0;
-  std::vector<EdgePlace> profile{};  ///< Points at intervals of a tenth of a millimetre.
+  std::vector<EdgePlace> profile{};  ///< Points along drawn edges at intervals of 0.1 mm.
 };
 
-/// Sweeps the kerf along the actual path of the motors, with the actual power and speed. Then
-/// compares the remaining edge with the curves of the drawing itself, so the error of the arcs that
-/// replace these curves is included. Where P / V is beyond all test cuts, the law of the record is
-/// continued in a straight line. A thickness that was measured instead has no law, so the planned
-/// kerf counts. The width of a beam while it pierces is not known, so a pierce is not swept.
+/// Checks the edges of the parts. Sweeps the kerf along the actual path of the motors, with the
+/// actual power and speed. Then compares the remaining edge with the curves of the drawing itself,
+/// so the error of the arcs that replace these curves is included.
+///
+/// Where the heat input P / V is beyond all test cuts, the law of the record is extrapolated as a
+/// straight line. A measured thickness has no law, so the planned kerf counts. A pierce is not
+/// swept, because the width of the beam is not known while it pierces.
 class EdgeCheck {
  public:
-  /// Listens to a simulator that is set up for the program and has not run yet. All arguments must
-  /// outlive this object.
+  /// Adds itself to a simulator that is set up for the program and has not run yet. All arguments
+  /// must outlive this object.
   EdgeCheck(const CutJob& job, const std::string& program, Simulator& simulator);
   ~EdgeCheck();
   EdgeCheck(const EdgeCheck&) = delete;
@@ -77,7 +82,7 @@ class EdgeCheck {
   std::unique_ptr<Sweep> sweep_;
 };
 
-/// Return the figures as lines for people, and as JSON for programs.
+/// Return the figures as lines of text for the user, and as JSON for programs.
 [[nodiscard]] std::vector<std::string> lines_of(const EdgeFigures& figures);
 [[nodiscard]] nlohmann::ordered_json json_of(const EdgeFigures& figures);
 

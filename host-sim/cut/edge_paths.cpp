@@ -9,23 +9,24 @@
 namespace sim::cut {
 namespace {
 
-/// Greatest distance between marks that count as one mark, mm.
+/// Greatest distance along a path between two marks that count as one, mm.
 constexpr double kSameMark = 1.0e-6;
-/// Tolerance of a path's offset, mm: a path belongs to an outline if it is at most half a kerf plus
-/// this distance away.
+/// Tolerance of a path's offset, mm. A path belongs to an outline if its distance is at most half a
+/// kerf plus this tolerance.
 constexpr double kBeside = 1.0e-3;
-/// Greatest length of an outline between two shared edges that have a common end, mm.
+/// Greatest distance along an outline between two shared edges that count as joined, mm. These
+/// edges end at one node.
 constexpr double kNoGap = 4.0 * kTouchesMm;
 
-/// The passage of an outline along a shared edge, with the stretch that follows it.
+/// The passage of an outline along a shared edge, with the free stretch that follows.
 struct Passage {
   std::size_t edge = 0;
-  bool is_second = false;  ///< The outline is the second one of the edge.
-  /// Number of the free stretch after the edge; nothing if none follows.
+  bool is_second = false;  ///< Whether the outline is the second of the two outlines of the edge.
+  /// Number of the free stretch that follows the edge; nothing if another shared edge follows.
   std::optional<std::size_t> rest{};
 };
 
-/// A stretch of a path around all outlines, between two marks.
+/// A stretch of a path around all outlines, between two marks, as distances along the path.
 struct Run {
   double from_mm = 0.0;
   double to_mm = 0.0;
@@ -35,7 +36,7 @@ void append(std::vector<Stroke>& row, const std::vector<Stroke>& more) {
   row.insert(row.end(), more.begin(), more.end());
 }
 
-/// Makes the paths of contours that share edges.
+/// Makes the paths of outlines that share edges.
 class PathDivider {
  public:
   PathDivider(const std::vector<Outline>& outlines,
@@ -88,14 +89,14 @@ class PathDivider {
   const std::vector<Outline>& outlines_;
   const SharedEdges& shared_;
   double half_;
-  std::vector<MeasuredRow> rows_;  ///< Paths around all outlines.
-  /// Passages of each contour, in the order along it.
+  std::vector<MeasuredRow> rows_;  ///< The paths around all outlines.
+  /// Passages of each contour, in their order along the contour.
   std::map<std::size_t, std::vector<Passage>> passages_;
   std::vector<FreeStretch> rests_;
-  std::vector<std::vector<Run>> runs_;  ///< Runs on each path around all outlines.
+  std::vector<std::vector<Run>> runs_;  ///< Runs on each of these paths.
 };
 
-/// Records the free stretches of an outline.
+/// Records the free stretches of an outline, each between two of its shared edges.
 void PathDivider::note_rests(std::size_t contour, std::vector<Passage>& along) {
   const MeasuredRow row{outlines_[contour].strokes};
   for (std::size_t i = 0; i < along.size(); ++i) {
@@ -118,8 +119,8 @@ void PathDivider::note_rests(std::size_t contour, std::vector<Passage>& along) {
   }
 }
 
-/// Returns the path of an outline. The path begins where it first leaves a shared edge and the node
-/// at the end of this edge.
+/// Returns the path of an outline; nothing if there is none. The path begins in the waste, at the
+/// end of the first straight line that leaves a shared edge.
 std::optional<std::vector<Stroke>> PathDivider::path_of(const std::vector<Passage>& along) {
   std::vector<Stroke> path;
   std::optional<std::size_t> begin;
@@ -139,12 +140,12 @@ std::optional<std::vector<Stroke>> PathDivider::path_of(const std::vector<Passag
   return path;
 }
 
-/// Appends the path along a free stretch, at the offset from the outline. Returns false if there is
-/// none.
+/// Appends the path along a free stretch, at the offset from the outline, with the straight lines
+/// to it. Returns false if there is no such path.
 bool PathDivider::add_run(const FreeStretch& rest, std::vector<Stroke>& path) {
   if (!rest.first || !rest.last || rest.first->loop != rest.last->loop) return false;
   path.push_back({shared_.nodes[rest.from], rest.first->place});
-  // Both ends of a small step may lead to the same inner corner.
+  // The marks of both ends of a small step may be the same inner corner of a path.
   const bool is_step = std::abs(rest.first->way_mm - rest.last->way_mm) <= kSameMark &&
                        rest.length_mm <= kLongestConnector * half_;
   if (!is_step) {
@@ -167,7 +168,7 @@ std::vector<Stroke> PathDivider::strokes_of(std::size_t loop, const Run& run) co
   return strokes;
 }
 
-/// Returns whether the middle of a run is at the offset from an outline.
+/// Returns whether the middle of a run is no farther from an outline than the offset.
 bool PathDivider::is_beside(std::size_t contour, const std::vector<Stroke>& run) const {
   const MeasuredRow row{run};
   const Place middle = row.place(0.5 * row.length());
@@ -176,8 +177,8 @@ bool PathDivider::is_beside(std::size_t contour, const std::vector<Stroke>& run)
   });
 }
 
-/// Returns whether the runs cover each divided path exactly once: each run ends where the next one
-/// begins.
+/// Returns whether the runs on each divided path cover it exactly once: each run ends where the
+/// next one begins.
 bool PathDivider::are_divided_once() {
   for (std::vector<Run>& runs : runs_) {
     std::ranges::sort(runs, {}, &Run::from_mm);

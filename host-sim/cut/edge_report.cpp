@@ -30,16 +30,16 @@ std::vector<std::string> lines_of(const EdgeFigures& figures) {
                       text_of(figures.max_off),
                       text_of(figures.max_left),
                       kMicrometres * figures.mean_mm),
-          fmt::format("beside the edge of the planned kerf at most {}; {:.2f} mm of edges in inner "
-                      "corners, slots and tabs are not reached",
-                      text_of(figures.max_off_model),
-                      figures.untouched_mm),
-          fmt::format("where power and speed are within those of test cuts at most {}; {:.2f} mm "
-                      "of edges are cut "
-                      "otherwise, by the same law",
+          fmt::format(
+              "distance from the edge of the planned kerf at most {}; {:.2f} mm of edges in inner "
+              "corners, slots and tabs are not reached",
+              text_of(figures.max_off_model),
+              figures.untouched_mm),
+          fmt::format("the same where test cuts cover power and speed, at most {}; {:.2f} mm "
+                      "of edges are cut otherwise, by the same law",
                       text_of(figures.max_off_known),
                       figures.unknown_mm),
-          fmt::format("power over speed {:.3f} to {:.3f} of what was planned{}",
+          fmt::format("power over speed {:.3f} to {:.3f} of the planned value{}",
                       figures.min_heat_ratio,
                       figures.greatest_heat_ratio,
                       at_corners)};

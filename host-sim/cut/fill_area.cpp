@@ -9,13 +9,15 @@
 namespace sim::cut {
 namespace {
 
-/// A stretch of an edge along which y only rises or only falls.
+/// A stretch of an outline along which y only rises or only falls, from its lowest to its highest
+/// point.
 struct RisingEdge {
   Place low{0.0, 0.0};
   Place high{0.0, 0.0};
-  Place centre{0.0, 0.0};  ///< Centre of the circle of an arc.
-  double radius = 0.0;     ///< Radius of an arc; 0: a line.
-  bool is_right = false;   ///< The arc lies to the right of its centre.
+  Place centre{0.0, 0.0};  ///< Centre of the circle, if the stretch is an arc.
+  double radius = 0.0;     ///< Radius of the arc; 0: the stretch is a line.
+  /// Whether the arc is to the right of its centre; otherwise it is to the left.
+  bool is_right = false;
 
   [[nodiscard]] double x_at(double y) const {
     if (radius == 0.0) {
@@ -27,8 +29,8 @@ struct RisingEdge {
   }
 };
 
-/// Finds the crossings of rows along x with closed outlines. Adjacent edges share the exact
-/// coordinates of their common end, so each row crosses each outline an even number of times.
+/// Finds the points at which rows along x cross closed outlines. Adjacent edges share the exact
+/// coordinates of their common end. So each row crosses each outline an even number of times.
 class RowCrossings {
  public:
   explicit RowCrossings(double interval_mm) : interval_mm_{interval_mm} {}
@@ -47,9 +49,9 @@ class RowCrossings {
   }
 
   [[nodiscard]] bool is_too_much() const { return too_much_; }
-  /// Returns the number of the first row.
+  /// Returns the number of the lowest row. Call it after rows().
   [[nodiscard]] std::int64_t first_row() const { return first_; }
-  /// Returns the x coordinates at which each row crosses the outlines, in ascending order.
+  /// Returns, for each row, the x coordinates at which it crosses the outlines, in ascending order.
   [[nodiscard]] std::vector<std::vector<double>> rows() {
     first_ = std::numeric_limits<std::int64_t>::max();
     std::int64_t last = std::numeric_limits<std::int64_t>::min();
@@ -81,7 +83,7 @@ class RowCrossings {
   }
 
  private:
-  /// Returns the number of the first row at or above a height.
+  /// Returns the number of the first row at or above the height `y`.
   [[nodiscard]] std::int64_t row_from(double y) const {
     auto row = static_cast<std::int64_t>(std::ceil(y / interval_mm_ - 0.5));
     while (y_of(row) < y) ++row;
@@ -94,12 +96,12 @@ class RowCrossings {
     edges_.push_back(edge);
   }
 
-  /// Adds an arc, divided at its highest and lowest points.
+  /// Adds an arc, divided at the highest and lowest points of its circle.
   void add_arc(
       const Stroke& stroke, const Place& centre, double radius, double begin, double sweep) {
     constexpr double kHalfTurn = std::numbers::pi;
     const double way = sweep < 0.0 ? -1.0 : 1.0;
-    // Direction of the first extreme after the beginning, an odd multiple of a quarter turn.
+    // Angle of the first extreme point after the beginning: an odd multiple of a quarter turn.
     double next = way * (std::floor(way * begin / kHalfTurn + 0.5) + 0.5) * kHalfTurn;
     double at = begin;
     Place from = stroke.from;
@@ -131,13 +133,13 @@ Place turned(const Place& place, const Place& direction) {
           place.x() * direction.y() + place.y() * direction.x()};
 }
 
-/// Builds the path by appending one stroke after the other.
+/// Builds the path of a fill by appending one stroke after the other.
 class FillPath {
  public:
   FillPath(const Place& direction, double overscan_mm)
       : direction_{direction}, overscan_mm_{overscan_mm} {}
 
-  /// Appends a row. The direction alternates from row to row.
+  /// Appends the lines of one row. Their direction alternates from row to row.
   void add_row(const std::vector<double>& crossings, double y) {
     std::vector<std::pair<double, double>> lines;
     for (std::size_t i = 0; i + 1 < crossings.size(); i += 2) {
@@ -168,7 +170,7 @@ class FillPath {
   std::vector<Stroke> take() { return std::move(strokes_); }
 
  private:
-  /// Least length of lines and gaps; shorter ones are left out.
+  /// Least length of lines and of gaps between them, mm. Shorter ones are left out.
   static constexpr double kShortestMm = 1.0e-3;
 
   void go(double x, double y, Purpose purpose) {
@@ -184,7 +186,7 @@ class FillPath {
   std::vector<Stroke> strokes_;
 };
 
-/// An upright rectangle around strokes.
+/// The upright rectangle around some strokes.
 struct Box {
   Place low{0.0, 0.0};
   Place high{0.0, 0.0};
@@ -193,7 +195,7 @@ struct Box {
 Box box_of(const std::vector<Stroke>& strokes) {
   Box box{strokes.front().from, strokes.front().from};
   for (const Stroke& stroke : strokes) {
-    // Every point of an arc is within this distance of the arc's middle.
+    // Every point of an arc is within this distance of the middle of the arc.
     const double reach =
         0.5 * drawing::distance(stroke.from, stroke.to) * std::max(1.0, std::abs(stroke.bulge));
     const Place middle =
@@ -205,13 +207,13 @@ Box box_of(const std::vector<Stroke>& strokes) {
   return box;
 }
 
-/// Sets that can be united.
+/// Disjoint sets of numbers that can be united.
 class UnitedSets {
  public:
   explicit UnitedSets(std::size_t count) : first_(count) {
     std::iota(first_.begin(), first_.end(), std::size_t{0});
   }
-  /// Returns the smallest member of the set that contains a member.
+  /// Returns the smallest member of the set that contains `member`.
   std::size_t first_of(std::size_t member) {
     while (first_[member] != member) member = first_[member] = first_[first_[member]];
     return member;

@@ -13,16 +13,17 @@
 namespace sim::cut {
 namespace {
 
-/// Greatest distance from a path's end to a row, in intervals.
+/// Greatest distance from the end of a path to the row along which it continues, in intervals.
 constexpr double kLongestLink = 2.0;
-/// Greatest distance between a spur and its corner, in intervals.
+/// Greatest distance between the beginning of a spur (see FillRest::is_spur) and the corner of a
+/// row, in intervals.
 constexpr double kCornerReach = 0.2;
-/// Greatest length, in intervals, of the path with the beam off to the start of a detour.
+/// Greatest length of the path with the beam off to the start of a detour, in intervals.
 constexpr double kLongestReturn = 3.0;
-/// Greatest length of a spur, in intervals; a longer one becomes a path of its own.
+/// Greatest length of a spur, in intervals. A longer spur becomes a separate path.
 constexpr double kLongestSpur = 2.0;
 
-/// The rows of one level. Their strokes are numbered consecutively from row to row.
+/// The rows of one level. Their strokes have consecutive numbers, also from row to row.
 class Level {
  public:
   Level(FillRows rows, double interval_mm)
@@ -35,7 +36,7 @@ class Level {
     near_.prepare();
   }
 
-  /// A stroke of a row and a point on it.
+  /// A point on a stroke of a row.
   struct On {
     std::size_t row = 0;
     std::size_t stroke = 0;
@@ -45,7 +46,7 @@ class Level {
   [[nodiscard]] std::size_t size() const { return rows_.size(); }
   [[nodiscard]] On begin_of(std::size_t row) const { return {row, 0, rows_[row].front().from}; }
 
-  /// Returns the nearest point on the rows; nothing if none is within reach.
+  /// Returns the point on the rows that is nearest to `place`; nothing if none is within reach.
   [[nodiscard]] std::optional<On> nearest(const Place& place) const {
     const Clearance::Nearest found = near_.nearest(place);
     if (found.stroke == nullptr) return std::nullopt;
@@ -54,8 +55,7 @@ class Level {
     return On{row, found.owner - firsts_[row], nearest_on(*found.stroke, place)};
   }
 
-  /// Adds a spur to the level if a corner is near the spur's beginning. Returns whether it was
-  /// added.
+  /// Adds a spur to the level if it begins near a corner of a row. Returns whether it was added.
   [[nodiscard]] bool take_spur(const FillRest& spur, double reach_mm) {
     const std::optional<On> on = nearest(spur.places.front());
     if (!on) return false;
@@ -69,13 +69,14 @@ class Level {
     return true;
   }
 
-  /// A path that is driven where a row passes the target point, and then back to this point.
+  /// A path that ends near a row and is driven as a detour from it. Where the row passes the target
+  /// point, the beam goes to the start of the path, along it, and back to this point.
   struct Detour {
     On target{};
     std::vector<Stroke> path{};
   };
 
-  /// Appends a row from a point on it once around, with the detours from it.
+  /// Appends a whole row, from the point `from` once around, with the detours from the row.
   void drive(const On& from, const std::vector<Detour>& detours, std::vector<Stroke>& path) {
     const std::size_t count = rows_[from.row].size();
     std::vector<Stop> stops;
@@ -95,14 +96,14 @@ class Level {
   }
 
  private:
-  /// The point at which a detour leaves a row.
+  /// A point of a row from which a detour starts.
   struct Stop {
     std::size_t stroke = 0;
     double share = 0.0;
     const Detour* detour = nullptr;
   };
 
-  /// Returns the share of its stroke at which a point lies. A share that is nearly 0 or 1 becomes
+  /// Returns the share of the length of its stroke at which a point is. A share near 0 or 1 becomes
   /// exactly 0 or 1.
   [[nodiscard]] double share_of(const On& on) const {
     constexpr double kAtEnd = 1.0e-9;
@@ -111,7 +112,8 @@ class Level {
     return share > 1.0 - kAtEnd ? 1.0 : share;
   }
 
-  /// Appends a part of a stroke, with the spurs at its start and detours from it.
+  /// Appends a part of a stroke, with the spurs at the start of the stroke and the detours from the
+  /// part.
   void drive_part(const On& on,
                   double from,
                   double to,
@@ -159,7 +161,7 @@ class Level {
   FillRows rows_;
   std::vector<std::size_t> firsts_;  ///< Number of the first stroke of each row.
   Clearance near_;
-  /// Spurs by the number of the stroke that begins at their corner.
+  /// Spurs, by the number of the stroke that begins at the corner of the spur.
   std::unordered_map<std::size_t, std::vector<std::vector<Place>>> spurs_;
 };
 
@@ -190,14 +192,14 @@ class ChainMaker {
     }
     for (std::size_t level = levels_.size() + 1; level-- > 0;) {
       if (level < levels_.size()) drive_level(level);
-      // A line lies between this level and the next level outside it.
+      // A line of this level is between this level and the next level outside.
       for (const FillRest* line : lines[level]) drive_line(*line, level);
     }
     return std::move(paths_);
   }
 
  private:
-  /// Drives all rows of a level. Paths that end next to a row continue along it.
+  /// Drives all rows of a level. Paths that ended next to a row continue along it.
   void drive_level(std::size_t number) {
     Level& level = *levels_[number];
     std::vector<std::vector<Level::Detour>> arriving(level.size());
@@ -223,14 +225,13 @@ class ChainMaker {
     }
   }
 
-  /// Returns the distance from the row's target point to the beginning of a path that arrives
-  /// there, mm.
+  /// Returns the distance from the target point of a path to the beginning of the path, mm.
   static double way_back(const Level::Detour& path) {
     return drawing::distance(path.path.front().from, path.target.place);
   }
 
-  /// Removes and returns the path that begins farthest away among the paths that arrive at a row.
-  /// If none arrives, returns an empty path that begins at `begin`.
+  /// Removes and returns one of the paths that arrive at a row: the path whose beginning is
+  /// farthest from its target. If none arrives, returns an empty path with the target `begin`.
   static Level::Detour farthest_of(std::vector<Level::Detour>& arriving, const Level::On& begin) {
     if (arriving.empty()) return {.target = begin};
     const auto farthest = std::ranges::max_element(arriving, {}, way_back);
@@ -239,7 +240,7 @@ class ChainMaker {
     return main;
   }
 
-  /// Drives along a line; a spur is driven towards its corner.
+  /// Drives along a line. A spur is driven towards its corner.
   void drive_line(const FillRest& line, std::size_t level) {
     std::vector<Place> places = line.places;
     if (line.is_spur) std::ranges::reverse(places);
@@ -250,7 +251,7 @@ class ChainMaker {
     if (!path.empty()) go_outwards(std::move(path), level);
   }
 
-  /// Keeps a path open if a row of the next level outside is near its end. Otherwise the path is
+  /// Keeps a path open if its end is near a row of the next level outside. Otherwise the path is
   /// complete.
   void go_outwards(std::vector<Stroke> path, std::size_t level) {
     const auto next = level > 0 ? levels_[level - 1]->nearest(path.back().to) : std::nullopt;
@@ -263,7 +264,7 @@ class ChainMaker {
 
   double interval_;
   std::vector<std::unique_ptr<Level>> levels_;
-  std::vector<Level::Detour> open_;  ///< Paths that end next to rows of the next level.
+  std::vector<Level::Detour> open_;  ///< Paths that end near rows of the next level.
   std::vector<std::vector<Stroke>> paths_;
 };
 

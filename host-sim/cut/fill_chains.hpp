@@ -7,16 +7,16 @@
 
 namespace sim::cut {
 
-/// Closed rows at one distance from the edge of an area.
+/// Closed rows of one level: all at the same distance from the edge of an area.
 using FillRows = std::vector<std::vector<Stroke>>;
 
-/// Returns paths along all rows and rests, from the inside outwards. From each row the beam stays
-/// on to the nearest point of the next row outside it, one interval away. Several paths may arrive
-/// at one row. The path whose beginning is farthest away continues along the row. Paths that begin
-/// nearby are detours from the row, which start with the beam off. The others end there. A spur is
-/// driven from its corner, and back with the beam off.
-/// @param rows by level, the outermost rows first; the rows of each level are one interval from
-/// those of the previous level
+/// Returns paths along all rows and rests of an area, from the inside outwards. From each row the
+/// beam stays on to the nearest point of the next row outside, one interval away. If several paths
+/// arrive at one row, the path whose beginning is farthest away continues along the row. Paths that
+/// begin nearby are detours from the row, which start with the beam off. The remaining paths end
+/// there. A spur is driven from its corner outwards, and back to the corner with the beam off.
+/// @param rows rows of each level, the outermost level first; adjacent levels are one interval
+/// apart
 [[nodiscard]] std::vector<std::vector<Stroke>> fill_chains(std::vector<FillRows> rows,
                                                            const std::vector<FillRest>& rests,
                                                            double interval_mm);

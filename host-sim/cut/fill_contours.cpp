@@ -15,7 +15,7 @@ namespace {
 
 using View = cnc::contour::ContourView<double>;
 
-/// Removes rows so narrow that a line along their middle replaces them.
+/// Removes rows that are so narrow that a line along their middle replaces them.
 Contour without_slivers(const View& rows, double min_width_mm) {
   Contour kept;
   for (std::size_t row = 0; row < rows.loop_ends.size(); ++row) {
@@ -38,8 +38,8 @@ FillRows rows_of(const Contour& contour) {
   return rows;
 }
 
-/// Returns the rows that result from moving the edge of an area inwards, level by level. Returns
-/// nothing if there would be too many rows or strokes.
+/// Returns the rows of each level, which result from moving the edge of an area inwards. Returns
+/// nothing if there would be too many levels or strokes.
 std::optional<std::vector<FillRows>> rows_within(const Contour& area, double interval_mm) {
   std::vector<FillRows> levels;
   ContourOffset offset;

@@ -16,7 +16,7 @@ namespace {
 using drawing::Fault;
 using drawing::FaultKind;
 
-/// Fills one area, and reports what prevents it.
+/// Fills one area, or reports why it is not filled.
 class AreaFiller {
  public:
   AreaFiller(const std::vector<std::vector<Stroke>>& outlines,
@@ -28,7 +28,7 @@ class AreaFiller {
     auto path = fill_path(outlines_, fill_, overscan_mm);
     if (!path) {
       fail(FaultKind::kTooMuch,
-           fmt::format("takes more than {} lines to fill", kMaxFillStrokes),
+           fmt::format("requires more than {} lines to fill", kMaxFillStrokes),
            "give its layer a greater interval");
     } else if (path->empty()) {
       fail(FaultKind::kTooSmall,
@@ -58,7 +58,7 @@ class AreaFiller {
   void take(ContourFill fill) {
     if (fill.too_much) {
       return fail(FaultKind::kTooMuch,
-                  fmt::format("takes more than {} rows, or {} lines and arcs, to fill",
+                  fmt::format("requires more than {} rows, or {} lines and arcs, to fill",
                               kMaxFillLevels,
                               kMaxRowStrokes),
                   "give its layer a greater interval");

@@ -8,7 +8,7 @@
 
 namespace sim::cut {
 
-/// The paths that fill an area, or the reason why there are none.
+/// The paths that fill an area, or the faults because of which there are none.
 struct FillPaths {
   std::vector<std::vector<Stroke>> paths{};
   std::vector<drawing::Fault> faults{};
@@ -19,7 +19,7 @@ struct FillPaths {
 /// points that an odd number of contours encloses.
 /// @param outlines strokes of closed contours, none of them empty
 /// @param overscan_mm overscan of parallel lines, 0 or more
-/// @param entity entity that the faults name
+/// @param entity entity of the drawing that the faults name
 [[nodiscard]] FillPaths fill_paths(const std::vector<std::vector<Stroke>>& outlines,
                                    const FillSettings& fill,
                                    double overscan_mm,

@@ -20,29 +20,30 @@ using pocket::MedialAxis;
 
 /// Tolerance of the medial axis, as a share of the interval.
 constexpr double kAxisTolerance = 0.02;
-/// Least length of a thin part, in intervals; shorter ones are corners.
+/// Least length of a thin part that is reported, in intervals. Shorter parts are corners of the
+/// area.
 constexpr double kMinThin = 2.0;
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
-/// The kind of a stretch's end.
+/// The kind of point at which a stretch ends.
 enum class EndKind : std::uint8_t {
-  kRow,   ///< A corner of the row of the stretch's level.
-  kTip,   ///< A point that the next row outside just covers.
-  kNode,  ///< A node of the axis where stretches meet.
-  kLeaf,  ///< A node at which the axis ends.
+  kRow,   ///< A corner of the row at the level of the stretch.
+  kTip,   ///< A point that the next row outside still covers.
+  kNode,  ///< A node of the axis at which several stretches meet.
+  kLeaf,  ///< A node of the axis at which only this stretch ends.
 };
 
 struct StretchEnd {
   EndKind kind = EndKind::kTip;
-  std::uint32_t node = 0;  ///< Number of the node, if the end is a node.
+  std::uint32_t node = 0;  ///< Number of the node, if a node is the end.
 };
 
-/// A part of a chain of the axis within one band. The bounds of a band are the radius at a row and
-/// the radius in the middle between two rows.
+/// A part of a chain of the axis within one band of radii. The limits of a band are the radius at a
+/// row and the radius in the middle between two rows.
 struct Stretch {
   std::vector<AxisPoint> points{};
-  std::vector<double> ways{};  ///< Distance from the start to each point, mm.
-  std::size_t band = 0;        ///< The radii of the stretch are at least this many half intervals.
+  std::vector<double> ways{};  ///< Distance along the stretch to each point, mm.
+  std::size_t band = 0;        ///< All radii are at least this number of half intervals.
   StretchEnd from{};
   StretchEnd to{};
 
@@ -57,7 +58,7 @@ struct Stretch {
   }
 };
 
-/// A line along the axis, with the nodes at its ends, if any.
+/// A line along the axis that covers a gap, with the nodes at its ends, if there are any.
 struct Ridge {
   FillRest rest{};
   std::vector<std::uint32_t> nodes{};
@@ -86,8 +87,9 @@ class RestFinder {
   }
 
  private:
-  /// Returns the number of half intervals in a radius. A radius that only just reaches a row does
-  /// not count as reaching it.
+  /// Returns the number of the band of a radius: the number of whole half intervals in the radius.
+  /// A radius that exceeds a limit only by rounding, kMinRowWidth of the interval, does not reach
+  /// the limit.
   [[nodiscard]] std::size_t band_of(double radius) const {
     return static_cast<std::size_t>(std::max(radius - kMinRowWidth * interval_, 0.0) / half_);
   }
@@ -95,7 +97,7 @@ class RestFinder {
     return point.radius - half_ * static_cast<double>(stretch.band);
   }
 
-  /// Divides a chain where a row, or the middle between two rows, crosses it.
+  /// Divides a chain of the axis at rows and in the middle between rows.
   void divide(const AxisChain& chain) {
     Stretch stretch{.points = {chain.points.front()}, .ways = {0.0}};
     stretch.from = end_at(chain.from);
@@ -106,8 +108,8 @@ class RestFinder {
       if (is_begun && band != stretch.band) {
         const AxisPoint begin = from;
         const bool rises = band > stretch.band;
-        // One point is the end of this stretch and the start of the next one. It is the upper limit
-        // of the stretch in the lower band.
+        // The last point ends this stretch and begins the next one. In the lower of the two bands,
+        // it is at the upper limit.
         stretch.to.kind = kind_of_limit(stretch.band, rises);
         take(std::exchange(stretch, {.points = {begin}, .ways = {0.0}}));
         stretch.from.kind = kind_of_limit(band, !rises);
@@ -128,14 +130,14 @@ class RestFinder {
   [[nodiscard]] StretchEnd end_at(std::uint32_t node) const {
     return {degrees_[node] == 1 ? EndKind::kLeaf : EndKind::kNode, node};
   }
-  /// Returns the kind of a band's limit. Odd bands end at a row at their lower limit, even bands at
-  /// their upper limit.
+  /// Returns the kind of end at a limit of a band. Odd bands have a row at their lower limit, even
+  /// bands at their upper limit.
   [[nodiscard]] static EndKind kind_of_limit(std::size_t band, bool is_upper) {
     return (band % 2 == 0) == is_upper ? EndKind::kRow : EndKind::kTip;
   }
 
-  /// Visits the points between two points at which the radius is a whole number of half intervals,
-  /// then the second point.
+  /// Visits the points between `from` and `to` at which the radius is a whole number of half
+  /// intervals, then `to`.
   template <typename GoTo>
   void go_through(const AxisPoint& from, const AxisPoint& to, const GoTo& go_to) const {
     const double slack = kMinRowWidth * interval_;
@@ -168,7 +170,7 @@ class RestFinder {
     thin.place = place;
   }
 
-  /// Returns whether a stretch has a point that the rows do not cover.
+  /// Returns whether a stretch has a point that rows do not cover.
   [[nodiscard]] bool is_left(const Stretch& stretch) const {
     const double reach = half_ + kFillSlack * interval_;
     const double length = stretch.length();
@@ -181,7 +183,8 @@ class RestFinder {
            std::ranges::any_of(stretch.ways, is_far);
   }
 
-  /// Adds a line along a stretch. The line is shortened at ends that are covered without it.
+  /// Adds a line along a stretch. The line is shorter than the stretch where an end is covered
+  /// without it.
   void cover(const Stretch& stretch) {
     const auto spared = [&](const StretchEnd& end, const AxisPoint& point) {
       if (end.kind == EndKind::kTip) return half_;
@@ -230,7 +233,7 @@ class RestFinder {
     ridges_.push_back(std::move(ridge));
   }
 
-  /// Adds a short line instead of a point, because the beam may be off at rest.
+  /// Adds a short line in place of a point, because the beam may be off at rest.
   void add_dot(const Place& place, std::size_t level) {
     const Place reach{0.5 * half_, 0.0};
     rests_.lines.push_back({.places = {place - reach, place + reach}, .level = level});
@@ -245,7 +248,7 @@ class RestFinder {
 
   [[nodiscard]] bool ends_at(std::uint32_t node) const { return nodes_.contains(node); }
 
-  /// Joins ridges that meet in nodes, in pairs, to one line.
+  /// Joins ridges into longer lines where they meet at nodes, two ridges at each node.
   void join_ridges() {
     std::map<std::uint32_t, std::vector<std::size_t>> at_node;
     for (std::size_t i = 0; i < ridges_.size(); ++i) {
@@ -267,7 +270,7 @@ class RestFinder {
     }
   }
 
-  /// Appends ridges to the end of a ridge as long as one continues there.
+  /// Appends ridges to the end of `line` as long as there is one that continues it.
   void lengthen(Ridge& line,
                 const std::map<std::uint32_t, std::vector<std::size_t>>& at_node,
                 std::vector<bool>& is_used) {
@@ -293,11 +296,11 @@ class RestFinder {
   const MedialAxis& axis_;
   double interval_;
   double half_;
-  std::vector<std::size_t> degrees_;  ///< Number of chain ends at each node.
+  std::vector<std::size_t> degrees_;  ///< Number of ends of chains at each node.
   FillRests rests_;
   std::vector<Ridge> ridges_;
-  std::set<std::uint32_t> nodes_;  ///< Nodes at which lines end.
-  /// Nodes that the rows do not cover, each with its level.
+  std::set<std::uint32_t> nodes_;  ///< Nodes at which lines that cover gaps end.
+  /// Nodes that the rows do not cover, each with the level of its line.
   std::set<std::pair<std::uint32_t, std::size_t>> dots_;
 };
 

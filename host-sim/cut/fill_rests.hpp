@@ -8,40 +8,42 @@
 
 namespace sim::cut {
 
-/// Rows along an outline are one interval apart. A point may be farther from all rows than half the
-/// interval by this share of the interval.
+/// Rows along an outline are one interval apart. The distance of a point from all rows may exceed
+/// half the interval by this share of the interval.
 inline constexpr double kFillSlack = 0.1;
 
-/// Least width of a row, as a share of the interval. A narrower row is replaced by a line along its
-/// middle.
+/// Least width of a row, as a share of the interval. A line along its middle replaces a narrower
+/// row.
 inline constexpr double kMinRowWidth = 1.0e-3;
 
-/// A line between rows along an outline. The beam along it covers the gap between these rows.
+/// A line between rows along an outline. The beam along the line covers a gap that the rows leave.
 struct FillRest {
-  std::vector<Place> places{};  ///< At least two points.
-  /// The rows next to this line that are nearer to the edge have the level below.
+  std::vector<Place> places{};  ///< Points of the line, at least two.
+  /// Level of the line. The line is between the rows of this level and the rows of the level below,
+  /// which are nearer to the edge.
   std::size_t level = 0;
-  bool is_spur = false;  ///< The line begins at a corner of a row of its own level.
+  bool is_spur = false;  ///< Whether the line begins at a corner of a row of its level.
 };
 
-/// Parts of an area that are longer than two intervals and that no disc of the interval's diameter
-/// inside the area can cover.
+/// Long parts of an area that are not filled. No disc of the interval's diameter inside the area
+/// covers them, and each is longer than two intervals.
 struct ThinParts {
   std::size_t count = 0;
   double length_mm = 0.0;   ///< Total length of these parts.
-  double longest_mm = 0.0;  ///< Length of the longest part.
-  Place place{0.0, 0.0};    ///< A point in the longest part.
+  double longest_mm = 0.0;  ///< Length of the longest of these parts.
+  Place place{0.0, 0.0};    ///< A point in the longest of these parts.
 };
 
-/// Places of an area that its rows do not cover.
+/// The gaps that the rows of an area leave: lines that cover gaps, and parts that stay uncovered.
 struct FillRests {
   std::vector<FillRest> lines{};
   ThinParts thin{};
 };
 
-/// Finds the places of an area whose distance from all rows would exceed half an interval plus the
-/// slack: at sharp corners of rows, in the middle of an area, and in a neck between two rows. Row
-/// number n is n + 1/2 intervals inside the edge. The lines run along the medial axis.
+/// Finds the points of an area whose distance from all rows would exceed half an interval plus the
+/// slack, and returns lines that cover them. Such points are at sharp corners of rows, in the
+/// middle of an area, and in a neck between two rows. Row number n is n + 1/2 intervals inside the
+/// edge. The lines run along the medial axis.
 ///
 /// Throws std::runtime_error with the point if contours cross.
 /// @param area closed contours with the area on their left, which may touch

@@ -33,8 +33,8 @@ Contour filled_area(const Contour& drawn, FilledBy rule) {
   }
   if (!filled) {
     throw NoOffset{drawn.vertices.front().point(),
-                   "what this contour, or one with it, encloses does not close",
-                   "do contours cross each other? take them apart"};
+                   "the area in this contour, or in one near it, does not close",
+                   "check whether contours cross each other, and separate them"};
   }
   return std::move(filled->outlines);
 }

@@ -20,14 +20,15 @@ namespace {
 
 using HullPoint = boost::geometry::model::d2::point_xy<double>;
 
-/// Appends points of a stroke whose chords deviate from it by at most kFrameToleranceMm.
+/// Appends points of a stroke. The chords between them deviate from the stroke by at most
+/// kFrameToleranceMm.
 void add_places(const Stroke& stroke, boost::geometry::model::multi_point<HullPoint>& places) {
   const double chord = drawing::distance(stroke.from, stroke.to);
   const double sweep = 4.0 * std::atan(std::abs(stroke.bulge));
   int count = 1;
   if (sweep > 0.0 && chord > 0.0) {
     const double radius = 0.5 * chord / std::sin(0.5 * sweep);
-    // The height of a chord of angle a is r (1 - cos(a / 2)), below r a² / 8.
+    // A chord of angle a deviates from its arc by r (1 - cos(a / 2)), which is below r a² / 8.
     const double angle = std::sqrt(8.0 * kFrameToleranceMm / radius);
     count = static_cast<int>(std::ceil(std::max(sweep / angle, 4.0)));
   }
@@ -51,7 +52,7 @@ std::vector<Place> corners_of(const boost::geometry::model::multi_point<HullPoin
   boost::geometry::model::polygon<HullPoint, false> hull;
   boost::geometry::convex_hull(places, hull);
   for (const HullPoint& point : hull.outer()) corners.emplace_back(point.x(), point.y());
-  // The ring ends at its first point. The ring of points on one line has repeated corners.
+  // The ring ends at its first point. If all points are on one line, corners are repeated.
   corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
   while (corners.size() > 1 && corners.back() == corners.front()) corners.pop_back();
   return corners;
@@ -84,7 +85,9 @@ std::string frame_program(const std::vector<Place>& frame,
   const auto take = [&text](const auto& written, const Place& place) {
     if (!written.ok()) {
       throw std::invalid_argument(
-          fmt::format("X{:g} Y{:g} mm is too far from zero for a program", place.x(), place.y()));
+          fmt::format("X{:g} Y{:g} mm is too far from zero for a program; check the unit",
+                      place.x(),
+                      place.y()));
     }
     text += written.value();
   };

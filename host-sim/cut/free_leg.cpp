@@ -56,7 +56,7 @@ std::optional<std::uint32_t> FreeLegs::blocker(const Place& from,
                                                const RapidEnd* end,
                                                std::optional<std::uint32_t> but) const {
   std::optional<std::uint32_t> found;
-  // At an end that is as near to an area as this, the distance consists of rounding.
+  // If an end is nearer to an area than this, its distance is only rounding.
   const double least = depth_mm_;
   constexpr double kSlack = 0.999;
   const auto is_blocked = [&](std::uint32_t number, const LoopArea& area) {

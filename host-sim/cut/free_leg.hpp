@@ -9,21 +9,21 @@
 
 namespace sim::cut {
 
-/// An end of a rapid. Cuts fix the ends of rapids, so areas may be nearer to an end than the
-/// clearance of the rest of the rapid.
+/// An end of a rapid. A cut fixes its position, so areas may be nearer to it than the clearance.
 struct RapidEnd {
   Place place{0.0, 0.0};
-  /// Areas nearer than the clearance, each with the distance to its skin, mm. The distance is
-  /// negative inside the area.
+  /// Numbers of the areas nearer than the clearance, each with the distance of the end from its
+  /// skin, mm. The distance is negative inside the area.
   std::vector<std::pair<std::uint32_t, double>> near{};
 };
 
-/// Decides which straight legs of a rapid keep their distance from areas.
+/// Decides which straight legs of a rapid keep the clearance from areas.
 class FreeLegs {
  public:
+  /// Makes an object that checks legs against `areas`, which must outlive it.
   /// @param clearance_mm distance to keep, above 0
-  /// @param depth_mm a point less deep than this inside of an area does not count as inside; it is
-  /// there by rounding, at a cut along the area
+  /// @param depth_mm depth inside of an area at which a point does not yet count as inside. Points
+  /// at a cut along the area may be that deep by rounding
   FreeLegs(const FreedAreas& areas, double clearance_mm, double depth_mm)
       : areas_{&areas}, clearance_mm_{clearance_mm}, depth_mm_{depth_mm} {}
 
@@ -31,20 +31,22 @@ class FreeLegs {
   [[nodiscard]] double clearance_mm() const { return clearance_mm_; }
   [[nodiscard]] double depth_mm() const { return depth_mm_; }
 
-  /// Returns the end of a rapid at a point, with the areas near it.
+  /// Returns the end of a rapid at the point `place`, with the areas near this point.
   [[nodiscard]] RapidEnd end_at(const Place& place) const;
 
-  /// Returns an area other than `but` that contains the point deeper than `depth_mm`.
+  /// Returns an area other than `but` that contains the point at a depth above `depth_mm`; nothing
+  /// if there is none.
   [[nodiscard]] std::optional<std::uint32_t> area_around(
       const Place& place, std::optional<std::uint32_t> but = std::nullopt) const;
 
-  /// Returns an area that contains the point or is nearer to it than the clearance.
+  /// Returns an area that contains the point or is nearer to it than the clearance; nothing if
+  /// there is none.
   [[nodiscard]] std::optional<std::uint32_t> area_at(const Place& place) const;
 
-  /// Returns an area, other than `but`, that prevents a straight leg. Such an area comes nearer
-  /// than the clearance. An area that is already nearer to an end of the leg prevents it only by
-  /// coming even nearer than at that end.
-  /// @pre no end of the leg is inside of another area
+  /// Returns an area, other than `but`, that prevents a straight leg; nothing if the leg is free.
+  /// An area prevents a leg that is nearer to it than the clearance. If an end of the leg is
+  /// already nearer, the area prevents only a leg that comes even nearer than this end.
+  /// @pre no end of the leg is inside of an area other than `but`
   [[nodiscard]] std::optional<std::uint32_t> blocker(
       const Place& from,
       const Place& to,

@@ -10,14 +10,15 @@
 
 namespace sim::cut {
 
-/// Index of areas by their position in the plane, so that a search near a point or a segment
-/// measures few of them. Areas are added and removed. Each has a number that its owner chooses.
+/// Index of areas by their position in the plane. A search near a point or a segment measures only
+/// few areas. Each area has a number, which the caller of add() chooses.
 class FreedAreas {
  public:
   using Box = LoopArea::Box;
 
-  /// @param cell_mm size of the cells of the plane, above 0; a cell about as large as an area is
-  /// fast
+  /// Makes an index without areas.
+  /// @param cell_mm size of the cells that divide the plane, above 0. Searches are fast if a cell
+  /// is about as large as an area
   explicit FreedAreas(double cell_mm) : cell_mm_{cell_mm} {}
 
   void add(std::uint32_t number, std::shared_ptr<const LoopArea> area);
@@ -28,22 +29,22 @@ class FreedAreas {
   /// @pre has(number)
   [[nodiscard]] const LoopArea& area(std::uint32_t number) const { return *areas_.at(number); }
 
-  /// Calls `visit(number, area)` once for each area whose box meets `box`, until a call returns
-  /// true. Returns whether a call returned true. The order of the areas is that of the cells along
-  /// x and y.
+  /// Calls `visit(number, area)` once for each area whose box intersects `box`, until a call
+  /// returns true. Returns whether a call returned true. The order of the calls is that of the
+  /// cells along x and y.
   template <typename Visit>
   bool visit_near(const Box& box, Visit&& visit) const;
 
-  /// Calls `visit(number, area)` once for each area whose box meets a segment grown by `mm`,
-  /// approximately in the order from its start, until a call returns true. Returns whether a call
-  /// returned true.
+  /// Calls `visit(number, area)` once for each area whose box intersects the box around a segment,
+  /// extended by `mm`. The calls are approximately in the order along the segment. They end when
+  /// one returns true. Returns whether a call returned true.
   template <typename Visit>
   bool visit_along(const Place& from, const Place& to, double mm, Visit&& visit) const;
 
  private:
   using Cell = std::vector<std::uint32_t>;
-  /// Greatest number of cells of an area. Larger areas are in a list that every search reads in
-  /// full.
+  /// Greatest number of cells that hold an area. Larger areas are in a list that every search reads
+  /// completely.
   static constexpr double kMaxCells = 1024.0;
 
   [[nodiscard]] std::int64_t cell_of(double mm) const;
@@ -63,7 +64,7 @@ class FreedAreas {
   std::unordered_map<std::uint32_t, std::shared_ptr<const LoopArea>> areas_;
   std::unordered_map<std::int64_t, Cell> cells_;
   Cell large_;
-  /// Number of the last search that met each area, by the number of the area.
+  /// For each area, by its number: the number of the last search that found it.
   mutable std::vector<std::uint64_t> met_;
   mutable std::uint64_t search_ = 0;
 };
@@ -111,8 +112,8 @@ bool FreedAreas::visit_along(const Place& from, const Place& to, double mm, Visi
   begin_search();
   const Box all = grown(box_between(from, to), mm);
   if (visit_row(large_, all, visit)) return true;
-  // Divide the segment into pieces no longer than a cell, and visit the cells of each piece's own
-  // box.
+  // Divides the segment into pieces no longer than a cell, and visits the cells of the box of each
+  // piece.
   const double length = std::hypot(to.x() - from.x(), to.y() - from.y());
   const auto pieces = static_cast<std::int64_t>(length / cell_mm_) + 1;
   Place begin = from;

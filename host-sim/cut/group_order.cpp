@@ -15,7 +15,7 @@ using cnc::order::Index;
 
 cnc::order::Place plain(const Place& place) { return {place.x(), place.y()}; }
 
-/// The ordering problem of one group, with the beginning that belongs to each candidate.
+/// The problem of ordering one group of cuts, with the beginning that belongs to each candidate.
 class GroupProblem {
  public:
   GroupProblem(const std::vector<UnbegunCut>& cuts,
@@ -48,9 +48,9 @@ class GroupProblem {
   const RapidCost& cost_;
   const GroupTask& task_;
   order::OrderProblem problem_;
-  std::vector<double> own_;  ///< Own cost by candidate.
+  std::vector<double> own_;  ///< Own cost of each candidate.
   std::vector<const Beginning*> beginning_;
-  bool has_leads_ = false;  ///< Some closed cut ends at another point than it begins.
+  bool has_leads_ = false;  ///< Whether any closed cut ends at another point than its start.
 };
 
 void GroupProblem::add_home() {
@@ -70,13 +70,14 @@ void GroupProblem::add_cut(const UnbegunCut& cut) {
   const auto first = static_cast<Index>(problem_.entry.size());
   for (std::size_t i = 0; i < count; ++i) {
     const Beginning& beginning = cut.beginnings[i];
-    // The two candidates of an open line are its two directions.
+    // The two candidates of an open line are its directions.
     const bool is_line = count == 2 && cut.beginnings[1].is_backwards;
     problem_.entry.push_back(plain(beginning.entry));
     problem_.exit.push_back(plain(beginning.exit));
     problem_.reversed.push_back(static_cast<Index>(is_line ? first + 1 - i : first + i));
     has_leads_ = has_leads_ || (!is_line && beginning.entry != beginning.exit);
-    // Searches reverse stretches of the order. This must not change the own cost of lines in them.
+    // A search may reverse stretches of the order. This must not change the own costs of lines in
+    // the stretch.
     own_.push_back(is_line ? 0.5 * (cut.own_cost_of(0) + cut.own_cost_of(1)) : cut.own_cost_of(i));
     beginning_.push_back(&beginning);
   }
@@ -94,8 +95,8 @@ void GroupProblem::add_pairs() {
   }
 }
 
-/// Returns a problem in which each closed cut begins and ends in the middle between its ends.
-/// Rapids are then the same in both directions, so a search may reverse stretches.
+/// Returns a problem in which each closed cut begins and ends in the middle between its two ends.
+/// The rapids are then the same in both directions, so a search may reverse stretches.
 order::OrderProblem GroupProblem::made_symmetric() const {
   order::OrderProblem problem = problem_;
   problem.is_symmetric = true;
@@ -121,7 +122,7 @@ order::OrderResult GroupProblem::run(const order::OrderProblem& problem,
                                    precedence.value(),
                                    is_symmetric,
                                    problem.is_home_closed};
-  // Greatest number of candidates for which a table of leg costs fits into the cache.
+  // Greatest number of candidates for which the table of leg costs fits into the cache.
   constexpr std::size_t kMaxKept = 1024;
   LegCost cost{{{problem.entry, problem.exit}, own_, !task_.to}, cost_};
   std::vector<double> table;
@@ -200,18 +201,18 @@ GroupResult GroupProblem::solve(const order::OrderProgress& progress) {
 }  // namespace
 
 std::uint64_t usual_steps(std::size_t cuts, std::size_t candidates) {
-  // Number of legs that one step compares. In a small group all cuts choose their candidates again,
-  // otherwise only the nearby ones.
+  // Number of legs that one step compares. In a small group, all cuts choose their candidates
+  // again. In a larger group, only the nearby cuts do.
   const double of_a_cut = static_cast<double>(candidates) / static_cast<double>(cuts);
-  constexpr double kFewCuts = 64.0;  // Same value as in Search.
+  constexpr double kFewCuts = 64.0;  // Same value as in cnc::order::Search.
   const double count = static_cast<double>(cuts);
   const double chosen = count <= kFewCuts ? count : 24.0;
   const double legs_of_step = 3000.0 + 2.0 * chosen * of_a_cut * of_a_cut;
-  constexpr double kLegs = 8.0e6;  // Number of legs for a small group.
+  constexpr double kLegs = 8.0e6;  // Number of compared legs for a small group.
   constexpr double kLegsOfCut = 0.12e6;
   constexpr double kMaxLegs = 1.2e9;
   const double legs = std::clamp(kLegsOfCut * count, kLegs, kMaxLegs);
-  // Each cut is tried at least once.
+  // The number of steps is large enough to try each cut at least once.
   return static_cast<std::uint64_t>(std::max(legs / legs_of_step, 2.0 * count));
 }
 

@@ -9,18 +9,19 @@
 
 namespace sim::cut {
 
-/// Settings for ordering a group of cuts.
+/// The task of ordering a group of cuts.
 struct GroupTask {
   order::OrderMethod method = order::OrderMethod::kOurs;
-  bool only_usual = false;  ///< Use only the first beginning of each cut.
+  bool only_usual = false;  ///< Whether only the first beginning of each cut is used.
   Place from{0.0, 0.0};
-  std::optional<Place> to{};  ///< End point of the group's path; nothing if another group follows.
+  /// Point where the group's path ends; nothing if another group follows.
+  std::optional<Place> to{};
   std::uint64_t seed = 1;
   std::optional<double> seconds{};
-  /// Number of steps that bounds the search instead of usual_steps(). It is used if no seconds are
-  /// given and no proof is worthwhile.
+  /// Number of steps of the search, instead of usual_steps(). With it there is no proof. If
+  /// `seconds` has a value, the number is ignored.
   std::optional<std::uint64_t> steps{};
-  /// Order of the same cuts with which a search begins, with beginnings from their lists; may be
+  /// Order of the same cuts with which a search begins, with beginnings from their lists. It may be
   /// empty.
   std::vector<OrderedCut> start{};
 };
@@ -30,13 +31,13 @@ struct GroupResult {
   bool is_proven = false;
 };
 
-/// Returns the number of steps of a search that is not bounded by time: the steps that take about a
-/// second for 1,000 cuts, and at most 20 s.
+/// Returns the number of steps of a search that is not bounded by time. They take about a second
+/// for 1,000 cuts, and at most about 20 s.
 /// @param candidates number of beginnings of all cuts
 [[nodiscard]] std::uint64_t usual_steps(std::size_t cuts, std::size_t candidates);
 
-/// Orders some of the cuts with the solver for published problems: a set is a cut, and its
-/// candidates are its beginnings.
+/// Orders some of the cuts with the solver for published problems. Each cut is a set, whose
+/// candidates are the beginnings of the cut.
 /// @param members numbers of the cuts; a cut in their `after` that is not a member counts as done
 [[nodiscard]] GroupResult order_group(const std::vector<UnbegunCut>& cuts,
                                       const std::vector<std::size_t>& members,

@@ -5,12 +5,12 @@
 namespace sim::cut {
 namespace {
 
-/// Number of fading times after which the heat is no longer visible.
+/// Age of a pierce, in fading times, after which its heat is no longer visible.
 constexpr double kMaxFadings = 5.0;
 
 bool is_pierced(const Cut& cut) { return cut.strokes.front().purpose != Purpose::kLink; }
 
-/// Returns the time at which each cut begins, s.
+/// Returns the time at which each cut begins, s, after the rapid and the wait before it.
 std::vector<double> pierce_times(const CutPlan& plan, const Timeline& timeline) {
   std::vector<double> times(plan.cuts.size(), 0.0);
   for (std::size_t i = timeline.steps.size(); i-- > 0;) {

@@ -8,19 +8,21 @@
 
 namespace sim::cut {
 
-/// Points and times of the beam's cuts, so that the next pierce can keep away from hot spots.
+/// Map of the points and times at which the beam cut, so that the next pierce can keep away from
+/// hot spots.
 class HeatMap {
  public:
-  /// @param distance_mm distance within which heat counts, above 0
-  /// @param lasts_s time after the cut during which heat counts, above 0
+  /// Makes a map without spots.
+  /// @param distance_mm distance from the beam up to which the sheet is hot after the cut, above 0
+  /// @param lasts_s time after the cut for which it stays hot, above 0
   HeatMap(double distance_mm, double lasts_s);
 
-  /// Adds a stroke with the beam on. Strokes are added in the order of time.
+  /// Adds a stroke that is driven with the beam on. Strokes must be added in the order of time.
   void add(const Stroke& stroke, double begin_s, double end_s);
 
-  /// Returns the earliest time at which a point may be pierced, s; −infinity if nothing near it was
-  /// cut. Distances are accurate to 1/16 of the distance within which heat counts. Times are
-  /// accurate to the time of a stretch of this length. The result is never too early.
+  /// Returns the earliest time at which a point may be pierced, s; −infinity if no spot near it is
+  /// hot at `now_s`. The result is never too early, but may be too late. Distances are accurate to
+  /// 1/16 of `distance_mm` of the constructor, and times to the time of a stretch of this length.
   [[nodiscard]] double cool_from(const Place& place, double now_s) const;
 
  private:
@@ -33,10 +35,10 @@ class HeatMap {
     return column * (std::int64_t{1} << 32) + row;
   }
 
-  double step_mm_;   ///< Length of a stretch that is one spot.
-  double reach_mm_;  ///< Distance from the middle of a stretch to the farthest point that counts.
+  double step_mm_;   ///< Length of the stretch of a stroke that one spot represents.
+  double reach_mm_;  ///< Distance from a spot up to which the sheet is hot.
   double lasts_s_;
-  /// Spots by cells as large as `reach_mm_`, the latest spot last.
+  /// Spots by cells whose size is `reach_mm_`. The latest spot of a cell comes last.
   std::unordered_map<std::int64_t, std::vector<Spot>> cells_;
 };
 

@@ -15,13 +15,13 @@ constexpr double kGreatestPower = 1.0e6;
 
 bool switch_from(std::string_view key, std::string_view text) {
   if (text == "on" || text == "off") return text == "on";
-  throw std::invalid_argument(fmt::format("{}={}: wants `on` or `off`", key, text));
+  throw std::invalid_argument(fmt::format("{}={}: must be `on` or `off`", key, text));
 }
 
 engrave::Shading shading_from(std::string_view text) {
   if (const auto shading = engrave::shading_named(text)) return *shading;
   throw std::invalid_argument(
-      fmt::format("shading={}: wants {}", text, fmt::join(engrave::shading_names(), ", ")));
+      fmt::format("shading={}: must be {}", text, fmt::join(engrave::shading_names(), ", ")));
 }
 
 }  // namespace

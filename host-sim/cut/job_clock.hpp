@@ -5,17 +5,17 @@
 
 namespace sim::cut {
 
-/// Returns the least time of a straight rapid, s: without acceleration.
+/// Returns the least time of a straight rapid, s. Acceleration is ignored.
 [[nodiscard]] double min_time(const Place& from,
                               const Place& to,
                               const cnc::order::RapidLimits& limits);
 
-/// Returns the least time of a stroke, s: at the feed of its layer, for a pierce its set time, with
-/// the dwell added.
+/// Returns the least time of a stroke, s, with its dwell. The stroke is driven at the feed of its
+/// layer. A pierce takes at least its set time.
 [[nodiscard]] double min_time(const Stroke& stroke, const LayerPlan& layer);
 
-/// Returns the programmed feed of a stroke, mm/s: the feed of its layer, or for a pierce a lower
-/// feed at which the pierce takes its set time.
+/// Returns the programmed feed of a stroke, mm/s. It is the feed of the layer. A pierce has a lower
+/// feed if it would otherwise take less than its set time.
 [[nodiscard]] double feed_of(const Stroke& stroke, const LayerPlan& layer);
 
 }  // namespace sim::cut

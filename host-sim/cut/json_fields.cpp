@@ -14,10 +14,10 @@ namespace {
 
 using Document = nlohmann::ordered_json;
 
-/// Greatest depth of nesting in a document. Documents written by people are less deep.
+/// Greatest depth of nesting in a document. Documents that people write are less deep.
 constexpr int kDeepestDocument = 8;
 
-/// Returns line and column of a position in a text, for example `3:14`.
+/// Returns the line and the column of the byte with number `byte`, for example `3:14`.
 std::string line_and_column(const std::string& text, std::size_t byte) {
   const std::string before = text.substr(0, std::min(byte, text.size()));
   const auto line = 1 + std::count(before.begin(), before.end(), '\n');
@@ -34,8 +34,8 @@ Document marked_json(const std::string& text,
                      const char* kind) {
   const auto refuse_deep = [&](int depth, Document::parse_event_t /*event*/, Document& /*value*/) {
     if (depth <= kDeepestDocument) return true;
-    throw std::invalid_argument(
-        fmt::format("{}: is nested more than {} deep; a {} is not", file, kDeepestDocument, kind));
+    throw std::invalid_argument(fmt::format(
+        "{}: is nested more than {} deep; a {} is less deep", file, kDeepestDocument, kind));
   };
   Document document;
   try {
@@ -48,7 +48,7 @@ Document marked_json(const std::string& text,
   const bool is_marked = document.is_object() && document.contains(mark) && document[mark] == 1;
   if (is_marked) return document;
   throw std::invalid_argument(
-      fmt::format("{}: is no {}; that is an object with \"{}\": 1", file, kind, mark));
+      fmt::format("{}: is no {}; write an object with \"{}\": 1", file, kind, mark));
 }
 
 JsonFields::JsonFields(const Document& object,
@@ -58,10 +58,10 @@ JsonFields::JsonFields(const Document& object,
     : object_{object}, file_{std::move(file)}, pointer_{std::move(pointer)} {
   for (const auto& [key, value] : object.items()) {
     if (std::ranges::find(keys, key) != keys.end()) continue;
-    refuse(key,
-           fmt::format("there is no such key; there are {}{}",
-                       fmt::join(keys, ", "),
-                       did_you_mean(key, keys)));
+    refuse(
+        key,
+        fmt::format(
+            "there is no such key; keys are {}{}", fmt::join(keys, ", "), did_you_mean(key, keys)));
   }
 }
 
@@ -70,7 +70,7 @@ std::optional<double> JsonFields::number(const char* key, double min, double max
   const Document& value = object_[key];
   const bool is_fine =
       value.is_number() && value.get<double>() >= min && value.get<double>() <= max;
-  if (!is_fine) refuse(key, fmt::format("wants a number from {:g} to {:g}", min, max));
+  if (!is_fine) refuse(key, fmt::format("must be a number from {:g} to {:g}", min, max));
   return value.get<double>();
 }
 
@@ -83,7 +83,7 @@ std::optional<std::pair<double, double>> JsonFields::pair(const char* key,
     return part.is_number() && part.get<double>() >= min && part.get<double>() <= max;
   };
   if (!value.is_array() || value.size() != 2 || !std::ranges::all_of(value, is_fine)) {
-    refuse(key, fmt::format("wants two numbers from {:g} to {:g}, such as [300, 200]", min, max));
+    refuse(key, fmt::format("must be two numbers from {:g} to {:g}, such as [300, 200]", min, max));
   }
   return std::pair{value[0].get<double>(), value[1].get<double>()};
 }
@@ -91,7 +91,7 @@ std::optional<std::pair<double, double>> JsonFields::pair(const char* key,
 std::optional<std::string> JsonFields::text(const char* key) const {
   if (!object_.contains(key)) return std::nullopt;
   const Document& value = object_[key];
-  if (!value.is_string() || value.get<std::string>().empty()) refuse(key, "wants a text");
+  if (!value.is_string() || value.get<std::string>().empty()) refuse(key, "must be a text");
   return value.get<std::string>();
 }
 
@@ -100,7 +100,7 @@ std::vector<std::string> JsonFields::texts(const char* key) const {
   const Document& value = object_[key];
   const auto is_text = [](const Document& part) { return part.is_string(); };
   if (!value.is_array() || !std::ranges::all_of(value, is_text)) {
-    refuse(key, R"(wants a list of texts, such as ["$32=1"])");
+    refuse(key, R"(must be a list of texts, such as ["$32=1"])");
   }
   return value.get<std::vector<std::string>>();
 }

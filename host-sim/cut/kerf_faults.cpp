@@ -15,24 +15,25 @@ namespace {
 
 using drawing::FaultKind;
 
-/// Distance by which a cut may be too near to a drawn edge before it is reported, mm.
+/// Intrusion of a cut into a drawn edge up to which no fault is reported, mm.
 constexpr double kGougeSlack = 1.0e-4;
-/// Least length along which parts must touch to count as lying against each other, mm.
+/// Least length along which two parts must touch to lie against each other, mm.
 constexpr double kShortestTouch = 0.1;
-/// Distance between checked points in the search for the worst point, mm.
+/// Distance between the points of a path that are checked for the worst intrusion, mm.
 constexpr double kLookForGougesEvery = 0.01;
-/// Distance between checked points in the search for uncut stretches, mm.
+/// Distance between the points of an outline that are checked for uncut stretches, mm.
 constexpr double kLookForRestsEvery = 0.05;
 
-/// The area that the beam removes along paths. The stroke of a path that was nearest to one point
-/// is usually near the next point, too, and is tried first.
+/// The area from which the beam removes material along paths. A check begins with the stroke that
+/// was nearest to the previous point, because it is usually near the next point, too.
 class Covering {
  public:
+  /// Makes the area along `paths`, which must outlive this object.
   /// @param reach_mm distance from the paths up to which the beam removes material, mm
   Covering(const Clearance& paths, double reach_mm) : paths_{paths}, reach_mm_{reach_mm} {}
 
-  /// Returns the reach minus the distance of a point to the paths, or a smaller number of the same
-  /// sign.
+  /// Returns the reach minus the distance of a point from the paths, or a number of the same sign
+  /// that is nearer to 0.
   double spare_at(const Place& place) {
     const double known = last_ == nullptr ? -1.0 : reach_mm_ - distance_to(*last_, place);
     if (known >= 0.0) return known;
@@ -40,12 +41,12 @@ class Covering {
     if (nearest.stroke != nullptr) last_ = nearest.stroke;
     return reach_mm_ - nearest.distance_mm;
   }
-  /// Returns whether the rest of a stroke after `share` is within reach of one stroke of the path:
-  /// the stroke that covers the point at `share`. Returns false if this is not certain.
-  /// @pre spare_at() returned 0 or more at that point
+  /// Returns whether the rest of a stroke after `share` is within reach of a single stroke of the
+  /// paths: the stroke that covers the point at `share`. Returns false if this is not certain.
+  /// @pre spare_at() returned 0 or more for the point at `share`
   [[nodiscard]] bool holds_rest_of(const Stroke& stroke, double share) const {
     if (stroke.bulge == 0.0 && last_->bulge == 0.0) {
-      // The distance from a line is a convex function along another line.
+      // Along a line, the distance from another line is a convex function, so its end decides.
       return distance_to(*last_, stroke.to) <= reach_mm_;
     }
     return stroke.bulge * last_->bulge > 0.0 && holds_rest_of_arc(stroke, share);
@@ -59,9 +60,9 @@ class Covering {
   const Stroke* last_ = nullptr;
 };
 
-/// Returns whether the rest of an arc is within reach of the path's arc. If both arcs have nearly
-/// the same centre, their distance is the difference of the radii. It is larger only where the
-/// stroke extends beyond the ends of the path's arc.
+/// Returns whether the rest of an arc is within reach of the paths' arc `last_`. If both arcs have
+/// nearly the same centre, their distance is the difference of the radii. It is larger only where
+/// the first arc extends beyond the ends of `last_`.
 bool Covering::holds_rest_of_arc(const Stroke& stroke, double share) const {
   constexpr double kAheadOfStart = 0.25 * std::numbers::pi;
   const Place centre = arc_centre(*last_);
@@ -96,7 +97,7 @@ std::optional<drawing::Fault> gouge_of(const drawing::Drawing& drawn,
     if (is_clear) where = stroke.to;
     is_clear = false;
     const auto looks = static_cast<int>(std::ceil(length_of(stroke) / kLookForGougesEvery));
-    // The start of a stroke is the end of the previous one, so it is not checked.
+    // The start of a stroke is the end of the previous stroke, which was checked there.
     for (int k = 1; k <= looks; ++k) {
       const Place place = place_at(stroke, static_cast<double>(k) / looks);
       const Clearance::Nearest nearest = edges.nearest(place);
@@ -112,8 +113,8 @@ std::optional<drawing::Fault> gouge_of(const drawing::Drawing& drawn,
       drawn.contours[contour].entity,
       where,
       fmt::format("its cut takes {:.3f} mm off {}", half - worst.distance_mm, other),
-      fmt::format("put them at least the kerf apart, {:.3f} mm, or cut once between them with "
-                  "--narrow {:.3f}, which takes that off both",
+      fmt::format("place them at least the kerf apart, {:.3f} mm, or cut once between them with "
+                  "--narrow {:.3f}, which takes this width off both",
                   2.0 * half,
                   0.001 * std::ceil(500.0 * (half - worst.distance_mm) - 1.0e-3))};
 }
@@ -148,11 +149,11 @@ std::optional<drawing::Fault> touch_of(const drawing::Drawing& drawn,
       FaultKind::kCrossing,
       drawn.contours[contour].entity,
       where,
-      fmt::format("lies against {} along {:.3f} mm: there is no room for a cut between them",
+      fmt::format("lies against {} along {:.3f} mm, without space for a cut between them",
                   drawn.contours[*neighbour].entity.name,
                   longest_mm),
-      fmt::format("move them the kerf apart, {:.3f} mm, or let --common-line cut along the edge, "
-                  "which takes half of that off both",
+      fmt::format("move them the kerf apart, {:.3f} mm, or cut along the edge with --common-line, "
+                  "which takes half a kerf off both",
                   2.0 * half_kerf_mm)};
 }
 
@@ -184,7 +185,8 @@ std::vector<Rest> rests_along(const std::vector<Stroke>& outline,
       if (spare >= 0.0) {
         end_rest();
         if (covering.holds_rest_of(stroke, static_cast<double>(k) / looks)) break;
-        // Every point of the outline within this distance is also within the kerf of a path.
+        // Points of the outline that are nearer than `spare` to this point are within the kerf of a
+        // path, too.
         k += static_cast<int>(spare * looks / length);
       } else {
         rest.push_back(place);

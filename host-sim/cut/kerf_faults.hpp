@@ -11,8 +11,8 @@
 
 namespace sim::cut {
 
-/// Returns a fault at the point where the path of a cut would take most off a part, or nothing if
-/// it takes nothing off any part.
+/// Returns a fault if the path of a cut takes something off a part; nothing otherwise. The fault
+/// names the point where the path takes off most.
 /// @param contour number of the contour in the drawing
 /// @param edges all drawn edges, each with the number of its contour
 [[nodiscard]] std::optional<drawing::Fault> gouge_of(const drawing::Drawing& drawn,
@@ -21,10 +21,11 @@ namespace sim::cut {
                                                      const Clearance& edges,
                                                      double half_kerf_mm);
 
-/// Returns a fault if a part lies against another one, edge to edge: no cut between them leaves
-/// both at their size. The fault names the longest such edge, at its middle.
+/// Returns a fault if a part lies against another part, edge to edge; nothing otherwise. No cut
+/// between such parts leaves both at their size. The fault names the middle of the longest edge of
+/// this kind.
 /// @param contour number of the contour in the drawing
-/// @param outlines one for each contour
+/// @param outlines outline of each contour
 /// @param edges all drawn edges, each with the number of its contour
 /// @param half_kerf_mm half of the kerf of the contour
 [[nodiscard]] std::optional<drawing::Fault> touch_of(const drawing::Drawing& drawn,
@@ -35,20 +36,21 @@ namespace sim::cut {
 
 /// A stretch of a drawn line that stays uncut.
 struct Rest {
-  Place place{0.0, 0.0};  ///< Middle point of the stretch.
+  Place place{0.0, 0.0};  ///< Point in the middle of the stretch.
   double length_mm = 0.0;
 };
 
-/// Returns the stretches of a drawn line that are farther from the beam's path than a kerf, instead
-/// of half a kerf. Such stretches occur in slots and in corners sharper than 60 degrees.
+/// Returns the stretches of a drawn line that are farther than a kerf from the beam's path. Usually
+/// the path is half a kerf away. Such stretches occur in slots and in corners sharper than 60
+/// degrees.
 /// @param loops all paths of the beam along this outline
-/// @param reach_mm at least the kerf; a path farther away than this does not matter
+/// @param reach_mm distance at which searches find paths, at least the kerf
 [[nodiscard]] std::vector<Rest> rests_along(const std::vector<Stroke>& outline,
                                             const std::vector<std::vector<Stroke>>& loops,
                                             double half_kerf_mm,
                                             double reach_mm);
 
-/// Returns a warning for each stretch that stays uncut.
+/// Returns a warning for each uncut stretch of an outline.
 [[nodiscard]] std::vector<drawing::Fault> rests_of(const drawing::Entity& entity,
                                                    const std::vector<Rest>& rests,
                                                    double half_kerf_mm);

@@ -10,20 +10,20 @@
 namespace sim::cut {
 namespace {
 
-/// Difference of kerfs below which they count as equal, mm.
+/// Difference below which two kerfs count as equal, mm.
 constexpr double kSameKerfMm = 0.001;
 
 const char* unit_option(cnc::kerf::HeatUnit unit) {
   return unit == cnc::kerf::HeatUnit::kJoulesPerMillimetre ? "J/mm" : "printed";
 }
 
-/// Adds a note for each kerf that would differ with another unit.
+/// Adds a note for each kerf that would be different by the record with the other unit of Q.
 void add_other_unit(const MaterialRecord& record,
                     const MaterialRecord& other,
                     const std::vector<LayerPlan>& layers,
                     std::set<std::string>& notes) {
   for (const LayerPlan& layer : layers) {
-    if (layer.condition.kerf_mm <= 0.0) continue;  // The layer is not cut.
+    if (layer.condition.kerf_mm <= 0.0) continue;  // This layer is not cut, so it has no kerf.
     const auto found = predict(other, layer.condition.cut);
     if (!found.ok()) continue;
     if (std::abs(found.value().kerf_mm - layer.condition.kerf_mm) < kSameKerfMm) continue;
@@ -37,7 +37,7 @@ void add_other_unit(const MaterialRecord& record,
   }
 }
 
-/// Returns a note about the laser of a record; empty if it is this laser.
+/// Returns a note about the laser of a record; empty if the record was measured with this laser.
 std::string note_of_laser(const MaterialRecord& record, const std::string& laser) {
   if (!record.calibrated) {
     return fmt::format("the kerf of {} was not measured on this machine: {}; {}",
@@ -54,8 +54,8 @@ std::string note_of_laser(const MaterialRecord& record, const std::string& laser
   }
   if (laser.empty()) {
     return fmt::format(
-        "the kerf of {} was measured with the laser `{}`; if that is this machine's, "
-        "say so with --laser",
+        "the kerf of {} was measured with the laser `{}`; if this machine has "
+        "it, name it with --laser",
         record.name,
         record.laser);
   }

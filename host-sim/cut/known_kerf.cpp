@@ -12,7 +12,7 @@ MaterialRecord record_of_known_kerf(double kerf_mm,
   row.powers = {{1, all_speeds}, {cnc::kerf::kMaxPowerMw, all_speeds}};
   return {.name = material,
           .calibrated = true,
-          .provenance = fmt::format("kerf of {:g} mm, as the call gives it", kerf_mm),
+          .provenance = fmt::format("kerf of {:g} mm, as the command gives it", kerf_mm),
           .thicknesses = {row}};
 }
 

@@ -10,7 +10,7 @@ namespace sim::cut {
 /// Greatest kerf that a command line may give, mm.
 inline constexpr double kMaxKnownKerfMm = 10.0;
 
-/// Returns a record for a kerf that the user knows: the same width at every power and speed.
+/// Returns a record for a kerf that the user knows. It has this kerf at every power and speed.
 /// @param kerf_mm 0 to kMaxKnownKerfMm
 /// @param material name of the material, for reports
 /// @param thickness_um thickness of the sheet; 0 if it is not known

@@ -13,13 +13,13 @@ using drawing::Drawing;
 using drawing::Fault;
 using drawing::FaultKind;
 
-/// The first of several contours, and their number.
+/// Number of the first of several late contours, and how many they are.
 struct LateContours {
   std::size_t contour = 0;
   std::size_t count = 0;
 };
-/// Late contours by two numbers: the layer (or part) that was to be cut first, and the one inside
-/// it.
+/// Late contours by two numbers: the layer (or part) that should be cut first, and the layer (or
+/// part) inside it.
 using LateByPair = std::map<std::pair<std::size_t, std::size_t>, LateContours>;
 
 void note(LateByPair& late, std::size_t first, std::size_t inner, std::size_t contour) {
@@ -43,22 +43,23 @@ Fault fault_of_layers(const Drawing& drawn, std::size_t inner, const LateContour
   return {FaultKind::kIgnored,
           contour.entity,
           drawing::start_of(contour.shapes.front()),
-          fmt::format("is cut after the layer {}, of a later rank, as that has contours in it{}",
+          fmt::format("is cut after the layer {}, of a later rank, which has contours inside it{}",
                       name_of_layer(drawn, inner),
                       others(late)),
-          "give the outer layer no lower rank than what lies in it"};
+          "give the outer layer no lower rank than the layer inside it"};
 }
 
 Fault fault_of_parts(const Drawing& drawn, std::size_t inner, const LateContours& late) {
   const drawing::DrawnContour& contour = drawn.contours[late.contour];
   const bool is_wish = drawn.turns.is_order_of_file;
-  return {is_wish ? FaultKind::kIgnored : FaultKind::kBadEntity,
-          contour.entity,
-          drawing::start_of(contour.shapes.front()),
-          fmt::format("{} lies in it and is to be cut later; nothing is cut free before that{}",
-                      drawn.parts[inner],
-                      others(late)),
-          is_wish ? "list first what lies in another part" : "mend the \"after\" of these parts"};
+  return {
+      is_wish ? FaultKind::kIgnored : FaultKind::kBadEntity,
+      contour.entity,
+      drawing::start_of(contour.shapes.front()),
+      fmt::format("{} is inside it and is to be cut later, but inner parts come first{}",
+                  drawn.parts[inner],
+                  others(late)),
+      is_wish ? "list parts inside of another part first" : "mend the \"after\" of these parts"};
 }
 
 }  // namespace

@@ -8,9 +8,9 @@
 namespace sim::cut {
 
 /// Returns a fault for each pair of layers, and each pair of parts of a sheet file, whose required
-/// order is impossible. This is so if the one to be cut first has the other inside it: nothing is
-/// cut free before the cuts inside it are done. Each fault names the first such contour and the
-/// number of others.
+/// order is impossible. An order is impossible if the first layer or part has the other one inside
+/// it. Inner cuts must be done before the outer cut frees the material. Each fault names the first
+/// of these contours and the number of the remaining ones.
 /// @param cuts cuts with their contours, in the order of `unbegun`
 [[nodiscard]] std::vector<drawing::Fault> late_cuts(const drawing::Drawing& drawn,
                                                     const std::vector<Cut>& cuts,

@@ -22,7 +22,7 @@ constexpr std::array<NamedColour, 22> kBasicColours{{
     {"pink", 0xFFC0CB},    {"brown", 0xA52A2A},
 }};
 
-/// Basic colour names whose colour in the LightBurn palette differs from the usual one.
+/// Names of basic colours that mean another colour in the LightBurn palette.
 constexpr std::array<NamedColour, 6> kPaletteNames{{{"green", 0x00E000},
                                                     {"yellow", 0xD0D000},
                                                     {"orange", 0xFF8000},
@@ -30,7 +30,7 @@ constexpr std::array<NamedColour, 6> kPaletteNames{{{"green", 0x00E000},
                                                     {"grey", 0xB4B4B4},
                                                     {"gray", 0xB4B4B4}}};
 
-/// Colours C00 to C29 of the LightBurn palette.
+/// Colours C00 to C29 of the LightBurn palette, 0xRRGGBB.
 constexpr std::array<std::uint32_t, 30> kPalette{
     0x000000, 0x0000FF, 0xFF0000, 0x00E000, 0xD0D000, 0xFF8000, 0x00E0E0, 0xFF00FF,
     0xB4B4B4, 0x0000A0, 0xA00000, 0x00A000, 0xA0A000, 0xC08000, 0x00A0FF, 0xA000A0,
@@ -38,7 +38,7 @@ constexpr std::array<std::uint32_t, 30> kPalette{
     0xFA9ED4, 0x500A78, 0xB45A00, 0x004754, 0x86FA88, 0xFFDB66};
 constexpr std::array<NamedColour, 2> kToolColours{{{"t1", 0xF36926}, {"t2", 0x0C96D9}}};
 
-/// Colours ACI 1 to 9 of DXF.
+/// Colours ACI 1 to 9 of DXF, 0xRRGGBB.
 constexpr std::array<std::uint32_t, 9> kAutoCadColours{
     0xFF0000, 0xFFFF00, 0x00FF00, 0x00FFFF, 0x0000FF, 0xFF00FF, 0x000000, 0x808080, 0xC0C0C0};
 
@@ -75,8 +75,8 @@ std::optional<std::uint32_t> colour_of_digits(std::string_view digits) {
   return 0x11U * ((red << 16U) | (green << 8U) | blue);
 }
 
-/// Reads a channel, `255` or `100%`, and removes it from the text together with commas and blanks
-/// before it.
+/// Removes and returns a channel, such as `255` or `100%`, at the beginning of the text, together
+/// with commas and blanks before it.
 std::optional<std::uint32_t> take_channel(std::string_view& text) {
   text.remove_prefix(std::min(text.find_first_not_of(", "), text.size()));
   double value = 0.0;
@@ -101,7 +101,7 @@ std::optional<std::uint32_t> colour_of_channels(std::string_view text) {
   return text.find_first_not_of(' ') == text.find(')') ? std::optional{colour} : std::nullopt;
 }
 
-/// Returns the colour of a name of the palette, such as `c07` or `t1`.
+/// Returns the colour that a name of the LightBurn palette means, such as `c07` or `t1`.
 std::optional<std::uint32_t> palette_colour(std::string_view name) {
   if (name.size() == 3 && name.front() == 'c') {
     const auto number = whole_number(name.substr(1), 10);

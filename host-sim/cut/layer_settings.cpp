@@ -18,14 +18,15 @@ constexpr double kLongestWay = 1000.0;     ///< Greatest length of leads, tabs a
 constexpr double kLongestPierce = 60.0;    ///< Greatest time of pierces and dwells, s.
 constexpr double kGreatestNumber = 1.0e6;  ///< Greatest power in W and feed in mm/min.
 constexpr unsigned kMaxTabs = 1000;
-constexpr double kMaxCommonLine = 1.0;  ///< Greatest distance of cuts that become one, mm.
+constexpr double kMaxCommonLine = 1.0;  ///< Greatest gap of two cuts that become one, mm.
 /// Greatest width that a cut in narrow waste may take off, mm.
 constexpr double kMaxNarrow = 1.0;
-constexpr double kDeepestStep = 100.0;  ///< Greatest step of Z with each pass, mm.
+/// Greatest distance by which Z moves down with each pass, mm.
+constexpr double kDeepestStep = 100.0;
 constexpr std::string_view kAnyLayer = "*";
 constexpr std::string_view kRuleForm = "rule `LAYER: key=value, key=value`";
 
-/// Keys that are only for a filled layer; two of them are also for a layer of pictures.
+/// Keys that are valid only for a filled layer. Two of them are also valid for a layer of pictures.
 constexpr std::array<std::string_view, 4> kFillKeys{"interval", "angle", "overscan", "pattern"};
 /// Keys that are valid for an engraved line.
 constexpr std::array<std::string_view, 10> kMarkKeys{
@@ -37,7 +38,7 @@ Lead lead_from(std::string_view key, std::string_view text) {
   const std::string_view kind = text.substr(0, colon);
   if (colon == std::string_view::npos || (kind != "line" && kind != "arc")) {
     throw std::invalid_argument(
-        fmt::format("{}={}: wants `none`, `line:MM` or `arc:MM`, such as arc:2", key, text));
+        fmt::format("{}={}: must be `none`, `line:MM` or `arc:MM`, such as arc:2", key, text));
   }
   return {kind == "line" ? LeadKind::kLine : LeadKind::kArc,
           number_from(key, text.substr(colon + 1), 0.01, kLongestWay, "mm"),
@@ -52,7 +53,7 @@ Side side_from(std::string_view text) {
   if (text == "skip") return Side::kSkip;
   if (text == "start") return Side::kStart;
   throw std::invalid_argument(
-      fmt::format("side={}: wants `waste`, `on`, `mark`, `image`, `skip` or `start`", text));
+      fmt::format("side={}: must be `waste`, `on`, `mark`, `image`, `skip` or `start`", text));
 }
 
 template <std::size_t kCount>
@@ -60,14 +61,14 @@ bool holds(const std::array<std::string_view, kCount>& keys, std::string_view ke
   return std::ranges::find(keys, key) != keys.end();
 }
 
-/// Returns whether a layer of pictures has this setting.
+/// Returns whether a layer of pictures may have the setting `key`.
 bool is_for_image(std::string_view key) {
   if (key == "start" || key == "z-step") return false;
   if (key == "angle" || key == "pattern") return false;
   return holds(kImageKeys, key) || holds(kFillKeys, key) || holds(kMarkKeys, key);
 }
 
-/// Throws std::invalid_argument if a rule has keys that a layer of this side cannot have.
+/// Throws std::invalid_argument if a rule has keys that are not valid for the side of its layer.
 void expect_of_side(const LayerRule& rule, const LayerSettings& settings) {
   const Side side = settings.side;
   const bool has_lines = settings.fill.pattern == FillPattern::kLines;
@@ -80,17 +81,17 @@ void expect_of_side(const LayerRule& rule, const LayerSettings& settings) {
       if (!is_for_image(key)) refuse(key, value, "is not for pictures; leave it out");
       continue;
     }
-    if (holds(kImageKeys, key)) refuse(key, value, "is for a layer with kind=image");
+    if (holds(kImageKeys, key)) refuse(key, value, "is for a layer with kind=image; leave it out");
     if (holds(kFillKeys, key)) {
-      if (side != Side::kFill) refuse(key, value, "is for a layer with kind=fill");
+      if (side != Side::kFill) refuse(key, value, "is for a layer with kind=fill; leave it out");
       const bool is_of_lines = key == "angle" || key == "overscan";
-      if (is_of_lines && !has_lines) refuse(key, value, "is for pattern=lines");
+      if (is_of_lines && !has_lines) refuse(key, value, "is for pattern=lines; leave it out");
       continue;
     }
     if (!is_engraved(side) || holds(kMarkKeys, key)) continue;
     refuse(key,
            value,
-           fmt::format("a layer that is engraved has {}, filled also {}, and no more",
+           fmt::format("an engraved layer takes {}; a filled one also takes {}",
                        fmt::join(kMarkKeys, ", "),
                        fmt::join(kFillKeys, ", ")));
   }
@@ -110,7 +111,7 @@ void set_kind(LayerSettings& settings, std::string_view text) {
     return;
   }
   throw std::invalid_argument(
-      fmt::format("kind={}: wants `cut`, `score`, `engrave`, `fill`, `image` or `skip`", text));
+      fmt::format("kind={}: must be `cut`, `score`, `engrave`, `fill`, `image` or `skip`", text));
 }
 
 void set_power(LayerSettings& settings, std::string_view text) {
@@ -122,19 +123,19 @@ void set_power(LayerSettings& settings, std::string_view text) {
 FillPattern pattern_from(std::string_view text) {
   if (text == "lines") return FillPattern::kLines;
   if (text == "contour") return FillPattern::kContour;
-  throw std::invalid_argument(fmt::format("pattern={}: wants `lines` or `contour`", text));
+  throw std::invalid_argument(fmt::format("pattern={}: must be `lines` or `contour`", text));
 }
 
 Air air_from(std::string_view text) {
   if (text == "on" || text == "M8") return Air::kFlood;
   if (text == "M7") return Air::kMist;
   if (text == "off") return Air::kOff;
-  throw std::invalid_argument(fmt::format("air={}: wants `on`, `M7`, `M8` or `off`", text));
+  throw std::invalid_argument(fmt::format("air={}: must be `on`, `M7`, `M8` or `off`", text));
 }
 
 bool passes_by_layer_from(std::string_view text) {
   if (text == "contour" || text == "layer") return text == "layer";
-  throw std::invalid_argument(fmt::format("passes-by={}: wants `contour` or `layer`", text));
+  throw std::invalid_argument(fmt::format("passes-by={}: must be `contour` or `layer`", text));
 }
 
 StartAt start_from(std::string_view text) {
@@ -144,7 +145,7 @@ StartAt start_from(std::string_view text) {
   if (text == "usual") return StartAt::kUsual;
   if (text == "tab") return StartAt::kTab;
   throw std::invalid_argument(
-      fmt::format("start={}: wants `any`, `straight`, `corner`, `usual` or `tab`", text));
+      fmt::format("start={}: must be `any`, `straight`, `corner`, `usual` or `tab`", text));
 }
 
 struct KeySetter {
@@ -156,7 +157,7 @@ unsigned count_from(std::string_view key, std::string_view text, double least, c
   return static_cast<unsigned>(number_from(key, text, least, kMaxTabs, unit));
 }
 
-/// All keys except those of pictures, with the functions that set them.
+/// All keys except kImageKeys, with the functions that set their values.
 constexpr std::array<KeySetter, 25> kSetters{{
     {"power", set_power},
     {"feed",
@@ -251,7 +252,7 @@ constexpr std::array<KeySetter, 25> kSetters{{
      }},
 }};
 
-/// Throws std::invalid_argument, which names the place, for unknown keys and invalid values.
+/// Throws std::invalid_argument with the place of the rule for unknown keys and invalid values.
 void expect_settings(const LayerRule& rule) {
   LayerSettings tried;
   try {
@@ -269,7 +270,7 @@ void power_in_watts(LayerSettings& settings, double full_power_w, double full_po
         if (!share) return;
         if (share->is_s && share->value > full_power_s) {
           throw std::invalid_argument(
-              fmt::format("{}=S{:g}: is more than the machine's greatest, S{:g} ($30)",
+              fmt::format("{}=S{:g}: is more than S{:g} ($30), the machine's greatest S",
                           key,
                           share->value,
                           full_power_s));
@@ -290,7 +291,7 @@ void set(LayerSettings& settings, std::string_view key, std::string_view value) 
   keys.reserve(kSetters.size() + kImageKeys.size());
   for (const KeySetter& setter : kSetters) keys.emplace_back(setter.key);
   for (const std::string_view image_key : kImageKeys) keys.emplace_back(image_key);
-  throw std::invalid_argument(fmt::format("{}: no such setting; there are {}{}",
+  throw std::invalid_argument(fmt::format("{}: there is no such setting; settings are {}{}",
                                           key,
                                           fmt::join(keys, ", "),
                                           did_you_mean(std::string{key}, keys)));

@@ -12,35 +12,35 @@
 
 namespace sim::cut {
 
-/// The position of the beam relative to a drawn line.
+/// The position of the beam relative to the drawn lines of a layer.
 enum class Side : std::uint8_t {
-  kWaste,  ///< At an offset of half a kerf from the line, so that the part has the drawn size.
-  kOn,     ///< On the line itself, through the sheet; also for open lines.
-  kMark,   ///< On the line, which is engraved. Nothing is cut through.
-  kFill,   ///< Along lines across the area of the layer's closed contours, which is engraved.
-  kImage,  ///< In rows of pixels: the layer's pictures are engraved, its contours are not.
-  kSkip,   ///< Nowhere: the layer is skipped.
-  kStart,  ///< Nowhere: the layer's shapes mark the start of the nearest contour.
+  kWaste,  ///< Offset from the line by half a kerf, so that the part has the drawn size.
+  kOn,     ///< On the line itself, through the sheet. Open lines are possible, too.
+  kMark,   ///< On the line, which is engraved, so that nothing is cut through.
+  /// The beam follows lines across the area of the layer's closed contours, which is engraved.
+  kFill,
+  kImage,  ///< In rows of pixels. The layer's pictures are engraved, but not its contours.
+  kSkip,   ///< The beam is nowhere: the layer is skipped.
+  kStart,  ///< The beam is nowhere: the shapes of the layer mark starts of the nearest contours.
 };
 
-/// Returns whether a side cuts nothing through, so that it needs no kerf.
+/// Returns whether a side cuts nothing through. It then requires no kerf.
 [[nodiscard]] constexpr bool is_engraved(Side side) {
   return side == Side::kMark || side == Side::kFill || side == Side::kImage;
 }
 
-/// Returns whether the beam follows lines of this side, or burns pictures.
+/// Returns whether the beam follows contours of this side or burns pictures.
 [[nodiscard]] constexpr bool is_driven(Side side) {
   return side == Side::kWaste || side == Side::kOn || is_engraved(side);
 }
 
-/// Where along its path a closed contour may begin.
+/// The points of its path at which a closed contour may begin.
 enum class StartAt : std::uint8_t {
-  kAny,       ///< On straight lines, on arcs and at corners.
-  kStraight,  ///< On straight lines and arcs.
-  kCorner,    ///< At corners, if the contour has any.
+  kAny,       ///< Anywhere: on straight lines, on arcs and at corners.
+  kStraight,  ///< Only on straight lines and arcs, not at corners.
+  kCorner,    ///< Only at corners, if the contour has any.
   kUsual,     ///< Only in the middle of its longest stroke that has free space for the leads.
-  /// If the contour has tabs, at the end of one of them, before which the cut ends; otherwise as
-  /// kAny.
+  /// At the end of one of its tabs, before which the cut then ends. Without tabs, as kAny.
   kTab,
 };
 
@@ -49,104 +49,110 @@ enum class LeadKind : std::uint8_t { kNone, kLine, kArc };
 struct Lead {
   LeadKind kind = LeadKind::kNone;
   double length_mm = 0.0;
-  bool is_asked = false;  ///< An option requires the lead; false for the default lead.
+  /// Whether an option requires this lead; otherwise it is the default lead.
+  bool is_asked = false;
   bool operator==(const Lead&) const = default;
 };
 
-/// The gas that flows to the cut while the beam is on.
+/// The gas that flows to the cut while the beam is on, by its coolant word.
 enum class Air : std::uint8_t {
-  kFlood,  ///< Flood, M8.
-  kMist,   ///< Mist, M7.
-  kOff,    ///< Off, M9.
+  kFlood,  ///< Gas of the flood output, M8.
+  kMist,   ///< Gas of the mist output, M7.
+  kOff,    ///< No gas, M9.
 };
 
-/// The pattern of the lines of a filled area.
+/// The pattern of the lines that fill an area.
 enum class FillPattern : std::uint8_t {
   kLines,    ///< Parallel lines across the area.
   kContour,  ///< Lines along the outline of the area.
 };
 
-/// Settings for filling an area with lines. Angle and overscan apply to parallel lines.
+/// Settings for filling an area with lines. Angle and overscan apply only to parallel lines.
 struct FillSettings {
-  double interval_mm = 0.1;  ///< Distance from line to line.
-  double angle_deg = 0.0;    ///< Direction of the lines; 0 is along X.
-  /// Length of the run before and after each line; nothing: computed from the acceleration.
+  double interval_mm = 0.1;  ///< Distance between adjacent lines.
+  double angle_deg = 0.0;    ///< Angle of the lines from the X axis.
+  /// Length of the run with the beam off before and after each line. Without a value, it is
+  /// computed from the acceleration.
   std::optional<double> overscan_mm{};
   FillPattern pattern = FillPattern::kLines;
   bool operator==(const FillSettings&) const = default;
 };
 
-/// Settings for cutting the contours of a layer.
+/// Settings by which the contours of a layer are cut or engraved.
 struct LayerSettings {
-  std::optional<double> power_w{};      ///< Power; nothing: chosen from the record.
-  std::optional<double> feed_mm_min{};  ///< Feed; nothing: chosen from the record.
+  std::optional<double> power_w{};      ///< Power; without a value it is chosen from the record.
+  std::optional<double> feed_mm_min{};  ///< Feed; without a value it is chosen from the record.
   Side side = Side::kWaste;
   Lead lead_in{LeadKind::kArc, 2.0};
   Lead lead_out{};
   double overcut_mm = 0.0;
-  /// Width of the material that stays at a tab; the uncut path is one kerf longer.
+  /// Width of the material that stays at a tab. The uncut length of the path is one kerf more.
   double tab_mm = 0.5;
   unsigned tabs = 0;  ///< Number of tabs of each part; holes have no tabs.
   double pierce_s = 0.0;
-  double corner_loop_mm = 0.0;  ///< Radius of loops past outer corners; 0: none.
-  /// Rest with the beam off at corners that have no loop; 0: none.
+  double corner_loop_mm = 0.0;  ///< Radius of loops past outer corners; 0: no loops.
+  /// Time for which the beam rests with its power off at corners without a loop; 0: no rest.
   double corner_dwell_s = 0.0;
-  double corner_angle_deg = 45.0;  ///< Least turn of a corner.
-  /// Greatest distance of two neighbouring cuts that become one cut; 0: no cuts do.
+  double corner_angle_deg = 45.0;  ///< Least turn at which a point of the path is a corner.
+  /// Greatest gap of two neighbouring cuts that become one cut; 0: no cuts become one.
   double common_line_mm = 0.0;
   /// Greatest distance by which a cut along the middle of narrow waste may go into the edges of the
-  /// waste. Waste is narrow if it is narrower than the kerf. 0: there are no such cuts.
+  /// waste. Narrow waste is narrower than the kerf. 0: narrow waste is not cut.
   double narrow_mm = 0.0;
   StartAt start = StartAt::kAny;
-  /// Layers of lower rank are cut first; nothing: no order by rank.
+  /// Rank of the layer. Layers of lower rank are cut first. Without a value, the rank is 0.
   std::optional<unsigned> rank{};
-  /// Power as a share, used instead of power_w until power_in_watts() is called.
+  /// Power as a share. It replaces `power_w` until power_in_watts() is called.
   std::optional<PowerShare> power_share{};
-  unsigned passes = 1;  ///< Number of times that each contour is cut.
-  /// Each pass goes over all contours of the layer; otherwise each contour gets all its passes at
-  /// once.
+  /// Whether each pass goes over all contours of the layer. Otherwise each contour gets all its
+  /// passes before the next contour.
+  unsigned passes = 1;
+  /// Whether each pass goes over all contours of the layer. Otherwise each contour gets all its
+  /// passes before the next contour.
   bool passes_by_layer = false;
   double z_step_mm = 0.0;  ///< Distance by which Z moves down with each pass after the first.
   Air air = Air::kFlood;
-  bool is_scored = false;  ///< A marked line is reported as scored, not as engraved.
-  FillSettings fill{};     ///< Used by Side::kFill, and, except for the angle, by Side::kImage.
-  ImageSettings image{};   ///< Used by Side::kImage.
+  bool is_scored = false;  ///< Whether a marked line is reported as scored, not as engraved.
+  /// Settings for Side::kFill and, except for the angle, for Side::kImage.
+  FillSettings fill{};
+  ImageSettings image{};  ///< Settings for Side::kImage.
   bool operator==(const LayerSettings&) const = default;
 };
 
-/// Converts a power that is given as a share to watts. Throws std::invalid_argument for a value of
-/// S above `full_power_s`.
+/// Converts powers that are given as shares to watts. Throws std::invalid_argument for an S value
+/// above `full_power_s`.
 /// @param full_power_w power at `full_power_s`, above 0
 void power_in_watts(LayerSettings& settings, double full_power_w, double full_power_s);
 
-/// Sets one setting from `key=value`. Throws std::invalid_argument, which says what is wrong and
-/// which keys or values exist.
+/// Sets one setting from its key and value. Throws std::invalid_argument with the reason and the
+/// existing keys or values.
 void set(LayerSettings& settings, std::string_view key, std::string_view value);
 
-/// A rule: the settings of a layer or colour with a certain name. The rule `*` is for all layers
-/// that no other rule names.
+/// A rule: settings for the layers with a certain name or colour. The rule `*` applies to all
+/// layers that no other rule names.
 using LayerRule = NamedValues;
 
 /// Returns whether a rule names the layer: by the layer's name, by its colour in any notation, or
 /// by the name of a colour (see is_colour_named()). The rule `*` names no layer.
 [[nodiscard]] bool names(const LayerRule& rule, const drawing::Layer& layer);
 
-/// Reads a rule. Throws std::invalid_argument, which names the place, also for unknown keys and
-/// invalid values.
+/// Reads a rule. Throws std::invalid_argument with the place of the rule for wrong syntax, unknown
+/// keys and invalid values.
 [[nodiscard]] LayerRule parse_rule(std::string_view text, std::string place);
 
-/// Reads rules, one per line. Blank lines, and lines that begin with `#`, do not count. Throws
+/// Reads rules, one per line. Blank lines, and lines that begin with `#`, are ignored. Throws
 /// std::invalid_argument as parse_rule() does, and for a file without any rule.
 [[nodiscard]] std::vector<LayerRule> read_rules(const std::string& text, const std::string& file);
 
-/// Returns every rule that names the layer. If none does, returns the rules `*`.
+/// Returns all rules that name the layer. If there are none, returns the rules `*`.
 [[nodiscard]] std::vector<const LayerRule*> rules_for(const drawing::Layer& layer,
                                                       const std::vector<LayerRule>& rules);
 
-/// Returns the common settings with the rules for the layer applied, later rules last. The common
-/// settings are for cuts. A layer that is engraved or filled takes nothing from them, and has
-/// neither leads nor tabs. Throws std::invalid_argument, which names the place of the rule, if a
-/// rule gives such a layer leads or tabs. Pictures are skipped unless a rule says kind=image.
+/// Returns the settings of a layer: the common settings, changed by the rules for the layer in
+/// their order. The common settings are for cuts. A layer that is engraved or filled has the
+/// settings `engraved` instead, and neither leads nor tabs. Throws std::invalid_argument with the
+/// place of the rule if a rule gives such a layer leads or tabs. Pictures are skipped unless a rule
+/// says kind=image.
 /// @param engraved settings that replace the common ones for a layer that is engraved or filled
 [[nodiscard]] LayerSettings settings_for(const drawing::Layer& layer,
                                          const LayerSettings& common,

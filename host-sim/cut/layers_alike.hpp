@@ -7,11 +7,11 @@
 
 namespace sim::cut {
 
-/// Returns groups of layers that are cut at an offset from their lines in the same way, for
-/// drawing::fill_across(). If an edge of one such layer crosses an edge of another, both edges
-/// belong to the same part, whatever the colours of the layers.
-/// @return one number for each layer; drawing::kAloneInGroup for a layer that is engraved, cut on
-/// its line, or not cut at all
+/// Returns groups of layers that are cut in the same way at an offset from their lines, for
+/// drawing::fill_across(). If an edge of a layer crosses an edge of another layer of its group,
+/// both edges belong to the same part.
+/// @return the number of its group for each layer; drawing::kAloneInGroup for a layer that is
+/// engraved, cut on its line, or not cut
 [[nodiscard]] std::vector<std::size_t> layers_alike(const std::vector<LayerPlan>& layers);
 
 }  // namespace sim::cut

@@ -7,12 +7,11 @@
 namespace sim::cut {
 namespace {
 
-// This is tan(π / 8), the bulge of a quarter turn.
+// The bulge of a quarter turn, tan(π / 8).
 constexpr double kQuarterBulge = std::numbers::sqrt2 - 1.0;
 constexpr double kDiagonal = 0.5 * std::numbers::sqrt2;
 
-/// Returns the lead-in that ends at `place` in the direction `tangent`. The length is measured
-/// along its path.
+/// Returns the lead-in of the path length `length` that ends at `place` in the direction `tangent`.
 Stroke lead_in(const Lead& lead, double length, const Place& place, const Place& tangent) {
   if (lead.kind == LeadKind::kLine) {
     const Place from = place + length * kDiagonal * (right_of(tangent) - tangent);
@@ -40,11 +39,13 @@ void add(std::vector<Stroke>& row, std::vector<Stroke> more, Purpose purpose) {
   }
 }
 
-/// Evenly spaced tabs. The width that stays at a tab is one kerf less than the uncut length.
+/// Evenly spaced tabs of a row. The uncut length of a tab is one kerf more than the width that
+/// stays.
 struct Tabs {
   unsigned count = 0;
   double gap_mm = 0.0;
-  bool has_last_at_end = false;  ///< The row ends before its last tab, and is not closed.
+  /// The row ends at the start of its last tab, so it is not closed.
+  bool has_last_at_end = false;
 };
 
 std::vector<Stroke> tabbed(const MeasuredRow& row, const Tabs& tabs) {
@@ -68,13 +69,13 @@ bool ends_at_a_tab(const LayerSettings& settings, unsigned tabs) {
   return settings.start == StartAt::kTab && tabs > 0;
 }
 
-/// Reduces the number of tabs until they take less than half of the cut.
+/// Returns the number of tabs, reduced until they take less than half of the cut.
 unsigned tabs_with_room(const MeasuredRow& loop, unsigned tabs, double gap_mm) {
   while (tabs > 0 && tabs * gap_mm >= 0.5 * loop.length()) --tabs;
   return tabs;
 }
 
-/// Returns the cut from a point on, without its leads.
+/// Returns the strokes of a cut that begins at a point of its loop, without its leads.
 std::vector<Stroke> body_of(const MeasuredRow& loop,
                             double way_mm,
                             const LayerSettings& settings,

@@ -9,15 +9,15 @@
 
 namespace sim::cut {
 
-/// Cost of a straight rapid, as length or as time.
+/// Cost of a straight rapid, as its length or its time.
 ///
-/// A time is expressed as the distance that the machine rapids in that time. So both kinds of cost
-/// have about the same magnitude, and searches that compare costs with distances work with both.
+/// A time is expressed as the distance that a rapid covers in this time. So both kinds of cost have
+/// about the same magnitude, and a search that compares costs with distances works with both.
 class RapidCost {
  public:
-  /// Makes the cost a length, mm.
+  /// Makes an object whose cost is the length, mm.
   RapidCost() = default;
-  /// Makes the cost a time.
+  /// Makes an object whose cost is the time, for a machine with `limits`.
   explicit RapidCost(const cnc::order::RapidLimits& limits)
       : time_{limits},
         mm_per_s_{std::min(limits.rate_mm_s[0], limits.rate_mm_s[1])},
@@ -41,21 +41,22 @@ class LegCost {
  public:
   struct Terms {
     cnc::order::CandidatePlaces places;
-    std::span<const double> own;  ///< Own cost of each candidate; empty: none.
-    /// The path home costs nothing, because other cuts follow from the last one.
+    std::span<const double> own;  ///< Own cost of each candidate; empty if there are no own costs.
+    /// Whether the leg to home costs nothing, because other cuts follow the last cut.
     bool is_free_end = false;
   };
 
   LegCost(const Terms& terms, const RapidCost& rapid) : terms_{terms}, rapid_{&rapid} {}
 
-  /// Returns the cost of the leg between two candidates. Half of a candidate's own cost belongs to
-  /// the leg to it, and half to the leg from it. So a tour costs the same in both directions if its
-  /// rapids do.
+  /// Returns the cost of the leg between two candidates. Half of the own cost of a candidate
+  /// belongs to the leg to the candidate, and half to the leg from it. So a tour has the same cost
+  /// in both directions if its rapids do.
   [[nodiscard]] double operator()(cnc::order::Index from, cnc::order::Index to) const {
     return table_.empty() ? computed(from, to) : table_[from * terms_.places.entry.size() + to];
   }
 
-  /// Keeps the costs of all legs in a table, which must outlive this object.
+  /// Fills a table with the costs of all legs, and uses it from then on. The table must outlive
+  /// this object.
   void keep_in(std::vector<double>& table) {
     const std::size_t count = terms_.places.entry.size();
     table.resize(count * count);

@@ -9,15 +9,15 @@
 namespace sim::cut {
 namespace {
 
-/// Distance that links keep from tabs, in kerfs. A tab also needs the waste at its other end to
-/// hold.
+/// Distance that links keep from tabs, in kerfs. A tab holds only if the waste at its other end
+/// stays.
 constexpr double kKerfsFromTabs = 1.5;
 
 bool may_be_linked(const Cut& cut, const LayerPlan& layer) {
   return layer.settings.side == Side::kWaste && !cut.is_slice && cut.programmed.empty();
 }
 
-/// Returns the time that a link saves, s, computed without acceleration.
+/// Returns the time that a link saves, s. Acceleration is ignored.
 double saved_by(const Stroke& link,
                 const Cut& next,
                 const LayerPlan& layer,
@@ -32,8 +32,8 @@ double saved_by(const Stroke& link,
   return saved;
 }
 
-/// Inserts a link before a cut. The pierce of the cut becomes what it was a part of: the lead, or
-/// the contour if there is no lead.
+/// Inserts a link before a cut. The pierce of the cut becomes a piece of the lead-in, or of the
+/// contour if there is no lead-in.
 void add_link(Cut& next, const Stroke& link) {
   Stroke& first = next.strokes.front();
   if (first.purpose == Purpose::kPierce) {

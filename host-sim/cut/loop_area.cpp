@@ -10,8 +10,8 @@
 namespace sim::cut {
 namespace {
 
-/// Returns twice the area inside the loop, with the areas between arcs and their chords; positive
-/// if the loop turns left.
+/// Returns twice the area inside the loop, mm², with the areas between arcs and their chords. The
+/// result is positive if the loop turns left.
 double twice_area(const std::vector<Stroke>& loop) {
   const Place origin = loop.front().from;
   double twice = 0.0;
@@ -25,9 +25,9 @@ double twice_area(const std::vector<Stroke>& loop) {
   return twice;
 }
 
-/// Returns a positive number for a point on the left of a chord. A point on the chord counts as
-/// slightly to the right in the plane, or as slightly above a horizontal chord. The ray of
-/// turns_by_chord() treats such points in the same way.
+/// Returns a positive number for a point on the left of a chord, and a negative one for a point on
+/// the right. A point on the chord counts as slightly farther in +x, or above a horizontal chord.
+/// The ray of turns_by_chord() treats such points in the same way.
 double side_of(const Stroke& stroke, const Place& place) {
   const Place way = stroke.to - stroke.from;
   const double side = drawing::cross(way, place - stroke.from);
@@ -35,7 +35,7 @@ double side_of(const Stroke& stroke, const Place& place) {
   return way.y() == 0.0 ? way.x() : -way.y();
 }
 
-/// Returns the change of the winding number around a point when an arc replaces its chord.
+/// Returns the change of the winding number around a point if an arc replaces its chord.
 int turns_by_arc(const Stroke& arc, const Place& place) {
   if (arc.bulge == 0.0) return 0;
   const double side = side_of(arc, place);
@@ -45,7 +45,8 @@ int turns_by_arc(const Stroke& arc, const Place& place) {
   return arc.bulge > 0.0 ? 1 : -1;
 }
 
-/// Returns the change of the winding number at a chord that crosses a ray to the right.
+/// Returns the contribution of a chord to the winding number around a point. It is 1 or −1 if a ray
+/// from the point to the right crosses the chord, otherwise 0.
 int turns_by_chord(const Stroke& stroke, const Place& place) {
   const bool from_is_above = stroke.from.y() > place.y();
   const bool to_is_above = stroke.to.y() > place.y();
@@ -113,8 +114,8 @@ bool LoopArea::comes_near(const Place& from, const Place& to, double mm) const {
   for (std::size_t i = 0; i < loop_.size(); ++i) {
     const Box& box = boxes_[i];
     if (!box.meets(around)) continue;
-    // The test uses the middle of the box and the reach of its corners perpendicular to the
-    // segment.
+    // Compares the distance of the box's middle from the line of the segment with the reach of the
+    // box's corners perpendicular to this line.
     const Place middle{0.5 * (box.x0 + box.x1), 0.5 * (box.y0 + box.y1)};
     const double reach =
         0.5 * ((box.x1 - box.x0) * std::abs(way.y()) + (box.y1 - box.y0) * std::abs(way.x()));

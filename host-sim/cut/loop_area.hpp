@@ -9,52 +9,54 @@
 namespace sim::cut {
 
 /// The area inside a closed row of lines and arcs. The row may cross itself, as corner loops do.
-/// Every point that the row goes around, in either direction, is inside.
+/// Every point around which the row winds, in either direction, is inside.
 class LoopArea {
  public:
   using Box = cnc::contour::FlatBox<double>;
 
+  /// Makes the area inside a loop.
   /// @pre each stroke begins where the previous one ends, the first one begins at the end of the
-  /// last, and at least one is longer than a nanometre
-  /// @param skin_mm distance by which the owner extends the area beyond the loop, 0 or more
+  /// last one, and at least one is longer than a nanometre
+  /// @param skin_mm distance by which the area extends beyond the loop, 0 or more. Only box()
+  /// contains this skin; the caller adds it to other distances
   explicit LoopArea(std::vector<Stroke> loop, double skin_mm = 0.0);
 
-  /// Returns the loop, counter-clockwise.
+  /// Returns the loop in counter-clockwise direction.
   [[nodiscard]] const std::vector<Stroke>& strokes() const { return loop_; }
   /// Returns the box around the area with its skin.
   [[nodiscard]] const Box& box() const { return box_; }
   [[nodiscard]] double skin_mm() const { return skin_mm_; }
 
-  /// Returns whether a point is inside the loop. Within rounding of the edge, either answer counts
-  /// as right.
+  /// Returns whether a point is inside the loop. Either result is possible for a point that is
+  /// within rounding of the loop.
   [[nodiscard]] bool contains(const Place& place) const;
 
-  /// Returns the distance of a point to the loop, mm; positive both inside and outside.
+  /// Returns the distance of a point from the loop, mm. It is positive both inside and outside.
   [[nodiscard]] double distance_to_loop(const Place& place) const;
 
   /// Returns whether a segment comes nearer to the loop than `mm`.
   [[nodiscard]] bool comes_near(const Place& from, const Place& to, double mm) const;
 
-  /// Returns whether a point of a segment is inside, farther than `depth_mm` from the loop.
-  /// Excursions up to about twice this depth may be missed; deeper ones are not.
+  /// Returns whether any point of a segment is inside at more than `depth_mm` from the loop. Points
+  /// up to about twice this depth may be missed; deeper points are not missed.
   [[nodiscard]] bool is_crossed(const Place& from, const Place& to, double depth_mm) const;
 
  private:
   std::vector<Stroke> loop_;
-  std::vector<Box> boxes_;  ///< Boxes around the strokes, one for each.
+  std::vector<Box> boxes_;  ///< Box around each stroke.
   Box box_{};
   double skin_mm_;
 };
 
-/// Returns a box that holds a stroke.
+/// Returns a box that contains a stroke.
 [[nodiscard]] LoopArea::Box box_around(const Stroke& stroke);
 
-/// Returns a box that is extended by `mm` on all sides.
+/// Returns a box extended by `mm` on all sides.
 [[nodiscard]] inline LoopArea::Box grown(const LoopArea::Box& box, double mm) {
   return {box.x0 - mm, box.y0 - mm, box.x1 + mm, box.y1 + mm};
 }
 
-/// Returns the box with two points as opposite corners.
+/// Returns the box that has two points as opposite corners.
 [[nodiscard]] inline LoopArea::Box box_between(const Place& a, const Place& b) {
   return {a.x() < b.x() ? a.x() : b.x(),
           a.y() < b.y() ? a.y() : b.y(),

@@ -21,7 +21,7 @@ constexpr double kMaxBedMm = 1.0e5;
 constexpr double kMaxRate = 1.0e6;          ///< Greatest rate, mm/min.
 constexpr double kMaxAcceleration = 1.0e6;  ///< Greatest acceleration, mm/s².
 constexpr double kMaxJerk = 1.0e9;          ///< Greatest jerk, mm/s³.
-/// Excess up to which a position counts as within the bed, because of rounding.
+/// Distance beyond the bed at which a position still counts as within it, because of rounding.
 constexpr double kBedSlackMm = 1.0e-3;
 
 struct CornerName {
@@ -42,10 +42,11 @@ OriginCorner corner_of(const JsonFields& fields) {
   for (const CornerName& known : kCorners) {
     if (known.key == text) return known.corner;
   }
-  fields.refuse("origin", "wants front-left, front-right, back-left, back-right or centre");
+  fields.refuse("origin", "must be front-left, front-right, back-left, back-right or centre");
 }
 
-/// Adds the setting `number` for X and the next one for Y.
+/// Adds the first value as the setting `number`, for X, and the second one as the next setting, for
+/// Y.
 void add_pair(std::vector<SettingChange>& settings,
               std::uint16_t number,
               const std::optional<std::pair<double, double>>& values,
@@ -77,7 +78,7 @@ std::vector<SettingChange> settings_in(const JsonFields& fields, const std::stri
   return settings;
 }
 
-/// Returns the points of a stroke that may be the outermost ones.
+/// Returns the points of a stroke that may be outermost in some direction along an axis.
 std::vector<Place> outermost_of(const Stroke& stroke) {
   std::vector<Place> places{stroke.from, stroke.to};
   if (stroke.bulge == 0.0) return places;
@@ -97,8 +98,8 @@ std::vector<Place> outermost_of(const Stroke& stroke) {
   return places;
 }
 
-/// Returns the points that may be the outermost ones, of all strokes of a cut and of its strokes
-/// for a controller.
+/// Returns the points of a cut that may be outermost. They are points of its strokes, and of its
+/// strokes for a controller that computes compensated paths.
 std::vector<Place> outermost_of(const Cut& cut) {
   std::vector<Place> places;
   for (const std::vector<Stroke>* strokes : {&cut.strokes, &cut.programmed}) {
@@ -110,11 +111,11 @@ std::vector<Place> outermost_of(const Cut& cut) {
   return places;
 }
 
-/// The farthest point beyond one side of the bed.
+/// One side of the bed, with the point of the job that is farthest beyond it.
 struct BedSide {
   const char* name = "";
   std::size_t axis = 0;
-  double way = 1.0;  ///< Sign of the outward direction along the axis.
+  double way = 1.0;  ///< Sign of the direction along the axis that leads off the bed.
   double edge = 0.0;
   double beyond_mm = kBedSlackMm;
   Place place{0.0, 0.0};

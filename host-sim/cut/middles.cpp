@@ -14,8 +14,8 @@
 namespace sim::cut {
 namespace {
 
-/// Returns whether contour `i` lies in a hole. This is so if the outermost of `contours` around it,
-/// or the contour itself if none is around it, is a hole.
+/// Returns whether the waste at contour `i` is in a hole. The outermost of `contours` around it
+/// decides, or the contour itself if none is around it.
 bool is_in_hole(const DrawnEdges& edges, const std::vector<std::size_t>& contours, std::size_t i) {
   std::size_t outermost = i;
   for (auto around = edges.drawn.contours[i].lies_in; around;
@@ -40,7 +40,8 @@ Middles middles_beside(const DrawnEdges& edges, const std::vector<std::size_t>& 
   double max_off_mm = std::numeric_limits<double>::infinity();
   for (const std::size_t i : contours) max_off_mm = std::min(max_off_mm, edges.narrow_mm(i));
   if (max_off_mm <= 0.0 || half_kerf_mm <= 0.0) return {};
-  // First the outlines whose waste is outside of parts, then those whose waste is in holes.
+  // `rows[0]` has the outlines whose waste is outside of parts, `rows[1]` the outlines whose waste
+  // is in holes.
   std::array<std::vector<const std::vector<Stroke>*>, 2> rows;
   for (const std::size_t i : contours) {
     rows[is_in_hole(edges, contours, i) ? 1 : 0].push_back(&edges.outlines[i].strokes);
@@ -66,7 +67,7 @@ Middles middles_beside(const DrawnEdges& edges, const std::vector<std::size_t>& 
                           2.0 * half_kerf_mm,
                           lines.length_mm,
                           lines.max_off_mm),
-              "make it as wide as the kerf, or forbid that with narrow=0"}};
+              "make it as wide as the kerf, or forbid this cut with narrow=0"}};
 }
 
 }  // namespace sim::cut

@@ -23,12 +23,12 @@ NamedValues parse_named_values(std::string_view text, std::string place, std::st
   const auto refuse = [&place](const std::string& reason) {
     return std::invalid_argument(fmt::format("{}: {}", place, reason));
   };
-  // A name may contain colons, as in `a:b: feed=1`. Before the first `=` keys and values contain
-  // none.
+  // A name may contain colons, as in `a:b: feed=1`. Keys contain none, so the last colon before the
+  // first `=` ends the name.
   const std::size_t equals = text.find('=');
   const std::size_t colon = text.rfind(':', equals);
   if (equals == std::string_view::npos || colon == std::string_view::npos) {
-    throw refuse(fmt::format("{}: wants a {}", text, form));
+    throw refuse(fmt::format("{}: must be a {}", text, form));
   }
   NamedValues named{std::string{trimmed(text.substr(0, colon))}, {}, place};
   std::string_view rest = text.substr(colon + 1);
@@ -38,7 +38,8 @@ NamedValues parse_named_values(std::string_view text, std::string place, std::st
     const std::string_view pair = trimmed(rest.substr(0, comma));
     if (more) rest.remove_prefix(comma + 1);
     const std::size_t split = pair.find('=');
-    if (split == std::string_view::npos) throw refuse(fmt::format("{}: no `=`", pair));
+    if (split == std::string_view::npos)
+      throw refuse(fmt::format("{}: has no `=`; write key=value", pair));
     if (pair.find('=', split + 1) != std::string_view::npos) {
       throw refuse(fmt::format("{}: has two `=`; put a comma between settings", pair));
     }

@@ -19,27 +19,28 @@ using pocket::AxisChain;
 using pocket::AxisPoint;
 using pocket::MedialAxis;
 
-/// Tolerance of the lines, as a share of half the kerf.
+/// Tolerance of the lines along the middle, as a share of half the kerf.
 constexpr double kMiddleTolerance = 5.0e-3;
 constexpr double kSamePlaceMm = 1.0e-6;
-constexpr double kNoMore = 1.0e-6;  ///< Tolerance of a limit for rounding, mm.
-/// Tolerance, as a share of half the kerf, by which paths may lie too near to each other.
+constexpr double kNoMore = 1.0e-6;  ///< Tolerance for rounding at a limit, mm.
+/// Share of half the kerf by which two paths may be too near to each other.
 constexpr double kWideEnough = 1.0e-3;
-/// Ratio of the decrease of the radius to the length; an end that narrows faster is a corner.
+/// Greatest decrease of the radius per length of a stretch that gets a line. A stretch whose end
+/// narrows faster is a corner.
 constexpr double kSteepest = 0.5;
 /// Half the length of a line that replaces a point, in half kerfs.
 constexpr double kDot = 0.25;
 
-/// The kind of a stretch's end.
+/// The kind of point at which a stretch ends.
 enum class NarrowEnd : std::uint8_t {
-  kPath,   ///< A path of the beam begins here, because the waste is wider from here on.
-  kLimit,  ///< Beyond this point a cut would take too much off the edges.
-  kNode,   ///< A node of the axis.
+  kPath,   ///< A point from which on the waste is wider, so that a path of the beam begins there.
+  kLimit,  ///< A point beyond which a cut would take too much off the edges.
+  kNode,   ///< A node of the axis at which the stretch ends.
 };
 
 struct End {
   NarrowEnd kind = NarrowEnd::kNode;
-  std::uint32_t node = 0;  ///< Number of the node, if the end is a node.
+  std::uint32_t node = 0;  ///< Number of the node, if a node is the end.
 };
 
 /// A part of a chain of the axis along which waste is narrower than the kerf.
@@ -62,7 +63,7 @@ double length_of(const std::vector<AxisPoint>& points) {
   return length;
 }
 
-/// Removes a part of the given length from the end of a line of points.
+/// Removes a piece of the given length from the end of a line of points.
 void shorten(std::vector<AxisPoint>& points, double length) {
   while (points.size() > 1) {
     const AxisPoint& last = points.back();
@@ -80,7 +81,7 @@ void shorten(std::vector<AxisPoint>& points, double length) {
   }
 }
 
-/// Returns the points of a chain, with additional points where the radius is equal to one of the
+/// Returns the points of a chain, and between them the points at which the radius has one of the
 /// limits.
 std::vector<AxisPoint> with_limits(const AxisChain& chain, double least, double most) {
   std::vector<AxisPoint> points{chain.points.front()};
@@ -141,17 +142,17 @@ class NarrowFinder {
 
   const MedialAxis& axis_;
   double half_;
-  double min_;  ///< Least radius of narrow waste.
-  double max_;  ///< Upper limit of the radius of narrow waste.
+  double min_;  ///< Least radius of waste that gets a line.
+  double max_;  ///< Radius from which on waste is too wide for a line.
   std::vector<Narrow> narrows_{};
-  std::vector<std::uint32_t> degrees_;  ///< Number of narrow ends at each node.
-  drawing::PieceSets sets_;             ///< Sets of nodes that are connected by narrow stretches.
-  /// Whether a path leads to a set, by the first node of the set.
+  std::vector<std::uint32_t> degrees_;  ///< Number of ends of narrow stretches at each node.
+  drawing::PieceSets sets_;             ///< Sets of nodes that narrow stretches connect.
+  /// Whether a path leads to a set. The index is the first node of the set.
   std::vector<bool> has_path_;
-  /// Whether a line goes through a set, by the first node of the set.
+  /// Whether a line goes through a set. The index is the first node of the set.
   std::vector<bool> is_cut_{};
-  /// For each node, the stretches that end there. The flag says whether the node is at the last
-  /// point of the stretch.
+  /// For each node, the stretches that end there. The flag is true if the node is at the last point
+  /// of the stretch.
   std::vector<std::vector<std::pair<std::size_t, bool>>> ends_at_{};
   NarrowLines found_{};
 };
@@ -177,7 +178,7 @@ void NarrowFinder::divide(const AxisChain& chain) {
   }
 }
 
-/// Determines the sets of connected nodes, and the sets to which paths lead.
+/// Determines the sets of connected nodes, and to which of these sets paths lead.
 void NarrowFinder::note_sets() {
   for (const Narrow& narrow : narrows_) {
     for (const End& end : {narrow.from, narrow.to}) {
@@ -196,7 +197,8 @@ void NarrowFinder::note_sets() {
   }
 }
 
-/// Returns whether a stretch leads into a corner, which the beam already reaches as far as it can.
+/// Returns whether a stretch only leads into a corner. The beam already reaches as far into a
+/// corner as it can.
 bool NarrowFinder::is_corner(const Narrow& narrow) const {
   const bool ends_free = is_free(narrow.to);
   if (is_free(narrow.from) == ends_free) return false;
@@ -208,8 +210,8 @@ void NarrowFinder::drop_corners() {
   for (bool is_changed = true; is_changed;) {
     is_changed = false;
     std::vector<Narrow> kept;
-    // All stretches are judged in their present state. If a stretch becomes an end because another
-    // one is dropped, the next pass judges it.
+    // All stretches are checked in the same state. A stretch that becomes an end because another
+    // one is dropped is checked in the next pass.
     std::vector<bool> goes;
     for (const Narrow& narrow : narrows_) goes.push_back(is_corner(narrow));
     for (std::size_t i = 0; i < narrows_.size(); ++i) {
@@ -226,7 +228,8 @@ void NarrowFinder::drop_corners() {
   }
 }
 
-/// Joins stretches that meet in nodes to lines. Each line continues as straight as possible.
+/// Joins stretches into lines where they meet at nodes. At a node, a line continues as straight as
+/// possible.
 void NarrowFinder::join() {
   ends_at_.assign(axis_.nodes.size(), {});
   for (std::size_t i = 0; i < narrows_.size(); ++i) {
@@ -272,14 +275,15 @@ void NarrowFinder::lengthen(Narrow& line, std::vector<bool>& is_used) const {
   }
 }
 
-/// Returns whether the cuts that begin at both ends of a line reach its middle.
+/// Returns whether the cuts that begin at both ends of a line cover the line, so that it is
+/// unnecessary.
 bool NarrowFinder::is_cut_from_ends(const Narrow& line) const {
   if (line.from.kind != NarrowEnd::kPath || line.to.kind != NarrowEnd::kPath) return false;
   const double widest = std::ranges::max_element(line.points, {}, &AxisPoint::radius)->radius;
   return std::hypot(widest, 0.5 * length_of(line.points)) <= half_;
 }
 
-/// Adds a line. At its free ends it is shortened by the reach of the beam.
+/// Adds a line. Ends that lead nowhere are shortened by the reach of the beam.
 void NarrowFinder::add(Narrow line) {
   if (is_cut_from_ends(line)) return;
   const AxisPoint widest = *std::ranges::max_element(line.points, {}, &AxisPoint::radius);
@@ -312,7 +316,8 @@ void NarrowFinder::add(Narrow line) {
   }
 }
 
-/// Adds points for narrow waste that has no line and leads to no path.
+/// Adds a short line for each piece of narrow waste that contains no line and is connected to no
+/// path.
 void NarrowFinder::add_points() {
   std::vector<std::optional<AxisPoint>> widest(axis_.nodes.size());
   for (std::uint32_t i = 0; i < axis_.nodes.size(); ++i) {
@@ -326,7 +331,7 @@ void NarrowFinder::add_points() {
   }
 }
 
-/// Adds a short line instead of a point, because the beam may be off at rest.
+/// Adds a short line in place of a point, because the beam may be off at rest.
 void NarrowFinder::add_point(const AxisPoint& point) {
   const Place reach{kDot * half_, 0.0};
   note({point});

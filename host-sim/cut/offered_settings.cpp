@@ -29,7 +29,7 @@ std::optional<std::string_view> kind_of(std::string_view mode) {
   return std::nullopt;
 }
 
-/// Adds a value, or the reason why it is not usable.
+/// Adds a value, or the reason why set() refuses it.
 void offer(OfferedValues& offered, std::string_view key, std::string value) {
   LayerSettings tried;
   try {
@@ -70,9 +70,9 @@ OfferedValues values_of(const drawing::OfferedSettings& offered) {
   if (kind) {
     offer(found, "kind", std::string{*kind});
   } else {
-    found.unusable.push_back(fmt::format(
-        "the mode {:.40} is none of Cut, Scan, Image and Tool; say what it is with kind=",
-        offered.kind.empty() ? "without a name" : offered.kind));
+    found.unusable.push_back(
+        fmt::format("the mode {:.40} is none of Cut, Scan, Image and Tool; set its kind with kind=",
+                    offered.kind.empty() ? "without a name" : offered.kind));
   }
   if (kind && kind != "skip") {
     offer_number(found, "power", times(offered.power_share, 100.0), "%");

@@ -12,10 +12,10 @@ namespace {
 
 using drawing::DrawnContour;
 
-/// The open contours of one layer that are cut on the line.
+/// The open contours of one layer that are changed to cuts on the line.
 struct LayerLines {
   std::size_t count = 0;
-  std::size_t first = 0;  ///< Number of the first such contour.
+  std::size_t first = 0;  ///< Number of the first of these contours.
 };
 
 drawing::Fault told(const drawing::Drawing& drawn, std::size_t layer, const LayerLines& lines) {
@@ -29,7 +29,7 @@ drawing::Fault told(const drawing::Drawing& drawn, std::size_t layer, const Laye
                       drawn.layers[layer].name,
                       drawn.layers[layer].colour,
                       lines.count == 1 ? "is" : "are"),
-          "close what is the edge of a part: its cut is half a kerf into it"};
+          "close contours that are edges of parts: the cut goes half a kerf into them"};
 }
 
 }  // namespace
@@ -38,7 +38,7 @@ std::vector<drawing::Fault> cut_open_on_line(const drawing::Drawing& drawn,
                                              const std::vector<LayerPlan>& layers,
                                              Recipes& recipes) {
   std::map<std::size_t, LayerLines> lines;
-  // New plan by the layer and the old plan of a contour.
+  // Number of the new plan, by the layer and the number of the old plan of a contour.
   std::map<std::pair<std::size_t, std::uint32_t>, std::uint32_t> plans;
   for (std::size_t i = 0; i < drawn.contours.size(); ++i) {
     const DrawnContour& contour = drawn.contours[i];

@@ -7,13 +7,13 @@
 
 namespace sim::cut {
 
-/// Changes open contours of layers that are cut at an offset to cuts on the line, because living
-/// hinges, score lines and slits are drawn in this way. Open contours have no inside, and therefore
-/// no side for the kerf. Contours that may be meant as closed (DrawnContour::is_doubtful) stay
-/// among the drawing's faults.
-/// @param layers one for each layer of the drawing
+/// Changes open contours of layers that are cut at an offset to cuts on the line. Living hinges,
+/// score lines and slits are drawn in this way. An open contour has no inside, and therefore no
+/// side for the kerf. Contours that may be meant as closed (DrawnContour::is_doubtful) stay among
+/// the drawing's faults.
+/// @param layers plan of each layer of the drawing
 /// @param recipes receives plans for these contours
-/// @return a warning for each layer that has such contours, with their number
+/// @return a warning for each layer with such contours, which gives their number
 [[nodiscard]] std::vector<drawing::Fault> cut_open_on_line(const drawing::Drawing& drawn,
                                                            const std::vector<LayerPlan>& layers,
                                                            Recipes& recipes);

@@ -27,7 +27,7 @@ RapidCost cost_of(const OrderWish& wish) {
   return wish.cost == OrderCost::kTime ? RapidCost{wish.limits} : RapidCost{};
 }
 
-/// Returns groups of cuts with the same turn, in the order of the turns.
+/// Returns groups of cuts that have the same turn, in the order of the turns.
 std::vector<std::vector<std::size_t>> groups_of(const std::vector<UnbegunCut>& cuts,
                                                 Grouping grouping) {
   const std::vector<CutTurn> turns = turns_of(cuts, grouping);
@@ -93,8 +93,8 @@ double sum_of(const std::vector<OrderedCut>& order, const RapidCost& cost, const
   return sum + cost(ends.to.x() - here.x(), ends.to.y() - here.y());
 }
 
-/// Repeats the search with the refined beginnings added to the lists, as long as this lowers the
-/// cost.
+/// Repeats the search with the refined beginnings added to the lists of beginnings, as long as this
+/// lowers the cost.
 void search_again(ChosenOrder& chosen,
                   const std::vector<UnbegunCut>& cuts,
                   const OrderWish& wish,

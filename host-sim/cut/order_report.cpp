@@ -12,13 +12,13 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Returns the saving compared with `other`, %; 0 if `other` is 0.
+/// Returns the share that `ours` saves of `other`, %; 0 if `other` is 0.
 double saving(double ours, double other) {
   return other > 0.0 ? 100.0 * (1.0 - ours / other) : 0.0;
 }
 
-/// Returns the time of the job in another order. The time of the cuts differs because of their
-/// beginnings.
+/// Returns the time of the job in another order. The cuts themselves take a different time, because
+/// their beginnings differ.
 double job_time(const RapidSum& sum, const OrderFigures& order) {
   return order.strokes_s - order.rapids.own_s + sum.own_s + sum.time_s;
 }
@@ -29,7 +29,7 @@ Json json_of(const RapidSum& sum, const OrderFigures& order) {
           {"predicted_job_time_s", job_time(sum, order)}};
 }
 
-/// Returns whether rapids are routed around areas, or lifted.
+/// Returns whether any rapids are routed around areas.
 bool is_led(const OrderFigures& order) {
   constexpr double kNothingMm = 0.05;
   return std::abs(order.rapids.length_mm - order.straight.length_mm) > kNothingMm;
@@ -48,7 +48,7 @@ std::vector<std::string> lines_of(const OrderFigures& order, std::size_t cuts) {
   const auto cost = [&order](const RapidSum& sum) {
     return order.wish.cost == OrderCost::kLength ? sum.length_mm : sum.time_s;
   };
-  // The rapids of the other orders are known only as straight ones, so this order is compared by
+  // The rapids of the other orders are known only as straight ones. So this order is compared by
   // its straight rapids, too.
   const auto beside = [&](std::string_view name, const RapidSum& other) {
     return line(name, other) +

@@ -12,41 +12,43 @@
 
 namespace sim::cut {
 
-/// The cost that an order of cuts is to minimise.
+/// The cost that the order of cuts minimises.
 enum class OrderCost : std::uint8_t {
-  kTime,    ///< Time of the rapids, plus the changes of the cuts' time by their beginnings.
-  kLength,  ///< Length of the rapids, as in the paper.
+  kTime,    ///< Time of the rapids, plus the time that the beginnings add to cuts.
+  kLength,  ///< Length of the rapids, as in the paper of cnc::order::Annealing.
 };
 [[nodiscard]] std::string_view text_of(OrderCost cost);
 
-/// The cuts that stay together in the order.
+/// Cuts that stay together in the order.
 enum class Grouping : std::uint8_t {
   kNone,
-  /// Each layer is cut as a whole. Layers follow their ranks, then the order of the drawing.
+  /// Cuts of one layer stay together. The layers are in the order of their ranks, then of the
+  /// drawing.
   kLayer,
-  kPart,  ///< Each outermost contour stays together with everything inside it.
+  kPart,  ///< Cuts of an outermost contour and of everything inside it stay together.
 };
 [[nodiscard]] std::string_view text_of(Grouping grouping);
 
-/// Requirements on the order of the cuts and their beginnings.
+/// Requirements on the order of the cuts and on their beginnings, with the data of the machine.
 struct OrderWish {
   order::OrderMethod method = order::OrderMethod::kOurs;
   OrderCost cost = OrderCost::kTime;
   Grouping grouping = Grouping::kNone;
   Place from{0.0, 0.0};  ///< Position of the head before the first cut, mm.
   Place to{0.0, 0.0};    ///< Position of the head after the last cut, mm.
-  /// Time of the search. Without it, the number of steps follows from the number of cuts, so that
-  /// the result is the same on every machine.
+  /// Time of the search. Without a value, the number of steps follows from the number of cuts, so
+  /// that the result is the same on every machine.
   std::optional<double> seconds{};
   std::uint64_t seed = 1;
   cnc::order::RapidLimits limits{};
-  /// $11: deviation up to which corners may be rounded.
+  /// Setting $11: deviation up to which corners may be rounded.
   double junction_deviation_mm = 0.01;
-  /// $12: tolerance of arcs, part of which is available for welded lines.
+  /// Setting $12: tolerance of arcs. Lines that are welded may use part of it.
   double arc_tolerance_mm = 0.002;
-  std::array<double, 2> steps_per_mm{250.0, 250.0};  ///< $100 and $101: steps per millimetre.
-  std::uint8_t decimals = 4;  ///< Decimals of printed positions, see cnc::gcode::PrintGrid.
-  /// Receives from time to time the finished share of the search and the cost.
+  /// Steps per millimetre of X and of Y, settings $100 and $101.
+  std::array<double, 2> steps_per_mm{250.0, 250.0};
+  std::uint8_t decimals = 4;  ///< Decimals of printed positions; see cnc::gcode::PrintGrid.
+  /// Callback that receives the finished share of the search, and the cost.
   order::OrderProgress progress{};
 };
 

@@ -13,7 +13,7 @@ namespace {
 
 using drawing::DrawnContour;
 
-/// Finds the outlines that are holes, and directs all outlines so that the part is on their left.
+/// Determines which outlines are holes. Directs all outlines so that the part is on their left.
 void find_holes(const drawing::Drawing& drawn, std::vector<Outline>& outlines) {
   for (std::size_t i = 0; i < outlines.size(); ++i) {
     if (!outlines[i].is_beside) continue;
@@ -38,7 +38,7 @@ std::vector<Outline> outlines_of(const drawing::Drawing& drawn,
   std::vector<std::size_t> driven;
   for (std::size_t i = 0; i < outlines.size(); ++i) {
     const Side side = sides[i];
-    // Open contours that are not cut as lines are among the drawing's own faults.
+    // Such open contours are reported as faults of the drawing.
     const bool is_open_area =
         !drawn.contours[i].closed && (side == Side::kWaste || side == Side::kFill);
     const bool has_line = is_driven(side) && side != Side::kImage;

@@ -11,13 +11,13 @@ namespace sim::cut {
 namespace {
 
 /// Greatest numbers of strokes that are compared, and of motions that are planned, for all cuts
-/// together. They take some seconds.
+/// together. This work takes some seconds.
 constexpr std::size_t kStrokes = 1'000'000;
 constexpr std::size_t kMotions = 200'000;
-/// Greatest number of planned motions under a limit of jerk, where each motion is planned for
+/// Greatest number of motions that are planned under a limit of jerk. Each of these is planned for
 /// several windows.
 constexpr std::size_t kMotionsUnderJerk = 20'000;
-/// Distance within which beginnings count as the same, mm.
+/// Distance within which two beginnings count as the same, mm.
 constexpr double kSamePlace = 1.0e-6;
 
 bool has_jerk(const cnc::order::RapidLimits& limits) {
@@ -35,7 +35,7 @@ double turn_angle(const Place& from, const Place& to) {
   return std::atan2(drawing::cross(from, to), drawing::dot(from, to));
 }
 
-/// Combines numbers to one of 64 bits (FNV-1a over whole words).
+/// Combines numbers to one number of 64 bits (FNV-1a over whole words).
 class Digest {
  public:
   void add(std::int64_t number) {
@@ -59,8 +59,8 @@ OwnCosts::OwnCosts(const OrderWish& machine)
       strokes_left_{kStrokes},
       motions_left_{has_jerk(machine.limits) ? kMotionsUnderJerk : kMotions} {}
 
-/// Returns a digest of the shape and settings that determine the time of the strokes. Where both
-/// axes have the same limits, strokes that differ by quarter turns have the same digest.
+/// Returns a digest of the shapes and settings that determine the time of the strokes. If both axes
+/// have the same limits, strokes that are turned by quarter turns have the same digest.
 std::uint64_t OwnCosts::digest_of(const std::vector<Stroke>& strokes,
                                   const LayerPlan& layer) const {
   constexpr std::int64_t kQuarterTurn = 1'570'796;
@@ -80,8 +80,8 @@ std::uint64_t OwnCosts::digest_of(const std::vector<Stroke>& strokes,
   return digest.value();
 }
 
-/// Returns the time of the strokes. A rapid from the side precedes them, so that the cut begins at
-/// rest, and the whole cut is known to the planner by then.
+/// Returns the time of the strokes, s. A rapid from the side comes first, so that the cut begins at
+/// rest and the planner knows the whole cut when it begins.
 double OwnCosts::time_of(const std::vector<Stroke>& strokes, const LayerPlan& layer) {
   constexpr double kRapidMm = 100.0;
   const Place& entry = strokes.front().from;

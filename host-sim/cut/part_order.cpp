@@ -11,25 +11,25 @@ namespace sim::cut {
 namespace {
 
 constexpr int kPartRounds = 4;
-/// Number of units above which one pass takes long enough.
+/// Number of units above which the search has only one pass, because each takes long.
 constexpr std::size_t kManyUnits = 5'000;
-/// Number of search steps within a part, per cut of the part.
+/// Number of search steps for the order within a part, per cut of the part.
 constexpr std::uint64_t kStepsOfCut = 100;
 
-/// A path through all cuts of a part, from a beginning of the first cut to a beginning of the last
-/// one.
+/// A path through all cuts of a part, given by the number of a beginning of the first cut and of a
+/// beginning of the last cut.
 struct PartWay {
   std::size_t first = 0;
   std::size_t last = 0;
-  double cost = 0.0;  ///< Cost of the cuts and of the rapids between them.
+  double cost = 0.0;  ///< Cost of all cuts and of the rapids between them.
 };
 
 double cost_of_leg(const RapidCost& cost, const Beginning& from, const Beginning& to) {
   return cost(to.entry.x() - from.exit.x(), to.entry.y() - from.exit.y());
 }
 
-/// Returns, for each beginning of the last cut, the cheapest path from any beginning of the first
-/// cut. The order does not change.
+/// Returns, for each beginning of the last cut, the cheapest path that ends with this beginning.
+/// The order of the cuts does not change.
 std::vector<PartWay> ways_to_last(const std::vector<const UnbegunCut*>& row,
                                   const RapidCost& cost) {
   std::vector<PartWay> ways;
@@ -51,8 +51,8 @@ std::vector<PartWay> ways_to_last(const std::vector<const UnbegunCut*>& row,
   return ways;
 }
 
-/// Returns, for each beginning of the first cut, the cheapest path to any beginning of the last
-/// cut. The order does not change.
+/// Returns, for each beginning of the first cut, the cheapest path that starts with this beginning.
+/// The order of the cuts does not change.
 std::vector<PartWay> ways_from_first(const std::vector<const UnbegunCut*>& row,
                                      const RapidCost& cost) {
   std::vector<PartWay> ways;
@@ -106,7 +106,7 @@ class PartSearch {
     return {task_.from, task_.to.value_or(order.back().beginning.exit)};
   }
 
-  /// Orders all cuts as if they belonged to no part, then brings the cuts of each unit together.
+  /// Orders all cuts as if they belonged to no parts, then brings the cuts of each unit together.
   [[nodiscard]] std::vector<OrderedCut> searched_apart(const order::OrderProgress& progress) const {
     GroupTask task = task_;
     task.start = {};
@@ -117,7 +117,7 @@ class PartSearch {
     return order;
   }
 
-  /// Returns the order within each unit that follows from an order of all cuts.
+  /// Returns the order of the cuts of each unit within an order of all cuts.
   [[nodiscard]] std::vector<std::vector<OrderedCut>> rows_of(
       const std::vector<OrderedCut>& order) const {
     std::vector<std::size_t> unit_of(cuts_.size());
@@ -128,7 +128,7 @@ class PartSearch {
     for (const OrderedCut& ordered : order) rows[unit_of[ordered.cut]].push_back(ordered);
     return rows;
   }
-  /// Orders the cuts of each unit as if it were the first unit.
+  /// Orders the cuts of each unit as if the unit were the first one of the job.
   [[nodiscard]] std::vector<std::vector<OrderedCut>> rows_from_start() const {
     std::vector<std::vector<OrderedCut>> rows;
     for (const std::vector<std::size_t>& unit : units_.cuts) {
@@ -137,7 +137,7 @@ class PartSearch {
     return rows;
   }
 
-  /// Orders the cuts of one unit.
+  /// Orders the cuts of one unit, between two points.
   [[nodiscard]] std::vector<OrderedCut> searched(const std::vector<std::size_t>& unit,
                                                  const Place& from,
                                                  const std::optional<Place>& to) const {
@@ -157,12 +157,13 @@ class PartSearch {
   const RapidCost& cost_;
   const GroupTask& task_;
   PartUnits units_;
-  std::vector<std::vector<OrderedCut>> rows_;  ///< Order of the cuts of each unit.
-  std::vector<OrderedCut> sequence_;           ///< Order of units, each with the ends of its path.
+  std::vector<std::vector<OrderedCut>> rows_;  ///< Order of the cuts within each unit.
+  /// Order of the units, each with the ends of its path.
+  std::vector<OrderedCut> sequence_;
 };
 
-/// Returns a cut that represents a unit: its beginnings have the entries and exits of the paths
-/// through the unit.
+/// Returns a cut that represents a unit. Its beginnings have the entries and exits of the possible
+/// paths through the unit.
 UnbegunCut PartSearch::stand_in(std::size_t unit) const {
   UnbegunCut cut{.path = MeasuredRow{{}}, .settings = {}};
   cut.after = units_.after[unit];
@@ -196,7 +197,7 @@ void PartSearch::order_units(const order::OrderProgress& progress) {
   sequence_ = order_group(units, numbers, cost_, task, progress).cuts;
 }
 
-/// Repeats the search of the order within each unit, between the ends of its neighbours.
+/// Repeats the search for the order within each unit, between the ends of the neighbouring units.
 void PartSearch::order_within() {
   for (std::size_t i = 0; i < sequence_.size(); ++i) {
     std::vector<OrderedCut>& row = rows_[sequence_[i].cut];
@@ -214,7 +215,7 @@ void PartSearch::order_within() {
   }
 }
 
-/// Returns the rows of all units as one order, with the best beginnings along it.
+/// Returns the order of all cuts, with the best beginnings along it.
 std::vector<OrderedCut> PartSearch::whole() const {
   std::vector<OrderedCut> order;
   for (const OrderedCut& unit : sequence_) {

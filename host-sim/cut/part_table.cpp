@@ -11,15 +11,16 @@
 namespace sim::cut {
 namespace {
 
-/// Returns a measure in hundredths of a millimetre or square millimetre. Copies are recognised by
-/// rounded measures.
+/// Returns a measure in hundredths of a millimetre or of a square millimetre. Copies of a part have
+/// equal rounded measures.
 std::int64_t rounded(double measure) { return std::llround(100.0 * measure); }
 
-/// Measures of a contour by which copies are recognised: whether it is a mark, its layer, and its
-/// area and length, rounded.
+/// Rounded measures of a contour, by which copies are recognised: whether it is a mark, its layer,
+/// its area and its length.
 using Likeness = std::array<std::int64_t, 4>;
 
-/// One copy of a part, with the measures of its contours, which all copies share.
+/// One copy of a part, with the measures of its contours. All copies of the part have the same
+/// measures.
 struct Copy {
   PartRow row{.copies = 1};
   std::vector<Likeness> likeness{};
@@ -33,7 +34,7 @@ double lit_length_of(const Cut& cut) {
   return sum;
 }
 
-/// Sums up the cuts of each part.
+/// Adds up the cuts of each part.
 class TableMaker {
  public:
   TableMaker(const drawing::Drawing& drawn, const CutPlan& plan) : drawn_{drawn}, plan_{plan} {
@@ -108,8 +109,8 @@ class TableMaker {
     row.time_s += more.time_s;
   }
 
-  /// Returns the parts in the order of their last cuts, and sorts the measures of each part's
-  /// contours for the comparison.
+  /// Returns the parts in the order of their last cuts. Also sorts the measures of each part, so
+  /// that they can be compared.
   [[nodiscard]] std::vector<std::size_t> parts_as_finished() {
     std::vector<std::size_t> parts;
     std::vector<bool> seen(drawn_.contours.size(), false);

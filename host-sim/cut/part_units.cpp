@@ -19,7 +19,8 @@ void make_unique(std::vector<std::size_t>& numbers) {
   numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
 }
 
-/// Returns the units with their cuts and their precedence.
+/// Returns `count` units with their cuts and the precedence between them. `unit_of` has the unit of
+/// each cut.
 PartUnits gathered(const std::vector<UnbegunCut>& cuts,
                    const std::vector<std::size_t>& members,
                    const std::vector<std::size_t>& unit_of,
@@ -39,9 +40,9 @@ PartUnits gathered(const std::vector<UnbegunCut>& cuts,
   return units;
 }
 
-/// Returns the units in an order that keeps every precedence. Of the units whose predecessors are
-/// done, the one with the lowest rank comes next. Units that wait for each other in a circle, and
-/// those after them, are left out.
+/// Returns the units in an order that keeps every precedence. Among the units whose predecessors
+/// are done, the unit with the lowest rank is next. Units that wait for each other in a circle, and
+/// all units after these, are left out.
 std::vector<std::size_t> sorted_units(const PartUnits& units,
                                       const std::vector<std::size_t>& ranks) {
   using Ranked = std::pair<std::size_t, std::size_t>;
@@ -77,7 +78,7 @@ PartUnits units_of(const std::vector<UnbegunCut>& cuts, const std::vector<std::s
   const std::vector<std::size_t> none(units.cuts.size(), 0);
   const std::vector<std::size_t> sorted = sorted_units(units, none);
   if (sorted.size() == units.cuts.size()) return units;
-  // The remaining units together become the last unit.
+  // All units that are left out become one unit, the last one.
   std::vector<std::size_t> number(units.cuts.size(), sorted.size());
   for (std::size_t i = 0; i < sorted.size(); ++i) number[sorted[i]] = i;
   for (const std::size_t member : members) unit_of[member] = number[unit_of[member]];

@@ -18,7 +18,7 @@ namespace {
 
 using Rows = std::vector<std::vector<Stroke>>;
 
-/// Returns the offset paths of one outline, as if there were no other outlines.
+/// Returns the offset paths of one outline. Other outlines do not affect them.
 PathBeside path_beside(const DrawnEdges& edges, std::size_t contour, ContourOffset& offset) {
   const std::vector<Stroke>& outline = edges.outlines[contour].strokes;
   const double half_kerf_mm = edges.half_kerf_mm(contour);
@@ -49,8 +49,8 @@ PathBeside path_beside(const DrawnEdges& edges, std::size_t contour, ContourOffs
   return path;
 }
 
-/// Returns a warning for each outline that shares edges or points. The warning names the point, and
-/// how much the cut takes off there.
+/// Returns a warning for each outline that shares edges or points with others. The warning names a
+/// shared point, and the width that the cut takes off there.
 std::vector<drawing::Fault> shared_by(const DrawnEdges& edges,
                                       const std::vector<std::size_t>& crowd,
                                       const SharedEdges& shared) {
@@ -83,14 +83,15 @@ std::vector<drawing::Fault> shared_by(const DrawnEdges& edges,
                         edges.drawn.contours[i].entity,
                         where,
                         along,
-                        fmt::format("draw parts {:.3f} mm apart, the kerf, that are to have their "
+                        fmt::format("draw parts the kerf apart, {:.3f} mm, if they must keep their "
                                     "size",
                                     2.0 * half_kerf_mm)});
   }
   return warnings;
 }
 
-/// Cuts a crowd apart along its shared edges. Returns false if that is not possible.
+/// Separates the outlines of a crowd along their shared edges. Returns false if that is not
+/// possible.
 bool share_crowd(const DrawnEdges& edges,
                  const std::vector<std::size_t>& crowd,
                  ContourOffset& offset,
@@ -104,7 +105,7 @@ bool share_crowd(const DrawnEdges& edges,
   };
   const auto without_path = count_without_path();
   if (!part_crowd(edges, crowd, between, offset, paths)) return false;
-  // An outline that has no path any more is cut together with another part.
+  // If an outline has lost its path, it is cut together with another part.
   if (count_without_path() > without_path) {
     warnings.insert(warnings.end(), held.begin(), held.end());
   }
@@ -132,7 +133,7 @@ void part_crowds(const DrawnEdges& edges,
   }
 }
 
-/// Replaces the gouges of parts that lie against each other by one fault.
+/// Replaces the gouges of an outline by one fault if its part lies against another part.
 void name_touching(const DrawnEdges& edges, std::vector<PathBeside>& paths) {
   for (std::size_t i = 0; i < paths.size(); ++i) {
     if (paths[i].gouges.empty()) continue;

@@ -19,7 +19,7 @@ using drawing::DrawnContour;
 using drawing::Piece;
 using drawing::Transform;
 
-/// An upright rectangle around a drawing, mm.
+/// The upright rectangle around a drawing, mm.
 struct DrawnBox {
   Place low{std::numeric_limits<double>::max(), std::numeric_limits<double>::max()};
   Place high{std::numeric_limits<double>::lowest(), std::numeric_limits<double>::lowest()};
@@ -31,7 +31,7 @@ Transform about(const Place& middle, const Transform& transform) {
   return drawing::moved_by(middle) * transform * drawing::moved_by(-middle);
 }
 
-/// Returns transformed contours. They keep their names and part numbers.
+/// Returns transformed contours, which keep their names and part numbers.
 std::vector<Piece> mapped(const std::vector<Piece>& pieces, const Transform& transform) {
   std::vector<Piece> result;
   result.reserve(pieces.size());
@@ -58,7 +58,7 @@ DrawnBox box_around(const std::vector<Piece>& pieces) {
   return box;
 }
 
-/// Extends a box by the corners of a picture.
+/// Extends a box to contain the corners of a picture.
 void include(const drawing::DrawnPicture& picture, DrawnBox& box) {
   const auto width = static_cast<double>(picture.image->width);
   const auto height = static_cast<double>(picture.image->height);
@@ -76,7 +76,7 @@ void move_faults(Drawing& drawn, const Transform& transform) {
   }
 }
 
-/// Puts one drawing at its place.
+/// Places one drawing on the machine, with its copies.
 class DrawingPlacer {
  public:
   DrawingPlacer(Drawing& drawn, const PlaceWishes& wishes, double effort)
@@ -215,7 +215,7 @@ Place lower_left(const PlaceWishes& wishes, const Place& size, const MachineProf
   const Place margin{wishes.margin_mm, wishes.margin_mm};
   const Place low = bed.low + margin;
   const Place high = bed.high - margin - size;
-  // If the origin is at the right, or at the back, the bed lies on its left, or in front of it.
+  // If the origin is on the right or at the back, the coordinates on the bed are negative.
   return {bed.low.x() < 0.0 && bed.high.x() <= 0.0 ? high.x() : low.x(),
           bed.low.y() < 0.0 && bed.high.y() <= 0.0 ? high.y() : low.y()};
 }
@@ -236,7 +236,7 @@ std::string place_drawing(Drawing& drawn,
   placer.place(profile);
   const DrawnBox& box = placer.box();
   return fmt::format(
-      "placed: {}X{:.3f} to {:.3f}, Y{:.3f} to {:.3f} mm{}; places are the machine's",
+      "placed: {}X{:.3f} to {:.3f}, Y{:.3f} to {:.3f} mm{}; positions are those of the machine",
       change_text(all),
       box.low.x(),
       box.high.x(),

@@ -11,46 +11,49 @@ namespace sim::cut {
 
 /// The axis along which a drawing is mirrored.
 enum class MirrorAlong : std::uint8_t {
-  kX,  ///< Left and right are exchanged.
-  kY,  ///< Top and bottom are exchanged.
+  kX,  ///< Along X: left and right are exchanged.
+  kY,  ///< Along Y: top and bottom are exchanged.
 };
 
 /// Position of the box around a drawing with all its copies.
 enum class PlaceAt : std::uint8_t {
-  kCorner,  ///< In the bed's corner with the origin, at PlaceWishes::margin_mm from both edges.
-  kCentre,  ///< In the middle of the bed.
-  kPoint,   ///< With its lower left corner at PlaceWishes::point_mm.
+  /// The box is in the corner of the bed with the origin, at PlaceWishes::margin_mm from both
+  /// edges.
+  kCorner,
+  kCentre,  ///< The box is in the middle of the bed.
+  kPoint,   ///< The lower left corner of the box is at PlaceWishes::point_mm.
 };
 
-/// How a drawing is placed on the machine. It is mirrored, scaled and turned about the middle of
-/// its box, copied, put at its place, and moved, in this order.
+/// The placement of a drawing on the machine. The drawing is mirrored, scaled and turned about the
+/// middle of its box, then copied, then put at its position, then moved.
 struct PlaceWishes {
   std::optional<PlaceAt> at{};
-  Place point_mm{0.0, 0.0};  ///< Position used by PlaceAt::kPoint.
+  Place point_mm{0.0, 0.0};  ///< Position of the lower left corner for PlaceAt::kPoint.
   Place move_mm{0.0, 0.0};
-  double turn_deg = 0.0;  ///< Angle, counter-clockwise.
+  double turn_deg = 0.0;  ///< Angle of rotation, counter-clockwise.
   std::optional<MirrorAlong> mirror{};
-  double scale = 1.0;  ///< Factor of the size, above 0.
+  double scale = 1.0;  ///< Factor by which the size changes, above 0.
   std::size_t columns = 1;
   std::size_t rows = 1;
-  double gap_mm = 2.0;  ///< Distance between the boxes of copies.
+  double gap_mm = 2.0;  ///< Distance between the boxes of adjacent copies.
   double margin_mm = 5.0;
 
   [[nodiscard]] bool is_asked() const;
 };
 
-/// Returns the position of the lower left corner of a box; PlaceWishes::point_mm if `at` is not
-/// set. Throws std::invalid_argument for the middle of the bed if the machine is not known.
+/// Returns the position to which the lower left corner of a box of `size` moves. It is
+/// PlaceWishes::point_mm if `at` is not set. Throws std::invalid_argument for the middle of the bed
+/// if the machine is not known.
 /// @param profile the machine; null if it is not known
 [[nodiscard]] Place lower_left(const PlaceWishes& wishes,
                                const Place& size,
                                const MachineProfile* profile);
 
-/// Puts a drawing at its place. Arcs stay arcs. The points of faults move with the first copy.
-/// Throws std::invalid_argument if the wishes need a machine that is not known, or if they make the
-/// drawing too large.
+/// Places a drawing on the machine. Arcs stay arcs. The points of faults move with the first copy.
+/// Throws std::invalid_argument if the wishes require a machine that is not known, or if they make
+/// the drawing too large.
 /// @param profile the machine; null if it is not known
-/// @return a line that says what was done; empty if nothing was done
+/// @return a line about the changes; empty if nothing was changed
 [[nodiscard]] std::string place_drawing(drawing::Drawing& drawn,
                                         const PlaceWishes& wishes,
                                         const MachineProfile* profile,

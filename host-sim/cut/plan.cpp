@@ -41,7 +41,7 @@ void append(std::vector<drawing::Fault>& faults, const std::vector<drawing::Faul
   faults.insert(faults.end(), more.begin(), more.end());
 }
 
-/// Removes everything from the settings except the cut along the line.
+/// Removes leads, overcut, tabs and the treatment of corners from the settings.
 void leave_plain(LayerSettings& settings) {
   settings.lead_in = settings.lead_out = {};
   settings.overcut_mm = 0.0;
@@ -140,18 +140,18 @@ class Planner {
   const drawing::Drawing& drawn_;
   WayBeside beside_;
   const OrderWish& wish_;
-  /// The plan. Its cuts have no strokes, and are in the order of the drawing, until the order is
-  /// chosen.
+  /// The plan. Until the order is chosen, its cuts have no strokes and are in the order of the
+  /// drawing.
   CutPlan plan_;
   std::vector<UnbegunCut> unbegun_;  ///< One unbegun cut for each cut of the plan.
-  std::vector<Outline> outlines_;    ///< One for each contour; an empty one is not cut.
+  std::vector<Outline> outlines_;    ///< Outline of each contour; empty if the contour is not cut.
   LeftLines left_lines_;
   std::vector<std::optional<Place>> marks_;    ///< Marked start of each contour.
   std::vector<std::size_t> loops_of_contour_;  ///< Number of cuts of each contour.
-  /// Reach of searches: twice the widest kerf. Nothing farther away matters.
+  /// Distance within which edges matter, and which searches cover: twice the widest kerf.
   double reach_mm_;
   Clearance edges_;
-  /// Layers with a cut on the line for which the warning was already given.
+  /// Numbers of the layers that already have the warning about cuts on the line.
   std::set<std::size_t> told_layers_;
 };
 
@@ -188,7 +188,7 @@ void Planner::cut_beside(std::size_t i, const PathBeside& path) {
 }
 
 /// Reports an outline that is narrower than the kerf. A gap between contours that cross is not a
-/// slot that the user drew. It gets only a warning.
+/// slot that the user drew, so it only gets a warning.
 void Planner::vanish(std::size_t i) {
   drawing::Fault fault{
       FaultKind::kTooSmall,
@@ -225,7 +225,7 @@ void Planner::cut_along(std::size_t i) {
   for (const std::vector<Stroke>& row : rests->second) add(row, true);
 }
 
-/// Fills the closed contours, layer by layer. Contours with the same plan are filled together.
+/// Fills the closed contours of filled layers. Contours with the same plan are filled together.
 void Planner::fill_areas(const std::vector<Side>& sides) {
   std::vector<std::pair<const LayerPlan*, std::vector<std::size_t>>> alike;
   for (std::size_t i = 0; i < outlines_.size(); ++i) {
@@ -283,8 +283,8 @@ void Planner::add_cut(std::size_t i, const std::vector<Stroke>& loop) {
   plan_.cuts.push_back(std::move(cut));
 }
 
-/// Adds a cut along a line in narrow waste. It has no leads, because there is no free space for
-/// them.
+/// Adds a cut along a line in narrow waste. The cut has no leads, because there is no free space
+/// for them.
 void Planner::add_middle(std::size_t i, const std::vector<Stroke>& row) {
   UnbegunCut cut{.path = MeasuredRow{row},
                  .is_open = true,
@@ -296,7 +296,7 @@ void Planner::add_middle(std::size_t i, const std::vector<Stroke>& row) {
   unbegun_.push_back(std::move(cut));
 }
 
-/// Sets for each cut its part, and the cuts that must come before it.
+/// Sets the part of each cut, and the cuts that must come before it.
 void Planner::name_parts() {
   for (std::size_t i = 0; i < plan_.cuts.size(); ++i) {
     unbegun_[i].after = plan_.cuts[i].after;
@@ -308,12 +308,12 @@ void Planner::name_parts() {
   }
 }
 
-/// Shares the lines between parts. A line belongs to the part that is drawn first, unless this part
-/// must be cut later.
+/// Combines lines that two parts share. A line belongs to the part that is drawn first, unless this
+/// part must be cut later.
 void Planner::share_common_lines() {
   const auto asks = [](const UnbegunCut& cut) { return cut.settings.common_line_mm > 0.0; };
   if (std::ranges::none_of(unbegun_, asks)) return;
-  // The order of the file does not depend on the points of the beginnings.
+  // The points of the beginnings do not affect the order of the file, so one for each cut suffices.
   for (UnbegunCut& cut : unbegun_) cut.beginnings = {Beginning{}};
   const auto drawn = usual_order(unbegun_, wish_, order::OrderMethod::kFile);
   std::vector<std::size_t> ranks(unbegun_.size());
@@ -322,7 +322,7 @@ void Planner::share_common_lines() {
 }
 
 void Planner::find_beginnings() {
-  // Greatest number of beginnings of all cuts, which bounds the time to find them.
+  // Greatest number of beginnings of all cuts together. It bounds the time of the search for them.
   constexpr std::size_t kBeginnings = 400'000;
   constexpr std::size_t kFewest = 4;
   constexpr std::size_t kUsual = 16;
@@ -347,8 +347,8 @@ void Planner::find_beginnings() {
       plan_.warnings.push_back({FaultKind::kTooSmall,
                                 drawn_.contours[contour].entity,
                                 *marks_[contour],
-                                "begins in the cut of the part beside it, not at its mark",
-                                "let it have its own lines, with common-line=0 for its layer"});
+                                "begins in the cut of the adjacent part, not at its mark",
+                                "give it its own lines with common-line=0 for its layer"});
     }
     const bool is_beside = outlines_[contour].is_beside;
     if (is_beside && beside_ == WayBeside::kOnController && reason_against_controller(i).empty()) {
@@ -395,7 +395,7 @@ void Planner::put_in_order() {
   plan_.order.nearest = usual(order::OrderMethod::kNearest);
 }
 
-/// Finds the own costs of the beginnings of each cut, if the search minimises time.
+/// Finds the own cost of each beginning of the cuts, if a search minimises time.
 void Planner::find_own_costs() {
   const bool is_searched =
       wish_.method == order::OrderMethod::kOurs || wish_.method == order::OrderMethod::kExact;
@@ -409,7 +409,8 @@ void Planner::find_own_costs() {
   }
 }
 
-/// Returns the number of tabs of a cut. Only a wanted piece that would fall out gets tabs.
+/// Returns the number of tabs of a cut. Only a part has tabs, because it would fall out; a hole has
+/// none.
 unsigned Planner::tabs_of(const Cut& cut, const UnbegunCut& unbegun) {
   return cut.area_mm2 > 0.0 ? unbegun.settings.tabs : 0;
 }
@@ -436,8 +437,8 @@ void Planner::begin(Cut& cut, const UnbegunCut& unbegun, const Beginning& beginn
   cut.strokes = std::move(led.strokes);
 }
 
-/// Gives a cut the strokes for the controller. If the controller cannot compute the compensated
-/// path, the cut keeps the path itself, with a warning.
+/// Gives a cut the strokes for a controller that computes the compensated path. If the controller
+/// cannot compute it, the cut keeps its own path, with a warning.
 void Planner::leave_to_controller(Cut& cut, std::size_t number) {
   ControllerWay way;
   way.reason = reason_against_controller(number);
@@ -453,7 +454,7 @@ void Planner::leave_to_controller(Cut& cut, std::size_t number) {
                             drawn_.contours[cut.contour].entity,
                             cut.start(),
                             "is not left to the controller: " + way.reason,
-                            "its way has the kerf that is planned; it changes with no override"});
+                            "its path has the planned kerf, which overrides do not change"});
 }
 
 }  // namespace

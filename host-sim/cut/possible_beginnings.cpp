@@ -8,13 +8,13 @@ namespace sim::cut {
 namespace {
 
 /// Lists both directions of an open line. A cut at an offset with tabs, or with loops or dwells at
-/// corners, has only the forward direction, because these were placed for it.
+/// corners, has only the forward direction, because these were made for it.
 void list_both_ends(UnbegunCut& cut, bool is_beside) {
   const LayerSettings& settings = cut.settings;
   cut.beginnings = beginnings_of_line(cut.path);
   cut.may_move = false;
   if (!is_beside) return;
-  for (Beginning& beginning : cut.beginnings) beginning.has_leads = true;  // No leads are required.
+  for (Beginning& beginning : cut.beginnings) beginning.has_leads = true;  // No leads are missing.
   const bool has_work = settings.corner_loop_mm > 0.0 || settings.corner_dwell_s > 0.0;
   if (settings.tabs != 0 || has_work) cut.beginnings.pop_back();
 }
@@ -34,11 +34,11 @@ void find_possible_beginnings(UnbegunCut& cut,
   const auto is_any = [&wish] {
     return wish.where == StartAt::kAny || wish.where == StartAt::kTab;
   };
-  // A cut cannot begin at a corner that is passed in a loop or with a rest.
+  // A cut cannot begin at a corner at which the beam makes a loop or a dwell.
   const bool has_work_at_corners = settings.corner_loop_mm > 0.0 || settings.corner_dwell_s > 0.0;
   if (is_any() && has_work_at_corners) wish.where = StartAt::kStraight;
-  // The controller's beam reaches the edge a little later than the planned beam. Only the middle of
-  // a stroke always has enough free space for that.
+  // The beam of the controller reaches the edge a little later than the planned beam. Only in the
+  // middle of a stroke is there always enough free space for this.
   if (is_any() && !room.is_planned_here) wish.where = StartAt::kUsual;
   if (room.mark) wish.marked_mm = way_nearest_to(cut.path, *room.mark);
   cut.beginnings = outline.is_beside ? beginnings_of(cut.path, settings, leads, wish)

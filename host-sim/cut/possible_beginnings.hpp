@@ -9,15 +9,16 @@
 
 namespace sim::cut {
 
-/// Limits on the beginning of a cut, in addition to those of its settings.
+/// Limits on the beginnings of a cut, in addition to the limits in its settings.
 struct BeginningRoom {
-  bool is_planned_here = true;  ///< If false, the controller computes the compensated path.
-  /// A point of the drawing: the cut begins only at the point nearest to it.
+  /// Whether this program computes the compensated path; otherwise the controller does.
+  bool is_planned_here = true;
+  /// A marked point of the drawing. The cut then begins only at the point nearest to the mark.
   std::optional<Place> mark{};
   std::size_t count = 16;  ///< Approximate number of beginnings.
 };
 
-/// Sets the list of a cut's beginnings, and whether the cut may also begin between them.
+/// Sets the list of a cut's beginnings. Also sets whether the cut may begin at points between them.
 void find_possible_beginnings(UnbegunCut& cut,
                               const Outline& outline,
                               const LeadRoom& leads,

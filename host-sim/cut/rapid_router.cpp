@@ -10,24 +10,24 @@
 namespace sim::cut {
 namespace {
 
-/// Greatest number of points at which a rapid may leave the piece that was just cut. From the
-/// nearest one there is nearly always a path.
+/// Greatest number of points at which a rapid may leave the piece that was just cut. There is
+/// nearly always a path from the nearest one.
 constexpr std::size_t kMaxExits = 12;
-/// Greatest number of exits from which a path is searched. Usually all exits lead to the same
-/// waste.
+/// Greatest number of exits from which a path is searched without success. Usually all exits lead
+/// to the same waste.
 constexpr int kMaxSearches = 3;
-/// A rapid may leave a piece straight towards its goal. Its path inside the piece may then be
-/// longer than the shortest path out by this factor.
+/// Greatest ratio of the path inside the piece to the shortest path out, for a rapid that leaves
+/// the piece straight towards its goal.
 constexpr double kSlantedExit = 1.5;
 
-/// Numbers of legs that are tried from one end before the search starts from the other end, and in
-/// total.
+/// Number of legs that are tried from one end before the search from the other end begins, and
+/// number of legs that are tried in total.
 constexpr std::uint64_t kFirstTrials = 2'000;
 constexpr std::uint64_t kMaxTrials = 40'000;
 
-/// A path out of an area, across its edge at the nearest point of one of its strokes.
+/// A path that leaves an area across the nearest point of one of its strokes.
 struct RapidExit {
-  double edge_mm = 0.0;  ///< Distance to the edge.
+  double edge_mm = 0.0;  ///< Distance from the start of the rapid to this point of the edge.
   Place place{0.0, 0.0};
 };
 
@@ -48,8 +48,8 @@ std::vector<RapidExit> exits_of(const LoopArea& area, const Place& from, double 
     const Place out = away < kOnEdge ? outward_at(stroke, edge)
                                      : Place{(is_inside ? 1.0 : -1.0) / away * (edge - from)};
     exits.push_back({away, edge + beyond * out});
-    // A cut may end next to another area, at the start of an arc. Then the only exit may be along
-    // the arc.
+    // A cut may end at the start of an arc, next to another area. Then the only exit may be farther
+    // along the arc.
     if (stroke.bulge == 0.0 || away >= kOnEdge) continue;
     for (const double share : {0.25, 0.5, 0.75, 1.0}) {
       const Place along = place_at(stroke, share);
@@ -61,7 +61,7 @@ std::vector<RapidExit> exits_of(const LoopArea& area, const Place& from, double 
   return exits;
 }
 
-/// Returns whether a segment crosses the edge of an area at most once, apart from its start.
+/// Returns whether a segment crosses the edge of an area at most once, without counting its start.
 bool leaves_once(const LoopArea& area, const Place& from, const Place& to) {
   constexpr double kSameMm = 1.0e-5;
   const double length = drawing::distance(from, to);
@@ -73,8 +73,8 @@ bool leaves_once(const LoopArea& area, const Place& from, const Place& to) {
   return (last - first) * length < kSameMm;
 }
 
-/// Returns whether a straight leg leaves an area after little more than `exit_mm`, and keeps clear
-/// of it from there on.
+/// Returns whether a straight leg leaves an area after at most kSlantedExit times `exit_mm`, and
+/// keeps clear of the area from there on.
 bool leaves_shortly(
     const LoopArea& area, const Place& from, const Place& to, double exit_mm, double clearance_mm) {
   const double length = drawing::distance(from, to);
@@ -85,7 +85,7 @@ bool leaves_shortly(
          leaves_once(area, from, out);
 }
 
-/// Removes unnecessary corners from the path.
+/// Removes corners of a path that are unnecessary because the straight leg past them is free.
 void shorten(std::vector<Place>& way,
              const FreeLegs& legs,
              const RapidEnd& from,
@@ -125,7 +125,7 @@ std::vector<Place> RapidRouter::find(const Place& from,
   return {};
 }
 
-/// Searches from both ends. If one end is enclosed, the search from this end finishes soon.
+/// Searches from both ends. If areas enclose one end, the search from this end finishes soon.
 std::vector<Place> RapidRouter::search(Try& t, const RapidEnd& from, const RapidEnd& to) {
   using Outcome = RapidSearch::Outcome;
   RapidSearch there{t.legs, from, to, t.lowest};
@@ -163,7 +163,7 @@ std::vector<Place> RapidRouter::find_out(Try& t,
   }
   int searches = 0;
   const std::vector<RapidExit> exits = exits_of(area, from.place, legs.clearance_mm());
-  // An exit on the other side of the piece would lead across the piece.
+  // A farther exit is on the other side of the piece, and would lead across it.
   const double farthest = kSlantedExit * exits.front().edge_mm + 2.0 * rules_.clearance_mm;
   for (const RapidExit& exit : exits) {
     if (exit.edge_mm > farthest) break;

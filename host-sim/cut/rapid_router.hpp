@@ -8,37 +8,37 @@
 
 namespace sim::cut {
 
-/// Routes rapids around areas.
+/// Finds paths for rapids around areas.
 class RapidRouter {
  public:
-  /// Rules for rapids.
+  /// Rules that the paths of rapids satisfy.
   struct Rules {
-    double clearance_mm = 0.5;  ///< Distance from areas, above 0; in a gap it may be less.
-    /// A point less deep than this inside an area counts as on its edge.
+    double clearance_mm = 0.5;  ///< Distance from areas, above 0. In a gap it may be less.
+    /// Depth inside an area up to which a point counts as on the edge.
     double depth_mm = 0.01;
     /// Corners to the left of this point, or below it, are used only if there is no other path.
     Place lowest{0.0, 0.0};
   };
 
-  /// @param areas areas that must not be crossed; each find() uses their state at that time
+  /// Makes a router around `areas`. Each find() uses their state at the time of the call.
   RapidRouter(const FreedAreas& areas, const Rules& rules) : areas_{&areas}, rules_{rules} {}
 
   /// Returns all points of the path of a rapid, including its ends. The path is nearly the shortest
-  /// one that keeps the clearance, or a quarter or a sixteenth of it if there is no other path. The
-  /// result is empty if an end is in an area, if there is no path, or if the search would need more
-  /// than some ten thousand trials.
+  /// one that keeps the clearance. If there is none, it keeps a quarter or a sixteenth of the
+  /// clearance. The result is empty if an end is in an area, if there is no path, or if the search
+  /// would require more than some ten thousand trials.
   /// @param just_cut the area whose edge the beam has just cut. From inside or near this area the
-  /// rapid leaves by the shortest path, and does not come back.
+  /// rapid leaves by the shortest path, and does not come back
   [[nodiscard]] std::vector<Place> find(const Place& from,
                                         const Place& to,
                                         std::optional<std::uint32_t> just_cut) const;
 
  private:
-  /// One try: the free legs, and the limit for corners to the left and below.
+  /// One try of a search: the legs that are free, and the limit for corners to the left and below.
   struct Try {
     FreeLegs legs;
     Place lowest;
-    bool was_bounded = false;  ///< A corner was left out because of this limit.
+    bool was_bounded = false;  ///< Whether a corner was left out because of `lowest`.
   };
   [[nodiscard]] static std::vector<Place> search(Try& t, const RapidEnd& from, const RapidEnd& to);
   [[nodiscard]] static std::vector<Place> find(Try& t, const RapidEnd& from, const RapidEnd& to);

@@ -13,34 +13,36 @@
 
 namespace sim::cut {
 
-/// The search for one path around areas, from corner to corner of the areas that were found (A*).
+/// The search for one path around areas (A*). The path goes from corner to corner of the areas that
+/// block it.
 ///
-/// The most promising leg is tried first. An area that blocks a leg adds its corners to the points
-/// that can be reached from there. So the work depends on the areas along the path, not on all
-/// areas. The path is nearly the shortest one: estimates are raised by some per cent, and more in a
-/// long search.
+/// The leg with the lowest estimate is tried first. If an area blocks the leg, its corners are
+/// added to the points that can be reached from the start of the leg. So the work depends on the
+/// areas along the path, not on all areas. The path is nearly the shortest one: estimates are
+/// raised by some per cent, and by more in a long search.
 class RapidSearch {
  public:
+  /// Makes a search that has not begun.
   /// @param legs decides which legs are free; `legs` and the ends must outlive the search
   /// @param lowest corners below this point, or to the left of it, are not used
   RapidSearch(const FreeLegs& legs, const RapidEnd& from, const RapidEnd& to, const Place& lowest);
 
   enum class Outcome : std::uint8_t {
     kFound,
-    kNoWay,   ///< Everything that can be reached was tried.
-    kGaveUp,  ///< More trials may find a path.
+    kNoWay,   ///< All points that can be reached were tried.
+    kGaveUp,  ///< The number of trials was reached; more trials may find a path.
   };
 
-  /// Searches, or continues a search that was given up.
+  /// Searches, or continues a search that gave up.
   /// @pre the ends are in no area
-  /// @param max_trials total number of legs that may be tried
+  /// @param max_trials total number of legs that may be tried in all calls
   [[nodiscard]] Outcome find(std::uint64_t max_trials);
 
-  /// Returns all points of the path, including the ends.
-  /// @pre a path was found
+  /// Returns all points of the path, including its ends.
+  /// @pre find() returned kFound
   [[nodiscard]] std::vector<Place> way() const;
 
-  /// Returns whether a corner was left out because it lies too far to the left or too low.
+  /// Returns whether a corner was left out because it is to the left of `lowest` or below it.
   [[nodiscard]] bool was_bounded() const { return was_bounded_; }
 
  private:
@@ -57,7 +59,8 @@ class RapidSearch {
   /// A leg that may be tried.
   struct Trial {
     double estimate_mm = 0.0;
-    /// Number of the trial. Among equal estimates the older trial comes first.
+    /// Number of the trial. Among trials with equal estimates, the trial with the lowest number is
+    /// first.
     std::uint64_t number = 0;
     std::size_t from = 0;
     std::size_t to = 0;

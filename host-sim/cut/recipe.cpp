@@ -30,8 +30,7 @@ bool holds(Relation relation, double value, double bound) {
   return false;
 }
 
-/// Applies rules to one drawing. Contours of one layer share a plan if the same rules apply to
-/// them.
+/// Applies rules to one drawing. Contours of one layer to which the same rules apply share a plan.
 class RuleApplier {
  public:
   RuleApplier(const std::vector<ShopRule>& rules,
@@ -137,7 +136,8 @@ class RuleApplier {
     const ShopRule& rule = recipes_.applied[index].rule;
     if (rule.action == RuleAction::kSkip) plan.settings.side = Side::kSkip;
     if (rule.action == RuleAction::kMark) {
-      // A mark has neither leads nor tabs. Those of the layer do not count as required.
+      // A mark has neither leads nor tabs. So the leads and tabs of the layer are not reported as
+      // missing.
       plan.settings = {.air = plan.settings.air};
       plan.settings.side = Side::kMark;
     }

@@ -10,12 +10,12 @@
 namespace sim::cut {
 namespace {
 
-/// Greatest number of strokes of a path on which all strokes are tried.
+/// Greatest number of strokes of a path for which all strokes are tried.
 constexpr std::size_t kFewStrokes = 32;
-/// Number of strokes to either side that are tried on longer paths.
+/// Number of strokes on either side of the present one that are tried on longer paths.
 constexpr std::size_t kStrokesAround = 3;
-constexpr double kMarginMm = 0.2;      ///< Distance of beginnings from the ends of strokes.
-constexpr double kMarginShare = 0.25;  ///< Greatest such distance as a share of the stroke.
+constexpr double kMarginMm = 0.2;      ///< Distance of beginnings from the ends of their strokes.
+constexpr double kMarginShare = 0.25;  ///< Upper limit of this distance, as a share of the stroke.
 constexpr double kGolden = 0.618033988749895;
 constexpr double kEndlessly = std::numeric_limits<double>::infinity();
 
@@ -23,7 +23,8 @@ double cost_between(const RapidCost& cost, const Place& from, const Place& to) {
   return cost(to.x() - from.x(), to.y() - from.y());
 }
 
-/// The costs of reaching the ends of a cut, by its beginnings.
+/// For each beginning of a cut, the cost of the order up to it and the best beginning of the
+/// previous cut.
 struct Layer {
   std::vector<double> cost;
   std::vector<std::size_t> before;
@@ -48,7 +49,8 @@ Layer layer_after(const Layer& last,
   return layer;
 }
 
-/// Finds the best point for the beginning of one cut between two points.
+/// Finds the best point for the beginning of one cut, whose rapids come from one given point and
+/// lead to another.
 class Mover {
  public:
   Mover(const UnbegunCut& cut, const RapidCost& cost, const Place& from, const Place& to)
@@ -61,8 +63,8 @@ class Mover {
     return moved_to(present, cut_.path, cut_.settings, way_mm);
   }
 
-  /// Returns the best beginning on a stroke. It uses a golden section search on the rapids, because
-  /// their cost along a straight stroke has one minimum. The own cost of the cut hardly changes
+  /// Returns the best beginning on a stroke. Uses a golden section search on the cost of the
+  /// rapids, which has one minimum along a straight stroke. The own cost of the cut hardly changes
   /// there.
   [[nodiscard]] Beginning best_on(std::size_t stroke, const Beginning& present) const {
     constexpr int kSteps = 24;
@@ -103,14 +105,14 @@ class Mover {
   Place to_;
 };
 
-/// Returns whether a stroke is an arc around a corner of the part, at half a kerf.
+/// Returns whether a stroke is an arc of half a kerf around a corner of the part.
 bool is_round_corner(const Stroke& stroke, double half_kerf_mm) {
   if (stroke.bulge <= 0.0 || half_kerf_mm <= 0.0) return false;
   return length_of(stroke) / (4.0 * std::atan(stroke.bulge)) < half_kerf_mm + 1.0e-6;
 }
 
-/// Moves one beginning.
-/// @return the gain; 0 if the beginning stays
+/// Moves one beginning to the best point.
+/// @return the gain; 0 if the beginning does not move
 double move_one(Beginning& beginning,
                 const UnbegunCut& cut,
                 const Mover& mover,
@@ -134,7 +136,8 @@ double move_one(Beginning& beginning,
         is_round_corner(cut.path.strokes()[stroke], cut.half_kerf_mm)) {
       continue;
     }
-    // Moving by a distance changes each of the two rapids by at most about this distance.
+    // Moving the beginning by a distance changes each of its two rapids by at most about this
+    // distance.
     if (mover.cost_of(mover.at(beginning, from + 0.5 * length)) - length > least) continue;
     const Beginning wanted = mover.best_on(stroke, beginning);
     if (mover.cost_of(wanted) >= least) continue;
@@ -158,8 +161,8 @@ double move_one(Beginning& beginning,
   return present - mover.cost_of(best);
 }
 
-/// Records that a beginning did not move between two points. It would not move between the same
-/// points again.
+/// Records that a beginning did not move while its rapids had the ends `from` and `to`. With the
+/// same ends, it would not move again.
 struct Settled {
   bool has_stayed = false;
   Place from{0.0, 0.0};
@@ -213,7 +216,8 @@ double refine_beginnings(std::vector<OrderedCut>& order,
                          const JobEnds& ends,
                          const Clearance& edges,
                          int rounds) {
-  constexpr double kHardlyAnything = 1.0e-4;  // Share of the first pass's gain.
+  // Least gain of a pass that continues, as a share of the first gain.
+  constexpr double kHardlyAnything = 1.0e-4;
   double sum = 0.0;
   double first = 0.0;
   std::vector<Settled> settled(order.size());

@@ -11,7 +11,7 @@
 namespace sim::cut {
 namespace {
 
-/// Throws std::invalid_argument if a cut has several passes, but the wishes require a single pass.
+/// Throws std::invalid_argument if a cut has several passes, but a wish permits only one pass.
 void expect_passes_with(const SafetyWishes& wishes, const LayerSettings& settings) {
   const char* other = nullptr;
   if (settings.passes > 1) {
@@ -21,11 +21,11 @@ void expect_passes_with(const SafetyWishes& wishes, const LayerSettings& setting
     if (wishes.lift_mm > 0.0 && settings.z_step_mm > 0.0) other = "--lift and z-step";
   }
   if (other == nullptr) return;
-  throw std::invalid_argument(
-      fmt::format("passes={}: does not go with {}; leave one of them out", settings.passes, other));
+  throw std::invalid_argument(fmt::format(
+      "passes={}: cannot be used with {}; leave one of them out", settings.passes, other));
 }
 
-/// Returns whether a pass may go back along the line of the previous pass.
+/// Returns whether the next pass may go back along the line of a pass, in the opposite direction.
 bool may_return(const Cut& cut) {
   return cut.start() != cut.end() && cut.programmed.empty() && !cut.picture &&
          std::ranges::all_of(cut.strokes, [](const Stroke& stroke) {
@@ -44,7 +44,7 @@ Cut pass_of(const Cut& cut, unsigned pass) {
   return repeated;
 }
 
-/// Makes the list of cuts, with all their passes.
+/// Makes the list of all passes from the list of cuts.
 class PassRepeater {
  public:
   explicit PassRepeater(const CutPlan& plan) : plan_{plan}, last_(plan.cuts.size()) {}
@@ -71,7 +71,8 @@ class PassRepeater {
     return plan_.plan_of(plan_.cuts[cut]).settings;
   }
 
-  /// Returns the end of the run of cuts whose passes alternate.
+  /// Returns the end of the run of cuts that begins at `begin`. In a run, each cut gets one pass
+  /// before any cut gets its next pass.
   [[nodiscard]] std::size_t end_of_run(std::size_t begin) const {
     std::size_t end = begin + 1;
     if (!settings_of(begin).passes_by_layer) return end;
@@ -93,8 +94,9 @@ class PassRepeater {
 
   const CutPlan& plan_;
   std::vector<Cut> cuts_;
-  std::vector<std::size_t> before_;  ///< Number of the previous pass of each cut.
-  std::vector<std::size_t> last_;    ///< Number of the last pass so far, for each cut of the plan.
+  /// Number of the previous pass of the same cut, for each pass.
+  std::vector<std::size_t> before_;
+  std::vector<std::size_t> last_;  ///< Number of the last pass so far, for each cut.
 };
 
 }  // namespace
@@ -111,7 +113,7 @@ void repeat_passes(CutPlan& plan, const SafetyWishes& wishes) {
   plan.cuts = PassRepeater{plan}.repeat();
   const RapidSum all = rapids_of(plan);
   OrderFigures& order = plan.order;
-  // Other orders would have the rapids between passes, too.
+  // In the other orders, the rapids between passes would be the same.
   for (RapidSum* sum : {&order.straight, &order.listed, &order.file, &order.nearest}) {
     sum->length_mm += all.length_mm - once.length_mm;
     sum->time_s += all.time_s - once.time_s;

@@ -17,7 +17,7 @@ namespace {
 
 using SharedArea = std::shared_ptr<const LoopArea>;
 
-/// Tolerance for rounding of points in the drawing, mm.
+/// Distance within which two points count as one, mm, because of rounding in the drawing.
 constexpr double kJoined = 1.0e-3;
 
 bool frees(const Cut& cut) {
@@ -25,8 +25,9 @@ bool frees(const Cut& cut) {
                               [](const Stroke& stroke) { return stroke.purpose == Purpose::kTab; });
 }
 
-/// Returns the area that each cut frees, if any. The area of a hole extends to the edge of the
-/// part, half a kerf beyond the cut. The area of a part has the cut outside.
+/// Returns the area that each cut frees; null if a cut frees none. The area of a hole extends to
+/// the edge of the part, half a kerf beyond the cut. The area of a part ends at the path of the
+/// beam.
 std::vector<SharedArea> freed_by(const CutPlan& plan) {
   const std::vector<Cut>& cuts = plan.cuts;
   std::vector<SharedArea> areas(cuts.size());
@@ -43,7 +44,7 @@ std::vector<SharedArea> freed_by(const CutPlan& plan) {
   return areas;
 }
 
-/// Returns a size of cells at which most areas need few cells.
+/// Returns a size of cells, mm, for which most areas need few cells.
 double cell_for(const std::vector<SharedArea>& areas) {
   double sum = 0.0;
   std::size_t count = 0;
@@ -72,8 +73,9 @@ Place lowest_of(const std::vector<Cut>& cuts) {
   return lowest;
 }
 
-/// Returns, for each cut, the cuts whose areas become free after it. Usually this is the cut
-/// itself. The area of a closed cut on its line is held until the last cut that begins inside it.
+/// Returns, for each cut, the numbers of the cuts whose areas become free after it. Usually this is
+/// only the cut itself. The area of a closed cut on its line is held until the last cut that begins
+/// inside it.
 std::vector<std::vector<std::uint32_t>> releases(const CutPlan& plan,
                                                  const std::vector<SharedArea>& areas,
                                                  double cell_mm) {
@@ -97,7 +99,8 @@ std::vector<std::vector<std::uint32_t>> releases(const CutPlan& plan,
   return released;
 }
 
-/// Adds arcs in place of corner loops that were left out. They are tangential to both edges.
+/// Returns a closed row in which arcs replace the corner loops that were left out. The arcs are
+/// tangential to both adjacent edges.
 std::vector<Stroke> with_corners_closed(const std::vector<Stroke>& row) {
   std::vector<Stroke> closed;
   for (std::size_t i = 0; i < row.size(); ++i) {
@@ -113,7 +116,7 @@ std::vector<Stroke> with_corners_closed(const std::vector<Stroke>& row) {
   return closed;
 }
 
-/// Routes one rapid after the other, around the areas that are free at that time.
+/// Routes one rapid after the other around the areas that are free at the time of the rapid.
 class Routing {
  public:
   Routing(CutPlan& plan, const drawing::Drawing& drawn, const AvoidanceRules& rules)
@@ -162,8 +165,8 @@ class Routing {
     plan_.safety.longer_mm += length;
   }
 
-  /// Returns the area that the last cut freed. Of several ones, returns the largest of those around
-  /// the beam, or else the one at whose edge the beam is.
+  /// Returns the area that the last cut freed. If it freed several, returns the largest one that
+  /// contains the beam. If none contains the beam, returns the first one.
   [[nodiscard]] std::optional<std::uint32_t> just_freed(const std::vector<std::uint32_t>& released,
                                                         const Place& beam) const {
     std::optional<std::uint32_t> found;
@@ -195,14 +198,14 @@ class Routing {
         {drawing::FaultKind::kCrossing,
          entity_of(named, drawn_),
          is_last ? beam_end(named) : rapid_end(named),
-         fmt::format("no rapid leads here from {} to {} past what has been cut free",
+         fmt::format("no rapid leads here from {} to {} around the freed areas",
                      i == 0 ? std::string{"zero"} : name(i - 1),
                      is_last ? std::string{"zero"} : name(i)),
-         "let the head rise with --lift, hold the parts with tabs, or leave out --avoid-freed"});
+         "lift the head with --lift, hold the parts with tabs, or leave out --avoid-freed"});
   }
 
-  /// Removes freed areas inside another freed area: a rapid that avoids the outer area avoids them,
-  /// too.
+  /// Removes freed areas that are inside another freed area, because a rapid that avoids the outer
+  /// area avoids them, too.
   void drop_inside(std::uint32_t number) {
     const LoopArea& outer = *areas_[number];
     std::vector<std::uint32_t> inside;
@@ -220,7 +223,7 @@ class Routing {
   const drawing::Drawing& drawn_;
   double lift_mm_;
   std::vector<SharedArea> areas_;
-  /// Numbers of the areas that become free after each cut.
+  /// For each cut, the numbers of the areas that become free after it.
   std::vector<std::vector<std::uint32_t>> released_;
   FreedAreas freed_;
   RapidRouter router_;

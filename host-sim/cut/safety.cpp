@@ -30,8 +30,8 @@ SliceRules slices_of(const drawing::Drawing& drawn, const SafetyWishes& wishes) 
   if (!drawn.stock) return rules;
   if (drawn.stock->keeps_skeleton) {
     throw std::invalid_argument(
-        "--slice: the sheet file says that what is left of the stock stays in one piece; leave out "
-        "one of them");
+        "--slice: the sheet file requires that the rest of the stock stays in one piece; leave out "
+        "--slice or \"skeleton\"");
   }
   rules.stock = LoopArea::Box{0.0, 0.0, drawn.stock->width_mm, drawn.stock->height_mm};
   return rules;
@@ -51,14 +51,15 @@ void make_safe(CutPlan& plan, const drawing::Drawing& drawn, const SafetyWishes&
   if (wishes.avoid_freed) {
     route_rapids(plan, drawn, {.margin_mm = wishes.avoid_margin_mm, .lift_mm = wishes.lift_mm});
   }
-  // This comes last, because links need no wait, and the routed rapids take time.
+  // The waits come last, because a cut with a link needs no wait, and a routed rapid takes more
+  // time.
   if (cools) wait_for_cooling(plan, cooling_of(plan, wishes));
 }
 
 std::vector<std::string> lines_of(const SafetyFigures& figures) {
   std::vector<std::string> lines;
   if (figures.avoids_freed) {
-    lines.push_back(fmt::format("{} rapids led round freed areas, {:.1f} mm longer; {} lifted",
+    lines.push_back(fmt::format("{} rapids routed around freed areas, {:.1f} mm longer; {} lifted",
                                 figures.led_round,
                                 figures.longer_mm,
                                 figures.lifted));

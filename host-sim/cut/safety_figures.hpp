@@ -4,25 +4,26 @@
 
 namespace sim::cut {
 
-/// Measures that were required and taken to make an order of cuts safe to run, with their effects.
+/// Effects of the measures that were taken to make an order of cuts safe to run.
 struct SafetyFigures {
-  bool avoids_freed = false;  ///< Rapids were routed around freed areas.
-  std::size_t led_round = 0;  ///< Number of rapids that have corners for this reason.
-  double longer_mm = 0.0;     ///< Length by which these rapids exceed straight ones.
-  std::size_t lifted = 0;     ///< Number of rapids with the head lifted.
+  bool avoids_freed = false;  ///< Whether rapids were routed around freed areas.
+  std::size_t led_round = 0;  ///< Number of rapids that have corners to avoid freed areas.
+  double longer_mm = 0.0;     ///< Length by which these rapids exceed straight rapids.
+  std::size_t lifted = 0;     ///< Number of rapids that are lifted.
   std::size_t no_way = 0;     ///< Number of rapids without a path; each is a fault.
 
-  bool cools = false;             ///< Pierces keep away from fresh heat.
+  bool cools = false;             ///< Whether pierces keep away from fresh heat.
   std::size_t cooling_swaps = 0;  ///< Number of cuts that were moved forward to avoid heat.
-  std::size_t waits = 0;          ///< Number of pierces before which the beam rests off.
-  double waits_s = 0.0;           ///< Total time of these rests.
+  /// Number of pierces before which the beam waits with its power off.
+  std::size_t waits = 0;
+  double waits_s = 0.0;  ///< Total time of these waits.
 
-  bool chains = false;    ///< Cuts were joined without a pierce where that saves time.
+  bool chains = false;    ///< Whether cuts were joined without a pierce where this saves time.
   std::size_t links = 0;  ///< Number of links, each of which saves a pierce.
   double links_mm = 0.0;  ///< Total length of the links.
-  double links_s = 0.0;   ///< Saved time, computed from feeds and rates alone.
+  double links_s = 0.0;   ///< Time that the links save, computed without acceleration.
 
-  bool slices_waste = false;  ///< The waste was cut into pieces.
+  bool slices_waste = false;  ///< Whether the waste was divided into pieces.
   std::size_t slices = 0;     ///< Number of cuts that divide the waste.
   double slices_mm = 0.0;     ///< Length of these cuts.
 

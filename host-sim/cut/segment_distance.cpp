@@ -7,8 +7,8 @@
 namespace sim::cut {
 namespace {
 
-/// Returns whether a point of the circle is on the arc: on the side of the chord to which the arc
-/// bulges, whatever its sweep.
+/// Returns whether a point of an arc's circle is on the arc. For any sweep, the arc is on the side
+/// of its chord to which it bulges.
 bool is_on_arc(const Stroke& arc, const Place& place) {
   const double side = drawing::cross(arc.to - arc.from, place - arc.from);
   return arc.bulge > 0.0 ? side <= 0.0 : side >= 0.0;
@@ -21,8 +21,8 @@ Place nearest_on_line(const Place& from, const Place& to, const Place& place) {
   return from + std::clamp(drawing::dot(place - from, way) / square, 0.0, 1.0) * way;
 }
 
-/// Shares of the line through two points at which it meets a circle, the smaller one first; none if
-/// it misses the circle.
+/// Points where the line through two points crosses a circle, as shares of the distance between the
+/// two points, the smaller share first. `meets` is false if the line misses the circle.
 struct CircleMeetings {
   std::array<double, 2> shares{};
   bool meets = false;
@@ -96,17 +96,18 @@ Place nearest_on(const Stroke& stroke, const Place& place) {
 
 double nearest_share(const Stroke& stroke, const Place& place) {
   const Place way = nearest_on(stroke, place) - stroke.from;
-  // On an arc as flat as this, the share is that of the chord to 1e-8, and angles are only
+  // For an arc this flat, the share is that of the chord within 1e-8. Angles would only contain
   // rounding.
   constexpr double kFlatBulge = 1.0e-4;
   if (std::abs(stroke.bulge) < kFlatBulge) {
     const double square = (stroke.to - stroke.from).squaredNorm();
     return square > 0.0 ? std::clamp(std::sqrt(way.squaredNorm() / square), 0.0, 1.0) : 0.0;
   }
-  // Near the start, the direction to the point is only rounding.
+  // If the point is so near to the start, its direction is only rounding.
   constexpr double kNoShare = 1.0e-9;
   if (way.norm() < kNoShare * length_of(stroke)) return 0.0;
-  // The angle between the tangent and a chord is half of the angle that the chord spans.
+  // The angle between the tangent at the start and a chord from there is half of the angle of the
+  // arc over this chord.
   const Place tangent = tangent_at(stroke, 0.0);
   const double half = std::atan2(drawing::cross(tangent, way), drawing::dot(tangent, way));
   return std::clamp(half / (2.0 * std::atan(stroke.bulge)), 0.0, 1.0);

@@ -15,10 +15,11 @@ namespace {
 
 /// Least length of a shared line, in kerfs.
 constexpr double kShortestKerfs = 2.0;
-/// Tolerance of the half kerf within which the beam reaches an edge, mm.
+/// Distance beyond half a kerf at which the beam still reaches an edge, mm.
 constexpr double kReaches = 1.0e-3;
 
-/// Returns whether the beam at both ends of a rest reaches all of the part's edge along it.
+/// Returns whether the beam at both ends of a rest reaches the whole edge of the part along the
+/// rest.
 bool is_reached_from_ends(const std::vector<Stroke>& rest, double half_kerf_mm) {
   constexpr int kLooks = 8;
   if (length_of(rest) > 4.0 * half_kerf_mm) return false;
@@ -35,13 +36,13 @@ bool is_reached_from_ends(const std::vector<Stroke>& rest, double half_kerf_mm) 
   return true;
 }
 
-/// Stretches of a path that earlier cuts take over.
+/// The stretches of a path that earlier cuts make.
 struct Loss {
   std::vector<SharedStretch> stretches{};
-  std::vector<std::size_t> owners{};  ///< The cuts that take them over.
+  std::vector<std::size_t> owners{};  ///< Numbers of these earlier cuts.
 };
 
-/// Finds the lines that cuts share, and makes the new lists of cuts.
+/// Finds the lines that cuts share, and replaces the lists of cuts by lists with shared lines.
 class Sharing {
  public:
   Sharing(CutPlan& plan, std::vector<UnbegunCut>& unbegun, const std::vector<std::size_t>& ranks)
@@ -85,7 +86,7 @@ class Sharing {
     return &plan_.plan_of(plan_.cuts[a]) == &plan_.plan_of(plan_.cuts[b]);
   }
 
-  /// Returns the stretches that a cut shares with cuts of lower rank, along its path.
+  /// Returns the stretches of a cut that cuts of lower rank make, as distances along its path.
   [[nodiscard]] Loss loss_of(std::size_t i) const {
     const UnbegunCut& cut = unbegun_[i];
     const double tolerance = cut.settings.common_line_mm;
@@ -104,7 +105,7 @@ class Sharing {
       }
     }
     join_stretches(loss.stretches);
-    // Paths with a common edge share the whole edge, however short it is.
+    // Cuts along an edge that parts share have the whole edge in common, however short it is.
     const double shortest_mm = cut.is_on_edge ? 0.0 : kShortestKerfs * 2.0 * cut.half_kerf_mm;
     std::erase_if(loss.stretches, [shortest_mm](const SharedStretch& stretch) {
       return stretch.to_mm - stretch.from_mm < shortest_mm;
@@ -114,7 +115,7 @@ class Sharing {
     return loss;
   }
 
-  /// Returns the rests of a cut, without those that the beam covers from their ends.
+  /// Returns the rests of a cut, without the rests that the beam covers from their ends.
   [[nodiscard]] std::vector<std::vector<Stroke>> needed_rests(std::size_t i,
                                                               const Loss& loss) const {
     const UnbegunCut& cut = unbegun_[i];
@@ -125,7 +126,7 @@ class Sharing {
     return rests;
   }
 
-  /// Moves cuts forward to which earlier ones would leave nothing, where that is possible.
+  /// Moves cuts forward if earlier cuts would leave nothing of them, where this is possible.
   void leave_each_a_line() {
     constexpr int kMaxRounds = 8;
     bool is_changed = true;
@@ -140,8 +141,8 @@ class Sharing {
     }
   }
 
-  /// Moves a cut before one of the owners of its lines: the owner with the greatest length left.
-  /// Returns false if no owner permits this.
+  /// Moves a cut forward, before one of the owners of its lines. If several owners permit this, it
+  /// is the owner that keeps the greatest length. Returns false if no owner permits it.
   bool comes_before_an_owner(std::size_t i, const Loss& loss) {
     std::vector<bool> is_before(unbegun_.size());
     std::vector<std::size_t> open{i};
@@ -198,7 +199,7 @@ class Sharing {
     owners_[i] = std::move(loss.owners);
   }
 
-  /// Replaces a cut by its rests, and renumbers all cuts.
+  /// Replaces each cut that has rests by these rests, and renumbers all cuts.
   void split() {
     std::vector<std::size_t> first(unbegun_.size() + 1);
     for (std::size_t i = 0; i < unbegun_.size(); ++i) {
@@ -240,7 +241,7 @@ class Sharing {
       settings.overcut_mm = 0.0;
       settings.start = StartAt::kUsual;
       if (rest != longest) settings.tabs = 0;
-      // The beam begins in a kerf, unless the other part has a tab at this point.
+      // The cut begins in the kerf of the other part, unless that part has a tab at this point.
       if (unbegun_[i].settings.tabs == 0) settings.pierce_s = 0.0;
       unbegun.push_back(std::move(open));
       cuts.push_back(cut);
@@ -252,9 +253,9 @@ class Sharing {
   std::vector<std::size_t> ranks_;
   Clearance strokes_;
   std::vector<OwnedStroke> owner_of_stroke_;
-  /// Rests of each cut; none: the cut is made whole.
+  /// Rests that replace each cut. A cut without rests is made completely.
   std::vector<std::vector<std::vector<Stroke>>> rests_;
-  /// Cuts that take over lines of each cut.
+  /// Numbers of the earlier cuts that make lines of each cut.
   std::vector<std::vector<std::size_t>> owners_;
 };
 

@@ -8,26 +8,27 @@
 
 namespace sim::cut {
 
-/// Combines the cuts between two parts that lie a kerf apart into one shared line. Such cuts run
+/// Combines the cuts between two parts that are a kerf apart into one shared line. Such cuts run
 /// next to each other in opposite directions, within the distance of their settings
-/// (LayerSettings::common_line_mm). The later cut leaves out the line that the earlier one cuts. It
-/// becomes open cuts, which begin and end in the kerf of the earlier one and come after it. Open
-/// cuts have no leads and no overcut.
+/// (LayerSettings::common_line_mm). The later cut leaves out the line that the earlier cut makes.
+/// Open cuts replace it, which begin and end in the kerf of the earlier cut and come after it.
+/// These have no leads and no overcut.
 ///
 /// A shared line is at least two kerfs long, or it is the line of an edge that parts share; see
 /// paths_along_edges(). If earlier cuts would leave nothing of a part's cut, this cut is ordered
-/// before one of them. If that is not permitted, its shortest shared line is cut twice. Arcs around
-/// a corner at which two shared lines meet are left out, because both lines reach the corner.
+/// before one of them. If that is not permitted, the shortest shared line of this cut is cut twice.
+/// Arcs around a corner at which two shared lines meet are left out, because both lines reach the
+/// corner.
 /// @param unbegun one for each cut of the plan. Afterwards both lists have more cuts with new
-/// numbers, and the counts are in `plan.shared`.
-/// @param ranks the position of each cut in an order that keeps every precedence
+/// numbers, and `plan.shared` has the counts
+/// @param ranks position of each cut in an order that keeps every precedence
 void share_lines(CutPlan& plan,
                  std::vector<UnbegunCut>& unbegun,
                  const std::vector<std::size_t>& ranks);
 
-/// Returns, for each cut in order, the closed row of strokes that this cut frees. Only the last of
-/// the cuts that share lines of a contour has such a row: the whole loop of that contour. The entry
-/// is null for all other cuts.
+/// Returns, for each cut in order, the closed loop that this cut frees, if other cuts made lines of
+/// it. The last cut of a contour that shares lines frees the whole loop of the contour. The entry
+/// of every other cut is null.
 [[nodiscard]] std::vector<SharedLoop> loops_closed_by(const std::vector<Cut>& cuts);
 
 }  // namespace sim::cut

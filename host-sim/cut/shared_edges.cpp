@@ -13,14 +13,14 @@
 namespace sim::cut {
 namespace {
 
-/// Greatest distance between ends of lines that count as one node, mm. Gaps of lines, and lines, of
-/// at most this length do not count.
+/// Greatest distance between ends of lines that count as one node, mm. Gaps between lines, and
+/// lines themselves, of at most this length are ignored.
 constexpr double kSameNode = 2.0 * kTouchesMm;
 
-/// Two outlines, by their positions in the list that is searched.
+/// Two outlines, given by their positions in the list of contours.
 using Pair = std::pair<std::size_t, std::size_t>;
 
-/// Finds the lines that outlines share.
+/// Finds the lines and points that outlines share.
 class EdgeFinder {
  public:
   EdgeFinder(const std::vector<Outline>& outlines,
@@ -83,9 +83,9 @@ class EdgeFinder {
   std::vector<MeasuredRow> rows_;
   Clearance strokes_;
   std::vector<OwnedStroke> owned_;
-  /// Stretches along the first outline of each pair.
+  /// For each pair, the stretches of the first outline along the second one.
   std::map<Pair, std::vector<SharedStretch>> stretches_;
-  /// Stretches of each outline that have lines or points.
+  /// For each outline, its stretches that belong to lines or points.
   std::vector<std::vector<EdgeStretch>> taken_;
   SharedEdges found_;
 };
@@ -105,7 +105,7 @@ void EdgeFinder::note_stretches(std::size_t i) {
   }
 }
 
-/// Joins stretches across corners and across the start of the outline, and drops short ones.
+/// Joins stretches across corners and across the start of the outline, and removes short ones.
 void EdgeFinder::join(std::vector<SharedStretch>& stretches, double length_mm) {
   std::ranges::sort(stretches, {}, &SharedStretch::from_mm);
   std::vector<SharedStretch> joined;
@@ -137,7 +137,8 @@ std::vector<Stroke> EdgeFinder::strokes_along(std::size_t i, const SharedStretch
   return strokes;
 }
 
-/// Returns the stretch of the second outline that lies along a stretch of the first one.
+/// Returns the stretch of the second outline that lies along a stretch of the first outline;
+/// nothing if there is none.
 std::optional<SharedStretch> EdgeFinder::other_side(const Pair& pair,
                                                     const SharedStretch& stretch) const {
   const auto known = stretches_.find({pair.second, pair.first});
@@ -197,7 +198,7 @@ void EdgeFinder::note_taken() {
   }
 }
 
-/// Returns whether an outline has a line, or a point, at or near a distance along it.
+/// Returns whether an outline has a shared line or point at or near a distance along it.
 bool EdgeFinder::is_taken(std::size_t i, double way_mm) const {
   const double length = rows_[i].length();
   return std::ranges::any_of(taken_[i], [&](const EdgeStretch& one) {
@@ -208,7 +209,7 @@ bool EdgeFinder::is_taken(std::size_t i, double way_mm) const {
   });
 }
 
-/// Adds the corners of an outline that touch other outlines.
+/// Adds a point for each corner of an outline that touches another outline.
 void EdgeFinder::add_points(std::size_t i) {
   for (std::size_t k = 0; k < rows_[i].strokes().size(); ++k) {
     const Place& corner = rows_[i].strokes()[k].from;

@@ -9,11 +9,11 @@
 
 namespace sim::cut {
 
-/// Greatest distance between parts that count as lying against each other, mm.
+/// Greatest distance at which parts lie against each other, mm.
 inline constexpr double kTouchesMm = 0.01;
 
-/// A stretch of a closed outline, mm along it. If `to_mm` is not greater than `from_mm`, it
-/// continues across the start of the outline.
+/// A stretch of a closed outline, given by distances along the outline. If `to_mm` is not greater
+/// than `from_mm`, the stretch continues across the start of the outline.
 struct EdgeStretch {
   std::size_t contour = 0;
   double from_mm = 0.0;
@@ -22,15 +22,16 @@ struct EdgeStretch {
 
 /// A line along which two outlines lie against each other, or a point at which they touch.
 struct SharedEdge {
-  /// Strokes in the direction of the first outline; none for a point.
+  /// Strokes of the line in the direction of the first outline; none for a point.
   std::vector<Stroke> strokes{};
-  std::array<EdgeStretch, 2> beside{};  ///< The stretches of both outlines.
-  /// Numbers of the nodes at the start and the end of the edge.
+  std::array<EdgeStretch, 2> beside{};  ///< Stretches of the two outlines along the line.
+  /// Numbers of the nodes at the start and the end of the line.
   std::array<std::size_t, 2> nodes{};
-  bool is_ring = false;  ///< The edge is the whole of both outlines.
+  bool is_ring = false;  ///< Whether the line is the whole of both outlines.
 };
 
-/// The lines along which outlines lie against each other, and the nodes at which they end.
+/// The lines along which outlines lie against each other and the points at which they touch, with
+/// their nodes.
 struct SharedEdges {
   std::vector<SharedEdge> edges{};
   std::vector<Place> nodes{};
@@ -38,9 +39,9 @@ struct SharedEdges {
 
 /// Finds the lines along which two outlines lie against each other, nowhere farther apart than
 /// kTouchesMm. Lines may be straight or arcs, whole edges or stretches of edges. The geometry of a
-/// line is that of the outline with the lower position in the list. Ends of lines move by at most 2
-/// kTouchesMm to ends of other lines. Lines of 2 kTouchesMm or less do not count. Points are
-/// corners that touch another outline where neither outline has a line.
+/// line is that of the outline that comes first in the list. Ends of lines move by at most 2
+/// kTouchesMm, to ends of other lines. Lines of 2 kTouchesMm or less are ignored. Also finds
+/// points: corners that touch another outline where neither outline has a line.
 /// @param contours numbers of closed outlines
 /// @param may_share returns whether two contours may share a line
 [[nodiscard]] SharedEdges shared_edges(

@@ -8,10 +8,11 @@
 namespace sim::cut {
 namespace {
 
-/// Least length of a stretch or gap, mm; shorter ones are rounding.
+/// Least length of a stretch or a gap, mm. Shorter ones are only rounding.
 constexpr double kShortest = 1.0e-3;
-/// Number of intervals between points at which the distance of two strokes is measured. Between two
-/// lines it is greatest at an end. Between two arcs it changes with the sine of the angle.
+/// Number of intervals between the points at which the distance of two strokes is measured. Between
+/// lines, the distance is greatest at an end. Between arcs, it changes smoothly, with the sine of
+/// the angle along the arc.
 constexpr int kLooks = 8;
 
 bool runs_back(const Stroke& stroke, const Stroke& other, double share) {
@@ -77,7 +78,7 @@ std::vector<std::vector<Stroke>> rests_between(const MeasuredRow& path,
   for (std::size_t i = 1; i < stretches.size(); ++i) {
     keep(path.stretch(stretches[i - 1].to_mm, stretches[i].from_mm));
   }
-  // This rest crosses the end of the path, which is its start.
+  // The last rest crosses the end of the path, which is also its start.
   std::vector<Stroke> around = path.stretch(stretches.back().to_mm, path.length());
   const std::vector<Stroke> first = path.stretch(0.0, stretches.front().from_mm);
   around.insert(around.end(), first.begin(), first.end());

@@ -16,22 +16,22 @@ struct SharedStretch {
 };
 
 /// Returns the stretch of a stroke along which another stroke runs in the opposite direction,
-/// nowhere farther away than `tolerance_mm`. Lines are compared with lines, and arcs with arcs.
-/// Returns nothing if the stretch is shorter than a micrometre.
+/// nowhere farther away than `tolerance_mm`. Lines are compared only with lines, and arcs only with
+/// arcs. Returns nothing if there is no stretch of at least a micrometre.
 [[nodiscard]] std::optional<SharedStretch> shared_stretch(const Stroke& stroke,
                                                           const Stroke& other,
                                                           double tolerance_mm);
 
-/// Sorts stretches of one path and joins those that meet within a micrometre.
+/// Sorts stretches of one path, and joins those that are less than a micrometre apart.
 void join_stretches(std::vector<SharedStretch>& stretches);
 
-/// Returns the parts of a closed path outside of the stretches, each in one piece; none if the
-/// stretches cover the path.
+/// Returns the parts of a closed path that are outside of the stretches, each as one row; none if
+/// the stretches cover the path.
 /// @pre the stretches are sorted, joined, and not empty
 [[nodiscard]] std::vector<std::vector<Stroke>> rests_between(
     const MeasuredRow& path, const std::vector<SharedStretch>& stretches);
 
-/// Returns the parts of an open path outside of the stretches, in the path's order.
+/// Returns the parts of an open path that are outside of the stretches, in the order of the path.
 [[nodiscard]] std::vector<std::vector<Stroke>> rests_of_open(
     const MeasuredRow& path, const std::vector<SharedStretch>& stretches);
 

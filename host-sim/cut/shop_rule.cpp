@@ -16,7 +16,7 @@
 namespace sim::cut {
 namespace {
 
-constexpr double kMaxBound = 1.0e9;  ///< Greatest bound, in mm, in mm² or as a multiple.
+constexpr double kMaxBound = 1.0e9;  ///< Greatest bound in a rule, in mm, in mm² or as a multiple.
 constexpr double kMaxPercent = 1000.0;
 constexpr std::string_view kRuleBlanks = " \t\r\n";
 
@@ -41,7 +41,7 @@ std::optional<Value> value_of(const std::array<std::pair<std::string_view, Value
   return {};
 }
 
-/// Reads a rule from left to right.
+/// Parser that reads one rule from left to right.
 class RuleParser {
  public:
   RuleParser(std::string_view text, std::string place) : text_{text} {
@@ -53,7 +53,7 @@ class RuleParser {
 
   ShopRule parse() {
     read_condition();
-    if (!take(':')) refuse("wants `:` and what to do, or `and` and one more comparison");
+    if (!take(':')) refuse("requires `:` and an action, or `and` and one more comparison");
     read_action();
     return std::move(rule_);
   }
@@ -72,8 +72,8 @@ class RuleParser {
     ++at_;
     return true;
   }
-  /// Returns the next word, which begins with a letter and has letters and digits. The word is not
-  /// consumed.
+  /// Returns the next word, without consuming it. A word consists of letters and digits, and begins
+  /// with a letter.
   std::string_view next_word() {
     skip_blanks();
     const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
@@ -111,7 +111,7 @@ class RuleParser {
         for (const auto& [name, kind] : kKinds) known.emplace_back(name);
       }
       for (const auto& [name, each] : kQuantities) known.emplace_back(name);
-      refuse(fmt::format("{}wants {}{}",
+      refuse(fmt::format("{}requires {}{}",
                          word.empty() ? "" : "`" + word + "`: ",
                          fmt::join(known, ", "),
                          did_you_mean(word, known)));
@@ -128,7 +128,7 @@ class RuleParser {
 
   Relation read_relation() {
     const bool less = take('<');
-    if (!less && !take('>')) refuse("wants `<`, `<=`, `>` or `>=`");
+    if (!less && !take('>')) refuse("requires `<`, `<=`, `>` or `>=`");
     const bool equal = at_ < text_.size() && text_[at_] == '=';
     if (equal) ++at_;
     if (less) return equal ? Relation::kAtMost : Relation::kLess;
@@ -138,13 +138,13 @@ class RuleParser {
   void read_bound(Comparison& comparison) {
     const bool of_area = comparison.quantity == Quantity::kArea;
     const std::string wanted =
-        of_area ? "wants a number in mm2, such as 20"
-                : "wants a number in mm, such as 1.5, or `thickness`, such as 2 thickness";
+        of_area ? "requires a number in mm2, such as 20"
+                : "requires a number in mm, such as 1.5, or `thickness`, such as 2 thickness";
     skip_blanks();
     const std::size_t begin = at_;
     const std::optional<double> number = read_number();
     if (number && (*number < 0.0 || *number > kMaxBound)) {
-      refuse_at(begin, fmt::format("out of range, 0 to {:g}", kMaxBound));
+      refuse_at(begin, fmt::format("out of range; write 0 to {:g}", kMaxBound));
     }
     const std::size_t unit_at = at_;
     const bool can_scale = !of_area && comparison.quantity != Quantity::kThickness;
@@ -178,7 +178,7 @@ class RuleParser {
     if (take_word("skip")) {
       rule_.action = RuleAction::kSkip;
       skip_blanks();
-      if (at_ != text_.size()) refuse("wants nothing behind `skip`");
+      if (at_ != text_.size()) refuse("requires nothing after `skip`");
       return;
     }
     if (is_alone("mark")) {
@@ -186,7 +186,7 @@ class RuleParser {
       static_cast<void>(take_word("mark"));
       skip_blanks();
       if (at_ == text_.size()) return;
-      if (!take(',')) refuse("wants `,` and a setting behind `mark`, or nothing");
+      if (!take(',')) refuse("requires `,` and a setting after `mark`, or nothing");
     }
     do {
       read_change();
@@ -205,7 +205,7 @@ class RuleParser {
     const std::size_t end = std::min(text_.find(',', at_), text_.size());
     const std::string_view pair = text_.substr(begin, end - begin);
     const std::size_t equals = pair.find('=');
-    if (equals == std::string_view::npos) refuse("wants `skip`, `mark` or `key=value`");
+    if (equals == std::string_view::npos) refuse("requires `skip`, `mark` or `key=value`");
     RuleChange change{trimmed(pair.substr(0, equals)), trimmed(pair.substr(equals + 1))};
     if (change.value.ends_with('%')) {
       read_percent(change, begin + equals + 1);
@@ -213,7 +213,7 @@ class RuleParser {
       LayerSettings tried;
       try {
         set(tried, change.key, change.value);
-        if (tried.power_share) refuse("power: a rule takes watts, or % of the layer's power");
+        if (tried.power_share) refuse("power: write watts, or a percentage of the layer's power");
       } catch (const std::invalid_argument& error) {
         refuse(error.what());
       }
@@ -224,13 +224,14 @@ class RuleParser {
 
   void read_percent(RuleChange& change, std::size_t at) const {
     if (change.key != "feed" && change.key != "power") {
-      refuse_at(at, "only feed and power take a share of the layer's in %");
+      refuse_at(at, "only feed and power can be a percentage of the layer's value");
     }
     const char* const end = change.value.data() + change.value.size() - 1;
     const auto [stop, error] = std::from_chars(change.value.data(), end, change.percent);
     const bool is_number = error == std::errc{} && stop == end && std::isfinite(change.percent);
     if (is_number && change.percent >= 0.1 && change.percent <= kMaxPercent) return;
-    refuse_at(at, fmt::format("{}={}: wants 0.1 to {:g} %", change.key, change.value, kMaxPercent));
+    refuse_at(at,
+              fmt::format("{}={}: must be 0.1 to {:g} %", change.key, change.value, kMaxPercent));
   }
 
   static std::string trimmed(std::string_view text) {

@@ -12,12 +12,12 @@
 namespace sim::cut {
 namespace {
 
-/// Least length of a slice, mm. Shorter ones are not worth a pierce, because so narrow waste breaks
-/// by itself.
+/// Least length of a slice, mm. A shorter slice is not worth a pierce, because waste so narrow
+/// breaks by itself.
 constexpr double kShortestSlice = 0.05;
 constexpr double kReachInKerfs = 10.0;
 
-/// Index of the closed lines that are cut. Inside them there is no waste of the sheet.
+/// Index of the areas inside closed lines that are cut. The waste of the sheet is outside of them.
 class InsideOfCuts {
  public:
   InsideOfCuts(const CutPlan& plan, const drawing::Drawing& drawn, double cell_mm)
@@ -54,7 +54,8 @@ LoopArea::Box sheet_of(const CutPlan& plan, const SliceRules& rules) {
           sheet.y1};
 }
 
-/// Returns the layer of the last cut at an offset from a line, or else of the last cut.
+/// Returns the layer whose settings slices have. It is the layer of the last cut at an offset from
+/// its line, or if there is none, of the last cut.
 std::size_t layer_of_slices(const CutPlan& plan) {
   for (auto cut = plan.cuts.rbegin(); cut != plan.cuts.rend(); ++cut) {
     if (plan.plan_of(*cut).settings.side == Side::kWaste) return cut->layer;
@@ -62,7 +63,7 @@ std::size_t layer_of_slices(const CutPlan& plan) {
   return plan.cuts.back().layer;
 }
 
-/// Appends slices along straight lines.
+/// Appends slices along straight lines across the sheet.
 class Slicing {
  public:
   Slicing(CutPlan& plan, const drawing::Drawing& drawn, double piece_mm)

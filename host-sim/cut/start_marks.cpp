@@ -12,7 +12,8 @@
 namespace sim::cut {
 namespace {
 
-/// Greatest distance of a mark from its contour, mm; a mark farther from all contours is a fault.
+/// Greatest distance of a mark from its contour, mm. A mark that is farther from all contours is a
+/// fault.
 constexpr double kFarthestMark = 5.0;
 
 Place middle_of(const std::vector<Stroke>& strokes) {
@@ -68,7 +69,7 @@ std::vector<std::optional<Place>> marked_starts(const drawing::Drawing& drawn,
       faults.push_back({drawing::FaultKind::kBadEntity,
                         mark.entity,
                         place,
-                        fmt::format("marks a start, and no closed contour that is cut is within "
+                        fmt::format("marks a start, but no closed contour that is cut is within "
                                     "{:g} mm of it",
                                     kFarthestMark),
                         "move it to a contour, or skip its layer"});
@@ -76,9 +77,9 @@ std::vector<std::optional<Place>> marked_starts(const drawing::Drawing& drawn,
       faults.push_back({drawing::FaultKind::kBadEntity,
                         mark.entity,
                         place,
-                        fmt::format("marks a start of {}, which has one already",
+                        fmt::format("marks the start of {}, which already has a mark",
                                     drawn.contours[nearest.owner].entity.name),
-                        "leave one mark for each contour"});
+                        "leave one mark at each contour"});
     } else {
       starts[nearest.owner] = place;
     }

@@ -7,7 +7,7 @@
 namespace sim::cut {
 namespace {
 
-/// Least length of a stretch, mm; shorter ones are left out.
+/// Least length of a stretch, mm. Shorter stretches are left out.
 constexpr double kShortestStretch = 1.0e-6;
 
 double sweep_of(const Stroke& stroke) { return 4.0 * std::atan(stroke.bulge); }

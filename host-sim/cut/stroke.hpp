@@ -9,68 +9,68 @@ namespace sim::cut {
 
 using drawing::Place;
 
-/// Returns a direction turned by a quarter turn to the right.
+/// Returns the direction that is a quarter turn to the right of `way`.
 [[nodiscard]] inline Place right_of(const Place& way) { return {way.y(), -way.x()}; }
 
 /// The purpose of a stroke in a cut.
 enum class Purpose : std::uint8_t {
-  kPierce,      ///< The first piece of the lead-in, or of the contour, driven slowly.
-  kLeadIn,      ///< From the waste to the contour.
-  kContour,     ///< Along the edge of the part.
-  kTab,         ///< Along the edge of the part, with the beam off.
-  kOvercut,     ///< A second time along the beginning of the contour.
-  kLeadOut,     ///< From the contour into the waste.
-  kCornerLoop,  ///< Past a corner of the part into the waste, and back to its next edge.
-  kLink,        ///< Through the waste from the end of the previous cut, instead of a pierce.
-  kSlice,       ///< Across the waste between parts, which divides the waste into pieces.
-  kOverscan,    ///< Before, between and after the lines of a filled area, with the beam off.
+  kPierce,      ///< The first piece of the lead-in or of the contour, at a low feed.
+  kLeadIn,      ///< A path from the waste to the contour.
+  kContour,     ///< A path along the edge of the part.
+  kTab,         ///< A path along the edge of the part with the beam off.
+  kOvercut,     ///< A path along the beginning of the contour for a second time.
+  kLeadOut,     ///< A path from the contour into the waste.
+  kCornerLoop,  ///< A path past a corner of the part into the waste, and back to the next edge.
+  kLink,        ///< A path through the waste from the end of the previous cut, instead of a pierce.
+  kSlice,       ///< A path across the waste between parts, which divides the waste into pieces.
+  kOverscan,    ///< A path before, between or after the lines of a filled area, with the beam off.
 };
 
-/// Returns whether the beam is on along a stroke.
+/// Returns whether the beam is on along a stroke of this purpose.
 [[nodiscard]] constexpr bool has_beam(Purpose purpose) {
   return purpose != Purpose::kTab && purpose != Purpose::kOverscan;
 }
 
-/// A line or arc along which the beam is driven. The bulge is tan(sweep / 4), positive to the left,
+/// A line or arc along which the head is driven. The bulge is tan(sweep / 4), positive to the left,
 /// of any size.
 struct Stroke {
   Place from{0.0, 0.0};
   Place to{0.0, 0.0};
   double bulge = 0.0;
   Purpose purpose = Purpose::kContour;
-  double dwell_s = 0.0;  ///< Time that the beam rests off before it follows the stroke.
+  double dwell_s = 0.0;  ///< Time for which the beam rests with its power off before the stroke.
 };
 
 /// Returns the length of a stroke, mm.
 [[nodiscard]] double length_of(const Stroke& stroke);
 
-/// Half of a stroke's sweep, radians, and its sine.
+/// Half of a stroke's sweep, radians, and the sine of this half.
 struct HalfSweep {
   double angle = 0.0;
   double sine = 0.0;
 };
 [[nodiscard]] HalfSweep half_sweep_of(const Stroke& stroke);
 
-/// Return the point of a stroke at a share of its length, 0…1, and the unit direction of the stroke
-/// there.
+/// Return the point at a share of a stroke's length, 0…1, and the unit direction of the stroke at
+/// this point.
 [[nodiscard]] Place place_at(const Stroke& stroke, double share);
 [[nodiscard]] Place place_at(const Stroke& stroke, const HalfSweep& half, double share);
 [[nodiscard]] Place tangent_at(const Stroke& stroke, double share);
 
-/// Returns the part of a stroke from one share of its length to another.
+/// Returns the part of a stroke between two shares of its length.
 /// @pre 0 ≤ from < to ≤ 1
 [[nodiscard]] Stroke part_of(const Stroke& stroke, double from, double to);
 
-/// Returns a stroke in the opposite direction.
+/// Returns a stroke that is driven in the opposite direction.
 [[nodiscard]] Stroke reversed(const Stroke& stroke);
 
-/// Returns the distance of a point to the nearest point of a stroke, mm.
+/// Returns the distance of a point from the nearest point of a stroke, mm.
 [[nodiscard]] double distance_to(const Stroke& stroke, const Place& place);
 
 [[nodiscard]] double length_of(const std::vector<Stroke>& row);
 
-/// A row of strokes with the distance to the start of each stroke, so that searches need not begin
-/// at the start of the row.
+/// A row of strokes, with the distance along the row to the start of each stroke. With it, searches
+/// for a distance need not begin at the start of the row.
 class MeasuredRow {
  public:
   explicit MeasuredRow(std::vector<Stroke> row);
@@ -81,24 +81,24 @@ class MeasuredRow {
   /// Returns the distance along the row to the start of a stroke, or to the end of the row, mm.
   [[nodiscard]] double way_to(std::size_t stroke) const { return ways_[stroke]; }
 
-  /// Returns the strokes between two distances from the start, mm. Ends that are reached within a
-  /// nanometre are not cut off.
+  /// Returns the strokes between two distances from the start. Rests of strokes below a nanometre
+  /// at both ends are not cut off.
   [[nodiscard]] std::vector<Stroke> stretch(double from_mm, double to_mm) const;
-  /// Returns the strokes of a closed row for one full pass, from a distance on.
+  /// Returns the strokes of a closed row, once around from the point at `way_mm`.
   [[nodiscard]] std::vector<Stroke> begun_at(double way_mm) const;
-  /// Return the unit direction in which a closed row arrives at a point, and the one in which it
-  /// continues.
+  /// Return the unit direction in which a closed row arrives at a point, and the unit direction in
+  /// which it continues from there.
   [[nodiscard]] Place arriving(double way_mm) const;
   [[nodiscard]] Place leaving(double way_mm) const;
   [[nodiscard]] Place place(double way_mm) const;
-  /// Returns the number of the stroke that begins at a distance from the start, or contains this
-  /// point.
+  /// Returns the number of the stroke that contains the point at `way_mm`, or that begins there.
   [[nodiscard]] std::size_t stroke_at(double way_mm) const;
 
  private:
   std::vector<Stroke> row_;
-  std::vector<HalfSweep> halves_;  ///< Half sweep of each stroke.
-  std::vector<double> ways_;       ///< Distances along the row, one more than there are strokes.
+  std::vector<HalfSweep> halves_;  ///< Half of the sweep of each stroke.
+  /// Distances along the row to the start of each stroke, and to the end.
+  std::vector<double> ways_;
 };
 
 }  // namespace sim::cut

@@ -8,15 +8,15 @@
 namespace sim::cut {
 namespace {
 
-/// Height of an arc below which it counts as a line here, mm, because its centre would have no
-/// correct digits left.
+/// Height of an arc below which it counts as a line here, mm. Its centre would have no correct
+/// digits.
 constexpr double kFlatMm = 1.0e-7;
 
 bool is_line(const Stroke& stroke) {
   return std::abs(stroke.bulge) * drawing::distance(stroke.from, stroke.to) < 2.0 * kFlatMm;
 }
 
-/// The circle of an arc, and the sector of the arc.
+/// The circle of an arc, with the sector of the circle that the arc covers.
 struct CircleArc {
   explicit CircleArc(const Stroke& arc) {
     const Place chord = arc.to - arc.from;
@@ -72,14 +72,15 @@ double inner_distance(const Stroke& line, const CircleArc& arc, double least) {
   return least;
 }
 
-/// Returns the smaller of `least` and the distances between inner points of two arcs; 0 if they
+/// Returns the least of `least` and the distances between inner points of two arcs; 0 if the arcs
 /// cross.
 /// @pre the first circle is not larger than the second one, so that a crossing is computed without
 /// loss of digits
 double inner_distance(const CircleArc& a, const CircleArc& b, double least) {
   const Place way = b.centre - a.centre;
   const double apart = std::hypot(way.x(), way.y());
-  // Concentric circles have the same distance everywhere, so the ends of the arcs decide.
+  // Concentric circles have the same distance everywhere, so `least`, which contains the ends of
+  // the arcs, decides.
   if (apart == 0.0) return least;
   for (const double on_a : {1.0, -1.0}) {
     if (!a.holds(on_a * way)) continue;

@@ -10,16 +10,17 @@
 
 namespace sim::cut {
 
-/// The area that discs cover, stored by cells of the plane.
+/// The area that many discs cover. It stores the discs in cells of the plane.
 class SweptArea {
  public:
-  /// Outside of the discs, distances to the edge are measured up to this limit, mm.
+  /// Greatest distance from the discs that is measured outside of them, mm.
   static constexpr double kReachMm = 0.25;
 
   void add(const Place& centre, double radius_mm);
 
-  /// Returns the depth of a point inside the covered area; negative outside, at least −kReachMm.
-  /// Inside, where discs follow each other closely, it is the distance to the edge of their band.
+  /// Returns the depth of a point inside the covered area, mm; negative outside, but at least
+  /// −kReachMm. Where discs follow each other closely, the depth is the distance to the edge of the
+  /// band that they cover.
   [[nodiscard]] double depth_of(const Place& place) const;
 
  private:
@@ -27,20 +28,21 @@ class SweptArea {
     Place centre;
     double radius_mm;
   };
-  /// The box of the centres of some discs, and their greatest radius.
+  /// A group of discs: the box around their centres, and their greatest radius.
   struct Group {
     cnc::contour::FlatBox<double> centres{};
     double widest_mm = 0.0;
 
-    /// Returns whether a point may be deeper than `depth_mm` in a disc of the group.
+    /// Returns whether a point may be deeper than `depth_mm` in any disc of the group.
     [[nodiscard]] bool may_be_deeper(const Place& place, double depth_mm) const;
-    /// Returns the square of the distance between a point and the box, mm².
+    /// Returns the square of the distance between a point and the box of centres, mm².
     [[nodiscard]] double squared_distance(const Place& place) const;
   };
-  /// Discs in the order in which they were added, so that neighbours are near each other.
+  /// The discs of one cell, in the order in which they were added, so that discs with adjacent
+  /// numbers are near each other.
   struct Cell {
     std::vector<Disc> discs{};
-    /// Groups of discs. Each holds kGroup discs; the last may hold fewer.
+    /// Groups of kGroup consecutive discs; the last group may have fewer.
     std::vector<Group> groups{};
   };
   static constexpr double kCellMm = 0.5;

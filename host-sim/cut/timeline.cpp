@@ -46,8 +46,8 @@ TimeKind kind_of(Purpose purpose) {
 
 bool is_rest(TimeKind kind) { return kind == TimeKind::kCornerDwell || kind == TimeKind::kWait; }
 
-/// Goes through a job in the order of its program. The times of motions are known only at the end
-/// of the job.
+/// Makes the timeline of a job by following it in the order of its program. The times of motions
+/// are known only at the end of the job.
 class TimelineMaker {
  public:
   explicit TimelineMaker(const OrderWish& machine) : clock_{machine}, here_{machine.from} {}
@@ -71,7 +71,7 @@ class TimelineMaker {
     here_ = cut.end();
   }
 
-  /// Returns the timeline: the steps one after the other, with the times of the motions.
+  /// Returns the timeline: all steps one after the other, with their times.
   Timeline finish() {
     const std::vector<double> times = clock_.finish();
     std::size_t motion = 0;
@@ -98,19 +98,20 @@ class TimelineMaker {
   }
 
   ControllerClock clock_;
-  Timeline timeline_;  ///< Steps; until finish() only rests have their times, from 0 on.
+  Timeline timeline_;  ///< The steps. Before finish(), only rests have times, which begin at 0.
   Place here_;
 };
 
-/// Consecutive cuts whose times are predicted separately from those of other cuts.
+/// Consecutive cuts whose times are predicted independently of other ranges.
 struct CutRange {
   std::size_t first = 0;
-  /// Number after the last cut; the number of cuts plus one if the range includes the return to the
-  /// origin.
+  /// Number after that of the last cut. It is the number of cuts plus one if the range includes the
+  /// return to the end of the job.
   std::size_t end = 0;
 };
 
-/// Divides a long job into ranges. The division does not depend on the number of threads.
+/// Divides the cuts of a long job into ranges. The division does not depend on the number of
+/// threads.
 std::vector<CutRange> ranges_of(const CutPlan& plan) {
   constexpr std::size_t kStrokesOfRange = 50'000;
   const std::size_t all = plan.cuts.size() + 1;
@@ -127,9 +128,9 @@ std::vector<CutRange> ranges_of(const CutPlan& plan) {
   return ranges;
 }
 
-/// Returns the cuts that are driven to predict the times of a range. The controller's state of
-/// reading ahead follows from the last motions, so cuts before the range are driven, too. Some cuts
-/// after the range are driven because its last motion does not end the job.
+/// Returns the cuts that must be driven to predict the times of a range. The reading ahead of the
+/// controller depends on the latest motions, so cuts before the range are driven, too. Cuts after
+/// the range are driven because the job does not end with the last motion of the range.
 CutRange driven_for(const CutPlan& plan, const CutRange& range) {
   constexpr std::size_t kStrokesBefore = 4 * cnc::motion::kLookAheadBlocks;
   constexpr std::size_t kStrokesBehind = cnc::motion::kLookAheadBlocks;
@@ -143,7 +144,7 @@ CutRange driven_for(const CutPlan& plan, const CutRange& range) {
   return driven;
 }
 
-/// Returns the steps of a range of cuts, starting at an arbitrary time.
+/// Returns the steps of a range of cuts. The time of the first step is arbitrary.
 Timeline timeline_of(const CutPlan& plan, const CutRange& range) {
   const CutRange driven = driven_for(plan, range);
   OrderWish machine = plan.order.wish;
@@ -160,7 +161,7 @@ Timeline timeline_of(const CutPlan& plan, const CutRange& range) {
   return timeline;
 }
 
-/// Appends steps after those that are already there, with their times moved.
+/// Appends the steps of `more` to `all`. Their times move to follow the existing steps.
 void append(Timeline& more, Timeline& all) {
   double now = all.total_s();
   for (TimeStep& step : more.steps) {

@@ -10,31 +10,32 @@
 
 namespace sim::cut {
 
-/// The kinds of time in a job.
+/// The kinds of motions and rests among which the time of a job is divided.
 enum class TimeKind : std::uint8_t {
   kPierce,
-  kLead,     ///< Lead-ins, lead-outs and links.
-  kContour,  ///< Along edges and drawn lines, overcuts and slices included.
-  kTab,      ///< Along edges with the beam off.
+  kLead,     ///< Motions along lead-ins, lead-outs and links.
+  kContour,  ///< Motions along edges and drawn lines, including overcuts and slices.
+  kTab,      ///< Motions along edges with the beam off.
   kCornerLoop,
   kCornerDwell,
   kRapid,
-  kWait,      ///< At rest with the beam off before a pierce.
-  kOverscan,  ///< Between the lines of filled areas, with the beam off.
+  kWait,      ///< At rest with the beam off before a pierce, until the sheet is cooler.
+  kOverscan,  ///< Before, between and after the lines of filled areas, with the beam off.
 };
 inline constexpr std::size_t kTimeKinds = 9;
 
-/// Return the name of a kind: `pierce`, `lead` … for people, and with underscores for JSON.
+/// Return the name of a kind for users, such as `corner loops`, and its key in JSON, such as
+/// `corner_loop`.
 [[nodiscard]] std::string_view title_of(TimeKind kind);
 [[nodiscard]] std::string_view key_of(TimeKind kind);
 
 /// One motion or rest of a job.
 struct TimeStep {
   TimeKind kind = TimeKind::kRapid;
-  /// Number of the cut to which the step belongs, as does the rapid before the cut. For the return
-  /// to the origin it is the number of cuts.
+  /// Number of the cut of this step. The rapid before a cut has the number of this cut. The rapid
+  /// to the end of the job has the number of cuts.
   std::size_t cut = 0;
-  Stroke path{};  ///< Path of the step; both ends are the same for a rest.
+  Stroke path{};  ///< Path of the step. For a rest, both ends are the same point.
   double begin_s = 0.0;
   double end_s = 0.0;
 };
@@ -43,24 +44,24 @@ struct TimeStep {
 struct Timeline {
   std::vector<TimeStep> steps{};
 
-  /// Returns the time of the whole job, s.
+  /// Returns the total time of the job, s.
   [[nodiscard]] double total_s() const { return steps.empty() ? 0.0 : steps.back().end_s; }
   /// Returns the total time of each kind, s, in the order of TimeKind.
   [[nodiscard]] std::array<double, kTimeKinds> by_kind() const;
 };
 
-/// Predicts the timeline of a job on the machine for which its order was chosen, see
-/// ControllerClock. The path is always that of the plan, even if the controller computes it itself.
-/// Lifts of Z are not counted.
+/// Predicts the timeline of a job on the machine for which its order was chosen; see
+/// ControllerClock. The path is that of the plan, even if the controller computes its own
+/// compensated path. Lifts of Z are not counted.
 [[nodiscard]] Timeline timeline_of(const CutPlan& plan);
 
-/// Predicts the time of the plan in its present state. Sets `rapids` and `strokes_s` of its order,
-/// and returns its timeline. Both add up to the timeline's total. `rapids` are those of
-/// rapids_of(), so that they can be compared with the rapids of other orders.
+/// Predicts the time of the plan as it is now, and returns its timeline. Sets `rapids` and
+/// `strokes_s` of `plan.order`; the sum of their times is the total of the timeline. `rapids` is
+/// computed by rapids_of(), so that it can be compared with the rapids of other orders.
 Timeline predict(CutPlan& plan);
 
-/// Returns the timeline with all times scaled in proportion to a new total.
-/// @param total_s above 0; a job without time does not change
+/// Returns the timeline with all times scaled in proportion, so that the total is `total_s`.
+/// @param total_s above 0; a timeline whose total is 0 does not change
 [[nodiscard]] Timeline scaled_to(Timeline timeline, double total_s);
 
 }  // namespace sim::cut

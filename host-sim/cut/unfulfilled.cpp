@@ -27,34 +27,34 @@ std::vector<drawing::Fault> unfulfilled(const LedCut& cut,
   const CornerWork& corners = cut.corners;
   if (corners.without_room != 0) {
     warn(corners.first_without.value_or(start),
-         fmt::format("{} corners, this one first, have no room for their loops",
+         fmt::format("{} corners, this one first, have no free space for their loops",
                      corners.without_room),
          kMakeRoom);
   }
   if (corners.smaller != 0) {
     warn(corners.first_smaller.value_or(start),
-         fmt::format("{} corners, this one first, have room for a smaller loop only",
+         fmt::format("{} corners, this one first, have free space for a smaller loop only",
                      corners.smaller),
          kMakeRoom);
   }
   if (!cut.has_leads) {
     warn(start,
-         "has no room for its leads; it is cut without",
+         "has no free space for its leads, and is cut without them",
          "shorten them for its layer, or move the parts apart");
   } else if (cut.lead_share < 1.0) {
     warn(start,
-         fmt::format("has room for leads of {:g} % of their length", 100.0 * cut.lead_share),
+         fmt::format("has free space for leads of {:g} % of their length", 100.0 * cut.lead_share),
          "shorten them for its layer, or move the parts apart");
   }
   if (cut.tabs != tabs) {
     warn(start,
-         fmt::format("has room for {} of {} tabs", cut.tabs, tabs),
-         "choose fewer or narrower ones for its layer");
+         fmt::format("has space for {} of {} tabs", cut.tabs, tabs),
+         "choose fewer or narrower tabs for its layer");
   }
   const bool ends_at_tab = settings.start == StartAt::kTab && cut.tabs > 0;
   if (ends_at_tab && (settings.overcut_mm > 0.0 || settings.lead_out.is_asked)) {
     warn(start,
-         "ends before a tab, without overcut and lead out",
+         "ends before a tab, without overcut and lead-out",
          "leave these out for its layer, or let it begin elsewhere than at a tab");
   }
   return warnings;

@@ -11,7 +11,8 @@
 namespace sim::cut {
 namespace {
 
-/// Returns the area on the left of contours that do not cross, mm².
+/// Returns the area on the left of contours that do not cross, mm². Outlines count as positive,
+/// holes as negative.
 double signed_area_of(const Contour& contours) {
   double area = 0.0;
   for (std::size_t loop = 0; loop < contours.loop_ends.size(); ++loop) {
@@ -20,7 +21,7 @@ double signed_area_of(const Contour& contours) {
   return area;
 }
 
-/// Adds a frame far around outlines.
+/// Adds a rectangle far around outlines to `waste`.
 void append_frame(const std::vector<const std::vector<Stroke>*>& rows, Contour& waste) {
   constexpr double kInfinite = std::numeric_limits<double>::infinity();
   Place least{kInfinite, kInfinite};
@@ -31,7 +32,7 @@ void append_frame(const std::vector<const std::vector<Stroke>*>& rows, Contour& 
       most = most.cwiseMax(stroke.from);
     }
   }
-  // The margin includes arcs, which extend beyond their ends.
+  // The margin is large enough for arcs, which extend beyond their ends.
   const double margin = 1.0 + 2.0 * (most - least).maxCoeff();
   append_rectangle(least - Place::Constant(margin), most + Place::Constant(margin), waste);
 }
@@ -54,12 +55,12 @@ Contour waste_beside(const std::vector<const std::vector<Stroke>*>& rows, bool i
     append_loops(inside.view(), drawn);
   }
   Contour waste = filled_area(drawn);
-  // The filling rule counts the overlap of two parts as enclosed by an odd number of contours, but
-  // it is no waste.
+  // The filling rule takes the overlap of two parts for waste, because an odd number of contours
+  // encloses it. This check detects such an overlap.
   if (std::abs(signed_area_of(waste) - waste_mm2) > kMinFilledWidthMm * length_mm) {
     throw NoOffset{rows.front()->front().from,
-                   "this contour, or one with it, overlaps another one",
-                   "take them apart"};
+                   "this contour, or one near it, overlaps another contour",
+                   "separate them"};
   }
   return waste;
 }

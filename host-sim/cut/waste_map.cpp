@@ -8,10 +8,10 @@
 namespace sim::cut {
 namespace {
 
-/// Least step along a path, mm. It is smaller than the accuracy of the beam's path.
+/// Least step along a path, mm. It is below the accuracy of the beam's path.
 constexpr double kShortestStep = 1.0e-3;
-/// Share of the spare distance that one step uses. A step over the whole spare distance would end
-/// at the limit, on either side of it by rounding.
+/// Share of the spare distance that one step advances. A step over the whole spare distance would
+/// end at the limit, on either side of it because of rounding.
 constexpr double kShareOfSpare = 0.9;
 
 }  // namespace

@@ -11,13 +11,14 @@
 namespace sim::cut {
 namespace {
 
-/// Distance from the end of a path within which a point counts as its start, mm.
+/// Greatest distance from the end of a closed path of a point that is taken as the start of the
+/// path, mm.
 constexpr double kSameEnd = 1.0e-6;
-/// Least distance to the outlines at the end of a line, as a share of half a kerf; before the end
-/// it grows in proportion to the length.
+/// Least distance from the outlines at the end of a line, as a share of half a kerf. Along the
+/// line, the least distance grows in proportion to the length.
 constexpr double kGains = 0.4;
 
-/// Returns the angle from one direction to the left to another one, above 0.
+/// Returns the angle from one direction, turning left, to another one, radians, above 0.
 double angle_between(const Place& from, const Place& to) {
   const double angle = std::atan2(drawing::cross(from, to), drawing::dot(from, to));
   return angle > 0.0 ? angle : angle + drawing::kFullTurn;
@@ -94,7 +95,7 @@ std::optional<PathMark> WedgeMarks::mark_in(const Wedge& wedge) const {
   return nearest;
 }
 
-/// Returns the mark at the point of a path's stroke that is nearest to a point.
+/// Returns the point of the stroke `number` that is nearest to `place`, as a mark on its path.
 PathMark WedgeMarks::mark_on(std::size_t number, const Place& place) const {
   const auto [loop, stroke_number] = owners_[number];
   const MeasuredRow& row = rows_[loop];

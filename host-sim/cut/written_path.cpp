@@ -11,7 +11,7 @@ using cnc::gcode::GridPlace;
 
 namespace {
 
-/// Returns the middle point of an arc.
+/// Returns the point in the middle of an arc.
 Place apex_of(const Place& from, const Place& to, double bulge) {
   return 0.5 * (from + to) + 0.5 * bulge * right_of(to - from);
 }
@@ -44,7 +44,7 @@ void WrittenPath::add_line(GridPlace to) {
   here_ = to;
 }
 
-/// Adds an arc of at most half a turn, by the rules of the program's writer.
+/// Adds an arc of at most half a turn, by the same rules as cnc::gcode::ProgramWriter.
 void WrittenPath::add_arc(const Place& from, const Place& to, double bulge) {
   const GridPlace end = on_grid(to);
   const GridPlace chord = end - here_;

@@ -8,19 +8,19 @@
 
 namespace sim::cut {
 
-/// Follows a path as a controller reads it from the program of cnc::gcode::ProgramWriter: ends are
-/// on the printed grid, and arcs are arcs around printed centres. Where small arcs meet lines, this
-/// rounding decides whether the controller detects a corner.
+/// Follows a path as a controller reads it from a program of cnc::gcode::ProgramWriter. Ends are on
+/// the grid of printed numbers, and arcs have printed centres. This rounding decides whether the
+/// controller detects a corner between a small arc and a line.
 class WrittenPath {
  public:
-  /// Begins at the start of a path.
+  /// Makes an object that is at the start of a path.
   /// @param from start of the path, mm
   WrittenPath(cnc::gcode::PrintGrid grid, const Place& from);
 
-  /// Returns the elements of the next stroke, valid until the next call; none if the stroke does
-  /// not move.
-  /// @param stroke begins where the previous one ended. Points beyond the printed range are moved
-  /// to its limit. Arcs that are too flat for a centre become lines.
+  /// Returns the elements of the next stroke, which are valid until the next call; none if the
+  /// stroke does not move.
+  /// @param stroke begins where the previous one ended. Points beyond the printed range move to its
+  /// limit. Arcs that are too flat for a centre become lines
   [[nodiscard]] const std::vector<cnc::PathElement>& next(const Stroke& stroke);
 
  private:

@@ -37,7 +37,7 @@ std::vector<cnc::kerf::Condition> default_slots(const MaterialRecord& record,
 }
 
 std::string coupon_program(const CouponPlan& plan) {
-  if (plan.slots.empty()) throw std::invalid_argument("a coupon needs at least one slot");
+  if (plan.slots.empty()) throw std::invalid_argument("a coupon requires at least one slot");
   std::string out = fmt::format(
       "(test coupon: {}, {} slots of {:g} mm; S{:g} is {:g} W)\n"
       "(measure the kerf at top and bottom in the middle 60 mm of each)\n"

@@ -7,16 +7,16 @@
 
 namespace sim {
 
-/// A test coupon: one straight slot for each condition, one above the other.
+/// A test coupon: one straight slot for each condition, side by side in Y.
 struct CouponPlan {
   std::string material;
   std::string laser;
   double gas_pressure_mpa = 0.0;
   std::vector<cnc::kerf::Condition> slots{};
-  /// Length of a slot, of which the middle 60 mm are measured (Park and Ahn 2007, 3.2).
+  /// Length of a slot; its middle 60 mm are measured (Park and Ahn 2007, 3.2).
   double length_mm = 100.0;
   double pitch_mm = 8.0;
-  double margin_mm = 5.0;      ///< Free space around the slots, from X0 Y0 on.
+  double margin_mm = 5.0;      ///< Distance of the slots from X0 and Y0.
   double full_power_w = 0.0;   ///< Power of the laser at `full_power_s`.
   double full_power_s = 1000;  ///< S of full power, $30.
 };

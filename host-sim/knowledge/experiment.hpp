@@ -16,18 +16,18 @@ struct Experiment {
   cnc::kerf::Condition condition{};
   double kerf_top_mm = 0.0;
   double kerf_bottom_mm = 0.0;
-  /// Mean of the cut's faces, at the bottom; empty if it was not measured, in which case it is not
+  /// Mean dross area of the cut's faces at the bottom; empty if it was not measured. It is then not
   /// judged.
   std::optional<double> dross_area_mm2{};
-  /// Straightness at the bottom; empty if it was not measured, in which case it is not judged.
+  /// Straightness at the bottom; empty if it was not measured. It is then not judged.
   std::optional<double> straightness_mm{};
   std::string file{};
   std::size_t line = 0;
-  std::string measured_by{};  ///< Name of the person; empty if not known.
-  std::string measured_on{};  ///< YYYY-MM-DD; empty if not known.
+  std::string measured_by{};  ///< Name of the person who measured; empty if not known.
+  std::string measured_on{};  ///< Day of the measurement, YYYY-MM-DD; empty if not known.
   std::string rejection{};    ///< Reason why the cut is rejected; empty if it is accepted.
 
-  /// Returns the width that counts: the mean of top and bottom.
+  /// Returns the kerf: the mean of its widths at top and bottom.
   [[nodiscard]] double kerf_mm() const { return 0.5 * (kerf_top_mm + kerf_bottom_mm); }
   [[nodiscard]] bool accepted() const { return rejection.empty(); }
 };
@@ -38,7 +38,8 @@ struct AcceptanceLimits {
   double straightness_mm = 0.01;
 };
 
-/// Returns the reason why a cut is not good enough, with the numbers; empty if it is good enough.
+/// Returns the reason why a cut is rejected, with the measured value and the limit; empty if it is
+/// accepted.
 [[nodiscard]] std::string rejection_of(const Experiment& cut, const AcceptanceLimits& limits);
 
 // Convert between the units of files and of tables; to_thousandths() rounds to the nearest µm, mW

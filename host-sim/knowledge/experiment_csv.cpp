@@ -53,8 +53,8 @@ std::string_view trimmed_field(std::string_view text) {
   return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
 }
 
-/// Returns a line without its CR; empty if it is blank. Tabs remain, because they may separate
-/// fields.
+/// Returns a line without its CR; empty if the line is blank. Tabs are kept, because they may
+/// separate fields.
 std::string_view without_return(std::string_view line) {
   if (line.ends_with('\r')) line.remove_suffix(1);
   return trimmed_field(line).empty() ? std::string_view{} : line;
@@ -107,7 +107,8 @@ class CsvReader {
     return !has_header_ && line.size() == 5 && line.starts_with("sep=");
   }
 
-  /// Chooses the separator. Spreadsheets write semicolons where the decimal mark is a comma.
+  /// Chooses the separator of fields by the header, because spreadsheets write semicolons if the
+  /// decimal mark is a comma.
   void choose_separator(std::string_view header) {
     for (const char candidate : {';', '\t'}) {
       if (std::ranges::count(header, candidate) > std::ranges::count(header, separator_)) {
@@ -116,8 +117,8 @@ class CsvReader {
     }
   }
 
-  /// Removes empty fields at the end of a line: spreadsheets write a separator for each column that
-  /// they once had.
+  /// Removes empty fields at the end of a line, because spreadsheets may write separators for
+  /// columns without content.
   static Fields without_empty_end(Fields fields, std::size_t width) {
     while (fields.size() > std::max<std::size_t>(width, 1) && fields.back().empty()) {
       fields.pop_back();
@@ -159,7 +160,7 @@ class CsvReader {
         fail(fields[i], fmt::format("unknown; the header is: {}", kExperimentHeader));
       }
       std::size_t& place = place_[static_cast<std::size_t>(found - kColumns.begin())];
-      if (place != width_) fail(fields[i], "is there twice");
+      if (place != width_) fail(fields[i], "occurs twice; remove one");
       place = i;
     }
     for (std::size_t column = 0; column < kColumnCount; ++column) {

@@ -16,16 +16,16 @@ inline constexpr std::string_view kExperimentHeader =
 /// Content of a file of test cuts.
 struct ExperimentFile {
   std::vector<Experiment> cuts;
-  std::size_t unmeasured = 0;  ///< Number of a form's lines without a measurement.
+  std::size_t unmeasured = 0;  ///< Number of lines without a measurement, which were left out.
 };
 
 /// Reads a CSV file of test cuts: the header, then one cut on each line. Fields may be quoted.
 /// Blank lines and lines that begin with # do not count.
 ///
-/// Fields are separated by commas, or by semicolons or tabs if the header has them; then numbers
-/// may have a decimal comma. Empty columns at the end of a line, and lines of separators alone, do
-/// not count either. Dross and straightness may be empty, and are not judged then. A line without
-/// any measurement is left out.
+/// Fields are separated by commas, or by semicolons or tabs if the header has them. In the latter
+/// case numbers may have a decimal comma. Empty columns at the end of a line, and lines that
+/// consist of separators, are ignored, too. Dross and straightness may be empty; they are then not
+/// judged. A line without any measurement is left out.
 ///
 /// Throws std::invalid_argument with `FILE:LINE: column NAME: reason` for the first fault, and if
 /// no line has a measurement.
@@ -34,7 +34,7 @@ struct ExperimentFile {
                                                   const std::string& file,
                                                   const std::string& laser = {});
 
-/// Returns only the cuts of a file.
+/// Returns the cuts of read_experiment_file(), without its other results.
 [[nodiscard]] std::vector<Experiment> read_experiments(std::string_view text,
                                                        const std::string& file);
 

@@ -45,8 +45,8 @@ std::map<std::uint32_t, Powers> cells_of(std::span<const Experiment> cuts) {
   return cells;
 }
 
-/// Returns the longest run of speeds with only accepted cuts; of two equally long runs, the slower
-/// one.
+/// Returns the longest run of tried speeds at which all cuts were accepted; of two equally long
+/// runs, the slower one.
 Speeds longest_run(const Speeds& speeds) {
   Speeds best;
   Speeds run;
@@ -79,7 +79,7 @@ void for_each_cell(const Powers& region, kerf::HeatUnit unit, Visit visit) {
   }
 }
 
-/// Adds a line through all cuts, if there are enough cuts.
+/// Fits a line to all cuts, if there are enough cuts. Returns whether there are.
 bool add_law(const Powers& region, kerf::HeatUnit unit, ThicknessRecord& row) {
   std::vector<Sample> samples;
   std::set<double> heats;
@@ -110,8 +110,8 @@ bool holds(const ThicknessRecord& row, const LawCriterion& criterion) {
          row.greatest_residual_mm <= criterion.far_mm;
 }
 
-/// Adds the deviation of cuts from the mean of their own condition. Conditions with a single cut
-/// show none.
+/// Computes the deviation of cuts from the mean under their condition. Conditions with a single cut
+/// contribute nothing.
 void add_repeatability(const Powers& region, ThicknessRecord& row) {
   double squares = 0.0;
   std::size_t cells = 0;
@@ -197,7 +197,8 @@ MaterialRecord fit_record(std::span<const Experiment> cuts, const FitOptions& op
     record.thicknesses.push_back(std::move(row));
   }
   if (record.thicknesses.empty()) {
-    throw std::invalid_argument("no accepted cut to fit; `kerfline kerf show --cuts` says why");
+    throw std::invalid_argument(
+        "no cut is accepted, so there is no fit; `kerfline kerf show --cuts` lists the reasons");
   }
   record.provenance =
       fmt::format("fitted to {} of {} test cuts{}", used, cuts.size(), persons_of(cuts));

@@ -14,10 +14,10 @@ namespace sim {
 struct LawCriterion {
   /// The law holds if no mean is farther from it than this: twice the measuring error.
   double close_mm = 2.0 * kMeasuringErrorMm;
-  /// The law also holds if the correlation is at least this, the least that the paper calls strong,
-  /// and no mean is farther from the law than far_mm.
+  /// Least correlation with which the law holds, too, if no mean is farther from it than far_mm. It
+  /// is the least correlation that the paper calls strong.
   double min_correlation = 0.9;
-  /// Greatest distance of a mean from the law in this second case. It is the least processing
+  /// Greatest distance of a mean from a law with this correlation. It is the least processing
   /// tolerance of the paper.
   double far_mm = 0.05;
 };
@@ -27,11 +27,11 @@ struct FitOptions {
   LawCriterion criterion{};
 };
 
-/// Makes the record of one material from its cuts, with the rejected ones. For each thickness and
-/// power it has the permissible speeds, which are the longest run of tried speeds at which every
-/// cut was accepted. For each thickness it has a line over Q through the cuts of these runs. If the
-/// line does not hold or fewer than three values of Q were cut, it has their means as points
-/// instead.
+/// Returns the record of one material, made from all its cuts, including rejected ones. For each
+/// thickness and power the record contains the permissible speeds: the longest run of tried speeds
+/// at which every cut was accepted. For each thickness it contains a line over Q through the cuts
+/// of these runs. If the line does not hold, or if fewer than three values of Q were cut, it
+/// contains the means of the cuts as points instead.
 ///
 /// Throws std::invalid_argument if the cuts are of several materials, lasers or gas pressures, or
 /// if none was accepted.

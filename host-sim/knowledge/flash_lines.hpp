@@ -9,9 +9,9 @@
 
 namespace sim {
 
-/// Returns the record as the controller stores it (planner/kerf/table_image.hpp), under the name
-/// `name`. Throws std::invalid_argument if it does not fit: `kerf table has 9 thicknesses, capacity
-/// 8`.
+/// Returns the image of a record as the controller stores it (planner/kerf/table_image.hpp), under
+/// the name `name`. Throws std::invalid_argument if the record is too large: `kerf table has 9
+/// thicknesses, capacity 8`.
 [[nodiscard]] std::vector<std::byte> flash_image(const MaterialRecord& record,
                                                  const std::string& name);
 

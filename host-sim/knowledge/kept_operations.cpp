@@ -9,7 +9,8 @@ void KnowledgeBase::save_operations(const std::string& material,
   SqlTransaction transaction{file_};
   for (const OperationRecord& operation : operations) {
     remove_like(material, operation);
-    if (!operation.origin.is_measured_here) break;  // All operations have the same source.
+    // All operations have the same origin, so that one deletion removes all earlier ones.
+    if (!operation.origin.is_measured_here) break;
   }
   for (const OperationRecord& operation : operations) insert_operation(material, operation);
   SqlStatement record = file_.prepare("SELECT id FROM record WHERE material = ?");

@@ -19,7 +19,8 @@ namespace kerf = cnc::kerf;
 constexpr int kLineParts = 60;
 constexpr const char* kKerfLabel = "kerf in mm, bands hold 95 % of cuts";
 
-/// Returns a value from `least` to `most`, both included.
+/// Returns the value that divides a window in equal parts: its start for `part` 0, its end for the
+/// last part.
 std::uint32_t part_of(const kerf::Window& window, int part) {
   const auto span = static_cast<std::uint64_t>(window.most - window.least);
   return window.least +
@@ -45,7 +46,7 @@ std::set<std::uint32_t> powers_around(const OwnedKerfTable<double>& table,
   return powers;
 }
 
-/// Adds a point of the law, with the interval of single cuts around it.
+/// Appends a point of the law to `series`, with the interval of single cuts around it.
 void add_point(ChartSeries& series,
                const MaterialRecord& record,
                const kerf::Condition& at,
@@ -90,7 +91,7 @@ ChartPanel over_speed(const MaterialRecord& record,
   return panel;
 }
 
-/// Returns a handful of speeds at round numbers, from the least to the greatest of the thickness.
+/// Returns a few round speeds between the least and the greatest of the thickness.
 std::set<std::uint32_t> sample_speeds(const OwnedKerfTable<double>& table,
                                       std::uint32_t thickness_um) {
   kerf::Window all{kerf::kMaxSpeedUmMin, 0};

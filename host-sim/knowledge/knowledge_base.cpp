@@ -54,7 +54,8 @@ KnowledgeBase::KnowledgeBase(const std::string& file, SqlFile::Mode mode)
   try {
     prepare_file(mode);
   } catch (...) {
-    // An incomplete data base is useless: remove the part of a new file that a full disk left.
+    // Removes a new file that could not be completed, for instance on a full disk, because it is no
+    // data base.
     if (is_new_ && mode == SqlFile::Mode::kCreate) std::remove(file.c_str());
     throw;
   }

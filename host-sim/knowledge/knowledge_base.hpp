@@ -17,16 +17,16 @@ namespace sim {
 /// member throws std::runtime_error naming the file when SQLite fails.
 class KnowledgeBase {
  public:
-  /// Opens the file. Throws also if the file is no such data base, is empty, or has another
-  /// version, and if it does not exist and `mode` does not create it. With kRead nothing is ever
-  /// written.
+  /// Opens the file. Throws also if the file is no such data base, is empty, or has an unknown
+  /// version, and if it does not exist and `mode` does not create it. With kRead the file stays
+  /// unchanged.
   KnowledgeBase(const std::string& file, SqlFile::Mode mode);
 
   /// Returns a data base with only the shipped records.
   [[nodiscard]] static KnowledgeBase shipped() { return {":memory:", SqlFile::Mode::kCreate}; }
 
-  /// Adds all cuts of a file or none. Throws std::invalid_argument if a file with the same bytes
-  /// was added before, because cuts that count twice would seem more certain than they are.
+  /// Adds all cuts of a file, or none of them. Throws std::invalid_argument if a file with the same
+  /// bytes was added before, because duplicate cuts would make the record seem too certain.
   void add(const std::vector<Experiment>& cuts, const std::string& file, std::string_view text);
 
   /// Returns the cuts of a material in the order in which they were added.
@@ -35,10 +35,10 @@ class KnowledgeBase {
   /// Saves a record. It replaces the record with the same name and unit; the operations remain.
   void save(const MaterialRecord& record);
 
-  /// Adds operations of a material, and a record without a kerf if the material has no record.
-  /// Operations that were not measured here replace those from the same source. Measured operations
-  /// replace those of the same kind, laser and thickness.
-  /// @pre all have the same origin
+  /// Adds operations of a material. If the material has no record, adds one without a kerf, too.
+  /// Operations that were not measured here replace all operations from the same source. Measured
+  /// operations replace measured ones of the same kind, laser and thickness.
+  /// @pre all operations have the same origin
   void save_operations(const std::string& material, const std::vector<OperationRecord>& operations);
 
   /// Returns the records in the order in which they were first saved.
@@ -62,9 +62,10 @@ class KnowledgeBase {
   void create();
   void upgrade();
 
-  bool is_new_;  ///< Whether no file had the name before.
+  bool is_new_;  ///< Whether the file did not exist before.
   SqlFile file_;
-  bool knows_origins_ = true;  ///< Whether the tables have origins; a file of version 1 has none.
+  /// Whether the tables have columns for origins, which version 1 lacks.
+  bool knows_origins_ = true;
 };
 
 }  // namespace sim

@@ -15,9 +15,11 @@ namespace {
 
 namespace kerf = cnc::kerf;
 
-/// Returns half the interval that contains 95 % of single cuts.
+/// Returns half the width of the interval around the kerf that contains 95 % of single cuts.
 double half_interval(const ThicknessRecord& row, double heat) {
-  double variance = 2.0;  // A measured width is itself the mean of at least one cut.
+  // Variance in squares of the residual: 1 for the single cut, and 1 for a measured mean, which may
+  // be that of a single cut.
+  double variance = 2.0;
   if (!row.measured) {
     variance = 1.0;
     if (row.samples > 0) variance += 1.0 / static_cast<double>(row.samples);
@@ -92,7 +94,7 @@ std::string describe(const kerf::Refusal& refusal, const kerf::Condition& condit
     case kerf::RefusalReason::kNoSpeed:
       break;
   }
-  return fmt::format("no speed is permissible at {:g} mm and {:g} W for all that was cut around it",
+  return fmt::format("no speed at {:g} mm and {:g} W is permissible by all neighbouring test cuts",
                      from_thousandths(condition.thickness_um),
                      from_thousandths(condition.power_mw));
 }

@@ -10,32 +10,33 @@
 
 namespace sim {
 
-/// Facts about one power at one thickness.
+/// Permissible speeds and measured kerfs of one power at one thickness.
 struct PowerRecord {
   std::uint32_t power_mw = 0;
   cnc::kerf::Window speeds_um_min{};
-  std::vector<cnc::kerf::Point> points{};  ///< Measured points, used where the law does not hold.
+  /// Measured kerfs over speed, used if the law does not hold.
+  std::vector<cnc::kerf::Point> points{};
 };
 
-/// Facts about one thickness, with their uncertainty.
+/// Law of the kerf at one thickness, with its uncertainty and the powers that were cut.
 struct ThicknessRecord {
   std::uint32_t thickness_um = 0;
-  bool measured = false;  ///< Whether the points count instead of the law.
+  bool measured = false;  ///< Whether lookups use the points of `powers` in place of the law.
   double slope = 0.0;     ///< λ1, mm per unit of Q.
   double intercept = 0.0;
   double correlation = 0.0;
-  /// Standard deviation of one cut from the law; for a measured row, from its own mean.
+  /// Standard deviation of one cut from the law; if `measured`, from the mean under its condition.
   double residual_sd_mm = 0.0;
   /// Greatest distance of a mean of the cuts under one condition from the law.
   double greatest_residual_mm = 0.0;
-  std::size_t samples = 0;  ///< Number of samples; 0 if not known.
+  std::size_t samples = 0;  ///< Number of cuts of the fit; 0 if not known.
   std::size_t degrees = 0;  ///< Degrees of freedom of residual_sd_mm; 0 if not known.
   double mean_heat = 0.0;
   double heat_squares = 0.0;  ///< Sum of (Q − mean)²; 0 if not known.
   std::vector<PowerRecord> powers{};
 };
 
-/// The kerf of one material under one laser.
+/// Known kerfs of one material under one laser.
 struct MaterialRecord {
   std::string name{};
   std::string laser{};
@@ -53,7 +54,7 @@ struct MaterialRecord {
   [[nodiscard]] bool has_kerf() const { return !thicknesses.empty(); }
 };
 
-/// A record as a table that owns its parts, for lookups in single or double precision.
+/// Kerf table of a record, which owns its parts, for lookups in single or double precision.
 template <typename Real>
 struct OwnedKerfTable {
   std::string name;
@@ -83,7 +84,7 @@ struct KerfPrediction {
 /// Error of measuring a kerf, mm. Source: Park and Ahn 2007, section 3.3.
 inline constexpr double kMeasuringErrorMm = 0.01;
 
-/// Returns the kerf with its uncertainty, or the refusal of the condition.
+/// Returns the kerf under a condition with its uncertainty, or the refusal of the condition.
 /// @pre the record's table is sound
 [[nodiscard]] cnc::Result<KerfPrediction, cnc::kerf::Refusal> predict(
     const MaterialRecord& record, const cnc::kerf::Condition& condition);
@@ -93,8 +94,8 @@ inline constexpr double kMeasuringErrorMm = 0.01;
 [[nodiscard]] std::string describe(const cnc::kerf::Refusal& refusal,
                                    const cnc::kerf::Condition& condition);
 
-/// Checks the record. Throws std::invalid_argument naming the thickness at which it cannot be
-/// looked up.
+/// Checks that kerfs can be looked up in the record. Throws std::invalid_argument naming the wrong
+/// thickness otherwise.
 void require_sound(const MaterialRecord& record);
 
 }  // namespace sim

@@ -17,7 +17,7 @@ namespace {
 
 using Operations = std::vector<OperationRecord>;
 
-/// Returns digits as a number; -1 for any other text.
+/// Returns the number that a text of digits stands for; -1 for any other text.
 int digits_in(std::string_view text) {
   int value = -1;
   const char* const end = text.data() + text.size();
@@ -57,7 +57,7 @@ Operations of_thickness(const Operations& operations, std::optional<std::uint32_
 [[noreturn]] void refuse_thickness(const Operations& operations, const OperationWish& wish) {
   std::set<std::string> known;
   for (const OperationRecord& one : operations) known.insert(thickness_text(one));
-  throw std::invalid_argument(fmt::format("{}: nothing is known of {:g} mm; there is {}",
+  throw std::invalid_argument(fmt::format("{}: no settings are known for {:g} mm; there is {}",
                                           wish.material,
                                           from_thousandths(wish.thickness_um),
                                           fmt::join(known, ", ")));
@@ -69,8 +69,8 @@ Operations of_thickness(const Operations& operations, std::optional<std::uint32_
     known.push_back(fmt::format("\"{}\" ({})", one.description, text_of(one)));
   }
   throw std::invalid_argument(
-      fmt::format("{}: there are {} ways to {} it, none measured here; say "
-                  "which with --entry: {}",
+      fmt::format("{}: there are {} settings to {} it, none measured here; choose "
+                  "one with --entry: {}",
                   wish.material,
                   known.size(),
                   wish.kind,
@@ -82,12 +82,13 @@ Operations of_thickness(const Operations& operations, std::optional<std::uint32_
   for (const OperationRecord& one : operations) {
     if (one.kind == wish.kind) known.push_back(one.description);
   }
-  throw std::invalid_argument(fmt::format("--entry {}: {} has no such way to {} it; it has {}{}",
-                                          wish.description,
-                                          wish.material,
-                                          wish.kind,
-                                          fmt::join(known, ", "),
-                                          did_you_mean(wish.description, known)));
+  throw std::invalid_argument(
+      fmt::format("--entry {}: {} has no such settings to {} it; it has {}{}",
+                  wish.description,
+                  wish.material,
+                  wish.kind,
+                  fmt::join(known, ", "),
+                  did_you_mean(wish.description, known)));
 }
 
 }  // namespace
@@ -155,7 +156,7 @@ std::optional<OperationRecord> choose_operation(const std::vector<OperationRecor
     return one.origin.is_measured_here;
   });
   if (!measured.empty()) {
-    // Order by slower passes first, then by more power, so that the best operation is the last.
+    // The order is by speed, then by falling power, so that the best operation is the greatest.
     return *std::ranges::max_element(measured, {}, [](const OperationRecord& one) {
       return std::tuple{one.speed_um_min.value_or(0) / one.passes.value_or(1),
                         -one.power_percent.value_or(0.0)};

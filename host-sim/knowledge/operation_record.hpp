@@ -8,13 +8,13 @@
 
 namespace sim {
 
-/// Origin of a fact: the person, the day and the file.
+/// Origin of measured or imported values: the person, the day and the file.
 struct Origin {
-  /// Whether a person measured it on this machine; otherwise it was imported.
+  /// Whether a person measured the values on this machine; otherwise they were imported.
   bool is_measured_here = false;
-  std::string by{};      ///< Name of the person; empty if not known.
-  std::string on{};      ///< YYYY-MM-DD; empty if not known.
-  std::string source{};  ///< The file from which the fact was read.
+  std::string by{};      ///< Name of the person who measured; empty if not known.
+  std::string on{};      ///< Day of the fact, YYYY-MM-DD; empty if not known.
+  std::string source{};  ///< File from which the values were read.
   bool operator==(const Origin&) const = default;
 };
 
@@ -22,7 +22,7 @@ struct Origin {
 /// known are empty.
 struct OperationRecord {
   std::string kind{};         ///< Kind of the operation: cut, fill or engrave.
-  std::string description{};  ///< The description as the source has it.
+  std::string description{};  ///< Description in the source, unchanged.
   std::string laser{};        ///< Name of the laser; empty if not named.
   std::optional<std::uint32_t> thickness_um{};
   std::optional<double> power_percent{};  ///< Percent of full power, above 0 to 100.
@@ -46,7 +46,7 @@ struct OperationRecord {
 /// Returns whether a text is a day of the calendar, YYYY-MM-DD.
 [[nodiscard]] bool is_date(std::string_view text);
 
-/// The operation of a material that a caller needs.
+/// Requirements for an operation of a material.
 struct OperationWish {
   std::string material{};
   std::string kind{};
@@ -54,11 +54,11 @@ struct OperationWish {
   std::string description{};  ///< Description of the operation; empty for any.
 };
 
-/// Returns the operation of that kind at that thickness, or, if none has that thickness, one of no
-/// known thickness. Operations that were measured here go first: of these, the fastest with the
-/// least power. Otherwise it is the only one of the description. Empty if there is none. Throws
-/// std::invalid_argument naming the descriptions if there are several, and the thicknesses if none
-/// fits.
+/// Returns the operation of the wished kind and thickness, or, if none has that thickness, one
+/// without a known thickness. If any of these were measured here, returns the fastest of the
+/// measured ones, with the least power. Otherwise returns the only one of the wished description;
+/// empty if there is none. Throws std::invalid_argument naming the descriptions if there are
+/// several, and the thicknesses if none fits.
 [[nodiscard]] std::optional<OperationRecord> choose_operation(
     const std::vector<OperationRecord>& operations, const OperationWish& wish);
 

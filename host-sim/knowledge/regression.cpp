@@ -59,7 +59,8 @@ Regression fit_line(std::span<const Sample> samples) {
 double student_t95(std::size_t degrees) {
   if (degrees == 0) return kNormal95;
   constexpr std::size_t kAlmostNormal = 200;
-  if (degrees > kAlmostNormal) {  // The first two terms of Abramowitz and Stegun 26.7.5.
+  // The first two terms of the series in Abramowitz and Stegun 26.7.5 suffice.
+  if (degrees > kAlmostNormal) {
     const double z = kNormal95;
     const auto n = static_cast<double>(degrees);
     const double cube = z * z * z;

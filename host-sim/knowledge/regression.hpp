@@ -28,9 +28,9 @@ struct Regression {
 /// @pre at least three samples with at least two different x
 [[nodiscard]] Regression fit_line(std::span<const Sample> samples);
 
-/// Returns the t for which 95 % of Student's distribution lie between −t and t; the error is at
-/// most 2e-5. For 0 degrees of freedom, which means not known, it is that of the normal
-/// distribution.
+/// Returns the t for which 95 % of Student's distribution are between −t and t, with an error of at
+/// most 2e-5. For 0 degrees of freedom, which stand for an unknown number, returns the t of the
+/// normal distribution.
 [[nodiscard]] double student_t95(std::size_t degrees);
 
 }  // namespace sim

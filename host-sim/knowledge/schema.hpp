@@ -2,8 +2,8 @@
 
 namespace sim {
 
-/// Version of the tables below, in PRAGMA user_version. Version 1 can be read, too, and becomes
-/// version 2 at the first write.
+/// Version of the tables below, in PRAGMA user_version. Version 1 can be read, too, and is
+/// converted to version 2 at the first write.
 inline constexpr int kSchemaVersion = 2;
 
 /// The tables, which README.md describes. Integers are µm, mW, µm/min and nm, exact. Measured or
@@ -70,8 +70,8 @@ CREATE TABLE point (
   UNIQUE (power, speed_um_min));
 )sql";
 
-/// The table that version 2 adds. It is read by the name of the material, so that a fit leaves it
-/// unchanged. NULL means not known.
+/// Table that version 2 adds. Its rows refer to a material by name, so that a new fit of the
+/// material's record leaves them unchanged. NULL means not known.
 inline constexpr const char* kOperationSchema = R"sql(
 CREATE TABLE operation (
   id INTEGER PRIMARY KEY,

@@ -14,9 +14,9 @@ namespace kerf = cnc::kerf;
 /// Correlations of Park and Ahn 2007, Table 3, last column.
 constexpr std::array<double, 4> kCorrelations{0.93, 0.94, 0.91, 0.90};
 
-/// Adds the implied residual. The paper prints neither how many cuts it fitted nor their residuals.
-/// A correlation and a slope over known heat inputs imply them. The heat inputs are those of Table
-/// 2 at every full m/min, once each.
+/// Adds the residual that the paper implies. The paper prints neither the number of fitted cuts nor
+/// their residuals. Its correlations and slopes over known heat inputs imply the residuals. The
+/// heat inputs are those of Table 2 at every full m/min, once each.
 void add_implied_residual(ThicknessRecord& row, kerf::HeatUnit unit) {
   std::vector<double> heats;
   for (const PowerRecord& power : row.powers) {
@@ -42,7 +42,7 @@ MaterialRecord csp_1n(kerf::HeatUnit unit) {
                         .calibrated = false,
                         .provenance = "Park and Ahn 2007, Tables 1 to 3"};
   record.provenance += unit == kerf::HeatUnit::kJoulesPerMillimetre
-                           ? "; Q in J/mm, which its figures and correlations ask for"
+                           ? "; Q in J/mm, which its figures and correlations require"
                            : "; Q as in its worked example";
   for (std::size_t i = 0; i < table.rows.size(); ++i) {
     const auto& row = table.rows[i];
@@ -63,8 +63,9 @@ PowerRecord example_power(double watts, double min_mm_min, double max_mm_min) {
   return {to_thousandths(watts), {to_thousandths(min_mm_min), to_thousandths(max_mm_min)}, {}};
 }
 
-/// Returns an example without measurements. It has round numbers of the size that makers of 40 to
-/// 80 W tubes name, to begin a calibration with. Its uncertainty is that of a guess, ± 0.1 mm.
+/// Returns an example record without measurements, as a start of a calibration. It has round
+/// numbers of the size that makers of 40 to 80 W tubes give. Its uncertainty is that of a guess, ±
+/// 0.1 mm.
 MaterialRecord example_acrylic() {
   constexpr double kDoubtMm = 0.05;
   MaterialRecord record{

@@ -6,7 +6,7 @@
 
 namespace sim {
 
-/// Least and greatest value of each quantity that was tried.
+/// Least and greatest tried value of each quantity.
 struct ExperimentRange {
   double min_power_w, max_power_w;
   double min_speed_mm_min, max_speed_mm_min;

@@ -18,7 +18,8 @@ int open_flags(SqlFile::Mode mode) {
   return SQLITE_OPEN_READWRITE | (mode == SqlFile::Mode::kCreate ? SQLITE_OPEN_CREATE : 0);
 }
 
-/// Returns whether only a writer can restore the file to its last complete state.
+/// Returns whether a process left the file in the middle of a change, which only a connection with
+/// write access can undo.
 bool is_left_half_changed(sqlite3* connection) {
   constexpr const char* kLook = "SELECT count(*) FROM sqlite_master";
   return sqlite3_exec(connection, kLook, nullptr, nullptr, nullptr) != SQLITE_OK &&
@@ -99,7 +100,7 @@ SqlFile::SqlFile(std::string file, Mode mode) : file_{std::move(file)} {
 }
 
 void SqlFile::open(int flags) {
-  constexpr int kPatienceMs = 5000;  // Time to wait for another command that is writing.
+  constexpr int kPatienceMs = 5000;  // Greatest time to wait for another command that writes, ms.
   sqlite3* connection = nullptr;
   const int code = sqlite3_open_v2(file_.c_str(), &connection, flags, nullptr);
   connection_.reset(connection);
@@ -120,8 +121,8 @@ SqlTransaction::~SqlTransaction() {
   try {
     file_.run("ROLLBACK");
   } catch (const std::exception&) {
-    // The exception that ends the transaction is on its way already; SQLite undoes the rest when
-    // the file is closed.
+    // The exception that ended the transaction is reported. SQLite undoes the rest when the file is
+    // closed.
   }
 }
 

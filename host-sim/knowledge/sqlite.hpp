@@ -14,7 +14,7 @@ namespace sim {
 /// One statement of SQL while it runs. Failures throw std::runtime_error naming the file.
 class SqlStatement {
  public:
-  /// Binds the next parameter, beginning with the first.
+  /// Binds a value to the next parameter; the first call binds the first parameter.
   SqlStatement& bind(std::string_view text);
   SqlStatement& bind(double value);
   SqlStatement& bind(std::int64_t value);
@@ -28,7 +28,7 @@ class SqlStatement {
     return value ? bind(*value) : bind_null();
   }
 
-  /// Reads the next row. Returns whether there is one; its columns count from 0.
+  /// Reads the next row. Returns whether there is one. Its columns are numbered from 0.
   [[nodiscard]] bool next();
   /// Runs a statement without rows.
   void run() { static_cast<void>(next()); }
@@ -61,9 +61,9 @@ class SqlFile {
  public:
   enum class Mode { kRead, kWrite, kCreate };
 
-  /// Opens the file. A data base `:memory:` exists as long as the object. kRead changes nothing,
-  /// with one exception: a file that a process left in the middle of a change is restored to its
-  /// state before the change.
+  /// Opens the file. A data base `:memory:` exists as long as the object. With kRead nothing is
+  /// changed, with one exception: a file that a process left in the middle of a change is restored
+  /// to its state before the change.
   SqlFile(std::string file, Mode mode);
 
   [[nodiscard]] const std::string& name() const { return file_; }

@@ -17,9 +17,10 @@ namespace {
 
 using drawing::Place;
 
-constexpr double kMinLabelMm = 1.2;    ///< Lower labels cannot be read on wood.
-constexpr double kLabelSpaceMm = 1.5;  ///< Free space around labels.
-/// Greatest distance of lines from the curves of a letter that they replace.
+/// Least height of a label's capitals; lower ones cannot be read on wood.
+constexpr double kMinLabelMm = 1.2;
+constexpr double kLabelSpaceMm = 1.5;  ///< Distance of labels from squares and slots, mm.
+/// Greatest distance between the curves of a letter and the lines that replace them.
 constexpr double kLetterFaultMm = 0.01;
 constexpr const char* kAxesText = "% right, mm/min up";
 
@@ -28,7 +29,7 @@ std::string grid_number(double value) {
   return fmt::format("{:.10g}", std::round(value * kThousand) / kThousand);
 }
 
-/// Returns the width of a label for a height of capitals of 1.
+/// Returns the width of a label whose capitals are 1 high.
 double width_of_label(std::string_view words) {
   text::Lettering lettering{true};
   double width = 0.0;
@@ -78,7 +79,7 @@ GridLayout layout_of(const TestGrid& grid) {
   return layout;
 }
 
-/// Writes the motions of a grid. The beam is on between the points of a path.
+/// Writes the motions of a grid as G-code. The beam is on along each path.
 class GridWriter {
  public:
   GridWriter(const TestGrid& grid, const GridProgram& program)
@@ -221,11 +222,11 @@ double label_height(const TestGrid& grid) {
   const double pitch = grid.cell_mm + grid.gap_mm;
   const double height = std::min({grid.label_mm, pitch / widest, grid.cell_mm});
   if (height >= std::min(kMinLabelMm, grid.label_mm)) return height;
-  throw std::invalid_argument(
-      fmt::format("--cell: labels of {:g} mm need {:.1f} mm from square to square, and a cell as "
-                  "high as they are; make the cell or the gap greater",
-                  kMinLabelMm,
-                  kMinLabelMm * widest));
+  throw std::invalid_argument(fmt::format(
+      "--cell: labels of {:g} mm require {:.1f} mm from square to square, and a cell of "
+      "their height; increase --cell or --gap",
+      kMinLabelMm,
+      kMinLabelMm * widest));
 }
 
 drawing::Place size_of(const TestGrid& grid) { return layout_of(grid).size; }

@@ -14,8 +14,8 @@ struct GridCondition {
   double feed_mm_min = 0.0;
 };
 
-/// A test grid of squares: each column has a power, each row a feed. Slots for a caliper are above
-/// the squares.
+/// A test grid of squares: each column has a power, and each row a feed. Slots that are measured
+/// with a caliper are above the squares.
 struct TestGrid {
   std::string material{};
   double thickness_mm = 0.0;  ///< Thickness of the material; 0 if not known.
@@ -50,7 +50,7 @@ struct GridProgram {
 /// Returns width and height of the grid with labels and slots, mm. Throws as label_height().
 [[nodiscard]] drawing::Place size_of(const TestGrid& grid);
 
-/// Returns the program: labels first, then the squares, then the slots. It has only lines of G0 and
+/// Returns the program: labels first, then the squares, then the slots. Its motions are only G0 and
 /// G1, which any Grbl reads. Throws as label_height().
 /// @param heading comments at the top
 [[nodiscard]] std::string program_of(const TestGrid& grid,

@@ -28,7 +28,7 @@ constexpr double kWidestSlotMm = 200.0;
 constexpr double kMaxPasses = 1000.0;
 constexpr double kWidestLineMm = 100.0;
 
-/// Reads a form that was filled in.
+/// Reader of a form that the user has filled in.
 class FormReader {
  public:
   FormReader(const std::string& text, std::string file, const FormPerson& person)
@@ -56,7 +56,7 @@ class FormReader {
     MeasuredGrid found{.material = fields.text("material").value_or("")};
     if (found.material.empty() || found.material.size() > drawing::kLongestMaterialName) {
       fields.refuse("material",
-                    fmt::format("wants the name of the material, of up to {} bytes",
+                    fmt::format("must be the name of the material, of up to {} bytes",
                                 drawing::kLongestMaterialName));
     }
     common_ = common_of(fields);
@@ -83,7 +83,7 @@ class FormReader {
     OperationRecord common{.kind = fields.text("kind").value_or(""),
                            .laser = fields.text("laser").value_or("")};
     if (common.kind != "cut" && common.kind != "fill") {
-      fields.refuse("kind", R"(wants "cut" or "fill", as the form had it)");
+      fields.refuse("kind", R"(must be "cut" or "fill", as in the form that was written)");
     }
     const double thickness_mm =
         fields.number("thickness_mm", 0.0, drawing::kGreatestThicknessMm).value_or(0.0);
@@ -94,9 +94,10 @@ class FormReader {
     common.interval_mm = fields.number("interval_mm", 0.005, kWidestLineMm);
     const std::string by = fields.text("measured_by").value_or(person_.by);
     const std::string on = fields.text("measured_on").value_or(person_.on);
-    if (by.empty()) fields.refuse("measured_by", "wants the name of who measured; or say --by");
+    if (by.empty())
+      fields.refuse("measured_by", "must be the name of the person who measured; or give --by");
     if (!is_date(on)) {
-      fields.refuse("measured_on", "wants the day, such as \"2026-11-30\"; or say --on");
+      fields.refuse("measured_on", "must be the day, such as \"2026-11-30\"; or give --on");
     }
     common.origin = {true, by, on, std::filesystem::path{file_}.filename().string()};
     return common;
@@ -106,7 +107,7 @@ class FormReader {
     constexpr std::size_t kMaxRows = 10'000;
     const bool is_list =
         object.contains(key) && object[key].is_array() && object[key].size() <= kMaxRows;
-    if (!is_list) refuse(pointer, "wants the list that the form had");
+    if (!is_list) refuse(pointer, "must be the list of the form that was written");
     return object[key];
   }
 
@@ -117,7 +118,7 @@ class FormReader {
   /// Returns a row without its empty fields.
   Json row_of(const Json& rows, std::size_t index, const std::string& pointer) const {
     Json row = rows[index];
-    if (!row.is_object()) refuse(pointer, "wants an object");
+    if (!row.is_object()) refuse(pointer, "must be an object");
     drop_empty(row);
     return row;
   }
@@ -127,14 +128,14 @@ class FormReader {
                           double least,
                           double most) {
     const auto number = fields.number(key, least, most);
-    if (!number) fields.refuse(key, fmt::format("wants a number, {:g} to {:g}", least, most));
+    if (!number) fields.refuse(key, fmt::format("must be a number, {:g} to {:g}", least, most));
     return *number;
   }
 
   /// Returns the mean of the measured width minus the path width; empty if no slot was measured.
   std::optional<double> kerf(std::vector<std::string>& notes) const {
     if (!form_.contains("slots")) return std::nullopt;
-    if (!form_["slots"].is_object()) refuse("/slots", "wants an object");
+    if (!form_["slots"].is_object()) refuse("/slots", "must be an object");
     const Json& slots = form_["slots"];
     const cut::JsonFields about{slots, file_, "/slots", {"power_percent", "feed_mm_min", "rows"}};
     const double power = number_of(about, "power_percent", 0.01, kGreatestPercent);
@@ -145,25 +146,27 @@ class FormReader {
       if (const auto one = kerf_of_slot(list, i)) kerfs.push_back(*one);
     }
     if (kerfs.empty()) {
-      notes.emplace_back("no slot was measured: the kerf is not known, and `cut` needs --kerf");
+      notes.emplace_back("no slot was measured: the kerf is not known, and `cut` requires --kerf");
       return std::nullopt;
     }
     const auto [least, most] = std::ranges::minmax(kerfs);
     if (most - least > kGreatestSpreadMm) {
-      refuse("/slots/rows",
-             fmt::format(
-                 "the slots say kerfs from {:.3f} to {:.3f} mm; measure them again", least, most));
+      refuse(
+          "/slots/rows",
+          fmt::format("the kerfs of the slots differ, from {:.3f} to {:.3f} mm; measure them again",
+                      least,
+                      most));
     }
     double sum = 0.0;
     for (const double one : kerfs) sum += one;
     const double mean = sum / static_cast<double>(kerfs.size());
-    notes.push_back(fmt::format(
-        "kerf {:.3f} mm, the mean of {} slots at {:g} percent and {:g} mm/min, is taken "
-        "for all squares",
-        mean,
-        kerfs.size(),
-        power,
-        feed));
+    notes.push_back(
+        fmt::format("kerf {:.3f} mm, the mean of {} slots at {:g} percent and {:g} mm/min, is used "
+                    "for all squares",
+                    mean,
+                    kerfs.size(),
+                    power,
+                    feed));
     return mean;
   }
 
@@ -177,7 +180,7 @@ class FormReader {
     const double found = *measured - path;
     if (found <= 0.0 || found > kGreatestKerfMm) {
       fields.refuse("measured_mm",
-                    fmt::format("a slot is wider than its path, by up to {:g} mm, and not by "
+                    fmt::format("a slot is wider than its path by up to {:g} mm, but this one by "
                                 "{:.3f} mm; measure it again",
                                 kGreatestKerfMm,
                                 found));
@@ -204,11 +207,12 @@ class FormReader {
       } else if (*result == "good") {
         found.operations.push_back(std::move(operation));
       } else if (*result != "bad") {
-        fields.refuse("result", R"(wants "good", "bad", or nothing where it was not looked at)");
+        fields.refuse("result",
+                      R"(must be "good", "bad", or empty for a square that was not checked)");
       }
     }
     if (found.operations.empty()) {
-      refuse("/squares", "no square is good; write \"good\" as the result of those that are");
+      refuse("/squares", "no square is good; write \"good\" as the result of good squares");
     }
     if (unsaid != 0) found.notes.push_back(fmt::format("{} squares have no result", unsaid));
   }
@@ -226,7 +230,7 @@ std::string form_of(const TestGrid& grid) {
   form[kFormMark] = 1;
   form["about"] = grid.is_filled
                       ? "result: good, or bad; read back with kerf test-grid --measured"
-                      : "result: good where the square fell out, else bad; measured_mm: width of "
+                      : "result: good if the square fell out, otherwise bad; measured_mm: width of "
                         "the slot by a caliper; read back with kerf test-grid --measured";
   form["material"] = grid.material;
   form["thickness_mm"] = grid.thickness_mm > 0.0 ? Json(grid.thickness_mm) : Json(nullptr);

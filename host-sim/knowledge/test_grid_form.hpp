@@ -8,18 +8,18 @@
 
 namespace sim {
 
-/// Returns the form of a grid as JSON: a row for each square and each slot, with the values to be
-/// measured still empty.
+/// Returns the form of a grid as JSON: a row for each square and each slot, with empty values that
+/// the user fills in.
 [[nodiscard]] std::string form_of(const TestGrid& grid);
 
 /// Content of a form that was filled in.
 struct MeasuredGrid {
   std::string material{};
-  std::vector<OperationRecord> operations{};  ///< A row for each square that is good.
+  std::vector<OperationRecord> operations{};  ///< One operation for each good square.
   std::vector<std::string> notes{};           ///< Notes on values that are missing or assumed.
 };
 
-/// Person and day of a form, used if the form does not name them.
+/// Person and day that replace those of a form without them.
 struct FormPerson {
   std::string by{};
   std::string on{};  ///< Day of the measurement, YYYY-MM-DD.

@@ -7,11 +7,12 @@
 
 namespace sim::order {
 
-/// Returns the sets in the order of the file, with one exception: a set that must come after others
-/// comes as soon as all of these have come.
+/// Returns the sets in the order of the file, home first, with one exception. A set that the file
+/// lists before one of its predecessors moves behind the last of them.
 [[nodiscard]] std::vector<cnc::order::Index> file_order(const cnc::order::Problem& problem);
 
-/// Returns the side of the square that contains all points, or the greatest cost of a matrix.
+/// Returns the unit of costs of a problem: the side of the upright square around all points, or the
+/// greatest allowed cost of a matrix. Returns 1 if this is 0.
 [[nodiscard]] double unit_of(const OrderProblem& problem);
 
 }  // namespace sim::order

@@ -54,21 +54,21 @@ std::string_view FileWords::rest_of_line() {
 
 double FileWords::number(std::string_view what) {
   const std::string_view word = next();
-  if (word.empty()) fail(fmt::format("the file ends where {} should stand", what));
+  if (word.empty()) fail(fmt::format("the file ends where {} is required; complete it", what));
   double value = 0.0;
   if (!read(word, value) || !std::isfinite(value)) {
-    fail(fmt::format("`{}` is no number for {}", word, what));
+    fail(fmt::format("`{}` is not a number; write {}", word, what));
   }
   return value;
 }
 
 std::int64_t FileWords::whole_number(std::string_view what, std::int64_t least, std::int64_t most) {
   const std::string_view word = next();
-  if (word.empty()) fail(fmt::format("the file ends where {} should stand", what));
+  if (word.empty()) fail(fmt::format("the file ends where {} is required; complete it", what));
   std::int64_t value = 0;
-  if (!read(word, value)) fail(fmt::format("`{}` is no whole number for {}", word, what));
+  if (!read(word, value)) fail(fmt::format("`{}` is not a whole number; write {}", word, what));
   if (value < least || value > most) {
-    fail(fmt::format("{} is out of range for {}, {} to {}", value, what, least, most));
+    fail(fmt::format("{} is out of range; write {}, {} to {}", value, what, least, most));
   }
   return value;
 }

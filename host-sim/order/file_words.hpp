@@ -8,19 +8,20 @@
 
 namespace sim::order {
 
-/// Reads the words of a problem file one after another, and counts lines.
+/// Reads the words of a problem file one after another. Keeps the number of the line.
 class FileWords {
  public:
   FileWords(std::string_view text, std::string_view file) : rest_{text}, file_{file} {}
 
-  /// Returns the next word; empty at the end of the file. A colon is a word of its own.
+  /// Removes and returns the next word; empty at the end of the file. A colon is a separate word.
   std::string_view next();
-  /// Returns the word that next() returns next, without taking it.
+  /// Returns the word that the following call of next() returns, without removing it.
   [[nodiscard]] std::string_view peek() const;
-  /// Returns the rest of the line, without blanks at its beginning and end.
+  /// Removes and returns the rest of the line, without blanks at its beginning and end.
   std::string_view rest_of_line();
 
-  /// Reads a number. @param what name of the number in messages
+  /// Reads the next word as a number. Throws OrderFileError if the word is no number.
+  /// @param what name of the number in messages
   double number(std::string_view what);
   std::int64_t whole_number(std::string_view what, std::int64_t least, std::int64_t most);
 

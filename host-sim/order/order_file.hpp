@@ -8,7 +8,7 @@
 
 namespace sim::order {
 
-/// Reports a fault of a file and its position: `file:line: reason; remedy`.
+/// Exception for a faulty problem file. Its text names the position: `file:line: reason; remedy`.
 class OrderFileError : public std::runtime_error {
  public:
   OrderFileError(std::string_view file, std::size_t line, std::string_view reason);
@@ -21,10 +21,10 @@ class OrderFileError : public std::runtime_error {
 /// * PCGLNS (`TYPE: PCGLNS`, also GTSP): EXPLICIT as FULL_MATRIX, with −1 for a forbidden leg.
 ///   GTSP_SET_SECTION lists the vertices of each group, ended by −1. Each line `a b … −1` of
 ///   GTSP_SET_ORDERING means that group a comes before group b and before all other groups of the
-///   line. START_GROUP_SECTION names home; without it, home is group 1.
+///   line. START_GROUP_SECTION names home; without this section, home is group 1.
 ///
-/// Throws OrderFileError. Refuses entries that are not named here, except those without meaning for
-/// a search (COMMENT, DISPLAY_…).
+/// Throws OrderFileError. Refuses all other entries, except entries that do not affect a search
+/// (COMMENT, DISPLAY_…).
 [[nodiscard]] OrderProblem read_order_problem(std::string_view text, std::string_view file);
 
 }  // namespace sim::order

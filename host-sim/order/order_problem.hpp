@@ -9,27 +9,34 @@
 
 namespace sim::order {
 
-/// Method that measures legs between points.
+/// Method by which the cost of a leg is determined.
 enum class Metric : std::uint8_t {
-  kMatrix,        ///< Explicit costs.
+  kMatrix,        ///< Costs that a matrix gives.
   kPlane,         ///< Distance in the plane.
   kRoundedPlane,  ///< Distance rounded to the nearest whole number: EUC_2D of TSPLIB.
   kCeiledPlane,   ///< Distance rounded up to a whole number: CEIL_2D of TSPLIB.
 };
 
-/// A problem for cnc::order, with its storage: sets of candidates, of which set 0 is home.
+/// A problem for cnc::order together with its storage. It consists of sets of candidates, of which
+/// set 0 is home.
 struct OrderProblem {
   std::string name;
-  std::vector<cnc::order::Index> first_candidate;  ///< One entry more than there are sets.
-  std::vector<cnc::order::Index> reversed;         ///< Empty if each candidate is its own reversal.
+  /// First candidate of each set, then the number of candidates.
+  std::vector<cnc::order::Index> first_candidate;
+  /// For each candidate, the candidate that cuts the same contour backwards. Empty if each
+  /// candidate is its own reversal.
+  std::vector<cnc::order::Index> reversed;
   std::vector<cnc::order::Before> pairs;
   Metric metric = Metric::kPlane;
-  std::vector<cnc::order::Place> entry;  ///< Entry of each candidate, if there is no matrix.
-  std::vector<cnc::order::Place> exit;   ///< Empty where contours are closed.
-  std::vector<double> matrix;            ///< Row by row.
+  /// Entry point of each candidate; empty if there is a matrix.
+  std::vector<cnc::order::Place> entry;
+  /// Exit point of each candidate; empty if all are the entries.
+  std::vector<cnc::order::Place> exit;
+  /// Costs of all legs; a row holds the legs from one candidate.
+  std::vector<double> matrix;
   bool is_symmetric = true;
   bool is_home_closed = true;
-  /// Numbers that the file gives to candidates and sets.
+  /// Number that the file gives to each candidate, and to each set.
   std::vector<std::uint32_t> vertex_numbers;
   std::vector<std::uint32_t> group_numbers;
 

@@ -15,7 +15,7 @@
 
 namespace sim::order {
 
-/// One problem with one kind of cost, and the methods that solve it.
+/// Solves one problem with one kind of cost, by the method of the options.
 template <cnc::order::LegCost Cost>
 class OrderRun {
  public:
@@ -70,24 +70,24 @@ class OrderRun {
 
  private:
   static constexpr double kUsualSeconds = 1.0;
-  static constexpr double kEndless = 1.0e12;  ///< s
+  static constexpr double kEndless = 1.0e12;  ///< Time limit of a run without a limit, s.
   // Shares of the run at which the first search ends and at which the search for a proof ends. A
-  // second search uses the remaining time.
+  // second search uses the rest of the run.
   static constexpr double kFirstShare = 0.3;
   static constexpr double kProofShare = 0.7;
   static constexpr std::uint64_t kChunk = 16;
-  /// Number of neighbours of each set; more neighbours take longer than they gain.
+  /// Number of neighbours of each set. A greater number costs more time than it gains.
   static constexpr Index kWidth = 8;
   static constexpr std::uint64_t kStepsBeforeProof = 600;
-  /// Greatest memory of a proof within a search.
+  /// Greatest memory of a proof that is part of a search, bytes.
   static constexpr std::size_t kProofBytes = 300'000'000;
 
   void find_nearest();
   void find_neighbours();
   void search_until(double share, std::uint64_t seed);
   void search_and_prove();
-  /// Searches for a proof until a share of the run is done.
-  /// @return false where the proof does not fit into memory
+  /// Searches for a proof until `share` of the run is done.
+  /// @return false if the proof does not fit into `bytes` of memory
   bool prove_until(double share, std::size_t bytes);
   void prove_only();
   void anneal();
@@ -95,7 +95,7 @@ class OrderRun {
   [[nodiscard]] bool may_be_proven() const {
     return problem_->sets() > 1 && problem_->sets() - 1 <= cnc::order::kMaxMaskedSets;
   }
-  /// Keeps a tour if it is the best so far.
+  /// Keeps a tour as the result if it is the cheapest one so far.
   void offer(std::span<const Index> order, std::span<const Index> chosen_by_set);
   void report() const {
     if (*progress_) (*progress_)(budget_.share(), result_.cost);
@@ -117,7 +117,7 @@ class OrderRun {
   std::vector<double> neighbour_costs_;
   cnc::order::Neighbours neighbours_;
   OrderResult result_;
-  std::vector<Index> best_chosen_;  ///< Indexed by set.
+  std::vector<Index> best_chosen_;  ///< Candidate of each set in the cheapest tour so far.
 };
 
 template <cnc::order::LegCost Cost>
@@ -232,7 +232,7 @@ void OrderRun<Cost>::prove_only() {
   find_nearest();
   offer(start_->order, start_->chosen);
   if (problem_->sets() < 3) {
-    // There is only one tour, except for the choice of candidates, which a proof covers.
+    // One or two sets have only one order. The proof below chooses the candidates of two sets.
     if (problem_->sets() == 1) result_.is_proven = true;
   } else {
     find_neighbours();

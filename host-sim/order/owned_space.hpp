@@ -8,8 +8,8 @@
 
 namespace sim::order {
 
-/// Working storage for an algorithm of the planner, on the heap, in the size that the algorithm
-/// needs. The system provides its memory only when it is first used.
+/// Storage of an algorithm of the planner on the heap, in the size that the algorithm requires. The
+/// system provides each page of memory only when it is first used.
 template <typename Space>
 class OwnedSpace {
  public:

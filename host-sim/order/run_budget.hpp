@@ -7,7 +7,7 @@
 
 namespace sim::order {
 
-/// Measures how much of a run is done, by steps or by the clock.
+/// Measures the share of a run that is done, by counting steps or by the clock.
 class RunBudget {
  public:
   RunBudget(double seconds, std::optional<std::uint64_t> steps)
@@ -25,7 +25,8 @@ class RunBudget {
     return std::min(share, 1.0);
   }
 
-  /// Returns a number of steps: at most `chunk`, and at most the steps that are left.
+  /// Returns the number of steps to run next: `chunk`, or the steps that are left if these are
+  /// fewer.
   [[nodiscard]] std::uint64_t next_steps(std::uint64_t chunk) const {
     return steps_ ? std::min(chunk, *steps_ - std::min(*steps_, done_)) : chunk;
   }

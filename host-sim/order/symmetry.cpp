@@ -7,14 +7,14 @@ namespace {
 
 using cnc::order::Index;
 
-/// Finds which sets come before which, directly or by a chain of pairs.
+/// Determines which sets must come before which, directly or by a chain of pairs.
 class Reach {
  public:
   explicit Reach(const OrderProblem& problem) : after_(problem.sets()), known_(problem.sets()) {
     for (const auto& [first, then] : problem.pairs) after_[first].push_back(then);
   }
 
-  /// Returns whether `from` comes before `to`. Home comes before all other sets.
+  /// Returns whether `from` must come before `to`. Home comes before all other sets.
   [[nodiscard]] bool leads(Index from, Index to) {
     if (from == 0) return true;
     std::vector<bool>& reached = known_[from];

@@ -4,9 +4,9 @@
 
 namespace sim::order {
 
-/// Returns whether each stretch of a tour of a matrix costs the same in the reverse direction. A
-/// leg that is forbidden in only one direction is ignored where precedence forbids this direction,
-/// too: no stretch with this leg is ever reversed.
+/// Returns whether, by the matrix of a problem, each stretch of a tour costs the same in the
+/// reverse direction. A leg that is forbidden in one direction only is ignored if precedence
+/// forbids this direction, too. No search reverses a stretch that contains such a leg.
 [[nodiscard]] bool is_symmetric(const OrderProblem& problem);
 
 }  // namespace sim::order

@@ -1,4 +1,5 @@
-// Wires the page: what is observed to the displays, the controls to the sender and the job.
+// Connects the parts of the page: news of the server go to the displays, actions of the controls to
+// the sender and the job.
 
 import { Job } from './job.js';
 import { listenToKeys } from './keys.js';
@@ -17,7 +18,7 @@ const kFeed = { all: 0x90, plus10: 0x91, minus10: 0x92, plus1: 0x93, minus1: 0x9
 const kPower = { all: 0x99, plus10: 0x9A, minus10: 0x9B, plus1: 0x9C, minus1: 0x9D };
 const kRapid = { 100: 0x95, 50: 0x96, 25: 0x97 };
 const kTryAgainLater = 1013;
-const kHadControl = 'control'; // In the memory of the tab: a reload takes it again.
+const kHadControl = 'control'; // Key in the tab's memory: a reloaded page takes control again.
 
 const at = (id) => document.getElementById(id);
 const sender = new Sender();
@@ -52,7 +53,7 @@ function jog(words) {
   command(`$J=G91 G21 ${axis}${step} F${Number(at('jog-feed').value) || 1000}`);
 }
 
-// The override moves in steps of ten and one.
+// Changes an override from `from` to `to`, in %. Realtime bytes change it in steps of 10 and 1.
 function override(codes, from, to) {
   let rest = to - from;
   for (; rest >= 10; rest -= 10) sender.realtime(codes.plus10);
@@ -65,7 +66,7 @@ function slide(id, index, codes) {
   at(id).addEventListener('change', () => override(codes, news.overrides[index], Number(at(id).value)));
 }
 
-// The first of the faults, or of what was left out of the file.
+// Shows the first fault of the program; without faults, the first note about left-out parts of it.
 function tellFaults({ faults, count, notes }) {
   const first = faults[0] ?? notes[0];
   if (!first) return;
@@ -78,15 +79,15 @@ function tellWhatItWaitsFor({ waits }) {
   if (waits) notice.tell(`The job waits for ${waits}.`, (now) => now.job.state === 'running');
 }
 
-// A program that the controller will refuse in parts, or that leaves the travel, is run only after
-// the operator has read which lines those are.
+// Runs the job. If the controller would refuse lines of the job, or if the job leaves the travel,
+// the operator must first accept the list of these faults.
 async function run() {
   notice.clear();
   let answer = await job.run(sender.page, []);
   if (answer.faults) {
     const count = answer.fault_count;
     const yes = await ask(`${job.name} has ${count} fault${count > 1 ? 's' : ''}. The job stops at a line that is refused.`,
-      answer.faults, 'Run all the same');
+      answer.faults, 'Run nevertheless');
     if (!yes) return;
     answer = await job.run(sender.page, answer.faults);
   }
@@ -96,7 +97,7 @@ async function run() {
 async function takeUp() {
   notice.clear();
   const yes = await ask(`Resume ${news.job.name} at line ${news.job.line}?`,
-    ['The machine goes, beam off, to where the beam went out, and cuts on from there.'], 'Resume');
+    ['The machine moves with the beam off to the position where the beam went off, and cuts on from there.'], 'Resume');
   if (yes) tellWhatItWaitsFor(await job.resume(sender.page));
 }
 
@@ -117,7 +118,7 @@ async function open(file) {
   enable();
 }
 
-// The program that another page has opened replaces the one that this page shows.
+// Shows the program that another page has opened, in place of the program shown so far.
 async function showOther() {
   const shown = job.name;
   const { faults } = await showProgram(() => job.restore());
@@ -126,7 +127,7 @@ async function showOther() {
   }
 }
 
-// Changes since the news before.
+// Reacts to changes of job and alarm since the news `before`.
 function follow(before) {
   if (news.job.state !== 'none' && news.job.id !== job.id && before?.job.id !== news.job.id && !job.opening) {
     showOther();
@@ -157,7 +158,7 @@ observer.addEventListener('lost', () => {
   enable();
 });
 
-// Also after a reset, which must not take away why a job stopped.
+// `ready` comes after a reset, too. The notice with the reason why a job stopped must survive it.
 sender.addEventListener('ready', () => {
   if (!controls) notice.clear();
   controls = true;
@@ -170,7 +171,7 @@ sender.addEventListener('sent', (event) => log.sent(event.detail));
 sender.addEventListener('closed', (event) => {
   controls = false;
   if (event.detail === kTryAgainLater) {
-    notice.tell('Another sender controls the machine. You can watch; take control when it is gone.',
+    notice.tell('Another sender controls the machine. You can watch; take control when that sender has disconnected.',
       (now) => now.sender === '' || now.sender === 'job');
   }
   enable();
@@ -182,7 +183,7 @@ at('control').onclick = () => {
 };
 at('file').onchange = async () => {
   const file = at('file').files[0];
-  at('file').value = ''; // The same file, changed meanwhile, may be chosen again.
+  at('file').value = ''; // The operator may choose the same file again after changing it.
   if (file) await open(file);
 };
 at('run').onclick = run;
@@ -209,7 +210,7 @@ for (const button of document.querySelectorAll('[data-rapid]')) {
 }
 for (const button of document.querySelectorAll('[data-jog]')) button.onclick = () => jog(button.dataset.jog);
 
-// The job goes on without the page; the operator is to know that.
+// Warns the operator who closes the page, because the job continues without it.
 addEventListener('beforeunload', (event) => {
   if (!leavesBehind(news, controls)) return;
   event.preventDefault();

@@ -1,4 +1,4 @@
-// The numbers beside the canvas.
+// Displays of the machine's numbers next to the canvas.
 
 const kAxes = ['X', 'Y', 'Z'];
 const kWays = {
@@ -32,7 +32,7 @@ function showPlaces(news) {
   });
 }
 
-// A slider that the operator is moving is left alone.
+// Shows an override. A slider that the operator is moving keeps its position.
 function showOverride(id, output, percent) {
   if (document.activeElement !== at(id) || at(id).disabled) at(id).value = percent;
   set(output, `${percent} %`);

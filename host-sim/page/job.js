@@ -1,15 +1,15 @@
-// The job as the server has it. The server sends it, with or without a page. A page opens a program,
-// orders it to be run, and shows how far it is.
+// Copy of the server's job for the page. The server sends the job to the machine, even without a
+// page. A page opens a program, orders the server to run it, and shows its progress.
 
 const kAgainMs = 150;
 
 const sleep = (ms) => new Promise((resolve) => { setTimeout(resolve, ms); });
 
 export class Job {
-  id = ''; // The program that this page shows, as the server names it.
+  id = ''; // The server's identifier of the program that this page shows.
   name = '';
-  points = []; // The path to come: x, y, move of each vertex, machine coordinates.
-  opening = false; // A program is on its way to the server.
+  points = []; // Path of the job: x, y and move of each vertex, mm in machine coordinates.
+  opening = false; // Whether a program is being sent to the server.
 
   // Sends a program to the server. Returns { faults, count, notes }.
   async open(file) {
@@ -22,11 +22,11 @@ export class Job {
     }
   }
 
-  // The program that the server has, of this page or another.
+  // Loads the program that the server has, whichever page opened it. Returns as open() does.
   async restore() { return this.#take(await fetch('job')); }
 
-  // Each returns why it does not happen: {} for what does, else { waits } or { faults }. `page` is
-  // the key of the page that has control.
+  // Each function sends an order. It returns {} if the server follows the order, otherwise the
+  // reason: { waits } or { faults }. `page` is the key of the page that has control.
   run(page, accepted) { return this.#order('job/run', { id: this.id, page, accepted }); }
   resume(page) { return this.#order('job/resume', { id: this.id, page }); }
   stop(page) { return this.#order('job/stop', { id: this.id, page }); }
@@ -38,7 +38,7 @@ export class Job {
     return { faults, count, notes: notes ?? [] };
   }
 
-  // The server judges a long program in a thread of its own: it is asked again until that is done.
+  // Sends an order. While the server still judges the program, the order is repeated.
   async #order(path, order) {
     for (;;) {
       const answer = await fetch(path, { method: 'POST', body: JSON.stringify(order) });

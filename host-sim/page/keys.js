@@ -1,5 +1,5 @@
-// Keys for everything: a key presses the button of the same name, so that what is disabled stays
-// so. Keys that make the machine move, change its zero or its operator take Shift; a hold does not.
+// Keyboard shortcuts. A key clicks its button, so that the key of a disabled button has no effect.
+// Keys that move the machine, or change its zero or operator, require Shift. A hold does not.
 
 const kJogs = {
   ArrowLeft: 'X-1', ArrowRight: 'X1', ArrowUp: 'Y1', ArrowDown: 'Y-1', PageUp: 'Z1', PageDown: 'Z-1',
@@ -23,7 +23,7 @@ export function listenToKeys(actions) {
     if (target.matches('input[type="range"]') && event.key.startsWith('Arrow')) return;
     if (press(event, actions)) event.preventDefault();
   });
-  // A focused button must not be pressed by the key that holds the machine.
+  // The blank key holds the machine, so it must not also click the focused button.
   document.addEventListener('keyup', (event) => {
     if (event.key === ' ' && event.target.matches('button, a')) event.preventDefault();
   });

@@ -1,4 +1,4 @@
-// The conversation, the last lines of it.
+// The last lines of the conversation between the page and the controller.
 
 import { answerWords } from './words.js';
 

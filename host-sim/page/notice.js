@@ -1,4 +1,4 @@
-// The banner: one sentence that stays until its cause has ended, or until it is dismissed.
+// Banner with one sentence, shown until its cause has ended or the operator dismisses it.
 
 export class Notice {
   #element;
@@ -9,7 +9,7 @@ export class Notice {
     element.querySelector('button').onclick = () => this.clear();
   }
 
-  // `ends` is asked at every news whether the cause has ended.
+  // Shows a sentence. `ends` is called with all news, and returns whether the cause has ended.
   tell(text, ends = () => false) {
     this.#element.querySelector('span').textContent = text;
     this.#element.hidden = false;

@@ -1,9 +1,9 @@
-// The news that the server sends to all watchers; connects again when it is lost.
+// Receives the news that the server sends to all watchers. Reconnects if the connection is lost.
 
 const kRetryMs = 1000;
 
 export class Observer extends EventTarget {
-  path = []; // x, y, speed, move of each vertex, in mm and mm/s.
+  path = []; // Path so far: x, y (mm), speed (mm/s) and move of each vertex.
 
   constructor() {
     super();

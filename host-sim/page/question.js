@@ -1,8 +1,9 @@
-// A question that has to be answered before something happens.
+// Dialog with a question that the operator must answer before an action starts.
 
 const at = (id) => document.getElementById(id);
 
-// Resolves with true for `yes`, with false for anything else.
+// Asks a question. Resolves with true if the operator clicks the button with the text `yes`,
+// otherwise with false.
 export function ask(title, lines, yes) {
   const dialog = at('question');
   at('question-title').textContent = title;

@@ -1,16 +1,16 @@
-// A G-code sender over the WebSocket of the page: lines by character counting, realtime bytes at
-// once. While a job of the server runs, only realtime bytes are to be sent.
+// G-code sender over the WebSocket of the page. It sends lines by character counting, and realtime
+// bytes immediately. While a job of the server runs, the page may send only realtime bytes.
 
-const kJobRuns = '[MSG:A job of the page runs]'; // In place of a greeting.
-const kPageKey = /^\[PAGE:(\w+)\]$/; // With it this page orders jobs while it has control.
-const kStandardBuffer = 128; // Bytes that every controller of this kind takes.
+const kJobRuns = '[MSG:A job of the page runs]'; // Sent by the server in place of the greeting.
+const kPageKey = /^\[PAGE:(\w+)\]$/; // Key with which this page orders jobs while it has control.
+const kStandardBuffer = 128; // Receive buffer that every Grbl controller has, bytes.
 
 export class Sender extends EventTarget {
   #socket = null;
   #decoder = new TextDecoder();
   #unread = '';
   #buffer = kStandardBuffer;
-  #inFlight = []; // Lines sent and not answered yet, oldest first.
+  #inFlight = []; // Lines that were sent and not answered yet, oldest first.
   #waiting = [];
   #ready = false;
   #page = '';
@@ -28,12 +28,12 @@ export class Sender extends EventTarget {
 
   disconnect() { this.#socket?.close(); }
 
-  // A realtime command: acts before the lines that wait.
+  // Sends a realtime command, which acts before the waiting lines.
   realtime(byte) {
     if (this.#socket?.readyState === WebSocket.OPEN) this.#socket.send(new Uint8Array([byte]));
   }
 
-  // Resolves with 'ok' or 'error:N'; rejects when the line is dropped.
+  // Queues a line. Resolves with 'ok' or 'error:N'; rejects if the line is dropped.
   send(line, quiet = false) {
     return new Promise((resolve, reject) => {
       this.#waiting.push({ line, quiet, resolve, reject });
@@ -41,7 +41,7 @@ export class Sender extends EventTarget {
     });
   }
 
-  // Forgets the lines that were not sent yet.
+  // Drops the lines that were not sent yet.
   dropWaiting() {
     for (const entry of this.#waiting.splice(0)) entry.reject(new Error('dropped'));
   }
@@ -74,7 +74,7 @@ export class Sender extends EventTarget {
     }
     if (/^Grbl /.test(line)) this.#restarted();
     if (line === kJobRuns) this.#begin();
-    if (line.startsWith('<')) return; // Reports that the job asks for.
+    if (line.startsWith('<')) return; // Status reports, which the server's job requests.
     const options = /^\[OPT:[^,]*,\d+,(\d+)/.exec(line);
     if (options) this.#buffer = Number(options[1]);
     const isAnswer = line === 'ok' || line.startsWith('error:');
@@ -85,7 +85,7 @@ export class Sender extends EventTarget {
     this.#pump();
   }
 
-  // After a reset the controller has forgotten all that it had.
+  // Drops all lines, because a reset has cleared the controller's buffer.
   #restarted() {
     for (const entry of this.#inFlight.splice(0)) entry.reject(new Error('reset'));
     this.dropWaiting();

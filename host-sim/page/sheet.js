@@ -1,5 +1,6 @@
-// The page on which a sheet is laid out. The server places the parts, as `cut` reads them, after
-// each change; the page shows its outlines and faults and moves them while they are dragged.
+// Page on which the parts of a sheet are placed. After each change the server computes the outlines
+// of the placed parts, as `cut` reads them, and the faults. The page shows both, and moves the
+// outlines while they are dragged.
 
 import { Notice } from './notice.js';
 import { SheetModel, round } from './sheet_model.js';
@@ -25,7 +26,7 @@ function element(name, attributes) {
 
 const isChosen = (copy) => chosen && copy.part === chosen.part && copy.copy === chosen.copy;
 
-// y goes up in the sheet, and down in an SVG.
+// Draws a copy. The y axis points upwards in the sheet, and downwards in an SVG.
 function drawCopy(copy, height) {
   const group = element('g', { class: isChosen(copy) ? 'copy chosen' : 'copy' });
   const path = copy.outlines.map((points) => {
@@ -67,7 +68,8 @@ function list() {
   at('sum').textContent = count === 0 ? '' : `${model.sheet.parts.length} parts, ${count} copies${model.isChanged ? ', not saved' : ''}`;
 }
 
-// A field that is being typed into keeps its text, unless it is refused.
+// Shows the values of the sheet in the fields. The focused field keeps its text, unless it is
+// `refused`.
 function fill(refused = null) {
   const put = (input, value) => {
     if (input === refused || input !== document.activeElement) input.value = value;
@@ -106,7 +108,7 @@ async function post(body) {
 
 const waits = (isBusy) => at('sheet').setAttribute('aria-busy', isBusy);
 
-// Only the answer to the last question counts.
+// Requests outlines and faults from the server. Only the answer to the last request is used.
 async function refresh() {
   show();
   const number = ++asked;
@@ -135,7 +137,7 @@ function choose(copy) {
   show();
 }
 
-// The outlines follow at once; the server's answer has them exactly.
+// Moves the outlines of the chosen copy immediately. The server's answer replaces them later.
 function shift(dx, dy) {
   for (const copy of copies.filter(isChosen)) {
     copy.outlines = copy.outlines.map((points) => points.map((mm, i) => mm + (i % 2 === 0 ? dx : dy)));
@@ -194,7 +196,8 @@ async function openSheet(file) {
   } catch (error) {
     return notice.tell(`${file.name} is not opened: ${error.message}`);
   }
-  // What does not come back has a fault; it would be lost when the sheet is saved.
+  // The reply omits parts with faults. Such a sheet is not opened, because saving it would lose
+  // these parts.
   const reply = await post(JSON.stringify({ sheet, drawings: {} }));
   const count = Array.isArray(sheet?.parts) ? sheet.parts.length : -1;
   if (reply.sheet?.parts.length !== count || !reply.sheet.stock) {
@@ -230,7 +233,8 @@ function remove() {
   refresh();
 }
 
-// Whatever is no number of the field's range is told by the browser, and changes nothing.
+// Calls `act` with the number in a field after each change. If the text is no number in the field's
+// range, the browser reports it, and the earlier value is restored.
 const whenValid = (input, act) => {
   input.onchange = () => (input.reportValidity() && input.value !== '' ? act(Number(input.value)) : fill(input));
 };

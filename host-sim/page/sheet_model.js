@@ -1,6 +1,6 @@
-// A sheet that is being edited: stock, parts, places, and the texts of the drawings that are here.
-// Names of drawings are those of the sheet file; a file that is added belongs to the part whose
-// drawing has its name, whatever its folder.
+// Sheet that is being edited: stock, parts, positions, and texts of the drawings that were added.
+// Drawings have the names that the sheet file uses. An added file belongs to the parts whose
+// drawing has the same name, in whatever folder.
 
 const baseName = (path) => path.split('/').at(-1);
 const stem = (path) => baseName(path).replace(/\.[^.]*$/, '');
@@ -18,7 +18,7 @@ export class SheetModel {
   distance = 0.2;
   isChanged = false;
 
-  // Takes a sheet whose places are all written out.
+  // Replaces the sheet by one that lists the position of every copy.
   open(sheet) {
     this.sheet = sheet;
     this.isChanged = false;
@@ -36,7 +36,8 @@ export class SheetModel {
   isHere(part) { return this.drawings.has(part.drawing); }
   place(chosen) { return chosen && this.sheet.parts[chosen.part]?.places[chosen.copy]; }
 
-  // A copy beside another one, or a part's first. Returns which it is.
+  // Adds a copy next to copy `copy` of a part, or at the margin if that copy does not exist.
+  // Returns part and number of the new copy.
   another({ part, copy }, width) {
     const places = this.sheet.parts[part].places;
     const like = places[copy] ?? this.#free();
@@ -87,7 +88,7 @@ export class SheetModel {
     return name;
   }
 
-  // No other part waits for a part that is not there.
+  // Removes a part, also from the `after` lists of other parts.
   #removePart(index) {
     const [gone] = this.sheet.parts.splice(index, 1);
     for (const part of this.sheet.parts) {
@@ -99,5 +100,5 @@ export class SheetModel {
   }
 }
 
-// Micrometres, so that no sum has a tail of digits.
+// Rounds to micrometres, so that sums have no rounding errors in their printed digits.
 export const round = (mm) => Math.round(mm * 1000) / 1000;

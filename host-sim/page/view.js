@@ -1,6 +1,6 @@
-// The canvas: path so far coloured by speed, the job to come, the tool.
+// Canvas with the path so far, coloured by speed, the path of the job, and the tool.
 
-const kMargin = 0.08; // Of the canvas, around what is fitted.
+const kMargin = 0.08; // Margin around the fitted paths, as a share of the canvas.
 const kTravel = 0;
 const kCut = 2;
 
@@ -11,7 +11,7 @@ export function speedColour(share) {
 
 export class View {
   path = [];
-  job = []; // The path to come: x, y, move of each vertex, machine coordinates.
+  job = []; // Path of the job: x, y and move of each vertex, mm in machine coordinates.
   news = null;
   #canvas;
   #scale = 1;
@@ -69,7 +69,7 @@ export class View {
     this.#drawTool(context);
   }
 
-  // Places since power-up, in which the path is, of machine coordinates.
+  // Returns the zero of machine coordinates in motor positions since power-up, which the path uses.
   #origin() {
     const news = this.news;
     return news ? [0, 1].map((axis) => news.motors[axis] - news.mpos[axis]) : [0, 0];
@@ -134,7 +134,7 @@ export class View {
     });
   }
 
-  // Only what is cut.
+  // Draws the path of the job without its travel moves.
   #drawJob(context) {
     const [ox, oy] = this.#origin();
     context.strokeStyle = this.#style.line;
@@ -147,7 +147,7 @@ export class View {
     context.stroke();
   }
 
-  // Stretches of the same colour are one stroke.
+  // Draws the path so far. Consecutive moves of the same colour are one stroke of the canvas.
   #drawPath(context) {
     const fastest = this.fastest || 1;
     let colour = null;

@@ -1,10 +1,10 @@
-// Numbers of errors in words with a remedy. The server has the one table, of alarms, too.
+// Descriptions and remedies of error numbers, loaded from the server's table of errors and alarms.
 
 let words = { errors: {} };
 
 export async function loadWords() { words = await (await fetch('words')).json(); }
 
-// An answer of the controller, with words where it is an error.
+// Returns an answer of the controller; for an error with its description and remedy.
 export function answerWords(line) {
   const number = /^error:(\d+)/.exec(line)?.[1];
   return words.errors[number] ? `${line}  (${words.errors[number]})` : line;

@@ -58,7 +58,7 @@ std::vector<Vector3d> divided(const ProgramArc& arc, int parts) {
 }
 
 int chords_within(const ProgramArc& arc, double tolerance_mm) {
-  // Limits a chord to a third of a turn, for arcs whose radius is near the tolerance.
+  // Limits a chord to a third of a turn. The tolerance may be as large as the radius of the arc.
   constexpr double kMinCosine = 0.5;
   const double cosine = std::max(kMinCosine, 1.0 - tolerance_mm / arc.radius());
   return std::max(1, static_cast<int>(std::ceil(arc.sweep() / (2.0 * std::acos(cosine)))));

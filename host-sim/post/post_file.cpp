@@ -19,11 +19,11 @@ constexpr double kMaxLineNumber = 999'999'999.0;
 constexpr double kMinPostDecimals = 3.0;
 constexpr double kMaxPostDecimals = 6.0;
 
-/// The values of a key, each with its meaning.
+/// The texts that a key accepts, each with the value that it means.
 template <typename Value>
 using Choices = std::vector<std::pair<std::string_view, Value>>;
 
-/// Reads one post file, line by line.
+/// Reader of one post file, which reads it line by line.
 class PostReader {
  public:
   PostReader(std::string_view text, std::string name) : lines_{text}, name_{std::move(name)} {}
@@ -53,8 +53,8 @@ class PostReader {
   static constexpr std::array<std::string_view, 6> kSections{
       "[format]", "[words]", "[header]", "[footer]", "[before-cut]", "[after-cut]"};
 
-  /// Returns the list that takes the lines of the current section unchanged; null for sections with
-  /// keys.
+  /// Returns the list that receives the lines of the current section unchanged; null for a section
+  /// with keys.
   [[nodiscard]] std::vector<std::string>* texts_of_section() {
     if (section_ == "[header]") return &post_.header;
     if (section_ == "[footer]") return &post_.footer;
@@ -88,10 +88,10 @@ class PostReader {
   }
 
   void read_pair(std::string_view line) {
-    if (section_.empty()) refuse("stands before the first section; begin with [format]");
+    if (section_.empty()) refuse("this line is before the first section; begin with [format]");
     const std::size_t equals = line.find('=');
     if (equals == std::string_view::npos) {
-      refuse(fmt::format("`{}` is no KEY = VALUE", line));
+      refuse(fmt::format("`{}` is not of the form KEY = VALUE; change it", line));
     }
     const std::string_view key = without_blanks_around(line.substr(0, equals));
     const std::string_view value = without_blanks_around(line.substr(equals + 1));
@@ -99,14 +99,14 @@ class PostReader {
     read_format(key, without_comment(value));
   }
 
-  /// Returns a value without the comment after it.
+  /// Returns a value without the comment that follows it.
   static std::string_view without_comment(std::string_view value) {
     return without_blanks_around(value.substr(0, value.find(" #")));
   }
 
   void read_format(std::string_view key, std::string_view value) {
     if (std::ranges::find(keys_, key) != keys_.end()) {
-      refuse(fmt::format("{} has a value already; leave one of them out", key));
+      refuse(fmt::format("{} has two values; leave one of them out", key));
     }
     keys_.emplace_back(key);
     static constexpr std::array<Key, 12> kKeys{{
@@ -136,7 +136,7 @@ class PostReader {
   void add_word(std::string_view word, std::string_view value) {
     if (std::ranges::find(kProgramWords, word) == kProgramWords.end()) {
       refuse(fmt::format(
-          "no program has the word {}; words are {}", word, fmt::join(kProgramWords, " ")));
+          "no program contains the word {}; words are {}", word, fmt::join(kProgramWords, " ")));
     }
     check_plain(value);
     if (word == "S" && !value.empty()) refuse("S may be left out, `S =`, but not replaced");
@@ -148,8 +148,7 @@ class PostReader {
   void check_plain(std::string_view value) const {
     const auto is_plain = [](char c) { return (c >= ' ' && c <= '~') || c == '\t'; };
     if (!std::ranges::all_of(value, is_plain)) {
-      refuse(
-          "has a character that is not plain ASCII, which controllers do not read; leave it out");
+      refuse("a character is not plain ASCII, and controllers do not read it; leave it out");
     }
   }
 
@@ -164,7 +163,8 @@ class PostReader {
 
   std::uint32_t whole(std::string_view key, std::string_view text, double least, double most) {
     const double value = number(key, text, least, most, "");
-    if (value != std::floor(value)) refuse(fmt::format("{} {}: takes whole numbers", key, text));
+    if (value != std::floor(value))
+      refuse(fmt::format("{} = {} is not a whole number; write one", key, text));
     return static_cast<std::uint32_t>(value);
   }
 
@@ -175,14 +175,14 @@ class PostReader {
       if (name == text) return value;
       names.push_back(name);
     }
-    refuse(fmt::format("{} = {}: takes {}", key, text, fmt::join(names, ", ")));
+    refuse(fmt::format("{} = {}: must be one of {}", key, text, fmt::join(names, ", ")));
   }
 
   bool yes(std::string_view key, std::string_view text) {
     return chosen<bool>(key, text, {{"yes", true}, {"no", false}});
   }
 
-  /// Returns the words of a value, which blanks and commas separate.
+  /// Returns the words of a value. Blanks and commas separate them.
   static std::vector<std::string_view> words_of(std::string_view text) {
     std::vector<std::string_view> words;
     while (!text.empty()) {
@@ -197,7 +197,7 @@ class PostReader {
     if (text == "none") return;
     const std::vector<std::string_view> words = words_of(text);
     if (words.empty() || words.size() > 3) {
-      refuse(fmt::format("line-numbers = {}: takes none, or first number, step and greatest one",
+      refuse(fmt::format("line-numbers = {}: must be none, or the first number, step and limit",
                          text));
     }
     LineNumbers numbers;

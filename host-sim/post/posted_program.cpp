@@ -22,17 +22,18 @@ using Eigen::Vector3d;
 constexpr std::string_view kAxisLetters = "XYZ";
 constexpr std::string_view kCentreLetters = "IJK";
 constexpr int kMaxWordDecimals = 9;
-constexpr int kFirstPlaneWord = 17;  // G17, G18 and G19 are the planes in the order of cnc::Plane.
+// The word of the first plane, G17. G18 and G19 follow in the order of cnc::Plane.
+constexpr int kFirstPlaneWord = 17;
 constexpr int kLineMotion = 1;
 constexpr int kClockwiseMotion = 2;
 constexpr int kDwell = 4;
 
-/// The words of one line, sorted by kind.
+/// The words of one line, sorted by their meaning.
 struct SortedLine {
-  std::vector<std::string> codes;   ///< G and M words, except those of motions.
-  std::vector<std::string> values;  ///< Words S, P, D and Q.
+  std::vector<std::string> codes;   ///< The G and M words of the line, except words of motions.
+  std::vector<std::string> values;  ///< The words S, P, D and Q of the line.
   std::array<std::optional<double>, 3> axes{};
-  std::array<double, 3> centre{};  ///< Centre of an arc, from its start.
+  std::array<double, 3> centre{};  ///< Centre of an arc, relative to its start.
   std::optional<std::string> feed{};
 
   [[nodiscard]] bool moves() const {
@@ -40,7 +41,7 @@ struct SortedLine {
   }
 };
 
-/// Writes a program's lines in the form of a post, one after the other.
+/// Writes the lines of a program, one after the other, in the form of a post.
 class PostWriter {
  public:
   explicit PostWriter(const Post& post) : post_{post} {}
@@ -67,7 +68,8 @@ class PostWriter {
   [[nodiscard]] const std::string& text() const { return text_; }
 
  private:
-  /// Writes the post's lines before the first motion of a cut, and those after its last motion.
+  /// Writes `before_cut` of the post before the first motion of a cut, and `after_cut` after the
+  /// last one.
   void mark_cut(const SortedLine& line) {
     const bool is_stop = std::ranges::find(line.codes, replaced("M5")) != line.codes.end();
     const bool is_cut = line.moves() ? motion_ != 0 : in_cut_ && !is_stop;
@@ -85,7 +87,8 @@ class PostWriter {
     text_ += text + post_.line_end;
   }
 
-  /// Adds a line of words, with its number. Adds nothing if the post leaves out all words.
+  /// Adds a line of words, with its line number. Adds nothing if the post leaves out all words of
+  /// the line.
   void add_line(const std::vector<std::string>& texts) {
     std::vector<std::string_view> words;
     for (const std::string& text : texts) {
@@ -104,7 +107,7 @@ class PostWriter {
     return *number_;
   }
 
-  /// Returns the text of a G or M word, or of S, after the post's replacement.
+  /// Returns the text that the post writes for a G or M word, or for S.
   [[nodiscard]] std::string replaced(const std::string& word) const {
     const auto found = post_.words.find(word);
     return found == post_.words.end() ? word : found->second;
@@ -137,14 +140,14 @@ class PostWriter {
   void sort_code(const Word& word, SortedLine& line) {
     const std::string name = text_of(word);
     if (std::ranges::find(kProgramWords, name) == kProgramWords.end()) {
-      throw std::invalid_argument(fmt::format("a post cannot write {}", name));
+      throw std::invalid_argument(fmt::format("a post cannot write the word {}", name));
     }
     const auto number = static_cast<int>(word.value.whole);
     if (word.letter == 'G' && number <= 3) {
       motion_ = number;
     } else if (word.letter == 'G' && number >= kFirstPlaneWord && number < kFirstPlaneWord + 3) {
       plane_ = static_cast<Plane>(number - kFirstPlaneWord);
-      if (written_plane_) return;  // The next arc writes the plane.
+      if (written_plane_) return;  // The next arc writes this plane.
       written_plane_ = plane_;
       line.codes.push_back(replaced(name));
     } else {
@@ -210,9 +213,9 @@ class PostWriter {
     return words;
   }
 
-  /// Writes an arc in parts: as smaller arcs with a radius, or as lines.
+  /// Writes an arc in `parts` parts: as smaller arcs with a radius, or as lines.
   void write_parts(const SortedLine& line, const ProgramArc& arc, int parts, int motion) {
-    constexpr int kDigitsOfParts = 4;  // Decimals if the post gives none.
+    constexpr int kDigitsOfParts = 4;  // Decimals if the post gives no number of decimals.
     const double scale = std::pow(10.0, post_.decimals.value_or(kDigitsOfParts));
     SortedLine part = line;
     for (const Vector3d& point : divided(arc, parts)) {
@@ -230,7 +233,8 @@ class PostWriter {
     }
   }
 
-  /// Writes one motion with words for the axes that have a value.
+  /// Writes one motion. Axes have words if `line` gives their values, or all of them if the post
+  /// repeats all words.
   void write_element(const SortedLine& line, int motion, const std::vector<std::string>& arc) {
     std::vector<std::string> words = line.codes;
     if (motion != written_motion_ || post_.repeat != Repeat::kNothing) {
@@ -253,14 +257,15 @@ class PostWriter {
 
   const Post& post_;
   std::string text_;
-  std::optional<std::uint32_t> number_;  ///< Number of the last line.
-  bool in_cut_ = false;                  ///< True while a cut lasts: the last motion was no rapid.
+  std::optional<std::uint32_t> number_;  ///< Number of the last numbered line.
+  /// Whether a cut has begun and has not ended; see mark_cut().
+  bool in_cut_ = false;
   int motion_ = 0;
   int written_motion_ = -1;
   Plane plane_ = Plane::kXY;
   std::optional<Plane> written_plane_;
   std::array<std::optional<double>, 3> place_{};
-  std::string feed_;  ///< The last feed, as a word.
+  std::string feed_;  ///< The last feed as a word, such as `F1200`.
 };
 
 }  // namespace

@@ -17,7 +17,8 @@ std::vector<cnc::gcode::Word> words_in(std::string_view line) {
     words.push_back(word);
   }
   if (is_sound) return words;
-  throw std::invalid_argument(fmt::format("`{}` is no line that a post can write", line));
+  throw std::invalid_argument(
+      fmt::format("`{}` is not a line of G-code that a post can write", line));
 }
 
 double number_of(const cnc::gcode::Word& word) {

@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "host-sim/send/code_words.hpp"
 #include "host-sim/send/state_words.hpp"
 
@@ -77,48 +75,49 @@ void Sender::take_line(std::string_view line) {
     case AnswerKind::kOk:
     case AnswerKind::kError:
     case AnswerKind::kResend:
-      return numbers_lines_ && state_ == State::kSending ? take_checked(answer)
-                                                         : take_plain(answer);
+      return numbering_.active && state_ == State::kSending ? take_checked(answer)
+                                                            : take_plain(answer);
     default:
       return;
   }
 }
 
 void Sender::meet(const Answer& answer) {
-  if (answer.kind == AnswerKind::kStatus) machine_state_ = answer.state;
+  if (answer.kind == AnswerKind::kStatus) reported_.state = answer.state;
   if (answer.kind == AnswerKind::kStatus || answer.kind == AnswerKind::kBanner) {
     enter(State::kAsking);
   }
 }
 
 void Sender::take_status(const Answer& answer) {
-  machine_state_ = answer.state;
+  reported_.state = answer.state;
   // A damaged report may lack the free space of the buffer.
-  if (answer.waiting_room) room_now_ = answer.waiting_room;
-  room_told_ = now_;
-  moves_ = answer.moves;
-  ++reports_;
-  if (machine_state_.starts_with("Hold") || machine_state_.starts_with("Door")) wants_hold_ = false;
-  if (machine_state_.starts_with("Run") || is_at_rest(machine_state_)) wants_resume_ = false;
-  const bool alarm = machine_state_.starts_with("Alarm");
-  const bool rests = is_at_rest(machine_state_) || (options_.rests_in_alarm && alarm);
-  idle_reports_ = rests ? idle_reports_ + 1 : 0;
+  if (answer.waiting_room) reported_.room = answer.waiting_room;
+  reported_.at = now_;
+  reported_.moves = answer.moves;
+  ++reported_.count;
+  if (reported_.state.starts_with("Hold") || reported_.state.starts_with("Door"))
+    wants_hold_ = false;
+  if (reported_.state.starts_with("Run") || is_at_rest(reported_.state)) wants_resume_ = false;
+  const bool alarm = reported_.state.starts_with("Alarm");
+  const bool rests = is_at_rest(reported_.state) || (options_.rests_in_alarm && alarm);
+  reported_.idle_count = rests ? reported_.idle_count + 1 : 0;
   if (state_ == State::kWaiting && alarm && !rests) return fail(kInAlarm);
-  if (state_ == State::kWaiting && idle_reports_ >= kIdleReports) {
-    enter(numbers_lines_ ? State::kEnding : State::kDone);
+  if (state_ == State::kWaiting && reported_.idle_count >= kIdleReports) {
+    enter(numbering_.active ? State::kEnding : State::kDone);
   }
   if (state_ == State::kAsking) judge_state();
 }
 
 /// Decides by the machine's state whether lines can be sent: the machine must do nothing else.
 void Sender::judge_state() {
-  const bool alarm = machine_state_.starts_with("Alarm");
+  const bool alarm = reported_.state.starts_with("Alarm");
   if (alarm && !options_.rests_in_alarm) return fail(kInAlarm);
   if (!options_.takes_up) return;
-  if (said_reset_ || alarm || is_at_rest(machine_state_) || moves_) return;
-  if (!has_stopped(machine_state_)) return;
+  if (said_reset_ || alarm || is_at_rest(reported_.state) || reported_.moves) return;
+  if (!has_stopped(reported_.state)) return;
   said_reset_ = true;
-  put_realtime('\x18');
+  out_.put_realtime('\x18');
 }
 
 void Sender::take_trouble(const Answer& answer) {
@@ -149,20 +148,21 @@ void Sender::take_plain(const Answer& answer) {
       return;
     case State::kBeginning:
       // To a line with a number and a check, a Grbl only answers that the line is wrong.
-      if (answer.kind != AnswerKind::kOk || !answer.checked || answer.line != first_n_ - 1) {
+      if (answer.kind != AnswerKind::kOk || !answer.checked ||
+          answer.line != numbering_.first - 1) {
         if (answer.kind == AnswerKind::kError && questions_ >= kMaxRefused) {
           fail("the controller knows no checked lines: send without --checked");
         }
         return;
       }
-      numbers_lines_ = true;
+      numbering_.active = true;
       return enter(State::kSending);
     case State::kEnding:
       return take_end(answer);
     case State::kSending:
-      if (answered_ == next_) return;  // No line waits for an answer.
-      if (answer.kind == AnswerKind::kError) refused(answered_, answer);
-      return answered_until(answered_ + 1);
+      if (lines_.count() == 0) return;  // No line waits for an answer.
+      if (answer.kind == AnswerKind::kError) refused(answered(), answer);
+      return answered_until(answered() + 1);
     default:
       return;
   }
@@ -174,16 +174,16 @@ void Sender::take_checked(const Answer& answer) {
   const bool resend = answer.kind == AnswerKind::kResend;
   if (!resend && !answer.line) return;
   const std::uint32_t count = resend ? answer.number - 1 : *answer.line;
-  if (count + 1 < first_n_) return;  // An answer to lines before begun_.
-  const std::size_t taken = begun_ + (count + 1 - first_n_);
-  if (taken > furthest_) return;  // An answer to a line that was never sent.
-  if (taken < answered_ && resend) {
+  if (count + 1 < numbering_.first) return;  // An answer to lines before numbering_.begun.
+  const std::size_t taken = numbering_.begun + (count + 1 - numbering_.first);
+  if (!lines_.were_sent_until(taken)) return;  // An answer to a line that was never sent.
+  if (taken < answered() && resend) {
     return stop(fmt::format("the controller wants line {} again, which it has acknowledged",
                             number_in_file(taken)));
   }
   if (answer.kind == AnswerKind::kError) refused(taken - 1, answer);
-  if (taken > answered_) answered_until(taken);
-  if (resend && !answer.line && taken < next_) go_back(taken);
+  if (taken > answered()) answered_until(taken);
+  if (resend && !answer.line && taken < lines_.next()) go_back(taken);
 }
 
 void Sender::take_options() {
@@ -192,18 +192,13 @@ void Sender::take_options() {
 
 /// Marks all lines before `line` as answered, including lines that were to be sent again.
 void Sender::answered_until(std::size_t line) {
-  for (; answered_ < line && !sizes_.empty(); ++answered_) {
-    on_their_way_ -= sizes_.front();
-    sizes_.pop_front();
-  }
-  answered_ = line;
-  next_ = std::max(next_, answered_);
+  lines_.answer_until(line);
   moved_ = now_;
 }
 
 void Sender::take_end(const Answer& answer) {
   if (answer.kind != AnswerKind::kOk || answer.checked || !answer.text.empty()) return;
-  numbers_lines_ = false;
+  numbering_.active = false;
   enter(State::kDone);
 }
 
@@ -220,21 +215,21 @@ void Sender::refused(std::size_t line, const Answer& answer) {
 }
 
 double Sender::progress() const {
-  return job_.empty() ? 1.0 : static_cast<double>(answered_) / static_cast<double>(job_.size());
+  return job_.empty() ? 1.0 : static_cast<double>(answered()) / static_cast<double>(job_.size());
 }
 
 void Sender::hold() {
   wants_hold_ = true;
   wants_resume_ = false;
   wished_ = now_;
-  put_realtime('!');
+  out_.put_realtime('!');
 }
 
 void Sender::resume() {
   wants_hold_ = false;
   wants_resume_ = true;
   wished_ = now_;
-  put_realtime('~');
+  out_.put_realtime('~');
 }
 
 void Sender::stop(std::string why) {
@@ -242,10 +237,10 @@ void Sender::stop(std::string why) {
   trouble_ = std::move(why);
   if (state_ == State::kMeeting) return enter(State::kFailed);
   enter(State::kStopping);
-  while (lines_out_.size() > (line_out_written_ > 0 ? 1U : 0U)) lines_out_.pop_back();
+  out_.drop_lines();
   hold();
   polled_ = now_;
-  put_realtime('?');
+  out_.put_realtime('?');
 }
 
 void Sender::fail(std::string why) {
@@ -258,8 +253,8 @@ void Sender::enter(State state) {
   state_ = state;
   entered_ = asked_ = moved_ = now_;
   questions_ = 0;
-  idle_reports_ = 0;
-  reports_ = 0;
+  reported_.count = 0;
+  reported_.idle_count = 0;
   if (state == State::kStopping) said_reset_ = false;
   switch (state) {
     case State::kAsking:

@@ -2,7 +2,6 @@
 
 #include <chrono>
 #include <cstdint>
-#include <deque>
 #include <functional>
 #include <optional>
 #include <string>
@@ -11,6 +10,8 @@
 
 #include "host-sim/send/answer.hpp"
 #include "host-sim/send/job_lines.hpp"
+#include "host-sim/send/lines_in_flight.hpp"
+#include "host-sim/send/send_queue.hpp"
 
 namespace sim {
 
@@ -62,20 +63,20 @@ class Sender {
 
   /// Returns realtime bytes for a link that carries them apart from lines. On other links output()
   /// includes them.
-  [[nodiscard]] std::string_view realtime() const { return realtime_; }
+  [[nodiscard]] std::string_view realtime() const { return out_.realtime(); }
   /// Drops `count` bytes of realtime(), which the link has sent.
-  void acted(std::size_t count) { realtime_.erase(0, count); }
+  void acted(std::size_t count) { out_.drop_realtime(count); }
 
   /// Returns the next bytes to be written, at most the rest of one line; empty if there are none.
-  [[nodiscard]] std::string_view output();
+  [[nodiscard]] std::string_view output() { return out_.next(numbering_.active); }
   /// Drops `count` bytes of output(), which were written.
-  void wrote(std::size_t count);
+  void wrote(std::size_t count) { out_.wrote(count); }
 
   // Requests of the operator.
   void hold();
   void resume();
   /// Asks once for a full report, which only some controllers have.
-  void ask_full_report() { put_realtime('\x87'); }
+  void ask_full_report() { out_.put_realtime('\x87'); }
   /// Ends the job: holds, and resets when the machine is at rest, or resets at once in a state in
   /// which a hold does nothing.
   void abort(std::string why = "aborted") { stop(std::move(why)); }
@@ -83,21 +84,37 @@ class Sender {
   [[nodiscard]] State state() const { return state_; }
   [[nodiscard]] bool over() const { return state_ == State::kDone || state_ == State::kFailed; }
   [[nodiscard]] const std::string& trouble() const { return trouble_; }
-  [[nodiscard]] const std::string& machine_state() const { return machine_state_; }
+  [[nodiscard]] const std::string& machine_state() const { return reported_.state; }
   /// Returns the share of the job's lines that were answered, 0…1.
   [[nodiscard]] double progress() const;
-  [[nodiscard]] std::size_t answered() const { return answered_; }
+  [[nodiscard]] std::size_t answered() const { return lines_.answered(); }
   /// Returns the line of the file that comes next; 0 after the last line.
   [[nodiscard]] std::size_t file_line() const {
-    return answered_ < job_.size() ? number_in_file(answered_) : 0;
+    return answered() < job_.size() ? number_in_file(answered()) : 0;
   }
-  [[nodiscard]] std::size_t resent() const { return resent_; }
+  [[nodiscard]] std::size_t resent() const { return lines_.resent(); }
   [[nodiscard]] std::size_t errors() const { return errors_; }
 
   /// Called with each line in both directions: '>' for sent or '<' for received, and the line.
   std::function<void(char, std::string_view)> on_line;
 
  private:
+  /// Numbers of checked lines.
+  struct Numbering {
+    bool active = false;      ///< Checked lines have begun.
+    std::size_t begun = 0;    ///< Index of the line with which they began.
+    std::uint32_t first = 1;  ///< Number of that line.
+  };
+  /// The machine by its last status report.
+  struct Reported {
+    std::string state{};
+    bool moves = false;                   ///< The feed is not 0.
+    std::optional<std::uint32_t> room{};  ///< Free space for lines, bytes.
+    Time at{};                            ///< When the report came.
+    unsigned count = 0;                   ///< Reports since the sender's state began.
+    unsigned idle_count = 0;              ///< The latest of these in a row that show it at rest.
+  };
+
   // Lines from the controller, in sender.cpp.
   void take_line(std::string_view line);
   void meet(const Answer& answer);
@@ -116,9 +133,7 @@ class Sender {
   void send_lines();
   void send_end();
   void go_back(std::size_t line);
-  void put(std::string line);
-  void put_realtime(char byte) { realtime_ += byte; }
-  [[nodiscard]] std::string between_lines(char byte) const;
+  void put(std::string_view line);
   [[nodiscard]] std::string text_of(std::size_t line) const;
   [[nodiscard]] std::uint32_t number_of(std::size_t line) const;
   [[nodiscard]] std::size_t number_in_file(std::size_t line) const {
@@ -155,33 +170,17 @@ class Sender {
   std::string trouble_;
   std::string message_;  ///< The last `[MSG:`; explains the error after it.
   std::string incoming_;
-  std::deque<std::string> lines_out_;
-  std::size_t line_out_written_ = 0;
-  std::string realtime_;      ///< Realtime bytes to be sent.
-  std::string realtime_out_;  ///< Realtime bytes in the form in which they are sent between lines.
-
-  std::size_t next_ = 0;           ///< Index of the next line to be sent.
-  std::size_t furthest_ = 0;       ///< All lines before this index were sent at least once.
-  std::size_t answered_ = 0;       ///< All lines before this index were answered.
-  std::deque<std::size_t> sizes_;  ///< Bytes of each line from answered_ to next_.
-  std::size_t on_their_way_ = 0;   ///< Sum of sizes_.
-  std::size_t begun_ = 0;          ///< Index of the line with which checked lines began.
-  std::uint32_t first_n_ = 1;      ///< Number of the line at begun_.
-  std::size_t resent_ = 0;
+  SendQueue out_;
+  LinesInFlight lines_;
+  Numbering numbering_;
   std::size_t errors_ = 0;
-  std::size_t room_ = 0;                   ///< Free space for lines, as announced, bytes.
-  std::optional<std::uint32_t> room_now_;  ///< Free space in the last status report, bytes.
-  Time room_told_{};
-  bool numbers_lines_ = false;  ///< Checked lines have begun.
+  std::size_t room_ = 0;  ///< Free space for lines, as announced, bytes.
   bool told_options_ = false;
   bool said_reset_ = false;
   unsigned answers_owed_ = 0;  ///< Answers to questions that have not arrived.
   bool wants_hold_ = false;
   bool wants_resume_ = false;
-  unsigned idle_reports_ = 0;
-  unsigned reports_ = 0;  ///< Status reports since the current state began.
-  bool moves_ = false;    ///< The last status report has a feed that is not 0.
-  std::string machine_state_;
+  Reported reported_;
 };
 
 }  // namespace sim

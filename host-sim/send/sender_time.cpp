@@ -34,7 +34,7 @@ void Sender::attend(Time now) {
   attend_silence();
   if (over()) return;
   attend_wishes();
-  if (state_ == State::kSending && numbers_lines_) attend_losses();
+  if (state_ == State::kSending && numbering_.active) attend_losses();
   repeat_question();
   end_line_again();
   send_lines();
@@ -42,7 +42,7 @@ void Sender::attend(Time now) {
   const Time period = state_ == State::kStopping ? kStopPollPeriod : kPollPeriod;
   if (!met || since(polled_) < period) return;
   polled_ = now_;
-  put_realtime('?');
+  out_.put_realtime('?');
 }
 
 void Sender::attend_silence() {
@@ -67,21 +67,21 @@ void Sender::attend_stop() {
   constexpr Time kLongestBraking{10'000};
   constexpr Time kLongestReset{2'000};
   if (since(entered_) > kLongestBraking + kLongestReset) return fail(std::move(trouble_));
-  const bool rests = has_stopped(machine_state_) && !moves_;
-  const bool known = reports_ >= 2 && (rests || is_ended_by_reset_only(machine_state_));
+  const bool rests = has_stopped(reported_.state) && !reported_.moves;
+  const bool known = reported_.count >= 2 && (rests || is_ended_by_reset_only(reported_.state));
   if (!known && since(entered_) <= kLongestBraking) return;
   if (said_reset_ && since(wished_) < kPatience) return;
   said_reset_ = true;
   wants_hold_ = false;
   wished_ = now_;
-  put_realtime('\x18');
+  out_.put_realtime('\x18');
 }
 
 /// Sends an empty line. The last line may have lost its end, and all that follows, questions
 /// included, would become part of it. The lines themselves are not sent again here: a machine on
 /// hold takes no lines, and they would fill the link.
 void Sender::end_line_again() {
-  const bool sends = state_ == State::kSending && numbers_lines_ && lines_out_.empty();
+  const bool sends = state_ == State::kSending && numbering_.active && !out_.has_lines();
   const bool waits = state_ == State::kWaiting || state_ == State::kStopping || sends;
   if (!options_.checked || !waits || since(heard_) < kDeaf || since(asked_) < kDeaf) return;
   asked_ = now_;
@@ -91,16 +91,16 @@ void Sender::end_line_again() {
 /// Sends lines again that have no answer although the controller has no line waiting. Either the
 /// lines, the request to repeat them, or the answers were lost.
 void Sender::attend_losses() {
-  if (next_ == answered_) return;
-  const Time stall = next_ - answered_ == 1 ? kStallOfOne : kStall;
-  if (since(moved_) < stall || !lines_out_.empty()) return;
-  const bool told = room_told_ > moved_ + stall / 2 && room_now_;
+  if (lines_.count() == 0) return;
+  const Time stall = lines_.count() == 1 ? kStallOfOne : kStall;
+  if (since(moved_) < stall || out_.has_lines()) return;
+  const bool told = reported_.at > moved_ + stall / 2 && reported_.room;
   // A report may be damaged, but a machine that reports idle more than once has no line waiting.
-  if (told && (*room_now_ >= room_ || idle_reports_ > 1)) return go_back(answered_);
-  if (!room_now_ && since(moved_) > 2 * kStallOfOne) return go_back(answered_);
+  if (told && (*reported_.room >= room_ || reported_.idle_count > 1)) return go_back(answered());
+  if (!reported_.room && since(moved_) > 2 * kStallOfOne) return go_back(answered());
   if (!told && since(polled_) >= kStall) {
     polled_ = now_;
-    put_realtime('?');
+    out_.put_realtime('?');
   }
 }
 

@@ -12,13 +12,13 @@
 
 namespace sim {
 
-/// Runs work that takes time in a thread of its own, for a loop that must not wait. The work uses
-/// copies of its inputs, and there is one result at a time. Abandoned work continues until it sees
-/// that it was cancelled.
+/// Runs long work in a separate thread, for a loop that must not wait. The work uses copies of its
+/// inputs. Only the result of the last started work is kept. Abandoned work continues until it
+/// checks its `cancelled` flag.
 template <typename Result>
 class BackgroundTask {
  public:
-  /// The work must not throw.
+  /// Function that does the work. It must not throw.
   using Work = std::function<Result(const std::atomic<bool>& cancelled)>;
 
   BackgroundTask() = default;
@@ -43,7 +43,7 @@ class BackgroundTask {
     current_.reset();
   }
   [[nodiscard]] bool running() const { return current_ != nullptr; }
-  /// Returns the result of the work once; nothing while there is no result.
+  /// Returns the result of the work, once; empty while there is no result.
   [[nodiscard]] std::optional<Result> take() {
     if (!current_ || !current_->done) return std::nullopt;
     const std::shared_ptr<Shared> finished = std::exchange(current_, nullptr);

@@ -32,7 +32,7 @@ void ByteBlocks::pop(std::size_t count) {
   begin_ += count;
   size_ -= count;
   if (size_ == 0) {
-    begin_ = 0;  // The only block stays in use.
+    begin_ = 0;  // The single block of an empty queue is kept.
   } else if (begin_ == kBlock) {
     begin_ = 0;
     give_back(std::move(blocks_.front()));

@@ -9,16 +9,16 @@
 namespace sim {
 
 /// A queue of bytes (first in, first out) of any length, in blocks. No byte is moved as the queue
-/// grows, so that a thread that must not be late can keep megabytes.
+/// grows, so that a thread with time limits can queue megabytes.
 ///
 /// Some blocks are kept ready, with all their memory pages already touched. Otherwise the system
-/// has to find memory for each 4 KiB first, and the loop reads at a quarter of its speed, above all
-/// on virtual machines.
+/// would have to provide each page of 4 KiB first, which makes reading slow, above all on virtual
+/// machines.
 class ByteBlocks {
  public:
   static constexpr std::size_t kBlock = std::size_t{1} << 20;
-  /// Blocks that are kept ready: twice the 4 MiB that the operating system of a sender may hold
-  /// back.
+  /// Number of blocks that are kept ready: twice the 4 MiB that the operating system of a sender
+  /// may buffer.
   static constexpr std::size_t kReady = 8;
 
   /// @throw std::bad_alloc
@@ -28,7 +28,7 @@ class ByteBlocks {
 
   /// @throw std::bad_alloc
   void append(std::span<const char> bytes);
-  /// Returns the oldest bytes as far as they are contiguous; empty only if the queue is empty.
+  /// Returns the oldest bytes that are contiguous in memory; empty only if the queue is empty.
   [[nodiscard]] std::span<const char> front() const;
   /// @pre count is at most front().size()
   void pop(std::size_t count);
@@ -43,7 +43,7 @@ class ByteBlocks {
 
   std::deque<Block> blocks_;
   std::vector<Block> ready_;
-  std::size_t begin_ = 0;  ///< Position of the oldest byte in the first block.
+  std::size_t begin_ = 0;  ///< Index of the oldest byte within the first block.
   std::size_t size_ = 0;
 };
 

@@ -15,7 +15,7 @@ class ByteQueue {
   [[nodiscard]] bool empty() const { return size_ == 0; }
   void clear() { first_ = size_ = 0; }
 
-  /// Takes the bytes that fit, and returns their number.
+  /// Appends the bytes that fit, and returns their number.
   std::size_t push(std::span<const std::byte> from) {
     const std::size_t count = std::min(from.size(), room());
     for (std::size_t index = 0; index < count; ++index) {
@@ -25,7 +25,7 @@ class ByteQueue {
     return count;
   }
 
-  /// Returns the oldest bytes as far as they are contiguous; empty only if the queue is empty.
+  /// Returns the oldest bytes that are contiguous in memory; empty only if the queue is empty.
   [[nodiscard]] std::span<const std::byte> front() const {
     return {bytes_.data() + first_, std::min(size_, Capacity - first_)};
   }

@@ -6,7 +6,7 @@
 
 namespace sim {
 
-/// The connection of the host that has a session, until the session is over.
+/// Connection of the host that has a session with the controller. It ends with the session.
 class CanTransport::Sender final : public Connection {
  public:
   explicit Sender(CanTransport& transport)
@@ -29,7 +29,8 @@ class CanTransport::Sender final : public Connection {
     return talks();
   }
   void end() override {}
-  void add_to(std::vector<pollfd>&, Wishes) const override {}  // The bus wakes the loop anyway.
+  // The transport adds the descriptors of the bus.
+  void add_to(std::vector<pollfd>&, Wishes) const override {}
 
  private:
   [[nodiscard]] bool talks() const { return transport_.link_.session() == session_; }
@@ -38,7 +39,7 @@ class CanTransport::Sender final : public Connection {
   std::uint32_t session_;
 };
 
-/// Simulated controllers on one bus differ by the number with which they begin.
+/// Uses the node number as the serial number, so that simulated controllers on one bus differ.
 CanTransport::CanTransport(std::unique_ptr<CanWire> wire, Controller controller, double speed)
     : wire_{std::move(wire)},
       controller_{std::move(controller)},
@@ -57,13 +58,14 @@ void CanTransport::attend() {
   wire_->carry();
 }
 
-/// Advances the link's time. A process that was itself away, on a machine that was busy, cannot
-/// know whether the host was silent: the host may have waited for the same processor. So only
-/// kUsual of that time counts as silence. The host also does not become faster when the
-/// controller's time runs faster, so the silence is divided by the speed.
+/// Advances the link's time. If this process itself was suspended on a busy machine, the host may
+/// have waited for the same processor. So at most kUsual of the elapsed time counts as silence of
+/// the host. The host does not become faster when the controller's time runs faster, so the silence
+/// is divided by the speed.
 void CanTransport::pass_time() {
   using std::chrono::microseconds;
-  constexpr microseconds kUsual{2000};  // Somewhat more than a cycle.
+  // Greatest time that counts as silence, slightly more than a cycle.
+  constexpr microseconds kUsual{2000};
   const auto looked = Clock::now();
   const auto away = std::chrono::floor<microseconds>(looked - looked_);
   looked_ += away;

@@ -14,13 +14,13 @@ namespace sim {
 /// (cnc::CanLink) on the clock of this machine.
 class CanTransport final : public Transport {
  public:
-  /// Functions through which the link reads the controller's state, each time that the link is
-  /// attended, and changes the controller.
+  /// Functions through which the link accesses the controller. It reads the controller's state in
+  /// each call of attend().
   struct Controller {
     std::function<cnc::CanLink::Condition()> condition;
-    std::function<std::uint8_t()> node;            ///< Returns the node number from the settings.
-    std::function<bool(std::uint8_t)> store_node;  ///< Stores the node number in the settings;
-                                                   ///< returns false if that is impossible now.
+    std::function<std::uint8_t()> node;  ///< Returns the node number from the settings.
+    /// Stores the node number in the settings; returns false if that is impossible at present.
+    std::function<bool(std::uint8_t)> store_node;
   };
 
   /// @param speed controller seconds per second
@@ -46,7 +46,7 @@ class CanTransport final : public Transport {
   cnc::CanLink link_;
   double speed_;
   Clock::time_point looked_ = Clock::now();
-  hal::TickCount now_{};        ///< Time that has passed for the link.
+  hal::TickCount now_{};        ///< Time of the link.
   std::uint32_t accepted_ = 0;  ///< Number of the last sender's session.
 };
 

@@ -20,7 +20,7 @@ bool has_bytes(Exchange::Kind kind) {
          kind == Exchange::Kind::kBeside;
 }
 
-/// Reads one conversation, a line at a time.
+/// Reader of one conversation, which takes its lines one after the other.
 class ConversationReader {
  public:
   explicit ConversationReader(const std::string& name) : name_{name} {}
@@ -32,7 +32,7 @@ class ConversationReader {
       return;
     }
     if (line.empty() || line.front() == '#') return;
-    if (ended_) fail("there is something after the end");
+    if (ended_) fail("has text after the `end` line; remove it");
     const std::string_view word = take_word(line);
     if (word == "set") {
       read_.setting.settings.push_back(parse_setting(line, place()));
@@ -63,14 +63,14 @@ class ConversationReader {
   void read_exchange(std::string_view word, std::string_view line) {
     constexpr std::string_view kKinds = "><^|!";
     const bool is_kind = word.size() == 1 && kKinds.find(word.front()) != std::string_view::npos;
-    if (!is_kind) fail(fmt::format("`{}` is not known here", word));
+    if (!is_kind) fail(fmt::format("`{}` is no known kind of line", word));
     Exchange exchange{.kind = Exchange::Kind{word.front()},
                       .time_ns = number<std::uint64_t>(take_word(line)),
                       .bytes = {},
                       .line = number_};
     if (has_bytes(exchange.kind)) exchange.bytes = bytes(line);
     if (!read_.exchanges.empty() && exchange.time_ns < read_.exchanges.back().time_ns) {
-      fail("time goes back");
+      fail("its time is before that of the line above");
     }
     read_.exchanges.push_back(std::move(exchange));
   }

@@ -16,15 +16,16 @@ struct Exchange {
   enum class Kind : char {
     kHeard = '>',   ///< The controller read the bytes.
     kSaid = '<',    ///< The controller wrote the bytes.
-    kBeside = '^',  ///< Realtime bytes reached the controller apart from the stream.
-    kFull = '|',    ///< The controller had more to write, but the link was full; no bytes.
-    kStop = '!',    ///< An emergency stop reached the controller over a bus, apart from the stream;
-                    ///< no bytes.
+    kBeside = '^',  ///< Realtime bytes reached the controller outside the stream.
+    kFull = '|',  ///< The controller had more bytes to write, but the link was full. Has no bytes.
+    /// An emergency stop reached the controller over a bus, outside the stream. Has no bytes.
+    kStop = '!',
   };
   Kind kind = Kind::kHeard;
   std::uint64_t time_ns = 0;  ///< Time of the controller.
   std::string bytes;
-  std::size_t line = 0;  ///< Line of the recording's file; 0 if it was not read from a file.
+  /// Line of the exchange in the recording's file; 0 if it was not read from a file.
+  std::size_t line = 0;
 };
 
 /// A surface that was probed.
@@ -33,7 +34,7 @@ struct ProbedSurface {
   std::string file;     ///< Content of the surface's file.
 };
 
-/// State at the start of the machine that takes part in a conversation.
+/// State of the controller and its machine at the start of a conversation.
 struct ConversationSetting {
   std::vector<SettingChange> settings;
   double probe_plate_z_mm = 0.0;

@@ -32,8 +32,8 @@ void append(std::string& text, char byte) {
   }
 }
 
-/// Removes the part of an escape after the backslash from the front, and returns the character that
-/// the escape stands for.
+/// Removes the part of an escape that follows its backslash from the front of `text`. Returns the
+/// character that the escape stands for.
 std::optional<char> take_escape(std::string_view& text) {
   if (text.empty()) return {};
   const char letter = text.front();

@@ -6,7 +6,7 @@
 namespace sim {
 namespace {
 
-/// Removes the part before `mark`, and the mark, from the front; returns that part.
+/// Removes from the front of `text` the part before `mark`, and `mark`. Returns that part.
 std::string_view take_to(std::string_view& text, char mark) {
   const std::size_t end = std::min(text.find(mark), text.size());
   const std::string_view part = text.substr(0, end);

@@ -8,14 +8,15 @@
 
 namespace sim {
 
-/// A request of HTTP/1.1 (RFC 9112), with the fields that the page and its scripts need.
+/// A request of HTTP/1.1 (RFC 9112), with the fields that this server uses.
 struct HttpRequest {
   std::string method;
   std::string path;                          ///< Decoded path, without the query.
   std::map<std::string, std::string> query;  ///< Decoded names and values of the query.
-  std::string host;                          ///< Name of this server in the request; may be empty.
-  std::string origin;                        ///< Origin of the requesting page; empty for none.
-  std::optional<std::size_t> length;         ///< Length of the body, if the head announces it.
+  std::string host;    ///< Name of this server in the header Host; may be empty.
+  std::string origin;  ///< Origin of the requesting page; empty for none.
+  /// Length of the body in bytes; empty if the head does not give it.
+  std::optional<std::size_t> length;
   bool wants_web_socket = false;
   std::string body;
 };

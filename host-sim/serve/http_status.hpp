@@ -1,6 +1,6 @@
 #pragma once
 
-/// Status codes of HTTP that this server sends (RFC 9110, 15).
+/// Status codes of HTTP that this server sends (RFC 9110, section 15).
 namespace sim::http_status {
 inline constexpr int kFine = 200;
 inline constexpr int kBadRequest = 400;

@@ -16,12 +16,13 @@ using hal::host::Descriptor;
 
 constexpr int kWaitingSenders = 64;
 
-/// Sets an option of a socket. A connection is not refused because it lacks an option.
+/// Sets an option of a socket. Errors are ignored, because a connection works without the option,
+/// too.
 void set_option(const Descriptor& socket, int level, int option, int value) {
   static_cast<void>(::setsockopt(socket.number(), level, option, &value, sizeof value));
 }
 
-// The socket interface takes every kind of address through this pointer.
+// Returns an address as the pointer through which the socket interface takes every kind of address.
 sockaddr* generic_address(sockaddr_in& address) { return reinterpret_cast<sockaddr*>(&address); }
 
 }  // namespace
@@ -30,11 +31,12 @@ Descriptor listen_at(InternetAddress& address, std::string_view way) {
   const std::string name = std::string{way} + " " + to_string(address);
   Descriptor listener{
       checked(::socket(AF_INET, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0), name)};
-  // Every connection inherits this size from the listener. It is small because a hold has to wait
-  // for the bytes that wait in the kernel.
+  // Receive buffer that every connection inherits from the listener. It is small, because a hold
+  // acts only after the bytes that wait in the kernel.
   constexpr int kUnreadBytes = 64 * 1024;
   set_option(listener, SOL_SOCKET, SO_RCVBUF, kUnreadBytes);
-  set_option(listener, SOL_SOCKET, SO_REUSEADDR, 1);  // Otherwise a restart waits a minute.
+  // Without this option a restart would have to wait a minute for the port.
+  set_option(listener, SOL_SOCKET, SO_REUSEADDR, 1);
   sockaddr_in place{};
   place.sin_family = AF_INET;
   place.sin_port = htons(address.port);
@@ -49,7 +51,7 @@ Descriptor listen_at(InternetAddress& address, std::string_view way) {
 
 std::optional<Descriptor> accept_at(const Descriptor& listener) {
   Descriptor socket{::accept4(listener.number(), nullptr, nullptr, SOCK_NONBLOCK | SOCK_CLOEXEC)};
-  if (socket.number() < 0) return {};  // No connection, or one that is closed again.
+  if (socket.number() < 0) return {};  // No connection waits, or it was closed already.
   constexpr int kSilenceSeconds = 4;
   constexpr int kQuestions = 3;
   set_option(socket, IPPROTO_TCP, TCP_NODELAY, 1);

@@ -13,12 +13,11 @@ namespace sim {
 /// @param way kind of the transport, for messages
 [[nodiscard]] hal::host::Descriptor listen_at(InternetAddress& address, std::string_view way);
 
-/// Returns the next connection, set up for a conversation: it does not block, small answers leave
-/// at once, and a lost peer is noticed within about ten seconds. Returns nothing if no connection
-/// waits.
+/// Returns the next connection; empty if none waits. Its calls do not block, small answers are sent
+/// immediately, and a lost peer is noticed within about ten seconds.
 [[nodiscard]] std::optional<hal::host::Descriptor> accept_at(const hal::host::Descriptor& listener);
 
-/// Returns whether the call that failed only has to be repeated later.
+/// Returns whether the last failed call, by `errno`, needs only to be repeated later.
 [[nodiscard]] bool is_only_slow();
 
 }  // namespace sim

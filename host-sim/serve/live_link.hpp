@@ -16,9 +16,9 @@ class LinkListener {
   virtual void on_write(std::span<const std::byte> bytes) = 0;
   /// The controller had more bytes to write than the link had capacity for.
   virtual void on_full() = 0;
-  /// A realtime byte reaches the controller apart from the link.
+  /// A realtime byte reaches the controller outside the link.
   virtual void on_beside(std::byte byte) = 0;
-  /// An emergency stop reaches the controller apart from the link.
+  /// An emergency stop reaches the controller outside the link.
   virtual void on_stop() = 0;
 
  protected:
@@ -26,23 +26,23 @@ class LinkListener {
 };
 
 /// The controller's serial line, with one queue in each direction between the controller and the
-/// connected sender. For one thread. Nothing is dropped while a sender is connected: a full queue
-/// makes its writer wait. Without a sender all output of the controller is lost, as on a cable that
-/// is not plugged in.
+/// connected sender. All calls must come from one thread. Nothing is dropped while a sender is
+/// connected: a full queue makes its writer wait. Without a sender all output of the controller is
+/// lost, as on a disconnected cable.
 class LiveLink final : public hal::ByteStream {
  public:
   static constexpr std::size_t kIncoming = 4096;
   static constexpr std::size_t kOutgoing = 65536;
 
-  // The controller's end.
+  // Controller's end of the line.
   [[nodiscard]] std::size_t read(std::span<std::byte> into) override;
   [[nodiscard]] std::size_t write(std::span<const std::byte> from) override;
 
-  // The sender's end.
+  // Sender's end of the line.
 
   /// Starts to keep the controller's output for a sender.
   void connect() { connected_ = true; }
-  /// Forgets the bytes that are on their way in both directions.
+  /// Drops the queued bytes of both directions.
   void disconnect();
   [[nodiscard]] std::size_t room() const { return incoming_.room(); }
   /// Returns the number of bytes that the controller has not read.
@@ -51,21 +51,21 @@ class LiveLink final : public hal::ByteStream {
   void drop_incoming() { incoming_.clear(); }
   /// @pre bytes.size() is at most room()
   void receive(std::span<const std::byte> bytes);
-  /// Queues a byte that overtakes all others. At most kUrgent such bytes can wait; more are
+  /// Queues a byte that overtakes all normal bytes. At most kUrgent such bytes can wait; more are
   /// dropped.
   void interject(std::byte byte);
-  /// Reports to the listener that a realtime byte reaches the controller apart from the stream.
+  /// Reports to the listener that a realtime byte reaches the controller outside the stream.
   void pass_by(std::byte byte) {
     if (listener_ != nullptr) listener_->on_beside(byte);
   }
-  /// Reports to the listener that the controller is stopped apart from the stream.
+  /// Reports to the listener that an emergency stop reaches the controller outside the stream.
   void stop_passes_by() {
     if (listener_ != nullptr) listener_->on_stop();
   }
   /// Returns whether no byte waits for the controller.
   [[nodiscard]] bool heard_all() const { return incoming_.empty() && urgent_.empty(); }
-  /// Returns bytes that the controller wrote and the sender has not taken yet, as far as they are
-  /// contiguous.
+  /// Returns the oldest bytes that the controller wrote and the sender has not taken, as far as
+  /// they are contiguous in memory.
   [[nodiscard]] std::span<const std::byte> outgoing() const { return outgoing_.front(); }
   /// @pre count is at most outgoing().size()
   void taken(std::size_t count) { outgoing_.pop(count); }

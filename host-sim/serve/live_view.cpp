@@ -17,9 +17,10 @@ using nlohmann::ordered_json;
 using std::chrono::milliseconds;
 
 constexpr milliseconds kPeriod{50};
-constexpr milliseconds kRepeat{1000};  // Interval that shows that the server is alive.
+// Interval at which unchanged news are repeated, as a sign that the server runs.
+constexpr milliseconds kRepeat{1000};
 constexpr std::size_t kPointsPerMessage = 2000;
-// A watcher with this many unread bytes gets the next news later.
+// Number of unread bytes of a watcher from which on it gets the next news later.
 constexpr std::size_t kTooSlow = std::size_t{1} << 18;
 constexpr std::size_t kAxesShown = 3;
 
@@ -77,8 +78,8 @@ void LiveView::keep_scale() {
     steps_per_mm[axis] = controller_.machine().settings().get(cnc::setting::kStepsPerMm, axis);
   }
   if (recorder_ && steps_per_mm == steps_per_mm_) return;
-  // A change of scale makes it another machine, in effect: the path drawn so far is not to scale
-  // any more.
+  // Restarts the path after a change of steps per mm, because the path so far is not to scale any
+  // more.
   steps_per_mm_ = steps_per_mm;
   recorder_.emplace(steps_per_mm);
   watchers_.clear();
@@ -147,7 +148,7 @@ std::string LiveView::state_text(std::string_view sender_kind) const {
       {"version", cnc::identity::version()},
       {"alarm_text", alarm_words(static_cast<std::uint32_t>(machine.alarm()))},
       {"job", state_of(job_, sender_kind, machine)}};
-  // A file name may contain any byte, and so may the words that were refused.
+  // File names and quoted words of programs may contain any byte.
   const std::string text = state.dump(-1, ' ', false, ordered_json::error_handler_t::replace);
   return text.substr(1, text.size() - 2);
 }
@@ -155,7 +156,7 @@ std::string LiveView::state_text(std::string_view sender_kind) const {
 std::string LiveView::path_text(Watcher& watcher) const {
   ordered_json points = ordered_json::array();
   const std::size_t count = recorder_->settled().size();
-  // The path has fewer points than the watcher has: it was thinned, and is sent from its start.
+  // If the path has fewer points than were sent, it was thinned. It is then sent from its start.
   const std::size_t from = watcher.points_sent <= count ? watcher.points_sent : 0;
   const std::size_t to = std::min(count, from + kPointsPerMessage);
   for (std::size_t index = from; index < to; ++index) {

@@ -16,15 +16,15 @@
 
 namespace sim {
 
-/// The view that watchers get as JSON: the machine's state about twenty times a second, and the
-/// path as it grows.
+/// Sends watchers the machine's state about twenty times a second, and the path as it grows, as
+/// JSON:
 ///
 ///     {"t":1.25,"state":"Run","substate":0,"alarm":0,"mpos":[…],"wco":[…],
 ///      "motors":[…],"feed":1200,"power":0.5,"spindle":500,"overrides":[100,100,100],
 ///      "line":12,"homed":3,"sender":"ws","travel":[300,200,50],"max_spindle":1000,
 ///      "version":"0.2.0+9fa115e","alarm_text":"",
 ///      "job":{"name":"part.nc","id":"3f…","state":"running","done":12,"count":83,"line":15,
-///             "trouble":"","waits":"the end of the job that runs","resume_waits":"…"},
+///             "trouble":"","waits":"the end of the running job","resume_waits":"…"},
 ///      "path":{"from":17,"points":[x,y,speed,move, …]}}
 ///
 /// Lengths are in mm, speeds of the path in mm/s, `feed` in mm/min. `power` is the output, 0…1.
@@ -49,7 +49,7 @@ class LiveView final : public TraceSink {
   void publish(const std::vector<std::shared_ptr<WebSocket>>& watchers,
                std::string_view sender_kind,
                Clock::time_point now);
-  /// Returns the path up to now.
+  /// Returns the path that was driven so far.
   [[nodiscard]] Path path_so_far() const;
 
  private:
@@ -66,7 +66,8 @@ class LiveView final : public TraceSink {
   const VirtualController& controller_;
   const ServedJob& job_;
   cnc::AxisArray<float> steps_per_mm_{};
-  std::optional<PathRecorder> recorder_;  ///< Always has a value.
+  /// Records the path; always has a value. Optional, so that a change of scale can replace it.
+  std::optional<PathRecorder> recorder_;
   std::map<const WebSocket*, Watcher> watchers_;
   std::string last_state_;
   Clock::time_point next_;

@@ -9,19 +9,19 @@
 namespace sim {
 namespace {
 
-// Bytes that are sorted at a time. The receiver has capacity for them in any state.
+// Number of bytes that are sorted in one step. The receiver has capacity for them in any state.
 constexpr std::size_t kChunk = 64;
 static_assert(kChunk < cnc::Receiver::kRealBytes);
 
-/// Returns whether the order of the byte and the text around it may matter: 0xA3, `~` and 0x81.
+/// Returns whether the position of the realtime byte in the text may matter: 0xA3, `~` and 0x81.
 bool marks_a_place(char byte) {
   const auto code = static_cast<cnc::RealtimeByte>(byte);
   return code == cnc::RealtimeByte::kToolAcknowledge || code == cnc::RealtimeByte::kCycleStart ||
          code == cnc::RealtimeByte::kCycleStartRaw;
 }
 
-/// Returns the length of a chunk that ends with the first byte for which marks_a_place() holds. So
-/// the receiver has no text after such a byte when it reports the byte.
+/// Returns the length of the next chunk, which ends after the first byte for which marks_a_place()
+/// is true. So the receiver has no text after that byte when it reports it.
 std::size_t length_of_chunk(std::span<const char> bytes) {
   const std::span<const char> chunk = bytes.first(std::min(bytes.size(), kChunk));
   const auto mark = std::find_if(chunk.begin(), chunk.end(), marks_a_place);
@@ -41,8 +41,8 @@ void LookAhead::hear(std::span<const std::byte> bytes, Session& session) {
   receiver_->be_strict(strict);
   std::span<const char> rest = as_chars(bytes);
   while (!rest.empty()) {
-    // Most bytes need no sorting. The last byte of such a run goes through the receiver, so that
-    // the receiver knows its position in the line.
+    // Most bytes are text without realtime bytes, which needs no sorting. The last byte of such a
+    // run goes through the receiver, so that the receiver knows the position in the line.
     const std::size_t run = strict ? 0 : receiver_->plain_run(rest);
     if (run > kChunk) {
       lines_.append(rest.first(run - 1));
@@ -57,8 +57,8 @@ void LookAhead::hear(std::span<const std::byte> bytes, Session& session) {
   }
 }
 
-/// Acts on realtime bytes in the receiver's order: a reset first, because the receiver has
-/// forgotten all bytes before it.
+/// Lets realtime bytes act in the receiver's order. A reset is first, because the receiver has
+/// dropped all bytes before it.
 void LookAhead::act_on_realtime(Session& session) {
   if (receiver_->take_reset()) {
     lines_.clear();

@@ -15,11 +15,11 @@ namespace sim {
 /// Reads a sender's stream ahead of the controller, so that realtime bytes act and a closed
 /// connection is noticed however many lines wait.
 ///
-/// A second `cnc::Receiver` sorts the bytes by the controller's own rules. Realtime bytes go ahead
-/// of the lines at once. Bytes of lines wait here until the controller has capacity for them. A
-/// reset forgets the lines before it, as it does in the controller. In a tool change, 0xA3 and `~`
-/// keep their position among the lines, because they determine which lines belong to the tool
-/// change.
+/// A second `cnc::Receiver` sorts the bytes by the controller's own rules. Realtime bytes overtake
+/// the lines and act immediately. Bytes of lines wait here until the controller has capacity for
+/// them. A reset forgets the lines before it, as it does in the controller. In a tool change, 0xA3
+/// and `~` keep their position among the lines, because they determine which lines belong to the
+/// tool change.
 class LookAhead {
  public:
   /// Greatest number of bytes of lines that wait. A sender that is further ahead must be
@@ -39,7 +39,7 @@ class LookAhead {
 
   [[nodiscard]] std::size_t size() const { return lines_.size(); }
   [[nodiscard]] bool overrun() const { return size() > kMax; }
-  /// Forgets all bytes: the sender has gone, or another one begins.
+  /// Drops all bytes, when a sender disconnects or another one begins.
   void forget();
 
  private:
@@ -47,10 +47,10 @@ class LookAhead {
   [[nodiscard]] bool keep_in_order(cnc::RealtimeByte command, Session& session);
   void keep_lines();
 
-  std::unique_ptr<cnc::Receiver> receiver_;  ///< Never null.
+  std::unique_ptr<cnc::Receiver> receiver_;  ///< Sorts the bytes; never null.
   ByteBlocks lines_;
-  /// Realtime bytes that were kept among the lines since the last time that the controller had read
-  /// all lines.
+  /// Realtime bytes that were kept among the lines. The list is emptied when the controller has
+  /// read all lines.
   std::vector<cnc::RealtimeByte> marks_;
 };
 

@@ -8,7 +8,7 @@ namespace sim {
 
 void report_lost_output(std::string_view option, const std::system_error& reason) {
   terminal::print(
-      stderr, "kerfline: {}: {}; the machine goes on without it\n", option, reason.what());
+      stderr, "kerfline: {}: {}; the machine continues without this file\n", option, reason.what());
 }
 
 }  // namespace sim

@@ -5,13 +5,13 @@
 
 namespace sim {
 
-/// Computes how many cycles of the main loop, of a millisecond of the controller's time each, are
-/// due on the wall clock.
+/// Computes the number of main-loop cycles that are due on the wall clock. Each cycle is a
+/// millisecond of the controller's time.
 ///
 /// The controller's time never runs ahead of the wall clock times the speed. A backlog is caught up
 /// in bursts of at most kMaxTurns cycles, between which the caller attends to its senders. A
-/// backlog of more than kMaxBehind (the process was stopped, or the machine is too slow) is cut to
-/// that time, so that the controller does not race after an hour of sleep.
+/// backlog of more than kMaxBehind is cut to that time, so that the controller does not catch up
+/// for long after the process was suspended.
 class Pacer {
  public:
   using Clock = std::chrono::steady_clock;

@@ -14,7 +14,7 @@ class PageService {
  public:
   using Answer = std::variant<WebReply, WebWork>;
 
-  /// Returns why a request is refused, from its head alone; nothing if its body may be read.
+  /// Returns the refusal of a request, decided by its head alone; empty if its body may be read.
   [[nodiscard]] virtual std::optional<WebReply> refusal(const HttpRequest& request) const = 0;
   /// Returns the answer to a request that was not refused.
   [[nodiscard]] virtual Answer answer(HttpRequest request) = 0;

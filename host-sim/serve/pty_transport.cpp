@@ -26,7 +26,7 @@ void make_raw(int terminal) {
   termios mode{};
   checked(::tcgetattr(terminal, &mode), "pty");
   ::cfmakeraw(&mode);
-  ::cfsetspeed(&mode, B115200);  // A sender expects to read this speed back.
+  ::cfsetspeed(&mode, B115200);  // Senders read the speed back and expect this value.
   checked(::tcsetattr(terminal, TCSAFLUSH, &mode), "pty");
 }
 
@@ -50,7 +50,7 @@ void open_once(const std::string& device) {
 PtyMaster::PtyMaster()
     : master_{checked(::posix_openpt(O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC), "pty")} {
   checked(::grantpt(number()), "pty");
-  make_raw(number());  // Both ends share the terminal's mode.
+  make_raw(number());  // Sets raw mode for both ends, which share it.
   checked(::unlockpt(number()), "pty");
   device_ = device_of(number());
   open_once(device_);
@@ -64,7 +64,7 @@ bool PtyMaster::in_use() const {
 
 void PtyMaster::flush() const {
   ::tcflush(number(), TCIOFLUSH);
-  make_raw(number());  // Undoes the mode that the last sender set.
+  make_raw(number());  // Restores raw mode, because the last sender may have changed it.
 }
 
 void PtyLink::point_to(const std::string& device) {
@@ -74,11 +74,12 @@ void PtyLink::point_to(const std::string& device) {
     const bool of_a_pty =
         fs::is_symlink(there) && fs::read_symlink(link).string().starts_with("/dev/pts/");
     if (!of_a_pty) {
-      throw std::invalid_argument(
-          fmt::format("--pty {}: there is a file of this name, and it is no link to a pty", path_));
+      throw std::invalid_argument(fmt::format(
+          "--pty {}: a file of this name exists and is no link to a pty; choose another name",
+          path_));
     }
-    // A pty is gone with its server. A link that is left then leads nowhere, or to `device` if that
-    // has received the number of the old pty.
+    // A pty ends with its server. A link that remains leads nowhere, or to `device` if this has
+    // received the number of the old pty.
     const fs::path leads_to = fs::read_symlink(link);
     const bool is_own = leads_to == device || leads_to == device_;
     if (!is_own && fs::exists(leads_to)) {
@@ -110,7 +111,8 @@ class PtyTransport::Sender final : public Connection {
 
   std::size_t read(std::span<std::byte> into) override {
     const ssize_t count = ::read(master().number(), into.data(), into.size());
-    return count > 0 ? static_cast<std::size_t>(count) : 0;  // EIO: closed, see open().
+    // An error such as EIO means that the port is closed, which open() reports.
+    return count > 0 ? static_cast<std::size_t>(count) : 0;
   }
   std::size_t write(std::span<const std::byte> from) override {
     const ssize_t count = ::write(master().number(), from.data(), from.size());
@@ -151,7 +153,7 @@ void PtyTransport::release() {
     link_.point_to(fresh->device());
     master_ = std::move(fresh);
   } catch (const std::exception&) {
-    // If no new terminal or link can be made, the old one has to serve.
+    // If no new terminal or link can be made, the old one stays in use.
   }
 }
 

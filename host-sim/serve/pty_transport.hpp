@@ -21,11 +21,11 @@ class PtyMaster {
   PtyMaster();
 
   [[nodiscard]] int number() const { return master_.number(); }
-  /// Returns the device that a sender opens.
+  /// Returns the path of the device that a sender opens.
   [[nodiscard]] const std::string& device() const { return device_; }
   /// Returns whether a sender has the device open, or has left bytes in it.
   [[nodiscard]] bool in_use() const;
-  /// Forgets the bytes that are on their way in both directions. Throws std::system_error.
+  /// Drops the bytes that wait in both directions. Throws std::system_error.
   void flush() const;
 
  private:
@@ -33,7 +33,7 @@ class PtyMaster {
   std::string device_;
 };
 
-/// A symbolic link to the pseudo terminal, for senders that need a fixed name. The destructor
+/// A symbolic link to the pseudo terminal, for senders that require a fixed name. The destructor
 /// removes the link if it still points to this terminal.
 class PtyLink {
  public:
@@ -42,9 +42,9 @@ class PtyLink {
   PtyLink& operator=(const PtyLink&) = delete;
   ~PtyLink() { remove(); }
 
-  /// Makes the link point to this device from now on; the link exists at every moment meanwhile.
-  /// Throws std::system_error, or std::invalid_argument if the name belongs to anything other than
-  /// a link that an ended run has left.
+  /// Makes the link point to this device. The link exists at every moment during the change. Throws
+  /// std::system_error, or std::invalid_argument if a file of this name exists and is no link that
+  /// an earlier run has left.
   void point_to(const std::string& device);
   [[nodiscard]] const std::string& path() const { return path_; }
 
@@ -55,16 +55,17 @@ class PtyLink {
   std::string device_;
 };
 
-/// A serial port that exists only in software. The transport can tell one sender from the next only
-/// because the first closes the port. Two senders that open the port together share it, as they
-/// would a real one.
+/// A serial port that exists only in software. The transport distinguishes two senders only if the
+/// first closes the port before the second opens it. Senders that have the port open at the same
+/// time share it, as with a real port.
 class PtyTransport final : public Transport {
  public:
   /// Throws as PtyLink::point_to() does.
   explicit PtyTransport(const std::string& link);
 
   [[nodiscard]] std::unique_ptr<Connection> accept() override;
-  /// Adds nothing: no event reports that the port is opened, so the loop has to check now and then.
+  /// Adds nothing, because no event reports that the port is opened. The loop has to check it
+  /// periodically.
   void add_to(std::vector<pollfd>&) const override {}
   [[nodiscard]] std::string_view kind() const override { return "pty"; }
   [[nodiscard]] std::string address() const override { return link_.path(); }

@@ -10,11 +10,11 @@ namespace sim {
 namespace {
 
 constexpr std::size_t kSenderPart = std::size_t{64} << 10;
-// Greatest number of bytes read in one go. They take some milliseconds, which the machine catches
-// up.
+// Greatest number of bytes that are read in one call. Reading them takes some milliseconds, which
+// the machine catches up.
 constexpr std::size_t kMaxAtOnce = std::size_t{4} << 20;
 
-/// Returns a key that no other page can guess.
+/// Returns a random key, which no other page can guess.
 std::string fresh_key() {
   std::random_device random;
   return fmt::format("{:08x}{:08x}{:08x}{:08x}", random(), random(), random(), random());
@@ -36,8 +36,8 @@ void Reception::attend(Clock::time_point now) {
   see_off(now);
 }
 
-/// Returns the new connections. They are accepted before the current sender is read. So, if they
-/// came after that sender had left, its end has been noticed when they are handled.
+/// Returns the new connections. They are accepted before the present sender's bytes are read. So
+/// the end of a sender that left before they arrived is noticed before they are handled.
 std::vector<Reception::Arrival> Reception::accept_all() {
   std::vector<Arrival> arrivals;
   for (const auto& way : ways_in_) {
@@ -55,7 +55,7 @@ std::string_view Reception::sender_kind() const {
   return job_runs() ? kJob : std::string_view{};
 }
 
-/// Makes an arrival the sender, or refuses it. While a job runs only a page is let in.
+/// Makes an arrival the sender, or refuses it. While a job runs, only a page is accepted.
 void Reception::meet(Arrival arrival, Clock::time_point now) {
   if (sender_ || (job_runs() && arrival.kind != kPage)) {
     const std::string_view reason = sender_ ? kRefusal : kJobRuns;
@@ -76,8 +76,8 @@ void Reception::meet(Arrival arrival, Clock::time_point now) {
 void Reception::see_off(Clock::time_point now) {
   part_.resize(kSenderPart);
   for (Departing& one : departing_) {
-    // Bytes have to be read on: otherwise the kernel sends a reset, which discards the words sent
-    // to the peer.
+    // Bytes of the refused sender are still read. Otherwise the kernel would send a TCP reset,
+    // which discards the words that are sent to the peer.
     for (std::size_t read = 0; read < kMaxAtOnce; read += kSenderPart) {
       if (one.connection->read(part_) == 0) break;
     }
@@ -111,7 +111,7 @@ void Reception::carry_in() {
   look_ahead_.hand_over(session_);
 }
 
-/// Refuses the sender's lines. Each line has its answer, as a sender that counts answers expects.
+/// Refuses the sender's lines. Each line gets an answer, because senders count answers.
 void Reception::refuse_lines() {
   const std::string lines = look_ahead_.take_lines(session_);
   for (auto line = std::count(lines.begin(), lines.end(), '\n'); line > 0; --line) {

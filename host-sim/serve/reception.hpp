@@ -14,16 +14,16 @@
 namespace sim {
 
 /// Connects one sender at a time to the controller, and carries the bytes between them. A sender
-/// that comes meanwhile gets a line with the reason and is disconnected.
+/// that connects meanwhile gets a line with the reason and is disconnected.
 ///
 /// The sender's stream is always read to its end, so that its realtime bytes act and its end is
 /// noticed, however many lines wait. A sender that is more than 64 MiB ahead is disconnected.
 ///
 /// A sender is greeted kGreetAfter after its arrival, because many senders flush their port just
-/// after opening it. Bytes that it sends earlier wait for the greeting.
+/// after opening it. Bytes that the sender sends before the greeting wait for it.
 ///
-/// While a job of the server runs, the job is the sender. A page that operates the machine may come
-/// and go meanwhile: its realtime bytes act, and its lines are refused.
+/// While a job of the server runs, the job is the sender. A page that operates the machine may
+/// connect and disconnect meanwhile: its realtime bytes act, and its lines are refused.
 ///
 /// A page gets a key in its first line, `[PAGE:…]`, with which it orders jobs over HTTP.
 class Reception {
@@ -35,7 +35,7 @@ class Reception {
   static constexpr std::string_view kRefusal = "[MSG:Another sender is connected]\r\n";
   static constexpr std::string_view kJobRuns = "[MSG:A job of the page runs]\r\n";
   static constexpr std::string_view kTooFarAhead =
-      "[MSG:More than 64 MiB of lines wait for the machine: the sender is hung up on]\r\n";
+      "[MSG:More than 64 MiB of lines wait for the machine: the sender is disconnected]\r\n";
   static constexpr std::string_view kOnlyRealtime =
       "[MSG:0: a job runs: only realtime commands act]\r\nerror:8\r\n";
   /// Kinds of senders: a page, and the server's job.
@@ -54,8 +54,8 @@ class Reception {
   void attend(Clock::time_point now);
   /// Adds the descriptors and events for which poll() is to wake up.
   void add_to(std::vector<pollfd>& descriptors);
-  /// Returns how the sender is connected: `pty`, `tcp`, `ws`, `page`, `can`, `slcan`, or `job` for
-  /// a job without an operator; empty if there is no sender.
+  /// Returns the kind of the sender: `pty`, `tcp`, `ws`, `page`, `can`, `slcan`, or `job` for a job
+  /// without an operator; empty if there is no sender.
   [[nodiscard]] std::string_view sender_kind() const;
   /// Returns whether the page with this key controls the machine.
   [[nodiscard]] bool is_operator(std::string_view page_key) const {
@@ -94,9 +94,9 @@ class Reception {
   std::vector<std::byte> part_;  ///< Bytes that were read last.
   std::vector<Departing> departing_;
   std::string_view sender_kind_;
-  std::string page_key_;  ///< Key of the last page that came.
+  std::string page_key_;  ///< Key of the page that connected last.
   Clock::time_point greet_at_;
-  bool greeted_ = false;  ///< The session has a sender: a connection or a job.
+  bool greeted_ = false;  ///< Whether the session has a greeted sender: a connection or a job.
 };
 
 }  // namespace sim

@@ -10,8 +10,8 @@
 
 namespace sim {
 
-/// Makes exchanges of the bytes that pass over a link: consecutive bytes of one direction and one
-/// cycle become one exchange.
+/// Groups the bytes that pass over a link into exchanges: consecutive bytes of one direction and
+/// one cycle become one exchange.
 class Recorder final : public LinkListener {
  public:
   using Keep = std::function<void(const Exchange&)>;
@@ -26,7 +26,7 @@ class Recorder final : public LinkListener {
   void on_beside(std::byte byte) override { add(Exchange::Kind::kBeside, {&byte, 1}); }
   void on_stop() override { add(Exchange::Kind::kStop, {}); }
 
-  /// Hands out the last exchange, to which more bytes might have been added.
+  /// Passes the last exchange to `keep`. Until then more bytes could have been added to it.
   void finish();
 
  private:

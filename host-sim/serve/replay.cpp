@@ -17,7 +17,7 @@ namespace {
 constexpr std::uint64_t kTurnNs =
     VirtualController::kTicksPerTurn * VirtualController::kNanosecondsPerTick;
 
-/// Plays the sender of a recorded conversation.
+/// Link that plays the sender of a recorded conversation.
 class RecordedLink final : public hal::ByteStream {
  public:
   explicit RecordedLink(const std::vector<Exchange>& exchanges) : exchanges_{exchanges} {}
@@ -41,7 +41,7 @@ class RecordedLink final : public hal::ByteStream {
 
   /// Returns whether an emergency stop over the bus reached the controller before this cycle.
   [[nodiscard]] bool stops() const { return now_stops_; }
-  /// Returns realtime bytes that acted apart from the stream before this cycle.
+  /// Returns realtime bytes that acted outside the stream before this cycle.
   [[nodiscard]] std::span<const std::byte> beside() const {
     return std::as_bytes(std::span{now_beside_});
   }
@@ -77,10 +77,10 @@ class RecordedLink final : public hal::ByteStream {
   bool now_stops_ = false;
 };
 
-/// Start of the line of `$I` that differs between builds that behave alike.
+/// Start of the line in the answer to `$I` that contains the version.
 constexpr std::string_view kVersionLine = "[KERFLINE:";
 
-/// All output of the controller except its version, with the exchange to which each byte belongs.
+/// Output of the controller without its version, with the exchange of each byte.
 struct Speech {
   explicit Speech(const Conversation& conversation) {
     for (const Exchange& exchange : conversation.exchanges) {

@@ -12,7 +12,7 @@ namespace sim {
 /// Throws std::invalid_argument for a setting that is refused.
 [[nodiscard]] Conversation replay(const Conversation& recorded);
 
-/// The point at which the output of two controllers differs.
+/// First difference between the output of two controllers.
 struct Difference {
   std::size_t line = 0;  ///< Line in the recording's file.
   std::string expected;  ///< Line of the recorded output that differs; empty if the recorded
@@ -24,8 +24,7 @@ struct Difference {
 
 /// Returns the first difference between two outputs, byte for byte; nothing if there is none. The
 /// version in `$I` is never compared, because recordings outlive commits.
-/// @param with_times whether times are compared, too; otherwise an answer a millisecond later is
-///     the same answer
+/// @param with_times whether times are compared, too; otherwise only the bytes are compared
 [[nodiscard]] std::optional<Difference> first_difference(const Conversation& expected,
                                                          const Conversation& said,
                                                          bool with_times);

@@ -8,10 +8,10 @@
 namespace sim {
 namespace {
 
-/// Returns what both a start and a resumption of the job have to wait for.
+/// Returns the condition for which both a start and a resumption of the job have to wait.
 std::string awaited_by_both(const ServedJob& job, std::string_view sender_kind) {
   if (!job.loaded()) return "a program: open one";
-  if (job.running()) return "the end of the job that runs";
+  if (job.running()) return "the end of the running job";
   if (!job.program()->barriers.empty()) {
     return "a program that can be sent; " + job.program()->barriers.front();
   }
@@ -28,7 +28,8 @@ std::string awaited_by_run(const ServedJob& job,
   if (std::string reason = awaited_by_both(job, sender_kind); !reason.empty()) return reason;
   const ServedProgram& program = *job.program();
   if (program.has_slashes && program.block_delete != machine.block_delete()) {
-    return "the program to be opened again: block delete ($890, $B) was switched since";
+    return "the program to be opened again: block delete ($890, $B) was switched after it was "
+           "opened";
   }
   const cnc::MachineState state = machine.state();
   if (state == cnc::MachineState::kAlarm) return "the end of the alarm: home or unlock";

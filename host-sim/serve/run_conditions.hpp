@@ -8,17 +8,17 @@
 
 namespace sim {
 
-/// Returns what a job has to wait for before it may begin, worded to follow "waits for"; empty if
-/// it may begin. All code that needs this decision calls this function: the page shows the result,
-/// and POST /job/run answers with it.
+/// Returns the condition for which a job has to wait before it may begin, as words that follow
+/// "waits for"; empty if it may begin. The page shows these words, and POST /job/run answers with
+/// them.
 /// @param sender_kind the sender that controls the machine, see Reception::sender_kind()
 [[nodiscard]] std::string awaited_by_run(const ServedJob& job,
                                          std::string_view sender_kind,
                                          const cnc::Machine& machine);
 
-/// Returns what an interrupted job has to wait for before it may be resumed, in the same form as
-/// awaited_by_run(). An alarm does not prevent resuming if the machine's position is known: the
-/// machine is unlocked.
+/// Returns the condition for which an interrupted job has to wait before it may be resumed, in the
+/// form of awaited_by_run(). An alarm is no such condition, because resuming unlocks the machine if
+/// its position is known.
 [[nodiscard]] std::string awaited_by_resume(const ServedJob& job,
                                             std::string_view sender_kind,
                                             const cnc::Machine& machine);

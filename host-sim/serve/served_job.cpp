@@ -51,7 +51,7 @@ void ServedJob::resume(Clock::time_point now) {
 
 void ServedJob::stop() {
   if (sender_) return sender_->abort();
-  if (running()) end(State::kStopped, "aborted");  // The job ends before anything has been sent.
+  if (running()) end(State::kStopped, "aborted");  // Nothing is being sent yet.
 }
 
 std::size_t ServedJob::file_line() const {
@@ -111,7 +111,7 @@ void ServedJob::end_phase(Clock::time_point now) {
   }
 }
 
-/// Starts to plan the resumption, for which all lines before that of the interruption are read.
+/// Starts to plan the resumption in another thread, which reads all lines before the interruption.
 void ServedJob::begin_plan() {
   sender_.reset();
   phase_ = Phase::kPlanning;

@@ -48,8 +48,8 @@ class ServedJob {
   void run(Clock::time_point now);
   /// Resumes the job where the machine was interrupted. @pre loaded() && !running()
   void resume(Clock::time_point now);
-  /// Ends the job: holds, and resets when the machine is at rest, or resets at once in a state in
-  /// which a hold does nothing. The position stays known.
+  /// Ends the job: holds, and resets when the machine is at rest. In a state in which a hold has no
+  /// effect, resets immediately. The position stays known.
   void stop();
 
   [[nodiscard]] State state() const { return state_; }
@@ -64,7 +64,7 @@ class ServedJob {
   [[nodiscard]] std::size_t file_line() const;
   [[nodiscard]] const std::string& trouble() const { return trouble_; }
 
-  // For use while the job runs.
+  // The following functions are for use while the job runs.
 
   /// Reads bytes that the controller wrote.
   void hear(std::span<const std::byte> bytes, Clock::time_point now);
@@ -73,7 +73,7 @@ class ServedJob {
 
  private:
   enum class Phase : std::uint8_t { kAsking, kPlanning, kApproaching, kSending };
-  /// How the machine gets to the line of the interruption, or why it cannot.
+  /// Motion of the machine to the line of the interruption, or the reason why it is impossible.
   struct Plan {
     std::size_t first = 0;
     Approach approach{};
@@ -97,8 +97,8 @@ class ServedJob {
   std::shared_ptr<ProgramInbox> inbox_ = std::make_shared<ProgramInbox>();
   std::shared_ptr<const ServedProgram> program_;
   std::optional<Judged> judged_;
-  std::size_t first_ = 0;  ///< Index of the line with which the job began this time.
-  std::string motion_;     ///< Words in front of that line, see JobPart.
+  std::size_t first_ = 0;  ///< Index of the line with which the present run of the job began.
+  std::string motion_;     ///< Words in front of the line first_, see JobPart.
   std::size_t done_ = 0;
   std::string trouble_;
   Phase phase_ = Phase::kSending;

@@ -11,18 +11,18 @@
 
 namespace sim {
 
-/// A program that the page has opened, ready to be sent. It takes a small multiple of the size of
-/// its file.
+/// A program that the page has opened, ready to be sent. It uses memory of a small multiple of its
+/// file's size.
 struct ServedProgram {
   std::string id;  ///< A checksum of name and content.
   std::string name;
   std::string text;  ///< Text that prepare_program() has returned.
   JobLines lines{true};
   std::vector<std::string> notes;  ///< Sentences about parts of the file that were left out.
-  /// Faults with which no sender may begin: wrong checks, or a line that is too long.
+  /// Faults with which no job may begin: wrong checks of lines, or a line that is too long.
   std::vector<std::string> barriers;
-  bool block_delete = true;  ///< Lines with / are skipped.
-  bool has_slashes = false;  ///< The program has lines with /.
+  bool block_delete = true;  ///< Whether lines that begin with `/` are skipped.
+  bool has_slashes = false;  ///< Whether the program has lines that begin with `/`.
 };
 
 /// Prepares a program, which takes time.
@@ -32,16 +32,16 @@ struct ServedProgram {
                                                                   std::string file,
                                                                   bool block_delete);
 
-/// A judgement, and the key of the program and the standpoint for which it holds.
+/// A judgement of a program, and the key of program and standpoint for which it is valid.
 struct Judged {
   std::string key;
   Judgement judgement;
 };
 
-/// Returns a key for a program and for all of a standpoint on which a judgement depends.
+/// Returns the key of a program and of the members of a standpoint on which its judgement depends.
 [[nodiscard]] std::string judgement_key(const ServedProgram& program, const Standpoint& standpoint);
 
-/// Hands programs from threads that have prepared them to the loop.
+/// Passes programs from the threads that prepare them to the loop.
 class ProgramInbox {
  public:
   struct Arrival {

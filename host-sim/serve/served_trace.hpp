@@ -17,7 +17,7 @@ class ServedTrace final : public TraceSink {
 
   void on_row(const TraceRow& row) override;
   void on_end(std::uint64_t time_ns) override;
-  /// Returns whether the file could not be written to its end.
+  /// Returns whether writing the file failed, so that the trace is incomplete.
   [[nodiscard]] bool lost() const { return !file_; }
 
  private:

@@ -11,8 +11,8 @@ namespace {
 using hal::host::checked;
 using std::chrono::milliseconds;
 
-// Longest sleep while the machine is idle: a millisecond more or less does not matter then. A
-// sender's bytes wake the loop at once; only the opening of a pty does not.
+// Longest sleep while the machine is idle. A sender's bytes wake the loop immediately; only the
+// opening of a pty does not.
 constexpr milliseconds kRest{10};
 constexpr milliseconds kShortestSleep{1};
 
@@ -55,7 +55,7 @@ void Server::show_view() {
 
 void Server::sleep(const StopSignals& stop) {
   const auto until_next = pacer_.until_next(Pacer::Clock::now());
-  if (until_next == Pacer::Clock::duration::zero()) return;  // The loop is late.
+  if (until_next == Pacer::Clock::duration::zero()) return;  // The next cycle is due already.
   descriptors_.assign(1, {stop.number(), POLLIN, 0});
   reception_.add_to(descriptors_);
   const auto wanted = std::chrono::ceil<milliseconds>(until_next);

@@ -43,8 +43,8 @@ class Server {
   void run(const StopSignals& stop);
 
  private:
-  /// Runs the cycles that are due. This comes first in the loop, so that bytes that arrive now do
-  /// not act at an earlier time.
+  /// Runs the cycles that are due. The loop begins with this call, so that bytes that arrive now do
+  /// not act in cycles that were due before.
   void catch_up();
   void show_view();
   void sleep(const StopSignals& stop);
@@ -52,7 +52,7 @@ class Server {
   Session& session_;
   Reception& reception_;
   Pacer pacer_;
-  LiveView* view_ = nullptr;  ///< Null without a page.
+  LiveView* view_ = nullptr;  ///< View for the watchers; null without a page.
   WebTransport* web_ = nullptr;
   std::vector<pollfd> descriptors_;
 };

@@ -9,7 +9,7 @@ constexpr std::byte kSoftReset{0x18};
 // Cycles without a step after which the machine is at rest. They last longer than the queued
 // segments: no pause of the step timer within a motion is that long.
 constexpr unsigned kTurnsStill = 100;
-// Longer than any machine brakes. A machine that still moves then is reset.
+// Cycles after which a machine that still moves is reset. No machine brakes for so long.
 constexpr unsigned kMaxTurnsToStop = 10'000;
 
 }  // namespace
@@ -46,7 +46,7 @@ void Session::emergency_stop() {
 
 void Session::lose_sender() {
   link_.disconnect();
-  act_at_once(kSafetyDoor);  // Acts in the middle of a line or comment, too.
+  act_at_once(kSafetyDoor);  // This byte acts in the middle of a line or comment, too.
   parting_ = Parting::kStopping;
   turns_of_parting_ = turns_still_ = 0;
 }

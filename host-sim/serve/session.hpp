@@ -10,40 +10,41 @@
 
 namespace sim {
 
-/// The controller on its link, and its reaction when senders come and go.
+/// The controller on its link, with the reactions to senders that connect and disconnect.
 ///
-/// Each reaction consists of bytes that a careful operator would send. So the firmware needs no
-/// knowledge of it, and a recording includes all of it:
-/// - A new sender gets a soft reset, and so the greeting that it waits for. The machine is at rest
-///   then, because nothing continues without a sender.
-/// - When a sender is lost, the safety door turns the beam off at once and stops the machine on its
-///   path. When the machine is at rest, a soft reset empties the planner and switches off spindle
-///   and coolant. The position stays known.
+/// Each reaction consists of realtime bytes that a careful operator would send. So the firmware
+/// requires no code for it, and a recording contains it:
+/// - For a new sender a soft reset is sent, whose greeting the sender waits for. The machine is at
+///   rest then, because no motion continues without a sender.
+/// - When a sender is lost, the byte of the safety door turns the beam off immediately and stops
+///   the machine on its path. When the machine is at rest, a soft reset empties the planner and
+///   switches off spindle and coolant. The position stays known.
 class Session {
  public:
-  /// Applies the settings over the stored ones. Throws as apply_settings() does. The store must
-  /// outlive the session.
+  /// Applies the settings, which override the stored ones. Throws as apply_settings() does. The
+  /// store must outlive the session.
   Session(const MachineModel& machine,
           const std::vector<SettingChange>& settings,
           hal::RecordStore& store);
 
-  /// Runs one cycle of the controller's main loop, a millisecond of its time.
+  /// Runs one cycle of the controller's main loop, which is a millisecond of the controller's time.
   void turn();
 
   /// @pre calm()
   void welcome_sender();
   void lose_sender();
-  /// Makes a realtime byte act at once, apart from the stream.
+  /// Makes a realtime byte act immediately, outside the stream.
   void act_at_once(std::byte byte);
   /// Stops the machine on behalf of a node of a bus, whichever sender is connected.
   void emergency_stop();
 
-  /// Returns whether the machine has been brought to rest after the last sender.
+  /// Returns whether the machine is at rest after the last sender disconnected.
   [[nodiscard]] bool calm() const { return parting_ == Parting::kOver; }
   /// Returns whether the reset that greets a sender is over. The reset forgets all earlier bytes,
   /// so the sender's bytes must not arrive before.
   [[nodiscard]] bool hears() const { return turns_since_welcome_ >= kTurnsOfReset; }
-  /// Returns whether nothing moves and no work is pending, so that the loop may sleep longer.
+  /// Returns whether the machine is at rest and no work is pending, so that the loop may sleep
+  /// longer.
   [[nodiscard]] bool resting() const;
 
   [[nodiscard]] LiveLink& link() { return link_; }

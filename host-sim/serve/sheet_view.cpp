@@ -26,8 +26,8 @@ constexpr double kMaxPartDistanceMm = 100.0;
 /// Share of the work that `cut` may spend on a drawing. It is small because the page sends a
 /// request after each change.
 constexpr double kEffort = 0.1;
-/// Greatest depth of nesting that is read. A sheet is not nested more deeply, even one with
-/// mistakes, and writing out a deeper one takes stack.
+/// Greatest depth of nested JSON that is read. No sheet is nested more deeply, even with mistakes,
+/// and writing deeper JSON would use more stack.
 constexpr int kDeepest = 16;
 
 /// Part and copy number of each copy that is placed, in the order of Entity::part.
@@ -80,8 +80,8 @@ class SheetView {
     return faults;
   }
 
-  /// Returns the copies in the numbering of place_parts(), which leaves out those whose drawing it
-  /// cannot read.
+  /// Returns the copies in the numbering of place_parts(), which omits copies whose drawing cannot
+  /// be read.
   [[nodiscard]] std::vector<PlacedCopy> numbered_copies() const {
     std::vector<PlacedCopy> copies;
     for (std::size_t part = 0; part < sheet_.parts.size(); ++part) {
@@ -132,7 +132,8 @@ WebReply placed_sheet(const std::string& request) {
   const ordered_json reply =
       is_shallow && json.is_object()
           ? SheetView{json}.reply()
-          : ordered_json{{"faults", {R"(no JSON object with "sheet" and "drawings" came)"}}};
+          : ordered_json{
+                {"faults", {R"(the request is no JSON object with "sheet" and "drawings")"}}};
   return {.status = http_status::kFine,
           .type = "application/json",
           .content = reply.dump(-1, ' ', false, ordered_json::error_handler_t::replace)};

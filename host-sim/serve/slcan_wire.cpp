@@ -29,8 +29,8 @@ void SlcanWire::carry() {
 }
 
 void SlcanWire::add_to(std::vector<pollfd>& descriptors) const {
-  // No event reports that the port is opened, and while no program has it open poll() always
-  // reports it as readable.
+  // No event reports that the port is opened. While no program has opened it, poll() always reports
+  // it as readable, so it is not polled then.
   if (used_ && slcan_.can_hear()) descriptors.push_back({master_.number(), POLLIN, 0});
 }
 

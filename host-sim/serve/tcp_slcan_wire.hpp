@@ -10,8 +10,8 @@
 
 namespace sim {
 
-/// A CAN adapter of the serial kind (slcan) at a TCP port, as python-can's `socket://` and socat
-/// use it. It serves one host at a time; a host that comes meanwhile waits.
+/// A serial CAN adapter (slcan) at a TCP port, for python-can's `socket://` and socat. It serves
+/// one host at a time; a host that connects meanwhile waits.
 class TcpSlcanWire final : public CanWire {
  public:
   /// Throws as the constructor of TcpTransport does.

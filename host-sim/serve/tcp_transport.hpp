@@ -12,7 +12,7 @@
 namespace sim {
 
 /// Raw TCP: bytes pass unchanged. There are no telnet commands, so 0xFF is a byte like any other.
-/// Small answers leave at once (TCP_NODELAY).
+/// Small answers are sent immediately (TCP_NODELAY).
 class TcpTransport final : public Transport {
  public:
   /// Throws std::system_error naming the address.

@@ -11,7 +11,7 @@
 
 namespace sim {
 
-/// Events for which a connection is to wake the loop.
+/// Events of a connection that wake the loop.
 struct Wishes {
   bool read = false;
   bool write = false;
@@ -28,17 +28,17 @@ class Connection {
 
   /// Copies the bytes that have arrived, and returns their number.
   [[nodiscard]] virtual std::size_t read(std::span<std::byte> into) = 0;
-  /// Takes a realtime byte that came apart from the stream, and returns whether there was one. It
-  /// acts even in the middle of a line.
+  /// Takes a realtime byte that arrived outside the stream, and returns whether there was one. Such
+  /// a byte acts even in the middle of a line.
   [[nodiscard]] virtual bool take_realtime(std::byte& byte) {
     static_cast<void>(byte);
     return false;
   }
   /// Sends the bytes that fit, and returns their number.
   [[nodiscard]] virtual std::size_t write(std::span<const std::byte> from) = 0;
-  /// Returns false once the sender has gone and all its bytes have been read.
+  /// Returns false once the sender has disconnected and all its bytes have been read.
   [[nodiscard]] virtual bool open() = 0;
-  /// Closes this direction. Bytes that were already written still arrive.
+  /// Closes the direction to the sender. Bytes that were already written still arrive.
   virtual void end() = 0;
   /// Adds the descriptors and events for which poll() is to wake up.
   virtual void add_to(std::vector<pollfd>& descriptors, Wishes wishes) const = 0;
@@ -63,7 +63,7 @@ class Transport {
   virtual void add_to(std::vector<pollfd>& descriptors) const = 0;
   /// Returns `pty`, `tcp`, `ws`, `can` or `slcan`.
   [[nodiscard]] virtual std::string_view kind() const = 0;
-  /// Returns the address at which senders find the transport, for people and scripts.
+  /// Returns the address at which senders find the transport, as text for users and scripts.
   [[nodiscard]] virtual std::string address() const = 0;
 };
 

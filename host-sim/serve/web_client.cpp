@@ -30,8 +30,8 @@ WebReply reply_of(const WebWork& make) {
   }
 }
 
-/// Returns the request; nothing if it is malformed. A request with a header twice is malformed,
-/// because two readers could use different ones.
+/// Returns the request; nothing if it is malformed. A request with a duplicate header is malformed,
+/// because two readers could use different values.
 std::optional<HttpRequest> request_of(const http::request_parser<http::string_body>& parser) {
   const auto& head = parser.get();
   for (const auto& field : head) {
@@ -41,7 +41,8 @@ std::optional<HttpRequest> request_of(const http::request_parser<http::string_bo
   request.method = head.method_string();
   request.host = head[http::field::host];
   request.origin = head[http::field::origin];
-  // A server ignores an upgrade in a request of HTTP 1.0 (RFC 9110, 7.8).
+  // Least version of HTTP whose upgrades a server follows; it ignores those of HTTP 1.0 (RFC 9110,
+  // 7.8).
   constexpr unsigned kFirstWithUpgrades = 11;
   request.wants_web_socket = head.version() >= kFirstWithUpgrades &&
                              http::token_list{head[http::field::upgrade]}.exists("websocket");
@@ -111,7 +112,7 @@ void WebClient::end_head(Fault fault) {
 
 void WebClient::want_body() {
   stage_ = Stage::kBody;
-  buffer_.reserve(kRequestPart);  // The size of a part that is read at a time.
+  buffer_.reserve(kRequestPart);  // Size of a part that one call reads.
   read_body({});
 }
 
@@ -127,17 +128,16 @@ void WebClient::read_body(Fault fault) {
   http::async_read_some(socket_, buffer_, parser_, then(&WebClient::read_body));
 }
 
-/// Answers a request that could not be read. A client that has gone gets no answer.
+/// Answers a request that could not be read. A client that has disconnected gets no answer.
 void WebClient::refuse(Fault fault) {
   if (fault == boost::asio::error::operation_aborted) {
-    return answer(web_refusal(http_status::kTimeout, "The program did not come in time."));
+    return answer(web_refusal(http_status::kTimeout, "The request did not arrive in time."));
   }
   if (fault == http::error::header_limit) {
     return answer(web_refusal(http_status::kHeadTooLarge, "The request is too long."));
   }
   if (fault == http::error::body_limit) {
-    return answer(
-        web_refusal(http_status::kTooLarge, "A program of more than 64 MiB is not drawn."));
+    return answer(web_refusal(http_status::kTooLarge, "The request is longer than 64 MiB."));
   }
   const bool unfinished =
       fault == http::error::end_of_stream || fault == http::error::partial_message;
@@ -165,7 +165,7 @@ void WebClient::work(WebWork make) {
 std::shared_ptr<WebSocket> WebClient::become_socket() {
   if (!parser_.is_done() || buffer_.size() > 0) {
     answer(web_refusal(http_status::kBadRequest,
-                       "A WebSocket is talked to after its handshake was answered."));
+                       "A WebSocket must wait for the answer to its handshake before it sends."));
     return nullptr;
   }
   stage_ = Stage::kOver;

@@ -24,10 +24,10 @@
 
 namespace sim {
 
-/// A connection of HTTP, read and written by Boost.Beast, until its one request is answered or it
-/// has become a WebSocket. No call blocks. A slow or silent client costs only a descriptor, until
-/// its time is over. Handlers run where the transport runs those of its `io_context`; each handler
-/// keeps the client alive.
+/// A connection of HTTP, read and written by Boost.Beast. It exists until its single request is
+/// answered, or until it has become a WebSocket. No call blocks. A slow or silent client occupies
+/// only a descriptor, until its time limit has passed. Handlers run where the transport runs those
+/// of its `io_context`; each handler keeps the client alive.
 class WebClient : public std::enable_shared_from_this<WebClient> {
  public:
   using Clock = std::chrono::steady_clock;
@@ -37,11 +37,11 @@ class WebClient : public std::enable_shared_from_this<WebClient> {
   static constexpr std::chrono::seconds kPatience{10};
 
   enum class Stage {
-    kHead,       ///< Reads the head.
-    kHasHead,    ///< The owner has to call want_body(), answer() or become_socket().
-    kBody,       ///< Reads the body.
-    kHasAll,     ///< The owner has to call answer() or work().
-    kWorking,    ///< A thread makes the answer.
+    kHead,     ///< Reads the head.
+    kHasHead,  ///< The head was read. The owner must call want_body(), answer() or become_socket().
+    kBody,     ///< Reads the body.
+    kHasAll,   ///< The body was read, too. The owner must call answer() or work().
+    kWorking,  ///< A thread makes the answer.
     kAnswering,  ///< Sends the answer.
     kOver,
   };
@@ -75,7 +75,7 @@ class WebClient : public std::enable_shared_from_this<WebClient> {
 
   using Handler = std::function<void(Fault, std::size_t)>;
 
-  /// Returns a handler that calls this member when an operation is over.
+  /// Returns a handler that calls the member function `next` when an operation is over.
   [[nodiscard]] Handler then(void (WebClient::*next)(Fault));
   void end_head(Fault fault);
   void read_body(Fault fault);
@@ -94,9 +94,10 @@ class WebClient : public std::enable_shared_from_this<WebClient> {
   std::optional<boost::beast::http::response_serializer<boost::beast::http::string_body>> sender_;
   Clock::time_point until_;
   Stage stage_ = Stage::kHead;
-  bool progressed_ = false;  ///< A part was read or sent since attend() last checked the time.
+  /// Whether a part was read or sent since attend() last checked the time.
+  bool progressed_ = false;
   bool sent_all_ = false;
-  bool left_ = false;  ///< The client has closed its direction.
+  bool left_ = false;  ///< Whether the client has closed its direction.
 };
 
 }  // namespace sim

@@ -15,9 +15,9 @@ namespace sim {
 /// beyond this machine. A missing header is passed as an empty `host`.
 [[nodiscard]] bool is_our_host(std::string_view host, const InternetAddress& listening);
 
-/// Returns whether a request may come from a page of this `Origin`. Allowed are the very origin
-/// that this `Host` serves, and an empty one, which programs other than browsers send. Any other
-/// page is foreign, whatever its address.
+/// Returns whether a request may come from a page of this `Origin`. The origin that this `Host`
+/// serves is allowed, and an empty origin, which programs other than browsers send. Every other
+/// origin is refused.
 [[nodiscard]] bool is_same_origin(std::string_view origin, std::string_view host);
 
 }  // namespace sim

@@ -13,10 +13,10 @@ struct WebReply {
   std::string content;
 };
 
-/// Makes a reply in a thread of its own. It must use no data other than those that it holds.
+/// Function that makes a reply in a separate thread. It must use only data that it holds itself.
 using WebWork = std::function<WebReply()>;
 
-/// Returns a refusal with a sentence for people.
+/// Returns a refusal whose content is a sentence for the user.
 [[nodiscard]] inline WebReply web_refusal(int status, std::string_view reason) {
   return {.status = status, .content = std::string{reason}};
 }

@@ -51,7 +51,8 @@ const char* type_of_file(std::string_view path) {
   return "text/html; charset=utf-8";
 }
 
-/// Returns a reply with JSON. A quoted word of a program may contain any byte.
+/// Returns a reply with JSON. Invalid UTF-8 is replaced, because a quoted word of a program may
+/// contain any byte.
 WebReply json_reply(const ordered_json& json, int status = http_status::kFine) {
   return {.status = status,
           .type = kJsonType,
@@ -83,8 +84,8 @@ WebReply shown(const ServedProgram& program,
   ordered_json json = outline_json(program_outline_of(program.text, standpoint.reader));
   json["faults"] = program.barriers;
   for (std::string& text : judgement.texts()) json["faults"].push_back(std::move(text));
-  // The page shows only the first note. That the program is stale matters more than the parts that
-  // were left out, so it comes first.
+  // The page shows only the first note. So a note that the program is stale comes before notes
+  // about parts that were left out.
   std::vector<std::string> notes =
       stale_inputs(program.text, {}, DigestFiles::kBelowFolder, &standpoint.settings);
   notes.insert(notes.end(), program.notes.begin(), program.notes.end());
@@ -108,7 +109,7 @@ ordered_json words_json() {
   return json;
 }
 
-/// An order of a page. All members are empty if the request is not an order.
+/// Order of a page to run, resume or stop a job. All members are empty if the request is no order.
 struct Order {
   std::string id;
   std::string page;
@@ -132,8 +133,8 @@ Order order_in(const std::string& body) {
   return order;
 }
 
-/// Returns a text in the form in which a page sends it back after it has gone through JSON: a fault
-/// may quote any byte, and invalid ones are replaced.
+/// Returns a text as a page sends it back after its way through JSON: a fault may quote any byte,
+/// and JSON replaces invalid UTF-8.
 std::string as_json_has_it(const std::string& text) {
   return ordered_json::parse(
       ordered_json(text).dump(-1, ' ', false, ordered_json::error_handler_t::replace));
@@ -150,22 +151,21 @@ std::optional<WebReply> WebRoutes::refusal(const HttpRequest& request) const {
   const bool program = is_one_of(kProgramPaths, path);
   const bool order = is_one_of(kOrderPaths, path) || path == kSheetPath;
   if (!is_document(path) && !program && !order) {
-    return web_refusal(http_status::kNotFound, "There is nothing of that name here.");
+    return web_refusal(http_status::kNotFound, "This server has no such address.");
   }
   if (request.method == "GET" || request.method == "HEAD") {
     if (is_document(path)) return {};
-    return web_refusal(http_status::kWrongMethod,
-                       "What is meant for this address is sent with POST.");
+    return web_refusal(http_status::kWrongMethod, "This address accepts only POST.");
   }
   if (request.method != "POST" || (!program && !order)) {
-    return web_refusal(http_status::kWrongMethod, "This is only read, with GET.");
+    return web_refusal(http_status::kWrongMethod, "This address accepts only GET.");
   }
   if (!request.length) {
-    return web_refusal(http_status::kLengthRequired, "The length of the program is not given.");
+    return web_refusal(http_status::kLengthRequired, "The request does not give its length.");
   }
   if (path == "/job" && job_.running()) {
     return web_refusal(http_status::kConflict,
-                       "A job runs. Another program is opened when it has ended.");
+                       "A job runs. Open the program when the job has ended.");
   }
   return {};
 }
@@ -208,12 +208,12 @@ PageService::Answer WebRoutes::get(const std::string& path) const {
   }};
 }
 
-/// Returns the work that prepares a program. It uses copies of all data that the loop may change
-/// meanwhile.
+/// Returns the work that prepares a program in another thread. The work uses copies of all data
+/// that the loop may change meanwhile.
 PageService::Answer WebRoutes::load(HttpRequest request) const {
-  // A job may have begun while the program was being received.
+  // A job may have begun while the program was received.
   const bool keeps = request.path == "/job";
-  if (keeps && job_.running()) return waits("the end of the job that runs");
+  if (keeps && job_.running()) return waits("the end of the running job");
   std::string name = keeps ? request.query["name"].substr(0, kLongestName) : std::string{};
   return WebWork{[name = std::move(name),
                   file = std::make_shared<std::string>(std::move(request.body)),
@@ -236,11 +236,11 @@ WebReply WebRoutes::order(const std::string& path, const std::string& body) {
   const std::string reason = path == "/job/run"      ? awaited_by_run(job_, kind, machine)
                              : path == "/job/resume" ? awaited_by_resume(job_, kind, machine)
                              : job_.running()        ? std::string{}
-                                                     : "a job that runs";
+                                                     : "a running job";
   if (!reason.empty()) return waits(reason);
   if (!reception_.is_operator(order.page)) return waits("control, which this page does not have");
   if (order.id != job_.program()->id) {
-    return waits("a look at the program: another one was opened, " + job_.program()->name);
+    return waits("a check of the program: another one was opened, " + job_.program()->name);
   }
   if (path == "/job/run") return run(order.accepted);
   if (path == "/job/resume") {
@@ -251,8 +251,8 @@ WebReply WebRoutes::order(const std::string& path, const std::string& body) {
   return json_reply({{"stops", job_.program()->name}});
 }
 
-/// Returns the judgement of the job for the present state of the machine; null while it is being
-/// made.
+/// Returns the judgement of the job for the present state of the machine. While there is none,
+/// starts to make it and returns null.
 const Judgement* WebRoutes::judgement() {
   const Standpoint standpoint = standpoint_of(controller_.machine());
   const std::string key = judgement_key(*job_.program(), standpoint);

@@ -62,7 +62,7 @@ class WebRoutes final : public PageService {
   Reception& reception_;
   ServedJob& job_;
   BackgroundTask<Judged> judging_{};  ///< The judgement that is being made.
-  std::string judging_key_;           ///< Key of that judgement.
+  std::string judging_key_;           ///< Key of the judgement that is being made.
 };
 
 }  // namespace sim

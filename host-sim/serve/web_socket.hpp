@@ -14,11 +14,11 @@ namespace sim {
 class WebSocket {
  public:
   using Clock = std::chrono::steady_clock;
-  /// Greatest number of bytes that wait to be sent. Bytes beyond it are not taken.
+  /// Greatest number of bytes that wait to be sent. write() does not take bytes beyond it.
   static constexpr std::size_t kMaxUnsent = std::size_t{1} << 20;
   /// A client that does not take a message within this time is disconnected.
   static constexpr std::chrono::seconds kPatience{30};
-  /// Time that the client has for its part of closing.
+  /// Time that the client has to close its direction.
   static constexpr std::chrono::seconds kFarewell{2};
 
   WebSocket() = default;
@@ -26,15 +26,15 @@ class WebSocket {
   WebSocket& operator=(const WebSocket&) = delete;
   virtual ~WebSocket() = default;
 
-  /// Copies the payload of messages that have arrived, one after the other, and returns the number
-  /// of bytes.
+  /// Copies the payloads of arrived messages into `into`, without boundaries between them, and
+  /// returns the number of bytes.
   [[nodiscard]] virtual std::size_t read(std::span<std::byte> into) = 0;
   /// Queues the bytes that fit as one message, and returns their number. The message is text if
   /// every byte is ASCII, as a browser can read that as text; otherwise it is binary.
   virtual std::size_t write(std::span<const std::byte> from) = 0;
   std::size_t write(std::string_view text) { return write(std::as_bytes(std::span{text})); }
-  /// Closes both directions once all queued bytes have been sent. The close code says that the
-  /// client may try again later.
+  /// Closes both directions once all queued bytes have been sent. The close code tells the client
+  /// to try again later.
   virtual void end() = 0;
   /// Returns whether the client is connected or bytes from it are unread.
   [[nodiscard]] virtual bool open() const = 0;

@@ -15,7 +15,8 @@ namespace websocket = boost::beast::websocket;
 using boost::beast::error_code;
 
 constexpr std::size_t kMaxPayload = std::size_t{64} << 20;
-// Bytes read at a time. No more are read from a client until its last part was taken.
+// Greatest number of bytes that one call reads. The next part of a client is read when the last one
+// was taken.
 constexpr std::size_t kStreamPart = std::size_t{64} << 10;
 
 bool is_ascii(std::string_view text) {
@@ -30,13 +31,14 @@ class WebStream final : public WebSocket, public std::enable_shared_from_this<We
   explicit WebStream(boost::asio::ip::tcp::socket socket) : stream_{std::move(socket)} {
     stream_.read_message_max(kMaxPayload);
     stream_.auto_fragment(false);
-    // The sender counts as gone at its close frame, however long the rest of closing takes.
+    // A sender counts as disconnected from its close frame on, however long the rest of closing
+    // takes.
     stream_.control_callback([this](websocket::frame_type frame, auto) {
       left_ = left_ || frame == websocket::frame_type::close;
     });
   }
 
-  /// Sends the answer to the handshake. Its few bytes always fit into a new connection.
+  /// Sends the answer to the handshake, whose few bytes always fit into a new connection.
   template <typename Request>
   bool accept(const Request& request) {
     error_code fault;
@@ -94,7 +96,7 @@ class WebStream final : public WebSocket, public std::enable_shared_from_this<We
   /// Returns whether the connection is open and the client has not sent its close frame.
   [[nodiscard]] bool here() const { return !gone_ && !left_ && stream_.is_open(); }
 
-  /// Returns a handler that calls this member when an operation is over.
+  /// Returns a handler that calls the member function `next` when an operation is over.
   std::function<void(error_code, std::size_t)> then(void (WebStream::*next)(error_code,
                                                                             std::size_t)) {
     return [self = shared_from_this(), next](error_code fault, std::size_t count) {
@@ -145,15 +147,15 @@ class WebStream final : public WebSocket, public std::enable_shared_from_this<We
 
   Stream stream_;
   std::array<char, kStreamPart> part_{};  ///< Payload that was received last.
-  std::span<const char> unread_;          ///< The part of part_ that has not been read.
+  std::span<const char> unread_;          ///< Rest of part_ that the reader has not taken.
   std::deque<std::string> messages_;      ///< Unsent messages; the oldest may be sent in part.
-  std::size_t unsent_ = 0;                ///< Bytes of messages_.
+  std::size_t unsent_ = 0;                ///< Number of bytes in messages_.
   Clock::time_point until_;
   bool receives_ = false;
   bool sends_ = false;
-  bool sent_ = false;   ///< A message was sent since the last call of attend().
-  bool parts_ = false;  ///< The stream was closing at the last call of attend().
-  bool left_ = false;   ///< The client's close frame has arrived.
+  bool sent_ = false;   ///< Whether a message was sent since the last call of attend().
+  bool parts_ = false;  ///< Whether the stream was closing at the last call of attend().
+  bool left_ = false;   ///< Whether the client's close frame has arrived.
   bool ended_ = false;
   bool gone_ = false;
 };

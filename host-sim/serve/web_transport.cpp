@@ -15,9 +15,10 @@ namespace sim {
 namespace {
 
 constexpr std::ptrdiff_t kMaxAtWork = 2;
-// Longest time for handlers in one go; the machine's time continues meanwhile.
+// Greatest duration of one call that runs handlers, because the machine's time continues meanwhile.
 constexpr std::chrono::milliseconds kLongestRun{5};
-// To read a part takes a few handlers; those of other connections may run among them.
+// Greatest number of handlers that run to read a part. A part requires a few, but those of other
+// connections may run among them.
 constexpr int kHandlersForAPart = 64;
 constexpr std::string_view kTooManyWatch =
     R"({"refused":"Sixteen pages watch this machine already. Close one of them, and reload."})";
@@ -33,7 +34,7 @@ class WebConnection final : public Connection {
   WebConnection& operator=(const WebConnection&) = delete;
   ~WebConnection() override { end(); }
 
-  /// Reads part by part all that has arrived, so that nothing waits for the next cycle.
+  /// Reads all arrived bytes, part by part, so that none of them waits for the next cycle.
   std::size_t read(std::span<std::byte> into) override {
     context_.restart();  // The context stops when it has no work.
     for (int left = kHandlersForAPart; left > 0; --left) {
@@ -98,8 +99,9 @@ void WebTransport::meet(hal::host::Descriptor socket) {
   clients_.back()->begin();
 }
 
-/// Disconnects a client to make space for a new one: the oldest of which no request has been read,
-/// because it waits for no answer; otherwise the oldest for which no thread works.
+/// Disconnects a client to make space for a new one: the oldest client whose request has not been
+/// read, because it does not wait for an answer yet. If there is none, the oldest client for which
+/// no thread works.
 void WebTransport::make_place() {
   const auto oldest = [this](auto&& may_go) {
     return std::find_if(clients_.begin(), clients_.end(), [&](const auto& client) {
@@ -130,11 +132,12 @@ void WebTransport::attend_client(WebClient& client, Clock::time_point now) {
 void WebTransport::judge(WebClient& client) {
   const HttpRequest& request = client.request();
   if (!is_our_host(request.host, address_)) {
-    return client.answer(web_refusal(http_status::kForbidden, "This machine has no such name."));
+    return client.answer(web_refusal(http_status::kForbidden,
+                                     "This server does not have the name in the Host line."));
   }
   if (!is_same_origin(request.origin, request.host)) {
     return client.answer(
-        web_refusal(http_status::kForbidden, "Another page must not ask for this."));
+        web_refusal(http_status::kForbidden, "A page of another server must not request this."));
   }
   if (request.wants_web_socket) return open_socket(client);
   if (const auto refused = service_.refusal(request)) return client.answer(*refused);

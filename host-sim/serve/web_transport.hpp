@@ -24,13 +24,13 @@ class WebClient;
 
 /// The web server. It serves the resources of the page service over HTTP, a sender's byte stream as
 /// a WebSocket at `/` (text or binary frames), the byte stream of the server's own page at
-/// `/operate`, and a WebSocket at `/observe` for watchers. A request under a foreign name is
+/// `/operate`, and a WebSocket at `/observe` for watchers. A request that names a foreign host is
 /// answered with 403 (see web_guard.hpp).
 ///
 /// HTTP and WebSocket are those of Boost.Beast, on an `io_context` of Boost.Asio whose handlers run
 /// in the loop: the loop polls the sockets' descriptors, and accept() runs the handlers that are
-/// ready. Nothing blocks, and everything is bounded. A client beyond kMaxClients takes the place
-/// of the oldest one that has sent no request yet. A watcher beyond kMaxWatchers is refused with a
+/// ready. No call blocks, and all queues are bounded. A client beyond kMaxClients replaces the
+/// oldest client that has sent no request yet. A watcher beyond kMaxWatchers is refused with a
 /// message.
 class WebTransport final : public Transport {
  public:
@@ -53,7 +53,7 @@ class WebTransport final : public Transport {
   [[nodiscard]] std::string_view kind() const override { return "ws"; }
   [[nodiscard]] std::string address() const override { return to_string(address_); }
 
-  /// Takes in a connected client: one that came to the address, or one of a test.
+  /// Adds a connected client, which comes from the listener or from a test.
   void meet(hal::host::Descriptor socket);
   /// Returns the connections that only watch.
   [[nodiscard]] const std::vector<std::shared_ptr<WebSocket>>& watchers() const {
@@ -81,10 +81,11 @@ class WebTransport final : public Transport {
   PageService& service_;
   Now now_;
   hal::host::Descriptor listener_;
-  std::unique_ptr<boost::asio::io_context> context_;  ///< Outlives the sockets, so declared first.
-  std::vector<std::shared_ptr<WebClient>> clients_;   ///< Connected clients, the oldest first.
-  std::deque<Arrival> arrivals_;                      ///< Senders that are not accepted yet.
-  std::vector<std::shared_ptr<WebSocket>> sockets_;   ///< All sockets that are not closed.
+  /// Must outlive the sockets, so it is declared first.
+  std::unique_ptr<boost::asio::io_context> context_;
+  std::vector<std::shared_ptr<WebClient>> clients_;  ///< Connected clients, the oldest first.
+  std::deque<Arrival> arrivals_;                     ///< Senders that are not accepted yet.
+  std::vector<std::shared_ptr<WebSocket>> sockets_;  ///< All sockets that are not closed.
   std::vector<std::shared_ptr<WebSocket>> watchers_;
 };
 

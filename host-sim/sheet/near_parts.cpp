@@ -17,13 +17,13 @@ using drawing::Drawing;
 using drawing::DrawnContour;
 using drawing::Place;
 
-/// Greatest distance of a chord's ends from a line on which the chord counts as lying, mm.
+/// Distance within which a point counts as on a line, and within which two points count as one, mm.
 constexpr double kOnLineMm = 1.0e-6;
-/// Greatest error of the distance of two chords, mm: each chord is within kSheetChordMm of its
+/// Greatest error of the distance between two chords, mm: each chord is within kSheetChordMm of its
 /// curve.
 constexpr double kDistanceSlackMm = 2.0 * kSheetChordMm;
 
-/// A chord of an edge, with the material on its left.
+/// A chord of the edge of a part, in the direction that has the material on the left.
 struct EdgeChord {
   Place from{0.0, 0.0};
   Place to{0.0, 0.0};
@@ -31,7 +31,7 @@ struct EdgeChord {
   double kerf_mm = 0.0;
 };
 
-/// The relation of two chords.
+/// Result of the comparison of two chords: their distance, and the point where they are nearest.
 struct Meeting {
   bool overlap = false;
   double distance_mm = 0.0;
@@ -46,8 +46,8 @@ bool cross_each_other(const EdgeChord& a, const EdgeChord& b) {
   return side_of(a, b.from) * side_of(a, b.to) < 0.0 && side_of(b, a.from) * side_of(b, a.to) < 0.0;
 }
 
-/// Returns whether two chords lie on one line, share more than a point and have material on the
-/// same side.
+/// Returns whether two chords are on one line, have more than a point in common, and have material
+/// on the same side.
 bool share_edge(const EdgeChord& a, const EdgeChord& b) {
   const Place way = a.to - a.from;
   const double length = way.norm();
@@ -59,8 +59,8 @@ bool share_edge(const EdgeChord& a, const EdgeChord& b) {
   return end - begin > kOnLineMm;
 }
 
-/// Updates the nearest distance with that of `end` from `chord`. Unless two chords cross, their
-/// nearest points include an end of one of them.
+/// Replaces `nearest` if `end` is nearer to `chord`. Unless two chords cross, an end of one of them
+/// is among their nearest points.
 void look_from(const Place& end, const EdgeChord& chord, Meeting& nearest) {
   const Place way = chord.to - chord.from;
   const double square = way.squaredNorm();
@@ -87,7 +87,8 @@ Meeting meeting_of(const EdgeChord& a, const EdgeChord& b) {
   return nearest;
 }
 
-/// Finds the pairs of parts of one drawing that overlap or are too near.
+/// Finds the pairs of parts of one drawing that overlap, or that are nearer to each other than
+/// their kerf.
 class PairFinder {
  public:
   PairFinder(const Drawing& placed, std::span<const ContourUse> uses, std::size_t max_pairs)
@@ -112,7 +113,7 @@ class PairFinder {
   using Box = cnc::contour::FlatBox<double>;
   using Key = std::pair<std::size_t, std::size_t>;
 
-  /// Returns the number of edges of the same part around a contour.
+  /// Returns the number of contours around a contour that are edges of the same part.
   [[nodiscard]] std::size_t depth_of(std::size_t contour) const {
     std::size_t depth = 0;
     for (auto p = placed_.contours[contour].parent; p; p = placed_.contours[*p].parent) {
@@ -168,8 +169,9 @@ class PairFinder {
     if (is_worse) pairs_[key] = {key, meeting.overlap, meeting.distance_mm, meeting.place};
   }
 
-  /// Finds the parts on whose material the part of an outer edge lies. It lies on the material of
-  /// another part if an odd number of that part's edges is around it.
+  /// Finds the parts whose material is under an outer edge, and records that its own part overlaps
+  /// them. The edge is on the material of a part if an odd number of that part's edges are around
+  /// it.
   void look_for_cover(std::size_t contour) {
     const DrawnContour& drawn = placed_.contours[contour];
     if (depth_of(contour) != 0) return;

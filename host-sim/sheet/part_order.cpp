@@ -19,7 +19,8 @@ void report(Sheet& sheet, const SheetPart& part, std::string reason, std::string
                           std::move(remedy)});
 }
 
-/// Returns, for each part, the numbers of the parts that are cut before it.
+/// Returns, for each part, the numbers of the parts that must be cut before it. Reports a fault for
+/// each name that the sheet cannot fulfil.
 std::vector<std::vector<std::size_t>> parts_before(Sheet& sheet) {
   std::map<std::string, std::size_t> number_of;
   for (std::size_t i = 0; i < sheet.parts.size(); ++i) number_of.emplace(sheet.parts[i].name, i);
@@ -32,21 +33,22 @@ std::vector<std::vector<std::size_t>> parts_before(Sheet& sheet) {
         if (!sheet.locked || found->second < i) continue;
         report(sheet,
                sheet.parts[i],
-               fmt::format("part \"{}\" stands below it, and the order is locked",
+               fmt::format("part \"{}\" comes later in the file, and the order is locked",
                            printable_line(name)),
-               "move the part up, or take \"locked\" out");
+               "move that part up, or leave \"locked\" out");
         continue;
       }
       report(sheet,
              sheet.parts[i],
              fmt::format("no part is called \"{}\"", printable_line(name)),
-             "name parts of this sheet as their \"name\" has it");
+             "use the \"name\" of a part of this sheet");
     }
   }
   return before;
 }
 
-/// Returns the names of a circle of parts that wait for each other. None of them has a turn.
+/// Returns the names of parts that wait for each other in a circle, so that none of them has a
+/// turn.
 std::string circle_from(std::size_t part,
                         const Sheet& sheet,
                         const std::vector<std::vector<std::size_t>>& before,
@@ -70,7 +72,7 @@ std::string circle_from(std::size_t part,
 void give_turns(Sheet& sheet) {
   const auto before = parts_before(sheet);
   std::vector<char> has_turn(sheet.parts.size(), 0);
-  // Each pass gives a turn to all parts whose preceding parts have one.
+  // Each pass gives its number as the turn of all parts whose predecessors have a turn.
   for (std::size_t turn = 0;; ++turn) {
     std::vector<std::size_t> ready;
     for (std::size_t i = 0; i < sheet.parts.size(); ++i) {
@@ -90,7 +92,7 @@ void give_turns(Sheet& sheet) {
          sheet.parts[part],
          fmt::format("parts wait for each other in a circle: {}",
                      circle_from(part, sheet, before, has_turn)),
-         "take one of them out of an \"after\"");
+         "remove one of them from an \"after\"");
 }
 
 }  // namespace sim::sheet

@@ -4,9 +4,10 @@
 
 namespace sim::sheet {
 
-/// Gives each part of a sheet its turn. The turn is 0 if the part comes after no other part, else
-/// one more than the greatest turn of the parts before it. Names that no part has, and parts that
-/// wait for each other in a circle, become faults of the sheet, at `/parts/2/after`.
+/// Sets the turn of each part of a sheet. The turn is 0 if the part comes after no other part.
+/// Otherwise it is one more than the greatest turn of the parts before it. Names that no part has,
+/// and parts that wait for each other in a circle, become faults of the sheet at a pointer such as
+/// `/parts/2/after`.
 void give_turns(Sheet& sheet);
 
 }  // namespace sim::sheet

@@ -23,7 +23,7 @@ using drawing::FaultKind;
 using drawing::Piece;
 using drawing::Shape;
 
-/// Returns the cosine and sine of an angle. They are exact for quarter turns.
+/// Returns the unit direction of an angle, which is exact for quarter turns.
 Place exact_direction(double angle_deg) {
   const double quarters = angle_deg / 90.0;
   if (quarters != std::floor(quarters)) {
@@ -39,7 +39,7 @@ std::string label_of(const SheetPart& part, std::size_t copy) {
   return part.places.size() == 1 ? part.name : fmt::format("{} #{}", part.name, copy + 1);
 }
 
-/// Gathers the contours of all copies.
+/// Makes one drawing from the copies of all parts of a sheet.
 class PartPlacer {
  public:
   PartPlacer(const Sheet& sheet, const ReadText& read_text, const drawing::ImportOptions& options)
@@ -84,8 +84,8 @@ class PartPlacer {
     return sheet_.locked || std::ranges::any_of(sheet_.parts, waits);
   }
 
-  /// Returns the drawing of a part. Reads each file once. Returns null, and reports a fault, if
-  /// there is nothing to place.
+  /// Returns the drawing of a part. Reads each file once. Returns null and reports a fault if the
+  /// file cannot be read or is a sheet itself.
   const Drawing* drawing_of(const SheetPart& part) {
     const std::string file = resolved(sheet_, part.drawing);
     const auto known = drawings_.find(file);
@@ -117,8 +117,8 @@ class PartPlacer {
     return layers;
   }
 
-  /// Reports the faults of a part's drawing. Their positions are those in the drawing, not on the
-  /// sheet.
+  /// Reports the faults of a part's drawing. Their positions are those in the drawing's file, not
+  /// on the sheet.
   void report_faults(const SheetPart& part,
                      const Drawing& drawn,
                      const std::vector<std::size_t>& layers) {
@@ -148,7 +148,7 @@ class PartPlacer {
     sketch_.report({FaultKind::kTooMuch,
                     {.name = fmt::format("{}: part \"{}\"", part.pointer, part.name)},
                     {},
-                    "more lines and curves than can be cut; this and what follows is left out",
+                    "more lines and curves than can be cut; this and all later parts are left out",
                     "cut the sheet in several jobs"});
     return false;
   }
@@ -178,7 +178,7 @@ class PartPlacer {
   std::map<std::string, Drawing> drawings_;
   std::vector<Piece> pieces_;
   std::vector<std::string> labels_;
-  std::vector<std::size_t> turns_;  ///< Turn of each copy, in the order of `labels_`.
+  std::vector<std::size_t> turns_;  ///< Turn of each copy, in the same order as `labels_`.
   std::size_t shapes_ = 0;
 };
 

@@ -17,7 +17,7 @@ std::string named_from(const std::string& target, const std::string& file) {
   return std::filesystem::absolute(file).lexically_normal().lexically_proximate(folder).string();
 }
 
-/// Rounds up to hundredths of a millimetre, for numbers that users read.
+/// Returns a length that users read, rounded up to hundredths of a millimetre.
 double rounded_up(double mm) { return std::ceil(100.0 * mm - 1.0e-6) / 100.0; }
 
 }  // namespace

@@ -17,11 +17,11 @@ using drawing::FaultKind;
 using drawing::OutlineBox;
 using drawing::Place;
 
-/// Greatest distance by which parts may reach beyond the stock, mm: the rounding of positions and
-/// chords.
+/// Distance by which a part may reach beyond the stock without a fault, mm. It covers the rounding
+/// of positions and chords.
 constexpr double kStockSlackMm = 1.0e-3;
 
-/// The distance by which a part reaches beyond the stock, and the point where it does.
+/// Greatest distance by which a part reaches beyond the stock, with its point and edge.
 struct Excess {
   double mm = kStockSlackMm;
   Place place{0.0, 0.0};

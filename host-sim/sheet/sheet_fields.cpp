@@ -17,7 +17,7 @@ using nlohmann::json;
 
 const json kNoValue{};
 
-/// Returns a value as the file has it, shortened for a message.
+/// Returns a value as the file writes it, shortened for a message.
 std::string shown(const json& value) {
   constexpr std::size_t kMaxShown = 40;
   std::string text =
@@ -36,7 +36,8 @@ SheetFields::SheetFields(const json& object,
   for (const auto& [key, value] : object.items()) {
     if (std::ranges::find(keys, key) != keys.end()) continue;
     bad(printable_line(key),
-        fmt::format("no such key; there are {}{}", fmt::join(keys, ", "), did_you_mean(key, keys)),
+        fmt::format(
+            "there is no such key; keys are {}{}", fmt::join(keys, ", "), did_you_mean(key, keys)),
         "");
   }
 }
@@ -56,7 +57,7 @@ void SheetFields::bad(const std::string& key, std::string reason, std::string re
 double SheetFields::number(const char* key, double otherwise, const FieldRange& range) {
   const auto found = object_.find(key);
   if (found == object_.end()) return otherwise;
-  const std::string wanted = fmt::format("it takes {:.10g} to {:.10g}{}{}",
+  const std::string wanted = fmt::format("write {:.10g} to {:.10g}{}{}",
                                          range.min,
                                          range.max,
                                          *range.unit == '\0' ? "" : " ",
@@ -76,7 +77,7 @@ std::size_t SheetFields::whole(const char* key, std::size_t otherwise, const Fie
   if (value == std::floor(value)) return static_cast<std::size_t>(value);
   bad(key,
       fmt::format("{} is no whole number", value),
-      fmt::format("it takes {:.10g} to {:.10g}", range.min, range.max));
+      fmt::format("write {:.10g} to {:.10g}", range.min, range.max));
   return otherwise;
 }
 

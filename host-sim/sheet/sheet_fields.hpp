@@ -9,18 +9,19 @@
 
 namespace sim::sheet {
 
-/// The range of numbers that a field accepts.
+/// The range and the unit of the numbers that a field accepts.
 struct FieldRange {
   double min = 0.0;
   double max = 0.0;
   const char* unit = "";
 };
 
-/// Reads the fields of one JSON object. For a value of the wrong type or out of range, reports a
+/// Reads the fields of one JSON object. If a value has the wrong type or is out of range, reports a
 /// fault with the pointer of the field and returns the default.
 class SheetFields {
  public:
-  /// Reports each key that is not in `keys`, and names the most similar key of `keys`.
+  /// Reports a fault for each key of `object` that is not in `keys`. The fault names the most
+  /// similar key.
   /// @param object a JSON object, which must outlive the SheetFields
   /// @param pointer JSON pointer to the object in the file
   SheetFields(const nlohmann::json& object,
@@ -32,14 +33,15 @@ class SheetFields {
   [[nodiscard]] double number(const char* key, double otherwise, const FieldRange& range);
   [[nodiscard]] std::size_t whole(const char* key, std::size_t otherwise, const FieldRange& range);
   [[nodiscard]] bool flag(const char* key, bool otherwise);
-  /// Returns the text of a field if it is not empty; else `otherwise`.
+  /// Returns the text of a field, or `otherwise` if the field is missing or is not a text with at
+  /// least one character.
   [[nodiscard]] std::string text(const char* key, const std::string& otherwise);
-  /// Returns the field if it is an array; object() returns it if it is an object. Any other field
-  /// is returned as a null value.
+  /// Return the field if it is an array, or for object() an object. Otherwise they return a null
+  /// value, and report a fault unless the field is missing.
   [[nodiscard]] const nlohmann::json& array(const char* key);
   [[nodiscard]] const nlohmann::json& object(const char* key);
 
-  /// Reports a fault of the object, or of its field `key`.
+  /// Reports a fault of the field `key`, or of the object itself if `key` is empty.
   void bad(const std::string& key, std::string reason, std::string remedy);
   [[nodiscard]] const std::string& pointer() const { return pointer_; }
 

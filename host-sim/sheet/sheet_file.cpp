@@ -30,7 +30,7 @@ std::string stem_of(const std::string& drawing) {
   return std::filesystem::path{drawing}.stem().string();
 }
 
-/// Reads the document of one sheet file.
+/// Reads one sheet file from its JSON document.
 class SheetReader {
  public:
   explicit SheetReader(Sheet& sheet) : sheet_{sheet} {}
@@ -52,7 +52,7 @@ class SheetReader {
     } else if (parts.size() > kMaxParts) {
       fields.bad("parts",
                  fmt::format("there are {} parts", parts.size()),
-                 fmt::format("a sheet has {} parts at most, with any number of places", kMaxParts));
+                 fmt::format("list at most {} parts, each with any number of places", kMaxParts));
     } else {
       for (std::size_t i = 0; i < parts.size(); ++i) read_part(parts[i], i);
       give_turns(sheet_);
@@ -126,7 +126,7 @@ class SheetReader {
     if (copies_ > kMaxCopies) {
       fields.bad("copies",
                  fmt::format("there are {} copies up to here", copies_),
-                 fmt::format("a sheet has {} at most", kMaxCopies));
+                 fmt::format("place at most {} on one sheet", kMaxCopies));
     }
     if (sheet_.faults.size() == before) sheet_.parts.push_back(std::move(part));
   }
@@ -137,7 +137,7 @@ class SheetReader {
     for (const json& name : fields.array("after")) {
       if (name.is_string()) names.push_back(name.get<std::string>());
       if (!name.is_string())
-        fields.bad("after", "has what is no name", R"(write ["NAME", "NAME"])");
+        fields.bad("after", "contains a value that is no name", R"(write ["NAME", "NAME"])");
     }
     return names;
   }
@@ -146,7 +146,8 @@ class SheetReader {
     for (const char* key :
          {"x_mm", "y_mm", "angle_deg", "mirror", "step_x_mm", "step_y_mm", "columns"}) {
       if (!fields.has(key)) continue;
-      fields.bad(key, "is beside \"places\"", "use one of them: a list of places, or a grid");
+      fields.bad(
+          key, "is used together with \"places\"", "use one of them: a list of places, or a grid");
     }
     const json& list = fields.array("places");
     std::vector<Placing> places;
@@ -179,8 +180,8 @@ class SheetReader {
     return placing;
   }
 
-  /// Returns the positions of copies in a grid. The first copy is in the corner; the others follow
-  /// row by row.
+  /// Returns the positions of the copies in a grid. The first copy is at the position that the
+  /// fields give; the others follow row by row.
   static std::vector<Placing> grid_of_places(SheetFields& fields) {
     const Placing first = placing_of(fields);
     const std::size_t copies = fields.whole("copies", 1, kCounts);
@@ -208,8 +209,8 @@ class SheetReader {
   std::size_t copies_ = 0;
 };
 
-/// Refuses values that are nested too deeply, and objects with a repeated key, which a parser would
-/// accept silently.
+/// Stops the parser at values that are nested too deeply, and at objects with a repeated key, which
+/// it would accept silently.
 class StrictEvents {
  public:
   bool operator()(int depth, json::parse_event_t event, const json& value) {
@@ -219,7 +220,8 @@ class StrictEvents {
     if (event != json::parse_event_t::key) return true;
     const auto& key = value.get_ref<const std::string&>();
     if (!keys_.back().insert(key).second) {
-      throw std::length_error{fmt::format("the key \"{}\" is there twice", printable_line(key))};
+      throw std::length_error{
+          fmt::format("the key \"{}\" occurs twice in one object", printable_line(key))};
     }
     return true;
   }
@@ -251,7 +253,7 @@ Sheet read_sheet(const std::string& file, const std::string& text) {
     const auto [line, column] = drawing::LineTable{text}.at(error.byte == 0 ? 0 : error.byte - 1);
     reader.refuse(line, column, "broken JSON", "mend it here, or just before");
   } catch (const json::exception&) {
-    reader.refuse(1, 0, "a number that is too great", "mend it");
+    reader.refuse(1, 0, "a number is too great", "write a smaller number");
   } catch (const std::length_error& error) {
     reader.refuse(1, 0, error.what(), "mend it; docs/sheets.md has the format");
   }

@@ -14,25 +14,26 @@ using drawing::Place;
 using drawing::Stock;
 
 /// The position of a copy of a part. The copy is first mirrored (x becomes −x), then turned, then
-/// moved. The coordinates are those that the drawing's origin has on the sheet.
+/// moved. `at_mm` is the position of the drawing's origin on the sheet.
 struct Placing {
   Place at_mm{0.0, 0.0};
-  double angle_deg = 0.0;  ///< Angle of the turn, counter-clockwise.
+  double angle_deg = 0.0;  ///< Angle of rotation, counter-clockwise.
   bool mirror = false;
 
   [[nodiscard]] bool operator==(const Placing& other) const = default;
 };
 
-/// A drawing and its copies.
+/// A part of a sheet: its drawing, and the positions of its copies.
 struct SheetPart {
   std::string name;
-  /// Name of the drawing as written, relative to the folder of the sheet file.
+  /// Name of the drawing, as the sheet file has it, relative to the folder of this file.
   std::string drawing;
   std::vector<Placing> places;
-  /// Names of parts. All copies of these parts are cut before this part.
+  /// Names of the parts that must be cut before this part, with all their copies.
   std::vector<std::string> after{};
-  std::size_t turn = 0;   ///< Turn of the part, greater than the turns of the parts in `after`.
-  std::string pointer{};  ///< JSON pointer to the part, for messages: `/parts/3`.
+  /// Turn in the order of cutting, above the turns of the parts in `after`.
+  std::size_t turn = 0;
+  std::string pointer{};  ///< JSON pointer to the part for messages, such as `/parts/3`.
 };
 
 /// A sheet of stock and the parts that are cut from it.
@@ -40,7 +41,7 @@ struct Sheet {
   std::string file;
   std::optional<Stock> stock{};
   std::vector<SheetPart> parts;
-  bool locked = false;  ///< Copies are cut in the order in which the file lists them.
+  bool locked = false;  ///< Whether the copies must be cut in the order of the file.
   std::vector<drawing::Fault> faults{};
 };
 
@@ -48,19 +49,20 @@ inline constexpr std::size_t kMaxParts = 10'000;
 /// Greatest number of copies of all parts together.
 inline constexpr std::size_t kMaxCopies = 100'000;
 inline constexpr double kMaxSheetMm = 1.0e5;  ///< Greatest width and height of stock.
-/// Greatest distance of a position from zero, in either direction.
+/// Greatest absolute value of a coordinate of a position.
 inline constexpr double kMaxPlaceMm = 1.0e6;
 
-/// Returns whether a text is meant as a sheet file: a JSON object with the key `kerfline_sheet`.
+/// Returns whether a text is meant as a sheet file: it begins with `{` and contains the key
+/// `kerfline_sheet`.
 [[nodiscard]] bool is_sheet(std::string_view text);
 
-/// Reads a sheet file. docs/sheets.md describes the format. Never throws because of the content of
-/// the text. Each fault gives its position as a JSON pointer, or as line and column if the text is
-/// no JSON. Parts with faults are left out.
+/// Reads a sheet file, in the format that docs/sheets.md describes. Does not throw, whatever the
+/// text contains. Each fault gives its position as a JSON pointer, or as line and column if the
+/// text is not JSON. Parts with faults are left out.
 [[nodiscard]] Sheet read_sheet(const std::string& file, const std::string& text);
 
-/// Returns the text of a sheet file with all positions written out. read_sheet() reads back the
-/// same numbers.
+/// Returns the text of a sheet file that lists the position of each copy. read_sheet() reads the
+/// same numbers from it.
 [[nodiscard]] std::string text_of(const Sheet& sheet);
 
 }  // namespace sim::sheet

@@ -10,7 +10,8 @@ namespace cnc {
 enum class Axis : std::uint8_t { kX, kY, kZ, kA, kB, kC };
 
 inline constexpr std::size_t kAxisCount = 6;
-inline constexpr std::size_t kLinearAxisCount = 3;  ///< X Y Z, in mm; A B C are in degrees.
+/// Number of the linear axes X Y Z, in mm; A B C are in degrees.
+inline constexpr std::size_t kLinearAxisCount = 3;
 inline constexpr std::array<char, kAxisCount> kAxisLetters{'X', 'Y', 'Z', 'A', 'B', 'C'};
 
 template <typename Item>
@@ -18,11 +19,11 @@ using AxisArray = std::array<Item, kAxisCount>;
 
 [[nodiscard]] constexpr std::size_t index_of(Axis axis) { return static_cast<std::size_t>(axis); }
 
-/// The plane of an arc, named by G17, G18 and G19 (RS274/NGC 3.5.7).
+/// Plane of an arc, selected by G17, G18 or G19 (RS274/NGC 3.5.7).
 enum class Plane : std::uint8_t { kXY, kZX, kYZ };
 
-/// First, second and normal axis of a plane, right-handed: a counter-clockwise arc (G3) turns from
-/// `first` to `second` when seen against the normal.
+/// First, second and normal axis of a plane, right-handed: as seen against the normal, a
+/// counter-clockwise arc (G3) turns from `first` to `second`.
 struct PlaneAxes {
   std::size_t first;
   std::size_t second;

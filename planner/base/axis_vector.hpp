@@ -9,14 +9,14 @@ namespace cnc {
 /// A vector in the Euclidean space of all axes: mm along X Y Z, degrees along A B C.
 using AxisVector = AxisArray<float>;
 
-/// Returns the vector from one position to another. Each axis is rounded once.
+/// Returns the vector from one position to another. Each component is rounded once.
 [[nodiscard]] inline AxisVector travel_between(const Position& from, const Position& to) {
   AxisVector way{};
   for (std::size_t axis = 0; axis < kAxisCount; ++axis) way[axis] = (to[axis] - from[axis]).mm();
   return way;
 }
 
-/// Returns a position moved by a vector, to the nearest nanometre on each axis.
+/// Returns a position after it was moved by a vector, to the nearest nanometre on each axis.
 [[nodiscard]] inline Position moved_by(const Position& from, const AxisVector& way) {
   Position place = from;
   for (std::size_t axis = 0; axis < kAxisCount; ++axis) place[axis] += from_mm(way[axis]);

@@ -13,20 +13,21 @@ inline constexpr float kMillimetresPerNanometre = 1.0e-6F;
 /// A position on an axis in whole nanometres (rotary axes: 10^-6 degrees).
 ///
 /// A float has 24 bits. At 1 m from the origin its resolution is 60 nm, and increments of 0.1 mm
-/// accumulate error: a program with a million G91 lines would end at another position.
-/// Nanometres hold every decimal that G-code can write (5 decimals of an inch are 254 nm). Sums of
-/// them are exact, and differences of near positions lose nothing before they become floats.
+/// accumulate error: a program with a million G91 lines would end at another position. Nanometres
+/// represent every decimal that G-code can write (5 decimals of an inch are 254 nm). Sums of
+/// nanometres are exact, and differences of near positions lose no digits before they become
+/// floats.
 class Coordinate {
  public:
-  /// The farthest position that a program may name: 1 km, or a million degrees. The limit keeps
-  /// every product with a steps-per-mm mantissa inside 64 bits.
+  /// Greatest magnitude of a position that a program may name: 1 km, or a million degrees. The
+  /// limit keeps every product with a steps-per-mm mantissa inside 64 bits.
   static constexpr std::int64_t kFarthestNanometres = 1'000'000'000'000;
 
   constexpr Coordinate() = default;
   constexpr explicit Coordinate(std::int64_t nanometres) : nanometres_{nanometres} {}
 
   [[nodiscard]] constexpr std::int64_t nanometres() const { return nanometres_; }
-  /// Returns the coordinate in mm, with a relative error of at most 6e-8: use this for differences,
+  /// Returns the coordinate in mm, with a relative error of at most 6e-8. Use this for differences,
   /// not for positions.
   [[nodiscard]] constexpr float mm() const {
     return nearest_float(nanometres_) * kMillimetresPerNanometre;

@@ -6,13 +6,14 @@ namespace cnc {
 namespace {
 
 constexpr std::uint32_t kPolynomial = 0xEDB8'8320;
-/// Bits of a digit, the unit of a look-up: a byte where memory is plenty, a nibble on a controller.
+/// Number of bits in a digit, the unit of a table look-up: a byte where memory is plenty, a nibble
+/// on a controller.
 constexpr std::size_t kDigitBits = sizeof(void*) > 4 ? 8 : 4;
 constexpr std::size_t kDigits = 4;  ///< Number of digits that a step processes.
 constexpr std::size_t kStepBits = kDigits * kDigitBits;
 
-/// Remainder of each value of a digit. There is one such table for each number of digits that may
-/// follow the digit.
+/// CRC remainder of each value of a digit. There is one such table for each number of digits that
+/// may follow the digit within a step.
 using Remainders = std::array<std::uint32_t, 1U << kDigitBits>;
 
 constexpr std::array<Remainders, kDigits> make_tables() {
@@ -31,7 +32,7 @@ constexpr std::array<Remainders, kDigits> make_tables() {
 
 constexpr std::array<Remainders, kDigits> kTables = make_tables();
 
-/// Returns the remainder of digit number `digit` of `value`, with `behind` more digits after it.
+/// Returns the remainder of digit number `digit` of `value`, which `behind` more digits follow.
 constexpr std::uint32_t remainder_of(std::uint32_t value, std::size_t digit, std::size_t behind) {
   return kTables[behind][(value >> (digit * kDigitBits)) % Remainders{}.size()];
 }

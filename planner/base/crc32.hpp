@@ -10,7 +10,8 @@ namespace cnc {
 /// and result inverted. It detects every burst of up to 32 bits and, in data shorter than 11 KB,
 /// any three wrong bits.
 ///
-/// A step makes four independent look-ups, each of a byte (of a nibble on a controller).
+/// A step processes four digits with four independent table look-ups. A digit is a byte, or a
+/// nibble on a controller.
 class Crc32 {
  public:
   void add(std::byte byte);
@@ -21,9 +22,9 @@ class Crc32 {
   [[nodiscard]] std::uint32_t value() const { return ~state_; }
 
  private:
-  /// Returns the state after its lowest four digits were processed. The other digits already hold
-  /// the data that follow; they move down. This is a member because the image's start-up code has
-  /// the sections of this class next to it.
+  /// Returns the state after its lowest four digits were processed. The remaining digits of the
+  /// state already hold the following data; they move down. The function is a member because the
+  /// linker script places the sections of this class next to the image's start-up code.
   [[nodiscard]] static std::uint32_t after_step(std::uint32_t mixed);
 
   std::uint32_t state_ = 0xFFFF'FFFF;

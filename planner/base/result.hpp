@@ -7,19 +7,19 @@
 
 namespace cnc {
 
-/// A value, or the reason why there is none.
+/// A value, or the reason why there is no value.
 ///
-/// Used for every failure that input can cause: a user, a cable, a G-code file.
-/// A Result never allocates, and cannot be dropped silently. `Error` is a small enum owned by the
-/// module that fails, or a plain struct around such an enum where the location matters too (a
-/// G-code fault knows its column).
+/// Functions return it for every failure that input can cause: a user, a cable, a G-code file. A
+/// Result never allocates, and the compiler warns if it is ignored. `Error` is a small enum owned
+/// by the module that fails. Where the location matters too, it is a plain struct around such an
+/// enum (a G-code fault contains its column).
 template <typename Value, typename Error>
 class [[nodiscard]] Result {
   static_assert(std::is_trivially_destructible_v<Value>, "a Result owns nothing");
   static_assert(std::is_trivially_copyable_v<Error>, "an error is a name and a place");
 
  public:
-  // Implicit, so that a function can return a value or an error directly.
+  // These constructors are implicit, so that a function can return a value or an error directly.
   constexpr Result(const Value& value) : value_{value} {}  // NOLINT(google-explicit-constructor)
   constexpr Result(const Error& error) : error_{error} {}  // NOLINT(google-explicit-constructor)
 

@@ -7,7 +7,7 @@
 namespace cnc {
 namespace {
 
-// Half π in three parts (Cody and Waite, 1980). The first two have few enough bits that their
+// Half π in three parts (Cody and Waite, 1980). The first two parts have few enough bits that their
 // product with a quarter count below 2^10 is exact.
 constexpr float kHalfPiHigh = 1.5703125F;
 constexpr float kHalfPiMiddle = 4.83751296997070e-4F;
@@ -51,7 +51,7 @@ SinCos sin_cos(float angle) {
 }
 
 float atan_unit(float t) {
-  // Above tan(π/8): atan t = π/4 + atan((t − 1)/(t + 1)).
+  // Above tan(π/8) the function uses atan t = π/4 + atan((t − 1)/(t + 1)).
   constexpr float kTanEighthPi = 0.41421356F;
   constexpr float kQuarterPi = 0.785398163F;
   const bool upper = t > kTanEighthPi;
@@ -90,7 +90,7 @@ float cube_root(float value) {
 }
 
 float decay(float x) {
-  // The eighth power of the series of e^(−x/8), whose seventh term is below 2^-30.
+  // Computes the eighth power of the series of e^(−x/8), whose seventh term is below 2^-30.
   const float z = -0.125F * x;
   const float tail = 1.0F / 24.0F + z * (1.0F / 120.0F + z * (1.0F / 720.0F));
   const float eighth = 1.0F + z * (1.0F + z * (0.5F + z * (1.0F / 6.0F + z * tail)));

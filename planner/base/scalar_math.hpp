@@ -4,12 +4,12 @@
 
 namespace cnc {
 
-/// Our own transcendental functions, in single precision.
+/// Kerfline's transcendental functions, in single precision.
 ///
 /// The C libraries of host and controller round sin, cos and atan differently, but results that
-/// decide motion must have the same bits on both. Only +, −, ×, ÷ and sqrt are used here: IEEE 754
-/// defines them to the last bit. There are no tables and no loops whose length depends on the
-/// value.
+/// decide motion must have the same bits on both. Only +, −, ×, ÷ and sqrt are used here, because
+/// IEEE 754 defines them to the last bit. There are no tables and no loops whose length depends on
+/// the value.
 
 inline constexpr float kPi = 3.14159265358979F;
 inline constexpr float kTwoPi = 6.28318530717959F;
@@ -24,7 +24,8 @@ struct BasicSinCos {
 };
 using SinCos = BasicSinCos<float>;
 
-/// Returns sine and cosine of an angle turned further by `quarters` quarter turns, of either sign.
+/// Returns sine and cosine of an angle after it was increased by `quarters` quarter turns;
+/// `quarters` may be negative.
 [[nodiscard]] SinCos turned_by_quarters(const SinCos& angle, int quarters);
 
 /// Returns sine and cosine of an angle in radians.
@@ -63,7 +64,7 @@ inline constexpr float kDecayRange = 2.0F;
 inline constexpr double kDecayError = 1.0e-6;
 [[nodiscard]] float decay(float x);
 
-/// Returns the largest float below `value`, or 0 when `value` is not positive.
+/// Returns the largest float below `value`, or 0 if `value` is not positive.
 [[nodiscard]] float next_below(float value);
 
 }  // namespace cnc

@@ -17,12 +17,13 @@ std::optional<StepPosition> AxisScale::steps_at(Coordinate place) const {
   const bool negative = place < Coordinate{};
   const auto distance =
       static_cast<std::uint64_t>(negative ? -place.nanometres() : place.nanometres());
-  // The product is below 2^40 · 2^24, so it fits. Steps = product / 10^6 / 2^fraction_bits_.
+  // The product is below 2^40 · 2^24, so it fits into 64 bits. Steps = product / 10^6 /
+  // 2^fraction_bits_.
   const std::uint64_t product = distance * mantissa_;
   const std::uint64_t quotient = product / kNanometresPerMm;
   const std::uint64_t remainder = product % kNanometresPerMm;
   if ((quotient >> fraction_bits_) >= static_cast<std::uint64_t>(kMaxSteps)) return std::nullopt;
-  const int shift = 32 - fraction_bits_;  // The shift is 1…25, because 2^23 / 0.01 < 2^31.
+  const int shift = 32 - fraction_bits_;  // The shift is 2…25, because fraction_bits_ is 7…30.
   const std::uint64_t fraction = ((remainder << shift) + kNanometresPerMm / 2) / kNanometresPerMm;
   const auto q32 = static_cast<std::int64_t>((quotient << shift) + fraction);
   return StepPosition{negative ? -q32 : q32};
@@ -30,7 +31,7 @@ std::optional<StepPosition> AxisScale::steps_at(Coordinate place) const {
 
 std::optional<StepPosition> AxisScale::steps_of(float mm) const {
   constexpr float kQ16 = 65'536.0F;
-  constexpr float kFew = 16'384.0F;  // Up to this number of steps Q32 holds the product.
+  constexpr float kFew = 16'384.0F;  // Greatest number of steps whose product fits into Q32.
   constexpr auto kMax = static_cast<float>(kMaxSteps);
   const float steps = mm * steps_per_mm_;
   if (!(steps > -kMax && steps < kMax)) return std::nullopt;

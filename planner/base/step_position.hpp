@@ -10,8 +10,8 @@ namespace cnc {
 
 /// A position on a motor axis in steps, Q32.32: 2^32 stands for one step.
 ///
-/// An integer, so that positions accumulate without error and chip and host agree to the bit. It
-/// has a fraction because a block rarely ends on a whole step.
+/// The number is an integer, so that positions accumulate without error and chip and host agree to
+/// the bit. It has a fraction because a block rarely ends on a whole step.
 class StepPosition {
  public:
   static constexpr float kStepsPerUnit = 1.0F / 4294967296.0F;
@@ -36,8 +36,8 @@ class StepPosition {
   std::int64_t q32_ = 0;
 };
 
-/// The resolution of one axis. The float setting is held as mantissa and exponent, so that
-/// conversion is exact integer arithmetic.
+/// Resolution of one axis. The float setting is stored as mantissa and exponent, so that conversion
+/// is exact integer arithmetic.
 class AxisScale {
  public:
   static constexpr float kMinStepsPerMm = 0.01F;
@@ -54,25 +54,25 @@ class AxisScale {
 
   /// Returns whether steps_at() has a result for this position.
   [[nodiscard]] bool reaches(Coordinate place) const;
-  /// Converts a position to steps, exact to 2^-32 step. Empty when the position is beyond
-  /// kMaxSteps.
-  [[nodiscard]] std::optional<StepPosition> steps_at(Coordinate place) const;
-  /// Converts a length to steps with a relative error of at most 1.2e-7. Empty when the length is
+  /// Converts a position to steps, exact to 2^-32 step. The result is empty if the position is
   /// beyond kMaxSteps.
+  [[nodiscard]] std::optional<StepPosition> steps_at(Coordinate place) const;
+  /// Converts a length to steps with a relative error of at most 1.2e-7. The result is empty if the
+  /// length is beyond kMaxSteps.
   [[nodiscard]] std::optional<StepPosition> steps_of(float mm) const;
 
-  /// Returns the position of a whole step, to the nearest nanometre.
+  /// Returns the coordinate of a whole step, to the nearest nanometre.
   [[nodiscard]] Coordinate place_of(std::int32_t step) const;
 
  private:
   float steps_per_mm_;
-  std::uint32_t mantissa_ = 0;  ///< steps_per_mm = mantissa_ · 2^-fraction_bits_.
+  std::uint32_t mantissa_ = 0;  ///< Mantissa: steps_per_mm = mantissa_ · 2^-fraction_bits_.
   int fraction_bits_ = 0;
 };
 
 constexpr AxisScale::AxisScale(float steps_per_mm) : steps_per_mm_{steps_per_mm} {
   CNC_ASSERT(steps_per_mm >= kMinStepsPerMm && steps_per_mm <= kMaxStepsPerMm);
-  // Doubles until 2^23 ≤ scaled < 2^24: at most 31 times, as 0.01 > 2^-7.
+  // Doubles until 2^23 ≤ scaled < 2^24: at most 30 times, because 0.01 > 2^-7.
   float scaled = steps_per_mm;
   while (scaled < 8388608.0F) {
     scaled *= 2.0F;

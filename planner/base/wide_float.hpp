@@ -4,16 +4,16 @@
 
 namespace cnc {
 
-/// A number as the unevaluated sum of two floats. The second is at most half a unit in the last
-/// place of the first. The sum has some 48 bits on hardware whose floats have only 24; differences
-/// of large positions keep their digits with it. Each operation costs a few dozen float operations.
-/// So the type serves for the positions of joints and not for values that are evaluated thousands
-/// of times.
+/// A number as the unevaluated sum of two floats. The second float is at most half a unit in the
+/// last place of the first. The sum has some 48 bits on hardware whose floats have only 24, so
+/// differences of large positions keep their digits. Each operation costs a few dozen float
+/// operations. The type is therefore meant for the positions of joints, and not for values that are
+/// evaluated thousands of times.
 ///
 /// Sums and products are those of Dekker (1971) with Knuth's error-free sum and Veltkamp's split.
-/// They rely on IEEE 754 and no contraction.
-/// Guarantee for +, −, × and ÷: the relative error is at most kWideError, for sums relative to |a|
-/// + |b|, with magnitudes from 1e-20 to 1e30.
+/// They rely on IEEE 754 arithmetic without contraction to fused operations. Guarantee for +, −, ×
+/// and ÷: the relative error is at most kWideError, for sums relative to |a| + |b|, with magnitudes
+/// from 1e-20 to 1e30.
 struct Wide {
   float high = 0.0F;
   float low = 0.0F;
@@ -27,7 +27,7 @@ struct Wide {
 
 inline constexpr double kWideError = 3.0e-14;
 
-/// Converts a whole number. Exact below 2^48.
+/// Converts a whole number. The conversion is exact below 2^48.
 [[nodiscard]] Wide to_wide(std::int64_t whole);
 /// Returns the nearest whole number. @pre |value| < 2^46
 [[nodiscard]] std::int64_t nearest_whole(const Wide& value);

@@ -6,8 +6,8 @@
 namespace cnc {
 namespace {
 
-// Half π in three parts. The first two have 33 bits each, so that their product with a quarter
-// count below 2^20 is exact.
+// Half π in three parts. The first two parts have 33 bits each, so that their product with a
+// quarter count below 2^20 is exact.
 constexpr double kWideHalfPiHigh = 1.57079632673412561417;
 constexpr double kWideHalfPiMiddle = 6.07710050630396597660e-11;
 constexpr double kWideHalfPiLow = 2.02226624879595063154e-21;
@@ -72,7 +72,7 @@ double wide_atan2(double y, double x) {
   const double ratio = (ax > ay ? ay : ax) / larger;
   const bool upper = ratio > kTanEighthPi;
   const double part = upper ? (ratio - 1.0) / (ratio + 1.0) : ratio;
-  // Tangent of half the angle.
+  // Tangent of half of the angle whose tangent is `part`.
   const double half_part = part / (1.0 + std::sqrt(1.0 + part * part));
   const double octant = (upper ? kQuarterPi : 0.0) + 2.0 * atan_near_zero(half_part);
   const double quadrant = ay > ax ? 2.0 * kQuarterPi - octant : octant;

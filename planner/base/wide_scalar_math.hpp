@@ -4,8 +4,8 @@
 
 namespace cnc {
 
-/// Our own transcendental functions in double precision, for path makers on the host. They give the
-/// same bits with every C library.
+/// Kerfline's transcendental functions in double precision, for path makers on the host. They give
+/// the same bits with every C library.
 
 using WideSinCos = BasicSinCos<double>;
 

@@ -1,4 +1,4 @@
-// Decides which parts of an offset path may be driven, and how the path is entered and left.
+// Checks which parts of an offset path may be driven, and how the path is entered and left.
 #include <algorithm>
 #include <cmath>
 
@@ -8,7 +8,8 @@
 namespace cnc::compensation {
 namespace {
 
-/// Rounding of a half turn. An entry that is too short for its width turns by more.
+/// Tolerance of the check that an entry arc makes at most half a turn. An entry that is too short
+/// for the offset turns by more.
 constexpr float kHalfTurn = 1.0e-4F;
 constexpr float kThirdOfATurn = -0.5F;  ///< Cosine of a third of a turn.
 
@@ -32,16 +33,16 @@ Curve OffsetChain::driven(std::size_t index, Kind kind) const {
   return way;
 }
 
-/// Returns the height below which edges need no check: a rapid cuts nothing below its path.
+/// Returns the height below which edges need no check, because a rapid cuts nothing below its path.
 Coordinate OffsetChain::air_below(const Position& start, const Position& end, bool rapid) const {
   const std::size_t normal = path_.axes().normal;
   return rapid ? std::min(start[normal], end[normal])
                : Coordinate{-Coordinate::kFarthestNanometres};
 }
 
-/// Returns the edge that a path comes too near to, if there is one.
-/// @param own element that the path belongs to; the path need not be compared with it
-/// @param air the path lies above edges below this height
+/// Returns the index of an edge to which `way` comes too near; nothing if there is no such edge.
+/// @param own index of the element to which `way` belongs: `way` is not compared with that element
+/// @param air edges below this height are not compared: `way` is above them
 std::optional<std::size_t> OffsetChain::too_near(const Curve& way,
                                                  const Place& origin,
                                                  std::size_t own,
@@ -87,7 +88,7 @@ std::optional<Fault> OffsetChain::check(std::size_t index, bool last) const {
 std::optional<Fault> OffsetChain::leave(const Position& here, const Position& to, bool rapid) {
   const std::size_t last = path_.previous(size());
   const Name join{last, Kind::kJoin};
-  // Coordinates are relative to the end of the path.
+  // All coordinates below are relative to the end of the path.
   const Place origin = path_.start_of(size());
   const Vec2 tangent = path_.curve(last, origin).end_tangent;
   const Vec2 target = HeldPath::from(origin, path_.place_of(to));
@@ -95,7 +96,8 @@ std::optional<Fault> OffsetChain::leave(const Position& here, const Position& to
   Vec2 start = HeldPath::from(origin, path_.place_of(here));
   if (!at(last).waste && length > std::abs(distance_)) {
     exit_tangent_ = round(target / length, length, -1.0F);
-    // After more than a third of a turn around the corner, the exit would meet the part.
+    // If the exit turned by more than a third of a turn around the corner, it would cut into the
+    // part.
     exit_rounds_ = cross(tangent, exit_tangent_) * distance_ > 0.0F &&
                    tangent.dot(exit_tangent_) >= kThirdOfATurn;
   }

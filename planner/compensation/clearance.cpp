@@ -15,12 +15,13 @@ bool ends_come_nearer(const Curve& a, const Curve& b, float limit) {
          distance(a, b.start) < limit || distance(a, b.end) < limit;
 }
 
-/// Returns the direction of both tangents where the two circles are nearest to each other, or
-/// farthest. Zero where the circles are equally near everywhere.
+/// Returns the common direction of the tangents at the points where the circles of the two curves
+/// are nearest to each other, or farthest. The result is zero if the circles are equally near
+/// everywhere.
 Vec2 common_direction(const Curve& a, const Curve& b) {
   if (a.curvature == 0.0F) return a.start_tangent;
   if (b.curvature == 0.0F) return b.start_tangent;
-  // Vector from centre to centre, multiplied by both curvatures, so that no far-away centre is
+  // Vector from centre to centre, multiplied by both curvatures. In this form no far-away centre is
   // computed.
   const Vec2 across = a.curvature * b.curvature * (a.start - b.start) +
                       b.curvature * left_normal(a.start_tangent) -
@@ -30,8 +31,9 @@ Vec2 common_direction(const Curve& a, const Curve& b) {
   return left_normal(across) / size;
 }
 
-/// Returns the point where the tangent of an arc has a direction. It is computed along a chord,
-/// which errs along the arc only, or by way of the centre where that is nearer.
+/// Returns the point where the tangent of an arc has the given direction. Up to a quarter turn from
+/// the start, the point is computed along a chord, whose error is only along the arc. Beyond that
+/// it is computed from the centre.
 Vec2 place_with_tangent(const Curve& arc, const Vec2& direction) {
   const Vec2 turn = direction - arc.start_tangent;
   if (direction.dot(arc.start_tangent) < 0.0F) {

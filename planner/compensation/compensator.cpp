@@ -29,6 +29,7 @@ void Compensator::clear() {
   free_ = given_ = kind_ = 0;
 }
 
+/// Returns the fault for which an element must be refused before it is appended.
 /// @param chord_mm length of the element in the plane
 std::optional<Fault> Compensator::refusal_of(const path::PathItem& item, float chord_mm) const {
   const PathElement& element = item.request.element;
@@ -60,7 +61,7 @@ std::optional<Fault> Compensator::put(const path::PathItem& item) {
   const float y = (held.end[axes.second] - before[1]).mm();
   if (auto fault = refusal_of(item, std::sqrt(x * x + y * y))) return fault;
   programmed_ = request.element.end;
-  // The element is too short to have a direction: the next element begins where this one does.
+  // An element this short has no direction. The next element begins at its start.
   held.stands = std::max(std::abs(x), std::abs(y)) <= kTouch;
   if (held.stands) {
     held.bulge = 0.0F;
@@ -111,12 +112,12 @@ bool Compensator::take(path::PathItem& item) {
   return false;
 }
 
-/// Sets `item` to the next part of the result of an element. Returns false if that part moves
-/// nowhere.
+/// Sets `item` to one raw curve of an element, as the next element to be driven. Returns false if
+/// the raw curve has no length.
 bool Compensator::give(const HeldElement& held, Kind kind, path::PathItem& item) {
   const PlaneAxes axes = axes_of(plane_);
   PathElement way{.start = driven_, .end = driven_, .plane = plane_};
-  // Other axes move along the element, and not along the join at its end.
+  // Axes outside the plane move along the element, and not along the join at its end.
   if (kind == Kind::kParallel) way.end = held.end;
   way.end[axes.first] = driven_[axes.first];
   way.end[axes.second] = driven_[axes.second];
@@ -138,8 +139,8 @@ bool Compensator::give(const HeldElement& held, Kind kind, path::PathItem& item)
   return true;
 }
 
-/// Lets an element end where a curve ends. The curve is relative to the start of the programmed
-/// element.
+/// Sets end and bulge of `way` so that it ends at the end of `curve`. The coordinates of `curve`
+/// are relative to the start of the programmed element.
 void Compensator::lead_along(const Curve& curve, PathElement& way) const {
   const PlaneAxes axes = axes_of(plane_);
   const Place origin = chain_.path().start_of(given_);
@@ -165,7 +166,7 @@ void Compensator::stand_at(const Position& here) {
 std::optional<Fault> Compensator::leave(const Position& to, bool rapid) {
   beside_ = false;
   if (const auto fault = chain_.leave(driven_, to, rapid)) return fault;
-  // The join is the only part of the last element that may still have to be driven.
+  // The join is the only raw curve of the last element that may still have to be driven.
   given_ = chain_.path().previous(chain_.size());
   free_ = given_ + 1;
   kind_ = static_cast<std::size_t>(Kind::kJoin);

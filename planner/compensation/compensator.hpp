@@ -12,18 +12,19 @@ namespace cnc::compensation {
 /// Returns whether an element moves an axis of a plane.
 [[nodiscard]] bool moves_in(Plane plane, const PathElement& element);
 
-/// Cutter compensation (G41, G42 and G40): takes a programmed path and gives the path at an offset
-/// from it, as lines and arcs.
+/// Cutter compensation (G41, G42 and G40): takes a programmed path and returns the path at an
+/// offset from it, as lines and arcs.
 ///
-/// The first element is the entry, as in LinuxCNC: a line or an arc, longer than the offset, that
-/// ends where the next element's offset begins, or at the corner of both. An element is held until
-/// 16 elements after it are known, or G40 reports that none follow. Each element is compared with
-/// the edges among these before it is given out. So a path that cannot be cut is refused before the
-/// motion that it would damage. After a fault nothing more is given out. Leads are no edges
+/// The first element is the entry, as in LinuxCNC. It is a line or an arc that is longer than the
+/// offset. It ends where the next element's offset begins, or at the intersection of both offsets.
+/// An element is held until 16 elements after it are known, or until G40 reports that no element
+/// follows. Before an element is given out, its offset is compared with all edges among the known
+/// elements. So a path that cannot be cut is refused before the motion that would damage the part.
+/// After a fault no further element is given out. Elements of leads do not count as edges
 /// (HeldPath).
 ///
-/// Other axes move along the offset of their element. An element that moves no axis of the plane is
-/// driven at the point that the offset path has then reached.
+/// Axes outside the plane move along the offset of their element. An element that moves no axis of
+/// the plane is driven at the present end of the offset path.
 class Compensator {
  public:
   static constexpr std::size_t kLookAhead = HeldPath::kLookAhead;
@@ -32,37 +33,37 @@ class Compensator {
 
   /// Begins compensation with the next element (G41, G42).
   /// @param here machine position
-  /// @param offset_mm signed, positive is the right of the path (G42.1); not 0
+  /// @param offset_mm signed offset, positive is to the right of the path (G42.1); not 0
   void begin(const Position& here, Plane plane, float offset_mm);
-  /// Ends the path (G40): no element follows. The held elements can be taken, unless there is a
-  /// fault.
+  /// Ends the path (G40): no element follows. Unless there is a fault, the held elements can then
+  /// be taken.
   [[nodiscard]] std::optional<Fault> end();
-  /// Forgets everything.
+  /// Ends compensation and forgets all elements.
   void clear();
-  /// Sets the end of the programmed path after motions without compensation. Where beside(), the
-  /// machine has moved only axes outside the plane. @pre !active()
+  /// Sets the end of the programmed path after motions without compensation. If beside(), these
+  /// motions have moved only axes outside the plane. @pre !active()
   void stand_at(const Position& here);
 
-  /// Returns whether a path is between begin() and end(), or elements wait to be taken.
+  /// Returns whether a path has begun and not ended, or elements wait to be taken.
   [[nodiscard]] bool active() const { return active_; }
-  /// Returns whether the machine is offset from the programmed path: after end(), until leave().
+  /// Returns whether the machine is offset from the programmed path: from end() until leave().
   [[nodiscard]] bool beside() const { return beside_; }
-  /// Returns whether put() may be called: nothing waits to be taken.
+  /// Returns whether put() may be called: no element waits to be taken.
   [[nodiscard]] bool has_room() const { return given_ == free_; }
   /// Returns whether no element is held.
   [[nodiscard]] bool empty() const { return given_ == chain_.size() || !active_; }
 
-  /// Takes an element that moves. @pre active(), has_room(), the element begins where the
-  /// programmed path has ended so far, and the first element moves in the plane
+  /// Accepts an element that moves. @pre active(), has_room(), the element begins at programmed(),
+  /// and the first element moves in the plane
   [[nodiscard]] std::optional<Fault> put(const path::PathItem& item);
-  /// Sets `item` to the next element to be driven. Returns false when there is none yet.
+  /// Sets `item` to the next element to be driven. Returns false if there is no such element yet.
   [[nodiscard]] bool take(path::PathItem& item);
-  /// Leaves the path by a straight line to a point, the exit. Returns a fault if that would cut
-  /// into the part. Where the exit first goes around the corner at the end of the path, that arc
-  /// can then be taken. @pre beside()
-  /// @param rapid the exit cuts nothing that is below it
+  /// Begins the exit from the path: a straight line to the point `to`. Returns a fault if the exit
+  /// would cut into the part. If the exit first goes around the corner at the end of the path,
+  /// take() then returns that arc. @pre beside()
+  /// @param rapid the exit is a rapid, which cuts nothing below its path
   [[nodiscard]] std::optional<Fault> leave(const Position& to, bool rapid);
-  /// Returns the fault of leaving the path by any other motion.
+  /// Returns the fault for a motion that leaves the path but is not a straight line in the plane.
   [[nodiscard]] Fault refuse_to_leave() const;
 
   /// Returns the end of the programmed path.

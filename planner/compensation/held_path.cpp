@@ -44,9 +44,9 @@ bool HeldPath::end_path() {
   return true;
 }
 
-/// Marks the elements after the last outline, or after the entry, as waste up to `end`, unless
-/// there are more of them than a lead may have. They are the lead-out of one outline and the
-/// lead-in of the next. Returns whether a held element has become waste.
+/// Marks the elements after the last outline (after the entry, if no outline has closed) and before
+/// `end` as waste. They are the lead-out of one outline and the lead-in of the next. Does nothing
+/// if there are more of them than leads may have. Returns whether a held element has become waste.
 bool HeldPath::discard(std::uint32_t end) {
   const std::uint32_t first = loop_end_ + 1;
   if (first >= end || end - first > (loop_end_ == 0 ? kLead : 2 * kLead)) return false;
@@ -58,8 +58,9 @@ bool HeldPath::discard(std::uint32_t end) {
   return changed;
 }
 
-/// Measures the rounding: the greatest distance from an edge of elements of the same kind that run
-/// along it, such as an overlap or a tangent from its middle.
+/// Measures the rounding of the programmed coordinates. It is the greatest distance between an edge
+/// and the end points of elements that run along the edge. These elements are of the same kind as
+/// the edge: for example an overlap, or a tangent line from its middle.
 void HeldPath::measure_rounding() {
   for (std::size_t i = 0; i < size_; ++i) {
     if (at(i).stands) continue;
@@ -77,8 +78,9 @@ void HeldPath::measure_rounding() {
   }
 }
 
-/// Returns the latest element whose start the newest element passes; 0 if there is none. A loop
-/// around the last outline is no outline: it arises when a lead-out ends where a lead-in began.
+/// Returns the number of the latest element whose start point is on the newest element; 0 if there
+/// is none. A loop that begins before the last outline is no outline: it arises when a lead-out
+/// ends where a lead-in began.
 std::uint32_t HeldPath::start_of_loop() const {
   const std::uint32_t least = std::max({std::uint32_t{1}, loop_start_, rapid_ + 1});
   const auto nodes = static_cast<std::uint32_t>(first_nodes_.size());
@@ -91,9 +93,9 @@ std::uint32_t HeldPath::start_of_loop() const {
   return 0;
 }
 
-/// Returns whether the newest element comes to a point at which it does not begin. The element must
-/// end there, unless no outline has closed before: then the point may also be the beginning of an
-/// overlap.
+/// Returns whether the newest element passes the point `node`, which is not its own start. If an
+/// outline has already closed, the newest element must end at `node`. If none has closed, `node`
+/// may also be the beginning of an overlap.
 bool HeldPath::passes(const Place& node) const {
   const Place origin = start_of(size_ - 1);
   const Vec2 point = from(origin, node);
@@ -120,8 +122,8 @@ Vec2 HeldPath::from(const Place& origin, const Place& place) {
   return {(place[0] - origin[0]).mm(), (place[1] - origin[1]).mm()};
 }
 
-/// Computes the shape of the curve relative to its own start: far from the origin both ends may be
-/// rounded to one point.
+/// Computes the shape of the curve relative to the curve's own start, because far from the origin
+/// both ends may be rounded to one point.
 Curve HeldPath::curve(std::size_t index, const Place& origin) const {
   const Place start = start_of(index);
   const Place end = place_of(at(index).end);

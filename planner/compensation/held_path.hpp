@@ -11,29 +11,29 @@
 
 namespace cnc::compensation {
 
-/// Points at most this far apart, in mm, are meant as one point: rounded to three decimals of a
-/// millimetre or four of an inch, a point on a slanted line is up to 1.8 µm off the line.
+/// Greatest distance, mm, of points that are meant as one point. A point on a slanted line, rounded
+/// to three decimals of a millimetre or four of an inch, is up to 1.8 µm off the line.
 inline constexpr float kSamePoint = 2.0e-3F;
 
 /// A point in the plane of compensation.
 using Place = std::array<Coordinate, 2>;
 
-/// kParallel is the element at its offset; kJoin is the arc about its end where the offsets leave a
-/// gap.
+/// Kinds of raw curve: kParallel is the element at its offset, and kJoin is the arc about the
+/// element's end that fills a gap between two offsets.
 enum class Kind : std::uint8_t { kParallel, kJoin };
 inline constexpr std::size_t kKinds = 2;
 
-/// The driven part of a raw curve, in mm from the start of its element.
+/// The driven part of a raw curve. Points are in mm relative to the start of its element.
 struct Stretch {
   bool live = false;
-  bool exists = true;  ///< For a join: the corner opens a gap.
+  bool exists = true;  ///< For a join: whether the corner opens a gap.
   Vec2 start{0.0F, 0.0F};
   Vec2 end{0.0F, 0.0F};
 };
 
 /// A programmed element and its offset.
 struct HeldElement {
-  Position end{};  ///< End position. The element begins at the end of the one before.
+  Position end{};  ///< End position. The element begins at the end of the element before it.
   float bulge = 0.0F;
   float feed_mm_s = 0.0F;
   motion::BeamCommand beam{};
@@ -41,40 +41,43 @@ struct HeldElement {
   motion::SourceLine line{};
   motion::OutputChanges outputs{};
   bool continues = false;
-  /// Only axes outside the plane move: the element has no direction and no offset.
+  /// Whether only axes outside the plane move: the element then has no direction and no offset.
   bool stands = false;
-  bool waste = false;  ///< The element is part of a lead: it bounds nothing that is to be kept.
+  /// Whether the element is part of a lead, which bounds nothing that is to be kept.
+  bool waste = false;
   std::array<Stretch, kKinds> stretches{};
 };
 
 /// The last elements of a programmed path, and which of them are edges of the part.
 ///
-/// The first element is the entry and never an edge; neither are rapids. If the path comes back to
-/// a point at which an earlier element began, without a rapid between, the elements between form a
-/// closed outline. Then up to kLead elements before the outline are its lead-in. Once the path has
-/// ended, up to twice as many elements after the outline are its overlap and lead-out. These
-/// elements lie in the waste, or bound nothing but the outline. Without a closed outline all
+/// The first element is the entry. The entry and rapids are never edges. If the path returns to the
+/// start of an earlier element without a rapid in between, the elements from there on form a closed
+/// outline. Then up to kLead elements before the outline are its lead-in. Once the path has ended,
+/// up to twice as many elements after the outline are its overlap and lead-out. Leads are in the
+/// waste, and an overlap bounds nothing but the outline. Without a closed outline all other
 /// elements are edges. The first points of the path stay known when their elements are forgotten,
 /// so an outline of any length is recognized when it closes.
 class HeldPath {
  public:
-  /// Number of elements that must be known ahead of an element before it is given out.
+  /// Number of later elements that must be known before an element is given out.
   static constexpr std::size_t kLookAhead = 16;
-  /// Number of elements that are known: elements that were given out stay known while a few more
-  /// follow.
+  /// Number of elements that are stored. An element that was given out stays stored while a few
+  /// more elements follow.
   static constexpr std::size_t kCapacity = kLookAhead + 3;
-  /// Greatest number of elements of a lead; the entry or exit motion comes in addition.
+  /// Greatest number of elements in a lead, without the entry or exit motion.
   static constexpr std::uint32_t kLead = 4;
 
   void begin(const Position& start, Plane plane);
-  /// Appends an element. The oldest one is forgotten if the path is full.
-  /// @return whether earlier elements have to be offset once more, because some have become waste
+  /// Appends an element. If the path is full, the oldest element is forgotten.
+  /// @return whether the offsets of earlier elements must be recomputed, because some of these
+  ///     elements have become waste
   [[nodiscard]] bool append(const HeldElement& added);
-  /// Ends the path. @return whether earlier elements have to be offset once more. @pre size() > 0
+  /// Ends the path. @return whether the offsets of earlier elements must be recomputed. @pre size()
+  /// > 0
   [[nodiscard]] bool end_path();
 
   [[nodiscard]] std::size_t size() const { return size_; }
-  /// Number of elements that were appended and have been forgotten.
+  /// Returns the number of elements that were appended and have been forgotten.
   [[nodiscard]] std::uint32_t forgotten() const { return forgotten_; }
   [[nodiscard]] bool full() const { return size_ == kCapacity; }
   [[nodiscard]] HeldElement& at(std::size_t index) {
@@ -98,14 +101,16 @@ class HeldPath {
     const HeldElement& held = at(index);
     return !is_entry(index) && !held.stands && !held.waste && held.feed_mm_s > 0.0F;
   }
-  /// Returns how far apart points are that are driven twice, at most kSamePoint, mm.
+  /// Returns the greatest distance between two programmed points that are meant as one point, mm;
+  /// at most kSamePoint.
   [[nodiscard]] float rounding() const { return rounding_; }
-  /// Returns whether all of an element lies below a height above the plane.
+  /// Returns whether the complete element is below a height, measured along the normal of the
+  /// plane.
   [[nodiscard]] bool is_below(std::size_t index, Coordinate height) const {
     return position(index)[axes_.normal] < height && at(index).end[axes_.normal] < height;
   }
-  /// Returns the next element that moves in the plane, or the previous one; size() if there is
-  /// none.
+  /// Returns the index of the next element that moves in the plane, or of the previous one; size()
+  /// if there is none.
   [[nodiscard]] std::size_t next(std::size_t index) const;
   [[nodiscard]] std::size_t previous(std::size_t index) const;
 
@@ -133,7 +138,7 @@ class HeldPath {
   // Numbers of elements, counted from the entry, which is 0.
   std::uint32_t loop_start_ = 0;  ///< First element of the last outline; 0 if none has closed.
   std::uint32_t loop_end_ = 0;    ///< Last element of the last closed outline.
-  std::uint32_t rapid_ = 0;       ///< The last rapid; 0 if there has been no rapid.
+  std::uint32_t rapid_ = 0;       ///< Last rapid; 0 if there has been no rapid.
   float rounding_ = 0.0F;
 };
 

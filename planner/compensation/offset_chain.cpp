@@ -10,8 +10,8 @@
 namespace cnc::compensation {
 namespace {
 
-/// A swallowed element may lie at most this many offsets from the point where the path turns. At a
-/// corner of 30 degrees a line loses no more than that.
+/// Greatest distance of a swallowed element from the point where the path is cut, as a multiple of
+/// the offset. At a corner of 30 degrees the offset of a line loses no more than this length.
 constexpr float kReach = 4.0F;
 
 }  // namespace
@@ -24,8 +24,8 @@ void OffsetChain::begin(const Position& start, Plane plane, float distance_mm) {
   trouble_.reset();
 }
 
-/// Returns an element as a curve. An entry that goes around its end has the tangent of that motion
-/// at its end.
+/// Returns an element as a curve. If the entry goes around the corner at its end, its end tangent
+/// is the tangent with which it reaches the circle about the corner.
 Curve OffsetChain::own_curve(std::size_t index, const Place& origin) const {
   Curve own = path_.curve(index, origin);
   if (path_.is_entry(index) && entry_rounds_) own.end_tangent = entry_tangent_;
@@ -40,7 +40,7 @@ bool OffsetChain::has_raw(Name name) const {
   return !contour::is_used_up(path_.curve(name.element, path_.start_of(name.element)), distance_);
 }
 
-/// Returns the arc about a corner from one direction to another.
+/// Returns the arc about a corner from the direction `before` to the direction `after`.
 Curve OffsetChain::round_about(const Vec2& corner, const Vec2& before, const Vec2& after) const {
   return {corner - distance_ * left_normal(before),
           corner - distance_ * left_normal(after),
@@ -126,8 +126,8 @@ void OffsetChain::extend(std::size_t index) {
   if (stretch(join).exists) add_raw(join, true);
   const Name name{index, Kind::kParallel};
   add_raw(name, !concave);
-  // An entry that is too short for the corner of both offsets leads to the start of this element's
-  // offset.
+  // If the entry is too short to reach the intersection of both offsets, it leads to the start of
+  // this element's offset.
   Stretch& in = stretch({last, Kind::kParallel});
   Stretch& out = stretch(name);
   if (!path_.is_entry(last) || out.live || !has_raw(name)) return;
@@ -135,9 +135,9 @@ void OffsetChain::extend(std::size_t index) {
   out.live = in.live;
 }
 
-/// Returns the direction of the tangent to the circle about a corner, for a path that comes along
-/// `direction` from `length` mm before the corner. For a path that leaves the corner, `side` has
-/// the other sign.
+/// Returns the direction of the line that touches the circle about a corner. The line begins
+/// `length` mm before the corner, which is seen from there in the direction `direction`.
+/// @param side 1 for a path that arrives at the corner, −1 for a path that leaves it
 /// @pre length ≥ |distance()|
 Vec2 OffsetChain::round(const Vec2& direction, float length, float side) const {
   const float sine = -side * distance_ / length;
@@ -156,7 +156,7 @@ void OffsetChain::aim(std::size_t entry, const Curve& after) {
   if (stretch(name).live) stretch(name).end = raw(name, origin).end;
 }
 
-/// Adds a raw curve. @param joins the raw curve begins where the one before it ends
+/// Adds a raw curve. @param joins whether the raw curve begins where the raw curve before it ends
 void OffsetChain::add_raw(Name name, bool joins) {
   Stretch& added = stretch(name);
   added.live = false;
@@ -171,21 +171,21 @@ void OffsetChain::add_raw(Name name, bool joins) {
   if (!added.live) attach(name);
 }
 
-/// Searches for the point where the path leaves an earlier curve for this one. It is no fault if
-/// none is found: a later curve may swallow this one.
+/// Searches for the point where the path leaves an earlier raw curve for this one. If there is
+/// none, this is no fault yet, because a later raw curve may swallow this one.
 void OffsetChain::attach(Name name) {
   for (std::size_t order = name.order(); order-- > 0;) {
     const Name before = name_at(order);
     if (before.element < settled_) break;
     if (!stretch(before).live) continue;
     if (const auto place = first_meeting(before, name)) return link(before, name, *place);
-    // The curve `before` could be cut from its start on, so it must not be swallowed.
+    // The raw curve `before` could be cut from its start on, so it must not be swallowed.
     if (is_clear(stretch(before).start, path_.start_of(before.element), false)) break;
   }
 }
 
-/// Returns the first point that lies on both curves and not before the beginning of the first
-/// curve, relative to the element of the first curve.
+/// Returns the first point that is on both raw curves and not before the beginning of the driven
+/// part of `before`. The point is relative to the start of that curve's element.
 std::optional<Vec2> OffsetChain::first_meeting(Name before, Name after) const {
   const Place origin = path_.start_of(before.element);
   const Curve a = raw(before, origin);
@@ -200,7 +200,7 @@ std::optional<Vec2> OffsetChain::first_meeting(Name before, Name after) const {
     least = here;
     first = found.places[i];
   }
-  // The tangents may differ by rounding only, so that the curves miss each other.
+  // If the tangents differ only by rounding, the curves may miss each other.
   const Vec2 gap = b.start - a.end;
   const bool neighbours =
       path_.next(before.element) == after.element && before.kind == Kind::kParallel;
@@ -210,8 +210,8 @@ std::optional<Vec2> OffsetChain::first_meeting(Name before, Name after) const {
   return first;
 }
 
-/// Drives one curve up to a point, and another one from there on. The raw curves between are
-/// swallowed.
+/// Ends the driven part of `before` at `place` and begins the driven part of `after` there. The raw
+/// curves in between are swallowed.
 void OffsetChain::link(Name before, Name after, const Vec2& place) {
   const Place origin = path_.start_of(before.element);
   for (std::size_t order = before.order(); order <= after.order(); ++order) {
@@ -236,24 +236,25 @@ void OffsetChain::link(Name before, Name after, const Vec2& place) {
   stretch(after).start = place + HeldPath::from(path_.start_of(after.element), origin);
 }
 
-/// Stores a fault until the path after `before` is to be driven.
+/// Stores a fault. It is reported when the path after `before` is to be driven.
 void OffsetChain::fail(Reason reason, Name before, std::size_t index, std::size_t other) {
   trouble_ = fault(reason, index, other);
   trouble_after_ = path_.forgotten() + static_cast<std::uint32_t>(before.element);
 }
 
-/// Returns whether an element is a detail of the corner that is cut there, and not a slot.
+/// Returns whether both ends of an element are near the point `cut`. Then the element is a detail
+/// of the corner at that point, and not a slot.
 bool OffsetChain::is_beside(const Vec2& cut, const Place& origin, std::size_t index) const {
   const float reach = kReach * std::abs(distance_);
   return (HeldPath::from(origin, path_.start_of(index)) - cut).norm() <= reach &&
          (HeldPath::from(origin, path_.start_of(index + 1)) - cut).norm() <= reach;
 }
 
-/// Returns whether a swallowed point could be cut: it is clear, and not next to the point where the
-/// path is cut anyway.
+/// Returns whether a point that would be swallowed could be cut. Such a point is not too near to
+/// any element, and not next to the point `cut`, where the path is cut anyway.
 bool OffsetChain::could_be_cut(const Vec2& lost, const Vec2& cut, const Place& origin) const {
-  // Ends of a slight turn count as clear. The allowance is half of the turn times half of the
-  // length that the turn removes.
+  // The ends that are removed at a slight turn by the angle t count as clear. The length removed is
+  // t · |distance_|, and the allowance kTolerance is half of t times half of that length.
   const float brief = 2.0F * std::sqrt(kTolerance * std::abs(distance_)) + kTouch;
   return (lost - cut).norm() > brief && is_clear(lost, origin, true);
 }

@@ -10,28 +10,27 @@
 namespace cnc::compensation {
 
 /// The last elements of a path, and the curve at an offset from them. The curve consists of
-/// consecutive raw curves, each driven from where it leaves the one before. Where two raw curves do
-/// not join, they are cut at the first point at which they meet and which is nowhere nearer to an
-/// edge than the offset. The raw curves between are swallowed if they are within four offsets of
-/// that point.
+/// consecutive raw curves. If two raw curves do not join, both are cut at their first meeting that
+/// is nowhere nearer to an edge than the offset. The raw curves in between are swallowed if they
+/// are within four offsets of that meeting.
 ///
-/// A straight entry leads to the offset point at its end, or to the corner of both offsets, or,
-/// where it is too short for that, to the start of the next element's offset. If the entry would
-/// cut into the corner at its end, and that corner belongs to an edge, it leads along a tangent of
-/// the circle about the corner and then around the corner. An arc as the entry ends with its
-/// programmed tangent.
+/// A straight entry leads to the end of its own offset. If its offset intersects the next element's
+/// offset, it leads to their intersection. If it is too short for that, it leads to the start of
+/// the next element's offset. If the corner at the entry's end belongs to an edge, and the entry
+/// would cut into it, the entry leads along a tangent of the circle about the corner. Then it leads
+/// around the corner. An arc as the entry ends with its programmed tangent.
 ///
-/// Only a bounded part of a path is known, and all statements hold within that part. Computed in
-/// single precision, relative to the element in question: errors are at most 5e-5 mm where elements
-/// are up to 0.3 m long.
+/// Only a bounded number of elements is known, and all checks hold among these elements. The
+/// computation is in single precision, relative to the element in question: errors are at most 5e-5
+/// mm where elements are up to 0.3 m long.
 class OffsetChain {
  public:
-  /// @param distance_mm signed offset, positive is the right of the path; not 0
+  /// Begins a path. @param distance_mm signed offset, positive is to the right of the path; not 0
   void begin(const Position& start, Plane plane, float distance_mm);
 
-  /// Appends an element. The oldest element is forgotten when there is no capacity.
+  /// Appends an element. If the capacity is exhausted, the oldest element is forgotten.
   /// @pre the element's chord is longer than kTouch, or the element does not move in the plane. If
-  /// there are kCapacity elements, the oldest has been given out
+  ///     there are kCapacity elements, the oldest has been given out
   void append(const HeldElement& added);
   /// Ends the path: no element follows.
   void finish();
@@ -45,22 +44,24 @@ class OffsetChain {
   /// Returns the driven part of a raw curve, relative to the start of its element. @pre the raw
   /// curve is live
   [[nodiscard]] Curve driven(std::size_t index, Kind kind) const;
-  /// Returns a fault unless an element's part of the path is settled and is nowhere too near to any
-  /// known edge.
-  /// @param last nothing follows the last element
+  /// Returns a fault if the offset of an element cannot be driven, or if it is too near to a known
+  /// edge.
+  /// @param last whether no element follows the last known element
   [[nodiscard]] std::optional<Fault> check(std::size_t index, bool last) const;
-  /// Returns a fault if a straight line to a point, the exit, would cut into the part. If the tool
-  /// first goes around the corner at the end of the path, the join there becomes live.
+  /// Returns a fault if the exit, a straight line to the point `to`, would cut into the part. If
+  /// the tool first goes around the corner at the end of the path, the join at that corner becomes
+  /// live.
   /// @pre finished, not empty
   /// @param here tool position
-  /// @param rapid the exit cuts nothing below it
+  /// @param rapid the exit is a rapid, which cuts nothing below its path
   [[nodiscard]] std::optional<Fault> leave(const Position& here, const Position& to, bool rapid);
-  /// Fixes the elements before `index`, because they have been given out.
+  /// Declares that the elements before `index` must not change, because they have been given out.
   void settle(std::size_t index) { settled_ = index; }
   [[nodiscard]] Fault fault(Reason reason, std::size_t index, std::size_t other) const;
 
  private:
-  /// A raw curve, named by its index in the row of raw curves.
+  /// Name of a raw curve: its element and its kind. order() is its index in the sequence of all raw
+  /// curves.
   struct Name {
     std::size_t element = 0;
     Kind kind = Kind::kParallel;
@@ -81,7 +82,7 @@ class OffsetChain {
   [[nodiscard]] bool has_raw(Name name) const;
   [[nodiscard]] Curve round_about(const Vec2& corner, const Vec2& before, const Vec2& after) const;
   [[nodiscard]] Curve raw(Name name, const Place& origin) const;
-  /// Returns whether a point is nowhere too near to an edge or, if `of_all`, to any known element.
+  /// Returns whether a point is far enough from all edges or, if `of_all`, from all known elements.
   [[nodiscard]] bool is_clear(const Vec2& place, const Place& origin, bool of_all) const;
   [[nodiscard]] Vec2 round(const Vec2& direction, float length, float side) const;
   void aim(std::size_t entry, const Curve& after);
@@ -99,20 +100,23 @@ class OffsetChain {
                                                     std::size_t own,
                                                     Coordinate air) const;
   [[nodiscard]] Coordinate air_below(const Position& start, const Position& end, bool rapid) const;
-  /// Returns the least distance from an edge that is not too near, mm.
+  /// Returns the least permitted distance from an edge, mm.
   [[nodiscard]] float limit() const;
 
   HeldPath path_{};
   std::size_t settled_ = 0;
   float distance_ = 0.0F;
-  /// Tangent with which an entry that goes around its end reaches the circle there.
+  /// Tangent with which an entry that goes around the corner at its end reaches the circle about
+  /// this corner.
   Vec2 entry_tangent_{1.0F, 0.0F};
-  /// Tangent with which an exit that goes around its start leaves the circle there.
+  /// Tangent with which an exit that goes around the corner at its start leaves the circle about
+  /// this corner.
   Vec2 exit_tangent_{1.0F, 0.0F};
   bool entry_rounds_ = false;
   bool exit_rounds_ = false;
-  std::optional<Fault> trouble_{};  ///< Fault, unless its cause becomes part of a lead.
-  /// The fault holds from this element on, counted from the entry, which is 0.
+  /// Fault that check() reports, unless its cause has become part of a lead.
+  std::optional<Fault> trouble_{};
+  /// Number of the element from which on the fault holds, counted from the entry, which is 0.
   std::uint32_t trouble_after_ = 0;
 };
 

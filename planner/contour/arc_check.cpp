@@ -6,10 +6,11 @@
 namespace cnc::contour {
 namespace {
 
-/// mm: an arc with a shorter chord counts as a point.
+/// Shortest chord of an arc, mm. An arc with a shorter chord counts as a point.
 constexpr double kPlaceChord = 1.0e-12;
 
-/// Distance of a point from an arc, and the slope of this distance along the curve.
+/// Distance of a point of the curve from an arc, mm, and the derivative of this distance along the
+/// curve.
 struct ArcDistance {
   double mm = 0.0;
   double slope = 0.0;
@@ -36,15 +37,15 @@ bool is_half_a_turn_at_most(const Curve<double>& arc) {
   return length < kPlaceChord || chord.dot(arc.start_tangent) >= kMinCosine * length;
 }
 
-/// A sampled point of a stretch and its distance from the arc.
+/// A sampled point of a stretch, and the distance of the point from the arc.
 struct Seen {
   WayPoint point{};
   ArcDistance distance{};
 };
 
-/// Returns an upper bound of the distance between two points: the top of a tent over both slopes.
-/// Each slope is made steeper by half of their difference, for slopes that are not monotone between
-/// the points.
+/// Returns an upper bound of the distance from the arc between two points of a stretch: the top of
+/// the tent that both slopes form. Each slope is made steeper by half of the difference of the
+/// slopes, because the slope may not be monotone between the points.
 double peak_between(const Seen& from, const Seen& to) {
   const double chord = (to.point.place - from.point.place).norm();
   const double margin = 0.5 * std::abs(to.distance.slope - from.distance.slope);
@@ -56,20 +57,22 @@ double peak_between(const Seen& from, const Seen& to) {
   return std::max({from.distance.mm, to.distance.mm, tent});
 }
 
-/// Returns whether a stretch is so short that its ends show what lies between them.
+/// Returns whether a stretch is so short that its two ends show how the curve runs between them.
 bool is_resolved(const Seen& from, const Seen& to, double fine_mm) {
   constexpr double kMinCosine = 0.99;
-  // Eight times the height of the curve of the distance above its chord.
+  // Bound of eight times the height of the distance function above its chord, as a multiple of
+  // `fine_mm`.
   constexpr double kMaxBend = 100.0;
   const double chord = (to.point.place - from.point.place).norm();
   return from.point.tangent.dot(to.point.tangent) >= kMinCosine &&
          chord * std::abs(to.distance.slope - from.distance.slope) <= kMaxBend * fine_mm;
 }
 
-/// Returns the greatest distance of the stretch's points from the arc.
+/// Returns the greatest distance between points of the stretch and the arc.
 double stretch_deviation(const CurveStretch& stretch, const Curve<double>& arc, double fine_mm) {
   constexpr double kLargestStride = 1.0 / 16.0;  // In spans.
-  // Share of the stretch; an arc touches its band only a few times.
+  // Largest stride as a share of the stretch. It suffices because an arc touches its band only a
+  // few times.
   constexpr double kLargestPart = 1.0 / 32.0;
   constexpr double kMinStride = 1.0e-14;
   const auto look = [&](double spans) {
@@ -126,8 +129,8 @@ double arc_deviation(const CurveStretch& stretch, const Curve<double>& arc, doub
   const double of_stretch = stretch_deviation(stretch, arc, fine_mm);
   const double greatest = std::max({of_stretch, at_start, at_end});
   const double size = std::abs(arc.curvature);
-  // The arc is smaller than its distance from the stretch. No point of the arc is farther from the
-  // arc's ends than its diameter.
+  // Here the arc is smaller than its distance from the stretch. No point of the arc is farther from
+  // the arc's ends than the arc's diameter.
   if (of_stretch * size > kMaxOfRadius) return std::max(greatest, at_start + 2.0 / size);
   return greatest;
 }

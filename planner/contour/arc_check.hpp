@@ -6,34 +6,34 @@
 namespace cnc::contour {
 
 /// Returns the arc that leaves `start` along `tangent`, a unit vector, and ends at `end`. Returns a
-/// line where `start` and `end` are one point.
+/// line if `start` and `end` are one point.
 [[nodiscard]] Curve<double> arc_leaving(const WideVec2& start,
                                         const WideVec2& tangent,
                                         const WideVec2& end);
 
-/// A part of a piece of a curve. `from` and `to` count spans, as in CurvePiece; `from` is at most
-/// `to`.
+/// A part of a piece of a curve. `from` and `to` are parameters counted in spans, as in CurvePiece;
+/// `from` is at most `to`.
 struct CurveStretch {
   const CurvePiece* piece = nullptr;
   double from = 0.0;
   double to = 0.0;
 };
 
-/// Returns an upper bound of the distance between an arc and the stretch of a curve that it
+/// Returns an upper bound of the distance between an arc and the stretch of a curve that the arc
 /// replaces, mm. The distance counts both ways: from the stretch to the arc and from the arc to the
-/// stretch. The bound exceeds the true value by about `fine_mm` at most. Returns kNoArcFits where
-/// no bound can be given.
+/// stretch. The bound exceeds the true value by about `fine_mm` at most. Returns kNoArcFits if no
+/// bound can be given.
 ///
 /// From the stretch to the arc: points of the stretch are checked. They are so close together that
 /// between two of them the distance rises by at most `fine_mm`; the slopes of the distance at both
-/// points show that. The arc itself counts, not its circle: where the curve goes back next to the
-/// arc, the distance from the arc's ends counts.
+/// points prove this. The distance is measured to the arc itself and not to its circle. Where the
+/// curve runs back next to the arc, the distance from the arc's ends counts.
 ///
-/// From the arc to the stretch: as long as the curve is nearer to the arc than the arc's radius,
-/// the arc's point nearest to the curve moves without a jump while the curve proceeds. So it passes
-/// every point of the arc between the two that are nearest to the stretch's ends. The rest of the
-/// arc is nearer to the stretch's ends than the arc's ends are, and the distance of the arc's ends
-/// counts, too.
+/// From the arc to the stretch: the point of the arc that is nearest to the curve moves along the
+/// arc while the curve proceeds. It moves without a jump as long as the distance is less than the
+/// arc's radius. So this point passes every point of the arc between the two points nearest to the
+/// stretch's ends. Each remaining point of the arc is nearer to an end of the stretch than the
+/// arc's end is. The distance of the arc's ends counts, too.
 [[nodiscard]] double arc_deviation(const CurveStretch& stretch,
                                    const Curve<double>& arc,
                                    double fine_mm);

@@ -14,10 +14,10 @@ namespace {
 
 /// Share of the tolerance that is reserved for deviations between samples.
 constexpr double kUnseenShare = 3.0e-3;
-/// Share of the tolerance that the measured deviation of a chain may use. The rest is for a rise of
-/// the distance between two samples that neither of them shows.
+/// Share of the tolerance that the measured deviation of a chain may use. The rest is reserved for
+/// a rise of the distance between two samples that neither sample shows.
 constexpr double kConfirmedShare = 0.999;
-/// Share of the tolerance that is the precision of the check of a chain.
+/// Precision of the check of a chain, as a share of the tolerance.
 constexpr double kFineShare = 5.0e-4;
 constexpr int kMaxTries = 14;
 constexpr int kMaxPolygons = 4;
@@ -34,7 +34,7 @@ WideVec2 end_of_chain(const ToleranceBand& band, FitEnd end, const FitLink& last
   return band.start_on(last.circle(), band.last()).place;
 }
 
-/// Returns the greatest distance between the chain and the piece, both ways.
+/// Returns the greatest distance between the chain and the piece, measured in both directions.
 double deviation_of_chain(const CurvePiece& piece,
                           const ToleranceBand& band,
                           const FitOptions& options,
@@ -54,7 +54,7 @@ double deviation_of_chain(const CurvePiece& piece,
   return greatest;
 }
 
-/// Writes links as arcs. Each bulge follows from the tangent in which the previous arc ended, so
+/// Writes links as arcs. Each bulge follows from the tangent at which the previous arc ended, so
 /// that rounded joints do not make corners.
 class ChainWriter {
  public:
@@ -79,8 +79,8 @@ class ChainWriter {
   [[nodiscard]] std::size_t count() const { return count_; }
 
  private:
-  /// Returns whether the arc to `place` continues the last circle, and both together are at most
-  /// half of that circle.
+  /// Returns whether the arc to `place` continues the circle of the last arc, and both arcs
+  /// together are at most half of that circle.
   [[nodiscard]] bool continues(const WideVec2& place, double curvature) const {
     constexpr double kSameTurn = 1.0e-10;  // Radians.
     const WideVec2 whole = place - before_;
@@ -147,8 +147,8 @@ Result<std::size_t, FitError> fit_fewest(const CurvePiece& piece,
   return FitError::kNoFit;
 }
 
-/// Fits by bisecting. Where even one edge of the polygon takes no biarc, the polygon is too coarse
-/// for its tangents, and a finer polygon is tried.
+/// Fits by bisecting. If no biarc fits even one edge of the polygon, the polygon is too coarse for
+/// its tangents, and a finer polygon is tried.
 Result<std::size_t, FitError> fit_bisecting(const CurvePiece& piece,
                                             const FitOptions& options,
                                             const FitRoom& room,

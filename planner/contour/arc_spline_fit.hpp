@@ -13,17 +13,19 @@
 namespace cnc::contour {
 
 enum class FitMethod : std::uint8_t {
-  kFewest,  ///< Joints and tangents are free within the tolerance: finds as few arcs as it can.
-  /// Method of paper 1: joints lie on the curve; a stretch is halved until a biarc fits it.
+  /// Joints and tangents are free within the tolerance. The fit finds as few arcs as it can.
+  kFewest,
+  /// Method of paper 1: joints are on the curve, and a stretch is halved until a biarc fits it.
   kBisecting,
 };
 
-/// Says what an arc spline keeps exactly at an end of the curve. kBisecting keeps point and
-/// tangent.
+/// Property that an arc spline keeps exactly at an end of the curve. kBisecting always keeps point
+/// and tangent.
 enum class FitEnd : std::uint8_t {
-  kTangent,  ///< Keeps the point and the tangent: a neighbour that joins smoothly still does.
-  kPlace,    ///< Keeps the point alone: for a corner.
-  /// Keeps neither: the end may lie anywhere within the tolerance on the curve's normal.
+  /// Keeps the point and the tangent, so that a neighbour that joins smoothly still joins smoothly.
+  kTangent,
+  kPlace,  ///< Keeps only the point, for a corner.
+  /// Keeps neither. The end may be anywhere within the tolerance on the curve's normal.
   kFree,
 };
 
@@ -32,19 +34,20 @@ struct FitOptions {
   FitMethod method = FitMethod::kFewest;
   FitEnd start = FitEnd::kTangent;
   FitEnd end = FitEnd::kTangent;
-  /// For kBisecting: the share of the tolerance that the base polygon uses (a in the paper), at
-  /// most a half.
+  /// For kBisecting: share of the tolerance that the base polygon uses (a in the paper), at most a
+  /// half.
   double polygon_share = 0.2;
 };
 
 enum class FitError : std::uint8_t {
-  kTooManySamples,  ///< The curve needs more samples than `FitRoom::samples` holds.
+  kTooManySamples,  ///< The curve requires more samples than `FitRoom::samples` can hold.
   kTooManyArcs,
-  /// The curve jumps, or it turns on the spot too sharply for the digits of its parameter.
+  /// The curve jumps, or it turns at one point too sharply for the digits of its parameter.
   kNoFit,
 };
 
-/// An arc of a chain in the making. It runs from `start` to the `start` of the next link.
+/// An arc of a chain during its construction. It extends from `start` to the `start` of the next
+/// link.
 struct FitLink {
   BandStart start{};
   double curvature = 0.0;
@@ -53,8 +56,8 @@ struct FitLink {
   [[nodiscard]] WideTangentCircle circle() const { return start.circle(curvature); }
 };
 
-/// Working storage of a fit. Some 60 samples for each arc are enough. `links` needs two more than
-/// there are arcs.
+/// Working storage of a fit. About 60 samples for each arc are enough. `links` needs two entries
+/// more than there are arcs.
 struct FitRoom {
   std::span<CurveSample> samples;
   std::span<FitLink> links;
@@ -69,15 +72,15 @@ struct FitRoom {
 ///   computed from ends and bulges, for elements longer than 1e-4 mm.
 /// * The ends are kept as `options` requires, tangents within kFitKink.
 ///
-/// To offset a chain of curves with corners (paper 1, 4.2): call split_offset() for each curve;
-/// lines and arcs are offset by themselves. Each piece becomes arcs, with kTangent where the chain
-/// continues smoothly and kPlace at corners and cusps. At corners, an arc around the corner or the
-/// crossing joins the neighbours. The result is the raw offset with all its loops, from which the
-/// offset of arc splines continues.
+/// To offset a chain of curves with corners (paper 1, 4.2), call split_offset() for each curve and
+/// fit_arcs() for each piece; lines and arcs are offset directly. Use kTangent where the chain
+/// continues smoothly, and kPlace at corners and cusps. At a corner, neighbours are joined by an
+/// arc around the corner or at their crossing. The result is the raw offset with all its loops.
+/// offset() continues from there as it does for arc splines.
 ///
 /// The storage bounds the work: number of samples times kMaxTries times a few hundred.
 /// @param vertices storage for one vertex more than there are arcs: for each arc its start with its
-/// bulge, at most half a turn, then the end.
+///     bulge, at most half a turn, then the end.
 /// @return the number of arcs.
 [[nodiscard]] Result<std::size_t, FitError> fit_arcs(const CurvePiece& piece,
                                                      const FitOptions& options,

@@ -11,11 +11,11 @@ double curvature_of_arc(const WideVec2& chord, double bulge) {
 }
 
 /// Returns the foot of the circle's centre on the line of the edge, as a share of the edge within
-/// ±1; −1 where the foot is farther away.
+/// ±1; −1 if the foot is farther away.
 double foot_of_centre(const WideTangentCircle& circle, const WideVec2& from, const WideVec2& edge) {
   const double square = edge.squaredNorm();
-  // The centre is `point` + left_normal(tangent) / k. `scaled` is k times the foot, still to be
-  // divided by k.
+  // The centre is `point` + left_normal(tangent) / k. `scaled` is k times the foot; the division by
+  // k follows below.
   const double scaled =
       (circle.curvature * (circle.point - from) + left_normal(circle.tangent)).dot(edge);
   const double whole = circle.curvature * square;
@@ -46,7 +46,7 @@ double BiarcGauge::distance_of_edge(const WideVec2& from, const WideVec2& to) co
     if (!(share > 0.0 && share < 1.0)) continue;
     greatest = std::max(greatest, distance(from + share * edge));
   }
-  // The point where the edge passes from one arc to the other.
+  // Checks the point at which the edge passes from one arc to the other.
   const double before = (from - joint_).dot(joint_tangent_);
   const double after = (to - joint_).dot(joint_tangent_);
   if (before < 0.0 && after > 0.0) {

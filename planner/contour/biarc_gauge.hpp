@@ -14,7 +14,7 @@ class BiarcGauge {
  public:
   BiarcGauge(const WideBiarcEnds& ends, const WideBiarc& biarc);
 
-  /// Returns whether a point belongs to the first arc rather than to the second.
+  /// Returns whether a point belongs to the first arc, and not to the second arc.
   [[nodiscard]] bool is_first(const WideVec2& place) const {
     return (place - joint_).dot(joint_tangent_) < 0.0;
   }
@@ -23,8 +23,8 @@ class BiarcGauge {
   }
   /// Returns the distance between a point and the circle of the nearer arc, mm.
   [[nodiscard]] double distance(const WideVec2& place) const;
-  /// Returns the greatest distance between the biarc and a straight edge that begins and ends next
-  /// to it, mm. The two ends of a chord do not show how far an arc bulges between them.
+  /// Returns the greatest distance between the biarc and a straight edge whose two ends are next to
+  /// it, mm. The distances at both ends are not sufficient, because an arc bulges between them.
   [[nodiscard]] double distance_of_edge(const WideVec2& from, const WideVec2& to) const;
 
   [[nodiscard]] const WideTangentCircle& first() const { return first_; }

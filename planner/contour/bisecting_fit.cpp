@@ -29,8 +29,8 @@ double distance_of_polygon(const BiarcGauge& gauge,
   return greatest;
 }
 
-/// Returns the parameter, in spans, where the curve passes the joint; where it passes several
-/// times, one of them.
+/// Returns the parameter, in spans, at which the curve passes the joint. If the curve passes it
+/// several times, returns one of the parameters.
 double spans_at_joint(const CurvePiece& piece,
                       std::span<const CurveSample> polygon,
                       const BiarcGauge& gauge) {
@@ -50,7 +50,7 @@ bool stays_near(const CurvePiece& piece,
                 std::span<const CurveSample> polygon,
                 double share,
                 double tolerance_mm) {
-  constexpr double kFine = 5.0e-4;  // Share of the tolerance.
+  constexpr double kFine = 5.0e-4;  // Precision of the check, as a share of the tolerance.
   const WideBiarcEnds ends = ends_of(polygon);
   const WideBiarc biarc = make_biarc(ends, share).value();
   const double joint = spans_at_joint(piece, polygon, BiarcGauge{ends, biarc});
@@ -66,7 +66,7 @@ bool stays_near(const CurvePiece& piece,
 
 LeastValue optimal_biarc(std::span<const CurveSample> polygon, double enough_mm) {
   constexpr SearchRange kShares{.low = 0.05, .high = 0.95, .looks = 7, .steps = 18};
-  // Times `enough_mm`; the evaluation of a biarc ends at this distance.
+  // Multiple of `enough_mm` at which the evaluation of a biarc ends early.
   constexpr double kHopeless = 50.0;
   const WideBiarcEnds ends = ends_of(polygon);
   return least_value(kShares, enough_mm, [&](double share) {
@@ -80,7 +80,8 @@ BisectingResult bisecting_fit(const CurvePiece& piece,
                               std::span<const CurveSample> polygon,
                               const BisectingLimits& limits,
                               std::span<Vertex<double>> vertices) {
-  // Ends of the stretches that wait: each is at most half as long as the one before it.
+  // Greatest number of stretches that wait. Each is at most half as long as the stretch that waits
+  // before it.
   constexpr std::size_t kMaxHalves = 64;
   std::array<std::size_t, kMaxHalves> ends{};
   std::size_t waiting = 0;

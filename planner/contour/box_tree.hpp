@@ -9,26 +9,26 @@
 
 namespace cnc::contour {
 
-/// Boxes over a row of curves. Each box of the level above contains eight boxes in the order of the
-/// row: neighbours on a contour are neighbours in the plane, so nothing needs sorting. A search
-/// visits O(log n) boxes besides those that it finds.
+/// Hierarchy of boxes over a sequence of curves. Each box of a higher level contains eight
+/// consecutive boxes of the level below. Neighbours on a contour are neighbours in the plane, so no
+/// sorting is needed. In addition to the boxes that it finds, a search visits O(log n) boxes.
 template <typename Scalar>
 class BoxTree {
  public:
   static constexpr std::uint32_t kFan = 8;
+  /// Number of levels. It suffices for all 32-bit counts, because 8^11 is greater than 2^32.
   // NOLINTNEXTLINE(bugprone-dynamic-static-initializers): constant in each instantiation.
-  /// Enough for all 32-bit counts: 8^11 is greater than 2^32.
   static constexpr std::uint32_t kLevels = 11;
 
-  /// Returns the number of boxes that `count` curves need.
+  /// Returns the number of boxes that `count` curves require.
   [[nodiscard]] static constexpr std::size_t size_for(std::size_t count) {
     return count + count / (kFan - 1) + kLevels + 1;
   }
 
-  /// @pre boxes holds at least size_for(count) boxes.
+  /// @pre `boxes` has at least size_for(count) boxes.
   explicit BoxTree(Slice<FlatBox<Scalar>> boxes) : boxes_{boxes} {}
 
-  /// Returns the box of curve `index`, to be written before `build`.
+  /// Returns the box of curve `index`. The caller must write it before build().
   [[nodiscard]] FlatBox<Scalar>& leaf(std::uint32_t index) { return boxes_[index]; }
 
   void build(std::uint32_t count) {
@@ -38,15 +38,15 @@ class BoxTree {
     while (count_[top_] > kFan && top_ + 1 < kLevels) add_level();
   }
 
-  /// Calls `visit(index)` for each curve from number `from` on whose box overlaps `box`, in the
-  /// order of the numbers, until a call returns false.
+  /// Calls `visit(index)` for each curve with an index of at least `from` whose box overlaps `box`,
+  /// in the order of the indices, until a call returns false.
   template <typename Visit>
   void search(const FlatBox<Scalar>& box, std::uint32_t from, Visit&& visit) const {
     search_where([&box](const FlatBox<Scalar>& other) { return other.meets(box); }, from, visit);
   }
 
-  /// Calls `visit(index)` as search() does, for each curve whose boxes satisfy `holds(box)`. During
-  /// the search `holds` may change so that it accepts fewer boxes.
+  /// Calls `visit(index)` as search() does, for each curve whose boxes on all levels satisfy
+  /// `holds(box)`. During the search `holds` may change so that it accepts fewer boxes.
   template <typename Holds, typename Visit>
   void search_where(const Holds& holds, std::uint32_t from, Visit&& visit) const {
     std::uint32_t level = top_;
@@ -68,8 +68,8 @@ class BoxTree {
     }
   }
 
-  /// Descends at each level into the box for which `measure(box)` is least. Returns a curve that is
-  /// near, but not always the nearest.
+  /// Descends on each level into the box for which `measure(box)` is least. Returns the index of a
+  /// curve that is near, but not always nearest.
   /// @pre The tree has at least one curve.
   template <typename Measure>
   [[nodiscard]] std::uint32_t descend(const Measure& measure) const {

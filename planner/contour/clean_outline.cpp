@@ -67,8 +67,9 @@ bool CleanOutline<Scalar>::add_half(const Vector& start, const Vector& end, Scal
   return true;
 }
 
-/// Closes the loop. The last element and the first may also form a path out and back. The loop's
-/// end may differ from its start by elements that were too short to keep.
+/// Closes the loop. The last element and the first element together may also form a path out and
+/// back, which is removed. The loop's end may differ from its start by elements that were too short
+/// to be kept.
 template <typename Scalar>
 void CleanOutline<Scalar>::close() {
   while (count() >= 2) {

@@ -5,20 +5,20 @@
 
 namespace cnc::contour {
 
-/// One loop, brought into a form that can be offset. Elements shorter than `touch` are removed. An
-/// arc of more than half a turn becomes two arcs. A path out and back on the same line or arc
-/// encloses nothing and is removed, too.
+/// One loop in a form that can be offset. Elements shorter than `touch` are removed. An arc of more
+/// than half a turn becomes two arcs. A path out and back on the same line or arc is removed, too,
+/// because it encloses nothing.
 template <typename Scalar>
 class CleanOutline {
  public:
   CleanOutline(Slice<Vertex<Scalar>> storage, Scalar touch) : kept_{storage}, touch_{touch} {}
 
-  /// Reads one loop. Returns false when the storage is full.
+  /// Reads one loop. Returns false if the storage is full.
   [[nodiscard]] bool read(const ContourView<Scalar>& contour, std::size_t loop);
 
-  /// Returns the number of elements after `read`; 0 when the loop encloses nothing.
+  /// Returns the number of elements after read(); 0 if the loop encloses nothing.
   [[nodiscard]] std::uint32_t count() const { return end_ - begin_; }
-  /// Returns element `index`, or an error where its two ends are one point. @pre index < count()
+  /// Returns element `index`, or an error if its two ends are one point. @pre index < count()
   [[nodiscard]] Result<BasicArc<Scalar>, ArcError> element(std::uint32_t index) const;
 
  private:

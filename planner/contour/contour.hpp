@@ -9,8 +9,8 @@
 
 namespace cnc::contour {
 
-/// The start of an element of a closed contour, and its bulge. The element is the arc from this
-/// vertex to the next vertex of the loop; the last element leads to the first vertex.
+/// The start of an element of a closed contour, and the bulge of the element. The element is the
+/// arc from this vertex to the next vertex of the loop; the last element leads to the first vertex.
 template <typename Scalar>
 struct Vertex {
   Scalar x{};      ///< mm.
@@ -21,18 +21,18 @@ struct Vertex {
 };
 
 /// Closed loops, one after the other, in storage that this view does not own. Material is on the
-/// left of each: outlines run counter-clockwise, holes clockwise.
+/// left of each loop: outlines run counter-clockwise, holes run clockwise.
 template <typename Scalar>
 struct ContourView {
   Slice<const Vertex<Scalar>> vertices;
-  Slice<const std::uint32_t> loop_ends;  ///< One past the last vertex of each loop.
+  Slice<const std::uint32_t> loop_ends;  ///< End of each loop: the index after its last vertex.
 
   [[nodiscard]] std::uint32_t loop_begin(std::size_t loop) const {
     return loop == 0 ? 0 : loop_ends[loop - 1];
   }
 };
 
-/// Writes loops into storage of the caller.
+/// Writes loops into storage that the caller owns.
 template <typename Scalar>
 class ContourWriter {
  public:
@@ -40,7 +40,7 @@ class ContourWriter {
       : vertices_{vertices}, loop_ends_{loop_ends} {}
 
   void clear() { vertex_count_ = loop_count_ = 0; }
-  /// Adds a vertex. Returns false and changes nothing when the storage is full.
+  /// Adds a vertex. Returns false and changes nothing if the storage is full.
   [[nodiscard]] bool add(const Vertex<Scalar>& vertex) {
     if (vertex_count_ == vertices_.size()) return false;
     vertices_[vertex_count_++] = vertex;
@@ -64,7 +64,7 @@ class ContourWriter {
   std::size_t loop_count_ = 0;
 };
 
-/// Loops with their own storage; the capacity is in the type.
+/// Loops together with their storage, whose capacity is in the type.
 template <typename Scalar, std::size_t kVertices, std::size_t kLoops>
 class BoundedContour {
  public:

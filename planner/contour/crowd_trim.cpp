@@ -5,11 +5,11 @@
 namespace cnc::contour {
 namespace {
 
-/// Number of following elements. If that many lie within a quarter of the distance, they are a
-/// crowd.
+/// Distance between two elements, in elements. If both begin within a quarter of the offset
+/// distance of each other, the elements between them are a crowd.
 constexpr std::uint32_t kCrowd = 8;
-/// Corners on each side against which a curve is checked: kNear for every curve, kFar for a curve
-/// of which the neighbours covered an end.
+/// Number of corners on each side against which a curve is checked. kNear applies to every curve.
+/// kFar applies to a curve that the nearest corners have already shortened.
 constexpr std::uint32_t kNear = 2;
 constexpr std::uint32_t kFar = 64;
 
@@ -20,8 +20,8 @@ bool CrowdTrim<Scalar>::keeps(Curve<Scalar>& raw, std::uint32_t element) const {
   const auto count = static_cast<std::uint32_t>(elements_.size());
   if (!is_crowded(element)) return true;
   bool shortened = false;
-  // The join after the element turns about the element's end, at the distance from it. So this
-  // corner is skipped.
+  // The join after the element is an arc about the element's end, exactly at the distance from it.
+  // So this corner is skipped.
   std::uint32_t ahead = element + 1 < count ? element + 1 : 0;
   std::uint32_t behind = element + 1;
   for (std::uint32_t i = 0; i < kFar && 2 * i < count; ++i) {
@@ -48,9 +48,10 @@ bool CrowdTrim<Scalar>::covers(const Vector& corner, const Vector& place) const 
   return (place - corner).squaredNorm() < radius_ * radius_;
 }
 
-/// The disc about a corner covers one piece of a line. It also covers one piece of an arc of at
-/// most half a turn, if the radius of the arc is at least that of the disc. So a disc that covers
-/// both ends covers the whole curve.
+/// Removes the part of a curve that the disc about a corner covers. The disc covers at most one
+/// connected part of a line. The same holds for an arc of at most half a turn, if the radius of the
+/// arc is at least the radius of the disc. So a disc that covers both ends covers the complete
+/// curve.
 template <typename Scalar>
 bool CrowdTrim<Scalar>::trim(Curve<Scalar>& raw, const Vector& corner, bool& shortened) const {
   const bool is_line = raw.curvature == Scalar{0};
@@ -72,8 +73,9 @@ bool CrowdTrim<Scalar>::trim(Curve<Scalar>& raw, const Vector& corner, bool& sho
   return true;
 }
 
-/// Returns the point where the line leaves the disc, if its start is in the disc; else the point
-/// where it enters the disc that contains its end.
+/// Returns the point where a line leaves the disc, if `from_start`: then the disc contains the
+/// line's start. Otherwise returns the point where the line enters the disc, which then contains
+/// the line's end.
 template <typename Scalar>
 typename CrowdTrim<Scalar>::Vector CrowdTrim<Scalar>::edge_of_line(const Curve<Scalar>& raw,
                                                                    const Vector& corner,

@@ -4,11 +4,11 @@
 
 namespace cnc::contour {
 
-/// Shortens raw curves by the parts that nearby corners of the same contour show to be too near to
-/// it. That matters where a contour has many elements within the distance, as traced and scanned
-/// contours do. Without the trim, each of their raw curves would cross most of the others. The
-/// number of meetings would grow with the square of the number of elements within the distance. No
-/// part that is removed belongs to a result. The parts that are left may still be too near.
+/// Removes the parts of raw curves that are too near to nearby corners of the same contour. This
+/// matters if a contour has many elements within the distance, as traced and scanned contours have.
+/// Without the trim, each of their raw curves would cross most of the others. The number of
+/// meetings would grow with the square of the number of elements within the distance. No removed
+/// part belongs to a result. The remaining parts may still be too near.
 template <typename Scalar>
 class CrowdTrim {
  public:
@@ -19,9 +19,9 @@ class CrowdTrim {
         radius_{distance_ - Scalar{4} * tolerance.shallow},
         touch_{tolerance.touch} {}
 
-  /// Shortens a moved element, or the round join after it, to the one piece that is left of it.
+  /// Shortens a moved element, or the round join after it, to the one part that remains.
   /// @param element number of the element in the loop
-  /// @return false where nothing is left
+  /// @return false if nothing remains
   [[nodiscard]] bool keeps(Curve<Scalar>& raw, std::uint32_t element) const;
 
  private:
@@ -39,7 +39,8 @@ class CrowdTrim {
 
   Slice<Curve<Scalar>> elements_;
   Scalar distance_;
-  Scalar radius_;  ///< A point nearer to a corner than this is certainly too near.
+  /// Radius of the disc about a corner, mm. A point in the disc is certainly too near.
+  Scalar radius_;
   Scalar touch_;
 };
 

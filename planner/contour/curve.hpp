@@ -26,11 +26,11 @@ struct FlatBox {
   }
 };
 
-/// An arc of at most half a turn, prepared for many queries: ends, tangents and curvature. It has
-/// no centre, so a line needs no case of its own and a nearly straight arc loses no digits.
+/// An arc of at most half a turn, prepared for many queries: ends, tangents and curvature. It
+/// stores no centre, so a line needs no separate case and a nearly straight arc loses no digits.
 ///
-/// Let q be the vector from the start to a point. Then f(q) = κ q² − 2 t × q is zero on the whole
-/// circle. The distance from the circle, positive on the right, is f / (1 + √(1 + κ f)).
+/// Let q be the vector from the start to a point. Then f(q) = κ q² − 2 t × q is zero on the circle.
+/// The distance from the circle, positive on the right, is f / (1 + √(1 + κ f)).
 template <typename Scalar>
 struct Curve {
   using Vector = BasicVec2<Scalar>;
@@ -39,7 +39,7 @@ struct Curve {
   Vector end{Scalar{0}, Scalar{0}};
   Vector start_tangent{Scalar{1}, Scalar{0}};
   Vector end_tangent{Scalar{1}, Scalar{0}};
-  Scalar curvature{};  ///< 1/mm, positive turns left.
+  Scalar curvature{};  ///< Curvature, 1/mm, positive turns left.
 
   /// Returns twice the distance from the circle times (1 + distance/2R). Its sign is exact.
   [[nodiscard]] Scalar side(const Vector& place) const {
@@ -47,8 +47,8 @@ struct Curve {
     return curvature * q.squaredNorm() - Scalar{2} * cross(start_tangent, q);
   }
 
-  /// Returns whether the circle's point nearest to `place` lies between the ends, within `slack`
-  /// mm.
+  /// Returns whether the point of the circle nearest to `place` is between the curve's ends, within
+  /// `slack` mm.
   [[nodiscard]] bool faces(const Vector& place, Scalar slack) const {
     return start_tangent.dot(place - start) >= -slack && end_tangent.dot(place - end) <= slack;
   }
@@ -71,8 +71,8 @@ struct Curve {
     return (start_tangent + curvature * left_normal(place - start)).normalized();
   }
 
-  /// Returns the bulge of the part between two points of the curve, in order; 0 where both are one
-  /// point.
+  /// Returns the bulge of the part between two points of the curve that are given in order; 0 if
+  /// both are one point.
   [[nodiscard]] Scalar bulge_between(const Vector& from, const Vector& to) const {
     const Vector chord = to - from;
     if (curvature == Scalar{0} || chord == Vector{Scalar{0}, Scalar{0}}) return Scalar{0};
@@ -86,7 +86,7 @@ struct Curve {
   }
 
   /// Returns a measure that grows along the curve from 0 at the start to 1 at the end. It grows
-  /// everywhere fast enough to distinguish two points; the chord from the start alone would lose
+  /// everywhere fast enough to distinguish two points. The distance from the start alone would lose
   /// digits near half a turn.
   [[nodiscard]] Scalar order_of(const Vector& place) const {
     const Scalar behind = (place - start).norm();
@@ -94,7 +94,8 @@ struct Curve {
     return whole > Scalar{0} ? behind / whole : Scalar{0};
   }
 
-  /// Returns a box around the curve. It is too large by at most the height of the arc.
+  /// Returns a box around the curve. Each side of the box is too far out by at most the height of
+  /// the arc.
   [[nodiscard]] FlatBox<Scalar> box() const;
 };
 

@@ -6,12 +6,13 @@
 namespace cnc::contour {
 namespace {
 
-constexpr int kLooks = 48;  // Samples of each span.
+constexpr int kLooks = 48;  // Number of samples of each span.
 
-/// Returns the direction of travel. Where the first derivative vanishes, as where control points at
-/// an end coincide, the direction of the second derivative is the limit.
+/// Returns the direction of travel. If the first derivative vanishes, as it does where control
+/// points at an end coincide, the limit is the direction of the second derivative.
 WideVec2 direction_of(const CurveJet& jet, double share) {
-  constexpr double kVanishing = 1.0e-9;  // Share of the second derivative.
+  // Share of the second derivative below which the first derivative counts as 0.
+  constexpr double kVanishing = 1.0e-9;
   const double first = jet.first.norm();
   const double second = jet.second.norm();
   if (first > kVanishing * second) return (1.0 / first) * jet.first;
@@ -19,11 +20,12 @@ WideVec2 direction_of(const CurveJet& jet, double share) {
   return (share < 0.5 ? 1.0 / second : -1.0 / second) * jet.second;
 }
 
-/// The offset at one sample.
+/// Properties of the offset at one sample of the source curve.
 struct Look {
   double share = 0.0;
-  WideVec2 direction{0.0, 0.0};  ///< Direction of the source; null where it has none.
-  double pace = 1.0;             ///< Speed of the offset relative to that of the source: 1 + κ d.
+  WideVec2 direction{0.0, 0.0};  ///< Direction of the source; null if the source has no direction.
+  /// Speed of the offset relative to the speed of the source: 1 + κ d.
+  double pace = 1.0;
 
   [[nodiscard]] bool backwards() const { return pace < 0.0; }
   [[nodiscard]] WideVec2 travel() const { return pace < 0.0 ? WideVec2{-direction} : direction; }
@@ -66,8 +68,8 @@ class Splitter {
     return a.dot(b) < 0.0 || std::abs(cross(a, b)) > min_corner_;
   }
 
-  /// Returns whether the direction turns by more than a quarter turn. Between near points only a
-  /// cusp does.
+  /// Returns whether the direction turns by more than a quarter turn. Between near points this
+  /// happens only at a cusp.
   [[nodiscard]] static bool turns_back(const Look& before, const Look& after) {
     return before.travel().dot(after.travel()) < 0.0;
   }
@@ -102,8 +104,8 @@ class Splitter {
     backwards_ = backwards_from_here;
   }
 
-  /// Divides a span at its cusps, where the direction of travel reverses. Returns false where the
-  /// span has no direction.
+  /// Divides a span at its cusps, where the direction of travel reverses. Returns false if the span
+  /// has a point without a direction.
   [[nodiscard]] bool divide(std::size_t span) {
     Look before = look(span, 0.0);
     Look middle = look(span, 1.0 / kLooks);
@@ -144,8 +146,8 @@ class Splitter {
     return look(span, 0.5 * (low.share + high.share));
   }
 
-  /// Cuts at the cusps between two samples. Where the source turns far between them there may be
-  /// two cusps that look like one, so the stretch is divided into steps that turn little.
+  /// Cuts at the cusps between two samples. If the source turns far between the samples, two cusps
+  /// may look like one. So the stretch is divided into steps that turn little.
   void cut_between(std::size_t span, Look low, const Look& high) {
     constexpr int kMaxSteps = 200;
     for (int i = 0; i < kMaxSteps && low.share < high.share; ++i) {
@@ -160,7 +162,7 @@ class Splitter {
     }
   }
 
-  /// Cuts at the cusp of a step, which has at most one.
+  /// Cuts at the cusp of a step, if it has one; it has at most one.
   void cut_step(std::size_t span, Look low, Look high) {
     if (!turns_back(low, high)) return;
     while (high.share - low.share > kCuspShare) {

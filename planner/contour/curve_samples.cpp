@@ -9,24 +9,24 @@ namespace {
 /// Greatest turn between two samples, radians.
 constexpr double kMaxTurn = 0.2;
 
-/// Chord and turn between two samples.
+/// Chord length and turn between two samples.
 struct SampleStep {
   double chord = 0.0;
-  double turn = 0.0;  ///< Radians, positive to the left.
+  double turn = 0.0;  ///< Angle in radians, positive to the left.
 };
 
 SampleStep step_between(const WayPoint& from, const WayPoint& to) {
   const double sine = cross(from.tangent, to.tangent);
   const double cosine = from.tangent.dot(to.tangent);
   constexpr double kTooMuch = 1.0e3;
-  // Where the turn is within kMaxTurn, this series of the sine is close enough to the angle.
+  // If the turn is within kMaxTurn, this series of the sine is close enough to the angle.
   return {.chord = (to.place - from.place).norm(),
           .turn = cosine > 0.0 ? sine * (1.0 + sine * sine / 6.0) : kTooMuch};
 }
 
-/// Checks the distance of the curve from its chord and from an arc. An arc differs from a curve
-/// whose curvature grows by Δ over a chord c by about Δ c² / 64 on either side of the middle. Where
-/// one arc spans several samples, it differs by less between them.
+/// Checks the distance of the curve from its chord and from an arc. If the curvature grows by Δ
+/// over a chord c, the curve differs from an arc by about Δ c² / 64 on either side of the middle.
+/// If one arc covers several samples, it differs by less between them.
 bool near_enough(const SampleStep& step, const SampleStep& before, const SampleDensity& density) {
   const double size = std::abs(step.turn);
   if (size > kMaxTurn) return false;
@@ -36,8 +36,8 @@ bool near_enough(const SampleStep& step, const SampleStep& before, const SampleD
   return change * step.chord * step.chord <= density.bend_mm;
 }
 
-/// Returns whether the middle is close to the chord. Near a cusp the turn between both ends does
-/// not show how far the curve leaves its chord.
+/// Returns whether the point `middle` is close to the chord. Near a cusp the turn between both ends
+/// does not show how far the curve is from its chord.
 bool is_beside_chord(const WayPoint& from,
                      const WayPoint& middle,
                      const WayPoint& to,
@@ -55,7 +55,7 @@ bool is_beside_chord(const WayPoint& from,
 std::size_t sample_curve(const CurvePiece& piece,
                          const SampleDensity& density,
                          std::span<CurveSample> room) {
-  // In spans; a detail of the curve that is wider than this is found.
+  // Largest step in spans. A detail of the curve that is wider than this step is found.
   constexpr double kLargestStep = 1.0 / 8.0;
   constexpr double kMinStep = 1.0e-14;
   constexpr double kGrowth = 1.4;

@@ -10,21 +10,22 @@ namespace cnc::contour {
 /// A point at which a fit samples a curve.
 struct CurveSample {
   WayPoint point{};
-  double spans = 0.0;  ///< Parameter of the point, counted as in CurvePiece.
-  /// Radians that the curve has turned since its start; turns to either side count as positive.
+  double spans = 0.0;  ///< Parameter of the point in spans, counted as in CurvePiece.
+  /// Angle by which the curve has turned since its start, radians. Turns to either side count as
+  /// positive.
   double turned = 0.0;
 };
 
 /// Limits that set the distance between samples.
 struct SampleDensity {
   double sagitta_mm = 0.01;  ///< Greatest distance between the curve and its chord.
-  double bend_mm = 0.001;    ///< Greatest distance between the curve and an arc, approximately.
+  double bend_mm = 0.001;    ///< Approximate greatest distance between the curve and an arc.
 };
 
 /// Samples a piece from its start to its end, as densely as `density` requires.
 /// @param room storage for the samples.
-/// @return the number of samples; 0 when `room` is too small; 1 where the curve jumps, as far as
-/// the digits of its parameter show.
+/// @return the number of samples; 0 if `room` is too small; 1 if the curve jumps, as far as the
+///     digits of its parameter can show.
 [[nodiscard]] std::size_t sample_curve(const CurvePiece& piece,
                                        const SampleDensity& density,
                                        std::span<CurveSample> room);

@@ -34,8 +34,8 @@ void Cutting<Scalar>::meet(std::uint32_t a, std::uint32_t b) {
   const RawCurve<Scalar>& first = space_.raw[a];
   const RawCurve<Scalar>& second = space_.raw[b];
   if (clear_of(first.curve, second.curve) || clear_of(second.curve, first.curve)) return;
-  // Neighbours share a node, so the test in the next line would be in vain; half of the pairs are
-  // neighbours.
+  // Neighbours share a node, so the test below would never succeed for them. They are half of all
+  // pairs.
   if (first.end_node != second.start_node &&
       (beside(first.curve, second.curve) || beside(second.curve, first.curve))) {
     return;
@@ -50,7 +50,7 @@ void Cutting<Scalar>::meet(std::uint32_t a, std::uint32_t b) {
   }
 }
 
-/// Returns whether all of `other` lies on one side of the straight line through `line`.
+/// Returns whether `other`, a line, is completely on one side of the straight line through `line`.
 template <typename Scalar>
 bool Cutting<Scalar>::clear_of(const Curve<Scalar>& line, const Curve<Scalar>& other) const {
   if (line.curvature != Scalar{0} || other.curvature != Scalar{0}) return false;
@@ -59,14 +59,15 @@ bool Cutting<Scalar>::clear_of(const Curve<Scalar>& line, const Curve<Scalar>& o
   return std::min(start, end) > tolerance_.touch || std::max(start, end) < -tolerance_.touch;
 }
 
-/// Returns whether another curve lies wholly on one side of a band, with a margin such that no
-/// point is within `touch` of both curves. The band lies between the chord of `curve` and the
-/// parallel that touches `curve`. This test spares most pairs with an arc the full computation.
+/// Returns whether another curve is completely on one side of a band, with a margin such that no
+/// point is within `touch` of both curves. The band is between the chord of `curve` and its
+/// parallel that touches `curve`. For most pairs with an arc this test avoids the full computation.
 ///
-/// No bulge is needed: with x half the sweep, the height of an arc is its chord times tan(x/2) / 2,
-/// which is at most the chord times sin(x) / 2. Ends that were drawn together may be some `touch`
-/// away from their curve, or make it slightly more than half a turn: hence 5/8, and 16 `touch`. All
-/// distances are multiplied by the chord of `curve`, which spares a square root.
+/// The test needs no bulge. Let x be half the sweep. The height of an arc is its chord times
+/// tan(x/2) / 2, which is at most the chord times sin(x) / 2. Ends that were drawn together may be
+/// some `touch` away from their curve, or may make it slightly more than half a turn. Therefore the
+/// factor is 5/8, and the margin contains 16 `touch`. All distances are multiplied by the chord of
+/// `curve`, which avoids a square root.
 template <typename Scalar>
 bool Cutting<Scalar>::beside(const Curve<Scalar>& curve, const Curve<Scalar>& other) const {
   constexpr Scalar kHeight{0.625};
@@ -77,13 +78,13 @@ bool Cutting<Scalar>::beside(const Curve<Scalar>& curve, const Curve<Scalar>& ot
   const Scalar slack = length * (height + Scalar{16} * tolerance_.touch);
   const Scalar start = cross(chord, other.start - curve.start);
   const Scalar end = cross(chord, other.end - curve.start);
-  // A curve that turns left lies on the right of its chord.
+  // A curve that turns left is on the right of its chord.
   const Scalar own = -kHeight * length * cross(chord, curve.end_tangent);
   return std::min(start, end) > std::max(Scalar{0}, own) + slack ||
          std::max(start, end) < std::min(Scalar{0}, own) - slack;
 }
 
-/// Handles the end of one curve that lies on another: overlaps are found by their ends.
+/// Handles an end of one curve that is on another curve. Overlaps are found by such ends.
 template <typename Scalar>
 void Cutting<Scalar>::end_on(const Vector& place, std::uint32_t node, std::uint32_t raw) {
   const RawCurve<Scalar>& other = space_.raw[raw];
@@ -96,8 +97,8 @@ void Cutting<Scalar>::end_on(const Vector& place, std::uint32_t node, std::uint3
   }
 }
 
-/// Returns whether a meeting of neighbours is only their joint: between the joint and the meeting,
-/// neither curve has left the other.
+/// Returns whether a meeting of neighbours is only their joint: between the joint and the meeting
+/// the two curves do not separate.
 template <typename Scalar>
 bool Cutting<Scalar>::is_joint(std::uint32_t a, std::uint32_t b, const Vector& place) {
   const RawCurve<Scalar>& first = space_.raw[a];
@@ -137,8 +138,8 @@ void Cutting<Scalar>::meet_at(std::uint32_t a, std::uint32_t b, const Vector& pl
   }
 }
 
-/// Returns whether two points are within `touch`. Most differ enough in x already, which spares the
-/// square root.
+/// Returns whether two points are within `touch`. Most points already differ enough in x, which
+/// avoids the square root.
 template <typename Scalar>
 bool Cutting<Scalar>::is_near(const Vector& one, const Vector& other) const {
   return std::abs(one.x() - other.x()) <= tolerance_.touch &&
@@ -178,8 +179,8 @@ std::uint32_t Cutting<Scalar>::divide() {
   return piece_count_;
 }
 
-/// Sorts the cuts by raw curve, and along each raw curve. A counting sort comes first, as most raw
-/// curves have no cut or one.
+/// Sorts the cuts by raw curve, and along each raw curve. A counting sort comes first, because most
+/// raw curves have at most one cut.
 template <typename Scalar>
 void Cutting<Scalar>::sort_cuts() {
   for (std::uint32_t i = 0; i <= raw_count_; ++i) space_.first_cuts[i] = 0;
@@ -197,7 +198,7 @@ void Cutting<Scalar>::sort_cuts() {
   }
 }
 
-/// Shell's sort: fast for a few cuts, and at most n^1.5 steps for many.
+/// Sorts by Shell's method, which is fast for a few cuts and takes at most n^1.5 steps for many.
 template <typename Scalar>
 void Cutting<Scalar>::sort_along(std::uint32_t first, std::uint32_t end) {
   const Slice<Cut<Scalar>> cuts = space_.sorted_cuts;

@@ -6,7 +6,7 @@
 
 namespace cnc::contour {
 
-/// Divides raw curves wherever they cross, touch or end on each other.
+/// Divides raw curves at all points where they cross, touch or end on each other.
 ///
 /// A meeting is computed once for both curves, so that both have exactly the same point. Points
 /// closer than `touch` become one node before the pieces are made.
@@ -19,10 +19,10 @@ class Cutting {
           std::uint32_t raw_count)
       : space_{space}, tolerance_{tolerance}, nodes_{nodes}, raw_count_{raw_count} {}
 
-  /// Finds all meetings. Returns false when there are more than the storage holds.
+  /// Finds all meetings. Returns false if the storage cannot hold all of them.
   [[nodiscard]] bool find_meetings();
 
-  /// Writes the pieces. Returns their number.
+  /// Divides the raw curves, and writes the pieces. Returns the number of pieces.
   [[nodiscard]] std::uint32_t divide();
 
  private:

@@ -6,8 +6,8 @@
 namespace cnc::contour {
 namespace {
 
-/// Returns `v`, turned to the left by about `by` radians: exactly by twice the arc tangent of half
-/// of `by`.
+/// Returns `v`, turned to the left by about `by` radians. The exact angle is twice the arc tangent
+/// of half of `by`.
 WideVec2 turned_about(const WideVec2& v, double by) {
   const double t = 0.5 * by;
   const double scale = 1.0 / (1.0 + t * t);
@@ -39,7 +39,8 @@ BandStart FewestArcs::launch(const Launches& from, double at) const {
   }
   const WayPoint& start = band_->sample(0).point;
   if (options_->start == FitEnd::kTangent) return {start.place, start.tangent, 0.0};
-  constexpr double kWidest = 0.8;  // Radians; the search evaluates more densely near the tangent.
+  // Greatest angle in radians. The search evaluates more densely near the tangent.
+  constexpr double kWidest = 0.8;
   const double across = options_->start == FitEnd::kFree
                             ? 0.25 * static_cast<double>(from.variant - 4) * 0.999999
                             : 0.0;
@@ -94,9 +95,9 @@ double FewestArcs::next_reach(std::size_t index) const {
 }
 
 /// Replaces an arc after which no arc can continue. Where the curve turns within a few tolerances,
-/// the arc that gets farthest may end in a direction from which no other arc continues. An arc that
-/// stops earlier, in the middle of the allowed curvatures, may have a successor. Tries a grid of
-/// such arcs and takes the one whose successor gets farthest.
+/// the arc with the greatest reach may end in a direction from which no other arc continues. An arc
+/// that stops earlier, in the middle of the allowed curvatures, may have a successor. Tries a grid
+/// of such arcs and takes the arc whose successor has the greatest reach.
 bool FewestArcs::give_way(std::size_t index) {
   constexpr int kStops = 24;
   const FitLink stuck = links_[index];
@@ -177,9 +178,9 @@ std::size_t FewestArcs::finish_at_place(std::size_t index) {
   return index + 1;
 }
 
-/// Returns the greatest deviation, or a value above `bound` where the deviation exceeds `bound`.
+/// Returns the greatest deviation, or any value above `bound` if the deviation exceeds `bound`.
 /// @param worst number of the sample that is checked first; set to the sample with the greatest
-/// deviation found
+///     deviation found
 double FewestArcs::deviation(const BiarcGauge& gauge,
                              double from,
                              double bound,
@@ -191,7 +192,8 @@ double FewestArcs::deviation(const BiarcGauge& gauge,
   const auto first = static_cast<std::size_t>(from) + 1;
   const auto last = static_cast<std::size_t>(band_->last());
   const double enough = std::min(bound, 100.0 * band_->tolerance_mm());
-  // The biarcs of one search have their greatest deviation at about the same sample.
+  // The biarcs of one search have their greatest deviation at about the same sample, so that sample
+  // is checked first.
   if (bound == enough && worst >= first && worst < last) {
     const double found = at(worst);
     if (found > bound) return found;

@@ -9,29 +9,30 @@
 
 namespace cnc::contour {
 
-/// A smooth chain of arcs in a band, with as few arcs as possible.
+/// Constructs a smooth chain of arcs in a band, with as few arcs as possible.
 ///
-/// From the start on, each arc leaves the previous arc at the point from which it gets farthest.
-/// This point is the only parameter; the curvature follows from it (ToleranceBand). Such an arc
-/// gets farthest by touching the band on alternate sides, as the arcs of Maier's smooth minimum arc
-/// paths do (Maier, "Optimal arc spline approximation", CAGD 31 (2014) 211). So no chain of equally
-/// many arcs gets farther. Where the end is fixed, the last arcs must also reach it: one arc
-/// through the end, or a biarc to the end with its tangent, from the longest chain that has one.
+/// From the start on, each arc leaves the previous arc at the point from which it has the greatest
+/// reach. This point is the only parameter; the curvature follows from it (ToleranceBand). An arc
+/// has the greatest reach if it touches the band on alternate sides, as the arcs of Maier's smooth
+/// minimum arc paths do (Maier, "Optimal arc spline approximation", CAGD 31 (2014) 211). So no
+/// chain with the same number of arcs has a greater reach. If the end is fixed, the last arcs must
+/// also lead to it: one arc through the end, or a biarc to the end with its tangent. They follow
+/// the longest chain for which they exist.
 class FewestArcs {
  public:
   FewestArcs(const ToleranceBand& band, const FitOptions& options, std::span<FitLink> links)
       : band_{&band}, options_{&options}, links_{links} {}
 
-  /// @return the number of links; 0 when there is no chain, or when `links` is too short.
+  /// Constructs the chain. @return the number of links; 0 if there is no chain, or if `links` is
+  /// too short.
   [[nodiscard]] std::size_t run();
   [[nodiscard]] bool out_of_room() const { return out_of_room_; }
 
  private:
-  /// The range of starts of link number `index`.
+  /// The range of possible starts of link number `index`.
   struct Launches {
     std::size_t index = 0;
-    /// With a free start: position across the curve, in quarters of the tolerance; 4 is on the
-    /// curve.
+    /// Position of a free start across the curve, in quarters of the tolerance; 4 is on the curve.
     int variant = 0;
     SearchRange range{};
   };

@@ -4,7 +4,7 @@
 
 namespace cnc::contour {
 
-/// The argument at which a function was found least, and its value there.
+/// The argument at which a search found the least value of a function, and that value.
 struct LeastValue {
   double at = 0.0;
   double value = 1.0e30;
@@ -14,16 +14,17 @@ struct LeastValue {
 struct SearchRange {
   double low = 0.0;
   double high = 1.0;
-  /// Number of evaluations, evenly spread, with both ends among them; at least 2. One evaluation
-  /// where both ends are equal.
+  /// Number of evenly spread evaluations, including both ends; at least 2. If both ends are equal,
+  /// there is one evaluation.
   int looks = 8;
-  int steps = 20;  ///< Steps of the golden section around the best evaluation.
+  int steps = 20;  ///< Number of steps of the golden section around the best evaluation.
 };
 
-/// Returns the least value of a function with one valley. Of several valleys it returns the deepest
-/// that the evenly spread evaluations show. It ends early at the first value that is at most
-/// `enough`. A function may take a second number, a bound. Where its value exceeds the bound it may
-/// return any other value above the bound: the result is the same.
+/// Returns the least value of a function with one valley. If there are several valleys, it returns
+/// the deepest valley that the evenly spread evaluations show. It ends early at the first value
+/// that is at most `enough`. The function may accept a bound as a second argument. If its value
+/// exceeds the bound, it may return any other value above the bound; the result of the search is
+/// the same.
 template <typename Function>
 [[nodiscard]] LeastValue least_value(const SearchRange& range,
                                      double enough,

@@ -71,8 +71,9 @@ typename LoopWriter<Scalar>::Direction LoopWriter<Scalar>::leaving(const Run& ru
   return {curve.tangent_at(nodes_.place(run.start_node)), curve.curvature};
 }
 
-/// Returns a measure that grows from 0 to 4 with the clockwise angle from the direction back to
-/// `way`. Of directions that touch, the one that bends more to the right counts as less.
+/// Returns a measure that grows from 0 to 4 with the clockwise angle from the direction `back` to
+/// `way`. If the two directions agree, the measure is 0 if `way` bends more to the right than
+/// `back`, and 4 otherwise.
 template <typename Scalar>
 Scalar LoopWriter<Scalar>::clockwise(const Direction& back, const Direction& way) {
   constexpr Scalar kSameWay = sizeof(Scalar) > sizeof(float) ? Scalar(1.0e-6) : Scalar(1.0e-3);

@@ -6,8 +6,8 @@
 
 namespace cnc::contour {
 
-/// Follows the kept runs around their loops and writes the loops. Where several runs leave a node,
-/// the leftmost run is next, so that loops may touch but never cross.
+/// Follows the kept runs around their loops and writes the loops. If several runs leave a node, the
+/// leftmost run is next, so that loops may touch but never cross.
 template <typename Scalar>
 class LoopWriter {
  public:
@@ -16,7 +16,7 @@ class LoopWriter {
              ContourWriter<Scalar>& out)
       : space_{space}, nodes_{nodes}, out_{out} {}
 
-  /// Writes all loops. Returns false when the result is longer than its storage.
+  /// Writes all loops. Returns false if the storage of the result is full.
   /// @pre at every node as many kept runs leave as arrive
   [[nodiscard]] bool write(std::uint32_t run_count);
 
@@ -41,7 +41,7 @@ class LoopWriter {
   OffsetSpace<Scalar> space_;
   const NodeSet<Scalar>& nodes_;
   ContourWriter<Scalar>& out_;
-  /// The last piece. It is not written yet, as more of the same curve may follow.
+  /// Last piece. It is written later, because more pieces of the same raw curve may follow.
   Piece pending_{};
 };
 

@@ -7,7 +7,7 @@
 
 namespace cnc::contour {
 
-/// Points where two curves cross or touch. Curves that run on top of each other have none.
+/// Points where two curves cross or touch. Curves that coincide have none.
 template <typename Scalar>
 struct Meetings {
   std::array<BasicVec2<Scalar>, 2> places{BasicVec2<Scalar>{Scalar{0}, Scalar{0}},
@@ -15,8 +15,8 @@ struct Meetings {
   std::uint32_t count = 0;
 };
 
-/// Returns the points that are within `touch` mm of both curves. Where the two circles miss each
-/// other by less than `touch`, the point between them counts.
+/// Returns the points that are within `touch` mm of both curves. If the two circles miss each other
+/// by less than `touch`, the point between them counts.
 template <typename Scalar>
 [[nodiscard]] Meetings<Scalar> meetings_of(const Curve<Scalar>& a,
                                            const Curve<Scalar>& b,

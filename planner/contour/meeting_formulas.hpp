@@ -5,7 +5,7 @@
 
 #include "planner/contour/meeting.hpp"
 
-/// Function bodies of meeting.hpp, for the sources that instantiate them.
+/// Definitions of the function in meeting.hpp, for the sources that instantiate it.
 namespace cnc::contour {
 namespace detail {
 
@@ -16,7 +16,7 @@ void add_if_on_both(Meetings<Scalar>& found,
                     const BasicVec2<Scalar>& place,
                     Scalar touch) {
   if (!a.faces(place, touch) || !b.faces(place, touch)) return;
-  // On the far side of the centre the circle continues, but the curve does not.
+  // The circle continues on the far side of the centre, but the curve does not.
   if (!(a.from_circle(place) <= touch) || !(b.from_circle(place) <= touch)) return;
   found.places[found.count++] = place;
 }
@@ -35,15 +35,15 @@ Meetings<Scalar> lines_meet(const Curve<Scalar>& a, const Curve<Scalar>& b, Scal
   return found;
 }
 
-/// Roots τ of κ τ² − 2 half τ + rest = 0: the points are origin + τ direction.
+/// Roots τ of κ τ² − 2 half τ + rest = 0. The intersections are the points origin + τ direction.
 template <typename Scalar>
 struct Roots {
   Scalar first;
   Scalar second;
 };
 
-/// Returns both roots without cancellation. Where the line misses the circle, it is taken to touch
-/// the circle.
+/// Returns both roots without cancellation. If the line misses the circle, the line is treated as a
+/// tangent.
 template <typename Scalar>
 Roots<Scalar> roots_of(Scalar curvature, Scalar half, Scalar rest) {
   const Scalar root = std::sqrt(std::max(Scalar{0}, half * half - curvature * rest));
@@ -52,8 +52,8 @@ Roots<Scalar> roots_of(Scalar curvature, Scalar half, Scalar rest) {
   return {rest / large, large / curvature};
 }
 
-/// Returns the points where the straight line through `foot` along `direction` meets the circle of
-/// `round`, if they are on both curves.
+/// Returns the points where the straight line through `foot` along `direction` intersects the
+/// circle of `round`, if these points are on both curves.
 template <typename Scalar>
 Meetings<Scalar> line_meets(const Curve<Scalar>& round,
                             const Curve<Scalar>& other,
@@ -75,7 +75,8 @@ template <typename Scalar>
 Meetings<Scalar> line_and_arc_meet(const Curve<Scalar>& line,
                                    const Curve<Scalar>& arc,
                                    Scalar touch) {
-  // Measured from the foot of the arc's start on the line, so that no large numbers cancel.
+  // Coordinates are relative to the foot of the arc's start on the line, so that no large numbers
+  // cancel.
   const Scalar along = line.start_tangent.dot(arc.start - line.start);
   const BasicVec2<Scalar> foot = line.start + along * line.start_tangent;
   return line_meets(arc, line, foot, line.start_tangent, touch);
@@ -89,7 +90,7 @@ Meetings<Scalar> arcs_meet(const Curve<Scalar>& small, const Curve<Scalar>& larg
   const BasicVec2<Scalar> normal = large.curvature * between - left_normal(large.start_tangent) +
                                    share * left_normal(small.start_tangent);
   const Scalar size = normal.norm();
-  // The centres are practically equal: the circles coincide, or they do not meet.
+  // The centres are practically equal: the circles coincide, or they do not intersect.
   if (!(size > touch * std::abs(large.curvature))) return {};
   const BasicVec2<Scalar> across = normal / size;
   const Scalar height = -large.side(small.start) / (Scalar{2} * size);

@@ -4,15 +4,15 @@
 
 namespace cnc::contour {
 
-/// Returns whether nothing is left of an element at a signed distance on its right. That is so for
-/// an arc whose radius is used up: each of its points would be nearer to another point of the same
-/// arc.
+/// Returns whether an element vanishes at a signed distance on its right. An arc vanishes if the
+/// distance uses up its radius: each moved point would be nearer to another point of the same arc.
 template <typename Scalar>
 [[nodiscard]] bool is_used_up(const Curve<Scalar>& element, Scalar distance) {
   return Scalar{1} + element.curvature * distance <= Scalar{0};
 }
 
-/// Returns the element at a signed distance, positive on its right. @pre !is_used_up()
+/// Returns the element after it was moved by a signed distance, positive to its right. @pre
+/// !is_used_up()
 template <typename Scalar>
 [[nodiscard]] Curve<Scalar> moved_aside(const Curve<Scalar>& element, Scalar distance) {
   Curve<Scalar> moved = element;
@@ -22,8 +22,8 @@ template <typename Scalar>
   return moved;
 }
 
-/// Returns the arc about the corner between two elements. It leads from the end of the first, moved
-/// aside, to the start of the second, moved aside.
+/// Returns the arc about the corner between two elements. It leads from the end of the first moved
+/// element to the start of the second moved element.
 /// @pre the corner opens a gap between the moved elements, and distance is not 0
 template <typename Scalar>
 [[nodiscard]] Curve<Scalar> round_join(const Curve<Scalar>& before,

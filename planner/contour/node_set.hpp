@@ -6,7 +6,7 @@
 
 namespace cnc::contour {
 
-/// Nodes, and which of them stand for the same point.
+/// Set of nodes. It records which nodes stand for the same point.
 template <typename Scalar>
 class NodeSet {
  public:
@@ -21,7 +21,7 @@ class NodeSet {
   }
 
   /// Returns the node that represents all nodes at the same point. Shortens the chain of references
-  /// to it.
+  /// to that node.
   [[nodiscard]] std::uint32_t find(std::uint32_t node) {
     while (nodes_[node].same_as != node) {
       nodes_[node].same_as = nodes_[nodes_[node].same_as].same_as;
@@ -30,8 +30,8 @@ class NodeSet {
     return node;
   }
 
-  /// Declares two nodes the same point. The node with the smaller number keeps its point; ends of
-  /// raw curves have the smallest numbers and so keep theirs.
+  /// Declares that two nodes are the same point. The node with the smaller number keeps its point.
+  /// Ends of raw curves have the smallest numbers, so they keep their points.
   void unite(std::uint32_t a, std::uint32_t b) {
     a = find(a);
     b = find(b);

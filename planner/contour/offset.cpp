@@ -12,11 +12,12 @@
 namespace cnc::contour {
 namespace {
 
-/// Returns the greatest absolute coordinate of the input, or a value that is not finite.
+/// Returns the greatest absolute coordinate of the input, or a value that is not finite if the
+/// input has such a value.
 template <typename Scalar>
 Scalar reach_of(const ContourView<Scalar>& input) {
   Scalar most{};
-  Scalar faults{};  // Stays 0 until a value is not finite; then it is NaN.
+  Scalar faults{};  // Sum that stays 0 until a value is not finite; then it is NaN.
   for (const Vertex<Scalar>& vertex : input.vertices) {
     most = std::max(most, std::max(std::abs(vertex.x), std::abs(vertex.y)));
     faults += Scalar{0} * (vertex.x + vertex.y + vertex.bulge);
@@ -24,7 +25,7 @@ Scalar reach_of(const ContourView<Scalar>& input) {
   return most + faults;
 }
 
-/// Returns the number of elements. An arc of more than half a turn counts as two.
+/// Returns the number of elements. An arc of more than half a turn counts as two elements.
 template <typename Scalar>
 std::size_t element_count(const ContourView<Scalar>& input) {
   std::size_t count = input.vertices.size();
@@ -48,8 +49,8 @@ Result<ContourView<Scalar>, OffsetError> copied(const ContourView<Scalar>& input
 
 template <typename Scalar>
 Tolerance<Scalar> Tolerance<Scalar>::for_coordinates_up_to(Scalar most) {
-  // Factor on the rounding error that a chain of computations may accumulate; single precision has
-  // no reserve for more.
+  // Factor on the rounding error that a chain of computations may accumulate. Single precision
+  // allows no greater factor.
   constexpr Scalar kRoundings = sizeof(Scalar) > sizeof(float) ? Scalar{1024} : Scalar{8};
   const Scalar touch =
       kRoundings * std::numeric_limits<Scalar>::epsilon() * std::max(Scalar{1}, most);

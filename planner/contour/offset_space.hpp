@@ -13,21 +13,21 @@ namespace cnc::contour {
 
 inline constexpr std::uint32_t kNone = 0xFFFFFFFF;
 
-/// Distances in mm below which points or curves count as the same. All follow from the resolution
-/// of a number as large as the coordinates.
+/// Distances in mm below which points or curves count as the same. All of them follow from the
+/// resolution of a number that is as large as the coordinates.
 template <typename Scalar>
 struct Tolerance {
-  Scalar touch{};  ///< Points closer than this are one point.
-  /// A curve may lie nearer to the input than |distance| by this much, where no other curve closes
+  Scalar touch{};  ///< Distance below which two points are one point.
+  /// A curve may be nearer to the input than |distance| by this length, if no other curve closes
   /// the loop.
   Scalar shallow{};
-  /// The middle of a run shorter than this does not prove that the run is at the distance.
+  /// Length of a run below which its middle does not prove that the run is at the distance.
   Scalar brief{};
 
   [[nodiscard]] static Tolerance for_coordinates_up_to(Scalar most);
 };
 
-/// An element of the input moved aside, or the round join at a corner.
+/// An element of the input after it was moved, or the round join at a corner.
 template <typename Scalar>
 struct RawCurve {
   Curve<Scalar> curve;
@@ -35,30 +35,30 @@ struct RawCurve {
   std::uint32_t end_node = kNone;
 };
 
-/// A point where curves end, join, cross or touch. Nodes found to be the same point refer to the
-/// node with the smallest number, which keeps its own point.
+/// A point where curves end, join, cross or touch. Nodes that are the same point refer to the node
+/// with the smallest number, which keeps its own point.
 template <typename Scalar>
 struct Node {
   BasicVec2<Scalar> place{Scalar{0}, Scalar{0}};
   std::uint32_t same_as = kNone;
 };
 
-/// The node at which a raw curve is divided.
+/// A division of a raw curve at a node.
 template <typename Scalar>
 struct Cut {
-  Scalar order{};  ///< Position along the raw curve, as Curve::order_of returns.
+  Scalar order{};  ///< Position along the raw curve, in the measure of Curve::order_of().
   std::uint32_t raw = kNone;
   std::uint32_t node = kNone;
 };
 
-/// A raw curve, or a part of it, between two nodes.
+/// A raw curve, or a part of a raw curve, between two nodes.
 struct Piece {
   std::uint32_t raw = kNone;
   std::uint32_t start_node = kNone;
   std::uint32_t end_node = kNone;
-  std::uint32_t next_out = kNone;  ///< Another piece that leaves the same node.
-  std::uint32_t next_in = kNone;   ///< Another piece that reaches the same node.
-  std::uint32_t next = kNone;      ///< The piece that follows in its run.
+  std::uint32_t next_out = kNone;  ///< Index of another piece that leaves the same node.
+  std::uint32_t next_in = kNone;   ///< Index of another piece that arrives at the same node.
+  std::uint32_t next = kNone;      ///< Index of the next piece in the same run.
   bool dropped = false;
   bool in_run = false;
 };
@@ -66,35 +66,37 @@ struct Piece {
 /// Whether a run belongs to the result.
 enum class Standing : std::uint8_t {
   kKept,  ///< The run is at the distance.
-  /// The run is too near by less than the tolerance: kept where a loop needs it to close.
+  /// The run is too near to the input by less than the tolerance. It is kept if a loop needs it to
+  /// close.
   kOptional,
   kDropped,  ///< The run is too near to the input.
 };
 
-/// Pieces in a row without another piece at the nodes between them: kept or dropped as one.
+/// Consecutive pieces without another piece at the nodes between them. They are kept or dropped
+/// together.
 struct Run {
   std::uint32_t first_piece = kNone;
   std::uint32_t start_node = kNone;
   std::uint32_t end_node = kNone;
-  std::uint32_t next_out = kNone;  ///< Another run that leaves the same start node.
+  std::uint32_t next_out = kNone;  ///< Index of another run that leaves the same start node.
   Standing standing = Standing::kDropped;
   bool written = false;
 };
 
-/// The pieces that meet at a node; once the runs are known, the kept runs.
+/// Lists of the pieces that meet at a node. Once the runs are known, lists of the kept runs.
 struct Junction {
   std::uint32_t in = 0;
   std::uint32_t out = 0;
   std::uint32_t first_out = kNone;
   std::uint32_t first_in = kNone;
-  std::uint32_t reached_by = kNone;  ///< The run by which a search arrived at the node.
+  std::uint32_t reached_by = kNone;  ///< Index of the run by which a search arrived at the node.
 
-  /// Returns whether one piece arrives and one leaves: the node leaves no choice.
+  /// Returns whether exactly one piece arrives and one leaves, so that the node leaves no choice.
   [[nodiscard]] bool plain() const { return in == 1 && out == 1; }
 };
 
-/// Sizes of the storage that the offset of `elements` elements needs, with `cuts` the number of
-/// cuts where moved elements cross or touch.
+/// Sizes of the storage that the offset of `elements` elements needs. `cuts` is the number of cuts
+/// at which moved elements cross or touch.
 struct OffsetSizes {
   std::size_t elements;
   std::size_t cuts;
@@ -108,8 +110,8 @@ struct OffsetSizes {
   [[nodiscard]] constexpr std::size_t raw_boxes() const { return BoxTree<float>::size_for(raw()); }
 };
 
-/// Working storage of an offset. Nothing in it outlives the call. The comment of each span gives
-/// its size by OffsetSizes.
+/// Working storage of an offset. Its content does not outlive the call. The comment of each span
+/// gives its size by OffsetSizes.
 template <typename Scalar>
 struct OffsetSpace {
   Slice<Vertex<Scalar>> vertices;        ///< elements

@@ -9,10 +9,11 @@
 namespace cnc::contour {
 namespace {
 
-/// Returns the sine of the turn at a corner, positive to the left. Near a cusp, where one element
-/// leads back along the other, the sine is only rounding, either of this computation or of the
-/// program that wrote the drawing. There the sign is that of the gap between both elements a little
-/// before the corner. So a tip of material turns left and the end of a slot turns right.
+/// Returns the sine of the turn at a corner, positive to the left. Near a cusp one element leads
+/// back along the other. There the sine is only rounding, of this computation or of the program
+/// that wrote the drawing. In that case the sign is that of the gap between both elements a little
+/// before the corner. So at a tip of material the turn is to the left, and at the end of a slot it
+/// is to the right.
 template <typename Scalar>
 Scalar turn_at(const Curve<Scalar>& before, const Curve<Scalar>& after) {
   constexpr Scalar kNearCusp = Scalar(1.0e-2F);
@@ -71,17 +72,17 @@ void RawOffset<Scalar>::add_join(const Curve<Scalar>& before, const Curve<Scalar
   space_.raw[raw_count_++] = {join, kNone, kNone};
 }
 
-/// Returns the absolute curvature of the element moved aside; 0 where nothing is left of it.
+/// Returns the absolute curvature of the moved element; 0 if the element vanishes.
 template <typename Scalar>
 Scalar RawOffset<Scalar>::bend_of_moved(const Curve<Scalar>& element) const {
   if (is_used_up(element, distance_)) return Scalar{0};
   return std::abs(moved_aside(element, distance_).curvature);
 }
 
-/// Returns whether the ends of two neighbours may be drawn together. `curvature` is that of the
-/// neighbour that bends more. The gap runs along both curves. Half of it moves a curve aside by the
-/// square of the gap divided by eight times a radius. This radius is the curve's own radius or
-/// |distance|, whichever is less.
+/// Returns whether the ends of two neighbours may be drawn together. The gap is along both curves.
+/// Half of the gap moves a curve sideways by the square of the gap divided by eight times a radius.
+/// This radius is the curve's own radius or |distance|, whichever is less.
+/// @param curvature curvature of the neighbour that bends more
 template <typename Scalar>
 bool RawOffset<Scalar>::closes(const Vector& gap, Scalar curvature) const {
   const Scalar square = gap.squaredNorm();
@@ -89,8 +90,8 @@ bool RawOffset<Scalar>::closes(const Vector& gap, Scalar curvature) const {
   return square <= tolerance_.touch * tolerance_.touch || square * bend <= tolerance_.touch;
 }
 
-/// Returns whether two ends are one point or meet along both curves. Ends are not drawn together
-/// where that would reverse a curve.
+/// Returns whether two ends are one point, or have a gap along both curves that may be closed. Ends
+/// are not drawn together if that would reverse a curve.
 template <typename Scalar>
 bool RawOffset<Scalar>::draws_together(const Curve<Scalar>& before,
                                        const Curve<Scalar>& after) const {

@@ -5,16 +5,17 @@
 
 namespace cnc::contour {
 
-/// Moves every element aside by itself and adds a round join wherever that opens a gap. Where moved
-/// elements overlap instead, both keep their whole length and have loose ends. An arc whose radius
-/// is used up is omitted: each of its points would be nearer to another point of the same arc.
+/// Moves every element individually and adds a round join at each corner where that opens a gap. At
+/// a corner where moved elements overlap instead, both keep their full length and have loose ends.
+/// An arc whose radius is used up is omitted, because each of its points would be nearer to another
+/// point of the same arc.
 template <typename Scalar>
 class RawOffset {
  public:
   RawOffset(const OffsetSpace<Scalar>& space, Scalar distance, const Tolerance<Scalar>& tolerance)
       : space_{space}, distance_{distance}, tolerance_{tolerance} {}
 
-  /// Adds one loop; call it for the loops in order. Returns false when the storage cannot hold all
+  /// Adds one loop. Call it for all loops in order. Returns false if the storage cannot hold all
   /// elements.
   [[nodiscard]] bool add_loop(const ContourView<Scalar>& contour, std::size_t loop);
 

@@ -20,8 +20,8 @@ bool RunSelection<Scalar>::select(std::uint32_t element_count, std::uint32_t run
   return true;
 }
 
-/// Judges a run by the middle of its longest piece: there the run is farthest from the nodes where
-/// other runs take over.
+/// Judges a run by the middle of its longest piece. That point is farthest from the nodes at which
+/// other runs begin.
 template <typename Scalar>
 Standing RunSelection<Scalar>::judge(const Run& run) const {
   Scalar longest{};
@@ -42,8 +42,8 @@ Standing RunSelection<Scalar>::judge(const Run& run) const {
   return brief || excess > tolerance_.touch ? Standing::kOptional : Standing::kKept;
 }
 
-/// Returns how much nearer than the distance a point is to the input, mm. Stops counting once the
-/// result exceeds `shallow`, which decides already.
+/// Returns the amount by which a point is nearer to the input than the distance, mm. Stops once the
+/// result exceeds `shallow`, because the run is then dropped.
 template <typename Scalar>
 Scalar RunSelection<Scalar>::excess_nearness(const Vector& place) const {
   Scalar excess{};
@@ -81,14 +81,14 @@ void RunSelection<Scalar>::keep(std::uint32_t run) {
   ++space_.junctions[space_.runs[run].end_node].in;
 }
 
-/// Keeps the shortest path over optional runs from a node with more runs in than out to a node with
-/// more runs out than in. Visits each node at most once.
+/// Keeps the shortest path of optional runs from `node`, at which more kept runs arrive than leave,
+/// to a node at which more kept runs leave than arrive. Visits each node at most once.
 template <typename Scalar>
 bool RunSelection<Scalar>::lead_on(std::uint32_t node) {
   std::uint32_t seen = 0;
   std::uint32_t waiting = 0;
   space_.queue[waiting++] = node;
-  space_.junctions[node].reached_by = node;  // Any value except kNone.
+  space_.junctions[node].reached_by = node;  // Any value except kNone marks the node as reached.
   while (seen < waiting) {
     const std::uint32_t from = space_.queue[seen++];
     for (std::uint32_t i = space_.junctions[from].first_out; i != kNone;

@@ -5,9 +5,9 @@
 
 namespace cnc::contour {
 
-/// Chooses the runs of the result. It takes the runs at the distance. Of the optional runs, which
-/// are at the distance only within tolerance, it takes those that lead every loop back to its
-/// start.
+/// Chooses the runs of the result. It keeps the runs that are at the distance. Optional runs are at
+/// the distance only within tolerance. Of these it keeps the runs that are needed to lead every
+/// loop back to its start.
 template <typename Scalar>
 class RunSelection {
  public:
@@ -21,7 +21,7 @@ class RunSelection {
         distance_{std::abs(distance)},
         tree_{space.element_boxes} {}
 
-  /// Sets the standing of every run. Returns false when a loop cannot be closed.
+  /// Sets the standing of every run. Returns false if a loop cannot be closed.
   [[nodiscard]] bool select(std::uint32_t element_count, std::uint32_t run_count);
 
  private:

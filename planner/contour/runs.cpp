@@ -18,7 +18,8 @@ std::uint32_t RunFinder<Scalar>::find() {
   for (std::uint32_t i = 0; i < piece_count_; ++i) {
     if (!space_.junctions[space_.pieces[i].start_node].plain()) add_run(i);
   }
-  for (std::uint32_t i = 0; i < piece_count_; ++i) add_run(i);  // Runs that close upon themselves.
+  // Adds the runs that are closed in themselves.
+  for (std::uint32_t i = 0; i < piece_count_; ++i) add_run(i);
   return run_count_;
 }
 
@@ -38,8 +39,8 @@ void RunFinder<Scalar>::connect() {
   }
 }
 
-/// Drops a piece with its double. Where a slot is exactly used up, both of its sides lie on top of
-/// each other with nothing between: both are dropped. Of two pieces in the same direction, one is
+/// Drops a piece with its double. If a slot is exactly used up, its two sides coincide with nothing
+/// between them, and both are dropped. Of two coincident pieces in the same direction, one is
 /// dropped.
 template <typename Scalar>
 void RunFinder<Scalar>::cancel_if_double(std::uint32_t piece) {
@@ -79,8 +80,9 @@ void RunFinder<Scalar>::drop(std::uint32_t piece) {
   --space_.junctions[space_.pieces[piece].end_node].in;
 }
 
-// Drops the pieces from a loose start on. A curve has a loose end only where its neighbour is
-// nearer to the input there, and the curve stays too near until it meets another.
+// Drops the pieces from a loose start on. A curve has a loose end only if its neighbour is nearer
+// to the input at that end. From there the curve is too near to the input until it meets another
+// curve.
 template <typename Scalar>
 void RunFinder<Scalar>::drop_from_loose_start(std::uint32_t piece) {
   while (piece != kNone) {
@@ -100,7 +102,7 @@ void RunFinder<Scalar>::drop_to_loose_end(std::uint32_t piece) {
   }
 }
 
-/// Returns the next piece where no other piece meets at the node, or kNone.
+/// Returns the next piece if no other piece meets at the node; kNone otherwise.
 template <typename Scalar>
 std::uint32_t RunFinder<Scalar>::following(std::uint32_t piece) const {
   const Junction& end = space_.junctions[space_.pieces[piece].end_node];

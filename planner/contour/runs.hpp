@@ -5,8 +5,8 @@
 
 namespace cnc::contour {
 
-/// Joins pieces into runs, which are kept or dropped as one. First it drops the pieces that need no
-/// decision: pieces on top of each other, and pieces that lead to a loose end.
+/// Joins pieces into runs, which are kept or dropped as a unit. First it drops the pieces that need
+/// no decision: coincident pieces, and pieces that lead to a loose end.
 template <typename Scalar>
 class RunFinder {
  public:
@@ -16,7 +16,7 @@ class RunFinder {
             std::uint32_t piece_count)
       : space_{space}, tolerance_{tolerance}, nodes_{nodes}, piece_count_{piece_count} {}
 
-  /// Writes the runs. Returns their number.
+  /// Writes the runs. Returns the number of runs.
   [[nodiscard]] std::uint32_t find();
 
  private:

@@ -5,7 +5,7 @@
 
 namespace cnc::contour {
 
-/// A range of storage that this object does not own, of a length known at run time.
+/// A range of storage that this object does not own. Its length is known at run time.
 template <typename Item>
 class Slice {
  public:
@@ -16,7 +16,8 @@ class Slice {
       : first_{items.data()}, size_{kSize} {}
 
   [[nodiscard]] constexpr std::size_t size() const { return size_; }
-  /// @pre index < size(). Not checked: nearly all time of an offset is spent in this access.
+  /// @pre index < size(). This is not checked, because nearly all of the time of an offset is spent
+  ///     in this access.
   [[nodiscard]] constexpr Item& operator[](std::size_t index) const { return first_[index]; }
   [[nodiscard]] constexpr Item* begin() const { return first_; }
   [[nodiscard]] constexpr Item* end() const { return first_ + size_; }

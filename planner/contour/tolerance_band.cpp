@@ -6,7 +6,8 @@
 namespace cnc::contour {
 namespace {
 
-/// Radians; a little less than half a turn, so that a bulge stays within ±1.
+/// Greatest sweep of an arc in radians. It is a little less than half a turn, so that a bulge stays
+/// within ±1.
 constexpr double kMaxSweep = 2.9;
 
 std::size_t first_after(double sample) { return static_cast<std::size_t>(sample) + 1; }
@@ -21,7 +22,8 @@ struct CurvatureRange {
   }
 };
 
-/// Returns the curvatures whose arcs pass a sample within the band and in the sample's direction.
+/// Returns the curvatures of the arcs that pass the sample within the band, in the direction of the
+/// sample.
 CurvatureRange past(const BandStart& start, const WayPoint& point, double tolerance_mm) {
   const double most = 0.9 / tolerance_mm;
   CurvatureRange range{-most, most};
@@ -31,7 +33,7 @@ CurvatureRange past(const BandStart& start, const WayPoint& point, double tolera
     const double left = cross(start.tangent, q);
     range.narrow({2.0 * (left - tolerance_mm) / room, 2.0 * (left + tolerance_mm) / room});
   }
-  // The agreement is (n − k q) · N, which is linear in k.
+  // The agreement is (n − k q) · N, which is linear in the curvature k.
   const double along = start.tangent.dot(point.tangent) - ToleranceBand::kMinAgreement;
   const double slope = cross(point.tangent, q);
   if (slope > 0.0) range.narrow({-most, along / slope});
@@ -39,8 +41,8 @@ CurvatureRange past(const BandStart& start, const WayPoint& point, double tolera
   return range;
 }
 
-/// Returns the share of the way from one sample to the next at which the allowed range, moving from
-/// `from` to `to`, leaves `open`.
+/// Returns the share of the distance between two samples at which the allowed range, which changes
+/// linearly from `from` to `to`, leaves the range `open`.
 double crossing(const CurvatureRange& from, const CurvatureRange& to, const CurvatureRange& open) {
   if (to.low > open.high) return (open.high - from.low) / (to.low - from.low);
   if (to.high < open.low) return (from.high - open.low) / (from.high - to.high);

@@ -11,42 +11,43 @@
 namespace cnc::gcode {
 
 /// The actions that a line of G-code requires of the machine, one at a time, in the order of
-/// execution that RS274/NGC (NISTIR 6556, table 8) lays down. The interpreter decides on the
-/// actions; the receiver of the list executes them.
+/// execution of RS274/NGC (NISTIR 6556, table 8). The interpreter determines the actions, and the
+/// receiver of the list executes them.
 enum class ActionKind : std::uint8_t {
-  kRapid,         ///< Straight to `end` at the machine's own rate (G0, legs of G28/G30).
-  kLine,          ///< Straight to `end` at `feed` (G1).
-  kArc,           ///< Circle or helix about `centre` (G2, G3).
-  kSpline,        ///< Along `spline` at `feed` (G5, G5.1, G5.2…G5.3).
-  kProbe,         ///< Straight towards `end` at `feed` until the probe changes (G38.x).
+  /// Straight motion to `end` at the greatest speed of the axes (G0, legs of G28/G30).
+  kRapid,
+  kLine,          ///< Straight motion to `end` at `feed` (G1).
+  kArc,           ///< Motion along a circle or helix about `centre` (G2, G3).
+  kSpline,        ///< Motion along `spline` at `feed` (G5, G5.1, G5.2…G5.3).
+  kProbe,         ///< Straight motion towards `end` at `feed` until the probe changes (G38.x).
   kDwell,         ///< Rest for `seconds` (G4).
   kSpindleSpeed,  ///< `value` is the new S.
   kSpindle,       ///< M3, M4, M5: `spindle` is the new mode.
   kCoolant,       ///< M7, M8, M9: `coolant` is the new state.
   kCompensation,  ///< G40, G41, G42, G41.1, G42.1: `compensation` is the new state, in `plane`.
-  kTool,          ///< `number` is the selected T.
-  kToolChange,    ///< M6: `number` is the tool to be put in.
+  kTool,          ///< T: `number` is the selected tool.
+  kToolChange,    ///< M6: `number` is the tool to be inserted.
   kOutput,        ///< M62…M65, M67, M68: `output` is the change.
-  kOffsets,       ///< Work, tool or G92 offsets changed (a report may follow).
-  kToolCentre,    ///< G43.4 begins, ends, or has another tool length.
-  kPause,         ///< M0; M1 with `number` 1.
+  kOffsets,       ///< Work, tool or G92 offsets have changed. The receiver may report them.
+  kToolCentre,    ///< G43.4 begins or ends, or its tool length changes.
+  kPause,         ///< M0, or M1 if `number` is 1.
   kEnd,           ///< M2, M30.
 };
 
-enum class SpindleMode : std::uint8_t { kOff, kConstant, kDynamic };  ///< M5, M3, M4.
+enum class SpindleMode : std::uint8_t { kOff, kConstant, kDynamic };  ///< Modes of M5, M3 and M4.
 
-/// Side of the programmed path on which the tool is, seen in the direction of travel.
+/// Side of the programmed path on which the tool is, as seen in the direction of travel.
 enum class CutterSide : std::uint8_t {
   kOn,
   kLeft,
   kRight
-};  ///< G40, G41 and G41.1, G42 and G42.1.
+};  ///< States of G40, of G41 and G41.1, and of G42 and G42.1.
 
 /// Cutter compensation: side and width of the cut.
 struct CutterCompensation {
   CutterSide side = CutterSide::kOn;
-  bool by_kerf = false;  ///< G41, G42: the width comes from the kerf table of the material.
-  /// Width of the whole cut; D of G41.1 and G42.1.
+  bool by_kerf = false;  ///< G41, G42: the width is taken from the kerf table of the material.
+  /// Width of the whole cut, mm; D of G41.1 and G42.1.
   float width_mm = 0.0F;
   constexpr bool operator==(const CutterCompensation&) const = default;
 };
@@ -61,40 +62,43 @@ struct Coolant {
 struct OutputChange {
   std::uint8_t number = 0;
   bool analog = false;
-  bool with_motion = false;  ///< M62, M63, M67: acts at the start of the next motion.
-  float value = 0.0F;        ///< 0 or 1, or the analog Q value.
+  bool with_motion = false;  ///< M62, M63, M67: the change happens at the start of the next motion.
+  float value = 0.0F;        ///< 0 or 1 for a digital output, or the analog Q value.
 };
 
-/// Conditions under which G38.2…G38.5 stop.
+/// The kind of a probe motion, in which G38.2…G38.5 differ.
 struct ProbeMode {
-  bool towards_contact = true;  ///< True for G38.2, G38.3; false: away from contact.
-  bool error_if_missed = true;  ///< True for G38.2, G38.4.
+  /// True to move until contact (G38.2, G38.3); false to move until contact ends.
+  bool towards_contact = true;
+  /// True if it is a fault that the probe does not change (G38.2, G38.4).
+  bool error_if_missed = true;
 };
 
-/// One action. Only the members that its kind names are meaningful. All positions are machine
-/// coordinates: the interpreter has already added the offsets.
+/// One action. Only the members that the comment on its kind names are used. All positions are
+/// machine coordinates: the interpreter has already added the offsets.
 struct Action {
   ActionKind kind = ActionKind::kOffsets;
 
   Position end{};
-  /// Speed in mm/s along the path of X Y Z; degrees/s when only A B C move. An F of G93 has already
-  /// been converted into a speed.
+  /// Speed along X Y Z in mm/s, or in degrees/s if only A B C move. An F of G93 is already
+  /// converted to a speed.
   float feed = 0.0F;
 
-  // kArc. The centre is as programmed: start and end may lie on slightly different radii, within
-  // the repair limit; see geometry/arc_elements.hpp.
+  // Members of kArc. The centre is the programmed one: the radii at the start and at the end may
+  // differ within the limit of repair, see geometry/arc_elements.hpp.
   Plane plane = Plane::kXY;
-  std::array<Coordinate, 2> centre{};  ///< Coordinates in the order of axes_of(plane).
-  bool clockwise = false;              ///< True for G2.
-  std::uint16_t turns = 1;  ///< P: 1 is up to one full circle, each further one adds a whole turn.
+  /// Coordinates of the centre in the order of axes_of(plane).
+  std::array<Coordinate, 2> centre{};
+  bool clockwise = false;  ///< True for G2.
+  /// P: 1 is an arc of up to one full circle, each further 1 adds a full turn.
+  std::uint16_t turns = 1;
 
-  /// kLine: the values of S for as many equal parts of the line. Empty where S is the same along
-  /// the whole line. The memory belongs to the interpreter and is valid as long as the list of
-  /// actions.
+  /// kLine: values of S, each for an equal part of the line. Empty if S is constant over the line.
+  /// The memory belongs to the interpreter. It is valid until the next line.
   std::span<const float> powers{};
 
-  /// kSpline: the curve in the X Y plane. The memory belongs to the interpreter and is valid as
-  /// long as the list of actions: until the next line.
+  /// kSpline: the curve in the X Y plane. The memory belongs to the interpreter. It is valid until
+  /// the next line.
   const Spline* spline = nullptr;
 
   CutterCompensation compensation{};

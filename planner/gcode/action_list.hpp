@@ -9,17 +9,19 @@
 
 namespace cnc::gcode {
 
-/// Greatest number of actions of one line: S, T, M6, output, spindle, coolant, compensation,
-/// offsets, either two legs of G28 or a dwell and a motion, and a stop with a G40 before it.
+/// Greatest number of actions of one line. The first are S, T, M6, output, spindle, coolant,
+/// compensation and offsets. Two legs of G28, or a dwell and a motion, may follow. The last are a
+/// stop and a G40 before it.
 inline constexpr std::size_t kMaxActions = 12;
 
-/// The actions of one line. They are filled in place: an action is large, and to make it elsewhere
-/// and copy it would cost more than reading its line.
+/// The actions of one line. Each action is filled in the list itself, because an action is large:
+/// copying it would take longer than reading its line.
 class ActionList {
  public:
   void clear() { size_ = 0; }
 
-  /// Appends an action of which only the kind is set. @pre fewer than kMaxActions so far
+  /// Appends an action and returns it. Only its kind is set. @pre the list has fewer than
+  /// kMaxActions actions
   Action& append(ActionKind kind) {
     CNC_ASSERT(size_ < kMaxActions);
     Action& action = actions_[size_++];

@@ -16,8 +16,9 @@ std::uint64_t magnitude(std::int64_t value) {
   return static_cast<std::uint64_t>(value < 0 ? -value : value);
 }
 
-/// Returns the number of bits to shift away so that every value is below 2^31 and the sum of two
-/// products of them fits into 63 bits: 0 for values below 2.1 m, at most 12 in range.
+/// Returns the number of bits by which values must be shifted right, so that each value is below
+/// 2^31. Then the sum of two products of such values fits into 63 bits. The result is 0 for values
+/// below 2.1 m, and at most 12 for coordinates in range.
 template <typename... Values>
 int surplus_bits(Values... values) {
   const std::uint64_t all = (magnitude(values) | ...);
@@ -26,7 +27,7 @@ int surplus_bits(Values... values) {
 
 PlaneVector shifted(PlaneVector v, int bits) { return {v.first >> bits, v.second >> bits}; }
 
-/// @pre both arguments have at most 31 bits and the sign
+/// Returns a · b. @pre both arguments have at most 31 bits and the sign
 std::int64_t product(std::int64_t a, std::int64_t b) {
   return std::int64_t{static_cast<std::int32_t>(a)} * static_cast<std::int32_t>(b);
 }
@@ -35,7 +36,7 @@ std::int64_t dot(PlaneVector a, PlaneVector b) {
   return product(a.first, b.first) + product(a.second, b.second);
 }
 
-/// Returns the length in mm for which 1 stands after shifting.
+/// Returns the length in mm that corresponds to 1 after a shift by `bits`.
 float unit_mm(int bits) {
   return static_cast<float>(std::uint32_t{1} << bits) * kMillimetresPerNanometre;
 }
@@ -72,15 +73,15 @@ CentreByRadius centre_by_radius(PlaneVector end, std::int64_t radius_nm, bool cl
   const int bits = surplus_bits(end.first, end.second, diameter_nm);
   const PlaneVector chord = shifted(end, bits);
   const std::int64_t diameter = diameter_nm >> bits;
-  // This is (2h)², where h is the distance from the middle of the chord to the centre.
+  // (2h)², where h is the distance of the centre from the middle of the chord.
   const std::int64_t square = product(diameter, diameter) - dot(chord, chord);
   if (square < 0) {
     const float diameter_mm = static_cast<float>(diameter_nm) * kMillimetresPerNanometre;
     const float excess = static_cast<float>(-square) * unit_mm(bits) * unit_mm(bits);
     return {{end.first / 2, end.second / 2}, excess / (end.length() + diameter_mm)};
   }
-  // A chord that is much shorter than the diameter is shifted separately, so that it loses no
-  // digit.
+  // The chord may be much shorter than the diameter. So it has its own shift, which keeps all its
+  // digits.
   const int chord_bits = surplus_bits(end.first, end.second);
   const PlaneVector exact = shifted(end, chord_bits);
   const float ratio = static_cast<float>(square) / static_cast<float>(dot(exact, exact));

@@ -42,8 +42,8 @@ Refusal Block::add(const Word& word) {
   return add_value(word);
 }
 
-/// Adds a G or M word. Grbl checks the claim on axis words before the modal group, so that G0 G1
-/// has error number 24 and G17 G18 has number 21.
+/// Adds a G or M word. Like Grbl, it checks the use of the axis words before the modal group. So G0
+/// G1 has error number 24, and G17 G18 has number 21.
 Refusal Block::add_modal(const Word& word, const Result<const ModalWord*, FaultDetail>& found) {
   if (!found.ok()) return blame_word(found.error(), word);
   const ModalWord* const modal = found.value();
@@ -97,7 +97,7 @@ Refusal Block::add_power(const Word& word) {
   return std::nullopt;
 }
 
-/// The O word must be alone in its line, or follow N.
+/// Checks an O word. It must be the only word of its line, or follow N.
 Refusal Block::name_program(const Word& word, bool at_end) const {
   const bool alone = groups_ == 0 && (letters_ & ~bit_of('N')) == 0 && at_end;
   if (alone && word.value.is_integer() && !word.value.is_negative()) return std::nullopt;
@@ -149,7 +149,7 @@ Refusal Block::unused_word() const {
   return blame(FaultDetail::kUnused, leftmost(unused_));
 }
 
-/// Returns the letter whose word comes first in the line. @pre `letters` is not empty
+/// Returns the letter of a set whose word is the first in the line. @pre `letters` is not empty
 char Block::leftmost(std::uint32_t letters) const {
   char found = ' ';
   std::uint16_t found_column = kLongestLineWithComments + 1;

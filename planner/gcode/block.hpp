@@ -12,33 +12,35 @@
 
 namespace cnc::gcode {
 
-/// Greatest number of values that S may have, `S0:120:300`: more than fit into most lines.
+/// Greatest number of values of S in one line, as in `S0:120:300`. Most lines are too short for
+/// more.
 inline constexpr std::size_t kMaxPowers = 64;
 
 /// The words of one line, sorted: at most one G or M word of each modal group, and at most one
-/// value of each other letter. The block knows which words may stand together, but not their
-/// meaning. It records which values have not been used.
+/// value of each other letter. The block checks which words may be in one line, but does not know
+/// their meaning. It records which values have not been used yet.
 class Block {
  public:
-  /// Empties the block. A block is reused from line to line: its arrays are large, and the masks
-  /// alone tell which entries are valid.
+  /// Empties the block. One block is used for all lines. Only the masks are cleared, because the
+  /// arrays are large and the masks show which entries are valid.
   void clear();
 
-  /// Adds a word, or returns why it may not stand in this line: it is unknown, repeated, negative,
-  /// or not whole; or the line already has a word of its modal group or another word that claims
-  /// the axis words.
+  /// Adds a word. Returns a fault if the word is unknown, repeated, negative or not whole. Returns
+  /// a fault, too, if the line already has a word of the same modal group or a word that uses the
+  /// axis words.
   [[nodiscard]] Refusal add(const Word& word);
-  /// Adds another value of S, or returns why it is refused.
+  /// Adds another value of S. Returns a fault if the value is refused.
   [[nodiscard]] Refusal add_power(const Word& word);
 
-  /// Checks an O word that gives the number of a program, which has no effect. All other O words
-  /// are refused.
+  /// Checks an O word. An O word that only gives the number of a program has no effect. All other O
+  /// words are refused.
+  /// @param at_end whether the line ends after the word
   [[nodiscard]] Refusal name_program(const Word& word, bool at_end) const;
 
   [[nodiscard]] bool empty() const { return groups_ == 0 && letters_ == 0; }
 
   [[nodiscard]] bool has(ModalGroup group) const { return (groups_ & bit_of(group)) != 0; }
-  /// Returns whether the line has no G or M word except a motion word.
+  /// Returns whether the line has no G or M word other than a motion word.
   [[nodiscard]] bool has_no_word_but_motion() const {
     return (groups_ & ~bit_of(ModalGroup::kMotion)) == 0;
   }
@@ -48,33 +50,32 @@ class Block {
     return static_cast<Meaning>(words_[index_of(group)]->meaning);
   }
   [[nodiscard]] NonModal non_modal() const;
-  /// Returns which use of the axis words the G words claim, whether or not there are any axis
-  /// words.
+  /// Returns the use of axis words that the G words of the line require, even if the line has no
+  /// axis words.
   [[nodiscard]] AxisUse axis_use() const { return axis_use_; }
 
   [[nodiscard]] bool has(char letter) const { return (letters_ & bit_of(letter)) != 0; }
   [[nodiscard]] bool has_axis_word() const;
-  [[nodiscard]] bool has_arc_word() const;  ///< Whether the line has I, J, K or R.
-  /// Returns the value of a letter and marks it as used. Null if the line does not have the letter,
-  /// or if another word of the line has used the value.
+  [[nodiscard]] bool has_arc_word() const;  ///< True if the line has I, J, K or R.
+  /// Returns the value of a letter and marks it as used. Returns null if the line does not have the
+  /// letter or if the value is already used.
   [[nodiscard]] const Decimal* take(char letter);
   /// Returns the value of a letter without marking it as used. @pre has(letter)
   [[nodiscard]] const Decimal& value(char letter) const { return values_[index_of(letter)]; }
-  /// Returns all values of S, where it has several.
+  /// Returns all values of S; empty unless S has several values.
   [[nodiscard]] std::span<const float> powers() const {
     return std::span{powers_}.first(power_count_);
   }
   [[nodiscard]] bool is_free(char letter) const { return (unused_ & bit_of(letter)) != 0; }
 
-  /// Returns a fault that blames the value word with this letter. @pre has(letter)
+  /// Returns a fault at the value word with this letter. @pre has(letter)
   [[nodiscard]] Fault blame(FaultDetail detail, char letter) const;
-  /// Returns a fault that blames the G or M word of this group. @pre has(group)
+  /// Returns a fault at the G or M word of this group. @pre has(group)
   [[nodiscard]] Fault blame(FaultDetail detail, ModalGroup group) const;
-  /// Returns a fault that blames the first axis word, or the first of I J K where there is no axis
-  /// word.
+  /// Returns a fault at the first axis word or, if there is none, at the first of the words I J K.
   /// @pre has_axis_word(), or the line has I, J or K
   [[nodiscard]] Fault blame_first_axis_word(FaultDetail detail) const;
-  /// Returns kUnused for the leftmost value that has not been used, if there is one.
+  /// Returns kUnused for the leftmost value that is not used, or nothing if all values are used.
   [[nodiscard]] Refusal unused_word() const;
 
  private:
@@ -96,9 +97,9 @@ class Block {
   [[nodiscard]] Refusal add_value(const Word& word);
   [[nodiscard]] char leftmost(std::uint32_t letters) const;
 
-  std::uint32_t letters_ = 0;  ///< A bit for each letter with a value.
-  std::uint32_t unused_ = 0;   ///< A bit for each letter whose value has not been used.
-  std::uint32_t groups_ = 0;   ///< A bit for each modal group with a word.
+  std::uint32_t letters_ = 0;  ///< Set of the letters that have a value, one bit each.
+  std::uint32_t unused_ = 0;   ///< Set of the letters whose value is not used yet, one bit each.
+  std::uint32_t groups_ = 0;   ///< Set of the modal groups that have a word, one bit each.
   AxisUse axis_use_ = AxisUse::kNone;
   std::array<Decimal, kLetterCount> values_{};
   std::array<std::uint16_t, kLetterCount> value_columns_{};
@@ -108,7 +109,8 @@ class Block {
   std::array<std::uint16_t, kModalGroupCount> word_columns_{};
 };
 
-/// Reads a whole line into `block`, which is cleared first.
+/// Reads a line into `block`, which is cleared first.
+/// @param block_delete see LineReader::begin()
 [[nodiscard]] Refusal read_block(std::string_view line, bool block_delete, Block& block);
 
 }  // namespace cnc::gcode

@@ -9,22 +9,24 @@
 
 namespace cnc::gcode {
 
-/// A centre relative to the start of its arc, in tenths of the last digit of positions. On the
-/// positions' own grid, half a turn between two positions that are an odd number of digits apart
-/// would have no centre, and its radii would differ by a whole digit.
+/// A centre relative to the start of its arc, in tenths of the last printed digit of a position. On
+/// the grid of positions itself, some half turns would have no centre, namely those between
+/// positions that are an odd number of digits apart. Their two radii would differ by a whole digit.
 struct GridCentre {
   std::int64_t x = 0;
   std::int64_t y = 0;
 };
 
-/// Least radius of an arc, in last digits. Smaller arcs are hardly more than their own rounding.
+/// Least radius of an arc, in last digits. A smaller arc would consist mainly of rounding errors.
 inline constexpr int kMinRadiusOnGrid = 1;
 
-/// Returns the centre of an arc whose ends are on the grid. In double precision both radii agree
-/// within 0.15 last digits. In single precision they agree within half a digit, for radii of up to
-/// a million digits (writer_test.cpp, over random arcs). Empty where the centre is farther than
-/// kFarthestCentre.
+/// Returns the centre of an arc whose ends are on the grid. Empty if the centre is farther away
+/// than kFarthestCentre.
+///
+/// In double precision both radii agree within 0.15 last digits. In single precision they agree
+/// within half a digit for radii of up to a million digits (writer_test.cpp tests random arcs).
 /// Source of the bulge: planner/geometry/arc.hpp.
+/// @param chord vector from the start to the end of the arc
 /// @pre 0 < |bulge| ≤ 1
 template <std::floating_point Scalar>
 [[nodiscard]] std::optional<GridCentre> centre_on_grid(GridPlace chord, Scalar bulge) {

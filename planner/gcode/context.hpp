@@ -7,23 +7,24 @@
 
 namespace cnc::gcode {
 
-/// End of the last G5, from which the next G5 may continue without I and J.
+/// End of the last G5. The next G5 may continue from there without I and J.
 struct CubicExit {
   bool known = false;
-  std::array<Coordinate, 2> place{};  ///< X Y, machine coordinates.
-  std::array<Coordinate, 2> arm{};    ///< Vector to the first control point of the next G5.
+  std::array<Coordinate, 2> place{};  ///< X and Y of the end, machine coordinates.
+  /// Vector from the end to the first control point of a continuing G5.
+  std::array<Coordinate, 2> arm{};
 };
 
-/// All state that a line may change, except the stored positions. It is small enough to be copied
-/// for each line, so a refused line simply drops its copy.
+/// All state that a line may change, except the stored positions. Each line changes a copy, which
+/// is dropped if the line is refused. The state is small enough for this.
 struct Context {
   ModalState modal{};
   Shift shift{};
   CubicExit cubic_exit{};
-  Position position{};  ///< End of the last motion, machine coordinates.
+  Position position{};  ///< Position at the end of the last motion, machine coordinates.
 };
 
-/// Returns the sum of G92 offset and tool length on an axis.
+/// Returns the sum of the G92 offset and the tool length on an axis.
 [[nodiscard]] inline Coordinate shift_of(const Shift& shift, std::size_t axis) {
   Coordinate sum{};
   if (shift.g92_in_use) sum += shift.g92[axis];
@@ -31,7 +32,7 @@ struct Context {
   return sum;
 }
 
-/// Returns the offset from a programmed position to the machine's position.
+/// Returns the work offset of an axis: machine position = programmed position + work offset.
 [[nodiscard]] inline Coordinate work_offset(const Context& context,
                                             const StoredPlaces& places,
                                             std::size_t axis) {

@@ -14,12 +14,13 @@ constexpr std::size_t kDecimals = 9;
 constexpr std::array<std::uint32_t, kDecimals + 1> kPowersOfTen{
     1, 10, 100, 1'000, 10'000, 100'000, 1'000'000, 10'000'000, 100'000'000, kBillion};
 
-/// Reads characters of a text and skips blanks. It checks for blanks only where no digit follows.
+/// Reads the characters of a text and skips blanks. For speed, it checks for blanks only if the
+/// next character is not a digit.
 class Cursor {
  public:
   explicit Cursor(std::string_view text) : text_{text} {}
 
-  /// Skips blanks. Returns the index after them.
+  /// Skips blanks and returns the index of the next character.
   [[nodiscard]] std::size_t position() {
     skip_blanks();
     return at_;
@@ -31,7 +32,7 @@ class Cursor {
     skip_blanks();
     return stands_on_digit();
   }
-  /// @pre at_digit()
+  /// Returns the value of the digit at the present index. @pre at_digit()
   [[nodiscard]] std::uint32_t digit() const { return static_cast<std::uint32_t>(text_[at_] - '0'); }
 
   void leave_digit() {
@@ -39,7 +40,7 @@ class Cursor {
     ++at_;
   }
 
-  /// Steps over `wanted` if it comes next.
+  /// Passes the character `wanted` if it is the next one. Returns whether it was.
   bool take(char wanted) {
     skip_blanks();
     if (at_ == text_.size() || text_[at_] != wanted) return false;
@@ -60,7 +61,7 @@ class Cursor {
   std::size_t digits_taken_ = 0;
 };
 
-/// Reads the whole part. Returns false when another digit would not fit.
+/// Reads the digits before the point. Returns false if there are too many.
 bool read_whole(Cursor& cursor, Decimal& number) {
   for (; cursor.at_digit(); cursor.leave_digit()) {
     if (number.whole > kLargestWhole / 10) return false;
@@ -85,8 +86,8 @@ void read_fraction(Cursor& cursor, Decimal& number) {
   while (cursor.at_digit()) cursor.leave_digit();
 }
 
-/// Reads a number of at most nine digits without blanks in it or after it, in one integer. Nearly
-/// all numbers are so. Empty for any other text.
+/// Reads a number of at most nine digits without any blanks, as a single integer. Nearly all
+/// numbers are of this kind. Returns nothing for any other text.
 std::optional<DecimalReading> read_plain(std::string_view text) {
   DecimalReading reading{};
   std::size_t at = 0;
@@ -157,8 +158,8 @@ Coordinate from_millimetres(const Decimal& number) {
 
 Coordinate from_inches(const Decimal& number) {
   constexpr std::uint64_t kNanometres = 25'400'000;
-  // A billionth of an inch is 0.0254 nm = 127 / 5000 nm. The multiplication is split, so that the
-  // product stays within 32 bits.
+  // A billionth of an inch is 0.0254 nm = 127 / 5000 nm. The multiplication is done in two parts,
+  // so that the products stay within 32 bits.
   const std::uint32_t quotient = number.billionths / 5000;
   const std::uint32_t rest = number.billionths % 5000;
   const std::uint32_t fraction = quotient * 127 + (rest * 127 + 2500) / 5000;

@@ -18,7 +18,7 @@ Fault with_limit(Fault fault, float limit) {
   return fault;
 }
 
-/// Sets `mode` to the word of a modal group, if the line has one.
+/// Sets `mode` to the meaning of the line's word of a modal group, if there is such a word.
 template <typename Mode>
 void adopt(const Block& block, ModalGroup group, Mode& mode) {
   if (block.has(group)) mode = block.meaning<Mode>(group);
@@ -26,9 +26,9 @@ void adopt(const Block& block, ModalGroup group, Mode& mode) {
 
 }  // namespace
 
-/// Runs the steps of RS274/NGC table 8, with outputs at the position of LinuxCNC. Words that only
-/// set a mode come first. No step depends on that, except F, which Grbl reads in the units of its
-/// own line.
+/// Performs the steps of RS274/NGC table 8 in order. Outputs change in the same step as in
+/// LinuxCNC. All words that only set a mode are handled before these steps. Only F depends on this:
+/// as in Grbl, it is read in the units of its own line.
 Refusal Execution::run() {
   if (options_.changes_tool) {
     if (const auto fault = check_tool_change_words()) return fault;
@@ -42,8 +42,8 @@ Refusal Execution::run() {
       &Execution::set_spindle_speed,
       &Execution::select_tool,
   }};
-  // Steps that only G and M words require. Most lines have no such word except that of their
-  // motion; for them these steps would take an eighth of the time of reading the line.
+  // Steps for G and M words. Most lines have no such word except a motion word, and these lines
+  // omit the steps. This saves an eighth of the time of reading a line.
   static constexpr std::array<Step, 11> kByWord{{
       &Execution::change_tool,
       &Execution::set_output,
@@ -74,8 +74,8 @@ Refusal Execution::run() {
   return block_.unused_word();
 }
 
-/// Refuses the words of spindle, coolant, outputs, tool, pauses and all other state of the program:
-/// they must wait until the tool change has ended.
+/// Refuses the words for spindle, coolant, outputs, tool, pauses and all other state of the
+/// program. They must wait until the tool change has ended.
 Refusal Execution::check_tool_change_words() const {
   constexpr std::array<ModalGroup, 7> kOfTheProgram{ModalGroup::kToolChange,
                                                     ModalGroup::kSpindle,
@@ -93,7 +93,7 @@ Refusal Execution::check_tool_change_words() const {
   return std::nullopt;
 }
 
-/// Takes steps, up to the first that refuses the line.
+/// Performs the steps in order, up to the first step that refuses the line.
 Refusal Execution::take_steps(std::span<const Step> steps) {
   for (const Step step : steps) {
     if (const auto fault = (this->*step)()) return fault;
@@ -119,8 +119,8 @@ void Execution::set_modes() {
   offsets_changed_ = modal.coordinate_system != context_.modal.coordinate_system;
 }
 
-/// Refuses a negative P where P is a number. P is the only letter that is a length, which may be
-/// negative, in some lines and a number, which may not, in others.
+/// Refuses a negative P where P is a number. In G5, P is a length and may be negative. No other
+/// letter is a length in some lines and a number in others.
 Refusal Execution::check_signs() {
   const bool length = next_.modal.motion == MotionMode::kCubicSpline;
   if (length || !block_.has('P') || !block_.value('P').is_negative()) return std::nullopt;
@@ -139,8 +139,7 @@ Refusal Execution::number_line() {
   return std::nullopt;
 }
 
-/// Sets the feed. In G93 an F holds for its own line only, so that no feed is set after the line,
-/// either.
+/// Sets the feed. In G93 an F holds for its own line only. So after a line in G93, no feed is set.
 Refusal Execution::set_feed() {
   ModalState& modal = next_.modal;
   const Decimal* const per_minute = block_.take('F');
@@ -175,8 +174,8 @@ Refusal Execution::set_spindle_speed() {
   return std::nullopt;
 }
 
-/// Takes several values of S, one for each part of a G1, as LightBurn clusters them. The last value
-/// stays in effect.
+/// Reads several values of S, one for each part of a G1, as LightBurn combines them. The last value
+/// stays in effect after the line.
 Refusal Execution::set_powers() {
   if (!options_.laser) return block_.blame(FaultDetail::kPowersNeedLaser, 'S');
   if (keeps_kerf()) return block_.blame(FaultDetail::kNotBesideThePath, 'S');
@@ -209,7 +208,7 @@ Refusal Execution::select_tool() {
   return std::nullopt;
 }
 
-/// Requests a change to the tool that T has selected in this line or in an earlier one.
+/// Requests a change to the tool that T has selected in this line or in an earlier line.
 Refusal Execution::change_tool() {
   if (!block_.has(ModalGroup::kToolChange)) return std::nullopt;
   actions_.append(ActionKind::kToolChange).number = next_.modal.tool;
@@ -306,8 +305,9 @@ Refusal Execution::stop() {
   return std::nullopt;
 }
 
-/// Ends the program, as Grbl 1.1 does: back to G1 G17 G40 G54 G90 G94 M5 M9. Units, F, S, T, G92,
-/// the tool length and path control (RS274/NGC 3.6.1 does not name it) stay; G43.4 ends.
+/// Ends the program as Grbl 1.1 does: restores G1 G17 G40 G54 G90 G94 M5 M9. Units, F, S, T, G92,
+/// the tool length and path control (RS274/NGC 3.6.1 does not mention it) keep their values. G43.4
+/// ends.
 void Execution::end_program() {
   ModalState& modal = next_.modal;
   modal.motion = MotionMode::kLine;
@@ -345,7 +345,7 @@ Coordinate Execution::to_length(const Decimal& number) const {
   return next_.modal.units == Units::kInches ? from_inches(number) : from_millimetres(number);
 }
 
-/// Returns the value of an axis word. Degrees are never converted from inches.
+/// Returns the value of an axis word. A value in degrees is never converted from inches.
 Coordinate Execution::to_axis_value(std::size_t axis, const Decimal& number) const {
   return axis < kLinearAxisCount ? to_length(number) : from_millimetres(number);
 }

@@ -15,15 +15,16 @@
 
 namespace cnc::gcode {
 
-/// Computes the effect of one block. It goes through the steps of RS274/NGC table 8 in order,
-/// checks each, and records its actions and its changes. Nothing outside changes before commit(),
-/// so a fault in the last step undoes the first.
+/// Computes the effect of one block. It performs the steps of RS274/NGC table 8 in order, checks
+/// each of them, and records its actions and changes. Nothing outside this object except the list
+/// of actions changes before commit(). So if a step refuses the line, no earlier step has had an
+/// effect.
 ///
-/// Where RS274/NGC and Grbl 1.1 number or order checks differently, this class does as Grbl does
-/// (gnea/grbl, gcode.c, steps 2 and 3).
+/// Where RS274/NGC and Grbl 1.1 differ in the numbers or the order of checks, this class follows
+/// Grbl (gnea/grbl, gcode.c, steps 2 and 3).
 class Execution {
  public:
-  /// All arguments outlive the execution. @pre `actions` is empty.
+  /// Makes the execution of `block`. All arguments must outlive it. @pre `actions` is empty
   Execution(const Options& options,
             Context& context,
             StoredPlaces& places,
@@ -40,21 +41,22 @@ class Execution {
 
   [[nodiscard]] Refusal run();
 
-  /// Makes the changes. @pre run() has refused nothing
+  /// Applies the recorded changes. @pre run() has not refused the block
   void commit();
-  /// Returns whether the changes include one of the stored positions.
+  /// Returns whether the changes include a stored position.
   [[nodiscard]] bool stores_place() const { return stored_value_.has_value(); }
 
-  /// Runs the block as a jog: its modes hold for this line only.
+  /// Performs the block as a jog: its modes hold for this line only.
   [[nodiscard]] Refusal run_jog();
-  /// Makes the only change of a jog, the position. Returns its N, or 0 if it has none.
+  /// Applies the only change of a jog, which is the position. Returns N of the line, or 0 if it has
+  /// none.
   std::uint32_t commit_jog();
 
  private:
   using Step = Refusal (Execution::*)();
 
   [[nodiscard]] Refusal take_steps(std::span<const Step> steps);
-  /// Changes that a line of a NURBS makes when it is committed.
+  /// Changes of the open NURBS that a line makes when it is committed.
   struct NurbsLine {
     bool begins = false;
     std::size_t order = 0;  ///< 0 leaves the order unchanged.
@@ -62,7 +64,7 @@ class Execution {
     std::optional<ControlPoint> point{};
   };
 
-  // The steps are in execution.cpp; G64 is in execution_path.cpp, G41.1 in
+  // The steps are in execution.cpp, except for these: G64 in execution_path.cpp, G41.1 in
   // execution_compensation.cpp, offsets in execution_offsets.cpp, motion in execution_motion.cpp,
   // arcs in execution_arc.cpp, splines in execution_spline.cpp and execution_nurbs.cpp, jogs in
   // execution_jog.cpp.
@@ -154,7 +156,7 @@ class Execution {
   [[nodiscard]] Refusal end_nurbs();
   void commit_nurbs();
 
-  /// Takes a whole number in 0…highest from a letter that the word of `group` needs.
+  /// Reads a whole number in 0…highest from a letter that the word of `group` requires.
   [[nodiscard]] Refusal take_index(char letter,
                                    ModalGroup group,
                                    std::uint32_t highest,
@@ -166,7 +168,8 @@ class Execution {
   [[nodiscard]] bool within_reach(std::size_t axis, Coordinate place) const {
     return place >= -options_.reach[axis] && place <= options_.reach[axis];
   }
-  /// Completes a fault of the word that leads to `place`, which is out of the axis' reach.
+  /// Completes the fault of a word that leads to the position `place`, which is out of the axis'
+  /// reach.
   [[nodiscard]] Fault out_of_reach(Fault word, std::size_t axis, Coordinate place) const;
   [[nodiscard]] Fault missing(char letter, ModalGroup for_group) const;
   [[nodiscard]] Fault blame_motion(FaultDetail detail) const;
@@ -181,10 +184,11 @@ class Execution {
 
   Context next_;               ///< State after the line.
   float inverse_time_ = 0.0F;  ///< F of this line in G93, 1/min.
-  bool powers_wait_ = false;   ///< Several values of S wait for the motion to which they belong.
+  /// True while several values of S wait for the motion that uses them.
+  bool powers_wait_ = false;
   std::optional<NurbsLine> nurbs_line_;
   bool offsets_changed_ = false;
-  /// The stored position that commit() writes, if there is a value for it.
+  /// The stored position that commit() overwrites with stored_value_, if there is a value.
   Position* stored_ = nullptr;
   std::optional<Position> stored_value_;
 };

@@ -16,8 +16,8 @@ constexpr float to_mm(std::int64_t nanometres) { return Coordinate{nanometres}.m
 
 }  // namespace
 
-/// Handles G2 and G3 (RS274/NGC 3.5.3). Axes outside the plane move in proportion. An arc with a
-/// centre and without an end in the plane is a whole turn, as in LinuxCNC.
+/// Handles G2 and G3 (RS274/NGC 3.5.3). Axes outside the plane move in proportion to the angle. An
+/// arc with a centre but without an end in the plane is a full turn, as in LinuxCNC.
 Refusal Execution::move_along_arc() {
   const PlaneAxes plane = axes_of(next_.modal.plane);
   if (block_.has('R') || !has_centre_word()) {
@@ -40,7 +40,7 @@ Refusal Execution::move_along_arc() {
                                         next_.position[plane.second] + Coordinate{centre.second}},
                              .clockwise = next_.modal.motion == MotionMode::kArcClockwise,
                              .turns = turns};
-  // ArcElements decides the sweep, for this check and for the motion, so that both agree.
+  // ArcElements determines the sweep both for this check and for the motion, so that they agree.
   const ArcElements elements{programmed};
   const float radius_mm = centre.length();
   if (elements.count() > 1) {
@@ -89,9 +89,9 @@ bool Execution::has_centre_word() const {
   return block_.has(kOffsetLetters[plane.first]) || block_.has(kOffsetLetters[plane.second]);
 }
 
-/// Reads the centre from I J K: relative to the start (G91.1), or as a position like any other
-/// (G90.1). An offset along the plane's third axis has no effect; post-processors write it, and
-/// Grbl accepts it.
+/// Reads the centre from I J K. With G91.1 it is relative to the start, and with G90.1 it is a
+/// position. An offset along the third axis has no effect: post-processors write it, and Grbl
+/// accepts it.
 Refusal Execution::read_centre(PlaneVector& centre) {
   const PlaneAxes plane = axes_of(next_.modal.plane);
   const char first = kOffsetLetters[plane.first];
@@ -131,7 +131,7 @@ Refusal Execution::centre_from_radius(PlaneVector end, PlaneVector& centre) {
     return blame_centre(FaultDetail::kChordLongerThanDiameter, found.excess_mm, allowed);
   }
   centre = found.centre;
-  // With a radius of one nanometre the centre may be rounded to the start.
+  // With a radius of one nanometre, the centre may be rounded to the start.
   if (centre.is_null()) return blame_centre(FaultDetail::kCentreIsStart, 0.0F, 0.0F);
   return std::nullopt;
 }
@@ -146,8 +146,8 @@ Refusal Execution::check_centre_in_range(PlaneVector centre) const {
   return std::nullopt;
 }
 
-/// Checks that the sides of the circle are within reach. An arc of more than half a turn reaches
-/// the far side of the circle; a shorter one stays near its chord.
+/// Checks that the sides of the circle are within reach. This is necessary for an arc of more than
+/// half a turn, which reaches the far side of the circle. A shorter arc stays near its chord.
 Refusal Execution::check_sides(PlaneVector centre, float radius_mm) const {
   const PlaneAxes plane = axes_of(next_.modal.plane);
   const Coordinate radius{truncated(radius_mm * 1.0e6F)};
@@ -171,7 +171,7 @@ Refusal Execution::check_end_on_circle(PlaneVector end, PlaneVector centre) cons
   return blame_centre(FaultDetail::kEndOffCircle, deviation, allowed);
 }
 
-/// Returns the length along X Y Z, mm. @param sweep whole turns included
+/// Returns the length along X Y Z in mm. @param sweep angle in radians, including full turns
 float Execution::arc_length(const Action& arc, float sweep, float radius_mm) const {
   const std::size_t normal = axes_of(arc.plane).normal;
   const float rise = (arc.end[normal] - next_.position[normal]).mm();
@@ -185,7 +185,7 @@ PlaneVector Execution::from_here(const Position& target) const {
           (target[plane.second] - next_.position[plane.second]).nanometres()};
 }
 
-/// Returns a fault that blames R, or the first of the two offsets that the line has.
+/// Returns a fault at R or, without R, at the first offset of the plane that the line has.
 Fault Execution::blame_centre(FaultDetail detail, float value_mm, float limit_mm) const {
   const PlaneAxes plane = axes_of(next_.modal.plane);
   const char first = kOffsetLetters[plane.first];

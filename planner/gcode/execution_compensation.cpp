@@ -10,16 +10,18 @@
 namespace cnc::gcode {
 namespace {
 
-/// Least width of a cut. A smaller width is a mistake: no tool is so thin.
+/// Least width of a cut, mm. A smaller width is a mistake, because no tool is so thin.
 constexpr float kNarrowestCutMm = 0.01F;
 
 constexpr float kMicrometresPerMillimetre = 1000.0F;
-constexpr float kMicrometresPerMinute = 60.0F * kMicrometresPerMillimetre;  ///< µm/min per mm/s.
+/// Factor from mm/s to µm/min.
+constexpr float kMicrometresPerMinute = 60.0F * kMicrometresPerMillimetre;
 
 /// Returns the nearest whole number. @pre value ≥ 0
 std::uint32_t whole(float value) { return static_cast<std::uint32_t>(value + 0.5F); }
 
-/// Returns a fault with the requested value and the nearest permissible value, in mm, W or mm/min.
+/// Completes a fault with its reason, the requested value and the nearest permitted value, in mm, W
+/// or mm/min.
 Fault kerf_fault(Fault fault, const kerf::Condition& asked, const kerf::Refusal& refusal) {
   constexpr float kThousandth = 1.0F / 1000.0F;
   std::uint32_t value = asked.power_mw;
@@ -52,8 +54,8 @@ kerf::Condition kerf_condition(const ModalState& modal, const Options& options) 
           .speed_um_min = whole(modal.feed * kMicrometresPerMinute)};
 }
 
-/// Refuses words that stop the machine, or move it other than along a path, between G41 or G42 and
-/// G40: the end of an element is known only when the next element is.
+/// Refuses, between G41 or G42 and G40, words that stop the machine or move it away from the path.
+/// A stop is impossible there, because the end of an element is known only after the next element.
 Refusal Execution::check_compensated_words() {
   if (context_.modal.compensation.side == CutterSide::kOn) return std::nullopt;
   constexpr std::array<ModalGroup, 4> kStandstill{
@@ -64,7 +66,8 @@ Refusal Execution::check_compensated_words() {
   if (next_.modal.plane != context_.modal.plane) {
     return block_.blame(FaultDetail::kNotBesideThePath, ModalGroup::kPlane);
   }
-  // The speed of a spindle changes at standstill only, and so may a second analog output.
+  // The speed of a spindle changes only at standstill. An analog output may be the speed of a
+  // second spindle.
   if (block_.has('S') && !options_.laser) return block_.blame(FaultDetail::kNotBesideThePath, 'S');
   if (block_.has(ModalGroup::kOutput) &&
       block_.meaning<Output>(ModalGroup::kOutput) == Output::kAnalogWithMotion) {
@@ -77,9 +80,9 @@ Refusal Execution::check_compensated_words() {
   return std::nullopt;
 }
 
-/// Handles G40, G41, G42, G41.1 and G42.1. Between one side and the other, or another width, there
-/// must be a G40 (RS274/NGC 3.5.8). The present state may be repeated, because senders restore the
-/// modes that were reported.
+/// Handles G40, G41, G42, G41.1 and G42.1. A G40 must come between one side and the other, or
+/// between two widths (RS274/NGC 3.5.8). But the present state may be repeated, because senders
+/// restore the modes that were reported.
 Refusal Execution::set_compensation() {
   if (!block_.has(ModalGroup::kCutterRadius)) return std::nullopt;
   CutterCompensation wanted;
@@ -107,8 +110,9 @@ Refusal Execution::read_compensation(CutterCompensation& wanted) {
   return wanted.by_kerf ? look_up_kerf(wanted.width_mm) : read_tool_width(wanted.width_mm);
 }
 
-/// Reads the width of the tool that D of G41 and G42 names. D0, and no D, mean the tool that is in.
-/// D0 without a tool in means the programmed path itself, as in LinuxCNC.
+/// Reads the width of the tool that D selects in G41 and G42. D0, or no D, selects the tool in the
+/// spindle. D0 without a tool in the spindle gives width 0, so that the programmed path itself is
+/// driven, as in LinuxCNC.
 Refusal Execution::read_tool_width(float& width_mm) {
   std::uint32_t tool = next_.modal.tool;
   if (block_.has('D')) {
@@ -129,7 +133,7 @@ Refusal Execution::read_tool_width(float& width_mm) {
   return std::nullopt;
 }
 
-/// Reads D of G41.1 and G42.1. 0 means the programmed path itself.
+/// Reads D of G41.1 and G42.1. The width 0 means that the programmed path itself is driven.
 Refusal Execution::read_cut_width(float& width_mm) {
   const Decimal* const number = block_.take('D');
   if (number == nullptr) return missing('D', ModalGroup::kCutterRadius);
@@ -144,8 +148,8 @@ Refusal Execution::read_cut_width(float& width_mm) {
   return std::nullopt;
 }
 
-/// Returns the width that the material's table has for the present power and speed: S and F do not
-/// change until G40.
+/// Reads the width from the material's kerf table at the present power and speed, which S and F do
+/// not change until G40.
 Refusal Execution::look_up_kerf(float& width_mm) const {
   const auto blame = [this](FaultDetail detail) {
     return block_.blame(detail, ModalGroup::kCutterRadius);
@@ -167,8 +171,8 @@ Refusal Execution::look_up_kerf(float& width_mm) const {
   return std::nullopt;
 }
 
-/// Handles M190 P Q, which selects a kerf table and a thickness. The table need not contain the
-/// thickness.
+/// Handles M190 P Q, which selects a kerf table and a thickness. The table does not have to contain
+/// this thickness.
 Refusal Execution::set_material() {
   if (!block_.has(ModalGroup::kMaterial)) return std::nullopt;
   const std::uint32_t count = options_.kerf != nullptr ? options_.kerf->count : 0;
@@ -193,8 +197,8 @@ Refusal Execution::set_material() {
   return std::nullopt;
 }
 
-/// Returns whether the path is offset by a kerf and this line does not end that. The kerf is one
-/// for the whole path.
+/// Returns whether the path is offset by a kerf and the line has no word that could end this. Such
+/// a path has one kerf, so power and speed must not change.
 bool Execution::keeps_kerf() const {
   return context_.modal.compensation.by_kerf && !block_.has(ModalGroup::kCutterRadius);
 }

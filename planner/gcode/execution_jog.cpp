@@ -7,7 +7,7 @@ Refusal Execution::run_jog() {
   set_modes();
   next_.modal.motion = MotionMode::kLine;
   next_.modal.feed_mode = FeedMode::kUnitsPerMinute;
-  next_.modal.feed = 0.0F;  // Each jog gives its own feed.
+  next_.modal.feed = 0.0F;  // Each jog must give its own feed.
   if (const auto fault = check_signs()) return fault;
   if (const auto fault = number_line()) return fault;
   if (const auto fault = set_feed()) return fault;
@@ -26,8 +26,8 @@ std::uint32_t Execution::commit_jog() {
   return next_.modal.line_number;
 }
 
-/// Refuses words other than those of units, distance and G53. Any other letter is found later, as
-/// unused.
+/// Refuses all G and M words except those of units, distance and G53. Other letters that a jog does
+/// not use are refused later, as unused words.
 Refusal Execution::check_jog_words() const {
   for (std::size_t index = 0; index < kModalGroupCount; ++index) {
     const auto group = static_cast<ModalGroup>(index);

@@ -5,8 +5,8 @@
 namespace cnc::gcode {
 namespace {
 
-/// A motion that is faster than this takes less than a month, even from one end of the range of
-/// positions to the other.
+/// Speed, in mm/s, at which even a motion through the whole range of positions takes less than a
+/// month.
 constexpr float kSlowMmPerS = 4.0F;
 
 constexpr bool is_arc(MotionMode mode) {
@@ -15,8 +15,8 @@ constexpr bool is_arc(MotionMode mode) {
 
 }  // namespace
 
-/// Handles the motion of the line. The motion mode acts when its word is in the line, or when there
-/// are axis words that no other word of the line claims (Grbl's implicit motion).
+/// Handles the motion of the line. The motion mode is applied if the line has its word, or if the
+/// line has axis words that no other word of the line uses (Grbl's implicit motion).
 Refusal Execution::move() {
   const MotionMode mode = next_.modal.motion;
   const bool straight = mode == MotionMode::kRapid || mode == MotionMode::kLine;
@@ -40,23 +40,23 @@ Refusal Execution::move() {
 }
 
 /// Returns whether the motion word only sets the mode. Senders restore the reported modes in one
-/// line, with `G2 … F0` in it: that gives mode and feed, and is complete. A G1 alone while no feed
-/// is set is refused, as in Grbl.
+/// line that contains `G2 … F0`. Such a line gives mode and feed, and is complete. A line with only
+/// G1 is refused while no feed is set, as in Grbl.
 bool Execution::only_sets_mode() const {
   if (block_.has_axis_word() || block_.has_arc_word()) return false;
   return block_.has('F') || next_.modal.feed > 0.0F ||
          next_.modal.feed_mode == FeedMode::kInverseTime;
 }
 
-/// Returns whether the line moves. Without a word that claims the axes, a centre alone is another
-/// whole turn, as in LinuxCNC.
+/// Returns whether the line moves the machine. In an arc mode, a line with only a centre is another
+/// full turn, as in LinuxCNC, unless a word of the line uses the axis words.
 bool Execution::moves() const {
   if (block_.axis_use() != AxisUse::kNone) return block_.axis_use() == AxisUse::kMotion;
   return block_.has_axis_word() || (is_arc(next_.modal.motion) && has_centre_word());
 }
 
-/// Refuses a mistake that would keep the machine at work for years. Overrides and slower axes are
-/// not taken into account.
+/// Refuses a motion that would take longer than the options permit, because it is a mistake.
+/// Overrides and slower axes are not considered.
 Refusal Execution::check_duration(float length_mm, float speed_mm_s) const {
   if (length_mm <= speed_mm_s * options_.longest_motion_s) return std::nullopt;
   Fault fault{.detail = FaultDetail::kMotionTooLong};
@@ -66,8 +66,8 @@ Refusal Execution::check_duration(float length_mm, float speed_mm_s) const {
   return fault;
 }
 
-/// Completes an action that goes to the target of the line at the present feed, if that takes no
-/// longer than permitted. Most motions are so fast that their length need not be known.
+/// Completes an action that goes to the target of the line at the present feed, and checks its
+/// duration. Most motions are so fast that the check does not require their length.
 Refusal Execution::go_straight(Action& action, const Position& target) {
   const Position start = next_.position;
   action.end = target;
@@ -85,8 +85,8 @@ Refusal Execution::check_feed() const {
                                    : FaultDetail::kFeedMissing);
 }
 
-/// Sets the named axes of `target`, in machine coordinates. After G53 the numbers are machine
-/// coordinates, in G91 too, as in Grbl.
+/// Sets the axes of `target` that the line names, in machine coordinates. After G53 the numbers are
+/// machine coordinates even in G91, as in Grbl.
 Refusal Execution::read_target(Position& target) {
   const bool in_machine_coordinates = block_.non_modal() == NonModal::kMachineCoordinates;
   const bool incremental = next_.modal.distance == DistanceMode::kIncremental;
@@ -106,7 +106,7 @@ Refusal Execution::read_target(Position& target) {
   return std::nullopt;
 }
 
-/// Handles G0 and G1. Without axis words they only set the mode.
+/// Handles G0 and G1. Without axis words, they only set the mode.
 Refusal Execution::move_straight() {
   if (!block_.has_axis_word()) return std::nullopt;
   Position target = next_.position;
@@ -123,8 +123,8 @@ Refusal Execution::move_straight() {
   return std::nullopt;
 }
 
-/// Handles G38.2…G38.5. The position is the target until set_position() reports where the probe
-/// really stopped.
+/// Handles G38.2…G38.5. The position is assumed to be the target until set_position() reports the
+/// position where the probe has stopped.
 Refusal Execution::probe() {
   if (!block_.has_axis_word()) return blame_motion(FaultDetail::kAxisWordsMissing);
   if (next_.modal.compensation.side != CutterSide::kOn) {
@@ -150,7 +150,7 @@ float Execution::straight_speed(const Position& target) const {
   return only_rotary_axes_move(next_.position, target) ? modal.rotary_feed : modal.feed;
 }
 
-/// Returns a fault that blames the motion word, or the first axis word where there is none.
+/// Returns a fault at the motion word or, if there is none, at the first axis word.
 Fault Execution::blame_motion(FaultDetail detail) const {
   if (block_.has(ModalGroup::kMotion)) return block_.blame(detail, ModalGroup::kMotion);
   return block_.blame_first_axis_word(detail);

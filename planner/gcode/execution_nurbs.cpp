@@ -2,8 +2,8 @@
 
 namespace cnc::gcode {
 
-/// Checks a line within a NURBS. It may give a control point or end the NURBS, and nothing else, so
-/// that nothing happens in the middle of a curve that is not yet known.
+/// Checks a line while a NURBS is open. Such a line may only give a control point or end the NURBS.
+/// All other words would have an effect in the middle of a curve that is not complete yet.
 Refusal Execution::check_open_nurbs() {
   if (!nurbs_is_open()) return std::nullopt;
   for (std::size_t index = 0; index < kModalGroupCount; ++index) {
@@ -23,8 +23,9 @@ Refusal Execution::check_open_nurbs() {
   return std::nullopt;
 }
 
-/// Handles G5.2 and the lines after it. The present position is the first control point; a P
-/// without X and Y is its weight. In G91 points are relative to this position, as in LinuxCNC.
+/// Handles G5.2 and the lines after it. The present position is the first control point. A P
+/// without X and Y is the weight of the first point. In G91 all points are relative to the first
+/// one, as in LinuxCNC.
 Refusal Execution::take_control_point() {
   if (next_.modal.plane != Plane::kXY) return blame_motion(FaultDetail::kSplineNeedsG17);
   if (next_.modal.feed_mode == FeedMode::kUnitsPerMinute) {
@@ -41,8 +42,8 @@ Refusal Execution::take_control_point() {
   return std::nullopt;
 }
 
-/// Reads the weight of the first control point. Once there is a second point, P belongs to a
-/// control point, or is unused.
+/// Reads the weight of the first control point, if the line has a P. When there is a second point,
+/// a P without X and Y is an unused word.
 Refusal Execution::weigh_first_point(NurbsLine& line) {
   const bool alone = line.begins || store_.spline.size() == 1;
   if (!alone || !block_.has('P')) return std::nullopt;
@@ -89,7 +90,7 @@ Refusal Execution::take_weight(float& weight) {
   return block_.blame(FaultDetail::kNotAWeight, 'P');
 }
 
-/// Handles G5.3: adds the curve to the last control point.
+/// Handles G5.3: appends the action for the curve, which ends at the last control point.
 Refusal Execution::end_nurbs() {
   if (!nurbs_is_open()) return blame_motion(FaultDetail::kNurbsNotOpen);
   if (next_.position != store_.start) return blame_motion(FaultDetail::kMovedInANurbs);

@@ -3,7 +3,7 @@
 
 namespace cnc::gcode {
 
-/// Handles G43.1, G43.4 and G49. Grbl shifts Z only, and so does this function.
+/// Handles G43.1, G43.4 and G49. The offset is along Z only, as in Grbl.
 Refusal Execution::set_tool_length() {
   if (!block_.has(ModalGroup::kToolLength)) return std::nullopt;
   const auto word = block_.meaning<ToolLength>(ModalGroup::kToolLength);
@@ -22,7 +22,7 @@ Refusal Execution::set_tool_length() {
   return std::nullopt;
 }
 
-/// Reads the tool length. Without Z, G43.4 keeps the present length.
+/// Reads the tool length from Z. G43.4 without Z keeps the present length.
 Refusal Execution::read_tool_length(ToolLength word, Coordinate& length) {
   const bool centre = word == ToolLength::kCentre;
   const FaultDetail detail =
@@ -36,8 +36,8 @@ Refusal Execution::read_tool_length(ToolLength word, Coordinate& length) {
   return check_range(FaultDetail::kOffsetOutOfRange, index_of(Axis::kZ), length);
 }
 
-/// Begins or ends G43.4. The machine is at rest before and after, and must learn which position its
-/// axes now mean. So nothing else in the line may name positions.
+/// Begins or ends G43.4. The machine is at rest before and after the change, and the position of
+/// its axes gets another meaning. So no other word of the line may give positions.
 Refusal Execution::switch_tool_centre(bool on) {
   if (on && !options_.five_axes) {
     return block_.blame(FaultDetail::kNotFiveAxes, ModalGroup::kToolLength);
@@ -52,8 +52,8 @@ Refusal Execution::switch_tool_centre(bool on) {
   return std::nullopt;
 }
 
-/// Refuses tool changes, cutter compensation and positions of the axes themselves. They have to
-/// wait for G49, as do probes and splines, which move() refuses.
+/// Refuses tool changes, cutter compensation and words for positions of the axes themselves. They
+/// are possible only after G49, as are probes and splines, which move() refuses.
 Refusal Execution::check_words_at_tool_centre() const {
   for (const ModalGroup group : {ModalGroup::kToolChange, ModalGroup::kCutterRadius}) {
     if (!block_.has(group)) continue;
@@ -73,8 +73,8 @@ Refusal Execution::check_words_at_tool_centre() const {
   }
 }
 
-/// Handles G10, G28.1, G30.1 and the G92 family. One action reports all changes of offsets,
-/// including a new coordinate system or tool length.
+/// Handles G10, G28.1, G30.1 and the G92 family. A single action reports all changes of offsets in
+/// the line, including a new coordinate system or tool length.
 Refusal Execution::set_offsets() {
   Refusal fault;
   switch (block_.non_modal()) {
@@ -103,8 +103,9 @@ Refusal Execution::set_offsets() {
   return std::nullopt;
 }
 
-/// Handles G10. L1 sets the radius of a tool. L2 sets the origin of a system; L20 sets the origin
-/// so that the present position gets the given coordinates. P0 is the system in use.
+/// Handles G10. L1 sets the radius of a tool. L2 sets the origin of a coordinate system. L20 sets
+/// the origin so that the present position gets the given coordinates. P0 means the coordinate
+/// system in use.
 Refusal Execution::set_system() {
   constexpr auto kGroup = ModalGroup::kNonModal;
   const Decimal* const kind = block_.take('L');
@@ -129,7 +130,7 @@ Refusal Execution::set_system() {
   return std::nullopt;
 }
 
-/// Handles G10 L1: P is the tool, R its radius; R0 forgets the radius.
+/// Handles G10 L1: P is the tool, and R is its radius. R0 deletes the radius.
 Refusal Execution::set_tool_radius() {
   constexpr auto kGroup = ModalGroup::kNonModal;
   if (block_.has_axis_word()) return block_.blame_first_axis_word(FaultDetail::kAxisWordUnused);
@@ -137,7 +138,7 @@ Refusal Execution::set_tool_radius() {
   if (const auto fault = take_index('P', kGroup, kToolCount, FaultDetail::kTooLarge, tool)) {
     return fault;
   }
-  if (tool == 0) return block_.blame(FaultDetail::kNegative, 'P');
+  if (tool == 0) return block_.blame(FaultDetail::kBelowOne, 'P');
   const Decimal* const radius = block_.take('R');
   if (radius == nullptr) return missing('R', kGroup);
   const Coordinate length = to_length(*radius);
@@ -169,8 +170,8 @@ Refusal Execution::read_origin(bool from_present_place, Position& origin) {
   return std::nullopt;
 }
 
-/// Handles G92. Axes that are not named keep the offset that is in effect; an offset that G92.2 had
-/// suspended is forgotten.
+/// Handles G92. Axes without a word keep the offset that is in effect. An offset that G92.2 has
+/// suspended is deleted first.
 Refusal Execution::set_g92() {
   if (!block_.has_axis_word()) {
     return block_.blame(FaultDetail::kAxisWordsMissing, ModalGroup::kNonModal);
@@ -191,8 +192,8 @@ Refusal Execution::set_g92() {
   return std::nullopt;
 }
 
-/// Handles the rest of the family: G92.1 forgets the offset, G92.2 suspends it, and G92.3 restores
-/// it.
+/// Handles the other words of the family: G92.1 deletes the offset, G92.2 suspends it, and G92.3
+/// restores it.
 void Execution::switch_g92(NonModal word) {
   if (word == NonModal::kClearG92) next_.shift.g92 = Position{};
   next_.shift.g92_in_use = word == NonModal::kRestoreG92;
@@ -205,8 +206,8 @@ void Execution::store(Position& place, const Position& value) {
   offsets_changed_ = true;
 }
 
-/// Handles G28 and G30: a rapid to the stored position. With axis words it goes first to the
-/// position that they name, and then with the named axes only.
+/// Handles G28 and G30: a rapid to the stored position. With axis words, it first goes to the
+/// position that these words give. Then only the axes of these words go to the stored position.
 Refusal Execution::go_to_stored_place() {
   const NonModal word = block_.non_modal();
   if (word != NonModal::kGoToG28 && word != NonModal::kGoToG30) return std::nullopt;

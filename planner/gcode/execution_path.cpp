@@ -3,8 +3,8 @@
 
 namespace cnc::gcode {
 
-/// Handles path control. P and Q are lengths in the units of the line, and belong to G64 only. Each
-/// G64 sets both.
+/// Handles path control. P and Q are lengths in the units of the line, and are read for G64 only.
+/// Each G64 sets or clears both tolerances.
 Refusal Execution::set_path_control() {
   if (!block_.has(ModalGroup::kPathControl)) return std::nullopt;
   PathControl path{.mode = block_.meaning<PathMode>(ModalGroup::kPathControl)};

@@ -8,22 +8,23 @@ namespace {
 
 PlanePlace sum(const PlanePlace& a, const PlanePlace& b) { return {a.x + b.x, a.y + b.y}; }
 
-/// Arcs that replace a spline leave the hull of its control points by no more than their tolerance,
-/// for which this is the allowance.
+/// Distance by which the arcs that replace a spline may leave the hull of its control points, nm.
+/// This allowance is for the tolerance of the arcs.
 constexpr Coordinate kBesideHull{100'000};
 
 }  // namespace
 
-/// Handles G5, G5.1, G5.2 and G5.3 as LinuxCNC defines them: in the plane of X and Y, and only
-/// these axes move.
+/// Handles G5, G5.1, G5.2 and G5.3 as LinuxCNC defines them: in the plane of X and Y, without
+/// motion of other axes.
 Refusal Execution::move_along_spline(MotionMode mode) {
   if (mode == MotionMode::kNurbsEnd) return end_nurbs();
   if (next_.modal.plane != Plane::kXY) return blame_motion(FaultDetail::kSplineNeedsG17);
   return mode == MotionMode::kCubicSpline ? move_along_cubic() : move_along_quadratic();
 }
 
-/// Handles G5. I J lead from the start to the first control point, P Q from the end to the second.
-/// Without I J the curve continues in the direction in which the previous G5 ended.
+/// Handles G5. I and J give the vector from the start to the first control point. P and Q give the
+/// vector from the end to the second control point. Without I and J, the curve continues in the
+/// direction in which the previous G5 ended.
 Refusal Execution::move_along_cubic() {
   Position target = next_.position;
   if (const auto fault = read_spline_end(target)) return fault;
@@ -48,7 +49,7 @@ Refusal Execution::move_along_cubic() {
   return std::nullopt;
 }
 
-/// Handles G5.1. I J lead from the start to the only control point between the ends.
+/// Handles G5.1. I and J give the vector from the start to the only control point between the ends.
 Refusal Execution::move_along_quadratic() {
   Position target = next_.position;
   if (const auto fault = read_spline_end(target)) return fault;
@@ -88,7 +89,7 @@ Refusal Execution::read_first_arm(PlanePlace& arm) {
   return std::nullopt;
 }
 
-/// Returns the vector that two words give. A missing word counts as 0.
+/// Returns the vector that two words give. A word that is not in the line counts as 0.
 PlanePlace Execution::take_arm(char first, char second) {
   const auto length = [&](char letter) {
     const Decimal* const number = block_.take(letter);
@@ -97,8 +98,8 @@ PlanePlace Execution::take_arm(char first, char second) {
   return {length(first), length(second)};
 }
 
-/// Checks that a control point is within reach of the motors. Then the curve is so, too, because it
-/// stays inside the hull of its control points.
+/// Checks that a control point is within reach of the motors. If all control points are, the curve
+/// is within reach, too, because it stays inside the hull of its control points.
 Refusal Execution::check_control_point(const PlanePlace& place, char letter) const {
   const std::array<Coordinate, 2> offset{Coordinate{place.x}, Coordinate{place.y}};
   for (std::size_t axis = 0; axis < offset.size(); ++axis) {
@@ -120,7 +121,7 @@ Refusal Execution::append_spline(const Position& end) {
   action.spline = &store_.spline;
   action.feed = spline_speed();
   next_.position = end;
-  constexpr float kSlow = 1.0F;  // mm/s; every spline that is faster ends in time.
+  constexpr float kSlow = 1.0F;  // In mm/s. The duration of a faster spline is always permitted.
   if (action.feed > kSlow) return std::nullopt;
   return check_duration(length_of(store_.spline), action.feed);
 }

@@ -11,8 +11,9 @@ namespace {
 
 struct Explanation {
   ErrorCode code;
-  /// %w stands for the word as letter and number, %c for its letter, %v for the value and %l for
-  /// the limit with three decimals, %n for the limit without superfluous decimals.
+  /// The explanation, with fields for the values of the fault. %w is the letter and number of the
+  /// word, and %c only its letter. %v is the value and %l the limit, both with three decimals. %n
+  /// is the limit without superfluous decimals.
   std::string_view sentence;
 };
 
@@ -101,7 +102,7 @@ constexpr const Explanation& explanation_of(FaultDetail detail) {
   return kExplanations[static_cast<std::size_t>(detail)];
 }
 
-/// Appends text to a fixed buffer and drops the part that does not fit.
+/// Appends text to a buffer of fixed size. Text that does not fit is dropped.
 class TextWriter {
  public:
   explicit TextWriter(std::span<char> out) : out_{out} {}
@@ -122,8 +123,9 @@ class TextWriter {
     while (count > 0) put(digits[--count]);
   }
 
-  /// Appends a number, rounded to thousandths. `trimmed` drops zeros at the end of the decimals.
-  /// @pre |number| < 2^47, as for every value of a Fault
+  /// Appends a number, rounded to thousandths. If `trimmed`, zeros at the end of the decimals are
+  /// omitted.
+  /// @pre |number| < 2^47, which holds for every value of a Fault
   void put_number(float number, bool trimmed) {
     if (number < 0.0F) put('-');
     const float magnitude = number < 0.0F ? -number : number;
@@ -148,8 +150,8 @@ class TextWriter {
   std::size_t size_ = 0;
 };
 
-/// Appends the value of a field. Returns false when `field` names no value, as after a literal
-/// percent sign.
+/// Appends the value that `field` stands for. Returns false if it stands for none, as after a
+/// percent sign that is part of the text.
 bool put_field(TextWriter& text, char field, const Fault& fault) {
   switch (field) {
     case 'w':

@@ -7,7 +7,7 @@
 
 namespace cnc::gcode {
 
-/// Error numbers of Grbl 1.1, which senders translate for their users.
+/// Error numbers of Grbl 1.1. Senders have an explanation for each of them.
 enum class ErrorCode : std::uint8_t {
   kExpectedLetter = 1,
   kBadNumber = 2,
@@ -35,8 +35,8 @@ enum class ErrorCode : std::uint8_t {
   kValueTooLarge = 38,
 };
 
-/// The exact fault, finer than Grbl's numbers: each detail has one number and one sentence, both in
-/// fault.cpp, in this order.
+/// The exact fault, of which several may have the same number in Grbl. Each fault has one number
+/// and one sentence, which are listed in fault.cpp in the order of this enum.
 enum class FaultDetail : std::uint8_t {
   kNotALetter,
   kForeignByte,
@@ -118,11 +118,11 @@ enum class FaultDetail : std::uint8_t {
 inline constexpr std::size_t kFaultDetailCount =
     static_cast<std::size_t>(FaultDetail::kToolCentreAlone) + 1;
 
-/// Why a line was refused. A refused line changes nothing and moves nothing.
+/// Reason for which a line was refused. A refused line has no effect.
 struct Fault {
   FaultDetail detail = FaultDetail::kNotALetter;
-  char letter = ' ';  ///< Letter of the word at fault; ' ' where there is none.
-  /// Column of the word, 1-based, in bytes; 0 where no word is at fault.
+  char letter = ' ';  ///< Letter of the word at fault; ' ' if there is no such word.
+  /// Column of the word in bytes, from 1; 0 if no word is at fault.
   std::uint16_t column = 0;
   float value = 0.0F;  ///< Value of the word, or the deviation in mm.
   float limit = 0.0F;  ///< Limit with which `value` was compared.
@@ -130,14 +130,14 @@ struct Fault {
   [[nodiscard]] ErrorCode code() const;
 };
 
-/// Result of a check: nothing, or the fault that was found.
+/// Result of a check: nothing if it was passed, or the fault that was found.
 using Refusal = std::optional<Fault>;
 
-/// Writes the fault as words, without its number and column, for example "arc end is 0.123 mm off
-/// its circle, limit 0.050 mm". The text is cut off at the end of `out`, and has no terminating
-/// zero. No sentence contains "ok" or "error" in any case: senders take a line with either word for
-/// an acknowledgement.
-/// @return number of bytes written.
+/// Writes the explanation of a fault without its number and column, for example "arc end is 0.123
+/// mm off its circle, limit 0.050 mm". The text is cut off at the end of `out` and has no
+/// terminating zero. No explanation contains "ok" or "error" in upper or lower case, because
+/// senders would read such a line as an acknowledgement.
+/// @return number of bytes that were written
 [[nodiscard]] std::size_t describe(const Fault& fault, std::span<char> out);
 
 }  // namespace cnc::gcode

@@ -50,7 +50,7 @@ void Interpreter::begin_tool_change(const Position& machine) {
   options_.changes_tool = true;
 }
 
-/// Changes large objects in place, because the stack of a controller is too small for copies.
+/// Changes both interpreters in place, because the stack of a controller is too small for a copy.
 void Interpreter::end_tool_change(Interpreter& before) {
   before.context_.shift = context_.shift;
   before.context_.modal.tool_length_in_use = context_.modal.tool_length_in_use;

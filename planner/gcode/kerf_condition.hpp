@@ -6,8 +6,9 @@
 
 namespace cnc::gcode {
 
-/// Returns the condition of the cut: thickness, power and speed by the present M190, S and F.
-/// @pre the options have a kerf source and the greatest power
+/// Returns the condition of the cut: its thickness, power and speed according to the present M190,
+/// S and F.
+/// @pre the options have a kerf table and the greatest power
 [[nodiscard]] kerf::Condition kerf_condition(const ModalState& modal, const Options& options);
 
 }  // namespace cnc::gcode

@@ -14,7 +14,7 @@ constexpr bool is_visible_ascii(char c) { return c > ' ' && c <= '~'; }
 
 constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
-/// Returns whether a character begins an expression or a parameter of LinuxCNC and Fanuc.
+/// Returns whether a character begins an expression or a parameter in LinuxCNC or Fanuc.
 constexpr bool begins_expression(char c) { return c == '[' || c == '#' || c == '<'; }
 
 }  // namespace
@@ -45,8 +45,8 @@ Refusal LineReader::read(Word& word) {
   return read_value(letter, word);
 }
 
-/// Returns whether the line is too long. Only text outside comments counts: a file may have
-/// comments of any length, but the memory of the machine is limited.
+/// Returns whether the line is too long. Only text outside comments counts, because a file may have
+/// long comments but the machine's memory for a line is limited.
 bool LineReader::too_long() const {
   if (line_.size() <= kLongestLine) return false;
   std::size_t code = 0;
@@ -63,7 +63,7 @@ bool LineReader::too_long() const {
 /// Reads the number after the letter or colon at the present index.
 Refusal LineReader::read_value(char letter, Word& word) {
   std::string_view rest = line_;
-  rest.remove_prefix(at_ + 1);  // substr() could throw.
+  rest.remove_prefix(at_ + 1);  // Used instead of substr(), which can throw.
   const auto number = read_decimal(rest);
   word.letter = letter;
   word.column = static_cast<std::uint16_t>(at_ + 1);
@@ -92,7 +92,8 @@ Refusal LineReader::skip_to_word() {
   return std::nullopt;
 }
 
-/// Skips a comment. It must be closed and must not contain a left parenthesis (RS274/NGC 3.3.4).
+/// Skips a comment. The comment must be closed and must not contain a left parenthesis (RS274/NGC
+/// 3.3.4).
 Refusal LineReader::skip_comment() {
   const Fault unclosed = fault_here(FaultDetail::kUnclosedComment);
   for (++at_; !at_end(); ++at_) {
@@ -112,12 +113,12 @@ Refusal LineReader::pass_slash(bool block_delete) {
   }
   ++at_;
   if (!at_end() && is_digit(line_[at_])) ++at_;
-  first_ = at_ + 1;  // A colon after the slash is not at the front of the line.
+  first_ = at_ + 1;  // A colon after the slash does not count as the first character of the line.
   return skip_to_word();
 }
 
-/// Passes a line that begins with %. The text after % is the name of a program; a word there is a
-/// mistake, because it would not be executed.
+/// Passes a line that begins with %. The text after % is the name of a program. A G word there is
+/// refused as a mistake, because it would not be executed.
 Refusal LineReader::pass_percent() {
   const Fault not_alone = fault_here(FaultDetail::kPercentNotAlone);
   ++at_;

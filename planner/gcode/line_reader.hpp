@@ -9,12 +9,12 @@
 
 namespace cnc::gcode {
 
-/// Length of the longest line that is read, its CR and LF and its comments not counted.
+/// Greatest length of a line without its CR and LF and without comments.
 inline constexpr std::size_t kLongestLine = 256;
-/// Length of the longest line with its comments: columns are 16 bits wide.
+/// Greatest length of a line with comments. It follows from the 16 bits of a column.
 inline constexpr std::size_t kLongestLineWithComments = 65'534;
 
-/// Returns the line without the byte order mark that some editors put before the first line.
+/// Returns the line without the byte order mark, which some editors put at the start of a file.
 [[nodiscard]] std::string_view without_mark(std::string_view line);
 
 /// A letter, its number, and the column of the word.
@@ -24,37 +24,38 @@ struct Word {
   Decimal value{};
 };
 
-/// Splits one line into words.
+/// Splits a line into words.
 ///
-/// The reader ignores what RS274/NGC permits to ignore: blanks anywhere, comments in ( ) and after
-/// ; with any bytes in them, CR and LF at the end, lower case. It also ignores control bytes, a
-/// byte order mark, and a line that begins with %, which names a program. A : at the front counts
-/// as an O. Everything else outside a word is refused.
+/// The reader ignores everything that RS274/NGC permits to ignore: blanks, comments in ( ) and
+/// after ; with any bytes, CR and LF at the end, and lower case. It also ignores control bytes, a
+/// byte order mark, and a line that begins with %, which names a program. A : at the start of a
+/// line counts as an O. Everything else outside a word is refused.
 ///
-/// After each call that has returned no fault the reader is at a word or at the end.
+/// After each call that has returned no fault, the reader is at a word or at the end of the line.
 class LineReader {
  public:
-  /// @param line must outlive the reader.
+  /// @param line must outlive the reader
   explicit LineReader(std::string_view line) : line_{line} {}
 
-  /// Advances to the first word. Call this once, before anything else.
-  /// @param block_delete if true, the text after a / at the front or after N is ignored like a
-  /// comment; if false, the / is ignored. A digit after the /, as of switches 1 to 9, belongs to
-  /// it.
+  /// Advances to the first word. Must be called once, before all other functions.
+  /// @param block_delete If true, the text after a / at the start of the line or after N is ignored
+  /// like a comment. If false, only the / is ignored. A digit directly after the / (switches 1 to
+  /// 9) is part of the /.
   [[nodiscard]] Refusal begin(bool block_delete);
 
   [[nodiscard]] bool at_end() const { return at_ == line_.size(); }
 
-  /// Reads the word at the present index and advances to the next one.
+  /// Reads the word at the present index and advances to the next word.
   [[nodiscard]] Refusal read(Word& word);
-  /// Passes a / that follows the N read last, as begin() does.
+  /// Passes a / after the N word that was read last. The effect is the same as in begin().
   [[nodiscard]] Refusal pass_slash_after_number(bool block_delete) {
     return at('/') ? pass_slash(block_delete) : std::nullopt;
   }
 
-  /// Returns whether another value of the word read last follows, after a colon.
+  /// Returns whether a colon and another value of the last word follow.
   [[nodiscard]] bool at_more_values() const { return at(':'); }
-  /// Reads that value and advances; `word` keeps its letter. @pre at_more_values()
+  /// Reads this other value into `word`, which keeps its letter, and advances. @pre
+  /// at_more_values()
   [[nodiscard]] Refusal read_more(Word& word) { return read_value(word.letter, word); }
 
  private:

@@ -9,10 +9,10 @@
 
 namespace cnc::gcode {
 
-/// Text buffer for the longest lines that one motion takes.
+/// Buffer for the text of the lines of one motion.
 class LineText {
  public:
-  /// Capacity for four lines of `G1X-500000.000Y…I…J…F…S…`, the longest that a writer makes.
+  /// Capacity for four lines of `G1X-500000.000Y…I…J…F…S…`, the longest text that a writer makes.
   static constexpr std::size_t kCapacity = 512;
 
   void clear() { size_ = 0; }
@@ -20,7 +20,8 @@ class LineText {
     CNC_ASSERT(size_ < kCapacity);
     text_[size_++] = character;
   }
-  /// Adds a letter and a number with up to `decimals` decimals, without superfluous zeros.
+  /// Adds a letter and a number with at most `decimals` decimals. Zeros at the end of the decimals
+  /// are omitted.
   /// @param value the number in units of its last decimal
   /// @pre decimals ≤ 9
   void add_word(char letter, std::int64_t value, std::uint8_t decimals);

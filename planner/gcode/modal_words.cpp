@@ -17,7 +17,8 @@ constexpr ModalWord word(std::uint16_t tenths, ModalGroup group, Meaning meaning
 
 using enum ModalGroup;
 
-/// The motion words come first, because they are looked up most often.
+/// The known G words. The motion words are near the start, because they are searched for most
+/// often.
 constexpr std::array<ModalWord, 55> kGWords{{
     word(0, kMotion, MotionMode::kRapid),
     word(10, kMotion, MotionMode::kLine),
@@ -97,8 +98,8 @@ constexpr std::array<ModalWord, 18> kMWords{{
     word(1900, kMaterial, 0),
 }};
 
-/// Whole numbers to which other controllers add decimals. So G49.1 is a word that is not supported,
-/// whereas G1.5 is a mistake.
+/// Numbers to which other controllers add decimals. So G49.1 is reported as unsupported, but G1.5
+/// as a number that should be whole.
 constexpr std::array<std::uint32_t, 12> kKnownWithDecimals{
     5, 28, 30, 38, 41, 42, 43, 49, 61, 90, 91, 92};
 
@@ -109,7 +110,7 @@ const ModalWord* find(std::span<const ModalWord> words, std::uint32_t tenths) {
   return nullptr;
 }
 
-/// Returns the word whose number is exactly this one, or null.
+/// Returns the word with exactly this number, or null if there is none.
 const ModalWord* find_exactly(std::span<const ModalWord> words, const Decimal& number) {
   constexpr std::uint32_t kBillionthsPerTenth = 100'000'000;
   const bool has_hundredths = number.billionths % kBillionthsPerTenth != 0;
@@ -134,7 +135,8 @@ AxisUse ModalWord::axis_use() const {
     const bool moves = meaning != static_cast<std::uint8_t>(MotionMode::kNone);
     return moves ? AxisUse::kMotion : AxisUse::kNone;
   }
-  // G49 only cancels, and may stand next to a motion, as in LinuxCNC.
+  // G49 only cancels an offset and does not use axis words. So it may be in one line with a motion,
+  // as in LinuxCNC.
   if (group == kToolLength) {
     const bool cancels = meaning == static_cast<std::uint8_t>(ToolLength::kCancel);
     return cancels ? AxisUse::kNone : AxisUse::kToolLength;

@@ -9,8 +9,8 @@
 
 namespace cnc::gcode {
 
-/// The modal groups of RS274/NGC table 4, and LinuxCNC's group 5 of M words for outputs. A line has
-/// at most one word of each group.
+/// The modal groups of RS274/NGC table 4, and LinuxCNC's M group 5 for outputs. A line has at most
+/// one word of each group. Each comment gives the type of ModalWord::meaning.
 enum class ModalGroup : std::uint8_t {
   kNonModal,          ///< G group 0, NonModal
   kMotion,            ///< G group 1, MotionMode
@@ -21,14 +21,14 @@ enum class ModalGroup : std::uint8_t {
   kUnits,             ///< G group 6, Units
   kCutterRadius,      ///< G group 7, CutterRadius
   kToolLength,        ///< G group 8, ToolLength
-  kCoordinateSystem,  ///< G group 12, index of the system
+  kCoordinateSystem,  ///< G group 12, index of the coordinate system
   kPathControl,       ///< G group 13, PathMode
   kStop,              ///< M group 4, Stop
   kOutput,            ///< M group 5, Output
-  kToolChange,        ///< M group 6, only M6: nothing to choose
+  kToolChange,        ///< M group 6, M6 only: no meaning
   kSpindle,           ///< M group 7, SpindleMode
   kCoolant,           ///< M group 8, CoolantWord
-  kMaterial,          ///< Only M190: nothing to choose
+  kMaterial,          ///< M190 only: no meaning
 };
 
 inline constexpr std::size_t kModalGroupCount = 17;
@@ -50,14 +50,17 @@ enum class NonModal : std::uint8_t {
 
 enum class CutterRadius : std::uint8_t {
   kOff,           ///< G40
-  kLeft,          ///< G41: by the kerf of the material.
-  kRight,         ///< G42
+  kLeft,          ///< G41: by the kerf of the material or by the radius of a tool
+  kRight,         ///< G42: as G41
   kLeftByWidth,   ///< G41.1
   kRightByWidth,  ///< G42.1
 };
-enum class ToolLength : std::uint8_t { kSet, kCancel, kCentre };       ///< G43.1, G49, G43.4.
-enum class Stop : std::uint8_t { kPause, kOptionalPause, kEnd };       ///< M0, M1, M2 and M30.
-enum class CoolantWord : std::uint8_t { kMist, kFlood, kOff, kBoth };  ///< M7, M8, M9, M7 M8.
+/// Words G43.1, G49 and G43.4.
+enum class ToolLength : std::uint8_t { kSet, kCancel, kCentre };
+/// Words M0 and M1, and M2 or M30.
+enum class Stop : std::uint8_t { kPause, kOptionalPause, kEnd };
+/// Words M7, M8 and M9, and M7 with M8.
+enum class CoolantWord : std::uint8_t { kMist, kFlood, kOff, kBoth };
 
 enum class Output : std::uint8_t {
   kOnWithMotion,      ///< M62
@@ -68,26 +71,27 @@ enum class Output : std::uint8_t {
   kAnalog,            ///< M68
 };
 
-/// Use that a word makes of the X Y Z A B C words of its line. They can have one use only, so a
-/// line holds at most one word that claims them.
+/// The use that a word makes of the X Y Z A B C words of its line. There can be only one such use,
+/// so a line has at most one word that uses them.
 enum class AxisUse : std::uint8_t { kNone, kMotion, kPlaces, kToolLength };
 
 /// A G or M word that the interpreter knows.
 struct ModalWord {
-  std::uint16_t tenths;  ///< Number of the word in tenths: 382 for G38.2.
+  std::uint16_t tenths;  ///< Number after G or M in tenths, such as 382 for G38.2.
   ModalGroup group;
-  std::uint8_t meaning;  ///< A value of the enum that belongs to `group`.
+  std::uint8_t meaning;  ///< Value of the enum that belongs to `group`.
 
   [[nodiscard]] AxisUse axis_use() const;
 };
 
-/// Finds the word with a number after G or M. Pointers are to constants.
+/// Return the G or M word with a number. The pointer is to a constant.
 [[nodiscard]] Result<const ModalWord*, FaultDetail> find_g_word(const Decimal& number);
 [[nodiscard]] Result<const ModalWord*, FaultDetail> find_m_word(const Decimal& number);
 
-/// Returns the word that two words of one group make together, or null where they exclude each
-/// other. All exclude each other except two pairs: M7 and M8 (RS274/NGC 3.6.4), and G80 next to a
-/// motion, as heads of programs have it. Then the motion counts.
+/// Returns the word that has the effect of two words of one group, or null if they exclude each
+/// other. Only two pairs do not exclude each other: M7 with M8 (RS274/NGC 3.6.4), and G80 with a
+/// motion, as in the first lines of many programs. In the second pair only the motion has an
+/// effect.
 [[nodiscard]] const ModalWord* combined(const ModalWord& a, const ModalWord& b);
 
 }  // namespace cnc::gcode

@@ -8,8 +8,8 @@
 
 namespace cnc::gcode {
 
-/// A position, or a difference of positions, in whole last digits as they are printed. The printed
-/// text has exactly this value, so computations with it agree with those of the reader.
+/// A position or a difference of positions, in units of the last printed digit. The printed text
+/// has exactly this value, so results computed from it agree with the results of the reader.
 struct GridPlace {
   std::int32_t x = 0;
   std::int32_t y = 0;
@@ -18,11 +18,11 @@ struct GridPlace {
   friend constexpr GridPlace operator-(GridPlace a, GridPlace b) { return {a.x - b.x, a.y - b.y}; }
 };
 
-/// Number of digits that are printed after the point of a position.
+/// The number of digits after the point of a printed position.
 class PrintGrid {
  public:
-  /// With fewer decimals small arcs would no longer fit into Grbl's 5 µm. With more decimals Grbl's
-  /// reader, which takes eight digits in all, would drop some.
+  /// Bounds of the number of digits. With fewer digits, small arcs would exceed Grbl's tolerance of
+  /// 5 µm. Grbl reads eight digits in total, so with more digits it would drop some.
   static constexpr std::uint8_t kFewest = 3;
   static constexpr std::uint8_t kMax = 5;
 
@@ -32,7 +32,7 @@ class PrintGrid {
   }
 
   [[nodiscard]] constexpr std::uint8_t decimals() const { return decimals_; }
-  /// Returns the number of last digits in a millimetre.
+  /// Returns the number of last digits per millimetre.
   [[nodiscard]] constexpr std::int32_t per_mm() const {
     std::int32_t result = 1;
     for (std::uint8_t i = 0; i < decimals_; ++i) result *= 10;
@@ -43,15 +43,15 @@ class PrintGrid {
   std::uint8_t decimals_;
 };
 
-/// Greatest distance of positions from zero, in last digits: 5 m with five decimals, 500 m with
-/// three. So the difference of two positions fits into 32 bits.
+/// Greatest distance of a position from zero, in last digits. This is 5 m with five decimals, and
+/// 500 m with three. So the difference of two positions fits into 32 bits.
 inline constexpr std::int32_t kFarthestOnGrid = 500'000'000;
 
-/// Greatest distance of centres from the start of their arcs, in tenths of a last digit: 10 m with
-/// five decimals, 1 km with three, which is the limit of the reader.
+/// Greatest distance of a centre from the start of its arc, in tenths of a last digit. This is 10 m
+/// with five decimals, and 1 km with three, which is the limit of the reader.
 inline constexpr std::int64_t kFarthestCentre = 10'000'000'000;
 
-/// Returns the nearest whole number, half away from zero. @pre |value| < 2^47
+/// Returns the nearest whole number; a half is rounded away from zero. @pre |value| < 2^47
 template <std::floating_point Scalar>
 [[nodiscard]] std::int64_t rounded(Scalar value) {
   const Scalar aside = value < 0 ? value - Scalar{0.5} : value + Scalar{0.5};

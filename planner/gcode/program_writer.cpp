@@ -37,7 +37,8 @@ void ProgramWriter::add_rapids(GridPlace to) {
   const auto end = height_;
   const bool goes_down = end && written_height_ && *end < *written_height_;
   if (goes_down) height_ = written_height_;
-  // At the start the machine may be anywhere, so the height comes first.
+  // At the start of a program the machine may be at any height, so the motion to the height comes
+  // first.
   if (!goes_down && !is_at_height()) {
     if (motion_ != 0) text_.add_word('G', 0, 0);
     motion_ = 0;

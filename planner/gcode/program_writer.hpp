@@ -17,58 +17,60 @@
 namespace cnc::gcode {
 
 enum class WriterError : std::uint8_t {
-  kOutOfRange,  ///< The value is NaN, or is farther from zero than kFarthestOnGrid.
-  kTooFlat,     ///< The centre of the arc is farther away than kFarthestCentre.
+  kOutOfRange,  ///< A value is NaN, or its distance from zero exceeds kFarthestOnGrid.
+  kTooFlat,     ///< The distance of the arc's centre exceeds kFarthestCentre.
 };
 
-/// Writes motion as G-code, in mm, with absolute positions and centres relative to the start.
-/// Positions that are read back are within one last digit of the given ones. The two radii of an
-/// arc agree within a fraction of a digit, so that no reader has an arc to repair: centres have one
-/// more digit.
+/// Writes motion as G-code in mm, with absolute positions and with centres relative to the start of
+/// the arc. Printed positions differ from the given ones by at most one last digit. Centres have
+/// one more digit than positions. So the radii at both ends of an arc agree within a fraction of a
+/// digit, and the reader does not have to repair the arc.
 ///
-/// Positions are those of the XY plane, and heights those of Z, until use_plane() chooses another
-/// plane. Then a position has that plane's first and second axis, and a height is along its normal.
-/// Heights are optional: without set_height() no line has a Z.
+/// Positions are in the XY plane and heights along Z, until use_plane() selects another plane. Then
+/// a position gives the first and the second axis of that plane, and a height is along its normal.
+/// Without set_height() no line has a Z.
 ///
-/// Lines have the words that differ from the line before, and no others. Every call returns whole
-/// lines, each with its end, or no line where nothing moves. The text is valid until the next call.
+/// A line contains only the words that differ from the line before. Each call returns complete
+/// lines with their ends, or an empty text if nothing moves. The text is valid until the next call.
 /// A refused call writes nothing and changes nothing.
 class ProgramWriter {
  public:
   explicit ProgramWriter(PrintGrid grid) : grid_{grid} {}
 
-  /// Sets the feed, or the power, of the motions from now on, in thousandths of mm/min, or of S.
+  /// Set the feed and the power of the following motions, in thousandths of mm/min and of S.
   void set_feed(std::uint32_t thousandths) { feed_ = thousandths; }
   void set_power(std::uint32_t thousandths) { power_ = thousandths; }
 
-  /// Leaves S out of all lines from now on, because S is the speed of a spindle.
+  /// Omits S in all following lines. Used if S is the speed of a spindle.
   void leave_power() { power_ = written_power_ = 0; }
-  /// Sets Z at the end of the next motion, mm. If this is never called, no line has a Z. Returns
-  /// false, and nothing changes, for NaN or a height farther from zero than kFarthestOnGrid.
+  /// Sets the height at the end of the next motion, in mm. Returns false and changes nothing if the
+  /// height is NaN or its distance from zero exceeds kFarthestOnGrid. If this function is never
+  /// called, no line has a Z.
   template <std::floating_point Scalar>
   [[nodiscard]] bool set_height(Scalar height_mm);
 
-  /// Returns the line that chooses the plane of arcs; empty where that plane is already chosen.
-  /// @pre a motion has been written, and a height
+  /// Returns the line that selects the plane of arcs, or an empty text if the plane is already
+  /// selected.
+  /// @pre a motion and a height have been written
   [[nodiscard]] std::string_view use_plane(Plane plane);
   [[nodiscard]] Plane plane() const { return plane_; }
 
-  /// Writes a G0. A change of the height is a separate motion: before the motion in the plane if it
-  /// goes up, else after it. @pre the plane is XY
+  /// Writes a G0. A change of the height is a separate motion. It comes before the motion in the
+  /// plane if it is upwards, and after it if it is downwards. @pre the plane is XY
   template <std::floating_point Scalar>
   [[nodiscard]] Result<std::string_view, WriterError> rapid(const BasicVec2<Scalar>& to);
 
-  /// Writes a G1, G2 or G3: a line where the bulge is 0, else an arc of bulge tan(sweep / 4) and
-  /// less than a full turn. An arc of more than half a turn is written as two arcs. Arcs that would
-  /// leave their chord by less than a quarter of a last digit are written as lines. The height
-  /// changes in proportion to the length.
-  /// @pre `from` is where the last motion ended, within half a last digit
+  /// Writes a G1, G2 or G3. The motion is a line if the bulge is 0. Otherwise it is an arc of less
+  /// than a full turn with the bulge tan(sweep / 4). An arc of more than half a turn is written as
+  /// two arcs. An arc whose sagitta is below a quarter of a last digit is written as a line. The
+  /// height changes in proportion to the length.
+  /// @pre `from` is the end of the last motion, within half a last digit
   template <std::floating_point Scalar>
   [[nodiscard]] Result<std::string_view, WriterError> cut(const BasicVec2<Scalar>& from,
                                                           const BasicVec2<Scalar>& to,
                                                           Scalar bulge);
 
-  /// Returns the position at which the last motion ended; empty before the first motion.
+  /// Returns the end of the last motion; empty before the first motion.
   [[nodiscard]] const std::optional<GridPlace>& place() const { return place_; }
 
  private:
@@ -81,14 +83,14 @@ class ProgramWriter {
   [[nodiscard]] bool add_arc(GridPlace to, GridPlace middle, Scalar bulge);
   void add_line(GridPlace to);
   void add_arc(GridPlace to, GridCentre centre, bool clockwise);
-  /// Adds the rapids to a position and to the height.
+  /// Adds the rapids to a position and to the height at the end of the motion.
   void add_rapids(GridPlace to);
   [[nodiscard]] bool is_at_height() const { return !height_ || height_ == written_height_; }
-  /// Returns the height half way to the end of the motion, for the first of two halves.
+  /// Returns the height in the middle of the motion, for the first of its two halves.
   [[nodiscard]] std::optional<std::int32_t> half_way() const;
-  /// Adds the number of G where it changes, and the coordinates of the end that change.
+  /// Adds the G word if it changes, and those coordinates of the end that change.
   void add_motion(int motion, GridPlace to);
-  /// Adds the word of the height, Z in the XY plane, if it changes.
+  /// Adds the word of the height if it changes; this is Z in the XY plane.
   void add_height();
   void end_line(GridPlace to);
 
@@ -98,7 +100,8 @@ class ProgramWriter {
   std::optional<GridPlace> place_{};
   int motion_ = kNoMotion;
   std::optional<std::int32_t> height_{};  ///< Height at the end of the next motion, in last digits.
-  std::optional<std::int32_t> written_height_{};  ///< Empty before the first height is written.
+  /// Last height that was written, in last digits; empty before the first one.
+  std::optional<std::int32_t> written_height_{};
   std::uint32_t feed_ = 0;
   std::uint32_t power_ = 0;
   std::uint32_t written_feed_ = kNone;
@@ -133,9 +136,9 @@ Result<std::string_view, WriterError> ProgramWriter::rapid(const BasicVec2<Scala
   return text_.view();
 }
 
-/// Adds an arc from the end of the last motion. `middle` is the middle of the arc; arcs below the
-/// least radius go through it in two lines. Returns false, and adds nothing, where the centre is
-/// too far away.
+/// Adds an arc from the end of the last motion. An arc below the least radius is replaced by two
+/// lines. Returns false and adds nothing if the centre is too far away.
+/// @param middle position in the middle of the arc, where the two lines meet
 template <std::floating_point Scalar>
 bool ProgramWriter::add_arc(GridPlace to, GridPlace middle, Scalar bulge) {
   constexpr auto kMinRadius = static_cast<Scalar>(kMinRadiusOnGrid);
@@ -177,7 +180,7 @@ Result<std::string_view, WriterError> ProgramWriter::cut(const BasicVec2<Scalar>
   CNC_ASSERT(place_.has_value());
   text_.clear();
   const ProgramWriter before = *this;
-  // tan(sweep / 8) is the bulge of half of the arc.
+  // The bulge of half of the arc, tan(sweep / 8).
   const Scalar half = bulge / (Scalar{1} + std::sqrt(Scalar{1} + bulge * bulge));
   bool done = true;
   if (std::abs(bulge) <= Scalar{1}) {

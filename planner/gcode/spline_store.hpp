@@ -5,9 +5,9 @@
 
 namespace cnc::gcode {
 
-/// Memory in which a spline is assembled: a NURBS over many lines, other splines within one line.
-/// While no NURBS is open, the content is used by the last kSpline action only, until the next
-/// line.
+/// Memory for the points of a spline. A NURBS is collected over many lines, other splines within
+/// one line. While no NURBS is open, the content is valid only for the last kSpline action, until
+/// the next line.
 struct SplineStore {
   Spline spline{};
   Position start{};  ///< Position of the first control point, machine coordinates.

@@ -18,8 +18,8 @@ template <std::floating_point Scalar>
 Length BasicArc<Scalar>::length() const requires std::same_as<Scalar, float> {
   const float chord = (end_ - start_).norm();
   const float b = std::abs(bulge_);
-  // length = chord · (1 + b²) · atan(b) / b. The quotient tends to 1, but atan(b) / b loses digits
-  // once b² drops below float epsilon, so its series is used there.
+  // length = chord · (1 + b²) · atan(b) / b. The quotient atan(b) / b tends to 1, but its
+  // computation loses digits when b² is below float epsilon, so its series is used for small b.
   const float quotient = b < 1.0e-2F ? 1.0F - b * b / 3.0F : 0.5F * std::abs(half_sweep()) / b;
   return Length{chord * (1.0F + b * b) * quotient};
 }

@@ -9,7 +9,8 @@
 namespace cnc {
 
 enum class ArcError {
-  kChordTooShort,  ///< The ends are closer than `kShortestChord`: the direction is noise.
+  /// The ends are closer than `kShortestChord`: rounding determines the direction of the chord.
+  kChordTooShort,
   kSweepTooLarge,  ///< |bulge| > 1: the arc has more than half a turn and must be split first.
 };
 
@@ -17,23 +18,26 @@ enum class ArcError {
 ///
 /// A straight line is an arc with bulge 0, so later stages need no separate case for lines.
 ///
-/// An arc is held as end points plus bulge b = tan(sweep / 4), positive to the left, rather than as
-/// centre and angles. So end points stay bit-exact when arcs are joined, and a nearly straight arc
-/// has no far-away centre that loses digits.
-/// With h = sweep / 2: sin h = 2b / (1 + b²), cos h = (1 − b²) / (1 + b²), and the chord is 2 R sin
-/// h.
+/// An arc is stored as end points plus bulge b = tan(sweep / 4), positive to the left, rather than
+/// as centre and angles. So end points stay bit-exact when arcs are joined, and a nearly straight
+/// arc has no far-away centre that loses digits. With h = sweep / 2: sin h = 2b / (1 + b²), cos h =
+/// (1 − b²) / (1 + b²), and the chord is 2 R sin h.
 ///
-/// The controller computes with `Arc`, path makers on the host with `WideArc`. Angles and lengths,
-/// which need an arc tangent, exist for `Arc` only.
+/// The controller computes with `Arc`, and path makers on the host compute with `WideArc`. Angles
+/// and lengths exist for `Arc` only, because they need an arc tangent.
 template <std::floating_point Scalar>
 class BasicArc {
  public:
   using Vector = BasicVec2<Scalar>;
 
-  /// Shortest chord of an arc. It is shorter in double precision, in proportion to the resolution.
+  /// Shortest chord of an arc. In double precision the limit is smaller, in proportion to the
+  /// resolution.
+  /// NOLINTNEXTLINE(bugprone-dynamic-static-initializers): constant in each instantiation.
   // NOLINTNEXTLINE(bugprone-dynamic-static-initializers): constant in each instantiation.
   static constexpr Length kShortestChord{sizeof(Scalar) > sizeof(float) ? 1.0e-12F : 1.0e-6F};
-  /// Greatest bulge: 1, plus slack for a half turn whose bulge was computed in single precision.
+  /// Greatest bulge: 1, plus an allowance for a half turn whose bulge was computed in single
+  /// precision.
+  /// NOLINTNEXTLINE(bugprone-dynamic-static-initializers): constant in each instantiation.
   // NOLINTNEXTLINE(bugprone-dynamic-static-initializers): constant in each instantiation.
   static constexpr Scalar kLargestBulge = Scalar{1.0F + 1.0e-5F};
 
@@ -45,7 +49,7 @@ class BasicArc {
   [[nodiscard]] const Vector& end() const { return end_; }
   [[nodiscard]] Scalar bulge() const { return bulge_; }
 
-  /// Returns the curvature in 1/mm, positive when the arc turns left. Exactly zero for a line.
+  /// Returns the curvature in 1/mm, positive if the arc turns left. It is exactly 0 for a line.
   [[nodiscard]] Scalar curvature() const;
 
   /// Returns half the sweep in radians, with the sign of the bulge.
@@ -55,11 +59,11 @@ class BasicArc {
   /// (arc_test.cpp, LengthAgreesWithDoublePrecision).
   [[nodiscard]] Length length() const requires std::same_as<Scalar, float>;
 
-  /// Returns the unit direction of travel where the arc begins, and where it ends.
+  /// Returns the unit direction of travel at the start of the arc, or at its end.
   [[nodiscard]] Vector start_tangent() const;
   [[nodiscard]] Vector end_tangent() const;
 
-  /// Returns the same curve, travelled backwards.
+  /// Returns the same curve, travelled in the opposite direction.
   [[nodiscard]] BasicArc reversed() const;
 
  private:

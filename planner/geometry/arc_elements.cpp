@@ -10,12 +10,12 @@
 namespace cnc {
 namespace {
 
-/// An arc that turns by at most kFullCircle radians, to an end within kRoundedEndMm of its start,
-/// is a full circle whose end was rounded.
+/// If an arc turns by at most kFullCircle radians, and its end is within kRoundedEndMm of its
+/// start, it is a full circle whose end was rounded.
 constexpr float kFullCircle = 5.0e-7F;
 constexpr float kRoundedEndMm = 1.0e-3F;
 
-/// The error of atan2 may make an arc of half a turn longer by this share of π.
+/// The error of atan2 may make an arc of half a turn too long by this share of π.
 constexpr float kHalfTurnSlack = 1.5e-7F;
 
 float length(float x, float y) { return std::sqrt(x * x + y * y); }
@@ -36,7 +36,7 @@ ArcElements::ArcElements(const CentreArc& arc, std::uint32_t min_count) noexcept
   start_cosine_ = x0 / start_radius_;
   start_sine_ = y0 / start_radius_;
 
-  // The cross product with the difference of start and end keeps its digits for short arcs.
+  // The cross product with the difference of end and start keeps its digits for short arcs.
   const float left_turn = atan2_f(x0 * dy - y0 * dx, x0 * x1 + y0 * y1);
   const float turn = arc.clockwise ? -left_turn : left_turn;
   const bool is_full = turn <= kFullCircle && (turn <= 0.0F || length(dx, dy) <= kRoundedEndMm);
@@ -57,7 +57,7 @@ Position ArcElements::division(std::uint32_t index) const {
   const float part = static_cast<float>(index) / static_cast<float>(count_);
   const float radius = start_radius_ + (end_radius_ - start_radius_) * part;
   // Only the remainder of the whole turns within one turn matters. It is computed in integers, so
-  // that a thousand turns lose no digits.
+  // that even a thousand turns lose no digits.
   const std::uint64_t whole_turns = arc_.turns - 1U;
   const auto turned_share = static_cast<float>(whole_turns * index % count_);
   const float angle = partial_turn_ * part + kTwoPi * (turned_share / static_cast<float>(count_));
@@ -69,9 +69,9 @@ Position ArcElements::division(std::uint32_t index) const {
   return place;
 }
 
-/// Returns the bulge of an element. With the half chord c and the centre at the height m above the
-/// chord (on the side to which the arc turns), the radius is R = hypot(c, m), and tan(sweep / 4) =
-/// c / (R + m).
+/// Returns the bulge of an element. Let c be half of the chord, and m the height of the centre
+/// above the chord, on the side to which the arc turns. The radius is R = hypot(c, m), and
+/// tan(sweep / 4) = c / (R + m).
 float ArcElements::bulge_of(const PathElement& element) const {
   const float dx = (element.end[axes_.first] - element.start[axes_.first]).mm();
   const float dy = (element.end[axes_.second] - element.start[axes_.second]).mm();
@@ -82,7 +82,7 @@ float ArcElements::bulge_of(const PathElement& element) const {
   const float to_left = (dx * cy - dy * cx) / chord;
   const float height = arc_.clockwise ? -to_left : to_left;
   const float half = 0.5F * chord;
-  // On a circle of a few micrometres, rounded ends may be more than half a turn apart.
+  // On a circle of a few micrometres, rounding may place the two ends more than half a turn apart.
   const float bulge = std::min(half / (length(half, height) + height), Arc::kLargestBulge);
   return arc_.clockwise ? -bulge : bulge;
 }

@@ -9,13 +9,13 @@
 namespace cnc {
 namespace {
 
-/// Share of the tolerance that sampling may have missed.
+/// Share of the tolerance by which a deviation between the samples may exceed the sampled
+/// deviation.
 constexpr float kUnseen = 0.005F;
-/// Allowance for ends and joints, which are rounded to whole nanometres, as is the curve's own
-/// origin.
+/// Allowance for the rounding of ends, joints and the curve's own origin to whole nanometres, mm.
 constexpr float kRoundingMm = 2.0e-6F;
-/// Error as a share of the extent: single precision of the sampled curve, the circles and the
-/// joint.
+/// Error as a share of the extent. It covers the single precision of the sampled curve, of the
+/// circles and of the joint.
 constexpr float kRelativeError = 3.0e-7F;
 
 Vec2 between(const Position& from, const Position& to) {
@@ -23,14 +23,14 @@ Vec2 between(const Position& from, const Position& to) {
 }
 
 float rough_cube_root(float x) {
-  // Newton's method from above. For x in 1e-6…1e3 a dozen steps suffice.
+  // Newton's method from above. For x in 1e-6…1e3 the 16 steps suffice.
   float root = x > 1.0F ? x : 1.0F;
   for (int i = 0; i < 16; ++i) root = (2.0F * root + x / (root * root)) * (1.0F / 3.0F);
   return root;
 }
 
-/// Returns by what factor a biarc that may deviate by `allowed` would reach farther than the one
-/// with `deviation`. The deviation grows with the third power of the length.
+/// Returns the factor by which the length of a biarc with `deviation` may change so that the
+/// deviation becomes `allowed`. The deviation grows with the third power of the length.
 float growth(float allowed, float deviation) {
   constexpr float kMin = 0.25F;
   constexpr float kMax = 3.0F;
@@ -71,7 +71,8 @@ bool ArcFit::work(std::uint32_t& points) {
   return second_waits_ || step_ == Step::kReady;
 }
 
-/// Does one step. Returns the number of points of the curve that it took, at most kPointsAtOnce.
+/// Does one step of the work. Returns the number of points of the curve that were used, at most
+/// kPointsAtOnce.
 std::uint32_t ArcFit::do_step() {
   switch (step_) {
     case Step::kReach:
@@ -90,11 +91,11 @@ std::uint32_t ArcFit::do_step() {
   return 0;
 }
 
-/// Tries one distance. The bracket between a distance that fits and one that does not is narrowed
-/// by the cubic law of `growth` and by halving. Returns the number of points used.
+/// Tries one distance. The bracket, between a distance that fits and a distance that does not, is
+/// narrowed by the cubic law of `growth` and by halving. Returns the number of points used.
 std::uint32_t ArcFit::reach_farther() {
   constexpr std::uint8_t kMaxTimes = 28;
-  // In knots. Below this distance the parameter has no digits left.
+  // Shortest distance, in knots. Below it the parameter has no digits left.
   constexpr float kShort = 1.0e-6F;
   if (times_ == kMaxTimes || distance_ <= kShort) {
     end_reach();
@@ -109,9 +110,10 @@ std::uint32_t ArcFit::reach_farther() {
   return BiarcTrial::kSamples * (1 + fit.biarcs);
 }
 
-/// Narrows the bracket by the result of a trial. Returns whether it is narrow enough.
+/// Narrows the bracket with the result of a trial. Returns whether the bracket is narrow enough.
 bool ArcFit::narrow(const BiarcTrial::Fit& fit, float most) {
-  // Share of the reach. The number of arcs grows by as great a share.
+  // Width of the bracket as a share of the reach. The number of arcs grows by at most about this
+  // share.
   constexpr float kPrecise = 0.004F;
   const float length = ahead_.length();
   if (fit.deviation_mm <= most) {
@@ -139,8 +141,8 @@ void ArcFit::end_reach() {
   times_ = 0;
 }
 
-/// Compares the biarc more closely with the curve, and reduces its distance a little if the
-/// deviation turns out too large. Returns the number of points used.
+/// Compares the biarc more closely with the curve. Reduces its distance a little if the deviation
+/// is too large. Returns the number of points used.
 std::uint32_t ArcFit::confirm() {
   constexpr std::uint8_t kMaxTimes = 16;
   if (times_ == kMaxTimes) {
@@ -160,8 +162,7 @@ std::uint32_t ArcFit::confirm() {
   return BiarcTrial::kSamples + BiarcTrial::kClosely;
 }
 
-/// Tries another joint where a shorter distance has not been enough. Returns the number of points
-/// used.
+/// Tries another joint after a shorter distance was not enough. Returns the number of points used.
 std::uint32_t ArcFit::look_for_other() {
   const BiarcTrial::Fit other = trial_.best(0.0F);
   if (other.deviation_mm <= allowed()) {
@@ -190,9 +191,9 @@ void ArcFit::go_less_far() {
   step_ = Step::kConfirm;
 }
 
-/// Ends the confirmation. A last biarc much shorter than the one before would be dominated by
-/// rounding, and the planner would see a corner: so the last two biarcs share the rest of the
-/// curve.
+/// Ends the confirmation. Rounding would dominate a last biarc that is much shorter than the biarc
+/// before it, and the planner would find a corner there. So the last two biarcs share the rest of
+/// the curve.
 void ArcFit::end_confirm() {
   constexpr float kCrumb = 0.3F;
   const float rest = ahead_.length() - reach_.distance;
@@ -215,7 +216,7 @@ void ArcFit::begin_straight() {
   step_ = Step::kStraight;
 }
 
-/// Halves the rest of the curve until a line fits that is at most as long as the tolerance. Returns
+/// Halves the rest of the curve until a line fits whose length is at most the tolerance. Returns
 /// the number of points used.
 std::uint32_t ArcFit::reach_straight() {
   constexpr std::uint8_t kMaxHalvings = 40;
@@ -279,8 +280,9 @@ PathElement ArcFit::begin_biarc(const Reach& reach) {
   return divide(lone, ends, biarc.ok() ? biarc.value().joint : joint_of_trial(forward, reach));
 }
 
-/// Returns the joint of the biarc that was compared with the curve, relative to its start. The
-/// driven ends are rounded, so where an arc is nearly half a turn they may have no biarc.
+/// Returns the joint of the biarc that was compared with the curve, relative to the start of the
+/// biarc. This joint is used if there is no biarc between the driven ends, because they are rounded
+/// and an arc is nearly half a turn.
 Vec2 ArcFit::joint_of_trial(const Vec2& forward, const Reach& reach) const {
   const auto biarc = make_biarc(trial_.ends(), reach.joint_share);
   const Vec2 joint = biarc.ok() ? biarc.value().joint : Vec2{0.5F * trial_.ends().end};
@@ -288,17 +290,17 @@ Vec2 ArcFit::joint_of_trial(const Vec2& forward, const Reach& reach) const {
   return joint.x() * along + joint.y() * left_normal(along);
 }
 
-/// Returns whether one arc replaces both. Seen from the chord, the two tangents of one arc are
-/// mirror images.
+/// Returns whether a single arc can replace both arcs. The end tangents of a single arc are mirror
+/// images with respect to its chord.
 bool ArcFit::is_lone_arc(const BiarcEnds& ends) const {
-  constexpr float kSameCircle = 1.0e-5F;  // Radians. This is half of kLargestKink.
+  constexpr float kSameCircle = 1.0e-5F;  // Greatest kink in radians; half of kLargestKink.
   const float leaving = bulge_between(ends.end, ends.end_tangent);
   const float kink = 2.0F * std::abs(leaving - bulge_between(ends.start_tangent, ends.end));
   return kink <= kSameCircle && kink * ends.end.norm() <= tolerance_mm_ * kUnseen;
 }
 
-/// Divides an element at a rounded joint into two arcs, of which the second waits. The arcs have
-/// the given tangents at both ends, so that consecutive biarcs meet without a corner. The kink that
+/// Divides an element at a rounded joint into two arcs; the second arc waits. The arcs have the
+/// given tangents at both ends, so that consecutive biarcs meet without a corner. The kink that
 /// rounding leaves is at the joint.
 PathElement ArcFit::divide(const PathElement& whole, const BiarcEnds& ends, const Vec2& joint) {
   PathElement first = whole;

@@ -9,9 +9,9 @@
 
 namespace cnc {
 
-/// Turns a spline into a chain of arcs, one at a time, with as few arcs as it can. Each biarc
-/// begins where the last one ended, on the curve and with its tangent; among all joints, the fit
-/// takes the biarc that reaches farthest.
+/// Converts a spline to a chain of arcs, one arc at a time, with as few arcs as possible. Each
+/// biarc begins where the last biarc ended, on the curve and with the curve's tangent. Of the
+/// biarcs with all possible joints, the fit takes the one that reaches farthest.
 ///
 /// Guarantees, for splines up to kLargestSplineMm across:
 /// * The chain begins and ends exactly where the spline does, and its elements join exactly.
@@ -20,12 +20,12 @@ namespace cnc {
 /// * Two arcs meet with one tangent, within kLargestKink radians plus the effect of rounding their
 ///   ends to a nanometre: kKinkRoundingMm divided by the length of the shorter arc.
 ///
-/// Where the curve turns within less than the tolerance, as at a cusp, a straight line replaces the
-/// curve, and there is a corner at one end of the line or at both.
+/// If the curve turns within less than the tolerance, as at a cusp, a straight line replaces the
+/// curve. Then there is a corner at one end of the line or at both.
 ///
 /// The work for an element is counted in points of the curve that are evaluated or compared with a
-/// biarc, some dozens to some thousands. The work can be done in portions between other work; the
-/// result is the same.
+/// biarc: some dozens to some thousands. The work can be divided into portions; the result is the
+/// same.
 class ArcFit {
  public:
   static constexpr float kMinToleranceMm = 1.0e-4F;
@@ -33,17 +33,17 @@ class ArcFit {
   static constexpr double kLargestKink = 2.0e-5;
   static constexpr double kKinkRoundingMm = 6.0e-6;
 
-  /// @param spline must outlive this. @pre complete()
+  /// Begins the fit. @param spline must outlive this object. @pre spline.complete()
   /// @param start position of the first control point; the axes other than X and Y keep their
-  /// positions.
+  ///     positions.
   /// @param tolerance_mm at least kMinToleranceMm.
   ArcFit(const Spline& spline, const Position& start, float tolerance_mm);
 
   [[nodiscard]] bool done() const { return !second_waits_ && ahead_.at_end(); }
-  /// Works on the next element for up to `points` points, and at most kPointsAtOnce more. Subtracts
-  /// the points spent from `points`. Returns whether the element is ready. @pre !done()
+  /// Works on the next element for up to `points` points, exceeded by at most kPointsAtOnce.
+  /// Subtracts the points used from `points`. Returns whether the element is ready. @pre !done()
   [[nodiscard]] bool work(std::uint32_t& points);
-  /// Returns the next element. Finishes the work on it if that has not been done yet. @pre !done()
+  /// Returns the next element. First finishes the work on it if necessary. @pre !done()
   [[nodiscard]] PathElement next();
 
   static constexpr std::uint32_t kPointsAtOnce = 12 * BiarcTrial::kSamples;
@@ -87,12 +87,12 @@ class ArcFit {
   float tolerance_mm_;
   float last_distance_ = 0.0F;
   Step step_ = Step::kReach;
-  std::uint8_t times_ = 0;  ///< How often this kind of step was done for the element.
-  Reach reach_{};           ///< The farthest biarc found so far that fits.
-  float distance_ = 0.0F;   ///< Distance in knots that is tried next.
+  std::uint8_t times_ = 0;  ///< Number of steps of this kind so far for the element.
+  Reach reach_{};           ///< Farthest biarc found so far that fits.
+  float distance_ = 0.0F;   ///< Next distance to be tried, in knots.
   float out_of_reach_ = 0.0F;
-  float found_mm_ = 0.0F;  ///< Deviation found by the last close comparison.
-  bool bounded_ = false;   ///< Some tried distance was out of reach.
+  float found_mm_ = 0.0F;  ///< Deviation that the last close comparison found.
+  bool bounded_ = false;   ///< Whether some tried distance was out of reach.
   bool crumb_seen_ = false;
   bool second_waits_ = false;
   PathElement second_{};

@@ -4,8 +4,8 @@
 
 #include "planner/geometry/arc.hpp"
 
-/// Definitions that arc.cpp and wide_arc.cpp instantiate. The two sources are separate, so that an
-/// image with arcs in single precision contains no double arithmetic.
+/// Definitions that arc.cpp and wide_arc.cpp instantiate. These two sources are separate, so that
+/// an image with arcs in single precision contains no double arithmetic.
 namespace cnc {
 
 template <std::floating_point Scalar>
@@ -23,7 +23,7 @@ Scalar BasicArc<Scalar>::curvature() const {
   return Scalar{4} * bulge_ / (chord * (Scalar{1} + bulge_ * bulge_));
 }
 
-// The chord's direction differs from the tangent at each end by half the sweep.
+// At each end the direction of the chord differs from the tangent by half the sweep.
 template <std::floating_point Scalar>
 typename BasicArc<Scalar>::Vector BasicArc<Scalar>::chord_turned_by_half_sweep(
     Scalar direction) const {

@@ -8,26 +8,25 @@
 
 namespace cnc {
 
-/// Two unit vectors at right angles to each other that span a plane.
+/// Two perpendicular unit vectors that span a plane.
 struct PlaneFrame {
   AxisVector first{};
   AxisVector second{};
   constexpr bool operator==(const PlaneFrame&) const = default;
 };
 
-/// Returns the plane of two unit vectors. Its first vector lies along `first`, and `second` is on
-/// the left of that. Empty where the two vectors are within 1e-4 rad of one line, which lies in
-/// many planes.
+/// Returns the plane of two unit vectors. The plane's first vector is along `first`, and `second`
+/// is to the left of `first`. The result is empty if the two vectors are within 1e-4 rad of one
+/// line, because many planes contain that line.
 [[nodiscard]] std::optional<PlaneFrame> plane_through(const AxisVector& first,
                                                       const AxisVector& second);
 
-/// The plane in which an arc turns: a coordinate plane, or an oblique plane. Any two vectors in the
-/// space of all axes may span an oblique plane. Arcs turn counter-clockwise from the first vector
-/// to the second.
+/// The plane in which an arc turns: a coordinate plane, or an oblique plane that any two vectors in
+/// the space of all axes span. Arcs turn counter-clockwise from the first vector to the second.
 class ArcPlane {
  public:
   constexpr ArcPlane() = default;
-  // NOLINTNEXTLINE(google-explicit-constructor): each coordinate plane is one.
+  // NOLINTNEXTLINE(google-explicit-constructor): each coordinate plane is an ArcPlane.
   constexpr ArcPlane(Plane plane) : plane_{plane} {}
   constexpr explicit ArcPlane(const PlaneFrame& frame) : oblique_{true}, frame_{frame} {}
 
@@ -45,7 +44,7 @@ class ArcPlane {
     return axis == axes.first || axis == axes.second;
   }
 
-  /// Returns the part of a vector in the plane, as its coordinates there.
+  /// Returns the projection of a vector onto the plane, in coordinates of the plane.
   [[nodiscard]] Vec2 seen(const AxisVector& vector) const {
     if (oblique_) return {dot(vector, frame_.first), dot(vector, frame_.second)};
     const PlaneAxes axes = axes_of(plane_);
@@ -56,12 +55,12 @@ class ArcPlane {
     const PlaneAxes axes = axes_of(plane_);
     return {(to[axes.first] - from[axes.first]).mm(), (to[axes.second] - from[axes.second]).mm()};
   }
-  /// Returns the part of a vector at right angles to the plane.
+  /// Returns the component of a vector perpendicular to the plane.
   [[nodiscard]] AxisVector off(const AxisVector& vector) const;
-  /// Returns the vector in the plane that has these coordinates there.
+  /// Returns the vector that has the given coordinates in the plane.
   [[nodiscard]] AxisVector vector(const Vec2& seen) const;
-  /// Returns an oblique plane, tilted so that it contains `chord`. A coordinate plane is returned
-  /// as it is.
+  /// Returns an oblique plane tilted so that it contains `chord`. A coordinate plane is returned
+  /// unchanged.
   [[nodiscard]] ArcPlane holding(const AxisVector& chord) const;
 
   constexpr bool operator==(const ArcPlane&) const = default;
@@ -72,8 +71,8 @@ class ArcPlane {
   PlaneFrame frame_{};  ///< Vectors that span an oblique plane.
 };
 
-/// Returns the plane of two unit vectors: a coordinate plane if one contains both exactly, else
-/// plane_through() of the two.
+/// Returns the plane of two unit vectors: a coordinate plane if one contains both exactly,
+/// otherwise plane_through() of the two vectors.
 [[nodiscard]] std::optional<ArcPlane> plane_of(const AxisVector& first, const AxisVector& second);
 
 /// @pre `plane` is a coordinate plane

@@ -10,7 +10,7 @@
 namespace cnc {
 namespace {
 
-/// Returns whether a turn counter-clockwise from `start` to `end`, by at most a full turn, passes
+/// Returns whether a counter-clockwise turn from `start` to `end`, by at most a full turn, passes
 /// the direction `outward`.
 bool passes(const Vec2& start, const Vec2& end, float turn, const Vec2& outward) {
   if (turn <= kPi) return cross(start, outward) >= 0.0F && cross(outward, end) >= 0.0F;
@@ -29,7 +29,7 @@ Box reach_of(const CentreArc& arc) {
   Vec2 from = from_centre(arc.start);
   Vec2 to = from_centre(arc.end);
   const Coordinate radius = from_mm(std::sqrt(std::max(from.squaredNorm(), to.squaredNorm())));
-  // The sweep is the one that the motion uses, so that both agree.
+  // The motion uses the same sweep, so that the box and the motion agree.
   const float sweep = ArcElements{arc}.sweep();
   if (arc.clockwise) from.swap(to);
   const auto reaches = [&](float x, float y) {

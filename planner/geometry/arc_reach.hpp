@@ -11,11 +11,11 @@ struct Box {
   Position most{};
 };
 
-/// Returns the smallest box around an arc or helix: it holds both ends, and the outermost points of
-/// the circle that the arc passes.
+/// Returns the smallest box around an arc or helix. It contains both ends, and the outermost points
+/// of the circle that the arc passes.
 ///
-/// Rounded ends may give two circles; the larger one is used. So the box is too small by float
-/// rounding of the radius only, which is less than R · 1e-6.
+/// If rounding put the two ends on different circles, the larger circle is used. So the box can
+/// only be too small by the float rounding of the radius, which is less than R · 1e-6.
 [[nodiscard]] Box reach_of(const CentreArc& arc);
 
 }  // namespace cnc

@@ -5,7 +5,7 @@
 namespace cnc {
 namespace {
 
-/// Returns the vector from one control point to another, in nm, both without their weights.
+/// Returns the vector between two control points after division by their weights, nm.
 Vec2 difference(const WeightedPoint& from, const WeightedPoint& to) {
   const Wide ratio = to.weight / from.weight;
   return {(to.x - ratio * from.x).to_float() / to.weight.to_float(),

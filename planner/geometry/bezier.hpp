@@ -9,9 +9,9 @@
 
 namespace cnc {
 
-/// A control point multiplied by its weight, and the weight.
+/// A control point in homogeneous form: its coordinates multiplied by its weight, and the weight.
 struct WeightedPoint {
-  Wide x{};  ///< Weight times nanometres.
+  Wide x{};  ///< Weight times the coordinate in nanometres; likewise `y`.
   Wide y{};
   Wide weight{1.0F};
 };
@@ -28,8 +28,8 @@ struct PlanePlace {
   constexpr bool operator==(const PlanePlace&) const = default;
 };
 
-/// A rational Bézier curve in a plane, with positive weights; a plain Bézier curve where all
-/// weights are equal. It stays inside the hull of its control points.
+/// A rational Bézier curve in a plane, with positive weights. If all weights are equal, it is a
+/// plain Bézier curve. It stays inside the convex hull of its control points.
 class Bezier {
  public:
   static constexpr std::size_t kHighestDegree = 5;
@@ -45,25 +45,26 @@ class Bezier {
 
   /// Returns the part of the curve before `parameter`, or the part after it (de Casteljau). Each
   /// part has its own parameter 0…1. Control points are exact within kBezierError, relative to the
-  /// greatest control point of the whole curve.
+  /// greatest control point of the complete curve.
   /// @param parameter 0…1.
   [[nodiscard]] Bezier until(float parameter) const;
   [[nodiscard]] Bezier from(float parameter) const;
 
-  /// Returns the point where the curve begins, or ends, to the nearest nanometre, plus
+  /// Returns the first point of the curve, or its last point, to the nearest nanometre, plus
   /// kBezierError.
   [[nodiscard]] PlanePlace start() const { return place_of(points_[0]); }
   [[nodiscard]] PlanePlace end() const { return place_of(points_[degree_]); }
 
-  /// Returns the unit vector of travel at the start, or at the end. Where control points coincide
-  /// there, it is the limit; it is null when all coincide. Control points closer than kCoincident
-  /// count as one.
+  /// Returns the unit vector of travel at the start, or at the end. If control points coincide
+  /// there, the result is the limit; if all coincide, it is null. Control points closer than
+  /// kCoincident count as one point.
   [[nodiscard]] Vec2 start_tangent() const;
   [[nodiscard]] Vec2 end_tangent() const;
-  /// Nanometres. The finest distance that G-code writes is 1 nm.
+  /// Distance below which control points count as one point, in nanometres. The finest distance
+  /// that G-code writes is 1 nm.
   static constexpr float kCoincident = 0.01F;
 
-  /// Returns a control point without its weight, as a point in whole nanometres.
+  /// Returns a control point after division by its weight, as a point in whole nanometres.
   [[nodiscard]] static PlanePlace place_of(const WeightedPoint& point);
 
  private:
@@ -71,7 +72,7 @@ class Bezier {
   std::size_t degree_ = 1;
 };
 
-/// Error relative to the farthest control point: a nanometre at a kilometre.
+/// Error of control points relative to the farthest control point: a nanometre at a kilometre.
 inline constexpr double kBezierError = 1.0e-12;
 
 }  // namespace cnc

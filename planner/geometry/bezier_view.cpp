@@ -7,11 +7,11 @@ namespace {
 
 struct Value {
   float value;
-  float slope;  ///< Derivative by the parameter, divided by the degree.
+  float slope;  ///< Derivative with respect to the parameter, divided by the degree.
 };
 
-/// Evaluates by De Casteljau's triangle and not in powers of the parameter: with unequal weights
-/// the powers cancel each other.
+/// Evaluates by De Casteljau's triangle instead of powers of the parameter, because with unequal
+/// weights the powers cancel each other.
 Value evaluate(std::array<float, Bezier::kHighestDegree + 1> c, std::size_t degree, float t) {
   const float rest = 1.0F - t;
   for (std::size_t last = degree; last > 1; --last) {

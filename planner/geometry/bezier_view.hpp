@@ -8,14 +8,14 @@
 
 namespace cnc {
 
-/// A point of a curve, and the direction of the curve there.
+/// A point of a curve, and the direction of the curve at that point.
 struct CurvePoint {
   Vec2 place;
   Vec2 direction;  ///< Vector of any length; null at a cusp.
 };
 
-/// A Bézier curve in single precision, in a frame near it, in mm: `origin` is the frame's origin,
-/// and its x axis lies along the unit vector `along`.
+/// A Bézier curve in single precision, in mm, in a frame near the curve. `origin` is the frame's
+/// origin, and the frame's x axis is along the unit vector `along`.
 class BezierView {
  public:
   BezierView() = default;

@@ -7,19 +7,19 @@
 #include "planner/geometry/arc.hpp"
 #include "planner/geometry/biarc.hpp"
 
-/// Formulas of biarc.cpp and wide_biarc.cpp. Each source supplies the functions and limits of its
-/// precision. The two sources are separate, so that a controller image contains no double
-/// arithmetic.
+/// Formulas that biarc.cpp and wide_biarc.cpp instantiate. Each of these sources supplies the
+/// functions and limits of its precision. They are separate, so that a controller image contains no
+/// double arithmetic.
 namespace cnc::biarc_formulas {
 
-/// Returns sin(share · angle) / sin(angle), or `share` itself where the angle is close to 0.
+/// Returns sin(share · angle) / sin(angle), or `share` itself if the angle is close to 0.
 template <typename Numbers, typename Scalar>
 Scalar sine_share(Scalar share, Scalar angle, Scalar sine) {
   if (std::abs(angle) < Numbers::kSmallAngle) return share;
   return sin_cos(share * angle).sine / sine;
 }
 
-/// Returns the bulge for a half sweep, near 0 with the relative precision of the sweep.
+/// Returns the bulge of a half sweep. Near 0 it has the relative precision of the half sweep.
 template <typename Scalar>
 Scalar bulge_of(Scalar half_sweep) {
   const auto half = sin_cos(Scalar{0.5F} * half_sweep);
@@ -33,7 +33,7 @@ BasicVec2<Scalar> turned(const BasicVec2<Scalar>& v, const BasicSinCos<Scalar>& 
 
 template <typename Scalar>
 Scalar bulge_of_tangent(const BasicVec2<Scalar>& tangent, const BasicVec2<Scalar>& chord) {
-  // tan(h / 2) = sin h / (1 + cos h), with h the angle between the two.
+  // Computes tan(h / 2) = sin h / (1 + cos h), where h is the angle between the two vectors.
   const Scalar sine = cross(tangent, chord);
   const Scalar both = std::sqrt(tangent.squaredNorm() * chord.squaredNorm());
   const Scalar denominator = both + std::max(Scalar{0}, tangent.dot(chord));

@@ -12,8 +12,8 @@ float curvature_of(const Vec2& chord, float bulge) {
   return 4.0F * bulge / (chord.norm() * (1.0F + bulge * bulge));
 }
 
-/// Greatest magnitude of a function that is known at equal intervals: the peak of the parabola
-/// through the greatest value and its neighbours.
+/// Estimates the greatest magnitude of a function from values at equal intervals: it is the peak of
+/// the parabola through the greatest value and its neighbours.
 class Peak {
  public:
   void add(float value) {
@@ -37,7 +37,7 @@ class Peak {
   float greatest_ = 0.0F;
 };
 
-/// A biarc with which points of a curve are compared, in their order.
+/// Compares points of a curve, in their order, with a biarc.
 class Gauge {
  public:
   Gauge(const BiarcEnds& ends, const Biarc& biarc)
@@ -47,8 +47,8 @@ class Gauge {
         second_{
             ends.end, ends.end_tangent, curvature_of(ends.end - biarc.joint, biarc.second_bulge)} {}
 
-  /// Adds a point of the curve. Returns false when the curve's direction differs by more than a
-  /// quarter turn from the direction of the arc next to it.
+  /// Adds a point of the curve. Returns false if the curve's direction differs by more than a
+  /// quarter turn from the direction of the arc next to the point.
   [[nodiscard]] bool add(const CurvePoint& point) {
     const bool before = (point.place - joint_).dot(joint_tangent_) < 0.0F;
     const TangentCircle& beside = before ? first_ : second_;
@@ -115,11 +115,13 @@ float BiarcTrial::deviation_closely(CurveAhead& curve, float joint_share) const 
   return gauge.deviation();
 }
 
-/// Searches by golden section: the deviation falls and then rises with the share.
+/// Searches by golden section, because with a growing share the deviation first falls and then
+/// rises.
 BiarcTrial::Fit BiarcTrial::best(float enough_mm) const {
   constexpr float kGolden = 0.618034F;
   constexpr int kMaxSteps = 8;
-  // Multiple of `enough_mm` beyond which no other share can gain enough.
+  // If the deviation at the middle exceeds `enough_mm` by more than this factor, no other share can
+  // be good enough.
   constexpr float kHopeless = 12.0F;
   if (!turns_gently_) return {};
   Fit fit{.joint_share = 0.5F, .deviation_mm = deviation(0.5F), .biarcs = 1};

@@ -9,20 +9,20 @@
 
 namespace cnc {
 
-/// A sampled part of a curve, with which biarcs are compared.
+/// A sampled part of a curve with which biarcs are compared.
 ///
-/// As long as the direction of the curve is within a quarter turn of the arc's direction at the
-/// nearest point, that nearest point on the biarc advances with the curve. Then each point of
-/// either has a counterpart on the other, and the deviation holds both ways (Hausdorff distance).
-/// If that condition fails at a sample, or if the curve turns by more than a sixth of a turn
-/// between two samples, no biarc is accepted.
+/// Each point of the curve has a nearest point on the biarc. It advances with the curve as long as
+/// the directions of curve and arc differ by less than a quarter turn there. Then each point of the
+/// curve has a counterpart on the biarc and vice versa, and the deviation holds both ways
+/// (Hausdorff distance). If that condition fails at a sample, or if the curve turns by more than a
+/// sixth of a turn between two samples, no biarc is accepted.
 class BiarcTrial {
  public:
-  /// Number of inner samples; the ends are not counted.
+  /// Number of inner samples; the two ends of the curve are not counted.
   static constexpr std::uint32_t kSamples = 24;
-  /// Samples of the last, close comparison: ten times as many intervals.
+  /// Number of samples of the last, close comparison: ten times as many intervals.
   static constexpr std::uint32_t kClosely = 249;
-  /// Deviation in mm that stands for "does not fit at all".
+  /// Deviation in mm that means that the biarc does not fit.
   static constexpr float kNoFit = 1.0e9F;
 
   struct Fit {
@@ -34,13 +34,15 @@ class BiarcTrial {
   /// Samples the curve from its present point to `distance` ahead, at equal steps of its parameter.
   void sample(CurveAhead& curve, float distance);
 
-  /// Returns the biarc with the smallest deviation, or the first biarc found within `enough_mm`.
-  /// Searches all joint shares from kFirstShare to 1 − kFirstShare, to a hundredth.
+  /// Returns the biarc with the smallest deviation, or the first biarc found whose deviation is at
+  /// most `enough_mm`. Searches all joint shares from kFirstShare to 1 − kFirstShare, to a
+  /// hundredth.
   [[nodiscard]] Fit best(float enough_mm) const;
-  /// Returns the deviation of the biarc from end to end whose joint lies at this share, mm.
+  /// Returns the deviation of the biarc whose joint is at `joint_share`, mm.
   [[nodiscard]] float deviation(float joint_share) const;
-  /// Returns the deviation of the biarc whose joint lies at this share, with kClosely samples, mm.
-  /// @param curve the curve last sampled
+  /// Returns the deviation of the biarc whose joint is at `joint_share`, measured with kClosely
+  /// samples, mm.
+  /// @param curve the curve that was sampled last
   [[nodiscard]] float deviation_closely(CurveAhead& curve, float joint_share) const;
   /// Returns the deviation of the straight line from end to end, mm.
   [[nodiscard]] float deviation_of_line() const;
@@ -51,8 +53,8 @@ class BiarcTrial {
             .end = end_,
             .end_tangent = end_tangent_};
   }
-  /// Returns the greatest distance of the samples and the end from the start of the curve, mm; at
-  /// least the chord.
+  /// Returns the greatest distance of the samples and of the end from the start of the curve, mm.
+  /// It is at least the length of the chord.
   [[nodiscard]] float extent() const { return extent_; }
 
  private:

@@ -15,15 +15,15 @@ constexpr std::uint32_t q32(long double value) {
   return static_cast<std::uint32_t>(std::min(value * 4294967296.0L + 0.5L, 4294967295.0L));
 }
 
-/// Returns a · b of numbers below 1, in Q32. On the controller this is one instruction.
+/// Returns a · b of two numbers below 1, in Q32. On the controller this is one instruction.
 constexpr std::uint32_t times(std::uint32_t a, std::uint32_t b) {
   return static_cast<std::uint32_t>((std::uint64_t{a} * b) >> 32);
 }
 
 // Interpolants of S and C at Chebyshev nodes over x² ≤ (π/2)², with an error below 2e-11. They are
 // in powers of w = (x / 2)², so that no coefficient vanishes in Q32. The signs of the coefficients
-// alternate, so that each polynomial is evaluated as differences of numbers between 0 and 1; the
-// coefficients here have no sign.
+// alternate, so each polynomial is evaluated as differences of numbers between 0 and 1. The
+// coefficients below are stored without signs.
 using Polynomial = std::array<std::uint32_t, 6>;
 constexpr Polynomial kSineQuotient{q32(0.9999999999828987L),
                                    q32(0.16666666616765985L * 4),
@@ -31,7 +31,7 @@ constexpr Polynomial kSineQuotient{q32(0.9999999999828987L),
                                    q32(0.00019840860936542099L * 64),
                                    q32(2.752525717007601e-06L * 256),
                                    q32(2.3888990176685845e-08L * 1024)};
-constexpr Polynomial kVersineQuotient{kMaxQ31,  // Below one half, because a height has a sign.
+constexpr Polynomial kVersineQuotient{kMaxQ31,  // Below one half, because a height has a sign bit.
                                       q32(0.04166666663086609L * 4),
                                       q32(0.001388888719520905L * 16),
                                       q32(2.4801294036003528e-05L * 64),
@@ -65,7 +65,8 @@ ChordFrame::ChordFrame(float half_sweep)
 
 ChordPoint ChordFrame::at(std::uint32_t fraction) const {
   const bool second_half = (fraction >> 31) != 0;
-  const std::uint32_t mu = second_half ? fraction << 1 : ~(fraction << 1);  // |μ| in Q32.
+  // The magnitude |μ| in Q32.
+  const std::uint32_t mu = second_half ? fraction << 1 : ~(fraction << 1);
   const std::uint32_t mu_square = times(mu, mu);
   const std::uint32_t w = times(mu_square, quarter_square_q32_);
   const std::uint32_t sine_quotient = evaluate(kSineQuotient, w);
@@ -77,7 +78,7 @@ ChordPoint ChordFrame::at(std::uint32_t fraction) const {
   const std::int32_t sine_ratio_q31 = second_half ? size_q31 : -size_q31;
   const auto height_q32 =
       static_cast<std::int32_t>(versine_q32_ - times(mu_square, versine_quotient));
-  // An arc that turns left lies to the right of its chord.
+  // An arc that turns left is to the right of its chord.
   const std::int64_t across_q62 = -(std::int64_t{height_scale_q29_} * height_q32);
 
   // cos(μh) = 1 − z C(z), with z = 4 w.

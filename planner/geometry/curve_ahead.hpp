@@ -9,16 +9,16 @@
 
 namespace cnc {
 
-/// The part of a spline that lies ahead of a point on it, in single precision and in mm, in the
-/// frame of that point: the point is the origin, and x lies along the tangent there. Errors are
-/// relative to this part of the curve and not to the size of the spline: where the curve has not
-/// gone farther than r from the point, the error is at most kAheadError · r plus a nanometre.
+/// The part of a spline ahead of a point on it, in single precision and in mm. The frame is that of
+/// the point: the point is the origin, and x is along the tangent at the point. Errors are relative
+/// to this part of the curve and not to the size of the spline. As long as the curve has stayed
+/// within the distance r of the point, the error is at most kAheadError · r plus a nanometre.
 ///
 /// The distance ahead is in knots: 1 stands for a whole segment.
 class CurveAhead {
  public:
   static constexpr double kAheadError = 4.0e-7;
-  /// Greatest number of segments that are kept in view. A biarc seldom spans three.
+  /// Greatest number of segments in view. A biarc seldom extends over three segments.
   static constexpr std::size_t kMaxPieces = 4;
 
   /// Starts at the beginning of the spline, which must outlive this. @pre spline.complete()
@@ -27,25 +27,25 @@ class CurveAhead {
   [[nodiscard]] bool at_end() const { return segment_ >= spline_->segment_count(); }
   /// Returns the present point on the curve, relative to the first control point.
   [[nodiscard]] const PlanePlace& place() const { return origin_; }
-  /// Returns the tangent at the present point as a unit vector; +x on a curve without any
-  /// direction.
+  /// Returns the unit tangent at the present point; +x if the curve has no direction.
   [[nodiscard]] const Vec2& tangent() const { return tangent_; }
 
   /// Returns the length of the curve in view, in knots.
   [[nodiscard]] float length() const;
   /// Returns whether the view includes the end of the spline.
   [[nodiscard]] bool sees_end() const { return segment_ + kMaxPieces >= spline_->segment_count(); }
-  /// Returns the distance nearest to `distance` that the parameter can express.
+  /// Returns the distance nearest to `distance` that the parameter can represent exactly.
   [[nodiscard]] float expressible(float distance) const;
 
-  /// Returns the point of the curve at a distance ahead. @pre 0 ≤ distance ≤ length()
+  /// Returns the point of the curve at `distance` ahead of the present point. @pre 0 ≤ distance ≤
+  /// length()
   [[nodiscard]] CurvePoint at(float distance);
-  /// Returns the direction of the curve as it arrives at a distance ahead, a unit vector; +x if the
-  /// curve has no direction.
+  /// Returns the direction in which the curve arrives at the point `distance` ahead, a unit vector;
+  /// +x if the curve has no direction.
   [[nodiscard]] Vec2 arrival(float distance);
 
-  /// Moves the present point ahead by a distance. @pre the distance is expressible(), 0 < distance
-  /// ≤ length()
+  /// Moves the present point ahead by `distance`. @pre expressible(distance) == distance, 0 <
+  /// distance ≤ length()
   void advance(float distance);
 
  private:
@@ -64,7 +64,8 @@ class CurveAhead {
   PlanePlace origin_{};
   Vec2 tangent_{1.0F, 0.0F};
   std::size_t prepared_ = 0;
-  std::array<Bezier, kMaxPieces> beziers_{};  ///< The first one begins at `parameter_`.
+  /// Bézier curves of the segments in view. The first one begins at `parameter_`.
+  std::array<Bezier, kMaxPieces> beziers_{};
   std::array<BezierView, kMaxPieces> views_{};
 };
 

@@ -7,20 +7,20 @@
 namespace cnc {
 
 /// One piece of a tool path: a straight line, or an arc of at most half a turn in a plane. All
-/// travel off that plane is in proportion to the arc length (a helix when the travel is along the
+/// travel out of that plane is in proportion to the arc length (a helix if the travel is along the
 /// normal axis).
 ///
 /// An oblique plane is tilted by the smallest angle with which it contains the chord, whose ends
-/// are rounded; then there is no travel off the plane.
+/// are rounded. Then there is no travel out of the plane.
 ///
-/// The part in the plane is the project's arc: two end points and a bulge. End points are exact, so
-/// pieces join without a gap even though bulges are rounded.
+/// The part in the plane is an Arc: two end points and a bulge. End points are exact, so
+/// consecutive elements join without a gap even though bulges are rounded.
 struct PathElement {
   Position start{};  ///< Start position, machine coordinates.
   Position end{};
   ArcPlane plane{};
-  /// tan(sweep / 4); positive turns counter-clockwise in `plane`, 0 is a line. |bulge| ≤ 1 apart
-  /// from rounding.
+  /// Bulge tan(sweep / 4); positive turns counter-clockwise in `plane`, 0 is a line. |bulge| ≤ 1
+  /// except for rounding.
   float bulge = 0.0F;
 };
 

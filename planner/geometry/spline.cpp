@@ -18,7 +18,7 @@ float Spline::knot(std::size_t index) const {
   return static_cast<float>(inner < segment_count() ? inner : segment_count());
 }
 
-/// Evaluates a blossom by De Boor's triangle, with a separate argument in each pass.
+/// Evaluates a blossom by De Boor's triangle, with a separate argument in each round.
 WeightedPoint Spline::blossom(std::size_t segment, std::size_t times_end) const {
   const std::size_t degree = order_ - 1;
   std::array<WeightedPoint, kHighestOrder> d{};

@@ -11,18 +11,19 @@ namespace cnc {
 
 /// A control point of a spline, which attracts the curve in proportion to its weight.
 struct ControlPoint {
-  PlanePlace place{};  ///< Relative to the first control point, in nm; each coordinate within 2 km.
+  /// Position relative to the first control point, in nm; each coordinate within 2 km.
+  PlanePlace place{};
   float weight = 1.0F;  ///< kMinWeight…kMaxWeight.
 };
 
-/// A rational B-spline (NURBS) in the X Y plane over uniform knots, clamped at
-/// both ends: it begins in the first control point and ends in the last.
+/// A rational B-spline (NURBS) in the X Y plane over uniform knots. It is clamped at both ends: it
+/// begins in the first control point and ends in the last.
 ///
 /// A spline with as many control points as its order is a rational Bézier curve. So the curves of
 /// G5 and G5.1 are splines, too.
 ///
-/// The knots are those of LinuxCNC's G5.2: 0 as often as the order says, 1, 2, …,
-/// and the last again as often as the order says.
+/// The knots are those of LinuxCNC's G5.2: 0 repeated order() times, then 1, 2, …, and the last
+/// knot repeated order() times.
 class Spline {
  public:
   static constexpr std::size_t kMaxPoints = 64;
@@ -43,7 +44,8 @@ class Spline {
     CNC_ASSERT(size_ > 0);
     points_[0].weight = weight;
   }
-  /// Sets the order, which is the degree + 1. @pre kLowestOrder ≤ order ≤ kHighestOrder
+  /// Sets the order of the spline, which is its degree + 1. @pre kLowestOrder ≤ order ≤
+  /// kHighestOrder
   void set_order(std::size_t order) {
     CNC_ASSERT(order >= kLowestOrder && order <= kHighestOrder);
     order_ = order;
@@ -52,14 +54,15 @@ class Spline {
   [[nodiscard]] std::size_t size() const { return size_; }
   [[nodiscard]] std::size_t order() const { return order_; }
   [[nodiscard]] const ControlPoint& point(std::size_t index) const { return points_[index]; }
-  /// Returns whether the points make a curve: there are at least as many control points as the
+  /// Returns whether the points define a curve: there are at least as many control points as the
   /// order.
   [[nodiscard]] bool complete() const { return size_ >= order_; }
 
   /// Returns the number of Bézier curves of which the spline consists. @pre complete()
   [[nodiscard]] std::size_t segment_count() const { return size_ - order_ + 1; }
-  /// Returns a segment as a Bézier curve, by knot insertion (Böhm 1980) in the form of blossoms:
-  /// control point m of the segment between the knots a and b is f(a…a, b…b) with m times b.
+  /// Returns a segment as a Bézier curve, by knot insertion (Böhm 1980) in the form of blossoms.
+  /// Control point m of the segment between the knots a and b is f(a…a, b…b) with b repeated m
+  /// times.
   /// @pre index < segment_count()
   [[nodiscard]] Bezier segment(std::size_t index) const;
 

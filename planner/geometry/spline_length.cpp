@@ -8,14 +8,15 @@
 namespace cnc {
 namespace {
 
-/// Number of the smallest steps of the parameter from 0 to 1.
+/// Number of smallest steps into which the parameter range 0 to 1 is divided.
 constexpr std::uint32_t kWhole = 1U << 14U;
 constexpr std::uint32_t kLongestStep = kWhole / 32U;
-/// A step is halved if the chords of its two halves together are longer than its own chord by this
+/// A step is halved if the two chords of its halves together exceed its own chord by more than this
 /// share.
 constexpr float kBend = 1.0e-3F;
-/// A step is also halved if the chord of one half is this many times as long as the other's: near a
-/// hairpin or a cusp, or where unequal weights make the curve fast.
+/// A step is also halved if the chord of one half is more than this many times as long as the chord
+/// of the other half. This occurs near a hairpin or a cusp, or if unequal weights make the curve
+/// fast.
 constexpr float kUneven = 2.0F;
 
 bool is_smooth(float first, float second, float chord) {
@@ -23,8 +24,8 @@ bool is_smooth(float first, float second, float chord) {
          std::max(first, second) <= kUneven * std::min(first, second);
 }
 
-/// Returns the length of a curve: the sum of chords over steps of the parameter, which are halved
-/// where the curve needs it.
+/// Returns the length of a curve, as the sum of chords over steps of the parameter. The steps are
+/// halved where the curve requires it.
 float length_of(const BezierView& curve) {
   const auto place_at = [&](std::uint32_t parameter) {
     return curve.at(static_cast<float>(parameter) / static_cast<float>(kWhole)).place;

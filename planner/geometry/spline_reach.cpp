@@ -12,7 +12,7 @@ bool contains(const PlaneBox& box, const PlanePlace& place) {
 
 struct Hull {
   bool inside;
-  bool tiny;  ///< The hull is so small that its ends represent all of it.
+  bool tiny;  ///< Whether the hull is so small that the curve's ends represent all of it.
 };
 
 Hull hull_of(const Bezier& bezier, const PlaneBox& box) {
@@ -27,12 +27,12 @@ Hull hull_of(const Bezier& bezier, const PlaneBox& box) {
                   hull.most.y - hull.least.y <= kReachDoubtNm};
 }
 
-/// Returns whether the curve stays within the box. It advances along the curve in steps that halve
-/// where a hull sticks out and double where no hull does.
+/// Returns whether the curve stays within the box. It advances along the curve in steps. A step is
+/// halved if its hull leaves the box, and doubled if its hull stays inside.
 bool stays_within(const Bezier& curve, const PlaneBox& box) {
   constexpr int kMaxSteps = 400;
   Bezier rest = curve;
-  float share = 1.0F;  // Share of the rest of the curve.
+  float share = 1.0F;  // Length of the step, as a share of the rest of the curve.
   for (int i = 0; i < kMaxSteps; ++i) {
     const Bezier part = share < 1.0F ? rest.until(share) : rest;
     const Hull hull = hull_of(part, box);

@@ -10,9 +10,9 @@ struct PlaneBox {
   PlanePlace most{};
 };
 
-/// Returns whether all of the curve, and not only its ends, lies in the box. Where the curve comes
-/// near a side, the hulls of ever smaller parts of it decide. The result is exact, except that a
-/// curve that comes within kReachDoubtNm of a side may count as outside.
+/// Returns whether the complete curve, and not only its ends, is in the box. Where the curve comes
+/// near a side, the hulls of smaller and smaller parts of it decide. The result is exact, except
+/// that a curve that comes within kReachDoubtNm of a side may count as outside.
 inline constexpr std::int64_t kReachDoubtNm = 200;
 [[nodiscard]] bool stays_within(const Spline& spline, const PlaneBox& box);
 

@@ -4,8 +4,8 @@
 
 #include "planner/kerf/table_check.hpp"
 
-/// Rolled steel CSP 1N, CW Nd:YAG of at most 2.8 kW, 1.06 µm, spot 0.6 mm, gas at 0.1 MPa.
-/// Source: Park and Ahn 2007, Tables 2 and 3.
+/// Kerf table of rolled steel CSP 1N, cut with a CW Nd:YAG laser of at most 2.8 kW, 1.06 µm, spot
+/// 0.6 mm, gas at 0.1 MPa. Source: Park and Ahn 2007, Tables 2 and 3.
 namespace cnc::kerf {
 namespace csp_1n {
 
@@ -50,13 +50,13 @@ inline constexpr std::array<Row<Real>, 4> kRows{{
 
 }  // namespace csp_1n
 
-/// The table with Q in the unit as printed. It gives 0.56 mm for the paper's worked example. Its
-/// widths hardly depend on the speed.
+/// The table with Q in the unit that the paper prints. It gives 0.56 mm for the paper's worked
+/// example. Its widths hardly depend on the speed.
 template <typename Real>
 inline constexpr TableView<Real> kCsp1n{
     "CSP 1N", HeatUnit::kWattMinutesPerMillimetre, csp_1n::kRows<Real>, csp_1n::kBands, {}};
 
-/// The table with equal numbers but with Q in J/mm. It agrees with the paper's figures and
+/// The same numbers, but with Q in J/mm. This table agrees with the paper's figures and
 /// correlations, but gives 0.72 mm for the worked example. A test cut shows which of the two tables
 /// a machine follows.
 template <typename Real>

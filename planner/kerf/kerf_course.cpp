@@ -6,7 +6,7 @@ namespace cnc::kerf {
 
 std::optional<Refusal> KerfCourse::begin(const TableView<float>& table,
                                          const Condition& condition) {
-  constexpr float kMmPerSecond = 1.0F / 60'000.0F;  // mm/s per µm/min.
+  constexpr float kMmPerSecond = 1.0F / 60'000.0F;  // Factor from µm/min to mm/s.
   *this = {};
   const auto speed = static_cast<float>(condition.speed_um_min);
   speed_mm_s_ = speed * kMmPerSecond;

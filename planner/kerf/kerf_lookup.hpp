@@ -12,13 +12,16 @@ namespace cnc::kerf {
 
 enum class RefusalReason : std::uint8_t {
   kThickness,  ///< The thickness is outside the table's range.
-  kPower,      ///< The power does not cut this thickness, or not both of its neighbours.
-  kSpeed,      ///< At this power the thickness can be cut, but at other speeds.
-  kNoSpeed,    ///< No speed is permissible in all rows around the power and the thickness.
+  /// The power does not cut this thickness, or does not cut both thicknesses of the table around
+  /// it.
+  kPower,
+  kSpeed,  ///< At this power the thickness can be cut, but only at other speeds.
+  /// No speed is permissible in all rows and bands around the power and the thickness.
+  kNoSpeed,
 };
 
-/// Reason why there is no kerf, and the permissible range: least and greatest value of the quantity
-/// that was refused, in its unit of Condition; both 0 for kNoSpeed.
+/// Reason why there is no kerf, and the permissible range: the least and greatest value of the
+/// refused quantity, in its unit of Condition. Both values are 0 for kNoSpeed.
 struct Refusal {
   RefusalReason reason = RefusalReason::kThickness;
   std::uint32_t least = 0;
@@ -40,15 +43,15 @@ struct Window {
 
 namespace detail {
 
-/// The two entries around a value of a rising list; both are equal where an entry has the value
-/// itself.
+/// Indices of the two entries around a value of a rising list. Both are equal if an entry has
+/// exactly the value.
 struct Neighbours {
   std::size_t low = 0;
   std::size_t high = 0;
 };
 
-/// Returns the entries around a value. Evaluates each entry at most once. @pre the value is within
-/// the list
+/// Returns the indices of the entries around a value. Evaluates each entry at most once. @pre the
+/// value is within the range of the list
 template <typename Entry>
 constexpr Neighbours neighbours(std::span<const Entry> entries,
                                 std::uint32_t Entry::*key,
@@ -59,8 +62,8 @@ constexpr Neighbours neighbours(std::span<const Entry> entries,
   return {met ? high : high - 1, high};
 }
 
-/// Returns the position of `value` between `low` and `high` as a share 0…1; 0 where both are equal.
-/// Differences are exact.
+/// Returns the position of `value` between `low` and `high` as a share 0…1; 0 if both are equal.
+/// The differences are exact.
 template <typename Real>
 constexpr Real share(std::uint32_t low, std::uint32_t high, std::uint32_t value) {
   if (low == high) return Real{0};
@@ -81,7 +84,7 @@ constexpr Window powers_of(const TableView<Real>& table, const Row<Real>& row) {
 }
 
 /// Returns the speeds that the bands around the power have in common. @pre the power is within the
-/// bands
+/// range of the bands
 template <typename Real>
 constexpr Window speeds_of(const TableView<Real>& table,
                            const Row<Real>& row,
@@ -111,7 +114,7 @@ constexpr Real row_kerf(const TableView<Real>& table,
 
 }  // namespace detail
 
-/// Returns Q in the unit of the table's laws. mW / (µm/min) is W / (mm/min).
+/// Returns Q in the unit of the table's laws. mW / (µm/min) equals W / (mm/min).
 template <typename Real>
 [[nodiscard]] constexpr Real heat_input(HeatUnit unit,
                                         std::uint32_t power_mw,
@@ -138,8 +141,8 @@ constexpr Real detail::row_kerf(const TableView<Real>& table,
                  share<Real>(low.power_mw, high.power_mw, power_mw));
 }
 
-/// Returns the powers that cut this thickness; between two thicknesses of the table, the powers
-/// that cut both.
+/// Returns the powers that cut this thickness. Between two thicknesses of the table, these are the
+/// powers that cut both.
 /// @pre the table is sound
 template <typename Real>
 [[nodiscard]] constexpr Result<Window, Refusal> permissible_powers(const TableView<Real>& table,
@@ -153,9 +156,10 @@ template <typename Real>
   return powers;
 }
 
-/// Returns the permissible speeds: those of the row and band. Between rows or bands they are the
-/// speeds common to all rows and bands around, from the greatest least speed to the least greatest
-/// speed. No wider range is permissible, because no measurement exists there.
+/// Returns the permissible speeds. For a thickness and a power of the table, these are the speeds
+/// of that row and band. Between rows or bands they are the speeds common to all neighbours: from
+/// the greatest of their least speeds to the least of their greatest speeds. No wider range is
+/// permissible, because no measurement exists there.
 /// @pre the table is sound
 template <typename Real>
 [[nodiscard]] constexpr Result<Window, Refusal> permissible_speeds(const TableView<Real>& table,
@@ -173,12 +177,12 @@ template <typename Real>
   return speeds;
 }
 
-/// Returns the width of the cut in mm, or a refusal for every condition that was not measured. The
-/// width is interpolated linearly between thicknesses, and between measured powers and speeds. In
-/// single precision it is within 0.1 µm of the exact value for any sound table (asserted within 1
-/// µm against double precision). Evaluates each row of the table at most twice, and each band and
-/// point of two rows twice.
-/// Source: Park and Ahn 2007, equations 1 and 2. @pre the table is sound
+/// Returns the width of the cut in mm, or a refusal for every condition outside the measured
+/// region. The width is interpolated linearly between thicknesses, and between measured powers and
+/// speeds. In single precision it is within 0.1 µm of the exact value for any sound table (asserted
+/// within 1 µm against double precision). Evaluates each row of the table at most twice, and each
+/// band and point of two rows twice. Source: Park and Ahn 2007, equations 1 and 2. @pre the table
+/// is sound
 template <typename Real>
 [[nodiscard]] constexpr Result<Real, Refusal> kerf_width(const TableView<Real>& table,
                                                          const Condition& condition) {

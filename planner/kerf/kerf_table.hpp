@@ -9,15 +9,16 @@
 namespace cnc::kerf {
 
 /// Unit of Q = P / V, by which λ1 is multiplied. The paper's printed numbers hold with the first
-/// unit, physics suggests the second. The program must not guess, so each table states its unit.
+/// unit, but physics suggests the second. The program must not guess, so each table states its
+/// unit.
 enum class HeatUnit : std::uint8_t {
-  kWattMinutesPerMillimetre = 0,  ///< P in W divided by V in mm/min, "as printed".
-  kJoulesPerMillimetre = 1,       ///< P in W divided by V in mm/s.
+  kWattMinutesPerMillimetre = 0,  ///< Power P in W divided by speed V in mm/min, "as printed".
+  kJoulesPerMillimetre = 1,       ///< Power P in W divided by speed V in mm/s.
 };
 
-/// Condition of a cut. The members are whole numbers: the stored values are those that were
-/// entered, an edge of the permissible region is the same on every machine, and differences lose no
-/// digits.
+/// Condition of a cut. The members are whole numbers for three reasons. The stored values are
+/// exactly the entered values, an edge of the permissible region is the same on every machine, and
+/// differences lose no digits.
 struct Condition {
   std::uint32_t thickness_um = 0;
   std::uint32_t power_mw = 0;
@@ -25,15 +26,15 @@ struct Condition {
   constexpr bool operator==(const Condition&) const = default;
 };
 
-/// Measured kerf of one speed.
+/// Kerf that was measured at one speed.
 struct Point {
   std::uint32_t speed_um_min = 0;
   std::uint32_t kerf_nm = 0;
   constexpr bool operator==(const Point&) const = default;
 };
 
-/// The speeds at which one power cuts one thickness well, and the measurements at these speeds
-/// where the linear law does not hold.
+/// The speeds at which one power cuts one thickness well. If the linear law does not hold, it also
+/// refers to the measurements at these speeds.
 struct Band {
   std::uint32_t power_mw = 0;
   std::uint32_t min_um_min = 0;
@@ -43,7 +44,7 @@ struct Band {
   constexpr bool operator==(const Band&) const = default;
 };
 
-/// kerf = slope · Q + intercept, mm.
+/// Linear law of the kerf: kerf = slope · Q + intercept, mm.
 template <typename Real>
 struct Law {
   Real slope = 0;      ///< λ1, mm per unit of Q.
@@ -55,21 +56,21 @@ struct Law {
 template <typename Real>
 struct Row {
   std::uint32_t thickness_um = 0;
-  Law<Real> law{};               ///< Unused if `measured`.
-  bool measured = false;         ///< The points of the bands are valid, not the law.
+  Law<Real> law{};               ///< Law of the kerf; unused if `measured`.
+  bool measured = false;         ///< Whether the points of the bands are valid instead of the law.
   std::uint16_t first_band = 0;  ///< Index of the row's first band in the table's bands.
-  std::uint16_t bands = 0;       ///< Number of the row's bands, which are of rising power.
+  std::uint16_t bands = 0;       ///< Number of the row's bands, which are in order of rising power.
   constexpr bool operator==(const Row&) const = default;
 };
 
 /// The kerf of one material: rows, bands and points in memory that the table does not own. The
-/// memory may be constant in flash, bounded in RAM, or a host's vectors. Single precision on the
-/// controller.
+/// memory may be constant in flash, bounded in RAM, or a host's vectors. The controller uses single
+/// precision.
 template <typename Real>
 struct TableView {
   std::string_view name{};
   HeatUnit unit = HeatUnit::kWattMinutesPerMillimetre;
-  std::span<const Row<Real>> rows{};  ///< Rows of rising thickness.
+  std::span<const Row<Real>> rows{};  ///< Rows in order of rising thickness.
   std::span<const Band> bands{};
   std::span<const Point> points{};
 
@@ -92,14 +93,15 @@ inline constexpr float kMaxInterceptMm = 10.0F;
 inline constexpr std::size_t kLongestName = 15;
 
 enum class TableError : std::uint8_t {
-  kBadName,  ///< The name is empty, too long, or has characters that a line of text cannot carry.
-  kNoRows,   ///< The table has no rows.
-  kThicknessNotRising,  ///< Thicknesses do not rise, or one is 0 or beyond the range.
+  kBadName,             ///< The name is empty, too long, or has characters that are not permitted.
+  kNoRows,              ///< The table has no rows.
+  kThicknessNotRising,  ///< Thicknesses do not rise, or a thickness is 0 or beyond the range.
   kPowerNotRising,
-  kBadSpeeds,  ///< The speeds are 0, beyond the range, or the least is above the greatest.
-  kBadPoints,  ///< The points do not rise, or do not reach from the least speed to the greatest.
-  kBadKerf,    ///< Somewhere in the region the kerf is not above 0 and at most 10 mm.
-  kBadShape,   ///< Bands or points that belong to no row, or to two.
+  kBadSpeeds,  ///< A speed is 0 or beyond the range, or the least speed is above the greatest.
+  /// The speeds of the points do not rise, or do not extend from the least speed to the greatest.
+  kBadPoints,
+  kBadKerf,   ///< At some condition of the region the kerf is not above 0 or exceeds 10 mm.
+  kBadShape,  ///< Bands or points belong to no row, or to two rows.
   // Errors of an image of a table.
   kBadSize,
   kNotATable,
@@ -113,16 +115,17 @@ enum class TableError : std::uint8_t {
 /// A fault of a table, and its location.
 struct TableFault {
   TableError error = TableError::kBadName;
-  std::uint16_t row = 0;       ///< Index of the row, from 0; used for errors of rows.
-  std::uint16_t count = 0;     ///< For kTooMany…: number of items in the table.
-  std::uint16_t capacity = 0;  ///< For kTooMany…: number of items that fit.
+  std::uint16_t row = 0;  ///< Index of the row, from 0; used for errors of rows.
+  /// For kTooMany…: number of items in the table, which exceeds the capacity.
+  std::uint16_t count = 0;
+  std::uint16_t capacity = 0;  ///< For kTooMany…: greatest number of items.
 };
 
-/// Returns the error as one clause, without the numbers of the fault.
+/// Returns the error as one clause, without the numbers of the TableFault.
 [[nodiscard]] std::string_view describe(TableError error);
 
-/// Returns whether a name has a permitted length and only permitted characters: it stands in lines
-/// of text, between commas and brackets.
+/// Returns whether a name has a permitted length and only permitted characters. A name is printed
+/// in lines of text, between commas and brackets, so these characters are excluded.
 [[nodiscard]] constexpr bool fits_name(std::string_view name) {
   if (name.empty() || name.size() > kLongestName) return false;
   if (name.front() == ' ' || name.back() == ' ') return false;

@@ -14,8 +14,10 @@ namespace cnc::kerf {
 class StoredTable {
  public:
   static constexpr std::size_t kMaxRows = 8;
-  static constexpr std::size_t kMaxBands = 40;   ///< Five powers for each thickness.
-  static constexpr std::size_t kMaxPoints = 48;  ///< Points of rows without a law.
+  /// Capacity for bands: five powers for each thickness.
+  static constexpr std::size_t kMaxBands = 40;
+  /// Capacity for points, which only rows without a law have.
+  static constexpr std::size_t kMaxPoints = 48;
 
   [[nodiscard]] TableView<float> view() const {
     return {{name_.data(), name_size_},
@@ -25,7 +27,7 @@ class StoredTable {
             {points_.data(), point_count_}};
   }
 
-  /// Returns memory for `count` items, to be filled by the caller. @pre `count` is within the
+  /// Returns memory for `count` items, which the caller must fill. @pre `count` is within the
   /// capacity
   [[nodiscard]] std::span<Row<float>> make_rows(std::size_t count) {
     row_count_ = std::min(count, kMaxRows);

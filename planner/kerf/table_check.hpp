@@ -21,14 +21,14 @@ constexpr bool are_sound_points(const Band& band, std::span<const Point> points)
   return true;
 }
 
-/// Returns whether a kerf is within its range. NaN is not.
+/// Returns whether a kerf is within its range. The result is false for NaN.
 template <typename Real>
 constexpr bool is_sound_kerf(Real kerf_mm) {
   return kerf_mm > Real{0} && kerf_mm <= static_cast<Real>(kMaxKerfNm) / Real{1'000'000};
 }
 
-/// Returns whether the kerf of a band is in range. A law is monotonic in the speed, and points are
-/// joined by lines, so it suffices to check the ends.
+/// Returns whether the kerf of a band is in range. The law is monotonic in the speed, and points
+/// are joined by lines, so a check at both ends and at the points suffices.
 template <typename Real>
 constexpr bool has_sound_kerf(const TableView<Real>& table,
                               const Row<Real>& row,
@@ -70,7 +70,7 @@ constexpr std::optional<TableError> fault_of_row(const TableView<Real>& table,
   return std::nullopt;
 }
 
-/// Returns whether the rows contain all bands in order, and the bands all points.
+/// Returns whether the rows contain all bands in order, and the bands contain all points in order.
 template <typename Real>
 constexpr bool is_in_order(const TableView<Real>& table) {
   std::size_t bands = 0;
@@ -88,8 +88,8 @@ constexpr bool is_in_order(const TableView<Real>& table) {
 
 }  // namespace detail
 
-/// Returns the first fault of a table; empty when the table can be looked up. Checks everything
-/// that lookups rely on, whatever the memory holds.
+/// Returns the first fault of a table, or nothing if the table can be used for lookups. Checks
+/// everything on which lookups rely, so the memory may contain arbitrary values.
 template <typename Real>
 [[nodiscard]] constexpr std::optional<TableFault> find_fault(const TableView<Real>& table) {
   if (!fits_name(table.name)) return TableFault{TableError::kBadName};

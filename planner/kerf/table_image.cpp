@@ -27,7 +27,7 @@ std::uint32_t crc_of_image(std::span<const std::byte> bytes) {
   return crc.value();
 }
 
-/// An image that lies in memory.
+/// An image in memory.
 class SpanSource final : public ImageSource {
  public:
   explicit SpanSource(std::span<const std::byte> bytes) : bytes_{bytes} {}
@@ -128,7 +128,7 @@ std::uint32_t crc_of_source(ImageSource& source, std::size_t bytes) {
 }
 
 /// Reads and checks the head. The capacity is checked before the size, so that a sender of too
-/// large a table gets that fault.
+/// large a table gets the fault of the capacity.
 std::optional<TableFault> read_head(ImageSource& source, Counts& counts) {
   if (source.size() < kHeadBytes + kSumBytes) return TableFault{TableError::kBadSize};
   ImageReader reader{source};

@@ -7,10 +7,10 @@
 
 namespace cnc::kinematics {
 
-/// Whether the image supports five axes; images that have to be small do not.
+/// Whether the image supports five axes. Images that have to be small do not.
 inline constexpr bool kHasFiveAxes = KERFLINE_FIVE_AXES != 0;
 
-/// Parts of a machine that its two rotary axes turn.
+/// Parts of a machine (tool side or part side) that the two rotary axes turn.
 enum class RotaryKind : std::uint8_t {
   kNone,          ///< The machine has no rotary axes that tilt a tool or a part.
   kTables,        ///< A tilting table carries a turning table, which carries the part.
@@ -18,26 +18,26 @@ enum class RotaryKind : std::uint8_t {
   kHeadAndTable,  ///< A tilting head carries the tool, and a turning table carries the part.
 };
 
-/// The two rotary axes of a five-axis machine: a tilting axis, A about X or B about Y, and C, which
-/// turns about Z.
+/// The two rotary axes of a five-axis machine. The tilting axis is A about X, or B about Y. The
+/// turning axis is C about Z.
 ///
 /// A rotary word is the rotation of the tool relative to the part, right-handed about the positive
-/// axis (ISO 841), whichever of the two turns. So the direction from the tip into the tool is Rz(C)
-/// · Rx(A) · Z or Rz(C) · Ry(B) · Z on each kind of machine.
+/// axis (ISO 841), no matter whether the tool or the part turns. So on each kind of machine the
+/// direction from the tip into the tool is Rz(C) · Rx(A) · Z or Rz(C) · Ry(B) · Z.
 ///
-/// The points below lie on the rotary axes while both axes are at 0 degrees, in mm. For a table
-/// they are machine coordinates: the position at which a tool of no length would have its tip at
-/// the point. For a head they are relative to the tip of a tool of no length. The coordinate along
-/// an axis itself has no effect.
+/// `tilt_point` and `turn_point` lie on the rotary axes while both axes are at 0 degrees, in mm.
+/// For a table they are machine coordinates: the position at which a tool of no length would have
+/// its tip at the point. For a head they are relative to the tip of a tool of no length. The
+/// coordinate along the rotary axis itself has no effect.
 struct RotaryMachine {
   RotaryKind kind = RotaryKind::kNone;
   Axis tilting = Axis::kA;     ///< kA or kB.
-  bool tilt_reversed = false;  ///< The axis counts in the opposite direction.
+  bool tilt_reversed = false;  ///< Whether the axis counts in the opposite direction.
   bool turn_reversed = false;
   Vec3 tilt_point = Vec3::Zero();  ///< Point on the tilting axis.
   Vec3 turn_point = Vec3::Zero();  ///< Point on the turning axis.
-  float min_tilt_deg = -360.0F;    ///< The tilting axis stays within these two limits.
-  float max_tilt_deg = 360.0F;
+  float min_tilt_deg = -360.0F;    ///< Least permitted position of the tilting axis.
+  float max_tilt_deg = 360.0F;     ///< Greatest permitted position of the tilting axis.
 };
 
 }  // namespace cnc::kinematics

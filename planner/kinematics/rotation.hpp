@@ -6,14 +6,16 @@
 
 namespace cnc::kinematics {
 
-/// A point on a path, mm, and its first and second derivatives by the length of the path.
+/// A point on a path, mm, and its first and second derivatives with respect to the length of the
+/// path.
 struct PlaceJet {
   Vec3 place = Vec3::Zero();
   Vec3 first = Vec3::Zero();
   Vec3 second = Vec3::Zero();
 };
 
-/// An angle on a path, and its derivatives by the length of the path, rad/mm and rad/mm².
+/// An angle on a path, and its derivatives with respect to the length of the path, rad/mm and
+/// rad/mm².
 struct AngleJet {
   SinCos angle{0.0F, 1.0F};
   float first = 0.0F;
@@ -26,7 +28,7 @@ struct AngleJet {
   return {opposite(angle.angle), -angle.first, -angle.second};
 }
 
-/// Returns the vector turned about the axis X, Y or Z, right-handed.
+/// Returns a vector after a right-handed rotation about the axis X, Y or Z.
 /// @param about index of the axis, 0…2
 [[nodiscard]] inline Vec3 turned(std::size_t about, const SinCos& angle, const Vec3& vector) {
   const std::size_t first = (about + 1) % kLinearAxisCount;
@@ -49,7 +51,7 @@ struct AngleJet {
   return result;
 }
 
-/// Returns the jet turned about an axis by an angle that also changes along the path.
+/// Returns a jet after a rotation about an axis by an angle that also changes along the path.
 [[nodiscard]] inline PlaceJet turned(std::size_t about,
                                      const AngleJet& angle,
                                      const PlaceJet& jet) {

@@ -12,8 +12,8 @@ constexpr std::size_t kTurning = index_of(Axis::kC);
 constexpr std::size_t kTurnsAbout = 2;
 constexpr float kRadiansPerDegree = kPi / 180.0F;
 
-/// Returns an angle of any number of turns, reduced to within half a turn, degrees: single
-/// precision resolves angles well only there.
+/// Returns a rotary position, which may be many turns, reduced to ±180 degrees, in degrees. Single
+/// precision resolves angles well only in that range.
 float within_half_turn(Coordinate place) {
   constexpr std::int64_t kTurn = 360'000'000;
   std::int64_t rest = place.nanometres() % kTurn;
@@ -22,7 +22,7 @@ float within_half_turn(Coordinate place) {
   return Coordinate{rest}.mm();
 }
 
-/// Returns the part of a position that is less than a step, mm.
+/// Returns the difference between a position and its nearest whole step, mm.
 float part_of_step(StepPosition place, std::int32_t nearest, const AxisScale& scale) {
   const auto part = static_cast<float>(place.q32() - StepPosition::whole(nearest).q32());
   return part * StepPosition::kStepsPerUnit / scale.steps_per_mm();
@@ -82,8 +82,8 @@ ToolCentre::Pose ToolCentre::pose_of(const AxisArray<StepPosition>& place,
   return pose;
 }
 
-/// Returns a jet as turned by the tables. Tables turn the part in the opposite direction to the
-/// rotation of the tool relative to the part.
+/// Returns a jet after the rotations of the tables. Tables turn the part in the opposite direction
+/// to the rotation of the tool relative to the part.
 PlaceJet ToolCentre::on_tables(const PlaceJet& from_centre,
                                const AngleJet& tilt,
                                const AngleJet& turn) const {
@@ -96,7 +96,7 @@ PlaceJet ToolCentre::on_tables(const PlaceJet& from_centre,
   return jet;
 }
 
-/// Returns the displacement of the tip by the head.
+/// Returns the displacement of the tip that the rotations of the head cause.
 PlaceJet ToolCentre::of_head(const AngleJet& tilt, const AngleJet& turn) const {
   if (has_tilting_table()) return {};
   PlaceJet jet = turned(tilts_about(), tilt, PlaceJet{.place = tip_from_tilt_});
@@ -186,9 +186,9 @@ float ToolCentre::lever(const Position& place, float reach_mm) const {
   return machine_.kind == RotaryKind::kTables ? lever : lever + head;
 }
 
-// Bounds the derivatives of R(φ(s)) · u(s), where the first derivative of φ is within `rate`. On a
-// circle of the curvature, the second and third derivatives of φ are within rate · curvature and
-// rate · curvature².
+// Bounds the derivatives of R(φ(s)) · u(s), where the magnitude of the first derivative of φ is at
+// most `rate`. On a circle of the given curvature, the magnitudes of the second and third
+// derivatives of φ are at most rate · curvature and rate · curvature².
 float ToolCentre::third_derivative(float lever_mm, float rate, float curvature) {
   const float second = square(rate) + rate * curvature;
   const float third = rate * (square(rate) + 3.0F * rate * curvature + square(curvature));
@@ -196,7 +196,8 @@ float ToolCentre::third_derivative(float lever_mm, float rate, float curvature) 
 }
 
 std::uint32_t ToolCentre::parts_of(const Position& from, const Position& end) const {
-  constexpr std::int64_t kMax = 4'000'000;  // In units of 1e-6 degrees.
+  // Greatest rotation on one part, in units of 1e-6 degrees.
+  constexpr std::int64_t kMax = 4'000'000;
   if (!active()) return 1;
   const auto turn = [&](std::size_t axis) {
     const std::int64_t way = (end[axis] - from[axis]).nanometres();

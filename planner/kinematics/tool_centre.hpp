@@ -10,17 +10,18 @@
 
 namespace cnc::kinematics {
 
-/// Computes where the axes X Y Z of a five-axis machine have to be so that the tip of its tool is
-/// at the position that a program gives.
+/// Computes the positions of the axes X Y Z of a five-axis machine from the position that a program
+/// gives to the tip of the tool.
 ///
 /// A position of the program is in machine coordinates of a machine whose rotary axes are at 0:
 /// there the positions of axes and program are equal. Rotary axes are always at the position that
 /// the program gives.
 ///
-/// Computed in single precision: for levers up to 500 mm a position is exact within 0.2 µm.
+/// The computation is in single precision: for levers up to 500 mm a position is exact within 0.2
+/// µm.
 class ToolCentre {
  public:
-  /// Positions of axes and program are equal everywhere.
+  /// Creates an object without rotary axes: the positions of axes and program are equal everywhere.
   ToolCentre() = default;
   /// @param tool_length distance from the machine's gauge point to the tip; G43.1, G43.4
   ToolCentre(const RotaryMachine& machine, Coordinate tool_length);
@@ -40,27 +41,29 @@ class ToolCentre {
   [[nodiscard]] AxisArray<StepPosition> axes_for(const AxisArray<StepPosition>& program,
                                                  const AxisArray<AxisScale>& scale) const;
 
-  /// Returns the number of parts of equal length into which a path is to be divided so that neither
-  /// rotary axis turns by more than 4 degrees on any part; at least 1.
+  /// Returns the number of equal parts into which a path must be divided; at least 1. On each part
+  /// neither rotary axis turns by more than 4 degrees.
   [[nodiscard]] std::uint32_t parts_of(const Position& from, const Position& end) const;
 
-  /// A path of the program through a position, with its derivatives by its length.
+  /// A path of the program through a position, with its derivatives with respect to its length.
   struct Way {
     Position place{};
     AxisVector first{};   ///< First derivative: mm, or degrees for rotary axes, per unit of length.
-    AxisVector second{};  ///< Second derivative, per square of that unit.
+    AxisVector second{};  ///< Second derivative, per square of the unit of length.
   };
-  /// Returns the motion of the axes X Y Z along a path; their position is relative to centre().
+  /// Returns the position of the axes X Y Z, relative to centre(), and its derivatives along a
+  /// path.
   [[nodiscard]] PlaceJet axes_along(const Way& way) const;
 
   /// Returns the greatest distance of the tip from the rotary axes that turn the tool or the part,
   /// mm.
   /// @param reach_mm distance by which the program's position may be away from `place`
   [[nodiscard]] float lever(const Position& place, float reach_mm) const;
-  /// Returns a bound of the third derivative of the axes X Y Z along paths of a curvature, 1/mm².
+  /// Returns a bound of the third derivative of the positions of X Y Z with respect to the length
+  /// of a path, 1/mm². The path has the given curvature, 1/mm.
   /// @param rate greatest rate of both rotary axes together, rad/mm
   [[nodiscard]] static float third_derivative(float lever_mm, float rate, float curvature);
-  /// Returns the position to which positions of axes_along() are relative.
+  /// Returns the point to which the positions that axes_along() returns are relative.
   [[nodiscard]] const Position& centre() const { return centre_; }
 
   /// Returns the direction from the tip into the tool, relative to the part.
@@ -90,7 +93,7 @@ class ToolCentre {
 
   RotaryMachine machine_{};
   Coordinate tool_length_{};
-  Position centre_{};  ///< The point about which tables turn, raised by the tool length; X Y Z.
+  Position centre_{};  ///< Point about which tables turn, raised by the tool length; X Y Z.
   Vec3 tilt_from_turn_ = Vec3::Zero();  ///< Vector from the turning axis to the tilting axis.
   Vec3 tip_from_tilt_ = Vec3::Zero();   ///< Vector from the tilting axis of a head to the tip.
 };

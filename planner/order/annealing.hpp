@@ -42,19 +42,19 @@ struct AnnealingPoint {
   std::uint64_t accepted;
 };
 
-/// Simulated annealing as Han and Na describe it for torch paths (paper 3). Each try uses shifted
-/// pathing, else reversed pathing. Then it tries another pierce point on an outer contour, else on
-/// an inner contour.
+/// Simulated annealing as Han and Na describe it for torch paths (paper 3). Each try shifts a
+/// stretch of the path or, if that is not accepted, reverses one. Then it tries another pierce
+/// point on an outer contour or, if that is not accepted, on an inner contour.
 ///
-/// As printed: start from a random path with θ = 1.5, then θ ← 0.9 θ. Each θ has 100 N tries. The
-/// run ends after 300 temperatures or below θ = 0.001. This code differs where the paper is silent
-/// or wrong:
-/// * The sign of ΔC: better paths are accepted, worse paths with probability e^(−ΔC/θ). As printed,
-///   the program would search for the longest path.
-/// * nLIMIT, the number of accepted changes that ends a temperature, is 10 N, as in anneal of
-///   Numerical Recipes, whose scheme the paper uses. N is the number of contours, home included.
-/// * Costs are divided by `unit`, the side of the square that contains all points, as θ = 1.5 has a
-///   meaning only on the unit square.
+/// As printed: the search starts from a random path with θ = 1.5, then θ ← 0.9 θ. Each θ has 100 N
+/// tries. The run ends after 300 temperatures or below θ = 0.001. This code differs where the paper
+/// is silent or wrong:
+/// * The sign of ΔC: better paths are accepted, and worse paths with probability e^(−ΔC/θ). As
+///   printed, the program would search for the longest path.
+/// * nLIMIT, the number of accepted changes that ends a temperature, is 10 N, as in `anneal` of
+///   Numerical Recipes, whose scheme the paper uses. N is the number of contours, including home.
+/// * Costs are divided by `unit`, the side of the square that contains all points, because θ = 1.5
+///   has a meaning only on the unit square.
 /// * The path is a tour with a fixed home. Paths that violate precedence are rejected, which the
 ///   paper does not mention.
 /// * A contour that must come before another contour is inner; all other contours are outer.
@@ -89,7 +89,7 @@ class Annealing {
   Annealing& operator=(const Annealing&) = delete;
   ~Annealing() = default;
 
-  /// Continues for a number of tries. @return false when the annealing has ended
+  /// Continues for a number of tries. @return false if the annealing has ended
   bool run(std::uint64_t tries) {
     for (std::uint64_t i = 0; i < tries && !is_finished(); ++i) try_once();
     return !is_finished();
@@ -101,7 +101,7 @@ class Annealing {
   [[nodiscard]] double cost() const { return legs_.tour_cost(); }
   [[nodiscard]] std::span<const Index> order() const { return tour_.order(); }
   [[nodiscard]] std::span<const Index> chosen() const { return tour_.choices(); }
-  /// Returns the results of the temperatures that have ended.
+  /// Returns the results of all temperatures that have ended.
   [[nodiscard]] std::span<const AnnealingPoint> course() const {
     return std::span{course_}.first(count_);
   }
@@ -152,12 +152,12 @@ void Annealing<Cost>::sort_contours() {
   }
 }
 
-/// Makes a random start: always takes one of the contours that may come next, and one of its pierce
-/// points, at random.
+/// Makes a random start: repeatedly takes, at random, one of the contours that may come next and
+/// one of its pierce points.
 template <LegCost Cost>
 void Annealing<Cost>::start_at_random() {
   const Index sets = problem_->sets();
-  // First the order, then all contours that may come next.
+  // `ready` contains first the order so far, then all contours that may come next.
   const std::span<Index> ready = space_.start;
   const auto& precedence = problem_->precedence;
   Index end = 1;
@@ -205,7 +205,7 @@ void Annealing<Cost>::end_temperature() {
   accepted_ = 0;
 }
 
-/// Moves a random stretch to another position: two neighbouring stretches are exchanged.
+/// Moves a random stretch to another position, by an exchange of two neighbouring stretches.
 template <LegCost Cost>
 bool Annealing<Cost>::shift() {
   const Index sets = tour_.size();
@@ -244,7 +244,7 @@ bool Annealing<Cost>::reverse() {
   return true;
 }
 
-/// Returns how much cheaper the legs within a stretch are in the reverse direction.
+/// Returns the decrease of the cost of the legs within a stretch when the stretch is reversed.
 template <LegCost Cost>
 double Annealing<Cost>::interior_gain(Index start, Index length) const {
   if (problem_->is_symmetric) return 0.0;

@@ -12,12 +12,12 @@ struct CompletionBoundSizes {
   std::size_t candidates;
 };
 
-/// The cheapest continuation of a walk from a candidate, and the cheapest with a different next
-/// set.
+/// The cheapest continuation of a walk from a candidate, and the cheapest continuation with a
+/// different next set.
 struct WalkRest {
   double cost;
   double other_cost;
-  Index next;        ///< The next candidate of the walk.
+  Index next;        ///< Next candidate of the walk.
   Index other_next;  ///< Candidate of a set other than `next_set`.
   Index next_set;
 };
@@ -46,10 +46,10 @@ struct CompletionBoundSpace {
 /// Computes a lower bound of the cost of the rest of a tour.
 ///
 /// A walk has as many steps as a tour, but need not visit each set exactly once. The cheapest walk
-/// is found backwards, step by step. A price for each set, paid back at each visit, makes walks
-/// that are almost tours the cheapest (Lagrange multipliers by subgradients, after Held and Karp
-/// 1971). A walk does not return directly to the set that it has just left. It observes the rules
-/// of precedence for neighbours and for positions in the tour.
+/// is found backwards, step by step. Each set has a price, which is refunded at each visit. With
+/// suitable prices the cheapest walks are almost tours (Lagrange multipliers by subgradients, after
+/// Held and Karp 1971). A walk does not return directly to the set that it has just left. It
+/// observes the rules of precedence for neighbours and for positions in the tour.
 template <LegCost Cost>
 class CompletionBound {
  public:
@@ -65,8 +65,8 @@ class CompletionBound {
         space_{space},
         sets_{problem.sets() - 1} {}
 
-  /// Starts the search for prices. Good prices bring the bound of the whole tour near to the cost
-  /// of a known tour.
+  /// Starts the search for prices. Good prices bring the bound of the complete tour near to the
+  /// cost of a known tour.
   void start(int rounds) {
     std::fill(space_.prices.begin(), space_.prices.end(), 0.0);
     std::copy(space_.prices.begin(), space_.prices.end(), space_.best_prices.begin());
@@ -76,9 +76,9 @@ class CompletionBound {
     rounds_left_ = rounds;
   }
 
-  /// Evaluates the present prices and moves them once.
+  /// Evaluates the present prices and changes them once.
   /// @param home candidate where the tour begins and ends
-  /// @return false where no further call is of use
+  /// @return false if further calls are useless
   bool raise(Index home, double known_cost) {
     const double bound = find(home);
     if (bound > best_) {
@@ -92,7 +92,7 @@ class CompletionBound {
     return --rounds_left_ > 0 && share_ > kMinShare && move_prices(share_, known_cost - bound);
   }
 
-  /// Sets the best prices, for rest(). @return the bound of the whole tour
+  /// Restores the best prices, for rest(). @return the bound of the complete tour
   double finish(Index home) {
     std::copy(space_.best_prices.begin(), space_.best_prices.end(), space_.prices.begin());
     return find(home);
@@ -107,7 +107,8 @@ class CompletionBound {
     return sum;
   }
 
-  /// Returns a lower bound of the rest of a tour that is at `candidate` and has visited `visited`.
+  /// Returns a lower bound of the rest of a tour that is at `candidate` and has visited the sets
+  /// `visited`.
   /// @param price_to_come sum of the prices of the sets that are not visited yet
   [[nodiscard]] double rest(SetMask visited, Index candidate, double price_to_come) const {
     const WalkRest& rest = at(count_of(visited), candidate);
@@ -150,7 +151,7 @@ class CompletionBound {
   }
 
   /// Finds the cheapest continuations of all walks for the present prices. Counts the visits of the
-  /// cheapest walk. Returns the bound of the tour.
+  /// cheapest walk to each set. Returns the bound of the tour.
   double find(Index home) {
     for_each_candidate_at(sets_, [&](Index, Index c) {
       at(sets_, c) = kNoWalk;
@@ -205,8 +206,8 @@ class CompletionBound {
     }
   }
 
-  /// Moves the prices by the visits that are missing or surplus.
-  /// @return false where the cheapest walk is a tour
+  /// Changes the prices in proportion to the missing or surplus visits of each set.
+  /// @return false if the cheapest walk is a tour
   bool move_prices(double share, double gap) {
     double squares = 0.0;
     for (Index set = 1; set <= sets_; ++set) {

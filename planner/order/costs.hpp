@@ -7,7 +7,7 @@
 
 namespace cnc::order {
 
-/// Cost that is the distance in the plane from exit to entry.
+/// Cost of a leg: the distance in the plane from the exit to the entry.
 class PlaneCost {
  public:
   explicit PlaneCost(const CandidatePlaces& places) : places_{places} {}
@@ -19,7 +19,7 @@ class PlaneCost {
   CandidatePlaces places_;
 };
 
-/// Cost that is the distance in the plane, rounded to a whole number like EUC_2D of TSPLIB.
+/// Cost of a leg: the distance in the plane, rounded to a whole number like EUC_2D of TSPLIB.
 class RoundedPlaneCost {
  public:
   explicit RoundedPlaneCost(const CandidatePlaces& places) : exact_{places} {}
@@ -31,7 +31,7 @@ class RoundedPlaneCost {
   PlaneCost exact_;
 };
 
-/// Cost that is the distance in the plane, rounded up to a whole number like CEIL_2D of TSPLIB.
+/// Cost of a leg: the distance in the plane, rounded up to a whole number like CEIL_2D of TSPLIB.
 class CeiledPlaneCost {
  public:
   explicit CeiledPlaneCost(const CandidatePlaces& places) : exact_{places} {}
@@ -43,10 +43,10 @@ class CeiledPlaneCost {
   PlaneCost exact_;
 };
 
-/// Costs of all legs from a matrix, row by row.
+/// Costs of all legs, read from a matrix.
 class MatrixCost {
  public:
-  /// @param costs `size`² numbers; row `from`, column `to`
+  /// @param costs matrix of `size`² costs; the row is `from`, and the column is `to`
   MatrixCost(std::span<const double> costs, Index size) : costs_{costs}, size_{size} {}
   [[nodiscard]] double operator()(Index from, Index to) const {
     return costs_[std::size_t{from} * size_ + to];

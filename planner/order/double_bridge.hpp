@@ -9,16 +9,16 @@
 
 namespace cnc::order {
 
-/// Changes three neighbouring stretches B C D of a tour to D C B. No exchange of three legs can
+/// A change of three neighbouring stretches B C D of a tour to D C B. No exchange of three legs can
 /// undo this disturbance.
 struct DoubleBridge {
-  /// Greatest number of sets in a stretch. Shorter stretches disturb too little, longer ones cost
-  /// more repair.
+  /// Greatest number of sets in a stretch. Shorter stretches disturb too little, and longer
+  /// stretches require more repair.
   static constexpr Index kLongest = 50;
   static constexpr Index kFewestSets = 4;
 
   Index start = 0;
-  Index first = 0;  ///< Number of sets in the first stretch; `second` and `third` likewise.
+  Index first = 0;  ///< Number of sets in the first stretch; likewise `second` and `third`.
   Index second = 0;
   Index third = 0;
 
@@ -30,7 +30,7 @@ struct DoubleBridge {
 };
 
 /// Finds a random double bridge that keeps the precedence.
-/// @return false where none of the kTries attempts keeps it
+/// @return false if none of the kTries attempts keeps it
 inline bool find_double_bridge(Random& random,
                                const Tour& tour,
                                const Feasibility& may,
@@ -50,7 +50,7 @@ inline bool find_double_bridge(Random& random,
 }
 
 /// Makes a double bridge. Calls `touched(set)` for the sets at both ends of each leg that changes.
-/// @return the gain, usually below 0
+/// @return the gain: the decrease of the cost, usually below 0
 template <LegCost Cost, typename Touched>
 double make_double_bridge(const DoubleBridge& bridge,
                           Tour& tour,

@@ -15,7 +15,9 @@ struct EntryChoiceSizes {
 struct EntryChoiceSpace {
   std::span<double> cost;
   std::span<Index> before;
-  std::span<Index> best;  ///< One for each set: there are at least as many candidates as sets.
+  /// Best candidates, one for each set. The size suffices because there are at least as many
+  /// candidates as sets.
+  std::span<Index> best;
 
   template <typename Layout>
   void lay_out(Layout& layout, const EntryChoiceSizes& sizes) {
@@ -25,16 +27,17 @@ struct EntryChoiceSpace {
   }
 };
 
-/// Finds the best candidates along a tour whose order is fixed. It is an exact shortest path
-/// through layers of candidates.
+/// Finds the best candidates along a tour whose order is fixed. The method is an exact shortest
+/// path through layers of candidates.
 template <LegCost Cost>
 class EntryChoice {
  public:
   EntryChoice(const Problem& problem, const Cost& cost, Tour& tour, const EntryChoiceSpace& space)
       : problem_{&problem}, cost_{&cost}, tour_{&tour}, space_{space}, legs_{problem, cost, tour} {}
 
-  /// Chooses the best candidates for `length` sets from `start` on, with the choices of the sets
-  /// before and after them fixed. Calls `changed(set)` for each set whose candidate changes.
+  /// Chooses the best candidates for `length` sets from the position `start` on. The choices of the
+  /// sets before and after them stay fixed. Calls `changed(set)` for each set whose candidate
+  /// changes.
   /// @return the decrease of the tour's cost; a change that gains at most `min_gain` is not made
   template <typename Changed>
   double improve(Index start, Index length, double min_gain, Changed&& changed) {
@@ -50,7 +53,8 @@ class EntryChoice {
     return present - cost;
   }
 
-  /// Chooses the best candidates for all sets, home included. Otherwise works like improve().
+  /// Chooses the best candidates for all sets, including home. In all other respects it works like
+  /// improve().
   template <typename Changed>
   double improve_all(double min_gain, Changed&& changed) {
     const Index home = tour_->at(0);
@@ -78,8 +82,8 @@ class EntryChoice {
     return start + step >= tour_->size() ? start + step - tour_->size() : start + step;
   }
 
-  /// Returns the least cost from `from` through the layers to `to`. Writes the choices to `best`,
-  /// in the order of the steps.
+  /// Returns the least cost from the candidate `from` through the layers to the candidate `to`.
+  /// Writes the choices to `best`, in the order of the steps.
   double find(Index start, Index length, Index from, Index to) {
     Index last_first = kNone;
     Index last_end = kNone;
@@ -127,7 +131,8 @@ class EntryChoice {
     }
     for (Index i = length; i-- > 0;) {
       space_.best[i] = candidate;
-      candidate = space_.before[candidate];  // kNone after the first set of the stretch.
+      // The result is kNone after the first set of the stretch.
+      candidate = space_.before[candidate];
     }
     return least;
   }

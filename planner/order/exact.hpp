@@ -14,12 +14,12 @@ enum class ExactState : std::uint8_t {
 };
 
 /// Finds the cheapest tour and proves that it is the cheapest. It uses dynamic programming over the
-/// sets of visited sets that precedence allows, with the cost for each last candidate. A state is
-/// omitted if its bound is not below the cost of a known tour.
+/// collections of visited sets that precedence allows, with a cost for each last candidate. A state
+/// is omitted if its bound is not below the cost of a known tour.
 template <LegCost Cost>
 class Exact {
  public:
-  /// @param known_cost of a tour that the caller has; infinity if it has none
+  /// @param known_cost cost of a tour that the caller has; infinity if it has none
   /// @pre at least two sets, and at most kMaxMaskedSets sets besides home
   Exact(const Problem& problem,
         const Cost& cost,
@@ -41,7 +41,8 @@ class Exact {
   Exact& operator=(const Exact&) = delete;
   ~Exact() = default;
 
-  /// Continues for a number of steps. A step raises the bound, or extends one set of visited sets.
+  /// Continues for a number of steps. A step either raises the bound, or extends one collection of
+  /// visited sets.
   ExactState run(std::uint64_t steps) {
     for (std::uint64_t i = 0; i < steps && state_ == ExactState::kRunning; ++i) step();
     return state_;
@@ -53,23 +54,24 @@ class Exact {
   [[nodiscard]] bool has_tour() const { return has_tour_; }
   [[nodiscard]] std::span<const Index> order() const { return space_.order; }
   [[nodiscard]] std::span<const Index> chosen() const { return space_.chosen; }
-  /// Returns the lower bound of all tours from the current candidate of home.
+  /// Returns the lower bound of all tours from the present candidate of home.
   [[nodiscard]] double first_bound() const { return first_bound_; }
   [[nodiscard]] std::size_t states() const { return state_count_; }
-  /// Returns the number of visited sets of the states that are being extended.
+  /// Returns the number of visited sets in the states that are extended at present.
   [[nodiscard]] Index layer() const { return layer_; }
 
  private:
   using State = ExactSpace::State;
   static constexpr double kInfinite = std::numeric_limits<double>::infinity();
-  /// Share of the cost by which a tour must be lower to count as cheaper.
+  /// Share of the cost by which a tour must be cheaper to count as cheaper.
   static constexpr double kRounding = 1.0e-9;
-  // With few sets, better bounds take longer than they save.
+  // Up to this number of sets, better bounds take longer than they save.
   static constexpr Index kFewSets = 20;
   static constexpr int kRoundsOfFew = 15;
   static constexpr int kRounds = 60;
 
-  /// Returns the limit: a bound at or above it leads to no cheaper tour.
+  /// Returns the limit of useful bounds: a state with a bound at or above it leads to no cheaper
+  /// tour.
   [[nodiscard]] double limit() const { return best_cost_ - kRounding * std::abs(best_cost_); }
 
   void begin();
@@ -91,7 +93,7 @@ class Exact {
   Index sets_;
   SetMask all_;
   double best_cost_;
-  Index home_;  ///< Current candidate of home.
+  Index home_;  ///< Present candidate of home.
   double first_bound_ = 0.0;
   Index layer_ = 1;
   std::size_t next_ = 0;  ///< Index of the next state to extend.
@@ -102,7 +104,7 @@ class Exact {
   ExactState state_ = ExactState::kRunning;
 };
 
-/// Starts with the tours from the current candidate of home.
+/// Starts the search for tours from the present candidate of home.
 template <LegCost Cost>
 void Exact<Cost>::begin() {
   const int rounds = sets_ <= kFewSets ? kRoundsOfFew : kRounds;
@@ -199,10 +201,10 @@ void Exact<Cost>::extend(std::span<const State> group) {
   }
 }
 
-/// Adds the state that visits `last` after one of the states of a group. Adds none where the bound
+/// Adds the state that visits `last` after one of the states of a group. Adds nothing if the bound
 /// shows that the state leads to no cheaper tour.
 /// @param group empty for the first set after home
-/// @return false where the state does not fit into the storage
+/// @return false if the storage is full
 template <LegCost Cost>
 bool Exact<Cost>::add_state(SetMask visited, Index last, std::span<const State> group) {
   const Index count = problem_->candidates_of(last);
@@ -250,8 +252,8 @@ std::span<const ExactSpace::State> Exact<Cost>::group_of(Index layer, SetMask vi
   return {first, end};
 }
 
-/// Writes the tour that ends at a candidate, backwards. Finds the same minima as the forward
-/// search.
+/// Writes the tour that ends at a candidate, from its end to its start. Finds the same minima as
+/// the forward search.
 template <LegCost Cost>
 void Exact<Cost>::trace(Index candidate) {
   SetMask visited = all_;

@@ -9,7 +9,8 @@ namespace cnc::order {
 struct ExactSizes {
   std::size_t sets;
   std::size_t candidates;
-  std::size_t states;  ///< Number of pairs of visited sets and last set.
+  /// Number of states: pairs of a collection of visited sets and the last set.
+  std::size_t states;
   std::size_t values;  ///< Number of costs: one for each candidate of the last set of each state.
 };
 
@@ -24,7 +25,8 @@ struct ExactSpace {
   CompletionBoundSpace bound;
   std::span<State> states;
   std::span<double> values;
-  std::span<std::size_t> layers;  ///< First state of each layer, and the end of the last layer.
+  /// Index of the first state of each layer, and the end of the last layer.
+  std::span<std::size_t> layers;
   std::span<Index> order;
   std::span<Index> chosen;
 

@@ -3,9 +3,9 @@
 namespace cnc::order {
 namespace {
 
-/// Returns the rearrangement of C and the rest that gives the same cyclic tour as `how` of B and C,
-/// up to its direction. Applied twice, it gives that of the rest and B. The table was found by
-/// writing out each case.
+/// Returns a rearrangement of C and the rest of the tour. It gives the same cyclic tour as the
+/// rearrangement `how` of B and C, up to its direction. Applied twice, the function gives the
+/// rearrangement of the rest and B. The table was found by writing out each case.
 Rearrangement without_moving_first(Rearrangement how) {
   switch (how) {
     case Rearrangement::kSwap:
@@ -40,10 +40,10 @@ void make_exchange(Tour& tour, const Exchange& exchange, bool is_free) {
   const Index second_length = r - q;
   const Index rest = tour.size() - first_length - second_length;
   if (is_free && first_length > rest && first_length >= second_length) {
-    // NOLINTNEXTLINE(readability-suspicious-call-argument): other stretches stand still.
+    // NOLINTNEXTLINE(readability-suspicious-call-argument): here other stretches are rearranged.
     tour.rearrange(without_moving_first(exchange.how), q + 1, second_length, rest);
   } else if (is_free && second_length > rest) {
-    // NOLINTNEXTLINE(readability-suspicious-call-argument): other stretches stand still.
+    // NOLINTNEXTLINE(readability-suspicious-call-argument): here other stretches are rearranged.
     tour.rearrange(without_moving_second(exchange.how), tour.position_after(r), rest, first_length);
   } else {
     tour.rearrange(exchange.how, p + 1, first_length, second_length);

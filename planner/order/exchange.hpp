@@ -7,17 +7,17 @@
 
 namespace cnc::order {
 
-/// Two or three legs of a tour replaced by others. The tour is cut after the positions `cuts`,
-/// which ascend, and its stretches are joined differently.
+/// Exchange of two or three legs of a tour for new legs. The tour is cut after the positions
+/// `cuts`, which ascend, and its stretches are joined differently.
 struct Exchange {
   std::array<Index, 3> cuts{};
   bool has_three = false;
-  /// For three legs. With two legs, a stretch is reversed.
+  /// Rearrangement for three legs. With two legs, a stretch is reversed instead.
   Rearrangement how = Rearrangement::kSwap;
   double gain = 0.0;
 };
 
-/// A leg that is removed, given by both of its ends.
+/// A leg that is removed, given by its two ends.
 struct CutLeg {
   LooseEnd one;
   LooseEnd other;
@@ -26,13 +26,13 @@ struct CutLeg {
 
 /// Finds the rearrangement that makes a tour from three removed legs and the new legs
 /// one.other–two.one, two.other–three.one and three.other–one.one. Writes it to `exchange`.
-/// @return false where these new legs make several separate rings
+/// @return false if the new legs make several separate rings
 inline bool find_rearrangement(const CutLeg& one,
                                const CutLeg& two,
                                const CutLeg& three,
                                Exchange& exchange) {
-  // Ends are numbered along the tour: exit and entry at the first cut are 0 and 1, at the second
-  // cut 2 and 3, at the third 4 and 5.
+  // Ends are numbered along the tour. The exit and the entry at the first cut are 0 and 1, at the
+  // second cut 2 and 3, at the third cut 4 and 5.
   const auto rank = [](Index position, Index other, Index another) {
     return static_cast<std::size_t>(other < position) +
            static_cast<std::size_t>(another < position);
@@ -69,7 +69,7 @@ inline bool find_rearrangement(const CutLeg& one,
   return true;
 }
 
-/// Makes an exchange. Where the tour may begin anywhere, it moves as few sets as possible.
+/// Makes an exchange. If the tour may begin anywhere, the function moves as few sets as possible.
 /// @param is_free see Problem::is_free()
 void make_exchange(Tour& tour, const Exchange& exchange, bool is_free);
 

@@ -4,15 +4,14 @@
 
 namespace cnc::order {
 
-/// Checks whether a change of a tour keeps the precedence. Stretches are position ranges [begin,
-/// end) that contain neither home nor the end of the order.
+/// Checks whether a change of a tour keeps the precedence. Stretches are ranges of positions
+/// [begin, end) that contain neither home nor the end of the order.
 class Feasibility {
  public:
   Feasibility(const Precedence& precedence, const Tour& tour)
       : precedence_{&precedence}, tour_{&tour} {}
 
-  /// Returns whether the stretch may be reversed: none of its sets must come after another of its
-  /// sets.
+  /// Returns whether the stretch may be reversed: no set in it must come after another set in it.
   [[nodiscard]] bool may_reverse(Index begin, Index end) const {
     for (Index i = begin; i < end; ++i) {
       if (has_any_in(precedence_->after(tour_->at(i)), i, end)) return false;
@@ -20,9 +19,9 @@ class Feasibility {
     return true;
   }
 
-  /// Returns whether [middle, end) may come before [begin, middle). Direct pairs are enough: a
-  /// chain between two sets has at least one pair that leads from the first stretch into the
-  /// second.
+  /// Returns whether [middle, end) may come before [begin, middle). A check of direct pairs
+  /// suffices, because a chain between two sets has at least one pair that leads from the first
+  /// stretch into the second.
   [[nodiscard]] bool may_swap(Index begin, Index middle, Index end) const {
     if (middle - begin <= end - middle) {
       for (Index i = begin; i < middle; ++i) {

@@ -4,7 +4,7 @@
 
 namespace cnc::order {
 
-/// One side of a set from which a leg of the tour was removed: its entry or its exit.
+/// The entry or the exit of a set from which a leg of the tour was removed.
 struct LooseEnd {
   Index set;
   bool is_entry;
@@ -27,8 +27,8 @@ class Legs {
                    tour_->chosen(tour_->at(tour_->position_after(position))));
   }
 
-  /// Returns the cost of the leg that joins two ends. Where both are entries, or both exits, one of
-  /// the two sets is reversed. Home is never reversed.
+  /// Returns the cost of the leg that joins two ends. If both ends are entries, or both are exits,
+  /// one of the two sets is reversed. Home is never reversed.
   /// @pre the problem is symmetric, or one end is an entry and the other an exit
   [[nodiscard]] double join(const LooseEnd& a, const LooseEnd& b) const {
     const Index first = tour_->chosen(a.set);
@@ -48,7 +48,7 @@ class Legs {
     return sum;
   }
 
-  /// Returns the other end of the leg at `end`.
+  /// Returns the end on the other side of the leg at `end`.
   [[nodiscard]] LooseEnd across(const LooseEnd& end) const {
     return {end.is_entry ? tour_->before(end.set) : tour_->after(end.set), !end.is_entry};
   }

@@ -7,14 +7,16 @@
 
 namespace cnc::order {
 
-/// Improves a tour around one set at a time, by one of three changes. The first are exchanges of
-/// two and three legs that begin with a leg of the set. They are chosen as by Lin and Kernighan:
-/// each new leg joins neighbours, and the sum of the gains stays positive. The second is another
-/// candidate of the set. The third is another position, with the candidate that suits it.
+/// Improves a tour around one set at a time, by one of three changes. The first is an exchange of
+/// two or three legs that begins with a leg of the set. Exchanges are chosen as by Lin and
+/// Kernighan: each new leg joins neighbours, and the sum of the gains stays positive. The second
+/// change is another candidate of the set. The third is another position of the set, with the
+/// candidate that is best there.
 template <LegCost Cost>
 class LocalSearch {
  public:
-  /// @param min_gain smaller gains are rounding; a search that accepts them may not end
+  /// @param min_gain least gain that is accepted. Smaller gains are rounding, and a search that
+  ///     accepts them may not end
   LocalSearch(const Problem& problem,
               const Cost& cost,
               const Neighbours& neighbours,
@@ -36,7 +38,7 @@ class LocalSearch {
   [[nodiscard]] const Legs<Cost>& legs() const { return legs_; }
 
   /// Makes the first improvements that it finds around a set.
-  /// @return the decrease of the tour's cost; 0 where no improvement was found
+  /// @return the decrease of the tour's cost; 0 if no improvement was found
   double improve(Index set) {
     double gain = 0.0;
     if (!is_plain_) gain += improve_choice(set);
@@ -67,9 +69,9 @@ class LocalSearch {
   }
 
  private:
-  static constexpr Index kThirdWidth =
-      5;  ///< Neighbours that are tried for a third leg, or to insert a set.
-  // Where the tour's beginning is fixed, longer stretches cost more time than they gain.
+  /// Number of neighbours that are tried for a third leg, or as positions to insert a set.
+  static constexpr Index kThirdWidth = 5;
+  // Limits for tours whose beginning is fixed: longer stretches take more time than they gain.
   static constexpr Index kMaxChecked = 1000;
   static constexpr Index kMaxMoved = 30'000;
 
@@ -77,7 +79,8 @@ class LocalSearch {
   double improve_legs(const LooseEnd& start);
   double improve_position(Index set);
 
-  /// Returns the cost of the leg from an end to the opposite kind of end of its neighbour `set`.
+  /// Returns the cost of the leg that joins an end to the neighbour `set`, at an end of the
+  /// opposite kind.
   /// @param number index of `set` in the list of neighbours of the end's set
   [[nodiscard]] double cost_to(const LooseEnd& end, Index number, Index set) const {
     if (neighbours_.have_costs()) return neighbours_.cost(end.set, number);
@@ -86,7 +89,7 @@ class LocalSearch {
   [[nodiscard]] CutLeg cut_at(const LooseEnd& end) const {
     return {end, legs_.across(end), legs_.leg_of(end)};
   }
-  /// Returns whether two ends may be joined: no part of an asymmetric tour is ever reversed.
+  /// Returns whether two ends may be joined. No part of an asymmetric tour is ever reversed.
   [[nodiscard]] bool may_join(const LooseEnd& a, const LooseEnd& b) const {
     return a.set != b.set && (problem_->is_symmetric || a.is_entry != b.is_entry);
   }
@@ -97,7 +100,7 @@ class LocalSearch {
       const CutLeg& one, const CutLeg& two, const CutLeg& three, double gain, Exchange& best) const;
 
   struct Insertion {
-    Index after = kNone;  ///< The set is inserted after this position.
+    Index after = kNone;  ///< Position after which the set is inserted.
     Index candidate = 0;
     double gain = 0.0;
   };
@@ -113,9 +116,9 @@ class LocalSearch {
   Feasibility may_;
   double min_gain_;
   bool is_free_;
-  bool has_lines_;  ///< Whether reversed sets have other entries.
+  bool has_lines_;  ///< Whether some reversed sets have other entries than the sets themselves.
   bool is_plain_;   ///< Whether each set has only one candidate.
-  /// Whether neighbours farther down a list always cost more, so that a search may end early.
+  /// Whether a later neighbour in a list always costs more, so that a search may end early.
   bool ends_early_;
 };
 
@@ -159,8 +162,8 @@ double LocalSearch<Cost>::improve_legs(const LooseEnd& start) {
   return best.gain;
 }
 
-/// Tries new legs from the other end of `one` to neighbour `number`.
-/// @return false where no neighbour that is farther away can gain anything
+/// Tries new legs from the other end of the leg `one` to the neighbour with index `number`.
+/// @return false if no neighbour farther away can give a gain
 template <LegCost Cost>
 bool LocalSearch<Cost>::try_second(const CutLeg& one,
                                    Index number,
@@ -266,13 +269,13 @@ void LocalSearch<Cost>::try_insertion(Index set, Index after, double freed, Inse
   }
 }
 
-/// Returns the exchange that moves the set at `position` to just after the position `after`.
+/// Returns the exchange that moves the set at `position` to the position just after `after`.
 template <LegCost Cost>
 Exchange LocalSearch<Cost>::exchange_of(Index position, Index after) const {
   Exchange exchange;
   exchange.has_three = true;
-  // In a free tour the set may be at position 0. In every other tour home is there, and home is
-  // never moved.
+  // In a free tour the set may be at position 0. In every other tour home is at position 0, and
+  // home is never moved.
   const Index before = tour_->position_before(position);
   if (position == 0) {
     exchange.cuts = {position, after, before};

@@ -24,11 +24,10 @@ struct NearestOrderSpace {
   }
 };
 
-/// Writes the order in which each step goes to the nearest candidate of all sets that may come
-/// next.
-/// @param nearest object with three functions: `add(set)` is called for each set that may come next
-/// from now on, `remove(set)` for a set that is visited; `next(candidate)` returns the candidate
-/// nearest to the exit of the given one
+/// Writes an order in which each step goes to the nearest candidate of all sets that may come next.
+/// @param nearest object with three functions. `add(set)` is called for each set that becomes
+///     permitted as the next set, `remove(set)` for each set that has been visited.
+///     `next(candidate)` returns the candidate nearest to the exit of `candidate`
 template <typename Nearest>
 void nearest_order(const Problem& problem, Nearest&& nearest, const NearestOrderSpace& space) {
   const Index sets = problem.sets();
@@ -57,10 +56,10 @@ struct SetAndCandidate {
   Index candidate;
 };
 
-/// Finds the nearest candidate by distance in the plane, in O(log n) each.
+/// Finds the nearest candidate by distance in the plane, in O(log n) per search.
 class NearestPlace {
  public:
-  /// @param tree of all entries, none of them present in it
+  /// @param tree tree of all entries, of which none is present yet
   NearestPlace(const Problem& problem,
                const CandidatePlaces& places,
                std::span<const Index> set_of,
@@ -97,12 +96,12 @@ class NearestPlace {
   PlaceTree* tree_;
 };
 
-/// Finds the nearest candidate by the cost of legs. For explicit matrices, as it compares all
-/// candidates.
+/// Finds the nearest candidate by the cost of legs. It compares all candidates, so it is meant for
+/// explicit matrices.
 template <LegCost Cost>
 class NearestByCost {
  public:
-  /// @param is_open a flag for each candidate, all 0
+  /// @param is_open flag for each candidate; all flags are 0
   NearestByCost(const Problem& problem,
                 const Cost& cost,
                 std::span<const Index> set_of,

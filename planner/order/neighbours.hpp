@@ -9,12 +9,13 @@
 
 namespace cnc::order {
 
-/// The sets nearest to each set, nearest first. A search tries to put only these sets next to it.
+/// The sets nearest to each set, nearest first. A search tries only these sets as neighbours of the
+/// set in the tour.
 class Neighbours {
  public:
   Neighbours() = default;
   /// @param lists `width` sets for each set, filled up with kNone
-  /// @param costs costs of the legs to these sets where the costs never change, else empty
+  /// @param costs costs of the legs to these sets if the costs never change, otherwise empty
   Neighbours(std::span<const Index> lists, Index width, std::span<const double> costs = {})
       : lists_{lists}, costs_{costs}, width_{width} {}
 
@@ -36,14 +37,14 @@ class Neighbours {
   Index width_ = 0;
 };
 
-/// Collects the nearest sets, each once.
+/// Collects the nearest sets, each of them once.
 class NearestSets {
  public:
   static constexpr Index kMaxWidth = 16;
 
   explicit NearestSets(Index width) : width_{width} {}
 
-  /// Returns the distance below which a further set is accepted.
+  /// Returns the distance below which another set is accepted.
   [[nodiscard]] double limit() const {
     return count_ < width_ ? std::numeric_limits<double>::infinity() : found_[count_ - 1].distance;
   }
@@ -53,7 +54,7 @@ class NearestSets {
     Index at = 0;
     while (at < count_ && found_[at].set != set) ++at;
     if (at == count_ && count_ < width_) ++count_;
-    if (at == count_) --at;  // Replaces the farthest set.
+    if (at == count_) --at;  // The set replaces the farthest set.
     if (found_[at].set == set && found_[at].distance <= distance) return;
     for (; at > 0 && is_before({distance, set}, found_[at - 1]); --at) found_[at] = found_[at - 1];
     found_[at] = {distance, set};
@@ -82,13 +83,16 @@ class NearestSets {
 /// Entries and exits of all candidates, for searches by distance.
 struct CandidatePlaces {
   std::span<const Place> entry;
-  std::span<const Place> exit;  ///< May be the same span as `entry`, if all contours are closed.
+  /// Exits; may be the same span as `entry` if all contours are closed.
+  std::span<const Place> exit;
 
   [[nodiscard]] bool are_closed() const { return entry.data() == exit.data(); }
 };
 
-/// Finds neighbours by distance in the plane: the nearest point of any candidate counts.
-/// @param tree all entries, and after them all exits unless contours are closed; all present
+/// Finds neighbours by distance in the plane. The distance of two sets is that of their nearest
+/// points.
+/// @param tree tree of all entries and, unless contours are closed, of all exits after them; all
+///     are present
 /// @param set_of the set of each candidate
 inline Neighbours find_neighbours(const Problem& problem,
                                   const CandidatePlaces& places,
@@ -115,8 +119,8 @@ inline Neighbours find_neighbours(const Problem& problem,
   return {lists, width};
 }
 
-/// Finds neighbours by the cost of legs in either direction. For explicit matrices, as it compares
-/// all candidates.
+/// Finds neighbours by the cost of legs in either direction. It compares all candidates, so it is
+/// meant for explicit matrices.
 template <LegCost Cost>
 Neighbours find_neighbours(const Problem& problem,
                            const Cost& cost,

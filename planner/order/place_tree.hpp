@@ -8,7 +8,7 @@
 
 namespace cnc::order {
 
-/// A point of the plane, mm or any other unit.
+/// A point in the plane, in mm or any other unit.
 struct Place {
   double x = 0.0;
   double y = 0.0;
@@ -41,9 +41,9 @@ struct PlaceTreeSpace {
 /// Points sorted for searches by distance (a balanced k-d tree). Each point may be present or
 /// absent.
 ///
-/// A range of `items` is a subtree. Its middle item is the root. The two halves before and after it
-/// are divided along x or y, whichever is wider. The result of a search depends only on the points,
-/// not on their order in the tree.
+/// A range of `items` is a subtree. Its middle item is the root, and its two halves are the
+/// subtrees of the root. The division is along x or y, in the direction in which the points extend
+/// farther. The result of a search depends only on the points, not on their order in the tree.
 class PlaceTree {
  public:
   PlaceTree(std::span<const Place> places, const PlaceTreeSpace& space, bool are_present);
@@ -55,8 +55,8 @@ class PlaceTree {
   }
 
   /// Calls `visit(place, squared distance)` for present points around `centre`, near subtrees
-  /// first. Each call of `visit` returns a limit: only points whose squared distance may be below
-  /// the last limit are visited.
+  /// first. Each call of `visit` returns a limit. Points whose squared distance is certainly not
+  /// below the latest limit are not visited.
   template <typename Visit>
   void search(const Place& centre, double limit, Visit&& visit) const {
     std::array<Open, kMaxDepth> open;  // NOLINT(cppcoreguidelines-pro-type-member-init)
@@ -78,7 +78,8 @@ class PlaceTree {
     Range range;
     double gap;  ///< Squared distance to the line that separates the subtree from the centre.
   };
-  // A subtree of 2^32 points has at most 33 levels. Each level has one half that waits.
+  // Greatest number of subtrees that wait. A tree of 2^32 points has at most 33 levels, and on each
+  // level one half waits.
   static constexpr std::size_t kMaxDepth = 40;
 
   [[nodiscard]] Range all() const { return {0, static_cast<Index>(places_.size())}; }
@@ -93,8 +94,8 @@ class PlaceTree {
     return range.begin < range.end ? space_.present[middle_of(range)] : 0;
   }
 
-  /// Descends to the leaf nearest to `centre` in the tree's order. Passes the other halves to
-  /// `keep`.
+  /// Descends towards the leaf that is nearest to `centre` in the order of the tree. Passes the
+  /// other halves to `keep`.
   template <typename Visit, typename Keep>
   void descend(const Place& centre, Range range, double& limit, Visit&& visit, Keep&& keep) const {
     while (present_in(range) > 0) {

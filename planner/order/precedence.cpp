@@ -7,7 +7,8 @@ namespace {
 
 using Item = Index Before::*;
 
-/// Makes lists of `value`, one for each `key`, by a counting sort of the pairs.
+/// Makes a list of all `value` members for each value of the member `key`, by a counting sort of
+/// the pairs.
 void make_lists(std::span<const Before> pairs,
                 Item key,
                 Item value,
@@ -23,8 +24,8 @@ void make_lists(std::span<const Before> pairs,
   for (std::size_t i = pairs.size(); i-- > 0;) items[--firsts[pairs[i].*key]] = pairs[i].*value;
 }
 
-/// Returns the number of sets that can be taken one after another, each after all sets that must
-/// come before it.
+/// Returns the number of sets that can be cut in a sequence in which each set comes after all its
+/// predecessors.
 std::size_t count_in_order(const Precedence& lists, const PrecedenceSpace& space) {
   const auto sets = static_cast<Index>(space.waits_for.size());
   std::size_t count = 0;
@@ -41,10 +42,10 @@ std::size_t count_in_order(const Precedence& lists, const PrecedenceSpace& space
 }
 
 /// Finds a ring of sets, writes it to `ready` and returns its length.
-/// @pre count_in_order() has left some sets waiting
+/// @pre count_in_order() was less than the number of sets, so some sets are waiting
 std::size_t find_ring(const Precedence& lists, const PrecedenceSpace& space) {
   // Walks backwards from any waiting set. Each waiting set has a waiting set before it, so the walk
-  // returns to a set that it has met.
+  // returns to a set that it has visited.
   const auto waiting = [&](Index set) { return space.waits_for[set] != 0; };
   const auto sets = static_cast<Index>(space.waits_for.size());
   Index set = 0;

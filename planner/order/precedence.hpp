@@ -10,13 +10,13 @@ namespace cnc::order {
 /// Number of a set or of a candidate.
 using Index = std::uint32_t;
 
-/// A pair of sets: `first` is cut before `then`.
+/// A pair of sets: `first` must be cut before `then`.
 struct Before {
   Index first;
   Index then;
 };
 
-/// The order in which sets must be cut, as lists in both directions.
+/// The order in which sets must be cut, as lists of successors and predecessors.
 class Precedence {
  public:
   Precedence() = default;
@@ -27,11 +27,11 @@ class Precedence {
       : first_after_{first_after}, after_{after}, first_before_{first_before}, before_{before} {}
 
   [[nodiscard]] bool empty() const { return after_.empty(); }
-  /// Returns the sets that a pair orders directly after `set`.
+  /// Returns the sets that must come after `set` by a direct pair.
   [[nodiscard]] std::span<const Index> after(Index set) const {
     return list(first_after_, after_, set);
   }
-  /// Returns the sets that a pair orders directly before `set`.
+  /// Returns the sets that must come before `set` by a direct pair.
   [[nodiscard]] std::span<const Index> before(Index set) const {
     return list(first_before_, before_, set);
   }
@@ -61,7 +61,7 @@ struct PrecedenceSpace {
   std::span<Index> after;
   std::span<Index> first_before;
   std::span<Index> before;
-  std::span<Index> waits_for;  ///< Storage for the check for cycles.
+  std::span<Index> waits_for;  ///< Working storage of the check for cycles, like `ready`.
   std::span<Index> ready;
 
   template <typename Layout>
@@ -76,10 +76,11 @@ struct PrecedenceSpace {
 };
 
 enum class PrecedenceFault : std::uint8_t {
-  kNoSuchSet,  ///< `count` is the number of the pair.
-  /// The first `count` sets in `ready` of the storage form a ring: each must come before the next.
+  kNoSuchSet,  ///< The pair with index `count` contains a set that does not exist.
+  /// The first `count` sets in `ready` of the storage form a ring, in which each set must come
+  /// before the next.
   kCycle,
-  kBeforeHome  ///< A set must come before home; `count` is the number of the pair.
+  kBeforeHome  ///< A set must come before home; `count` is the index of the pair.
 };
 
 struct PrecedenceError {
@@ -87,7 +88,7 @@ struct PrecedenceError {
   std::size_t count = 0;
 };
 
-/// Sorts pairs into lists and searches for cycles; a set that must come before itself is a cycle.
+/// Sorts pairs into lists and searches for cycles. A set that must come before itself is a cycle.
 /// Home (set 0) is always first, so a pair with home as `first` has no effect.
 [[nodiscard]] Result<Precedence, PrecedenceError> sort_precedence(std::size_t sets,
                                                                   std::span<const Before> pairs,

@@ -11,24 +11,26 @@ namespace cnc::order {
 
 inline constexpr Index kNone = std::numeric_limits<Index>::max();
 
-/// Sets of candidates, of which each tour visits one candidate of every set.
+/// Sets of candidates. Each tour visits one candidate of every set.
 ///
 /// A set is a contour. A candidate is one method to cut it: a point where the torch arrives (entry)
-/// and a point where it leaves (exit). Set 0 is home: the tour begins at its exit and ends at its
-/// entry, so that a path between two fixed points is also a tour.
+/// and a point where the torch leaves (exit). Set 0 is home. The tour begins at home's exit and
+/// ends at home's entry, so a path between two fixed points is also a tour.
 struct Problem {
-  /// The candidates of set s are `first_candidate[s]`…`first_candidate[s + 1] − 1`. The span has
-  /// one entry more than there are sets. No set is empty.
+  /// Index of the first candidate of each set. The candidates of set s are
+  /// `first_candidate[s]`…`first_candidate[s + 1] − 1`. The span has one entry more than there are
+  /// sets. No set is empty.
   std::span<const Index> first_candidate;
   /// For each candidate, the candidate that cuts the same contour backwards. For an open line it is
-  /// the other direction; for a closed contour it is the candidate itself. Empty where that holds
-  /// for all candidates.
+  /// the other direction; for a closed contour it is the candidate itself. The span is empty if
+  /// every candidate is its own reversal.
   std::span<const Index> reversed;
   Precedence precedence;
-  /// Whether cost(u, v) = cost(reversed v, reversed u) for all candidates: a stretch of the tour
-  /// costs the same in both directions.
+  /// Whether cost(u, v) = cost(reversed v, reversed u) for all candidates, so that a stretch of the
+  /// tour costs the same in both directions.
   bool is_symmetric = true;
-  /// Whether home may be passed in both directions: the tour begins and ends at the same point.
+  /// Whether home may be passed in both directions, because the tour begins and ends at the same
+  /// point.
   bool is_home_closed = true;
 
   [[nodiscard]] Index sets() const { return static_cast<Index>(first_candidate.size() - 1); }
@@ -36,7 +38,7 @@ struct Problem {
   [[nodiscard]] Index candidates_of(Index set) const {
     return first_candidate[set + 1] - first_candidate[set];
   }
-  /// Returns whether a tour costs the same in the reverse direction and may be driven in it.
+  /// Returns whether a tour may be driven in the reverse direction and costs the same.
   [[nodiscard]] bool is_free() const {
     return precedence.empty() && is_symmetric && is_home_closed;
   }
@@ -45,16 +47,16 @@ struct Problem {
   }
 };
 
-/// Cost of the leg from the exit of one candidate to the entry of a candidate of another set. It
-/// must be finite and not negative. A forbidden leg costs kForbidden.
+/// Cost of the leg from the exit of one candidate to the entry of a candidate of another set. The
+/// cost must be finite and not negative. A forbidden leg costs kForbidden.
 template <typename Cost>
 concept LegCost = requires(const Cost& cost, Index from, Index to) {
   { cost(from, to) } -> std::convertible_to<double>;
 };
 
-/// Exceeds the sum of all other legs by far, and leaves enough digits for them. So a tour with
-/// forbidden legs is worse than any tour without, and of two tours with forbidden legs the tour
-/// with fewer is better.
+/// Cost of a forbidden leg. It far exceeds the sum of all other legs, but leaves enough digits for
+/// them. So a tour with forbidden legs is worse than any tour without them. Of two tours with
+/// forbidden legs, the tour with fewer of them is better.
 inline constexpr double kForbidden = 1.0e12;
 
 /// Returns whether a tour of this cost has no forbidden leg.

@@ -9,17 +9,17 @@
 
 namespace cnc::order {
 
-/// Limits of straight moves in the plane, for X and Y. All are above 0, except that a jerk of 0 is
-/// no limit.
+/// Limits of straight moves in the plane, for X and Y. All are above 0, except that a jerk of 0
+/// means no limit.
 struct RapidLimits {
   std::array<double, 2> rate_mm_s{50.0, 50.0};
   std::array<double, 2> acceleration_mm_s2{500.0, 500.0};
   std::array<double, 2> jerk_mm_s3{0.0, 0.0};
 };
 
-/// Returns the greatest acceleration that a controller plans for an axis, mm/s². Its window for a
-/// limit of jerk is at most 256 ms long (cnc::motion::window_for()), and the acceleration cannot
-/// exceed the value that it reaches within the window.
+/// Returns the greatest acceleration that a controller plans for an axis, mm/s². A limit of jerk
+/// sets a window of at most 256 ms (cnc::motion::window_for()). The acceleration cannot exceed the
+/// value that it reaches within this window.
 [[nodiscard]] inline double planned_acceleration(double acceleration, double jerk) {
   constexpr double kLongestWindow = 0.256;  // s.
   return jerk > 0.0 ? std::min(acceleration, jerk * kLongestWindow) : acceleration;
@@ -27,11 +27,11 @@ struct RapidLimits {
 
 /// Returns the time of the fastest straight move from rest to rest, s.
 ///
-/// Double-S profile (Biagiotti and Melchiorri, Trajectory Planning for Automatic Machines and
-/// Robots, 2008, section 3.4). Relative error below 1e-9. Only +, −, ×, ÷, sqrt and the project's
-/// cube root are used, so every machine computes the same bits.
+/// The move has a double-S profile (Biagiotti and Melchiorri, Trajectory Planning for Automatic
+/// Machines and Robots, 2008, section 3.4). The relative error is below 1e-9. Only +, −, ×, ÷, sqrt
+/// and the project's cube root are used, so every machine computes the same bits.
 /// @param length mm ≥ 0. @param rate mm/s > 0. @param acceleration mm/s² > 0
-/// @param jerk mm/s³; 0 is no limit
+/// @param jerk mm/s³; 0 means no limit
 [[nodiscard]] inline double move_time(double length,
                                       double rate,
                                       double acceleration,
@@ -42,13 +42,14 @@ struct RapidLimits {
     if (length >= rate * ramp) return ramp + length / rate;
     return 2.0 * std::sqrt(length / acceleration);
   }
-  // Ramp to full speed. Where full acceleration is not reached, all of it is limited by jerk.
+  // Computes the ramp to full speed. If full acceleration is not reached, jerk limits the complete
+  // ramp.
   const double full = acceleration / jerk;
   const bool is_short = rate * jerk < acceleration * acceleration;
   const double ramp = is_short ? 2.0 * std::sqrt(rate / jerk) : full + rate / acceleration;
   if (length >= rate * ramp) return ramp + length / rate;
-  // Full speed is not reached. Full acceleration is reached in the first case, but not in the
-  // second.
+  // Here full speed is not reached. Full acceleration is reached in the first case, but not in the
+  // second case.
   if (length >= 2.0 * acceleration * full * full) {
     return 2.0 * (0.5 * full + std::sqrt(0.25 * full * full + length / acceleration));
   }
@@ -72,8 +73,8 @@ class RapidTime {
         ramp_s_{limits_.rate_mm_s[0] / limits_.acceleration_mm_s2[0]},
         s_per_mm_{1.0 / limits.rate_mm_s[0]} {}
 
-  /// Returns the time of a move by (`x_mm`, `y_mm`), s. An axis that moves by a share of the length
-  /// limits the whole move to the axis's own limit divided by this share.
+  /// Returns the time of a move by (`x_mm`, `y_mm`), s. If an axis moves by a share of the length,
+  /// it limits the move to its own limit divided by this share.
   [[nodiscard]] double operator()(double x_mm, double y_mm) const {
     const double x = std::abs(x_mm);
     const double y = std::abs(y_mm);
@@ -86,8 +87,8 @@ class RapidTime {
                      along(limits_.jerk_mm_s3, x, y, length));
   }
 
-  /// Returns the limit along a direction of the plane.
-  /// @param x, y, length of the direction, x and y not negative
+  /// Returns the limit along a direction of the plane; 0 if there is none.
+  /// @param x, y, length components and length of the direction; x and y are not negative
   [[nodiscard]] static double along(const std::array<double, 2>& limits,
                                     double x,
                                     double y,
@@ -110,8 +111,8 @@ class RapidTime {
     return limits;
   }
 
-  /// Returns the time where both axes have the same limits: the axis with the longer distance takes
-  /// as long as it would alone.
+  /// Returns the time if both axes have the same limits. The axis with the longer distance takes as
+  /// long as it would alone.
   [[nodiscard]] double even_time(double farther) const {
     if (!is_plain_) {
       return move_time(

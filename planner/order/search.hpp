@@ -39,21 +39,21 @@ struct SearchSpace {
 
 /// A search for the cheapest tour that may be stopped at any time. It begins with a local search
 /// from a start that keeps the precedence; then it makes trials. A trial disturbs the tour by a
-/// double bridge, and improves it by local search and by the best choice of candidates. It undoes
-/// all of that unless the tour is good enough.
+/// double bridge, and improves it by local search and by the best choice of candidates. If the
+/// resulting tour is not good enough, the trial is undone.
 ///
-/// Deterministic: the state after a number of steps depends only on problem, start, seed and
-/// `slack`, with the same bits on every machine.
+/// The search is deterministic: the state after a number of steps depends only on problem, start,
+/// seed and `slack`, with the same bits on every machine.
 template <LegCost Cost>
 class Search {
  public:
   /// A tour that keeps the precedence.
   struct Start {
     std::span<const Index> order;   ///< A permutation of the sets, home first.
-    std::span<const Index> chosen;  ///< The candidate chosen for each set, indexed by set.
+    std::span<const Index> chosen;  ///< Candidate that is chosen for each set, indexed by set.
   };
 
-  /// All arguments except `start` must outlive the search.
+  /// Starts a search. All arguments except `start` must outlive it.
   Search(const Problem& problem,
          const Cost& cost,
          const Neighbours& neighbours,
@@ -80,8 +80,8 @@ class Search {
 
   /// Continues for a number of steps. In the first descent a step tries one set; afterwards a step
   /// is a trial.
-  /// @param slack share of the whole run that is left, from 1 to 0; the greater it is, the worse a
-  /// tour may be to be accepted. With 0, no worse tour is accepted.
+  /// @param slack share of the run that is left, from 1 to 0. The greater it is, the worse an
+  ///     accepted tour may be. With 0, no worse tour is accepted.
   void run(std::uint64_t steps, double slack) {
     for (std::uint64_t i = 0; i < steps; ++i) {
       if (is_descending_) {
@@ -92,11 +92,11 @@ class Search {
     }
   }
 
-  /// Returns whether all sets have been tried, so that further steps are trials.
+  /// Returns whether the local search has tried all sets, so that further steps are trials.
   [[nodiscard]] bool is_locally_best() const { return !is_descending_; }
   [[nodiscard]] double best_cost() const { return std::min(best_cost_, cost_); }
-  /// Returns the best order so far, home first. The span is in the search's storage, and a later
-  /// run changes it.
+  /// Returns the best order so far, home first. The span refers to the search's storage; a later
+  /// run changes its content.
   [[nodiscard]] std::span<const Index> best_order() {
     if (cost_ < best_cost_) keep_best();
     return space_.best_order;
@@ -108,20 +108,23 @@ class Search {
   }
 
  private:
-  static constexpr double kRounding = 1.0e-12;  ///< Share of the tour's cost.
-  static constexpr double kWarmth = 1.0;        ///< In mean legs; tuned on random points.
+  /// Least gain that is not rounding, as a share of the tour's cost.
+  static constexpr double kRounding = 1.0e-12;
+  /// Greatest accepted loss at `slack` 1, in mean legs; tuned on random points.
+  static constexpr double kWarmth = 1.0;
   /// Greatest number of changes that one improvement makes.
   static constexpr std::size_t kChangesOfStep = 8;
-  /// The best tour is copied after one trial for each kSetsToKeep sets, at the earliest.
+  /// Least number of trials between two copies of the best tour: one for each kSetsToKeep sets.
   static constexpr Index kSetsToKeep = 64;
   /// Number of trials after which the cost is recomputed, to remove rounding.
   static constexpr std::uint64_t kRecount = 1U << 16U;
-  /// Number of sets before and after a set that choose their candidates again.
+  /// Number of sets before and after a set whose candidates are chosen again.
   static constexpr Index kReach = 2;
-  /// With at most this many sets, all sets choose again.
+  /// Greatest number of sets for which all candidates are chosen again.
   static constexpr Index kFewSets = 64;
-  // Each constant N stands for a chance of one in N: to disturb once more, and to turn a stretch
-  // instead of making a double bridge, with few sets and with many.
+  // Each constant N stands for a chance of one in N. kAgainOneIn is the chance of a further
+  // disturbance. The other two are the chance of a turned stretch instead of a double bridge, with
+  // few sets and with many sets.
   static constexpr Index kAgainOneIn = 4;
   static constexpr Index kTurnOneInOfFew = 4;
   static constexpr Index kTurnOneIn = 8;
@@ -164,14 +167,15 @@ class Search {
     if (++trials_ % kRecount == 0) cost_ = local_.legs().tour_cost();
   }
 
-  /// Disturbs the tour. With few sets it sometimes disturbs more than once, as one double bridge
-  /// reaches few orders.
-  /// @return the gain, usually below 0
+  /// Disturbs the tour. With few sets it sometimes disturbs more than once, because one double
+  /// bridge reaches few orders.
+  /// @return the gain: the decrease of the cost, usually below 0
   double disturb() {
     if (tour_.size() > kFewSets) return disturb_once(!problem_->precedence.empty(), kTurnOneIn);
     double gain = disturb_once(true, kTurnOneInOfFew);
     while (random_.below(kAgainOneIn) == 0) gain += disturb_once(true, kTurnOneInOfFew);
-    // Local search would give up a good order if its candidates are those of another order.
+    // Without this, local search would give up a good order if the candidates are those of another
+    // order.
     if (random_.below(2) == 0) gain += choose_all();
     return gain;
   }
@@ -211,12 +215,12 @@ class Search {
     }
   }
 
-  /// Chooses candidates again, around the sets that local search tried.
+  /// Chooses candidates again, around the sets that local search tried. Returns the gain.
   double choose_around() {
     double gain = 0.0;
     for (std::size_t i = 0; i < tried_count_; ++i) {
       const Index position = tour_.position_of(tried_[i]);
-      // The previous set covered it.
+      // The previous set's stretch includes this set.
       if (i > 0 && position + 1 - tour_.position_of(tried_[i - 1]) <= 2) continue;
       const Index start = position >= kReach ? position - kReach : position + tour_.size() - kReach;
       gain += choice_.improve(start, 2 * kReach + 1, min_gain_, changed());

@@ -17,7 +17,7 @@ inline constexpr Index kMaxMaskedSets = 64;
   return static_cast<Index>(std::popcount(mask));
 }
 
-/// Precedence, including all pairs that follow from other pairs.
+/// Precedence, including all pairs that follow from chains of pairs.
 class MaskedPrecedence {
  public:
   /// @pre at most kMaxMaskedSets sets besides home
@@ -27,7 +27,7 @@ class MaskedPrecedence {
         if (before != 0) before_[set] |= bit_of(before);
       }
     }
-    // Each pass doubles the length of the chains that are covered.
+    // Each pass doubles the length of the chains that are included.
     for (Index length = 1; length < sets_; length *= 2) extend();
     for (Index set = 1; set <= sets_; ++set) {
       for (Index other = 1; other <= sets_; ++other) {

@@ -9,10 +9,12 @@
 
 namespace cnc::order {
 
+/// Adds up the bytes of a working storage.
+///
 /// The working storage of an algorithm is a struct of spans with a member `lay_out(layout, sizes)`,
 /// which calls `layout(span, count)` for each span. There are two layouts: StorageSize adds up the
 /// bytes, and StorageParts cuts the spans out of a block of that size. The spans are not
-/// initialized, so that large storage costs nothing unless it is used.
+/// initialized, so large storage costs nothing unless it is used.
 class StorageSize {
  public:
   template <typename Item>
@@ -30,10 +32,10 @@ class StorageSize {
 
 class StorageParts {
  public:
-  /// @param block must be aligned like a double and outlive the spans
+  /// @param block must be aligned like a double, and must outlive the spans
   explicit StorageParts(std::span<std::byte> block) : rest_{block} {}
 
-  /// @pre The block has at least the number of bytes that StorageSize computes.
+  /// @pre The block has at least as many bytes as StorageSize computes.
   template <typename Item>
   void operator()(std::span<Item>& part, std::size_t count) {
     StorageSize size;
@@ -50,7 +52,7 @@ class StorageParts {
   std::span<std::byte> rest_;
 };
 
-/// Returns the number of bytes that the working storage `Space` needs.
+/// Returns the number of bytes that the working storage `Space` requires.
 template <typename Space, typename Sizes>
 [[nodiscard]] std::size_t bytes_for(const Sizes& sizes) {
   StorageSize size;

@@ -7,7 +7,8 @@
 
 namespace cnc::order {
 
-/// Changes of the two neighbouring stretches B and C of a tour A B C when three of its legs change.
+/// Rearrangements of the two neighbouring stretches B and C of a tour A B C, in which three legs of
+/// the tour change.
 enum class Rearrangement : std::uint8_t {
   kSwap,               ///< A C B
   kSwapReverseFirst,   ///< A C B⁻
@@ -20,7 +21,7 @@ struct TourSizes {
   std::size_t changes;
 };
 
-/// A change of a tour, with the data that undo it.
+/// A change of a tour, with the data that are required to undo it.
 struct Change {
   enum class Kind : std::uint8_t { kReverse, kSwap, kChoose };
   Kind kind;
@@ -47,10 +48,10 @@ struct TourSpace {
   }
 };
 
-/// A cyclic order of sets with a chosen candidate for each, and a journal of its changes.
+/// A cyclic order of sets with a chosen candidate for each set, and a journal of the changes.
 ///
-/// A stretch is given by its first position and its length. It may lead across the end of the order
-/// to its beginning. A reversed set takes the candidate of the other direction.
+/// A stretch is given by its first position and its length. It may extend across the end of the
+/// order to its beginning. A set that is reversed takes the candidate of the other direction.
 class Tour {
  public:
   Tour(const Problem& problem, const TourSpace& space) : problem_{&problem}, space_{space} {}
@@ -72,7 +73,8 @@ class Tour {
 
   /// Replaces order and choices, and clears the journal.
   void assign(std::span<const Index> order, std::span<const Index> chosen);
-  /// Rotates the order so that home is at position 0, and reverses it where home was reversed.
+  /// Rotates the order so that home is at position 0. First reverses the order if home was
+  /// reversed.
   void bring_home(Index home_candidate);
 
   void choose(Index set, Index candidate);

@@ -23,10 +23,10 @@ struct TurnedStretchSpace {
   }
 };
 
-/// A disturbance for tours with precedence. It reverses a stretch, except that a set that must come
-/// after others comes directly after the last of them. So a row of nested contours is driven from
-/// its other end, with inner contours still first. No sequence of small changes does that without a
-/// detour.
+/// A disturbance for tours with precedence. It reverses a stretch, except that a set with
+/// predecessors in the stretch comes directly after the last of them. So a row of nested contours
+/// is driven from its other end, still with inner contours first. No sequence of small changes
+/// achieves that without worse tours in between.
 class TurnedStretch {
  public:
   /// Greatest number of sets in a stretch.
@@ -40,7 +40,7 @@ class TurnedStretch {
   /// Turns a random stretch. Calls `touched(set)` for its sets and for the two neighbours of the
   /// stretch.
   /// @pre at least three sets
-  /// @return the gain, usually below 0
+  /// @return the gain: the decrease of the cost, usually below 0
   template <LegCost Cost, typename Touched>
   double make(Random& random, const Legs<Cost>& legs, Touched&& touched) {
     const Index sets = tour_->size();
@@ -76,7 +76,7 @@ class TurnedStretch {
       for (; done < turned; ++done) {
         for (const Index after : problem_->precedence.after(space_.turned[done])) {
           if (!is_inside(after)) continue;
-          // A set that the walk has not reached yet is added when the walk reaches it.
+          // A set that the loop has not reached yet is added when the loop reaches it.
           const bool is_passed = tour_->position_of(after) - start >= i;
           if (--space_.waits_for[after] == 0 && is_passed) space_.turned[turned++] = after;
         }

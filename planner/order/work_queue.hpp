@@ -24,8 +24,8 @@ struct WorkQueueSpace {
   }
 };
 
-/// Sets whose surroundings have changed since a search last tried them, in the order in which they
-/// were added.
+/// Queue of the sets whose surroundings have changed since a search last tried them, in the order
+/// in which they were added.
 class WorkQueue {
  public:
   explicit WorkQueue(const WorkQueueSpace& space) : space_{space} {

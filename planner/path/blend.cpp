@@ -10,7 +10,8 @@ namespace {
 
 float bulge_from(float half_sweep) { return tangent_of(0.5F * half_sweep); }
 
-/// Returns an arc from one position to another with a given direction at its start, or at its end.
+/// Returns an arc between two positions that has a given direction at its start or, with `at_end`,
+/// at its end.
 PathElement arc_between(const Position& from,
                         const Position& to,
                         const AxisVector& direction,
@@ -31,8 +32,8 @@ PathElement arc_between(const Position& from,
 
 }  // namespace
 
-/// Bulges are computed from the rounded joint, as ArcFit does. So the blend has the given
-/// directions at its ends, and the kink that rounding leaves is at the joint.
+/// The bulges are computed from the rounded joint, as in ArcFit. So the blend has exactly the given
+/// directions at its ends, and the kink that results from rounding is at the joint.
 Blend make_blend(
     const Corner& corner, const Position& from, const Position& to, float trim_mm, bool in_halves) {
   Blend blend;

@@ -12,20 +12,22 @@ constexpr int kSamplesOfPart = 6;
 constexpr float kMissed = 1.03F;
 constexpr float kNoBlend = 1.0e9F;
 
-/// Returns the distance of a point from a curve, given its offset from a point of the curve that is
-/// near the nearest one. The result is the distance from the tangent there, plus how far the curve
-/// bends away from the tangent up to the point nearest.
+/// Returns the distance of a point from a curve. The result is the distance from the tangent at a
+/// point of the curve, plus the distance by which the curve bends away from this tangent.
+/// @param offset vector from that point of the curve, which is near the nearest one, to the given
+/// point
 float distance_beside(const AxisVector& offset, const AxisVector& direction, float curvature) {
   const float along = dot(offset, direction);
   const float across = std::sqrt(std::max(0.0F, dot(offset, offset) - along * along));
   return across + 0.5F * std::abs(curvature) * along * along;
 }
 
-/// A point of the path and a point of the blend. Each is compared with the curve of the other.
+/// A point of the path and the corresponding point of the blend. Each point is compared with the
+/// curve of the other point.
 struct Abreast {
   AxisVector offset{};     ///< Vector from the path's point to the blend's point.
-  AxisVector direction{};  ///< Direction of the path there.
-  float bend = 0.0F;       ///< Curvature of the path there, 1/mm.
+  AxisVector direction{};  ///< Direction of the path at its point.
+  float bend = 0.0F;       ///< Curvature of the path at its point, 1/mm.
   AxisVector blend_direction{};
   float blend_bend = 0.0F;
 
@@ -35,8 +37,7 @@ struct Abreast {
   }
 };
 
-/// Compares each point of the blend with the point of the path that is at the same share of the
-/// distance.
+/// Compares each point of the blend with the point of the path at the same share of the length.
 class Comparison {
  public:
   Comparison(const Corner& corner, float trim_mm)
@@ -55,16 +56,17 @@ class Comparison {
   }
 
   [[nodiscard]] bool exists() const { return exists_; }
-  /// @param share of the distance from the start to the joint
+  /// @param share share of the length from the start of the blend to the joint, 0…1
   [[nodiscard]] Abreast before(float share) const {
     return abreast(corner_.before, (share - 1.0F) * trim_mm_, from_, first_, share * first_.length);
   }
-  /// @param share of the distance from the end back to the joint
+  /// @param share share of the length from the end of the blend back to the joint, 0…1
   [[nodiscard]] Abreast behind(float share) const {
     return abreast(corner_.after, (1.0F - share) * trim_mm_, to_, second_, -share * second_.length);
   }
-  /// Returns the distance of the joint from the path. It is compared with the path at the corner,
-  /// where each side ends.
+  /// Returns the distance of the joint from the path near the corner. This is the distance from the
+  /// leg that the joint is alongside or, if the joint is beyond the ends of both legs, from the
+  /// corner itself.
   [[nodiscard]] float at_joint() const {
     const Abreast old = before(1.0F);
     const Abreast next = behind(1.0F);
@@ -74,7 +76,9 @@ class Comparison {
   }
 
  private:
-  /// @param end end of the blend, from which `blend_way` counts
+  /// @param path_way distance of the point on the path after the corner, mm
+  /// @param end end of the blend at which `blend` begins
+  /// @param blend_way distance of the point on the blend after `end`, mm
   static Abreast abreast(
       const Leg& path, float path_way, const AxisVector& end, const Leg& blend, float blend_way) {
     const AxisVector place = sum_of(end, 1.0F, blend.place(blend_way));

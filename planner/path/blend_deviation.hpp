@@ -4,10 +4,10 @@
 
 namespace cnc::path {
 
-/// Returns the greatest distance between a corner and the biarc for this trim, mm, measured from
-/// either to the other in the plane. It is computed from samples, plus an allowance for what
-/// samples may miss: never too small, and up to 3 % too large.
-/// Very large where there is no such biarc.
+/// Returns the greatest distance in mm between a corner and its biarc with this trim. The distance
+/// is measured both from the corner to the biarc and back. It is computed from samples. The result
+/// includes an allowance for the distances between the samples. So it is never too small, and at
+/// most 3 % too large. If there is no such biarc, the result is 1e9.
 /// @pre legs turn by at most half a radian within the trim
 [[nodiscard]] float blend_deviation(const Corner& corner, float trim_mm);
 

@@ -21,7 +21,7 @@ void CircleFan::open(float max_curvature) {
   count_ = 4;
 }
 
-/// Keeps the circles with |weight · k + 2 x t − 2 y| ≤ 2 Q.
+/// Keeps the circles with |weight · k + 2 x t − 2 y| ≤ 2 Q, where Q is `within_mm`.
 void CircleFan::pass(const Vec2& point, float weight, float within_mm) {
   const float along = 2.0F * point.x();
   const float beside = 2.0F * point.y();
@@ -41,7 +41,7 @@ void CircleFan::keep(float by_curvature, float by_slope, float most) {
     count_ = 0;
     return;
   }
-  // The corners beyond the half plane are neighbours, as the polygon is convex.
+  // The corners outside the half plane are consecutive, because the polygon is convex.
   std::size_t first = 0;
   if (excess_[0] > 0.0F) {
     first = count_;
@@ -57,8 +57,9 @@ void CircleFan::keep(float by_curvature, float by_slope, float most) {
   cut(first, past);
 }
 
-/// Replaces the corners from `first` to the one before `past`, which are all beyond the half plane,
-/// by the two points where the polygon's sides leave the half plane (Sutherland, Hodgman).
+/// Replaces the corners from `first` up to the corner before `past`, which are all outside the half
+/// plane. Their replacement is the two points where the sides of the polygon leave the half plane
+/// (Sutherland, Hodgman).
 void CircleFan::cut(std::size_t first, std::size_t past) {
   const auto leaves = [this](std::size_t inside, std::size_t beyond) {
     const float share = excess_[inside] / (excess_[inside] - excess_[beyond]);
@@ -86,8 +87,8 @@ void CircleFan::cut(std::size_t first, std::size_t past) {
   if (count_ > kMaxCorners) drop_smallest();
 }
 
-/// Removes the corner that cuts off the smallest triangle. The polygon becomes a little smaller and
-/// stays convex.
+/// Removes the corner whose triangle with its neighbours is the smallest. The polygon becomes a
+/// little smaller and stays convex.
 void CircleFan::drop_smallest() {
   std::size_t smallest = 0;
   float least = 1.0e30F;

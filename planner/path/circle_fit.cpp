@@ -5,7 +5,8 @@
 namespace cnc::path {
 
 FitFrame frame_in_space(const Vec3& ahead, const Vec3& towards) {
-  /// A curve that bends in one direction leaves its plane only a little.
+  /// Share of the tolerance in the plane of the bend. It is large, because a curve that bends in
+  /// one direction leaves its plane only a little.
   constexpr float kLeftShare = 0.9F;
   constexpr float kUpShare = 0.4358F;
   constexpr float kEvenShare = 0.7071F;
@@ -14,7 +15,7 @@ FitFrame frame_in_space(const Vec3& ahead, const Vec3& towards) {
   Vec3 left = towards - towards.dot(ahead) * ahead;
   if (left.norm() < kMin) {
     frame.left_share = frame.up_share = kEvenShare;
-    // The axis with the smallest part along `ahead`.
+    // Axis with the smallest component along `ahead`.
     const Vec3 shares = ahead.cwiseAbs();
     const bool x_least = shares.x() <= shares.y() && shares.x() <= shares.z();
     const bool y_least = !x_least && shares.y() <= shares.z();
@@ -36,9 +37,9 @@ void CircleFit::begin(const FitFrame& frame, float max_curvature) {
   chord_passed_ = 0.0F;
 }
 
-/// Where the end of a long chord passes, the ends of shorter chords at the same point pass, too. So
-/// a slightly longer chord is required than the real one, and a following chord of nearly the same
-/// length needs no further cut.
+/// If the ends of a long chord are within the tolerance, the ends of a shorter chord at the same
+/// point are, too. So the check is made for a chord that is slightly longer than the real one. Then
+/// the next chord, which often has nearly the same length, needs no further check.
 void CircleFit::pass(const Vec3& here, float within_mm) {
   constexpr float kAlike = 1.05F;
   const Vec3 chord = here - last_;

@@ -11,15 +11,17 @@
 namespace cnc::path {
 namespace {
 
-/// Allowance for ends, which are rounded to nanometres, and for single precision.
+/// Allowance for ends, which are rounded to nanometres, and for single precision, mm.
 constexpr float kRoundingMm = 3.0e-6F;
-constexpr float kRelativeRounding = 4.0e-7F;  // Share of the trim.
+// Allowance for single precision as a share of the trim.
+constexpr float kRelativeRounding = 4.0e-7F;
 
-/// An arc next to a corner is not trimmed by more than this many radians. So the compared distances
-/// change smoothly.
+/// Greatest angle, in radians, by which an arc next to a corner may turn within the trim. Within
+/// this angle, the compared distances change smoothly.
 constexpr float kMaxTurnOfLeg = 0.5F;
 
-/// Fills in the geometry of a corner. Returns the plane in which the direction turns.
+/// Computes the geometry of a corner, and returns the plane in which the direction turns. Returns
+/// nothing if there is no such plane.
 std::optional<ArcPlane> lay_out(const PathElement& before,
                                 const PathElement& after,
                                 Corner& corner) {
@@ -36,11 +38,13 @@ std::optional<ArcPlane> lay_out(const PathElement& before,
   return plane;
 }
 
-/// Returns the radius at which v²/R is a quarter of the acceleration at the programmed feed, and so
-/// all of it when the operator doubles the feed.
+/// Returns the radius at which v²/R, at the programmed feed, is a quarter of the acceleration. At
+/// twice that feed, which is the greatest override, it is the whole acceleration.
 float useful_radius(const ArcPlane& plane, float feed, const motion::Limits& limits) {
   constexpr float kShare = 4.0F;
-  constexpr float kMuch = 0.5F;  // Each plane has an axis with a part of at least this size in it.
+  // Axes with a smaller share in the plane are left out. Each plane has at least one axis with a
+  // greater share.
+  constexpr float kMuch = 0.5F;
   float rate = 0.0F;
   float acceleration = 1.0e9F;
   for (const motion::AxisInPlane& each : motion::AxesInPlane{plane, 1.0F}) {
@@ -52,8 +56,8 @@ float useful_radius(const ArcPlane& plane, float feed, const motion::Limits& lim
   return kShare * square(speed) / acceleration;
 }
 
-/// Returns the trim that the tolerance permits where both legs are straight. The arc is trim ·
-/// tan(turn / 4) away from the corner.
+/// Returns the greatest trim that the tolerance permits between straight legs. The distance of the
+/// arc from the corner is trim · tan(turn / 4).
 float straight_trim(const Corner& corner, float max_mm) {
   const float share = tangent_of(0.25F * std::abs(corner.turn)) + kRelativeRounding;
   return std::min(max_mm, (corner.tolerance_mm - kRoundingMm) / share);
@@ -63,7 +67,7 @@ float chord_of(const PathElement& element) {
   return norm(travel_between(element.start, element.end));
 }
 
-/// Returns the greatest turn, in radians, that does not count as a corner.
+/// Returns the greatest change of direction, in radians, that does not count as a corner.
 float smooth_turn(const PathItem& before, const PathItem& after) {
   if (!after.continues) return motion::kTangentTurn;
   const float shorter = std::min(chord_of(before.request.element), chord_of(after.request.element));
@@ -85,8 +89,8 @@ bool stop_between(const PathItem& before, const PathItem& after) {
   return rapid_and_feed || a.fixed_feed || b.fixed_feed;
 }
 
-/// Searches by trials: the deviation grows about in proportion to the trim next to straight legs,
-/// and with the square of the trim next to curved ones.
+/// Searches by trial: the deviation is about proportional to the trim if the legs are straight, and
+/// to the square of the trim if a leg is curved.
 float fitting_trim(const Corner& corner, float max_mm) {
   constexpr int kMaxTrials = 12;
   constexpr float kMinShrink = 0.2F;

@@ -9,15 +9,16 @@
 namespace cnc::path {
 namespace {
 
-/// Value that means "no limit", in mm and s.
+/// A limit without effect, in mm and s.
 constexpr float kMuch = 1.0e9F;
 
-/// Limits that the axes of a plane set in each of its directions.
+/// Limits in each direction of a plane, which follow from the limits of its axes.
 struct PlaneLimits {
   float rate_mm_s = kMuch;
   float acceleration_mm_s2 = kMuch;
   float jerk_mm_s3 = kMuch;
-  float rise_s = 0.0F;  ///< Longest time that an axis takes to reach its acceleration.
+  /// Longest time in which an axis of the plane reaches its acceleration under its jerk, s.
+  float rise_s = 0.0F;
 };
 
 PlaneLimits limits_in(const ArcPlane& plane, const motion::Limits& limits) {
@@ -34,8 +35,8 @@ PlaneLimits limits_in(const ArcPlane& plane, const motion::Limits& limits) {
   return found;
 }
 
-/// Returns the share of the blend's time from which on a stop is sooner.
-/// @param window_s window of time of a move from rest to rest over the shorter side
+/// Returns the share of the blend's time above which a stop takes less time than the blend.
+/// @param window_s window of time for a move from rest to rest over the shorter side, s
 float share_for(float rise_s, float window_s) {
   constexpr float kFall = 1.3F;
   constexpr float kMin = 0.3F;
@@ -67,7 +68,7 @@ bool is_stop_sooner(const Corner& corner,
   if (speed >= feed) return false;
   const float beside = std::max(0.0F, rounded.shorter_mm - rounded.trim_mm);
   const float reached = std::min(feed, std::sqrt(square(speed) + acceleration * beside));
-  // All times below are divided by 2 v / A.
+  // All of the following times are divided by 2 v / A.
   const float ratio = 0.5F * acceleration / square(speed);
   const float blend = ratio * radius * turn;
   const float way = std::max(0.0F, 2.0F * ratio * rounded.trim_mm - 0.5F) * speed / reached;

@@ -8,30 +8,30 @@
 namespace cnc::path {
 namespace {
 
-/// Blends with a shorter trim, mm, are not divided, because their halves would be nothing but
+/// Least trim of a blend that is divided into halves, mm. Shorter halves would consist only of
 /// rounding.
 constexpr float kMinDivided = 1.0e-3F;
 
-/// Allowance for ends, which are whole nanometres, mm.
+/// Allowance for ends, which are rounded to nanometres, mm.
 constexpr float kRoundedEndMm = 1.5e-6F;
 
-/// A corner may exceed its allowance by this share of the element after it if the element before is
-/// then used up. Otherwise edges of nearly the same length would leave pieces of line between two
-/// arcs that are too short to be of use.
+/// Share of the element after a corner by which the corner may exceed its allowance, if this uses
+/// up the element before it. Without this, edges of nearly equal length would leave lines between
+/// their arcs that are too short to be useful.
 constexpr float kMoreThanHalf = 0.03125F;
 
 motion::Joint joint_at(const Corner& corner) {
   return corner.kind == Corner::Kind::kSmooth ? motion::Joint::kSmooth : motion::Joint::kStop;
 }
 
-/// Returns whether something changes at the corner that has to change exactly there. Pixels change
-/// all along their row.
+/// Returns whether anything changes at the corner that must change exactly there. This includes
+/// pixels, which change along their whole row.
 bool differ(const motion::MotionRequest& a, const motion::MotionRequest& b) {
   return a.feed_mm_s != b.feed_mm_s || !(a.beam == b.beam) || a.row.any() || b.row.any() ||
          !(b.outputs == motion::OutputChanges{});
 }
 
-/// Holds an element of which no corner has taken anything.
+/// Holds an element from which no corner has taken any length.
 void hold(std::optional<HeldItem>& place, const PathItem& item, motion::Joint joint) {
   HeldItem& held = place.emplace();
   held.item = item;
@@ -79,14 +79,14 @@ void CornerRounder::put(const PathItem& item) {
   meet(item);
 }
 
-/// Returns the item that the next item meets; null where the path begins.
+/// Returns the item before the next item, or null at the start of the path.
 const PathItem* CornerRounder::newest() const {
   if (second_) return &second_->item;
   if (first_) return &first_->item;
   return last_ ? &*last_ : nullptr;
 }
 
-/// Handles the next corner, which leads to `item`. @pre only the first element is held
+/// Handles next_corner_, which is the corner before `item`. @pre only the first element is held
 void CornerRounder::meet(const PathItem& item) {
   if (next_corner_.kind == Corner::Kind::kBlend) {
     corner_ = next_corner_;
@@ -111,7 +111,8 @@ void CornerRounder::expect(const PathItem& item) {
   if (newest && stop_between(newest->item, item)) flush();
 }
 
-/// Returns the trim that both sides and the tolerance permit.
+/// Returns the greatest trim that both sides and the tolerance permit.
+/// @param allowance_mm length of the second element that the corner may use
 float CornerRounder::granted(float allowance_mm) const {
   const float left = corner_.before.length - first_->used_mm;
   const float side = corner_.after.length;
@@ -121,10 +122,11 @@ float CornerRounder::granted(float allowance_mm) const {
   return most >= kCrumbMm ? fitting_trim(corner_, most) : 0.0F;
 }
 
-/// Returns a trim that uses up a side or leaves more than a crumb of it. A side counts as used up
-/// if its rest makes no more difference than rounding. The rest turns the blend by its share of the
-/// blend's chord, which is short where the blend nearly turns back. A shorter trim for the second
-/// side can leave a crumb of the first side, which is therefore checked again.
+/// Returns a trim that uses up each side or leaves more than a crumb of it. A side counts as used
+/// up if its rest has no more effect than rounding. The rest changes the direction by the ratio of
+/// its length to the chord of the blend. That chord is short if the blend nearly turns back. A
+/// shorter trim for the second side can leave a crumb of the first side, so the first side is
+/// checked twice.
 float CornerRounder::without_crumbs(float trim_mm) const {
   const AxisVector both =
       sum_of(corner_.before.direction(0.0F), 1.0F, corner_.after.direction(0.0F));
@@ -148,6 +150,7 @@ bool CornerRounder::is_stop_sooner_than(float trim_mm) const {
 }
 
 /// Settles the corner between the two held elements. The second element becomes the first.
+/// @param allowance_mm length of the second element that the corner may use
 void CornerRounder::settle(float allowance_mm) {
   const float trim = without_crumbs(granted(allowance_mm));
   const bool in_halves = differ(first_->item.request, second_->item.request);
@@ -177,7 +180,8 @@ void CornerRounder::blend(float trim_mm, bool in_halves) {
   second_->joint = motion::Joint::kSmooth;
 }
 
-/// Gives out a blend. @param joint joint with the piece before
+/// Appends the parts of a blend to the settled pieces. @param joint joint with the piece before the
+/// blend
 void CornerRounder::give_blend(const Blend& blend,
                                motion::Joint joint,
                                float trim_mm,
@@ -196,7 +200,9 @@ void CornerRounder::give_blend(const Blend& blend,
   }
 }
 
-/// Gives out the rest of an element. @param left_mm its length; negative for all that is left
+/// Appends the rest of an element to the settled pieces.
+/// @param end end of this rest
+/// @param left_mm length of this rest; negative for everything that is left of the element
 void CornerRounder::give_rest(const HeldItem& held, const Position& end, float left_mm) {
   motion::MotionRequest& request = begin_giving(held);
   const PathElement& whole = held.item.request.element;
@@ -213,14 +219,15 @@ void CornerRounder::give_rest(const HeldItem& held, const Position& end, float l
   give(held.joint);
 }
 
-/// Begins the next piece, as all of an element for now; give() completes it.
+/// Begins the next piece with the request of a whole element. give() completes the piece.
 motion::MotionRequest& CornerRounder::begin_giving(const HeldItem& held) {
   CNC_ASSERT(ready_count_ < kMaxReady);
   return ready_[ready_count_].request = held.item.request;
 }
 
-/// Completes a piece. A piece of which its corners left nothing is omitted; its outputs went with
-/// the blend before it. A stop before an omitted piece becomes a stop before the next one.
+/// Completes a piece. A piece that its corners have used up is omitted. Its outputs went with the
+/// blend before it. If there was a stop before the omitted piece, there is a stop before the next
+/// one.
 void CornerRounder::give(motion::Joint joint) {
   PathPiece& piece = ready_[ready_count_];
   stop_left_over_ = stop_left_over_ || joint == motion::Joint::kStop;

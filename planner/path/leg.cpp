@@ -8,7 +8,7 @@
 namespace cnc::path {
 namespace {
 
-/// Returns a leg's tangent, turned by an angle to the left.
+/// Returns the tangent of a leg, turned to the left by an angle in radians.
 AxisVector turned(const Leg& leg, float angle) {
   const SinCos by = sin_cos(angle);
   return sum_of(scaled(by.cosine, leg.tangent), by.sine, leg.normal);
@@ -54,7 +54,8 @@ AxisVector direction_of(const PathElement& element, bool at_end) {
 
 AxisVector Leg::place(float way) const {
   if (curvature == 0.0F) return scaled(way, tangent);
-  // The chord of that part of the circle: the arc length times sin h / h, turned by h.
+  // Chord of this part of the circle: its length is the arc length times sin h / h, with h =
+  // `half`. Its direction is the tangent turned by h.
   const float in_plane = way * plane_share;
   const float half = 0.5F * curvature * in_plane;
   const bool flat = std::abs(half) < 1.0e-3F;
@@ -68,7 +69,8 @@ AxisVector Leg::direction(float way) const {
   return scaled(plane_share, sum_of(in_plane, 1.0F, off_plane));
 }
 
-/// The angle between tangent and chord is half of the circle's turn along the chord.
+/// The angle between tangent and chord is half of the angle by which the circle turns along the
+/// chord.
 Leg leg_through(const AxisVector& tangent, const AxisVector& chord) {
   const float length = norm(chord);
   const auto frame = plane_through(tangent, scaled(1.0F / length, chord));

@@ -19,8 +19,10 @@ Passing on_line(const PathElement& line, const Position& place) {
   return {.place = moved_by(line.start, scaled(passed, way)), .share = passed};
 }
 
-/// Returns the distance of a position along the arc from an end of it, mm in its plane, given the
-/// chord between that end and the position. Negative beyond the end.
+/// Returns the distance along the arc between an end of the arc and a position, in mm in the arc's
+/// plane; negative if the position is beyond the end.
+/// @param chord chord between that end and the position
+/// @param ahead component of the chord along the tangent; negative beyond the end
 float way_from(const Leg& leg, const Vec2& chord, float ahead) {
   constexpr float kFlat = 1.0e-3F;
   const float length = chord.norm();
@@ -31,7 +33,7 @@ float way_from(const Leg& leg, const Vec2& chord, float ahead) {
   return 2.0F * atan2_f(sine, std::sqrt(1.0F - square(sine))) / curvature;
 }
 
-/// Measures from the nearer end, which is at most a quarter of a turn away.
+/// Measures from the end that is nearer to `place`. This end is at most a quarter turn away.
 Passing on_arc(const PathElement& arc, const Leg& from_start, const Position& place) {
   const auto to_end = leg_before(arc);
   if (!to_end) return {.place = arc.end, .share = 1.0F};

@@ -29,7 +29,8 @@ void PathStage::put_row(const PathItem& item, const RowPowers& powers) {
   static_cast<void>(move_on());
 }
 
-/// @pre row_takes(), or the row was closed for this item
+/// Adds an item to the row, or begins a new row with it. @pre row_takes(), or the row was closed
+/// for this item
 void PathStage::put_in_row(const PathItem& item) {
   if (row_.empty()) {
     row_.begin(item);
@@ -65,8 +66,7 @@ void PathStage::row_left() {
   next_.reset();
 }
 
-/// Moves one item from the stage where it waits to the next stage. Returns whether anything
-/// changed.
+/// Moves one item to the next stage. Returns whether anything changed.
 bool PathStage::move_on() {
   if (flushing_ && short_.has_room()) short_.flush();
   if (row_takes()) {
@@ -100,7 +100,7 @@ bool PathStage::move_on() {
 }
 
 const PathPiece* PathStage::next() {
-  // Number of moves that one item may need to pass all stages.
+  // Greatest number of moves that one item may need to pass all stages.
   constexpr int kMaxMoves = 5;
   for (int i = 0; i < kMaxMoves; ++i) {
     if (const PathPiece* const piece = rounder_.next()) return piece;

@@ -10,43 +10,46 @@
 
 namespace cnc::path {
 
-/// Turns the programmed path into the path that is driven. A line too short for a step is taken
-/// over by the next element; lines that continue in one direction are gathered; short lines are
-/// welded; corners are rounded or become stops. Elements come in and elements go out. Some elements
-/// are held back until those after them are known.
+/// Converts the programmed path to the driven path. It joins a line that is shorter than a step to
+/// the next element. It gathers lines that continue in one direction, and welds short lines. It
+/// rounds corners or stops at them. Both paths are sequences of elements. Some elements are held
+/// until the elements after them are known.
 ///
-/// Main loop only. No call does more than a bounded amount of work.
+/// Main loop only. Each call does a bounded amount of work.
 class PathStage {
  public:
-  /// @param limits must outlive this.
-  /// @param pixels storage for pixels of rows that are gathered; null to gather none. Must outlive
-  /// this.
+  /// @param limits must outlive this object
+  /// @param pixels storage for the pixels of gathered rows, which must outlive this object; null if
+  /// nothing is to be gathered
   explicit PathStage(const motion::Limits& limits, motion::Pixels* pixels = nullptr)
       : short_{limits}, row_{pixels}, rounder_{limits} {}
 
   [[nodiscard]] bool has_room() const { return short_.has_room() && row_takes(); }
-  /// Takes an element that moves. @pre has_room(), and the element begins where the one before
-  /// ended
+  /// Adds an element that moves. @pre has_room(), and the element begins at the end of the element
+  /// before
   void put(const PathItem& item);
-  /// Passes held elements on as far as they are settled. Returns whether put_row() may be called.
-  /// False may become true later, when more of the held elements have been passed on.
+  /// Passes held elements to later stages if they are settled. Returns whether put_row() may be
+  /// called. If not, a later call may return true, when more of the held elements have been passed
+  /// on.
   /// @param pixels number of pixels of the row
   [[nodiscard]] bool takes_row(std::size_t pixels);
-  /// Takes a line with several powers. @pre takes_row(), PixelRow::can_be_row(), and the line
-  /// begins where the element before ended
+  /// Adds a line with several powers. @pre takes_row(), PixelRow::can_be_row(), and the line begins
+  /// at the end of the element before
   void put_row(const PathItem& item, const RowPowers& powers);
-  /// Returns the next piece to be driven; null when there is none yet. The piece is valid until the
-  /// next call of any member.
+  /// Returns the next piece of the driven path, or null if there is none yet. The piece is valid
+  /// until the next call of any member.
   [[nodiscard]] const PathPiece* next();
 
-  /// Returns how many lines wait to be gathered with more lines.
+  /// Returns the number of gathered lines that wait for further lines.
   [[nodiscard]] std::size_t gathered() const { return row_.lines(); }
-  /// Ends the waiting of gathered lines for more lines.
+  /// Ends the wait of the gathered lines for further lines.
   void end_row() { row_.close(); }
-  /// Reports that no element will come for a while: next() gives out all that is held.
+  /// Reports that no further element will come for some time. Then next() returns everything that
+  /// is held.
   void flush() { flushing_ = true; }
-  /// Releases what has been welded so far, if the machine is at rest or if the path continues there
-  /// without a stop. Call this when the machine is at rest or would have to brake.
+  /// Releases the points that have been welded so far, if the machine is at rest or if the path
+  /// continues into them without a stop. To be called if the machine is at rest or would have to
+  /// brake.
   /// @param stands whether the machine is at rest
   void hurry(bool stands);
   /// Forgets all held elements.
@@ -66,7 +69,7 @@ class PathStage {
 
   ShortLines short_;
   PixelRow row_;
-  std::optional<PathItem> next_{};  ///< An item that does not continue the row.
+  std::optional<PathItem> next_{};  ///< The next item, which does not continue the row.
   Welder welder_{};
   CornerRounder rounder_;
   bool flushing_ = false;

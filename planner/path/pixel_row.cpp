@@ -9,9 +9,10 @@
 namespace cnc::path {
 namespace {
 
-/// Allowance for ends, which are whole nanometres, and for single precision.
+/// Allowance for ends, which are rounded to nanometres, and for single precision, mm.
 constexpr float kRowRoundingMm = 3.0e-6F;
-constexpr float kRelativeError = 3.0e-7F;  // Share of the distance from the start.
+// Allowance for single precision as a share of the distance from the start of the row.
+constexpr float kRelativeError = 3.0e-7F;
 
 bool can_be_gathered(const PathItem& item) {
   const motion::MotionRequest& request = item.request;
@@ -29,7 +30,8 @@ void PixelRow::begin(const PathItem& item) {
   CNC_ASSERT(empty());
   item_ = item;
   held_ = true;
-  // If this row continues a row that was full, it stays graded if the full row was graded.
+  // If the row before was closed because it was full, this row continues it. Then this row counts
+  // as graded if that row had several powers.
   graded_ = graded_ && full_;
   full_ = false;
   has_pixels_ = false;
@@ -78,7 +80,7 @@ bool PixelRow::add(const PathItem& item) {
 }
 
 /// Returns whether a line may continue the row. Lines of constant power that may be welded are left
-/// to the welder.
+/// for the welder.
 bool PixelRow::may_go_on(const motion::MotionRequest& next, bool same_power) const {
   const motion::MotionRequest& row = item_.request;
   const bool for_welder = item_.tolerance.weld_mm > 0.0F && same_power && !graded_;
@@ -87,7 +89,8 @@ bool PixelRow::may_go_on(const motion::MotionRequest& next, bool same_power) con
          !for_welder;
 }
 
-/// Returns whether the row to a new end passes all ends so far, goes ahead, and is not too long.
+/// Returns whether the row to a new end passes all ends so far, does not turn back, and is not too
+/// long.
 bool PixelRow::straight_on(const Way& way) const {
   const float so_far = way_.travel[leading_];
   const float reach = way.travel[leading_];
@@ -100,7 +103,7 @@ bool PixelRow::straight_on(const Way& way) const {
   return true;
 }
 
-/// Limits the slopes so that the row passes its present end.
+/// Limits the slopes so that the row passes its present end within `aside_mm`.
 void PixelRow::limit_slopes(float aside_mm) {
   const float per_mm = 1.0F / way_.travel[leading_];
   for (std::size_t axis = 0; axis < kAxisCount; ++axis) {

@@ -8,8 +8,8 @@
 namespace cnc::path {
 namespace {
 
-/// Returns whether the element after a short line may begin where the line does. An arc keeps its
-/// own start, on which its radius depends; and outputs need a motion.
+/// Returns whether the element after a short line may begin at the start of that line. An arc must
+/// keep its own start, because its radius depends on it. Outputs require a motion.
 bool goes_with(const motion::MotionRequest& line, const motion::MotionRequest& next) {
   const bool comes_back = line.element.start == next.element.end;
   if (next.element.bulge != 0.0F || (comes_back && line.outputs.any())) return false;
@@ -42,7 +42,7 @@ void ShortLines::put(const PathItem& item) {
   drop_still();
 }
 
-/// Replaces the held line by the item, which then begins where the line does.
+/// Replaces the held line by the item. The item then begins at the start of the held line.
 void ShortLines::go_with_held(const PathItem& item) {
   PathItem& held = item_at(0);
   const Position start = held.request.element.start;
@@ -61,7 +61,8 @@ void ShortLines::flush() {
   drop_still();
 }
 
-/// Drops a chain of lines that came back to its beginning, because it moves nowhere.
+/// Drops the oldest item if it is a chain of lines that ends at its start, because it does not
+/// move.
 void ShortLines::drop_still() {
   const PathElement& element = item_at(0).request.element;
   if (settled_ > 0 && element.start == element.end) forget_oldest();

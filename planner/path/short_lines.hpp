@@ -7,29 +7,30 @@
 
 namespace cnc::path {
 
-/// Handles lines that are shorter than half a step of each motor: the element after such a line
-/// begins where the line does. No motor can follow such a line, but each of its corners would cost
-/// a near stop.
+/// Joins lines that are shorter than half a step of each motor to the element after them: that
+/// element begins at the start of the short line. No motor can follow such a line, but each of its
+/// corners would nearly require a stop.
 ///
 /// So an element begins at most half a step of each motor away from its programmed start, and ends
 /// at its programmed end. Its tolerance is reduced by the distance between the two starts. A line
-/// at which beam, feed or outputs change stays as it is, and so does the last line before a pause.
+/// is not changed if beam, feed or outputs change after it, or if it is the last line before a
+/// pause.
 class ShortLines {
  public:
-  /// @param limits must outlive this.
+  /// @param limits must outlive this object
   explicit ShortLines(const motion::Limits& limits) : limits_{limits} {}
 
-  /// Returns whether all items that put() has settled have been taken.
+  /// Returns whether next() has returned all settled items.
   [[nodiscard]] bool has_room() const { return settled_ == 0; }
-  /// Takes an item. @pre has_room(), and the item begins where the one before ended
+  /// Adds an item. @pre has_room(), and the item begins at the end of the item before
   void put(const PathItem& item);
-  /// Settles the held line. @pre has_room()
+  /// Settles the held line, because no further item is known. @pre has_room()
   void flush();
   void clear() { count_ = settled_ = 0; }
 
   [[nodiscard]] bool empty() const { return count_ == 0; }
-  /// Returns the next item in order; null when there is none. The item is valid until the next call
-  /// of any member.
+  /// Returns the next settled item in order, or null if there is none. The item is valid until the
+  /// next call of any member.
   [[nodiscard]] const PathItem* next();
   /// Returns the source line of the oldest held item; 0 if none is held.
   [[nodiscard]] motion::SourceLine line() const;
@@ -42,7 +43,8 @@ class ShortLines {
   void drop_still();
 
   const motion::Limits& limits_;
-  /// Settled items, followed perhaps by a short line, or by several lines that together are short.
+  /// The settled items, and after them at most one short item. It is a short line, or several lines
+  /// that together are short.
   std::array<PathItem, 2> items_{};
   std::size_t oldest_ = 0;
   std::size_t count_ = 0;

@@ -6,9 +6,9 @@
 
 namespace cnc::path {
 
-/// Let d be the length of both tangents, each from an end to the point where the tangents of its
-/// arc meet. The joint is the middle of those two points, which are 2 d apart: |chord − d (start +
-/// end)| = 2 d.
+/// Let d be the length of the tangents of both arcs: the distance from an end of the biarc to the
+/// point where the two tangents of its arc intersect. The joint is the middle between those two
+/// points, whose distance is 2 d: |chord − d (start + end)| = 2 d.
 std::optional<AxisVector> space_joint(const AxisVector& start,
                                       const AxisVector& chord,
                                       const AxisVector& end) {

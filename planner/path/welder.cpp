@@ -10,24 +10,26 @@
 namespace cnc::path {
 namespace {
 
-/// Allowance for ends, which are whole nanometres, and for single precision.
+/// Allowance for ends, which are rounded to nanometres, and for single precision, mm.
 constexpr float kPointRoundingMm = 3.0e-6F;
-constexpr float kPointRelativeError = 6.0e-7F;  // Share of the distance from the start.
-/// Least tolerance of a weld. Below a tenth of a micrometre there is nothing but rounding.
+// Allowance for single precision as a share of the distance from the start of the fit.
+constexpr float kPointRelativeError = 6.0e-7F;
+/// Least tolerance of a weld, mm. Below a tenth of a micrometre, there is only rounding.
 constexpr float kMinToleranceMm = 1.0e-4F;
-/// Lines longer than kLongestLineMm are meant as lines. Beyond kFarthestMm from the start, errors
-/// of single precision use up the tolerance.
+/// Greatest length of a line that is welded, mm: a longer line is meant as a line. Greatest
+/// distance from the start of a fit, mm: beyond it, errors of single precision use up the
+/// tolerance.
 constexpr float kLongestLineMm = 20.0F;
 constexpr float kFarthestMm = 100.0F;
-/// Cosine of the turn from which on a joint is a corner: 45°.
+/// Cosine of 45°. A joint that turns by more is a corner.
 constexpr float kSharpTurnCosine = 0.7071F;
-/// Arcs end before they turn by 130°, where the distance from their start still grows fast enough
+/// Arcs end before they turn by 130°. Up to there, the distance from their start grows fast enough
 /// to distinguish the points on them.
 constexpr float kWidestCosine = 0.4226F;  // Cosine of 65°, the angle between tangent and chord.
-/// Cosine of 17°. If the direction differs by more from that of the piece before, the fit begins
-/// with a new direction.
+/// Cosine of 17°. If the direction differs by more from the direction of the piece before, the fit
+/// begins without a known direction.
 constexpr float kSameWayCosine = 0.955F;
-/// Least radius, in tolerances.
+/// Least radius of an arc as a multiple of the tolerance.
 constexpr float kMinRadii = 4.0F;
 
 Vec3 way_between(const Position& from, const Position& to) {
@@ -51,7 +53,7 @@ bool can_be_welded(const PathItem& item) {
   return way_between(request.element.start, request.element.end).norm() <= kLongestLineMm;
 }
 
-/// Returns the first coordinate plane in which a vector lies.
+/// Returns the first coordinate plane that contains a vector, or nothing if none does.
 std::optional<Plane> coordinate_plane_of(const Vec3& way) {
   for (const Plane plane : {Plane::kXY, Plane::kZX, Plane::kYZ}) {
     if (way[static_cast<int>(axes_of(plane).normal)] == 0.0F) return plane;
@@ -133,15 +135,15 @@ const PathItem* Welder::next() {
 
 Vec3 Welder::way_to(const Point& point) const { return way_between(from_, place_of(point)); }
 
-/// Returns the position of a point, which has X Y Z only; the other axes do not move.
+/// Returns the position of a point. A point stores only X Y Z, because the other axes do not move.
 Position Welder::place_of(const Point& point) const {
   Position place = from_;
   std::copy(point.place.begin(), point.place.end(), place.begin());
   return place;
 }
 
-/// Returns the tolerance of the line to a point, where the frame of the fit has the point at
-/// `here`.
+/// Returns the tolerance for the line that ends at a point.
+/// @param here the point in the frame of the fit
 float Welder::tolerance_of(const Point& point, const Vec3& here) const {
   constexpr float kMin = 1.0e-6F;
   const float tolerance =
@@ -171,8 +173,8 @@ void Welder::begin_fit() {
   fitting_ = true;
 }
 
-/// Chooses the plane of the fit. The plane of the previous fit is kept if `way` and the direction
-/// lie in it, too; otherwise another coordinate plane is chosen, or none.
+/// Chooses the plane of the fit. The plane of the previous fit is kept if it contains `way` and the
+/// direction, too. Otherwise another coordinate plane is chosen, or none.
 void Welder::choose_plane(const Vec3& way) {
   const auto lies_in = [&](Plane plane) {
     const auto normal = static_cast<int>(axes_of(plane).normal);
@@ -183,10 +185,10 @@ void Welder::choose_plane(const Vec3& way) {
   if (plane_ && !lies_in(*plane_)) plane_.reset();
 }
 
-/// Returns whether the fit may take the next point. The distance from the start must grow, so that
-/// nothing is driven past and no point lies beyond the end. A short line may go in any direction,
-/// as long as the circles pass its end: programs on a grid, and offsets, have sideward steps that
-/// do not belong to the curve.
+/// Returns whether the fit may include the next point. The distance from the start must grow, so
+/// that no point is beyond the end of the arc. A short line may go in any direction as long as the
+/// circles pass its end. The reason is that programs on a grid, and offsets, contain small sideward
+/// steps that are not part of the curve.
 bool Welder::goes_on(const Vec3& here, const Vec3& chord) const {
   if (plane_ && here.z() != 0.0F) return false;
   if (points_fitted_ == 0 || is_short(chord.norm())) return true;
@@ -195,7 +197,7 @@ bool Welder::goes_on(const Vec3& here, const Vec3& chord) const {
   return chord.dot(last_) >= 0.0F && here.norm() <= kFarthestMm;
 }
 
-/// Takes the next point into the fit. Returns false when the fit ends before it.
+/// Adds the next point to the fit. Returns false if the fit ends before this point.
 bool Welder::look() {
   const Vec3 here = fit_.frame().seen(way_to(point(looked_at_)));
   const Vec3 chord = here - last_;
@@ -227,8 +229,8 @@ void Welder::note_reach(const Vec3& here) {
   smooth_.circle = *ending->smooth;
 }
 
-/// Forgets the points that no possible end needs any more: only those after the possible ends are
-/// still needed.
+/// Forgets the points that are no longer required. These are the points up to the nearest possible
+/// end of the fit.
 void Welder::forget_points() {
   if (2 * smooth_.points < farthest_.points) smooth_ = {};
   const std::size_t needed =
@@ -248,7 +250,7 @@ void Welder::finish() {
   const bool smooth = smooth_.points > 0 && 2 * smooth_.points >= farthest_.points;
   Reach reach = smooth ? smooth_ : farthest_;
   if (reach.points == 0) {
-    // No circle reaches even one point: the result is the line to the first point, as it is.
+    // No circle reaches a point, so the result is the programmed line to the first point.
     reach = {.points = 1, .index = 1, .end = point(0)};
     reach.seen = fit_.frame().seen(way_to(point(0)));
     const float ahead = std::max(reach.seen.x(), 1.0e-9F);
@@ -278,7 +280,7 @@ PathElement Welder::element_to(const Reach& reach) const {
   const AxisVector start = along_axes(fit_.frame().way(tangent.normalized()));
   const AxisVector chord = along_axes(fit_.frame().way(reach.seen.normalized()));
   const auto frame = plane_through(start, chord);
-  if (!frame) return element;  // The arc turns by less than rounding.
+  if (!frame) return element;  // The arc turns by less than rounding, so it is a line.
   element.plane = ArcPlane{*frame};
   element.bulge = bulge_between(Vec2{1.0F, 0.0F}, element.plane.seen(element.start, element.end));
   return element;

@@ -65,7 +65,8 @@ ActionPart ActionElements::next() {
   return part;
 }
 
-/// Returns the next part of a line. Parts are counted from 1: the line itself would be part 0.
+/// Returns the next part of a line. The parts of a divided line are counted from 1, because 0 is
+/// the index of an undivided line.
 ActionPart ActionElements::next_of(const Line& line) const {
   ActionPart part{.element = {.start = here_, .end = line.end}, .feed_mm_s = feed_mm_s_};
   if (line.powers.empty() && line.parts == 1) return part;
@@ -86,7 +87,8 @@ std::uint32_t ActionElements::Line::count() const {
   return parts * (powers.empty() ? 1 : static_cast<std::uint32_t>(powers.size()));
 }
 
-/// Returns the end of a part, counted from 1, rounded to the nanometre towards the start.
+/// Returns the end of part number `part`, counted from 1, rounded to the nanometre towards the
+/// start.
 Position ActionElements::Line::end_of(std::uint32_t part) const {
   Position place = end;
   for (std::size_t axis = 0; axis < kAxisCount; ++axis) {

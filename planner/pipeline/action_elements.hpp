@@ -14,35 +14,36 @@ namespace cnc {
 /// One element of an action's path.
 struct ActionPart {
   PathElement element{};
-  float feed_mm_s = 0.0F;          ///< Feed as in motion::MotionRequest, mm/s; 0 is a rapid.
-  bool continues = false;          ///< The element is part of one curve with the one before it.
-  std::uint32_t index = 0;         ///< Number of the part for motion::SourceLine.
-  std::optional<float> power_s{};  ///< S from this part on; empty if S stays unchanged.
-  /// Values of S for equal parts of a line that is one element, a row; empty for all other
+  float feed_mm_s = 0.0F;  ///< Feed as in motion::MotionRequest, mm/s; 0 means a rapid.
+  /// Whether the element and the element before it are parts of one curve.
+  bool continues = false;
+  std::uint32_t index = 0;         ///< Index of the part for motion::SourceLine.
+  std::optional<float> power_s{};  ///< Value of S from this part on; empty if S stays unchanged.
+  /// Values of S for the equal parts of a line that is one element, a row. Empty for all other
   /// elements.
   std::span<const float> row{};
 };
 
-/// Divides an action of G-code that moves the tool into path elements: a straight line into one
-/// element, a line with several powers into equal parts, an arc or a helix into elements of at
-/// most half a turn, a spline into arcs within a tolerance.
+/// Divides an action of G-code that moves the tool into path elements. A straight line becomes one
+/// element, and a line with several powers becomes equal parts. An arc or a helix becomes elements
+/// of at most half a turn, and a spline becomes arcs within a tolerance.
 ///
-/// The elements are computed one at a time, so that a caller without capacity for the next one can
-/// continue later. Consecutive elements join exactly, and the last one ends at the action's end.
-/// Main loop only; nothing is allocated.
+/// The elements are computed one at a time, so that a caller whose capacity is exhausted can
+/// continue later. Consecutive elements join exactly, and the last element ends at the action's
+/// end. Main loop only; nothing is allocated.
 class ActionElements {
  public:
   /// Returns whether begin() accepts the action: it moves along a path that the action alone
   /// determines. A probing motion does not, because the contact ends it.
   [[nodiscard]] static bool accepts(const gcode::Action& action);
 
-  /// Begins an action and forgets the one before.
-  /// @param action its powers and its spline must stay until the last element is taken
+  /// Begins an action and forgets the action before it.
+  /// @param action its powers and its spline must stay valid until the last element is taken
   /// @param from end of the path so far, machine coordinates
   /// @param spline_tolerance_mm greatest distance of arcs from their spline; at least
-  /// ArcFit::kMinToleranceMm
-  /// @param min_parts least number of elements into which a line, each part of a line with
-  /// several powers, and an arc are divided; at least 1
+  ///     ArcFit::kMinToleranceMm
+  /// @param min_parts least number of elements into which an arc, a line or each part of a line
+  ///     with several powers is divided; at least 1
   /// @param rows whether a line with several powers may be one element
   /// @pre accepts(action)
   void begin(const gcode::Action& action,
@@ -64,13 +65,13 @@ class ActionElements {
     return curve_ == Curve::kLine && line_.is_row ? line_.powers.size() : 0;
   }
 
-  /// Works on the next element; only elements of a spline need any work.
+  /// Works on the next element. Only elements of a spline require any work.
   /// @param points budget of curve points, from which the evaluated points are subtracted; exceeded
-  /// by at most ArcFit::kPointsAtOnce
-  /// @return true when next() has the element ready
+  ///     by at most ArcFit::kPointsAtOnce
+  /// @return true if the next element is ready for next()
   /// @pre !done()
   [[nodiscard]] bool work(std::uint32_t& points);
-  /// Returns the next element and advances to the one after it. @pre !done()
+  /// Returns the next element and advances. @pre !done()
   [[nodiscard]] ActionPart next();
 
  private:
@@ -78,9 +79,10 @@ class ActionElements {
   struct Line {
     Position from{};
     Position end{};
-    std::span<const float> powers{};  ///< One power for each equal part; empty where S stays.
-    std::uint32_t parts = 1;          ///< Number of elements of each such part.
-    bool is_row = false;              ///< The line is one element, whatever its powers are.
+    /// One power for each equal part; empty if S stays unchanged.
+    std::span<const float> powers{};
+    std::uint32_t parts = 1;  ///< Number of elements in each equal part.
+    bool is_row = false;      ///< Whether the line is one element, in spite of its powers.
 
     [[nodiscard]] std::uint32_t count() const;
     [[nodiscard]] Position end_of(std::uint32_t part) const;
@@ -88,8 +90,8 @@ class ActionElements {
 
   [[nodiscard]] ActionPart next_of(const Line& line) const;
 
-  // Not a variant: a compiler that optimizes for size may give accesses to a variant a call of
-  // abort().
+  // The members are no std::variant, because a compiler that optimizes for size may add a call of
+  // abort() to accesses of a variant.
   Curve curve_ = Curve::kNone;
   Line line_{};
   std::optional<ArcElements> arc_{};

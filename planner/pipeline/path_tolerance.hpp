@@ -8,15 +8,15 @@
 
 namespace cnc {
 
-/// Tolerances that hold where the program gives no tolerance, mm.
+/// Tolerances that hold if the program gives no tolerance, mm.
 struct UsualTolerance {
-  float path_mm = 0.01F;  ///< For corners and welds together ($11).
-  float arc_mm = 0.002F;  ///< For arcs that replace a curve or short lines ($12).
+  float path_mm = 0.01F;  ///< Tolerance of corners and welds together ($11).
+  float arc_mm = 0.002F;  ///< Tolerance of arcs that replace a curve or short lines ($12).
 };
 
-/// Returns the tolerances of the driven path: none under G61.1. G61, and G64 without P and Q, keep
-/// corners and welds together within the usual tolerance. With a P, corners are rounded within P
-/// and short lines are welded within Q; P without Q is the tolerance for both.
+/// Returns the tolerances of the driven path. G61.1 allows none. G61, and G64 without P and Q, keep
+/// corners and welds together within the usual tolerance. With P, corners are rounded within P and
+/// short lines are welded within Q; P without Q is the tolerance for both.
 [[nodiscard]] inline path::Tolerance path_tolerance(const gcode::PathControl& control,
                                                     const UsualTolerance& usual) {
   if (control.mode == gcode::PathMode::kStop) return {};

@@ -8,7 +8,7 @@
 namespace cnc {
 namespace {
 
-/// Returns the least acceleration of the axes that the block moves, mm/s².
+/// Returns the smallest acceleration limit of the axes that the block moves, mm/s².
 float min_acceleration(const motion::Limits& limits, const motion::Block& block) {
   const std::uint8_t axes = motion::moving_axes(block);
   float least = 1.0e9F;
@@ -18,8 +18,7 @@ float min_acceleration(const motion::Limits& limits, const motion::Block& block)
   return least;
 }
 
-/// Returns whether a position is less than a step, on each axis, from where the motion before it
-/// ends.
+/// Returns whether, on each axis, `start` is less than a step from the end of the motion before it.
 bool joins(const motion::Limits& limits,
            const Position& start,
            const AxisArray<StepPosition>& end) {
@@ -33,9 +32,9 @@ bool joins(const motion::Limits& limits,
   return true;
 }
 
-/// Returns whether the chord of an element, turned by 90 degrees, can be counted in steps of the
-/// axes along which it then lies. Oblique arcs need no check: only the path stage makes them, from
-/// shorter lines.
+/// Returns whether the chord of an element, after a rotation by 90 degrees, can be counted in steps
+/// of the axes along which it is then directed. Oblique arcs need no check, because only the path
+/// stage makes them, from shorter lines.
 bool turns_within(const motion::Limits& limits, const PathElement& element) {
   if (element.bulge == 0.0F || element.plane.oblique()) return true;
   const PlaneAxes axes = axes_of(element.plane);
@@ -48,8 +47,8 @@ bool turns_within(const motion::Limits& limits, const PathElement& element) {
 /// Returns whether an element moves, or an error if its end is out of the motors' range.
 Result<bool, motion::MotionError> Pipeline::admit(const PathElement& element) const {
   for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
-    // The start was the end of an element that was admitted: if it is out of range now, memory has
-    // changed.
+    // The start was the end of an element that was admitted. If it is out of range now, memory is
+    // corrupt.
     CNC_ASSERT(limits_.scale[axis].reaches(element.start[axis]));
     const bool within = limits_.scale[axis].reaches(element.end[axis]);
     if (!within) return motion::MotionError::kBeyondMotorRange;
@@ -64,8 +63,9 @@ Result<bool, motion::MotionError> Pipeline::append(const path::PathItem& item) {
   supply_.restart();
   budget_.take_element();
   path_.put(item);
-  // A row has at most half as many lines as there are planned blocks. So the held part is short
-  // compared with the plan, and a program begins with small rows and continues with large ones.
+  // A row may have at most half as many lines as there are planned blocks. So the held part is
+  // short compared with the plan, and a program begins with short rows and continues with long
+  // rows.
   if (2 * path_.gathered() >= queue_.size()) path_.end_row();
   target_ = item.request.element.end;
   pump();
@@ -90,7 +90,7 @@ Result<bool, motion::MotionError> Pipeline::append_row(const path::PathItem& ite
   return true;
 }
 
-/// Turns pieces of the path into blocks as far as the queue has capacity.
+/// Converts pieces of the path to blocks until the queue is full.
 void Pipeline::pump() {
   while (!queue_.full()) {
     const path::PathPiece* const piece = path_.next();
@@ -102,11 +102,11 @@ void Pipeline::pump() {
 void Pipeline::take(const path::PathPiece& piece) {
   const AxisArray<StepPosition>& end =
       queue_.empty() ? segmenter_.place() : queue_.at(queue_.size() - 1).end;
-  // Otherwise memory has changed, and the motors would have to cover a long distance at one point
-  // of the path.
+  // If this fails, memory is corrupt, and the motors would have to cover a long distance at one
+  // point of the path.
   CNC_ASSERT(joins(limits_, piece.request.element.start, end));
   const auto block = motion::build_block(piece.request, limits_);
-  // Pieces lie, within a tolerance, between ends that were within range.
+  // Pieces are, within a tolerance, between the ends of admitted elements, which were within range.
   CNC_ASSERT(block.ok() || block.error() == motion::MotionError::kNothingToMove);
   if (!block.ok()) return;
   if (centre_.active()) {
@@ -135,10 +135,10 @@ void Pipeline::attend(std::int32_t elapsed_us) {
   if (path_.empty() && supply_.silent_at_rest()) queue_.expect_no_more();
 }
 
-/// Releases the held elements if the sender is silent, or if elements have been gathered for long
-/// enough and the plan would soon brake for lack of them.
+/// Releases the held elements in two cases. The sender is silent, or elements have been held for
+/// long enough and the plan would soon have to brake for lack of them.
 void Pipeline::release_held() {
-  // With this many blocks, longer welds are worth more than additional blocks.
+  // Number of blocks from which on longer welds are worth more than additional blocks.
   constexpr std::size_t kPlenty = 16;
   const bool idle = segmenter_.idle();
   const bool silent = idle ? supply_.silent_at_rest() : supply_.silent();
@@ -152,10 +152,10 @@ void Pipeline::release_held() {
   }
 }
 
-/// Returns whether the plan would soon have to brake because no further element is planned. Its
-/// remaining distance is then at most the sum of three: twice the braking distance, the distance of
-/// the next cycles, and, where jerk is limited, the distance by which the plan is ahead and which
-/// it drives at constant speed before it brakes.
+/// Returns whether the plan would soon have to brake because no further element is planned. This is
+/// so if its remaining distance is at most the sum of three distances. They are twice the braking
+/// distance, the distance of the next cycles and, if jerk is limited, the distance by which the
+/// plan is ahead of the motion. The plan drives the last one at constant speed before it brakes.
 bool Pipeline::runs_dry() const {
   constexpr float kCyclesAheadS = 0.05F;
   constexpr float kWindows = 1.5F;
@@ -172,14 +172,15 @@ bool Pipeline::runs_dry() const {
   return distance <= reach;
 }
 
-/// Returns whether a block can be taken back. All pixels of a row are needed, because its power is
-/// not known without them.
+/// Returns whether a block can be taken back. All pixels of a row must be available for that,
+/// because without them the power of the row is not known.
 bool Pipeline::can_take_back(const motion::Block& block) {
   return !block.row.any() || pixels_.take_back(block.row.first);
 }
 
 motion::PathUnits Pipeline::go_back(motion::PathUnits distance) {
-  // If the rest of a block would be shorter, it is driven from a point a little earlier.
+  // Shortest rest of a block. If the rest would be shorter, the motion continues from a slightly
+  // earlier point.
   constexpr motion::PathUnits kShortestRest = motion::PathUnits{1} << 26;  // 1 µm.
   motion::PathUnits into = segmenter_.idle() ? 0 : segmenter_.into_block();
   motion::PathUnits left = distance;
@@ -195,7 +196,8 @@ motion::PathUnits Pipeline::go_back(motion::PathUnits distance) {
   const motion::PathUnits longest = std::max<motion::PathUnits>(0, length - kShortestRest);
   const motion::PathUnits place = std::min(into - (left - unknown), longest);
   segmenter_.go_back(place, distance - unknown);
-  // Without shapers and backlash the stage does not learn how the motors reach that position.
+  // Without shapers and backlash the motor stage takes no part in the motion, so it must be set to
+  // the position.
   if (!motors_.active()) motors_.reset(segmenter_.motors(), {});
   return unknown;
 }
@@ -230,7 +232,7 @@ bool Pipeline::configure(const motion::MotorStageSetting& setting) {
 }
 
 void Pipeline::follow_kerf(const kerf::KerfCourse* course) {
-  // Without shapers and backlash the stage has not learned of the motions so far.
+  // Without shapers and backlash the motor stage took no part in the motions so far.
   if (!motors_.active()) motors_.reset(segmenter_.motors(), {});
   segmenter_.follow_kerf(course);
 }

@@ -5,27 +5,29 @@
 
 namespace cnc {
 
-/// Measures how long no element has come, and how long elements have been held back.
+/// Measures the time since the last element came, and the time for which elements have been held
+/// back.
 ///
-/// A sender with more to send does so within a few milliseconds. Until then the last whether
-/// elements are held back, because the ones after them decide how they are welded and rounded.
+/// A sender with more elements sends them within a few milliseconds. Until then the last elements
+/// are held back, because later elements decide how they are welded and rounded.
 class SupplyWatch {
  public:
-  /// Restarts the measurement, because an element has come.
+  /// Restarts the measurement of silence, because an element has come.
   void restart() { silence_us_ = 0; }
-  /// Adds time that has passed.
+  /// Adds the time that has passed. @param holds whether elements are held back
   void pass(std::int32_t elapsed_us, bool holds) {
     silence_us_ = std::min(silence_us_ + elapsed_us, kSilenceUs);
     held_us_ = holds ? std::min(held_us_ + elapsed_us, kGatheringUs) : 0;
   }
 
-  /// Returns whether the sender has no element to send, given that the machine is at rest.
+  /// Returns whether the sender has no element to send, on the condition that the machine is at
+  /// rest.
   [[nodiscard]] bool silent_at_rest() const { return silence_us_ >= kSilenceAtRestUs; }
-  /// Returns whether the sender has no element to send, given that the machine moves. A moving
-  /// machine leaves the sender more time.
+  /// Returns whether the sender has no element to send, on the condition that the machine moves. A
+  /// moving machine leaves the sender more time.
   [[nodiscard]] bool silent() const { return silence_us_ >= kSilenceUs; }
-  /// Returns whether the first held element has waited long enough. (A weld of few lines makes a
-  /// slow start.)
+  /// Returns whether the first held element has waited long enough. (If a weld has few lines, the
+  /// motion starts slowly.)
   [[nodiscard]] bool has_gathered() const { return held_us_ >= kGatheringUs; }
 
  private:

@@ -5,15 +5,15 @@
 
 namespace cnc {
 
-/// Bounds the planning work of a cycle of the main loop, so that the processor finishes it in
+/// Bounds the planning work in one cycle of the main loop, so that the processor finishes it in
 /// time.
 ///
-/// Work is counted in spans of blocks that the look-ahead evaluates, where a span of an arc counts
-/// twice. A plan over all blocks takes more than a cycle's share; later cycles, in which no element
-/// is taken, pay for it.
+/// The unit of work is one span of a block that the look-ahead evaluates; a span of an arc counts
+/// twice. A plan over all blocks takes more than a cycle's share. Later cycles, in which no element
+/// is taken, pay for the excess.
 class WorkBudget {
  public:
-  /// Begins a cycle, which pays for its share of the work that was done before it.
+  /// Begins a cycle, which pays its share of the work that has not been paid for yet.
   /// @param evaluated running count of evaluated spans (wraps)
   void begin_cycle(std::uint32_t evaluated) { paid_ += std::min(owed(evaluated), kSpansInCycle); }
   /// Counts an element of the path. @param pixels number of pixels if the element is a row
@@ -26,11 +26,11 @@ class WorkBudget {
   }
 
  private:
-  /// Reading an element takes as long as evaluating this many spans: a tenth of a cycle.
+  /// Work of reading an element, in spans: a tenth of a cycle.
   static constexpr std::uint32_t kSpansForElement = 24;
-  /// Reading the power of a pixel takes as long as evaluating this many spans.
+  /// Work of reading the power of a pixel, in spans.
   static constexpr std::uint32_t kSpansForPixel = 1;
-  /// Spans that a cycle pays for: those of eight elements, or of fewer elements and some planning.
+  /// Work that a cycle pays for, in spans: eight elements, or fewer elements and some planning.
   static constexpr std::uint32_t kSpansInCycle = 8 * kSpansForElement;
 
   /// Returns the work, in spans, that no cycle has paid for yet.

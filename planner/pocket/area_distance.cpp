@@ -14,7 +14,7 @@ using contour::FlatBox;
 bool AreaDistance::read(const contour::ContourView<double>& area) {
   count_ = loop_count_ = 0;
   double reach = 0.0;
-  double faults = 0.0;  // Stays 0 until a value is not finite; then it is NaN.
+  double faults = 0.0;  // Sum that stays 0 until a value is not finite; then it is NaN.
   for (const contour::Vertex<double>& vertex : area.vertices) {
     reach = std::max({reach, std::abs(vertex.x), std::abs(vertex.y)});
     faults += 0.0 * (vertex.x + vertex.y + vertex.bulge);
@@ -56,9 +56,9 @@ std::uint32_t AreaDistance::previous(std::uint32_t index) const {
   return index > first ? index - 1 : space_.loop_ends[loop] - 1;
 }
 
-/// Decides by the nearest element. If the nearest point is a corner, the place is inside where the
-/// boundary turns right at the corner. Such a place faces neither side of the corner, or both sides
-/// of a cusp.
+/// Decides by the nearest element. If the nearest point is a corner, the place is inside if the
+/// boundary turns right at the corner. Such a place faces neither side of the corner, or it faces
+/// both sides of a cusp.
 bool AreaDistance::is_inside(const WideVec2& place, std::uint32_t element) const {
   const Curve<double>& curve = space_.elements[element];
   const bool at_start = (place - curve.start).squaredNorm() <= (place - curve.end).squaredNorm();
@@ -71,11 +71,11 @@ bool AreaDistance::is_inside(const WideVec2& place, std::uint32_t element) const
   const double to_corner = (place - after.start).norm();
   const bool is_ahead = is_cusp && to_corner <= (1.0 + kStraight) * curve.distance(place);
   if (!is_ahead && curve.faces(place, 0.0)) return curve.side(place) < 0.0;
-  // A cusp turns right where the leaving curve bends more to the left than the arriving curve, seen
-  // backwards.
+  // A cusp turns right if the element that leaves it bends more to the left than the element that
+  // arrives at it, as seen in the opposite direction.
   if (is_cusp) return before.curvature + after.curvature > 0.0;
   if (std::abs(turn) > kStraight) return turn < 0.0;
-  // The boundary continues straight: the place faces neither side only by rounding.
+  // The boundary continues straight, and the place faces neither side only because of rounding.
   return cross(before.end_tangent, WideVec2{place - after.start}) > 0.0;
 }
 

@@ -13,28 +13,29 @@ namespace cnc::pocket {
 
 /// The point of an area's boundary that is nearest to a given point.
 struct BoundaryPoint {
-  /// On the boundary. Where several points are equally near, one of them.
+  /// Point on the boundary. If several points are equally near, it is one of them.
   WideVec2 point{0.0, 0.0};
-  double distance = 0.0;  ///< mm, never negative.
+  double distance = 0.0;  ///< Distance in mm, never negative.
   std::uint32_t element = 0;
-  /// Whether the given point is in the area; on the boundary either answer may come.
+  /// Whether the given point is in the area. For a point on the boundary both results are possible.
   bool inside = false;
 };
 
-/// Sizes of the storage for the distances of an area.
+/// Sizes of the storage for an AreaDistance.
 struct DistanceSizes {
   std::size_t vertices;  ///< Number of vertices of the area's contours.
   std::size_t loops;
 
-  /// Returns the greatest number of elements: an arc of more than half a turn counts as two.
+  /// Returns the greatest possible number of elements. An arc of more than half a turn counts as
+  /// two elements.
   [[nodiscard]] constexpr std::size_t elements() const { return 2 * vertices; }
   [[nodiscard]] constexpr std::size_t boxes() const {
     return contour::BoxTree<double>::size_for(elements());
   }
 };
 
-/// Storage that an AreaDistance works in. It must outlive the AreaDistance. The comment of each
-/// span gives its size by DistanceSizes.
+/// Working storage of an AreaDistance, which it must outlive. The comment of each span gives its
+/// size by DistanceSizes.
 struct DistanceSpace {
   contour::Slice<contour::Vertex<double>> vertices;  ///< elements()
   contour::Slice<contour::Curve<double>> elements;   ///< elements()
@@ -42,7 +43,7 @@ struct DistanceSpace {
   contour::Slice<std::uint32_t> loop_ends;           ///< loops
 };
 
-/// Storage for the distances of an area, with its capacity in the type.
+/// Storage for an AreaDistance, with its capacity in the type.
 template <std::size_t kVertices, std::size_t kLoops>
 class BoundedDistanceSpace {
  public:
@@ -57,34 +58,35 @@ class BoundedDistanceSpace {
   std::array<std::uint32_t, kLoops> loop_ends_{};
 };
 
-/// Distances from the boundary of an area of lines and arcs, by a tree of boxes.
+/// Distances from the boundary of an area of lines and arcs, found with a tree of boxes.
 ///
-/// Guarantee: a distance is exact within 2e-11 of the greatest coordinate, as shorter elements are
-/// ignored. For a point farther than that from the boundary, `inside` is right. Of n elements in
-/// the order of a contour, a search checks O(log n) boxes.
+/// Guarantee: a distance is exact within 2e-11 of the greatest coordinate, because shorter elements
+/// are ignored. For a point farther than this from the boundary, `inside` is right. Of n elements
+/// in the order of a contour, a search checks O(log n) boxes.
 class AreaDistance {
  public:
   explicit AreaDistance(const DistanceSpace& space) : space_{space}, tree_{space.boxes} {}
 
-  /// Reads contours that have the area on their left and do not cross. Ignores elements without
-  /// length, and paths out and back along one line.
-  /// @return false if the storage is too small, or a number is not finite
+  /// Reads contours that have the area on their left and do not cross each other. Ignores elements
+  /// without length, and paths out and back along one line.
+  /// @return false if the storage is too small, or if a number is not finite
   [[nodiscard]] bool read(const contour::ContourView<double>& area);
 
-  /// Returns the number of elements: lines, and arcs of at most half a turn; 0 for an area without
-  /// extent.
+  /// Returns the number of elements: lines, and arcs of at most half a turn. It is 0 for an area
+  /// without extent.
   [[nodiscard]] std::uint32_t element_count() const { return count_; }
   /// Returns element `index`. @pre index < element_count()
   [[nodiscard]] const contour::Curve<double>& element(std::uint32_t index) const {
     return space_.elements[index];
   }
-  /// Returns the element that begins where element `index` ends, or ends where it begins.
+  /// Returns the index of the element that begins where element `index` ends, or of the element
+  /// that ends where element `index` begins.
   [[nodiscard]] std::uint32_t next(std::uint32_t index) const;
   [[nodiscard]] std::uint32_t previous(std::uint32_t index) const;
 
   /// Returns the point of the boundary nearest to `place`. @pre element_count() > 0
   [[nodiscard]] BoundaryPoint nearest(const WideVec2& place) const;
-  /// Returns the distance from the boundary, mm, negative outside of the area.
+  /// Returns the distance from the boundary, mm, negative outside the area.
   /// @pre element_count() > 0
   [[nodiscard]] double depth(const WideVec2& place) const {
     const BoundaryPoint found = nearest(place);

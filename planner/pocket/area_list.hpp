@@ -7,14 +7,14 @@
 
 namespace cnc::pocket {
 
-/// Index of the first vertex and of the first loop of a connected area in its list.
+/// First vertex and first loop of a connected area, as indices in the list of areas.
 struct AreaRange {
   std::uint32_t first_vertex = 0;
   std::uint32_t first_loop = 0;
 };
 
-/// Connected areas in storage of the caller. Each area is a contour of its own: first an outline,
-/// which runs counter-clockwise, then the holes in it.
+/// Connected areas in storage that the caller owns. Each area is a separate contour: first an
+/// outline, which runs counter-clockwise, then the holes in it.
 template <typename Scalar>
 class AreaList {
  public:
@@ -37,14 +37,15 @@ class AreaList {
             {loop_ends_.begin() + range.first_loop, loop_end - range.first_loop}};
   }
 
-  /// Begins an area, to which the loops that follow belong. Returns false when the storage is full.
+  /// Begins an area. The loops that are added next belong to it. Returns false if the storage is
+  /// full.
   [[nodiscard]] bool begin_area() {
     if (area_count_ == ranges_.size()) return false;
     ranges_[area_count_++] = {static_cast<std::uint32_t>(vertex_count_),
                               static_cast<std::uint32_t>(loop_count_)};
     return true;
   }
-  /// Appends a loop of a contour to the last area. Returns false when the storage is full.
+  /// Appends a loop of a contour to the last area. Returns false if the storage is full.
   /// @pre an area has begun
   [[nodiscard]] bool add_loop(const contour::ContourView<Scalar>& contour, std::size_t loop) {
     const std::uint32_t begin = contour.loop_begin(loop);
@@ -59,7 +60,8 @@ class AreaList {
 
  private:
   contour::Slice<contour::Vertex<Scalar>> vertices_;
-  contour::Slice<std::uint32_t> loop_ends_;  ///< Counted from the first vertex of the area.
+  /// End of each loop, counted from the first vertex of its area.
+  contour::Slice<std::uint32_t> loop_ends_;
   contour::Slice<AreaRange> ranges_;
   std::size_t vertex_count_ = 0;
   std::size_t loop_count_ = 0;

@@ -11,7 +11,7 @@ using contour::ContourView;
 using contour::kNone;
 using contour::Slice;
 
-/// Returns a box around a loop. Each arc lies inside of the box around its ends, widened by its
+/// Returns a box around a loop. Each arc is inside the box around its ends, widened by the arc's
 /// height.
 template <typename Scalar>
 contour::FlatBox<Scalar> box_around(const ContourView<Scalar>& contour, std::size_t loop) {
@@ -29,7 +29,8 @@ contour::FlatBox<Scalar> box_around(const ContourView<Scalar>& contour, std::siz
   return box;
 }
 
-/// Returns the middle of the longest element, which is the least likely to lie on another loop.
+/// Returns the middle of the longest element. Of all points of the loop it is the least likely to
+/// be on another loop.
 template <typename Scalar>
 BasicVec2<Scalar> typical_point(const ContourView<Scalar>& contour, std::size_t loop) {
   LoopElement<Scalar> longest = element_at(contour, loop, contour.loop_begin(loop));

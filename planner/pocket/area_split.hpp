@@ -8,33 +8,35 @@
 
 namespace cnc::pocket {
 
-/// Notes about a loop while it is being assigned to an area. Working storage; each loop has one.
+/// Data of a loop during its assignment to an area. Working storage; there is one entry for each
+/// loop.
 template <typename Scalar>
 struct LoopNote {
-  Scalar area{};  ///< mm², negative for holes.
+  Scalar area{};  ///< Enclosed area in mm², negative for holes.
   contour::FlatBox<Scalar> box{};
-  std::uint32_t first_hole = contour::kNone;  ///< For an outline: the last hole found in it.
-  std::uint32_t next_hole = contour::kNone;   ///< For a hole: another hole of the same outline.
+  /// For an outline: the last hole found in the outline.
+  std::uint32_t first_hole = contour::kNone;
+  std::uint32_t next_hole = contour::kNone;  ///< For a hole: another hole of the same outline.
 };
 
 enum class SplitResult : std::uint8_t {
   kDone,
   kFull,     ///< The notes or the list are full.
-  kNoOwner,  ///< A hole lies in no outline: the loops cross each other.
+  kNoOwner,  ///< A hole is in no outline, because the loops cross each other.
 };
 
 inline constexpr double kMinArea = 1.0e-14;      ///< mm².
 inline constexpr double kMinHoleWidth = 1.0e-9;  ///< mm.
 
 /// Splits loops into connected areas and appends them to `out`. Omits a loop that encloses less
-/// than `kMinArea`. Omits also a hole whose mean width is less than `kMinHoleWidth`: such a
-/// hole is rounding, as in the offset of a channel that is narrower than the tool by a last digit,
-/// and it may lie in no outline.
+/// than `kMinArea`. Also omits a hole whose mean width is less than `kMinHoleWidth`. Such a hole is
+/// rounding: it occurs in the offset of a channel that is narrower than the tool by a last digit.
+/// It may be in no outline.
 ///
-/// Guarantee: a hole belongs to the smallest outline around it.
-/// Time: number of loops times number of elements with several outlines and holes; proportional to
-/// the number of elements with one outline.
-/// @pre loops may touch but do not cross, like those of an offset
+/// Guarantee: a hole belongs to the smallest outline around it. Time: proportional to the number of
+/// elements if there is one outline; number of loops times number of elements if there are several
+/// outlines and holes.
+/// @pre loops may touch but do not cross, like the loops of an offset
 template <typename Scalar>
 [[nodiscard]] SplitResult split_areas(const contour::ContourView<Scalar>& contour,
                                       contour::Slice<LoopNote<Scalar>> notes,

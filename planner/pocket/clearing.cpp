@@ -12,11 +12,11 @@ namespace {
 using contour::ContourView;
 using contour::kNone;
 
-/// The passes are computed as if the tool cleared this much more than its radius, mm. Thinner
-/// remains are ignored, so that none needs a pass of its own.
+/// Width in mm by which the strip cleared by a pass is assumed to be wider than the tool. Thinner
+/// remains are ignored, so that none of them requires a pass.
 constexpr double kThinRest = 1.0e-7;
 
-/// Sine of the least turn that counts as a corner; elements that join smoothly turn by less.
+/// Sine of the least turn that counts as a corner. Elements that join smoothly turn by less.
 constexpr double kCorner = 1.0e-4;
 
 /// Returns whether the boundary of an area has a corner that turns right.
@@ -29,7 +29,7 @@ bool has_inner_corner(const ContourView<Scalar>& area) {
   return found;
 }
 
-/// Appends the passes of one pocket, outer ones first.
+/// Appends the passes of one pocket, the outer passes first.
 template <typename Scalar>
 class Clearing {
  public:
@@ -64,9 +64,9 @@ class Clearing {
   ClearingOptions<Scalar> options_;
   ClearingSpace<Scalar> space_;
   PassList<Scalar>& passes_;
-  Scalar cleared_;  ///< Distance on each side of a pass that counts as cleared, mm.
-  /// Greatest distance by which the remaining area is moved inwards, mm. It is negative where
-  /// passes overlap so much that the next pass lies outside of the remaining area.
+  Scalar cleared_;  ///< Distance on each side of a pass that is assumed to be cleared, mm.
+  /// Greatest distance by which the remaining area is moved inwards, mm. It is negative if passes
+  /// overlap so much that the next pass is outside the remaining area.
   Scalar max_;
 };
 
@@ -111,7 +111,7 @@ std::optional<ClearingError> Clearing<Scalar>::split(const ContourView<Scalar>& 
   return ClearingError{ClearingFault::kLoopsCross};
 }
 
-/// Finds the areas in which the tool's centre may be.
+/// Finds the areas in which the tool's centre may be, and splits them into connected areas.
 template <typename Scalar>
 std::optional<ClearingError> Clearing<Scalar>::split_locus(const ContourView<Scalar>& pocket,
                                                            AreaList<Scalar>& list) const {
@@ -121,8 +121,8 @@ std::optional<ClearingError> Clearing<Scalar>::split_locus(const ContourView<Sca
 }
 
 /// Returns the goal grown by the corner radius. Parts of a goal that are less than twice this
-/// radius apart merge, with corners between them. Arcs of the radius fill these corners, and the
-/// pass surrounds slightly more than it must.
+/// radius apart merge, with corners between them. Arcs of this radius then fill these corners, so
+/// the pass surrounds slightly more than necessary.
 template <typename Scalar>
 Result<ContourView<Scalar>, contour::OffsetError> Clearing<Scalar>::pass_around(
     const ContourView<Scalar>& goal) const {
@@ -148,7 +148,8 @@ std::optional<ClearingError> Clearing<Scalar>::add_goals(const AreaList<Scalar>&
   return {};
 }
 
-/// Appends the passes within one pass. Each lies as far inside as its remaining part allows.
+/// Appends the passes within the pass `pass`. Each of them is as far inside as its remaining part
+/// allows.
 template <typename Scalar>
 std::optional<ClearingError> Clearing<Scalar>::step_inwards(std::uint32_t pass) {
   AreaList<Scalar> left;
@@ -172,8 +173,8 @@ std::optional<ClearingError> Clearing<Scalar>::step_into(const ContourView<Scala
   return add_goals(goals, {passes_.note(pass).distance + base + inwards.value(), pass});
 }
 
-/// Appends the passes within one pass, all at the step-over, which is less than the width that a
-/// pass clears. Each surrounds a remaining area.
+/// Appends the passes within the pass `pass`, all at the step-over from it. The step-over is less
+/// than the width that a pass clears. Each new pass surrounds a remaining area.
 template <typename Scalar>
 std::optional<ClearingError> Clearing<Scalar>::step_by_stepover(std::uint32_t pass) {
   AreaList<Scalar> goals;
@@ -192,7 +193,7 @@ std::optional<ClearingError> Clearing<Scalar>::step_by_stepover(std::uint32_t pa
   return add_goals(kept, {passes_.note(pass).distance + options_.stepover, pass});
 }
 
-/// Finds whether the pass outside of a goal has cleared the whole goal.
+/// Determines whether the pass outside a goal has already cleared the complete goal.
 template <typename Scalar>
 std::optional<ClearingError> Clearing<Scalar>::leaves_nothing(const ContourView<Scalar>& goal,
                                                               bool& nothing) const {

@@ -12,13 +12,13 @@ namespace cnc::pocket {
 /// Options for clearing a pocket.
 template <typename Scalar>
 struct ClearingOptions {
-  Scalar tool_radius{};  ///< R, mm, positive.
-  /// r, mm, 0…R / 3: corner radius of all passes except those at the wall.
+  Scalar tool_radius{};  ///< Tool radius R, mm, positive.
+  /// Corner radius r of all passes except the passes at the wall, mm, 0…R / 3.
   Scalar corner_radius{};
-  /// Greatest distance between passes, mm, above 0; 2 R or more is no limit.
+  /// Greatest distance between passes, mm, above 0; a value of 2 R or more is no limit.
   Scalar stepover{};
-  /// True if `pocket` is the area that the tool's centre may be in, instead of the area to be
-  /// cleared. Then the first pass runs along its contours.
+  /// Whether `pocket` is the area in which the tool's centre may be, instead of the area to be
+  /// cleared. Then the first pass runs along the contours of `pocket`.
   bool is_locus = false;
 };
 
@@ -26,7 +26,7 @@ enum class ClearingFault : std::uint8_t {
   kOptionOutOfRange,  ///< An option is out of its range or not a number.
   kOffset,            ///< An offset failed: see `ClearingError::offset`.
   kTooManyLoops,      ///< The working storage for loops is full.
-  kLoopsCross,        ///< A hole lies in no outline.
+  kLoopsCross,        ///< A hole is in no outline.
   kPassesTooLong,     ///< The storage of the passes is full.
 };
 
@@ -40,16 +40,15 @@ struct ClearingError {
 ///
 /// The first pass is the offset of the wall by R, sharp at convex corners of the pocket. A pass at
 /// the distance D from the wall leaves the area at D + R. Each connected part of this area has a
-/// next pass of its own. The pass lies at the greatest distance D' at which no point of the part is
+/// separate next pass. This pass is at the greatest distance D' at which no point of the part is
 /// farther than R + r from the area at D' + r. The pass is the boundary of the area at D' + r,
-/// grown by r and closed so that all its corners become arcs of radius r; a tool along it clears
-/// the part down to D' + R. Between straight walls with the smallest angle θ the step is R − r + (R
-/// + r) sin(θ / 2); with r = 0 this is equation 10 of paper 5.
+/// grown by r and closed so that all its corners become arcs of radius r. A tool along the pass
+/// clears the part down to D' + R. Between straight walls with the smallest angle θ the step is R −
+/// r + (R + r) sin(θ / 2); with r = 0 this is equation 10 of paper 5.
 ///
-/// Guarantee: of all points within R of the centre locus of the tool, none that is farther than R +
-/// 2e-7 mm from all passes is left. Each pass lies within the area that its parent encloses. No
-/// pass is nearer to the wall than R by more than the error of contour::offset.
-/// Time: a few offsets for each pass. Uses no heap.
+/// Guarantee: every point within R of the centre locus of the tool is within R + 2e-7 mm of a pass.
+/// Each pass is in the area that its parent encloses. No pass is nearer to the wall than R by more
+/// than the error of contour::offset. Time: a few offsets for each pass. Uses no heap.
 /// @param pocket  closed contours with the pocket on their left, islands running clockwise
 /// @return the number of passes; 0 if the tool does not fit into the pocket
 template <typename Scalar>

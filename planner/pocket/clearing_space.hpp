@@ -9,8 +9,8 @@
 
 namespace cnc::pocket {
 
-/// Capacities that the passes of a pocket need. `elements` and `cuts` are those of the offset of
-/// the pocket; `loops` is the greatest number of loops of one offset.
+/// Capacities that the passes of a pocket require. `elements` and `cuts` are the capacities for the
+/// offset of the pocket. `loops` is the greatest number of loops of one offset.
 struct ClearingSizes {
   std::size_t elements;
   std::size_t cuts;
@@ -19,8 +19,8 @@ struct ClearingSizes {
   [[nodiscard]] constexpr contour::OffsetSizes offset() const { return {elements, cuts}; }
 };
 
-/// Storage for loops that are computed and not kept. All its vertices: elements; all its loop ends:
-/// loops.
+/// Storage for loops that are computed temporarily. Sizes by ClearingSizes: `elements` for the
+/// vertices, `loops` for the loop ends.
 template <typename Scalar>
 struct LoopSpace {
   contour::Slice<contour::Vertex<Scalar>> vertices;
@@ -39,16 +39,17 @@ struct AreaSpace {
   [[nodiscard]] AreaList<Scalar> list() const { return {vertices, loop_ends, ranges}; }
 };
 
-/// Working storage of the passes. Nothing in it outlives the call.
+/// Working storage of the passes. Its content does not outlive the call.
 template <typename Scalar>
 struct ClearingSpace {
   contour::OffsetSpace<Scalar> offset;
   LoopSpace<Scalar> loops;  ///< Result of the last offset, which is split into areas.
   LoopSpace<Scalar> inner;  ///< The goal of a trial: the area moved inwards.
-  /// The area that the tool clears from the goal; in a pass, the goal grown by twice the radius.
+  /// The area that the tool clears from the goal. While a pass is computed: the goal grown by twice
+  /// the corner radius.
   LoopSpace<Scalar> grown;
-  AreaSpace<Scalar> left;                  ///< The areas that a pass leaves uncut.
-  AreaSpace<Scalar> goals;                 ///< The areas that the next pass surrounds.
+  AreaSpace<Scalar> left;                  ///< Areas that a pass leaves uncut.
+  AreaSpace<Scalar> goals;                 ///< Areas that the next pass surrounds.
   contour::Slice<LoopNote<Scalar>> notes;  ///< loops
 };
 

@@ -12,7 +12,8 @@ namespace {
 constexpr double kHalfTurn = std::numbers::pi;
 constexpr double kQuarterTurn = 0.5 * kHalfTurn;
 
-/// Returns how many radians of the range `middle` ± `half_width` are within a quarter turn of 0.
+/// Returns the size of the part of the range `middle` ± `half_width` that is within a quarter turn
+/// of 0, radians.
 double part_ahead(double middle, double half_width) {
   double part = 0.0;
   for (const double turn : {-2.0 * kHalfTurn, 0.0, 2.0 * kHalfTurn}) {
@@ -27,16 +28,18 @@ double arc_cosine(double cosine) {
   return wide_atan2(std::sqrt(std::max(0.0, 1.0 - cosine * cosine)), cosine);
 }
 
-/// Two circles that meet, seen in the direction from the first centre to the second centre.
+/// Two circles that intersect, described in the direction from the first centre to the second
+/// centre.
 struct CirclePair {
   WideVec2 ahead{1.0, 0.0};
-  double along = 0.0;  ///< Distance from the first centre to the chord between both meetings.
-  double aside = 0.0;  ///< Half of this chord.
-  /// Half sweep of the second circle's part outside of the first circle, 0 to half a turn.
+  /// Distance from the first centre to the chord between the two intersections.
+  double along = 0.0;
+  double aside = 0.0;  ///< Half of the length of this chord.
+  /// Half of the sweep of the second circle's part outside the first circle, 0 to half a turn.
   double half_sweep = 0.0;
 };
 
-/// Returns how two circles meet. @pre the circles meet
+/// Returns the geometry of two circles that intersect. @pre the circles intersect
 CirclePair pair_of(const ToolCircle& first, const ToolCircle& second) {
   const WideVec2 way = second.centre - first.centre;
   const double distance = way.norm();
@@ -81,7 +84,7 @@ Crescent crescent_between(const ToolCircle& cleared, const ToolCircle& next) {
 double crescent_engagement(const ToolCircle& cleared,
                            const ToolCircle& next,
                            double tool_radius_mm) {
-  constexpr int kSamples = 64;  // Samples on each side of the middle.
+  constexpr int kSamples = 64;  // Number of samples on each side of the middle.
   const ClearedDisc disc{cleared.centre, cleared.radius + tool_radius_mm};
   const CirclePair pair = pair_of(cleared, next);
   double greatest = 0.0;

@@ -10,8 +10,9 @@ struct ClearedDisc {
   double radius = 0.0;  ///< mm.
 };
 
-/// Returns the engagement of a tool, in radians, 0 to π: the angle of its leading half that is
-/// outside of a cleared disc. This part of its circumference cuts if stock is left everywhere else.
+/// Returns the engagement of a tool, in radians, 0 to π: the angle of the part of its leading half
+/// that is outside a cleared disc. This part of the circumference cuts if there is stock everywhere
+/// outside the disc.
 /// @param direction  unit vector of the tool's motion
 /// @pre tool_radius_mm > 0
 [[nodiscard]] double engagement(const ClearedDisc& cleared,
@@ -22,18 +23,19 @@ struct ClearedDisc {
 /// A circle along which the centre of a tool moves.
 struct ToolCircle {
   WideVec2 centre{0.0, 0.0};
-  double radius = 0.0;  ///< mm; the cleared disc is wider by the tool's radius.
+  double radius = 0.0;  ///< Radius in mm. The cleared disc is larger by the tool's radius.
 };
 
-/// The part of a tool circle on which the tool cuts. The tool has cleared a disc around one circle;
-/// the disc around the next circle reaches beyond it by a crescent. The arc turns left.
+/// The part of a tool circle on which the tool cuts. The tool has already cleared a disc around one
+/// circle. The disc around the next circle extends beyond the cleared disc by a crescent. The arc
+/// turns left.
 struct Crescent {
-  WideVec2 begin{0.0, 0.0};   ///< Point where both circles meet.
-  WideVec2 middle{0.0, 0.0};  ///< Point farthest from the other circle.
-  WideVec2 end{0.0, 0.0};     ///< Point where both circles meet again.
+  WideVec2 begin{0.0, 0.0};   ///< First intersection of the two circles.
+  WideVec2 middle{0.0, 0.0};  ///< Point farthest from the cleared circle.
+  WideVec2 end{0.0, 0.0};     ///< Second intersection of the two circles.
   /// Bulge of the arc from `begin` to `middle`, and of the arc from `middle` to `end`.
   double bulge = 0.0;
-  bool exists = false;  ///< False if the circles do not meet.
+  bool exists = false;  ///< Whether the circles intersect.
 };
 [[nodiscard]] Crescent crescent_between(const ToolCircle& cleared, const ToolCircle& next);
 

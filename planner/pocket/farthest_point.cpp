@@ -18,7 +18,8 @@ template <typename Scalar>
 Scalar FarthestPoint<Scalar>::of(const contour::ContourView<Scalar>& area) {
   farthest_ = Scalar{0};
   for (std::size_t loop = 0; loop < area.loop_ends.size(); ++loop) {
-    // Both contours run in the same direction, so the next curve comes soon after `near`.
+    // Both contours run in the same direction, so the nearest curve of the next element comes soon
+    // after `near`.
     std::uint32_t near = 0;
     for (std::uint32_t i = area.loop_begin(loop); i < area.loop_ends[loop]; ++i) {
       contour::Curve<Scalar> wall;
@@ -36,8 +37,8 @@ Scalar FarthestPoint<Scalar>::of(const contour::ContourView<Scalar>& area) {
   return farthest_;
 }
 
-/// Returns whether a whole element, moved, is part of one of the next curves, and sets `near` to
-/// this curve. The round join of a corner may come between.
+/// Returns whether a complete element, moved, is part of one of the next curves, and sets `near` to
+/// this curve. A round join of a corner may be between the curves.
 template <typename Scalar>
 bool FarthestPoint<Scalar>::find_moved(const contour::Curve<Scalar>& wall,
                                        std::uint32_t& near) const {
@@ -54,7 +55,8 @@ bool FarthestPoint<Scalar>::find_moved(const contour::Curve<Scalar>& wall,
 template <typename Scalar>
 void FarthestPoint<Scalar>::search(const contour::Curve<Scalar>& wall, const Stretch& whole) {
   if (bound(wall, whole) <= farthest_ + Scalar{kFarthestError}) return;
-  constexpr std::size_t kMaxOpen = 64;  // A double cannot be halved more often.
+  // Greatest number of open stretches. A double cannot be halved more often.
+  constexpr std::size_t kMaxOpen = 64;
   std::array<Stretch, kMaxOpen> open;
   std::size_t count = 0;
   open[count++] = whole;
@@ -73,7 +75,7 @@ void FarthestPoint<Scalar>::search(const contour::Curve<Scalar>& wall, const Str
   }
 }
 
-/// Returns a distance from the goal that no point of the stretch exceeds.
+/// Returns an upper bound of the distance between the stretch's points and the goal.
 template <typename Scalar>
 Scalar FarthestPoint<Scalar>::bound(const contour::Curve<Scalar>& wall,
                                     const Stretch& stretch) const {
@@ -84,7 +86,7 @@ Scalar FarthestPoint<Scalar>::bound(const contour::Curve<Scalar>& wall,
                   bound_from(wall, stretch, stretch.at_to.point));
 }
 
-/// Returns a distance from `point` that no point of the stretch exceeds.
+/// Returns an upper bound of the distance between the stretch's points and `point`.
 template <typename Scalar>
 Scalar FarthestPoint<Scalar>::bound_from(const contour::Curve<Scalar>& wall,
                                          const Stretch& stretch,
@@ -100,7 +102,7 @@ Scalar FarthestPoint<Scalar>::bound_from(const contour::Curve<Scalar>& wall,
   return ends + Scalar{0.5} * chord * std::abs(wall.bulge_between(stretch.from, stretch.to));
 }
 
-/// Returns whether the stretch, moved by `moved_`, is part of a curve of the goal.
+/// Returns whether the stretch, after it was moved by `moved_`, is part of a curve of the goal.
 template <typename Scalar>
 bool FarthestPoint<Scalar>::is_moved(const contour::Curve<Scalar>& wall,
                                      const Stretch& stretch,
@@ -111,8 +113,8 @@ bool FarthestPoint<Scalar>::is_moved(const contour::Curve<Scalar>& wall,
   const Vector last = stretch.to + moved_ * left_normal(wall.tangent_at(stretch.to));
   constexpr Scalar kSame{kFarthestError};
   const contour::Curve<Scalar>& other = goal_[curve];
-  // The heights of both arcs over the chord differ by `bend` times an eighth of the square of the
-  // chord.
+  // The heights of the two arcs over the chord differ by `bend` times an eighth of the square of
+  // the chord.
   const Scalar bend = std::abs(other.curvature - wall.curvature / rest);
   if (bend * (last - first).squaredNorm() > Scalar{8} * kSame) return false;
   return other.distance(first) <= kSame && other.distance(last) <= kSame;

@@ -8,21 +8,23 @@ namespace cnc::pocket {
 /// area.
 ///
 /// Each element of the boundary is halved until no point of a part can be farther than the farthest
-/// point found. The bound of a part is exact: along a line or an arc, the distance from one point
-/// is greatest at an end, or where it stops growing, which an arc shows by its tangents. Where an
-/// element's own offset is part of the boundary of the goal, the distance is that of the offset.
+/// point found. The bound of a part is exact. Along a line or an arc, the distance from one point
+/// is greatest at an end or at a maximum between the ends. The tangents of an arc show whether
+/// there is such a maximum. If an element's own offset is part of the boundary of the goal, the
+/// distance is that of the offset.
 ///
-/// Guarantee: the result is at most kFarthestError less than the greatest distance.
-/// Time: (n + m) log n for n elements of the goal and m halvings, a few for each corner.
+/// Guarantee: the result is at most kFarthestError less than the greatest distance. Time: (n + m)
+/// log n for n elements of the goal and m halvings, a few for each corner.
 inline constexpr double kFarthestError = 1.0e-9;  // mm
 template <typename Scalar>
 class FarthestPoint {
  public:
-  /// @param goal  the boundary of the area moved inwards
-  /// @param moved  the distance by which it is moved, mm
+  /// @param goal  boundary of the area after it was moved inwards
+  /// @param moved  distance by which it was moved, mm
   FarthestPoint(const NearestCurve<Scalar>& goal, Scalar moved) : goal_{goal}, moved_{moved} {}
 
-  /// Returns the distance of the farthest point. @pre goal has an element
+  /// Returns the greatest distance between the boundary of `area` and the goal. @pre the goal has
+  /// an element
   [[nodiscard]] Scalar of(const contour::ContourView<Scalar>& area);
 
  private:

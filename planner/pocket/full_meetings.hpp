@@ -6,8 +6,8 @@
 
 namespace cnc::pocket {
 
-/// Returns the common points of two whole circles or straight lines, of which the curves `a` and
-/// `b` are parts. A point where they touch counts twice; parallel lines have none.
+/// Returns the common points of two complete circles or straight lines, of which the curves `a` and
+/// `b` are parts. A point where they touch counts twice. Parallel lines have no common points.
 template <typename Scalar>
 [[nodiscard]] contour::Meetings<Scalar> full_meetings(const contour::Curve<Scalar>& a,
                                                       const contour::Curve<Scalar>& b) {
@@ -19,7 +19,7 @@ template <typename Scalar>
   Vector foot = other.start;
   Vector direction = other.start_tangent;
   if (other.curvature != Scalar{0}) {
-    // The line through both meetings, as in contour::detail::arcs_meet.
+    // The line through both common points, as in contour::detail::arcs_meet.
     const Scalar share = other.curvature / round.curvature;
     const Vector normal = other.curvature * (round.start - other.start) -
                           left_normal(other.start_tangent) +

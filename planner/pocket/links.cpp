@@ -11,19 +11,21 @@
 namespace cnc::pocket {
 namespace {
 
-constexpr double kLongestLink = 12.0;     ///< Tool radii.
-constexpr double kReachOfLandings = 6.0;  ///< Tool radii, from the beginning of the link.
-constexpr double kLandingStep = 0.5;      ///< Tool radii.
+constexpr double kLongestLink = 12.0;  ///< Greatest length of a link, in tool radii.
+/// Greatest distance of a landing from the beginning of the link, in tool radii.
+constexpr double kReachOfLandings = 6.0;
+constexpr double kLandingStep = 0.5;  ///< Distance between landings, in tool radii.
 constexpr int kLandingsEachWay = 6;
-/// Number of links that are tried for one arc radius, the shortest first.
+/// Greatest number of links that are tried for one arc radius. The shortest link is tried first.
 constexpr int kMaxTried = 16;
-/// Within this distance of its ends, mm, a link touches the loops that it joins.
+/// Distance from its ends, mm, within which a link touches the loops that it joins.
 constexpr double kContact = 1.0e-4;
-constexpr double kTouch = 1.0e-9;                                 ///< mm.
-constexpr std::array<double, 4> kArcShares{1.0, 0.5, 0.25, 0.1};  ///< Shares of the tool's radius.
+constexpr double kTouch = 1.0e-9;  ///< mm.
+/// Radii of the arcs that are tried, as shares of the tool's radius.
+constexpr std::array<double, 4> kArcShares{1.0, 0.5, 0.25, 0.1};
 
-/// Returns the bulge of an arc from a pose to a point of its circle. A bulge above 1 is more than
-/// half a turn.
+/// Returns the bulge of an arc from a pose to a point of its circle. A bulge above 1 means more
+/// than half a turn.
 template <typename Scalar>
 Scalar bulge_from(const BasicVec2<Scalar>& tangent, const BasicVec2<Scalar>& chord) {
   const Scalar size = chord.norm();
@@ -33,8 +35,8 @@ Scalar bulge_from(const BasicVec2<Scalar>& tangent, const BasicVec2<Scalar>& cho
 }
 
 /// Makes a link of circle, line and circle: the path of Dubins that turns to the sides `first` and
-/// `last`, +1 for left. Returns false where the circles overlap too far, or where an arc is more
-/// than half a turn.
+/// `last`, +1 for left. Returns false if the circles overlap too far, or if an arc is more than
+/// half a turn.
 template <typename Scalar>
 bool make_link(const Pose<Scalar>& from,
                const Pose<Scalar>& to,
@@ -49,8 +51,8 @@ bool make_link(const Pose<Scalar>& from,
   const Scalar square = between.squaredNorm();
   const Scalar across = (first - last) * radius;
   if (square <= across * across || square < Scalar{kTouch}) return false;
-  // Common tangent of both circles: an outer one where both arcs turn to the same side, else an
-  // inner one.
+  // Computes the common tangent of both circles: the outer tangent if both arcs turn to the same
+  // side, otherwise the inner tangent.
   const Scalar along = std::sqrt(square - across * across);
   const Vector direction = (along * between + across * left_normal(between)) / square;
   const Vector aside = radius * left_normal(direction);
@@ -67,8 +69,8 @@ bool make_link(const Pose<Scalar>& from,
   return true;
 }
 
-/// Returns the point of a curve's whole circle that is `mm` after `place`, or before it if
-/// negative.
+/// Returns the point of a curve's complete circle that is `mm` after `place`, or before it if `mm`
+/// is negative.
 template <typename Scalar>
 BasicVec2<Scalar> point_along(const contour::Curve<Scalar>& curve,
                               const BasicVec2<Scalar>& place,
@@ -101,7 +103,7 @@ std::optional<Link<Scalar>> LinkSearch<Scalar>::find(const Pose<Scalar>& from,
   return {};
 }
 
-/// Returns the shortest link that is longer than `length`, whether or not it stays in the area.
+/// Returns the shortest link that is longer than `length`, even if it leaves the area.
 template <typename Scalar>
 std::optional<Link<Scalar>> LinkSearch<Scalar>::shortest_beyond(const Wanted& wanted,
                                                                 Scalar length) const {
@@ -116,7 +118,7 @@ std::optional<Link<Scalar>> LinkSearch<Scalar>::shortest_beyond(const Wanted& wa
   return best;
 }
 
-/// Returns the loop that a vertex of the area belongs to.
+/// Returns the index of the loop to which a vertex of the area belongs.
 template <typename Scalar>
 std::size_t LinkSearch<Scalar>::loop_of(std::uint32_t vertex) const {
   return static_cast<std::size_t>(
@@ -136,7 +138,7 @@ void LinkSearch<Scalar>::try_element(const Wanted& wanted,
   const Scalar reach = Scalar{kReachOfLandings} * wanted.tool_radius;
   if ((nearest - wanted.from.point).squaredNorm() > reach * reach) return;
   const auto try_at = [&](const Vector& place) {
-    // Skips the ends of an element, where the loop may have a corner.
+    // Skips the ends of an element, because the loop may have a corner there.
     if (!curve.faces(place, -Scalar{kContact})) return;
     try_landing(wanted, {loop, vertex, pose_on(curve, place, wanted.milling)}, beyond, best);
   };

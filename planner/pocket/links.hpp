@@ -8,8 +8,8 @@
 
 namespace cnc::pocket {
 
-/// An arc, a line and an arc from a pose to a point on a loop. At every joint their tangents agree.
-/// Each arc turns by at most half a turn. Any of the three may have no length.
+/// An arc, a line and an arc from a pose to a point on a loop. Their tangents agree at every joint.
+/// Each arc turns by at most half a turn. Each of the three parts may have no length.
 template <typename Scalar>
 struct Link {
   std::array<BasicVec2<Scalar>, 4> points{};
@@ -18,35 +18,35 @@ struct Link {
   LoopPlace<Scalar> landing;
 };
 
-/// Finds links between passes, within the area that the tool's centre may be in.
+/// Finds links between passes, within the area in which the tool's centre may be.
 template <typename Scalar>
 class LinkSearch {
  public:
-  /// Takes working storage: one curve for each element of an area, and BoxTree::size_for() boxes.
+  /// Stores references to working storage: one curve for each element of an area, and
+  /// BoxTree::size_for() boxes.
   LinkSearch(contour::Slice<contour::Curve<Scalar>> curves,
              contour::Slice<contour::FlatBox<Scalar>> boxes)
       : boundary_{curves, boxes} {}
 
-  /// Sets the area that links must not leave. Returns false when the storage is full.
+  /// Sets the area that links must not leave. Returns false if the storage is full.
   /// @pre `area` outlives all later calls of find()
   [[nodiscard]] bool enter(const contour::ContourView<Scalar>& area) {
     area_ = area;
     return boundary_.read(area);
   }
 
-  /// Returns a link to one of the loops; none if there is no link of up to 12 tool radii.
+  /// Returns a link to one of the loops; nothing if there is no link of up to 12 tool radii.
   ///
   /// Landings are the middle of each element, and points half a radius apart on both sides of the
   /// nearest point of the element, up to three radii away. The result is the shortest link that
   /// stays in the area. Its arcs have the tool's radius, or the first of 1/2, 1/4 and 1/10 of this
-  /// radius with which there is a link. The last arc turns to the side where the area is, so that
-  /// the tool arrives from inside.
+  /// radius with which there is a link. The last arc turns to the side of the area, so that the
+  /// tool arrives from inside.
   ///
-  /// Guarantee: no point of the link is outside of the area by more than 1e-7 mm.
-  /// Time: number of elements within six radii times the number of links that are tried, at most
-  /// 64.
-  /// @param left_out  for each loop of the area, whether links must not lead there; empty: no loop
-  /// is left out
+  /// Guarantee: no point of the link is outside the area by more than 1e-7 mm. Time: number of
+  /// elements within six radii times the number of links that are tried, at most 64.
+  /// @param left_out  for each loop of the area, whether links must not lead to it; an empty slice
+  ///     excludes no loop
   /// @pre 0 < tool_radius
   [[nodiscard]] std::optional<Link<Scalar>> find(const Pose<Scalar>& from,
                                                  contour::Slice<const bool> left_out,

@@ -5,7 +5,7 @@
 namespace cnc::pocket {
 namespace {
 
-/// Returns part `step` of a revolution. The first part leads from `place` to the end of its
+/// Returns part number `step` of a revolution. The first part leads from `place` to the end of its
 /// element. Then all other elements follow. The last part leads from the start of the first element
 /// to `place`.
 template <typename Scalar>

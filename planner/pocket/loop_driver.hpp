@@ -17,8 +17,9 @@ struct LoopDrive {
 template <typename Scalar>
 [[nodiscard]] Scalar loop_length(const contour::ContourView<Scalar>& contour, std::size_t loop);
 
-/// Appends a revolution around a loop from `place`. The end of the revolution, which is `place`
-/// again, is not appended: the next element begins with it. Returns false when the storage is full.
+/// Appends a revolution around a loop from `place`. The end of the revolution, which is also
+/// `place`, is not appended, because the next element begins with it. Returns false if the storage
+/// is full.
 template <typename Scalar>
 [[nodiscard]] bool drive_loop(const contour::ContourView<Scalar>& contour,
                               const LoopPlace<Scalar>& place,

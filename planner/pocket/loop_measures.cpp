@@ -7,10 +7,10 @@
 namespace cnc::pocket {
 namespace {
 
-/// For smaller bulges the first term of a series is exact enough for lengths and areas.
+/// Bulge below which the first term of a series is exact enough for lengths and areas.
 constexpr double kFlatBulge = 1.0e-6;
 
-/// Returns the area between an arc and its chord, mm²; negative where the arc turns right.
+/// Returns the area between an arc and its chord, mm²; negative if the arc turns right.
 template <typename Scalar>
 Scalar segment_area(const LoopElement<Scalar>& element) {
   const Scalar b = element.bulge;
@@ -22,7 +22,7 @@ Scalar segment_area(const LoopElement<Scalar>& element) {
   return Scalar{0.5} * radius_squared * (sweep - sin_cos(sweep).sine);
 }
 
-/// Returns whether a point lies between an arc and its chord.
+/// Returns whether a point is between an arc and its chord.
 template <typename Scalar>
 bool is_in_segment(const LoopElement<Scalar>& element, const BasicVec2<Scalar>& point) {
   const BasicVec2<Scalar> chord = element.end - element.start;
@@ -30,12 +30,13 @@ bool is_in_segment(const LoopElement<Scalar>& element, const BasicVec2<Scalar>& 
   const Scalar b = element.bulge;
   const Scalar side = b * cross(chord, seen);
   if (side > Scalar{0}) return false;
-  // A point on the chord's line counts for the side on which turns_around() places it. That is the
-  // side of greater x or, where the chord is level, of greater y.
+  // A point on the line of the chord counts for the same side as in turns_around(). That is the
+  // side of greater x, or of greater y if the chord is level.
   const bool arc_is_beyond =
       b * chord.y() > Scalar{0} || (chord.y() == Scalar{0} && b * chord.x() < Scalar{0});
   if (side == Scalar{0} && !arc_is_beyond) return false;
-  // The circle's equation. The tangent is the chord turned by half the sweep, times 1 + b².
+  // Evaluates the circle's equation. The tangent is the chord turned by half the sweep, times 1 +
+  // b².
   const BasicVec2<Scalar> tangent =
       (Scalar{1} - b * b) * chord - Scalar{2} * b * left_normal(chord);
   return b * (Scalar{2} * b * seen.squaredNorm() - cross(tangent, seen)) < Scalar{0};
@@ -58,7 +59,8 @@ Scalar signed_area(const contour::ContourView<Scalar>& contour, std::size_t loop
   return sum;
 }
 
-// Counts the turns of the polygon of all chords, and one for each segment that contains the point.
+// Counts the turns of the polygon of all chords. Each segment between an arc and its chord that
+// contains the point counts as one turn more.
 template <typename Scalar>
 int turns_around(const contour::ContourView<Scalar>& contour,
                  std::size_t loop,

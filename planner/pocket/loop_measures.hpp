@@ -32,18 +32,18 @@ template <typename Scalar>
   return {from.point(), to.point(), from.bulge};
 }
 
-/// Returns the area that a loop encloses, mm²; negative where it runs clockwise.
+/// Returns the area that a loop encloses, mm²; negative if the loop runs clockwise.
 template <typename Scalar>
 [[nodiscard]] Scalar signed_area(const contour::ContourView<Scalar>& contour, std::size_t loop);
 
-/// Returns how many times a loop runs around a point, counter-clockwise turns positive. A point
-/// within a rounding error of the loop may count for either side.
+/// Returns the number of times that a loop runs around a point; counter-clockwise turns are
+/// positive. A point within a rounding error of the loop may count for either side.
 template <typename Scalar>
 [[nodiscard]] int turns_around(const contour::ContourView<Scalar>& contour,
                                std::size_t loop,
                                const BasicVec2<Scalar>& point);
 
-/// Returns whether a point lies in the area that all loops enclose together.
+/// Returns whether a point is in the area that all loops together enclose.
 template <typename Scalar>
 [[nodiscard]] bool is_inside(const contour::ContourView<Scalar>& contour,
                              const BasicVec2<Scalar>& point);
@@ -52,7 +52,7 @@ template <typename Scalar>
 template <typename Scalar>
 [[nodiscard]] Scalar length_of(const LoopElement<Scalar>& element);
 
-/// Sets `curve` to the element. Returns false and leaves `curve` unchanged where the ends of the
+/// Sets `curve` to the element. Returns false and leaves `curve` unchanged if the ends of the
 /// element are one point.
 /// @pre the element is at most half a turn, like the elements of an offset
 template <typename Scalar>

@@ -10,27 +10,28 @@ namespace cnc::pocket {
 
 /// Direction in which loops are driven.
 enum class Milling : std::uint8_t {
-  /// In the direction of the loops: stock is on the right of a tool that turns clockwise.
+  /// In the direction of the loops: stock is on the right of a tool that rotates clockwise.
   kClimb,
-  kConventional,  ///< Against the direction of the loops.
+  kConventional,  ///< Opposite to the direction of the loops.
 };
 
-/// A point and the direction of travel there.
+/// A point and the direction of travel at that point.
 template <typename Scalar>
 struct Pose {
   BasicVec2<Scalar> point{Scalar{0}, Scalar{0}};
   BasicVec2<Scalar> tangent{Scalar{1}, Scalar{0}};  ///< Unit vector.
 };
 
-/// A point within an element of a loop, with the direction in which the loop is driven there.
+/// A point within an element of a loop, with the direction in which the loop is driven at that
+/// point.
 template <typename Scalar>
 struct LoopPlace {
   std::size_t loop = 0;
-  std::uint32_t vertex = 0;  ///< The vertex at which the element begins.
+  std::uint32_t vertex = 0;  ///< Index of the vertex at which the element begins.
   Pose<Scalar> pose;
 };
 
-/// Returns the pose at a point of a curve that is driven by `milling`.
+/// Returns the pose at a point of a curve that is driven in the direction `milling`.
 template <typename Scalar>
 [[nodiscard]] Pose<Scalar> pose_on(const contour::Curve<Scalar>& curve,
                                    const BasicVec2<Scalar>& point,

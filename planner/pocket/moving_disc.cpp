@@ -9,7 +9,7 @@ namespace {
 using contour::Curve;
 using contour::FlatBox;
 
-/// The motion of a disc as a function of its travelled length, mm.
+/// The motion of a disc as a function of the travelled length, mm.
 struct DiscWay {
   WideVec2 from{0.0, 0.0};
   WideVec2 along{1.0, 0.0};
@@ -29,7 +29,8 @@ DiscWay way_of(const MovingDisc& disc) {
   return {disc.from, chord / length, length, disc.from_radius, growth};
 }
 
-/// Returns the length at which the disc reaches farthest beyond a point, or comes nearest to it.
+/// Returns the travelled length at which the disc extends farthest beyond a point, or at which it
+/// is nearest to that point.
 double max_across(const DiscWay& way, const WideVec2& point) {
   const WideVec2 ahead = point - way.from;
   const double foot = way.along.dot(ahead);
@@ -39,19 +40,21 @@ double max_across(const DiscWay& way, const WideVec2& point) {
   return std::clamp(foot + lead, 0.0, way.length);
 }
 
-/// Returns how far the disc reaches across one element after a length of the motion.
+/// Returns the length by which the disc extends across one element after it has travelled the
+/// length `s`, mm; negative if it does not.
 double excess_at(const DiscWay& way, double s, const Curve<double>& element) {
   return way.radius_at(s) - element.distance(way.at(s));
 }
 
-/// Returns the greatest excess across one element, from all lengths where it may be greatest.
+/// Returns the greatest excess across one element. Evaluates it at all lengths at which it may be
+/// greatest.
 double excess_across(const DiscWay& way, const Curve<double>& element) {
   double excess = std::max(excess_at(way, 0.0, element), excess_at(way, way.length, element));
   for (const WideVec2& end : {element.start, element.end}) {
     excess = std::max(excess, excess_at(way, max_across(way, end), element));
   }
-  // From outside of its circle, the distance of an arc is that of the centre minus a constant. From
-  // inside, and for a line, there is no minimum besides those above.
+  // From outside the arc's circle, the distance from the arc is the distance from its centre minus
+  // a constant. From inside, and for a line, there are no further minima.
   if (element.curvature != 0.0) {
     const WideVec2 centre = element.start + left_normal(element.start_tangent) / element.curvature;
     excess = std::max(excess, excess_at(way, max_across(way, centre), element));

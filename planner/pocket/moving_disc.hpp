@@ -5,19 +5,21 @@
 namespace cnc::pocket {
 
 /// A disc that moves along a straight line while its radius changes in proportion to the distance.
-/// At any height, it is the cut of a V-shaped tool whose tip moves straight.
+/// If the tip of a V-shaped tool moves straight, the disc is the section of the tool at any height.
 struct MovingDisc {
   WideVec2 from{0.0, 0.0};
   WideVec2 to{0.0, 0.0};
   double from_radius = 0.0;  ///< mm.
-  /// mm; differs from `from_radius` by less than the length of the line.
+  /// Radius at the end, mm. It differs from `from_radius` by less than the length of the line.
   double to_radius = 0.0;
 };
 
-/// Returns the greatest length by which the moving disc reaches across the boundary, mm; 0 if it
+/// Returns the greatest length by which the moving disc extends across the boundary, mm; 0 if it
 /// stays in the area. The result is exact except for rounding. The least value of "distance from an
-/// element minus radius" is at one of three points: an end of the line, the passage past the end of
-/// an element, or the minimum for the distance from a point. That minimum has a closed form.
+/// element minus radius" is at an end of the line or at a minimum between the ends. Only the
+/// distance from a point, an element's end or centre, has such a minimum. It has a closed form.
+///
+///
 ///
 /// @pre the line does not leave the area
 [[nodiscard]] double excess_of(const MovingDisc& disc, const AreaDistance& area);

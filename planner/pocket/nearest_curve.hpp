@@ -8,7 +8,7 @@
 
 namespace cnc::pocket {
 
-/// The nearest point of a contour.
+/// The point of a contour that is nearest to a given point.
 template <typename Scalar>
 struct NearestPoint {
   BasicVec2<Scalar> point{Scalar{0}, Scalar{0}};
@@ -24,8 +24,8 @@ class NearestCurve {
                contour::Slice<contour::FlatBox<Scalar>> boxes)
       : curves_{curves}, boxes_{boxes}, tree_{boxes} {}
 
-  /// Takes the elements of a contour in place of the previous ones. Each vertex gives one curve; an
-  /// element without length gives a point. Returns false when the storage is full.
+  /// Replaces the stored elements by the elements of a contour. Each vertex gives one curve; an
+  /// element without length gives a point. Returns false if the storage is full.
   [[nodiscard]] bool read(const contour::ContourView<Scalar>& contour);
 
   [[nodiscard]] std::uint32_t size() const { return count_; }
@@ -34,7 +34,7 @@ class NearestCurve {
   }
 
   /// Returns the point nearest to `place`. Time: log n.
-  /// @param guess  a curve that is perhaps near to `place`, which saves time
+  /// @param guess  index of a curve that is perhaps near to `place`, which saves time
   /// @pre guess < size()
   [[nodiscard]] NearestPoint<Scalar> nearest_to(const BasicVec2<Scalar>& place,
                                                 std::uint32_t guess = 0) const;

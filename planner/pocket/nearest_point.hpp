@@ -25,7 +25,7 @@ template <typename Scalar>
         (place - curve.start).squaredNorm() <= (place - curve.end).squaredNorm();
     return start_is_nearer ? curve.start : curve.end;
   }
-  // Half the gradient of Curve::side. Its length is the distance from the centre divided by the
+  // Half of the gradient of Curve::side. Its length is the distance from the centre divided by the
   // radius.
   const BasicVec2<Scalar> outwards =
       curve.curvature * (place - curve.start) - left_normal(curve.start_tangent);

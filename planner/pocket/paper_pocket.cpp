@@ -13,10 +13,10 @@ namespace {
 
 using contour::Curve;
 
-/// Elements join with one tangent if the sine of the turn between them is smaller.
+/// Sine of a turn below which elements join with one tangent.
 constexpr double kOneTangent = 1.0e-9;
 
-/// The loops of paper 5 within one wall.
+/// The loops of paper 5 inside one wall.
 template <typename Scalar>
 class PaperLoops {
  public:
@@ -27,7 +27,8 @@ class PaperLoops {
 
   [[nodiscard]] std::uint32_t count() const { return count_; }
 
-  /// Returns element `index` moved inwards; none where its radius is used up.
+  /// Returns element `index` after it was moved inwards; nothing if the distance uses up its
+  /// radius.
   [[nodiscard]] std::optional<Curve<Scalar>> moved(std::uint32_t index, Scalar distance) const {
     const Curve<Scalar>& element = elements_[index];
     const Scalar inwards = -distance * stretch(element);
@@ -35,9 +36,9 @@ class PaperLoops {
     return contour::moved_aside(element, inwards);
   }
 
-  /// Returns the point where element `before` at one distance meets the next element at another
-  /// distance. Of two points it returns the one where the next element turns to the same side as at
-  /// the wall.
+  /// Returns the intersection of element `before` at one distance with the next element at another
+  /// distance. Of two intersections it returns the point at which the next element turns to the
+  /// same side as at the wall.
   [[nodiscard]] std::optional<Vector> vertex(std::uint32_t before,
                                              Scalar distance,
                                              Scalar distance_of_next) const {
@@ -56,7 +57,8 @@ class PaperLoops {
     return {};
   }
 
-  /// Returns sin(θ / 2) of the smallest vertex angle of a loop, modulo 180°; 1 without any vertex.
+  /// Returns sin(θ / 2) of the smallest vertex angle of a loop, modulo 180°; 1 if there is no
+  /// vertex.
   /// @pre is_loop(distance)
   [[nodiscard]] Scalar sharpest(Scalar distance) const {
     Scalar least{1};
@@ -67,7 +69,8 @@ class PaperLoops {
       const Vector out = moved(next, distance)->tangent_at(place);
       const Scalar turn = cross(in, out);
       if (std::abs(turn) < Scalar{kOneTangent} && in.dot(out) > Scalar{0}) continue;
-      // Half of the vertex angle plus half of the turn is 90°; beyond 180° both halves are equal.
+      // Half of the vertex angle plus half of the turn is 90°. Beyond 180° the two halves are
+      // equal.
       const Scalar sign = turn > Scalar{0} ? Scalar{1} : Scalar{-1};
       const Scalar square = Scalar{0.5} * (Scalar{1} + sign * in.dot(out));
       least = std::min(least, std::sqrt(std::max(Scalar{0}, square)));
@@ -75,7 +78,8 @@ class PaperLoops {
     return least;
   }
 
-  /// Returns whether all elements exist at a distance, and follow each other as at the wall.
+  /// Returns whether all elements exist at a distance, and follow each other in the same order as
+  /// at the wall.
   [[nodiscard]] bool is_loop(Scalar distance) const {
     for (std::uint32_t i = 0; i < count_; ++i) {
       const auto from = vertex(i > 0 ? i - 1 : count_ - 1, distance, distance);
@@ -84,14 +88,14 @@ class PaperLoops {
       const Curve<Scalar> element = *moved(i, distance);
       const Vector chord = *to - *from;
       const Vector along = element.tangent_at(*from) + element.tangent_at(*to);
-      // After half a turn both tangents are perpendicular to the chord.
+      // If an element is half a turn, both tangents are perpendicular to the chord.
       if (!(chord.dot(along) > -Scalar{kOneTangent} * chord.norm())) return false;
     }
     return true;
   }
 
  private:
-  /// Returns the factor by which a line moves too far, from the factor of the paper's program.
+  /// Returns the factor by which the paper's program moves a line too far.
   [[nodiscard]] Scalar stretch(const Curve<Scalar>& element) const {
     const Vector& t = element.start_tangent;
     const bool slanted = element.curvature == Scalar{0} && t.x() != Scalar{0} && t.y() != Scalar{0};
@@ -106,7 +110,7 @@ class PaperLoops {
   Scalar slant_factor_;
 };
 
-/// Reads the elements of the wall. Returns their number, or a fault.
+/// Reads the elements of the wall. Returns the number of elements, or a fault.
 template <typename Scalar>
 Result<std::uint32_t, PaperFault> read_wall(const contour::ContourView<Scalar>& pocket,
                                             contour::Slice<Curve<Scalar>> elements) {
@@ -122,7 +126,7 @@ Result<std::uint32_t, PaperFault> read_wall(const contour::ContourView<Scalar>& 
   return count;
 }
 
-/// Finds the distances of all loops from the wall, from the outermost loop on.
+/// Finds the distances of all loops from the wall, beginning with the outermost loop.
 template <typename Scalar>
 Result<std::uint32_t, PaperFault> find_distances(const PaperLoops<Scalar>& loops,
                                                  Scalar radius,
@@ -137,7 +141,7 @@ Result<std::uint32_t, PaperFault> find_distances(const PaperLoops<Scalar>& loops
   return count;
 }
 
-/// Writes the loops one after another.
+/// Writes the loops as one spiral path.
 template <typename Scalar>
 class SpiralWriter {
  public:
@@ -148,18 +152,18 @@ class SpiralWriter {
 
   void start_at(const Vector& place) { place_ = place; }
 
-  /// Appends all elements of a loop except the last. Returns false when the storage is full.
+  /// Appends all elements of a loop except the last. Returns false if the storage is full.
   [[nodiscard]] bool write_loop(Scalar distance) {
     for (std::uint32_t i = 0; i < last_; ++i) {
       if (!follow(i, distance, *loops_.vertex(i, distance, distance))) return false;
     }
     return true;
   }
-  /// Appends the last element, up to its meeting with the first element of the next loop.
+  /// Appends the last element up to its intersection with the first element of the next loop.
   [[nodiscard]] bool lead_to(Scalar distance, Scalar next) {
     const auto meeting = loops_.vertex(last_, distance, next);
     if (meeting) return follow(last_, distance, *meeting);
-    // Circles about one centre do not meet: a line leads to the beginning of the next loop.
+    // Concentric circles do not intersect: a line leads to the beginning of the next loop.
     if (!follow(last_, distance, *loops_.vertex(last_, distance, distance))) return false;
     const Vector start = place_;
     place_ = *loops_.vertex(last_, next, next);

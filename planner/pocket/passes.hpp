@@ -8,15 +8,17 @@
 
 namespace cnc::pocket {
 
-/// Facts about a pass besides its loops.
+/// Data of a pass in addition to its loops.
 template <typename Scalar>
 struct PassNote {
-  Scalar distance{};  ///< Distance of the pass from the wall, mm, with its corners not rounded.
-  std::uint32_t parent = contour::kNone;  ///< The pass around it; kNone for a pass at the wall.
+  Scalar distance{};  ///< Distance of the pass from the wall before its corners were rounded, mm.
+  /// Index of the pass around it; kNone for a pass at the wall.
+  std::uint32_t parent = contour::kNone;
 };
 
-/// Passes of a pocket in storage of the caller. Each pass is the boundary of a connected area: it
-/// has one loop outside and one around each island. A pass comes after the pass around it.
+/// Passes of a pocket in storage that the caller owns. Each pass is the boundary of a connected
+/// area: it has one outer loop and one loop around each island. A pass comes after the pass around
+/// it.
 template <typename Scalar>
 class PassList {
  public:
@@ -28,7 +30,7 @@ class PassList {
   [[nodiscard]] contour::ContourView<Scalar> loops(std::size_t pass) const { return areas_[pass]; }
   [[nodiscard]] const PassNote<Scalar>& note(std::size_t pass) const { return notes_[pass]; }
 
-  /// Appends a pass. Returns false when the storage is full; then the list is unusable.
+  /// Appends a pass. Returns false if the storage is full; then the list is unusable.
   [[nodiscard]] bool add(const contour::ContourView<Scalar>& loops, const PassNote<Scalar>& note) {
     if (areas_.size() == notes_.size() || !areas_.begin_area()) return false;
     notes_[areas_.size() - 1] = note;

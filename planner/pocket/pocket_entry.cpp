@@ -12,7 +12,7 @@ constexpr int kHalvings = 3;
 constexpr double kMaxRevolutions = 1000.0;
 constexpr double kFullTurn = 6.283185307179586;
 
-/// Returns +1 where the area is on the left of travel, −1 where it is on the right.
+/// Returns +1 if the area is to the left of the direction of travel, −1 if it is to the right.
 template <typename Scalar>
 Scalar side_of_area(Milling milling) {
   return milling == Milling::kClimb ? Scalar{1} : Scalar{-1};
@@ -23,7 +23,8 @@ BasicVec2<Scalar> helix_centre(const Pose<Scalar>& pose, Scalar radius, Milling 
   return pose.point + side_of_area<Scalar>(milling) * radius * left_normal(pose.tangent);
 }
 
-/// Returns the greatest radius above `least` whose circle fits at a pose; 0 if there is none.
+/// Returns the greatest radius above `least` whose circle fits at a pose; 0 if there is no such
+/// radius.
 template <typename Scalar>
 Scalar fitting_radius(const contour::ContourView<Scalar>& locus,
                       const NearestCurve<Scalar>& boundary,
@@ -31,7 +32,7 @@ Scalar fitting_radius(const contour::ContourView<Scalar>& locus,
                       Milling milling,
                       Scalar greatest,
                       Scalar least) {
-  // The pose may be on the boundary: then the circle touches the boundary from within.
+  // The pose may be on the boundary. Then the circle touches the boundary from inside.
   constexpr Scalar kTouching{1.0e-9};
   Scalar radius = greatest;
   for (int i = 0; i <= kHalvings && radius > least; ++i) {
@@ -43,8 +44,8 @@ Scalar fitting_radius(const contour::ContourView<Scalar>& locus,
   return Scalar{0};
 }
 
-/// Returns the number of revolutions of a descent: the least number that is not steeper than the
-/// slope.
+/// Returns the number of revolutions of a descent: the least number with which the descent is not
+/// steeper than the slope.
 template <typename Scalar>
 Scalar parts_of_descent(Scalar descent, Scalar slope, Scalar length) {
   return std::max(Scalar{1}, std::ceil(descent / (slope * length)));
@@ -116,7 +117,7 @@ EntryPlan<Scalar> plan_entry(const contour::ContourView<Scalar>& locus,
     const Scalar radius =
         fitting_radius(locus, boundary, pose, milling, greatest, plan.helix_radius);
     const Scalar chord = (element.end - element.start).norm();
-    // Without a helix the longest element has the most space for links.
+    // Without a helix, the middle of the longest element has the most space for links.
     if (radius <= plan.helix_radius && (plan.helix_radius > Scalar{0} || chord <= longest)) {
       continue;
     }

@@ -65,7 +65,7 @@ class PathMaker {
   ToolPathWriter<Scalar>& out_;
   LinkSearch<Scalar> links_;
   NearestCurve<Scalar> locus_;
-  std::uint32_t locus_root_ = kNone;  ///< The pass whose loops `locus_` contains.
+  std::uint32_t locus_root_ = kNone;  ///< Index of the pass whose loops `locus_` contains.
   Scalar z_above_{};
   Scalar z_{};
   LoopPlace<Scalar> at_;  ///< Position of the tool.
@@ -88,7 +88,8 @@ std::optional<PocketFault> PathMaker<Scalar>::run_level(Scalar z_above, Scalar z
   z_above_ = z_above;
   z_ = z;
   reset();
-  std::uint32_t next = kNone;  // The pass around the last pass, if it is ready.
+  // Index of the pass around the last pass if it is ready; otherwise kNone.
+  std::uint32_t next = kNone;
   for (std::size_t driven = 0; driven < passes_.size(); ++driven) {
     if (next == kNone) {
       if (Fault fault = end_row()) return fault;
@@ -103,8 +104,8 @@ std::optional<PocketFault> PathMaker<Scalar>::run_level(Scalar z_above, Scalar z
   return end_row();
 }
 
-/// Returns the pass whose first vertex is nearest to the tool, of the passes that wait for no
-/// other.
+/// Returns the pass whose first vertex is nearest to the tool, among the passes that wait for no
+/// other pass.
 template <typename Scalar>
 std::uint32_t PathMaker<Scalar>::nearest_ready_pass() const {
   std::uint32_t best = kNone;
@@ -126,7 +127,7 @@ std::uint32_t PathMaker<Scalar>::root_of(std::uint32_t pass) const {
   return pass;
 }
 
-/// Descends to the level by an entry to a loop.
+/// Descends to the level by an entry to the loop `target`.
 template <typename Scalar>
 std::optional<PocketFault> PathMaker<Scalar>::begin_row(const Target& target) {
   const std::uint32_t root = root_of(target.pass);
@@ -157,7 +158,7 @@ std::optional<PocketFault> PathMaker<Scalar>::end_row() {
   return {};
 }
 
-/// Drives around all loops of a pass. A link leads to each loop, if there is one.
+/// Drives around all loops of a pass. The tool moves to each loop over a link if there is one.
 template <typename Scalar>
 std::optional<PocketFault> PathMaker<Scalar>::drive_pass(std::uint32_t pass) {
   const std::size_t loops = passes_.loops(pass).loop_ends.size();
@@ -173,7 +174,7 @@ std::optional<PocketFault> PathMaker<Scalar>::drive_pass(std::uint32_t pass) {
   return {};
 }
 
-/// Moves to a loop that is not driven yet: over a link, or in a new row.
+/// Moves to a loop that is not driven yet, over a link or in a new row.
 template <typename Scalar>
 std::optional<PocketFault> PathMaker<Scalar>::go_to_loop_of(std::uint32_t pass, Target& target) {
   if (in_row_) {
@@ -196,7 +197,7 @@ template <typename Scalar>
 std::optional<PocketFault> PathMaker<Scalar>::follow(const Link<Scalar>& link) {
   for (std::size_t i = 0; i < 3; ++i) {
     const Vector& from = link.points[i];
-    // A shorter element is a rounding error.
+    // Length below which an element is a rounding error.
     constexpr Scalar kShortest{1.0e-9};
     if ((link.points[i + 1] - from).norm() < kShortest) continue;
     if (!out_.add({from.x(), from.y(), z_, link.bulges[i], Use::kPass})) {
@@ -208,7 +209,7 @@ std::optional<PocketFault> PathMaker<Scalar>::follow(const Link<Scalar>& link) {
   return {};
 }
 
-/// Returns the loop whose first vertex is nearest to the tool, of the loops that are not driven
+/// Returns the loop whose first vertex is nearest to the tool, among the loops that are not driven
 /// yet.
 template <typename Scalar>
 std::size_t PathMaker<Scalar>::nearest_loop(std::uint32_t pass) const {

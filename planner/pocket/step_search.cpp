@@ -13,17 +13,17 @@ using contour::ContourView;
 using contour::OffsetError;
 using contour::OffsetFault;
 
-/// Share of the reach from which a trial counts as good as the greatest.
+/// Share of the reach from which on a trial counts as good enough.
 constexpr double kNearlyAll = 0.998;
-/// Share of the reach: least gap between trials that is still searched.
+/// Least gap between trials that is still searched, as a share of the reach.
 constexpr double kGap = 0.02;
-/// Share of the reach for the first trial: smaller corners may be mere rounding.
+/// Least y of the first trial, as a share of the reach. Sharper corners may be only rounding.
 constexpr double kFirstShare = 0.25;
 constexpr int kMaxTrials = 10;
-/// A hole nearer to the boundary than this, mm, is a rounding error of the offset.
+/// Greatest distance from the boundary, mm, at which a hole is a rounding error of the offset.
 constexpr double kShallowHole = 2.0e-7;
 
-/// Returns the sine of half the smallest angle of a corner; 1 without any corner.
+/// Returns the sine of half of the smallest corner angle; 1 if there is no corner.
 template <typename Scalar>
 Scalar sharpest_sine(const ContourView<Scalar>& area) {
   Scalar least{1};
@@ -36,8 +36,9 @@ Scalar sharpest_sine(const ContourView<Scalar>& area) {
   return least;
 }
 
-/// Removes the loops that enclose nothing, which split_areas() omits; a neck that has just closed
-/// is such a loop. `contour` is in `storage`, where the kept loops move up.
+/// Removes the loops that enclose nothing, which split_areas() would omit. A neck that has just
+/// closed is such a loop.
+/// @param storage storage of `contour`, in which the kept loops move towards the front
 template <typename Scalar>
 ContourView<Scalar> without_slivers(const ContourView<Scalar>& contour,
                                     const LoopSpace<Scalar>& storage) {
@@ -75,8 +76,8 @@ NearestPoint<Scalar> deepest_vertex(const NearestCurve<Scalar>& boundary,
   return deepest;
 }
 
-/// Returns whether a point lies in an area. It does if it is on the left of the nearest element.
-/// Where an end of the element is nearest, the turns of all loops decide.
+/// Returns whether a point is in an area: it is on the left of the nearest element. If an end of
+/// the element is nearest, the turns of all loops decide.
 template <typename Scalar>
 bool lies_inside(const ContourView<Scalar>& area,
                  const NearestCurve<Scalar>& boundary,
@@ -95,7 +96,7 @@ Result<Scalar, OffsetError> StepSearch<Scalar>::find(const Area& area,
   const Scalar limit = std::min(most, reach_);
   Trial low;
   Trial high{limit, kNever};
-  bool bounded = false;  // Whether a trial has shown that the wanted y is less than high.y.
+  bool bounded = false;  // Whether a trial has shown that the result is less than high.y.
   Scalar y = std::min(limit, reach_ * std::max(sharpest_sine(area), Scalar{kFirstShare}));
   for (int i = 0; i < kMaxTrials; ++i) {
     const auto trial = look(area, y);
@@ -103,7 +104,8 @@ Result<Scalar, OffsetError> StepSearch<Scalar>::find(const Area& area,
     if (reaches(trial.value())) {
       low = trial.value();
       if (low.y == limit || low.farthest >= Scalar{kNearlyAll} * reach_) return y;
-      // No part of the area is as wide as the empty trial, so this pass is the last one here.
+      // No part of the area is as wide as the trial with the empty goal, so this pass is the last
+      // pass in this area.
       if (high.empty && low.y + cleared_inwards >= high.y) return y;
     } else {
       high = trial.value();
@@ -116,8 +118,8 @@ Result<Scalar, OffsetError> StepSearch<Scalar>::find(const Area& area,
   return kept.ok() ? Result<Scalar, OffsetError>{low.y} : kept.error();
 }
 
-/// Returns the y of the next trial between two trials: where the distance would equal the reach if
-/// it grew in proportion.
+/// Returns the y of the next trial between two trials. At this y the distance would equal the reach
+/// if it grew linearly.
 template <typename Scalar>
 Scalar StepSearch<Scalar>::next(const Trial& low, const Trial& high, bool bounded) const {
   constexpr Scalar kMargin{0.1};
@@ -125,7 +127,7 @@ Scalar StepSearch<Scalar>::next(const Trial& low, const Trial& high, bool bounde
   if (!bounded) {
     return low.farthest > Scalar{0} ? std::min(high.y, low.y * reach_ / low.farthest) : high.y;
   }
-  // The distance is much greater than the reach: a branch of the area has vanished, and the
+  // If the distance is much greater than the reach, a branch of the area has vanished and the
   // distance has jumped.
   if (high.farthest > Scalar{1.5} * reach_) return low.y + Scalar{0.5} * gap;
   const Scalar slope = (high.farthest - low.farthest) / gap;
@@ -155,8 +157,8 @@ Result<typename StepSearch<Scalar>::Trial, OffsetError> StepSearch<Scalar>::look
   return trial;
 }
 
-/// Returns whether a point within the area is out of reach of the goal, though the boundary is in
-/// reach.
+/// Returns whether a point in the area is out of reach of the goal, although the boundary of the
+/// area is in reach.
 template <typename Scalar>
 Result<bool, OffsetError> StepSearch<Scalar>::leaves_a_hole(const Area& area) {
   auto grown = space_.grown.writer();

@@ -6,30 +6,30 @@
 
 namespace cnc::pocket {
 
-/// Finds how far inside of an uncut area the next pass may be. The goal is the area moved inwards
-/// by y. A tool that follows the boundary of the goal clears the points within `reach` of the goal.
-/// The search finds the greatest y at which no point of the area is farther than `reach` from the
-/// goal.
+/// Finds the greatest distance y by which the next pass may be inside an uncut area. The goal is
+/// the area moved inwards by y. A tool that follows the boundary of the goal clears the points
+/// within `reach` of the goal. The search finds the greatest y at which no point of the area is
+/// farther than `reach` from the goal.
 ///
 /// At a corner of angle θ between straight walls, y = reach · sin(θ / 2): paper 5, equation 10. The
 /// first trial has the y of the smallest angle. It is the only trial unless arcs, short elements or
-/// necks matter.
+/// necks affect y.
 ///
 /// Guarantee: no point of the area is more than `kReachSlack` beyond the reach. FarthestPoint
-/// checks this for the boundary. For the inside, an offset outwards checks it: its holes must not
-/// lie in the area. y is less than the greatest possible value by at most 2 % of the reach, or it
-/// finishes the area. y is at least 0, which always satisfies the reach.
+/// checks this for the boundary. For the inside, an offset outwards checks it: the holes of this
+/// offset must not be in the area. y is less than the greatest possible value by at most 2 % of the
+/// reach, or the pass finishes the area. y is at least 0, which always satisfies the reach.
 inline constexpr double kReachSlack = 1.0e-8;  // mm
 template <typename Scalar>
 class StepSearch {
  public:
-  /// @param reach  greatest distance that is cleared, mm, positive
+  /// @param reach  greatest distance from the goal that is cleared, mm, positive
   StepSearch(const ClearingSpace<Scalar>& space, Scalar reach) : space_{space}, reach_{reach} {}
 
-  /// Returns y. Afterwards `goal()` returns the loops of the goal.
+  /// Returns y. Afterwards goal() returns the loops of the goal.
   /// @param most  upper bound of y, mm, positive
-  /// @param cleared_inwards  width of the strip inside of the goal that the pass clears, mm. Where
-  /// y + `cleared_inwards` leaves nothing of the area, the pass is the last one.
+  /// @param cleared_inwards  width of the strip inside the goal that the pass clears, mm. If y +
+  ///     `cleared_inwards` leaves nothing of the area, the pass is the last one.
   [[nodiscard]] Result<Scalar, contour::OffsetError> find(const contour::ContourView<Scalar>& area,
                                                           Scalar most,
                                                           Scalar cleared_inwards);
@@ -37,8 +37,8 @@ class StepSearch {
   [[nodiscard]] contour::ContourView<Scalar> goal() const { return goal_; }
 
  private:
-  /// Greatest distance of the area from the goal at one y. It is `kNever` where the goal is empty,
-  /// or where it encloses a point that it does not reach.
+  /// Greatest distance of the area from the goal at one y. The distance is `kNever` if the goal is
+  /// empty, or if the area has an inner point that is out of reach.
   struct Trial {
     Scalar y{};
     Scalar farthest{};

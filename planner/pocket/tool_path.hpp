@@ -11,42 +11,43 @@ namespace cnc::pocket {
 /// The purpose of an element of a tool path.
 enum class Use : std::uint8_t {
   kPass,   ///< Cuts: the tool removes stock along it.
-  kLight,  ///< Cuts with no more of the tool's circumference than the caller allowed.
-  kLink,   ///< Moves at depth, at the cutting feed, where the stock is gone already.
+  kLight,  ///< Cuts, with an engagement of at most the value that the caller allowed.
+  kLink,   ///< Moves at depth, at the cutting feed, where there is no stock any more.
   /// A line or an arc back to the next cut at the same depth. Along lines the tool may move at the
-  /// rapid rate: it touches stock at most at the two ends.
+  /// rapid rate, because it touches stock at most at the two ends.
   kReturn,
   kEntry,  ///< Descends into stock by a ramp or a helix.
-  /// A line over cleared stock, at the beginning of which a cutter compensation may begin.
+  /// A line over cleared stock. A cutter compensation may begin at the start of the line.
   kLeadIn,
-  kLeadOut,  ///< A line over cleared stock, at the beginning of which the cutter compensation ends.
+  kLeadOut,  ///< A line over cleared stock. The cutter compensation ends at the start of the line.
 };
 
 /// The start of an element of a tool path. The element is the arc or the line to the next point of
-/// its row; z changes in proportion to the length. The last point of a row begins no element.
+/// its row; z changes in proportion to the length. No element begins at the last point of a row.
 template <typename Scalar>
 struct PathPoint {
   Scalar x{};      ///< mm.
   Scalar y{};      ///< mm.
-  Scalar z{};      ///< mm; 0 is the top of the stock, negative is below.
-  Scalar bulge{};  ///< tan(sweep / 4) in the plane, positive turns left, 0 is a line.
+  Scalar z{};      ///< Height in mm; 0 is the top of the stock, negative values are below it.
+  Scalar bulge{};  ///< Bulge tan(sweep / 4) in the plane; positive turns left, 0 is a line.
   Use use = Use::kPass;
 
   [[nodiscard]] BasicVec2<Scalar> point() const { return {x, y}; }
 };
 
-/// Rows of points in storage of the caller. The tool retracts between rows.
+/// Rows of points in storage that the caller owns. The tool retracts between rows.
 template <typename Scalar>
 struct ToolPathView {
   contour::Slice<const PathPoint<Scalar>> points;
-  contour::Slice<const std::uint32_t> row_ends;  ///< One past the last point of each row.
+  /// End of each row: the index after its last point.
+  contour::Slice<const std::uint32_t> row_ends;
 
   [[nodiscard]] std::uint32_t row_begin(std::size_t row) const {
     return row == 0 ? 0 : row_ends[row - 1];
   }
 };
 
-/// Writes rows into storage of the caller.
+/// Writes rows into storage that the caller owns.
 template <typename Scalar>
 class ToolPathWriter {
  public:
@@ -54,7 +55,7 @@ class ToolPathWriter {
       : points_{points}, row_ends_{row_ends} {}
 
   void clear() { point_count_ = row_count_ = 0; }
-  /// Adds a point. Returns false and changes nothing when the storage is full.
+  /// Adds a point. Returns false and changes nothing if the storage is full.
   [[nodiscard]] bool add(const PathPoint<Scalar>& point) {
     if (point_count_ == points_.size()) return false;
     points_[point_count_++] = point;

@@ -10,9 +10,9 @@ namespace {
 
 double square(double x) { return x * x; }
 
-/// The tool cut by an upright plane parallel to its axis. The height is a function of the distance
-/// along the plane from the foot of the axis. It is convex, since the tool is convex, and equal on
-/// both sides of the foot.
+/// Section of the tool by an upright plane that is parallel to the tool's axis. The section's
+/// height is a function of the distance along the plane from the foot of the axis. The function is
+/// convex, because the tool is convex, and equal on both sides of the foot.
 struct Section {
   const Profile& profile;
   double beside_square;  ///< Distance of the plane from the axis, squared.
@@ -22,11 +22,12 @@ struct Section {
   }
 };
 
-/// Solves out · along / distance = slope · across for a quarter of a circle that is `out` beyond
-/// the flat and `across` below its centre. Both sides are smooth, and their difference rises with
-/// `along`. Towards the rim it rises without bound, as `across` is the square root of a length that
-/// vanishes there. Therefore the unknown is the square root of the remaining distance to the rim.
-/// With the distance itself, Newton's steps near the rim would be much too short.
+/// Solves out · along / distance = slope · across for a quarter of a circle, where the point is
+/// `out` beyond the flat and `across` below the circle's centre. Both sides of the equation are
+/// smooth, and their difference rises with `along`. Towards the rim it rises without bound, because
+/// `across` is the square root of a length that vanishes there. Therefore the unknown is the square
+/// root of the remaining distance to the rim. With the distance itself as the unknown, Newton's
+/// steps near the rim would be much too short.
 double place_on_corner(const Section& section, double slope, double begin, double most) {
   const Profile& profile = section.profile;
   const double width = most - begin;
@@ -44,8 +45,8 @@ double place_on_corner(const Section& section, double slope, double begin, doubl
     (off < 0.0 ? high : low) = root;
     const double bend = out * section.beside_square / (distance * square(distance));
     const double steep = square(share) + slope * out * share / std::max(across, 1e-300) + bend;
-    // Takes Newton's step, or half of the interval where the step would leave its bounds. The error
-    // of the height is only the square of the remaining error.
+    // Takes Newton's step, or half of the interval if the step would leave its bounds. The error of
+    // the height is only the square of the remaining error.
     const double before = root;
     root += off / (2.0 * width * root * steep);
     if (!(root > low && root < high)) root = 0.5 * (low + high);
@@ -55,7 +56,7 @@ double place_on_corner(const Section& section, double slope, double begin, doubl
 }
 
 /// Finds the point where the section rises as steeply as the line: there the line is highest above
-/// the section. Returns `most` mm, or more, where no point is as steep.
+/// the section. Returns `most` mm, or more, if the section has no such slope.
 /// @pre slope > 0
 double place_of_slope(const Section& section, double slope, double most) {
   const Profile& profile = section.profile;
@@ -139,7 +140,8 @@ FacetContact::FacetContact(const Profile& profile,
   height_ = a.z() - contact.height;
   const double twice = first.x() * second.y() - first.y() * second.x();
   const double sign = twice < 0.0 ? -1.0 : 1.0;
-  // Each is the share of the corner b or c at a point, times `whole_`.
+  // Each product with one of these vectors is the share of the corner b or c at a point, times
+  // `whole_`.
   inwards_[0] = sign * Eigen::Vector2d{second.y(), -second.x()};
   inwards_[1] = sign * Eigen::Vector2d{-first.y(), first.x()};
   whole_ = std::abs(twice);

@@ -9,15 +9,16 @@
 
 namespace cnc::surface {
 
-/// Heights at which a tool that descends along Z first touches parts of a surface. This is the
-/// inverse tool of paper 4, for any tool of a Profile, on points, edges and facets. All lengths are
-/// mm, and a height is that of the tool's tip.
+/// Heights at which a tool that descends along Z first touches parts of a surface. The functions
+/// are the inverse tool of paper 4, for any tool of a Profile, on points, edges and facets. All
+/// lengths are in mm, and a height is the height of the tool's tip.
 
-/// Height where the tool touches nothing.
+/// Height if the tool touches nothing.
 inline constexpr double kNoContact = -std::numeric_limits<double>::infinity();
 
-/// Returns the tip's height on the part of the line from `from` to `to` that is under the tool,
-/// with the ends of the line; kNoContact where no part is.
+/// Returns the greatest height of the tip at which the tool touches the line from `from` to `to`,
+/// including its ends. Only the part of the line under the tool counts. The result is kNoContact if
+/// no part is under the tool.
 /// @param place X and Y of the tool's axis
 /// @param min_wanted for a height of at most this value, kNoContact may be returned instead
 [[nodiscard]] double height_on_edge(const Profile& profile,
@@ -29,25 +30,27 @@ inline constexpr double kNoContact = -std::numeric_limits<double>::infinity();
 /// The point at which a tool touches a plane.
 struct PlaneContact {
   double out = 0.0;     ///< Distance from the axis, mm, on the side to which the plane rises.
-  double height = 0.0;  ///< Height above the tip, mm.
+  double height = 0.0;  ///< Height of the point above the tip, mm.
 };
 
-/// Returns the contact of the tool with a plane. @param slope of the plane, mm per mm, ≥ 0
+/// Returns the point at which the tool touches a plane. @param slope slope of the plane, mm per mm,
+/// ≥ 0
 [[nodiscard]] PlaneContact contact_with_plane(const Profile& profile, double slope);
 
-/// Contact of a tool with the inside of a facet. A facet has one direction, so the tool touches it
-/// with the same point of its own surface everywhere. All values that do not depend on the tool's
-/// position are computed once.
+/// Contact of a tool with the inside of a facet. The normal of a facet is constant, so the tool
+/// always touches it with the same point of its own surface. All values that do not depend on the
+/// tool's position are computed once.
 class FacetContact {
  public:
-  /// A facet that stands upright is never touched on its inside alone: its edges are enough.
+  /// Prepares a facet. For an upright facet height() always returns kNoContact: a tool never
+  /// touches the inside of such a facet without an edge, so its edges are enough.
   FacetContact(const Profile& profile,
                const Eigen::Vector3d& a,
                const Eigen::Vector3d& b,
                const Eigen::Vector3d& c);
 
-  /// Returns the tip's height where the tool's point of contact is within the facet, else
-  /// kNoContact.
+  /// Returns the tip's height if the tool's point of contact is within the facet; kNoContact
+  /// otherwise.
   [[nodiscard]] double height(const Eigen::Vector2d& place) const {
     const Eigen::Vector2d beside = place - corner_;
     const double first = inwards_[0].dot(beside);
@@ -57,13 +60,13 @@ class FacetContact {
   }
 
  private:
-  /// `a` minus the tool's point of contact, X and Y.
+  /// X and Y of the tool's axis when the tool's point of contact is at `a`, mm.
   Eigen::Vector2d corner_ = Eigen::Vector2d::Zero();
-  /// Vectors across the edges from `a`, so that the sum of both products is `whole_` at the third
-  /// edge.
+  /// Vectors across the two edges that meet at `a`. Their products with the distance from `corner_`
+  /// add up to `whole_` at the third edge.
   std::array<Eigen::Vector2d, 2> inwards_{Eigen::Vector2d::Zero(), Eigen::Vector2d::Zero()};
   double whole_ = -1.0;
-  double height_ = 0.0;  ///< Height of the tip where the tool's point of contact is at `a`.
+  double height_ = 0.0;  ///< Height of the tip when the tool's point of contact is at `a`.
   Eigen::Vector2d gradient_ = Eigen::Vector2d::Zero();
 };
 

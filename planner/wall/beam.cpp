@@ -13,7 +13,8 @@ namespace {
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
-/// A point as the beam sees it: its coordinate along the axis, and the vector from the axis to it.
+/// A point in the coordinates of the beam: its coordinate along the axis, and the vector from the
+/// axis to the point.
 struct Seen {
   double along = 0.0;
   Eigen::Vector3d out = Eigen::Vector3d::Zero();
@@ -27,8 +28,8 @@ Seen seen_by(const Beam& beam, const Eigen::Vector3d& point) {
 
 using Corners = std::array<Seen, 3>;
 
-/// A part of a line as the beam sees it. Its parameter is the distance past the point nearest to
-/// the axis.
+/// A part of a line in the coordinates of the beam. The line's parameter is the distance past the
+/// point nearest to the axis.
 class SeenLine {
  public:
   SeenLine(const Seen& from, const Seen& to) {
@@ -45,11 +46,11 @@ class SeenLine {
     beside_ = (from.out - past_ * direction).norm();
   }
 
-  /// Returns the least signed distance from the cone between two shares `begin` and `end` of the
-  /// line.
+  /// Returns the least signed distance from the side of the beam's cone, over the points between
+  /// the shares `begin` and `end` of the line.
   [[nodiscard]] double least(const Beam& beam, double begin, double end) const {
     double share = climb_ > 0.0 ? end : begin;
-    // Where the line climbs less than the cone's side, it has a point that is nearest to the side.
+    // If the line climbs less than the cone's side, it has a point that is nearest to the side.
     const double rise = climb_ * beam.sine;
     const double run = length_ * beam.cosine;
     if (std::abs(rise) < run) {
@@ -62,20 +63,20 @@ class SeenLine {
   }
 
  private:
-  double length_ = 0.0;  ///< Length of the line, seen along the axis.
+  double length_ = 0.0;  ///< Length of the line's projection along the axis.
   double climb_ = 0.0;
   double from_along_ = 0.0;
   double beside_ = 0.0;
   double past_ = 0.0;
 };
 
-/// Returns the share of a line at which it passes a plane across the axis.
+/// Returns the share of a line at which it crosses a plane across the axis.
 /// @pre its ends are on different sides of the plane
 double share_at(const Seen& from, const Seen& to, double along) {
   return (along - from.along) / (to.along - from.along);
 }
 
-/// Points where a triangle's edges pass a plane across the axis: none or two.
+/// Points where a triangle's edges cross a plane across the axis: none or two.
 struct Crossing {
   std::array<Seen, 2> ends{};
   std::size_t count = 0;
@@ -87,10 +88,12 @@ struct Crossing {
   }
 };
 
-/// Finds the least signed distance from the side of a beam, over all points between its planes.
+/// Finds the least signed distance from the side of a beam, over all points between the planes of
+/// tip and lens.
 class LeastDistance {
  public:
-  /// The planes are moved apart by the margin, so that rounding loses no point on a plane.
+  /// Creates a search. The planes are moved apart by the margin, so that rounding loses no point on
+  /// a plane.
   explicit LeastDistance(const Beam& beam) : beam_{beam}, top_{beam.length_mm + kBeamMarginMm} {}
 
   void add_edge(const Seen& from, const Seen& to) {
@@ -106,7 +109,7 @@ class LeastDistance {
     tip_.add(from, to, kBottom);
   }
 
-  /// Takes the lines in which the triangle crosses the planes of the beam's two ends.
+  /// Adds the lines in which the triangle crosses the planes of the beam's two ends.
   void add_planes() {
     for (const Crossing* crossing : {&lens_, &tip_}) {
       if (crossing->count < 2) continue;
@@ -115,7 +118,7 @@ class LeastDistance {
     }
   }
 
-  /// Takes the point where the axis crosses the triangle.
+  /// Adds the point where the axis crosses the triangle.
   void add_axis(const Corners& corners) {
     std::array<double, 3> areas{};
     for (std::size_t i = 0; i < 3; ++i) {
@@ -124,8 +127,7 @@ class LeastDistance {
     const auto [low, high] = std::minmax({areas[0], areas[1], areas[2]});
     if (low < 0.0 && high > 0.0) return;
     const double whole = areas[0] + areas[1] + areas[2];
-    // Where the triangle is seen edge-on, its sides are nearer to the axis than rounding can
-    // resolve.
+    // If the triangle is seen edge-on, its sides are nearer to the axis than rounding can resolve.
     constexpr double kRounding = 1.0e-13;
     double reach_square = 0.0;
     for (const Seen& corner : corners) {
@@ -137,7 +139,8 @@ class LeastDistance {
     if (along >= kBottom && along <= top_) min_ = std::min(min_, -beam_.sine * along);
   }
 
-  /// Returns the least distance, minus the part of the waist's radius.
+  /// Returns the least distance. It subtracts the waist, which the collected distances do not
+  /// contain.
   [[nodiscard]] double value() const { return min_ - beam_.cosine * beam_.waist_mm; }
 
  private:
@@ -162,9 +165,8 @@ double clearance_of(const Beam& beam, const Corners& corners) {
   return least.value();
 }
 
-/// Returns whether all corners are beyond a plane that touches the side of the beam. The plane is
-/// that on the side of the corners' middle. This test recognizes most triangles that the beam
-/// misses.
+/// Returns whether all corners are beyond a plane that is tangent to the side of the beam, in the
+/// direction of the corners' centre. This test recognizes most triangles that the beam misses.
 bool is_apart(const Beam& beam, const Corners& corners) {
   const auto& [a, b, c] = corners;
   const Eigen::Vector3d towards = a.out + b.out + c.out;

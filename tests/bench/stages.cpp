@@ -154,7 +154,7 @@ class Motors {
     let_in(generator_);
     std::uint32_t played = 0;
     while (played <= ticks) {
-      const std::uint32_t wait = generator_.on_interrupt();
+      const std::uint32_t wait = generator_.player().on_interrupt();
       if (wait == 0) break;
       played += wait;
     }

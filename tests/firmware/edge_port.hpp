@@ -95,7 +95,7 @@ class StepGeneratorTest : public testing::Test {
     const std::uint64_t end = port.now + ticks;
     while (next_ != kNoInterrupt && next_ < end) {
       port.now = next_;
-      const std::uint32_t wait = generator.on_interrupt();
+      const std::uint32_t wait = generator.player().on_interrupt();
       next_ = wait == 0 ? kNoInterrupt : next_ + wait;
     }
     if (next_ != kNoInterrupt) port.now = end;

@@ -48,7 +48,7 @@ class PlantedComments(unittest.TestCase):
                     "`kMost` is named `kMax", "`kLeast` is named `kMin")
 
     def test_printed_texts_without_a_subject(self):
-        self.expect('const char* help = "Of the lightest grey; 0";\nconst char* other = "Power of the lightest grey";\n',
+        self.expect('const char* help = "Of the lightest grey; 0";\nconst char* other = "Power of grey";\n',
                     "a text begins with `Of the lightest grey`")
 
 

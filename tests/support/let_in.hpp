@@ -10,7 +10,7 @@ template <typename Generator>
 void let_in(Generator& generator) {
   generator.settle();
   for (std::uint32_t turn = 0; turn <= kTurnsToMotion + 1; ++turn) {
-    generator.begin_turn();
+    generator.player().begin_turn();
     static_cast<void>(generator.take_turn());
     generator.end_turn();
   }

@@ -20,7 +20,7 @@ bool play(const std::vector<cnc::motion::Segment>& segments,
   refill();
   let_in(*generator);
   while (generator->running()) {
-    port.now += generator->on_interrupt();
+    port.now += generator->player().on_interrupt();
     refill();
     let_in(*generator);
   }

@@ -6,36 +6,37 @@
 
 namespace cnc::can {
 
-/// Frames of CANopen's predefined connection set (CiA 301) with 11-bit identifiers. The smaller
-/// identifier wins the bus. A node number is 1 to 127.
-inline constexpr std::uint32_t kNetwork = 0x000;  ///< NMT: command, node (0 means all nodes).
+/// Identifiers of frames in CANopen's predefined connection set (CiA 301), 11 bits each. If two
+/// nodes send at the same time, the frame with the smaller identifier is sent first. A node number
+/// is 1 to 127; `+ node` means that the node number is added to the identifier.
+inline constexpr std::uint32_t kNetwork = 0x000;  ///< NMT: command, then node (0 means all nodes).
 inline constexpr std::uint32_t kFailSafe =
-    0x001;  ///< Global fail-safe: all nodes stop, whatever its content.
+    0x001;  ///< Global fail-safe: stops all nodes; the frame's content has no meaning.
 inline constexpr std::uint32_t kEmergency = 0x080;  ///< + node: error code, register, alarm.
 inline constexpr std::uint32_t kRealtime = 0x200;   ///< + node: realtime bytes to the node.
 inline constexpr std::uint32_t kTextFrom = 0x480;   ///< + node: text from the node, ISO 15765-2.
 inline constexpr std::uint32_t kTextTo = 0x500;     ///< + node: lines to the node, ISO 15765-2.
 inline constexpr std::uint32_t kHeartbeat = 0x700;  ///< + node: state of the node.
 inline constexpr std::uint32_t kHostHeartbeat = 0x77F;
-inline constexpr std::uint32_t kLssFrom = 0x7E4;  ///< Answers of a node to the master (CiA 305).
-inline constexpr std::uint32_t kLssTo = 0x7E5;    ///< Frames of the master that sets node numbers.
+inline constexpr std::uint32_t kLssFrom = 0x7E4;  ///< Answers from a node to the master (CiA 305).
+inline constexpr std::uint32_t kLssTo = 0x7E5;    ///< From the master that sets node numbers.
 
-inline constexpr std::uint8_t kLastNode = 0x7E;  ///< 0x7F is the host's number.
+inline constexpr std::uint8_t kLastNode = 0x7E;  ///< The next number, 0x7F, is the host's.
 inline constexpr std::uint8_t kUsualNode = 0x11;
 
-/// Returns the identifiers that a node receives, the urgent ones first. A filter may keep all
-/// others away from it.
 inline constexpr std::size_t kUrgent = 3;
+/// Returns the identifiers of frames that a node must receive; the first kUrgent are urgent. A
+/// filter may reject all other frames.
 [[nodiscard]] constexpr std::array<std::uint32_t, 6> heard_by_node(std::uint8_t node) {
   return {kNetwork, kFailSafe, kRealtime + node, kTextTo + node, kHostHeartbeat, kLssTo};
 }
 
-/// Returns the identifiers that a host receives from this node.
+/// Returns the identifiers of frames that the node with number `node` sends to a host.
 [[nodiscard]] constexpr std::array<std::uint32_t, 3> heard_by_host(std::uint8_t node) {
   return {kEmergency + node, kTextFrom + node, kHeartbeat + node};
 }
 
-/// First byte of kNetwork.
+/// Command in the first byte of a kNetwork frame.
 enum class NetworkCommand : std::uint8_t {
   kStart = 0x01,  ///< A host is present.
   kStop = 0x02,   ///< Emergency stop.
@@ -43,7 +44,7 @@ enum class NetworkCommand : std::uint8_t {
   kResetCommunication = 0x82,
 };
 
-/// Content of a heartbeat.
+/// State of a node, the content of its heartbeat.
 enum class NodeState : std::uint8_t {
   kBooting = 0x00,
   kStopped = 0x04,  ///< The node has an alarm.

@@ -20,8 +20,8 @@ void CanLink::want_node(std::uint8_t node) {
   next_ = node;
 }
 
-/// Takes on the next number, but not while a host communicates with the node or is about to set a
-/// number.
+/// Changes to the next node number, but not while a host communicates with the node or while a
+/// master is setting a number.
 void CanLink::follow_node() {
   if (next_ != 0 && session_ == 0 && !numbering_.configured_now()) {
     booting_ = booting_ || next_ != node_;
@@ -52,7 +52,7 @@ void CanLink::take(const hal::CanFrame& frame, hal::TickCount now) {
     host_heard_ = now;
   } else if (frame.id == can::kLssTo) {
     if (const auto reply = numbering_.take(payload, node_)) {
-      static_cast<void>(send(can::kLssFrom, *reply));  // Without an answer the master asks again.
+      static_cast<void>(send(can::kLssFrom, *reply));  // The master repeats unanswered requests.
     }
   }
 }
@@ -80,12 +80,12 @@ void CanLink::take_network(std::span<const std::byte> payload, hal::TickCount no
   }
 }
 
-/// Queues realtime bytes. A reset empties the queue first, so it always fits.
+/// Queues realtime bytes. A reset empties the queue first, so a reset always has free space.
 void CanLink::take_realtime(std::span<const std::byte> payload) {
   for (const std::byte byte : payload) {
     if (static_cast<RealtimeByte>(byte) == RealtimeByte::kReset) {
       realtime_.clear();
-      receiver_.clear();  // Drops all text before the reset.
+      receiver_.clear();  // Drops all text that arrived before the reset.
       failed_ = false;
     }
     if (realtime_.room() == 0) return end_session(can::kFramesLost);
@@ -106,7 +106,7 @@ void CanLink::begin_session() {
   receiver_.clear();
   sender_.clear();
   ++sessions_;
-  if (sessions_ == 0) sessions_ = 1;  // 0 would mean that no host is connected.
+  if (sessions_ == 0) sessions_ = 1;  // Number 0 means that no host is connected.
   session_ = sessions_;
 }
 
@@ -118,8 +118,8 @@ void CanLink::end_session(std::uint16_t error) {
   realtime_.clear();
 }
 
-/// Ends the session if text was lost, because incomplete text must not be used, or if the host is
-/// silent.
+/// Ends the session if text was lost, because incomplete text must not be used. Also ends the
+/// session if the host is silent.
 void CanLink::look_for_loss(hal::TickCount now) {
   const std::uint32_t lost =
       port_.health().lost_frames + receiver_.counts().lost + sender_.counts().given_up;
@@ -155,7 +155,7 @@ bool CanLink::send(std::uint32_t id, std::span<const std::byte> payload) {
 }
 
 /// Sends an emergency message if the link has failed, or if an alarm begins or ends. Returns true
-/// if no message is left to be sent.
+/// if no emergency message remains to be sent.
 bool CanLink::send_emergency() {
   if (error_ == can::kNoError && told_ == condition_) return true;
   const bool alarm = error_ == can::kNoError && condition_.stopped;

@@ -16,18 +16,19 @@
 
 namespace cnc {
 
-/// A controller on a CAN bus. Text is the same as on any link, in messages of ISO 15765-2. Realtime
-/// bytes, emergency stop and heartbeats have separate frames, which never wait for text.
+/// A controller's link to a CAN bus. Text is the same as on any link and travels in messages of ISO
+/// 15765-2. Realtime bytes, emergency stop and heartbeats have separate frames, which never wait
+/// for text.
 ///
-/// A session lasts from the first frame to this node until one of these events: the network is
-/// commanded to reset its communication; the host's heartbeat, once received, is silent for 80 ms;
-/// frames were lost; or the other side does not take the answers. After a loss, text is accepted
-/// again only after the network was started or the node reset, so that no line is composed of
-/// remains. Main loop; no call blocks.
+/// A session begins with the first frame to this node. It ends if a host resets the communication,
+/// frames were lost, or the host does not accept the answers. It also ends if heartbeats of the
+/// host have been received and then stay away for 80 ms. After a loss, no text is accepted until a
+/// host starts the network or resets the node, so that no line is composed of incomplete text. Main
+/// loop; no call blocks.
 class CanLink final : public hal::SessionStream {
  public:
-  /// Silence of a host's heartbeat after which the host is gone. A host that sends heartbeats must
-  /// send one at least every 25 ms; then two of three may be lost.
+  /// Silence of the host's heartbeat after which the host counts as gone, microseconds. A host that
+  /// sends heartbeats must send one at least every 25 ms, so that two of three may be lost.
   static constexpr std::uint32_t kHostSilenceUs = 80'000;
   static constexpr std::uint32_t kHeartbeatUs = 500'000;
 
@@ -40,7 +41,7 @@ class CanLink final : public hal::SessionStream {
   };
 
   /// @param port outlives this object
-  /// @param node 1 to can::kLastNode, until want_node() sets another number
+  /// @param node node number, 1 to can::kLastNode, until want_node() sets another
   explicit CanLink(hal::CanPort& port,
                    std::uint8_t node = can::kUsualNode,
                    const LssSlave::Identity& identity = {})
@@ -50,20 +51,20 @@ class CanLink final : public hal::SessionStream {
   CanLink& operator=(const CanLink&) = delete;
   ~CanLink() = default;
 
-  /// Takes the frames that have arrived and sends frames that are due. To be called before each
+  /// Processes the frames that have arrived and sends the frames that are due. Called before each
   /// cycle.
   /// @param now microseconds
   void attend(hal::TickCount now);
 
-  /// Returns true once after an emergency stop, which must end all motion with the beam off, and
-  /// leave an alarm.
+  /// Returns true once after an emergency stop was received. The caller must then end all motion,
+  /// switch the beam off and set an alarm.
   [[nodiscard]] bool take_stop() { return std::exchange(stop_, false); }
-  /// Takes the oldest realtime byte; it acts even if a line of text is incomplete. Returns false if
-  /// there is none.
+  /// Takes the oldest realtime byte. The byte acts even if a line of text is incomplete. Returns
+  /// false if there is none.
   [[nodiscard]] bool take_realtime(std::byte& byte);
 
   /// Excludes `time` from the host's silence, because the controller could not receive frames
-  /// during it. To be called before attend().
+  /// during `time`. Called before attend().
   /// @param time microseconds
   void excuse_host(std::uint32_t time) { host_heard_ = host_heard_.plus(time); }
 
@@ -71,14 +72,15 @@ class CanLink final : public hal::SessionStream {
   /// the node.
   /// @param node 1 to can::kLastNode
   void want_node(std::uint8_t node);
-  /// Returns, once, the number that a master on the bus has set and that is to be stored as the
-  /// setting; 0 if there is none. The caller reports the result by note_stored().
+  /// Returns the number that a master on the bus has set and requests to store as the setting.
+  /// Returns each such number once; 0 if there is none. The caller then reports the result with
+  /// note_stored().
   [[nodiscard]] std::uint8_t take_node_to_store() {
     return numbering_.take_store_request() ? numbering_.set_node() : 0;
   }
   void note_stored(bool ok) { static_cast<void>(send(can::kLssFrom, LssSlave::stored(ok))); }
 
-  /// Sets the state that is sent to other nodes from the next cycle on.
+  /// Sets the condition of the machine that is sent to other nodes from the next attend() on.
   void tell(const Condition& condition) { condition_ = condition; }
 
   [[nodiscard]] std::size_t read(std::span<std::byte> into) override;
@@ -116,15 +118,16 @@ class CanLink final : public hal::SessionStream {
   TextQueue realtime_{acts_};
   std::uint32_t session_ = 0;
   std::uint32_t sessions_ = 0;
-  std::uint32_t lost_ = 0;               ///< Last seen count of lost frames, messages and answers.
-  std::uint16_t error_ = can::kNoError;  ///< Error of the link that is not sent yet.
+  /// Last counted sum of lost frames, lost messages and abandoned answers.
+  std::uint32_t lost_ = 0;
+  std::uint16_t error_ = can::kNoError;  ///< Error of the link that has not been sent yet.
   bool stop_ = false;
   bool host_beats_ = false;
-  bool failed_ = false;  ///< No session begins until the network is started, or a reset comes.
+  bool failed_ = false;  ///< No session begins until a host starts the network or sends a reset.
   bool booting_ = true;
-  std::uint8_t wanted_ = 0;  ///< Number from the settings; 0: none.
-  std::uint8_t next_ = 0;    ///< Next number of this node; 0: no change.
-  std::uint8_t heard_ = 0;   ///< Number for which the port filters frames.
+  std::uint8_t wanted_ = 0;  ///< Node number from the settings; 0: none.
+  std::uint8_t next_ = 0;    ///< Node number to change to; 0: no change.
+  std::uint8_t heard_ = 0;   ///< Node number for which the port filters frames.
   Condition condition_{};
   Condition told_{};
   hal::TickCount host_heard_{};

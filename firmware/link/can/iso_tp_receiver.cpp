@@ -41,7 +41,7 @@ void IsoTpReceiver::take_first(std::span<const std::byte> payload) {
   if (payload.size() < 8) return;
   const std::uint32_t length = static_cast<std::uint32_t>(iso_tp::low_half(payload)) << 8 |
                                std::to_integer<std::uint32_t>(payload[1]);
-  // If the length is 0, four more bytes hold it, because it exceeds 4095.
+  // A length of 0 means that four more bytes hold the length, because it exceeds 4095.
   if (length != 0 && length <= iso_tp::kInSingle) return;
   abandon();
   if (length == 0 || length > kLongest) {
@@ -63,7 +63,7 @@ void IsoTpReceiver::take_consecutive(std::span<const std::byte> payload) {
   if (left_ == 0) return;
   const std::size_t bytes = std::min<std::size_t>(left_, iso_tp::kInConsecutive);
   const std::uint8_t number = iso_tp::low_half(payload);
-  // The previous frame came again: ignored.
+  // A repetition of the previous frame is ignored.
   if (payload.size() <= bytes || number == ((number_ - 1) & 0xFU)) return;
   if (number != number_ || text_.room() < bytes) return abandon();
   text_.add(payload.subspan(1, bytes));
@@ -89,7 +89,7 @@ std::uint32_t IsoTpReceiver::frames_left() const {
          static_cast<std::uint32_t>(iso_tp::kInConsecutive);
 }
 
-/// Returns how many of the message's remaining frames fit; the last frame may be short.
+/// Returns the number of the message's remaining frames that fit. The last frame may be short.
 std::uint32_t IsoTpReceiver::frames_that_fit() const {
   const std::uint32_t room = text_.room();
   if (room < kReserve) return 0;

@@ -12,18 +12,21 @@
 
 namespace cnc {
 
-/// Collects the bytes of received messages. A message counts only when it is whole: if a frame of
-/// it is missing, none of its bytes is ever read. Main loop; the work of each call is bounded.
+/// Collects the bytes of received messages. A message counts only when it is complete: if one of
+/// its frames is missing, read() returns none of its bytes. Main loop; the work of each call is
+/// bounded.
 ///
-/// Free space is reserved before it is used: a sender is allowed as many frames as fit, and then
-/// waits for the next flow control. Single and first frames need no permission, so some space is
-/// reserved for them.
+/// The receiver allows a sender only as many frames as fit in the free space; the sender then waits
+/// for the next flow control. Single frames and first frames need no permission, so kReserve bytes
+/// are kept free for them.
 class IsoTpReceiver {
  public:
   static constexpr std::uint32_t kBytes = 512;
-  /// Space for frames without permission, while other senders wait for theirs.
+  /// Free space for frames that need no permission, in bytes; frames that need permission cannot
+  /// use it.
   static constexpr std::uint32_t kReserve = 64;
-  static constexpr std::uint32_t kLongest = kBytes - kReserve;  ///< Longer messages are refused.
+  /// Length of the longest accepted message, bytes.
+  static constexpr std::uint32_t kLongest = kBytes - kReserve;
 
   IsoTpReceiver() = default;
   IsoTpReceiver(const IsoTpReceiver&) = delete;
@@ -31,11 +34,12 @@ class IsoTpReceiver {
   ~IsoTpReceiver() = default;
 
   struct Counts {
-    std::uint32_t broken = 0;  ///< Messages with missing frames, or without an end.
-    std::uint32_t lost = 0;    ///< Messages, or beginnings of messages, without free space.
+    std::uint32_t broken = 0;  ///< Messages without the last frame, or with a missing frame.
+    /// Messages, or first frames of messages, for which there was no free space.
+    std::uint32_t lost = 0;
   };
 
-  /// Takes a frame of a message. Frames of an unknown kind and frames that are too short are
+  /// Processes a frame of a message. Frames of an unknown kind and frames that are too short are
   /// ignored, as the standard requires.
   void take(std::span<const std::byte> payload, hal::TickCount now);
 
@@ -43,7 +47,7 @@ class IsoTpReceiver {
   /// @param now microseconds
   [[nodiscard]] std::optional<iso_tp::FlowControl> flow_due(hal::TickCount now);
 
-  /// Copies bytes of complete messages; returns how many.
+  /// Copies bytes of complete messages to `into`. Returns the number of bytes.
   [[nodiscard]] std::size_t read(std::span<std::byte> into);
   /// Drops all messages.
   void clear();
@@ -51,10 +55,11 @@ class IsoTpReceiver {
   [[nodiscard]] const Counts& counts() const { return counts_; }
 
  private:
-  /// Interval between flow controls that say wait: much shorter than N_Bs, the timeout of the
-  /// sender.
+  /// Interval between flow controls with the status kWait, microseconds. It is much shorter than
+  /// N_Bs, the timeout of the sender.
   static constexpr std::uint32_t kWaitUs = 100'000;
-  /// Smallest block worth a frame of flow control, unless the block ends the message.
+  /// Smallest number of frames for which a flow control is sent, unless fewer frames end the
+  /// message.
   static constexpr std::uint32_t kMinBlock = 8;
 
   enum class Flow : std::uint8_t { kNone, kAsked, kWaiting, kOverflow };
@@ -68,8 +73,9 @@ class IsoTpReceiver {
 
   std::array<std::byte, kBytes> storage_{};
   TextQueue text_{storage_};
-  std::uint32_t left_ = 0;   ///< Bytes of the message still to come; 0: no message is incomplete.
-  std::uint32_t block_ = 0;  ///< Allowed frames that the sender has not sent yet.
+  /// Bytes of the message that have not arrived; 0: no message is incomplete.
+  std::uint32_t left_ = 0;
+  std::uint32_t block_ = 0;  ///< Allowed frames that have not arrived.
   std::uint8_t number_ = 0;  ///< Sequence number of the next frame.
   Flow flow_ = Flow::kNone;
   hal::TickCount last_{};  ///< Time of the message's last frame, or of the last flow control.

@@ -5,16 +5,16 @@
 namespace cnc {
 namespace {
 
-/// First byte of a frame (CiA 305, 3.9).
+/// Command, the first byte of a frame (CiA 305, 3.9).
 enum class Command : std::uint8_t {
   kSwitchAll = 0x04,
   kConfigureNode = 0x11,
   kConfigureBitRate = 0x13,
   kStore = 0x17,
-  kSelectVendor = 0x40,  ///< The other parts of the identity have the next codes.
+  kSelectVendor = 0x40,  ///< The other three parts of the identity have the next codes.
   kSelectSerial = 0x43,
   kSelected = 0x44,
-  kIdentifyVendor = 0x46,  ///< So here, with two bounds for each of the last two.
+  kIdentifyVendor = 0x46,  ///< First of six codes, one for each bound of the identity.
   kIdentifySerialEnd = 0x4B,
   kIdentified = 0x4F,
   kAskVendor = 0x5A,
@@ -23,7 +23,7 @@ enum class Command : std::uint8_t {
 };
 
 constexpr std::uint8_t kOk = 0;
-constexpr std::uint8_t kOutOfRange = 1;  ///< Node number or bit rate is out of range.
+constexpr std::uint8_t kOutOfRange = 1;  ///< The node number or bit rate is out of range.
 constexpr std::uint8_t kNoAccess = 2;    ///< The store cannot be accessed.
 constexpr std::size_t kParts = 4;
 constexpr std::size_t kBounds = 6;
@@ -68,7 +68,7 @@ std::optional<LssSlave::Payload> LssSlave::take(std::span<const std::byte> paylo
   } else if (command == Command::kConfigureBitRate) {
     return answer(command, kOutOfRange);
   } else if (command == Command::kStore) {
-    if (node_ == 0) return stored(true);  // The present number is stored already.
+    if (node_ == 0) return stored(true);  // This number is already stored.
     store_ = true;
   } else if (command >= Command::kAskVendor && command <= Command::kAskSerial) {
     return answer(command, identity_[from(Command::kAskVendor)]);
@@ -87,7 +87,8 @@ void LssSlave::switch_mode(bool configure) {
   selected_ = 0;
 }
 
-/// Returns whether the controller is selected. The parts must come in order, from the vendor on.
+/// Returns whether the controller is selected. The parts of the identity must arrive in order,
+/// beginning with the vendor.
 bool LssSlave::is_selected(std::size_t part, std::uint32_t number) {
   const bool next = part == 0 || part == selected_;
   selected_ = next && identity_[part] == number ? part + 1 : 0;
@@ -96,8 +97,8 @@ bool LssSlave::is_selected(std::size_t part, std::uint32_t number) {
   return true;
 }
 
-/// Returns whether the identity is within all bounds. They come in this order: vendor, product,
-/// least and greatest revision, least and greatest serial number.
+/// Returns whether the identity is within all bounds. The bounds must arrive in this order: vendor,
+/// product, minimum and maximum revision, minimum and maximum serial number.
 bool LssSlave::is_within(std::size_t bound, std::uint32_t number) {
   constexpr std::array<std::size_t, kBounds> kPartOf{0, 1, 2, 2, 3, 3};
   const std::uint32_t own = identity_[kPartOf[bound]];

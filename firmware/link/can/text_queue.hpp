@@ -9,11 +9,12 @@
 
 namespace cnc {
 
-/// A queue of bytes from which the bytes added last can be taken back until they are settled. One
-/// context. Counts run freely.
+/// A queue of bytes. The bytes added since the last settle() can be removed again. Used in one
+/// context only. The three counts wrap.
 class TextQueue {
  public:
-  /// @param storage outlives this object; its size is a power of two, so that % becomes a mask
+  /// @param storage memory of the queue; outlives this object; its size is a power of two, so that
+  ///     the remainder is computed with a mask
   explicit TextQueue(std::span<std::byte> storage) : bytes_{storage} {
     CNC_ASSERT(std::has_single_bit(storage.size()));
   }
@@ -21,10 +22,10 @@ class TextQueue {
   [[nodiscard]] std::uint32_t capacity() const { return static_cast<std::uint32_t>(bytes_.size()); }
   /// Returns the number of bytes that can be added.
   [[nodiscard]] std::uint32_t room() const { return capacity() - (added_ - taken_); }
-  /// Returns the number of settled bytes that are not yet taken.
+  /// Returns the number of settled bytes in the queue.
   [[nodiscard]] std::uint32_t settled() const { return settled_ - taken_; }
 
-  /// Adds bytes.
+  /// Adds bytes at the end of the queue.
   /// @pre bytes.size() is at most room()
   void add(std::span<const std::byte> bytes) {
     for (const std::byte byte : bytes) place(added_++) = byte;
@@ -33,10 +34,10 @@ class TextQueue {
   /// Removes all bytes that are not settled.
   void take_back() { added_ = settled_; }
 
-  /// Returns the n-th settled byte.
+  /// Returns the settled byte at index `n`; index 0 is the oldest byte.
   /// @pre n < settled()
   [[nodiscard]] std::byte at(std::uint32_t n) const { return place(taken_ + n); }
-  /// Removes the oldest bytes.
+  /// Removes the oldest `count` bytes.
   /// @pre count is at most settled()
   void drop(std::uint32_t count) { taken_ += count; }
 

@@ -6,10 +6,10 @@
 
 namespace hal::stm32f405 {
 
-/// BigTreeTech SKR 2, F407VG or F429VG. Pins as in grblHAL (STM32F4xx driver,
-/// boards/btt_skr_2.0_map.h), except B's limit switch: inputs are polled here, so B uses E1's own
-/// connector (Marlin, pins_BTT_SKR_V2_0_common.h: E1DET). The drivers E0 and E1 are axes A and B.
-/// The board has no pull-down at the beam: fit one.
+/// BigTreeTech SKR 2 with F407VG or F429VG. The pins are the same as in grblHAL (STM32F4xx driver,
+/// boards/btt_skr_2.0_map.h), except B's limit switch. Here all inputs are polled, so B can use
+/// E1's own connector (Marlin, pins_BTT_SKR_V2_0_common.h: E1DET). The drivers E0 and E1 are axes A
+/// and B. The board has no pull-down resistor at the beam's pin: the user must fit one.
 inline constexpr Board kBttSkr2{
     .name = "BTT SKR 2",
     .motors = {{{pe(2), pe(1), pe(3)},

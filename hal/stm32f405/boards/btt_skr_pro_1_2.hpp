@@ -6,11 +6,11 @@
 
 namespace hal::stm32f405 {
 
-/// BigTreeTech SKR Pro 1.2, F407ZG. Pins as in grblHAL (STM32F4xx driver,
-/// boards/btt_skr_pro_v1_1_map.h), except the limit switches of B and C: inputs are polled here, so
-/// they use their own connectors (Marlin, pins_BTT_SKR_PRO_common.h: E1_DIAG, E2_DIAG). The drivers
-/// E0, E1 and E2 are axes A, B and C. The board has no CAN: PD0 is not on any connector, and PD1 is
-/// the UART of E1's driver.
+/// BigTreeTech SKR Pro 1.2 with F407ZG. The pins are the same as in grblHAL (STM32F4xx driver,
+/// boards/btt_skr_pro_v1_1_map.h), except the limit switches of B and C. Here all inputs are
+/// polled, so B and C can use their own connectors (Marlin, pins_BTT_SKR_PRO_common.h: E1_DIAG,
+/// E2_DIAG). The drivers E0, E1 and E2 are axes A, B and C. The board has no CAN: PD0 is not on any
+/// connector, and PD1 is the UART of E1's driver.
 inline constexpr Board kBttSkrPro12{
     .name = "BTT SKR Pro 1.2",
     .motors = {{{pe(9), pf(1), pf(2)},

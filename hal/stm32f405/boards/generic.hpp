@@ -4,9 +4,9 @@
 
 namespace hal::stm32f405 {
 
-/// Any board with an F405, F407 or F429 and its pins on headers. X, Y, Z, beam, coolant and buttons
-/// are where grblHAL has them (STM32F4xx driver, boards/generic_map.h); all other pins are our
-/// choice, among those of the 64-pin package.
+/// Any board with an F405, F407 or F429 whose pins are on headers. X, Y, Z, beam, coolant and
+/// buttons have the same pins as in grblHAL (STM32F4xx driver, boards/generic_map.h). All other
+/// pins are Kerfline's choice, among the pins of the 64-pin package.
 inline constexpr Board kGeneric{
     .name = "Generic F405/F407",
     .motors = {{{pa(0), pa(4)},
@@ -42,8 +42,8 @@ constexpr Board with_crystal(Board board, const char* name, std::uint32_t hz) {
 inline constexpr Board kGeneric12 = with_crystal(kGeneric, "Generic F405/F407, 12 MHz", 12'000'000);
 inline constexpr Board kGeneric25 = with_crystal(kGeneric, "Generic F405/F407, 25 MHz", 25'000'000);
 
-/// Returns the board with another baud rate, for senders of 0.1 mm lines at 100 mm/s: 115,200 baud
-/// is too slow for them.
+/// Returns the board with another baud rate. A sender that sends lines of 0.1 mm at 100 mm/s needs
+/// more than 115,200 baud.
 constexpr Board with_baud(Board board, const char* name, std::uint32_t baud) {
   board.name = name;
   board.baud = baud;
@@ -53,8 +53,8 @@ constexpr Board with_baud(Board board, const char* name, std::uint32_t baud) {
 inline constexpr Board kGeneric1MBaud =
     with_baud(kGeneric, "Generic F405/F407, 1 Mbaud", 1'000'000);
 
-/// Returns the board with a CAN transceiver at CAN1, on pins that packages of 100 pins and more
-/// have.
+/// Returns the board with a CAN transceiver at CAN1, on pins that only packages with 100 or more
+/// pins have.
 constexpr Board with_can(Board board, const char* name) {
   board.name = name;
   board.can_transmit = pd(1);

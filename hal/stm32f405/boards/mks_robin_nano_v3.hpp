@@ -6,10 +6,11 @@
 
 namespace hal::stm32f405 {
 
-/// Makerbase Robin Nano V3: V3.0 has an F407VG with 1 MiB of flash, V3.1 an F407VE with 512 KiB and
-/// the same pins. Pins as in grblHAL (STM32F4xx driver, boards/mks_robin_nano_v3.0_map.h of 2026),
-/// connectors as in the maker's picture (MKS_Robin_Nano_V3_PIN.png). The drivers E0 and E1 are axes
-/// A and B. The board connects USB's D+ while PA14 is low (grblHAL, boards/mks_robin_nano_v3.0.c).
+/// Makerbase Robin Nano V3. V3.0 has an F407VG with 1 MiB of flash; V3.1 has an F407VE with 512 KiB
+/// and the same pins. The pins are the same as in grblHAL (STM32F4xx driver,
+/// boards/mks_robin_nano_v3.0_map.h of 2026). The connectors are named in the maker's picture
+/// (MKS_Robin_Nano_V3_PIN.png). The drivers E0 and E1 are axes A and B. The board connects USB's D+
+/// while PA14 is low (grblHAL, boards/mks_robin_nano_v3.0.c).
 inline constexpr Board kMksRobinNanoV30{
     .name = "MKS Robin Nano V3.0",
     .motors = {{{pe(3), pe(2), pe(4)},
@@ -34,8 +35,8 @@ inline constexpr Board kMksRobinNanoV30{
     .receive = pa(10),
 };
 
-/// Returns the board with the beam at the TTL header of HE1, which the board has from V3.0_002 on.
-/// That pin does not pass through the protection circuit of the 3D-touch connector.
+/// Returns the board with the beam at the TTL header of HE1, which boards from V3.0_002 on have.
+/// Unlike the pin of the 3D-touch connector, this pin has no protection circuit.
 constexpr Board with_beam_at_he1(Board board) {
   board.power = pb(0);
   return board;
@@ -48,7 +49,7 @@ inline constexpr Board kMksRobinNanoV31 = as_v31(kMksRobinNanoV30);
 inline constexpr Board kMksRobinNanoV30He1 = with_beam_at_he1(kMksRobinNanoV30);
 inline constexpr Board kMksRobinNanoV31He1 = with_beam_at_he1(kMksRobinNanoV31);
 
-/// Connectors; the last is the beam's.
+/// Connectors of the board; the last is the connector of the beam.
 inline constexpr std::array kMksRobinNanoConnectors{
     Connector{pa(15), "X"},
     Connector{pd(2), "Y"},

@@ -7,13 +7,14 @@
 
 namespace hal::stm32f405 {
 
-/// One bank of the receive filter: the frames that are accepted, and the FIFO that takes them.
-/// Urgent frames go into one FIFO and the data stream into the other, so that neither waits for
-/// free space in the other's FIFO.
+/// One bank of the receive filter: selects frames, and the FIFO that receives them. Urgent frames
+/// go into one FIFO and the data stream into the other, so that neither fills the FIFO of the
+/// other.
 struct CanFilter {
   enum class Kind : std::uint8_t {
-    kMask,  ///< Data and remote frames whose bits agree with `id` where `other` has ones.
-    kList,  ///< Data frames with identifier `id` or `other`.
+    /// Data and remote frames whose identifier equals `id` in the bits that are 1 in `other`.
+    kMask,
+    kList,  ///< Data frames with the identifier `id` or `other`.
   };
 
   Kind kind = Kind::kMask;
@@ -32,7 +33,7 @@ constexpr Word can_identifier(std::uint32_t id, bool extended, bool remote) {
 /// Returns the second word of a filter bank.
 constexpr Word second_word(const CanFilter& filter) {
   const bool list = filter.kind == CanFilter::Kind::kList;
-  // A mask always distinguishes frames of 11 bits from those of 29.
+  // A mask always distinguishes frames of 11 bits from frames of 29 bits.
   return can_identifier(filter.other, filter.extended, false) | (list ? 0 : bxcan::kExtended);
 }
 

@@ -15,12 +15,13 @@
 
 namespace hal::stm32f405 {
 
-/// CAN1: one interrupt routine for all of its four interrupts, between the bus and two rings. The
-/// node is silent until speak() is called, because a node with a wrong rate would disturb all
-/// others.
+/// CAN1 as a CanPort: one routine handles its four interrupts and transfers frames between the bus
+/// and two rings. The node is silent until speak() is called, because a node with a wrong bit rate
+/// would disturb all other nodes.
 ///
-/// A frame is repeated until another node has acknowledged it. After bus-off the node returns by
-/// itself, once it has seen 128 times 11 bits of silence, and continues with its queued frames.
+/// A frame is repeated until another node has acknowledged it. After bus-off the node returns to
+/// the bus after 128 times 11 bits of silence, without a command, and continues with its queued
+/// frames.
 template <const Board& kBoard, RegisterBus Bus = MemoryBus>
 class CanLine final : public CanPort {
  public:
@@ -32,17 +33,18 @@ class CanLine final : public CanPort {
   enum class Voice : std::uint8_t {
     kSilent,    ///< Receives frames, but acknowledges and sends nothing.
     kSpeaking,  ///< Receives, acknowledges and sends.
-    kToItself,  ///< Receives only its own frames: for tests.
+    kToItself,  ///< Receives only its own frames, for tests.
   };
 
-  /// Sets up the controller as a silent node that takes the frames of `filters`. Returns false if
-  /// the controller does not answer, or if the clock is not the crystal, on whose accuracy the bus
-  /// relies. To be called once, with interrupts off.
-  /// @param filters at most bxcan::kBanks; with none, no frame is taken
+  /// Sets up CAN1 as a silent node that receives the frames of `filters`. Returns false if CAN1
+  /// does not respond, or if the clock source is not the crystal, because the bus requires its
+  /// accuracy. Called once, with interrupts off.
+  /// @param filters at most bxcan::kBanks filters; without a filter, no frame is received
   [[nodiscard]] bool set_up(const Clocks& clocks, std::span<const CanFilter> filters) noexcept {
     if (clocks.source != ClockSource::kCrystal || filters.size() > bxcan::kBanks) return false;
     set<Bus>(rcc::kApb1Enr, bxcan::kClock);
-    static_cast<void>(Bus::read(rcc::kApb1Enr));  // Gives the clock two cycles, ES0182, 2.2.13.
+    // Gives the clock the two cycles that it needs (ES0182, 2.2.13).
+    static_cast<void>(Bus::read(rcc::kApb1Enr));
     PinSetUp<Bus>::hand_over(kPins.receive, kFunction, true);
     PinSetUp<Bus>::hand_over(kPins.transmit, kFunction, false);
     use(filters);
@@ -51,9 +53,9 @@ class CanLine final : public CanPort {
     return true;
   }
 
-  /// Leaves the bus and joins it again. Returns false if that takes more than some 10 ms, for
-  /// example because the receive pin is stuck low; the node then joins as soon as it can. Main
-  /// loop.
+  /// Leaves the bus and joins it again with another voice. Returns false if this takes more than
+  /// some 10 ms, for example because the receive pin is stuck low. The node then joins the bus
+  /// later, when it can. Main loop.
   [[nodiscard]] bool speak(Voice voice) noexcept {
     Bus::write(bxcan::kControl, kMode | bxcan::kInitialise);
     if (!reached(bxcan::kInitialise)) return false;
@@ -70,7 +72,8 @@ class CanLine final : public CanPort {
 
   // Functions for the main loop.
 
-  /// Begins a cycle: from now on receive() returns only frames that had arrived by its boundary.
+  /// Begins a cycle: from now on receive() returns only frames that had arrived by the boundary of
+  /// the cycle.
   void begin_turn(std::uint32_t turn) {
     in_turns_ = true;
     marks_.begin_turn(turn);
@@ -117,19 +120,20 @@ class CanLine final : public CanPort {
     use(std::span{filters}.first(count));
   }
 
-  /// Marks the boundary of a cycle. To be called from an interrupt of higher priority than CAN's.
+  /// Marks the boundary of a cycle. Called from an interrupt of higher priority than the CAN
+  /// interrupts.
   void note_turn(std::uint32_t turn) noexcept { marks_.note(turn, received_.place()); }
 
-  // Function for all CAN interrupts.
+  // The function for all CAN interrupts.
 
   void on_interrupt() noexcept {
     if ((Bus::read(bxcan::kStatus) & bxcan::kErrorAsked) != 0) {
       Bus::write(bxcan::kStatus, bxcan::kErrorAsked);
-      // Bus-off is the only error that raises this interrupt.
+      // Bus-off is the only error for which this interrupt is enabled.
       if ((Bus::read(bxcan::kErrors) & bxcan::kBusOff) != 0) count(bus_offs_);
     }
     for (unsigned number = 0; number < bxcan::kFifos; ++number) empty(number);
-    // Also clears the interrupt request of the mailboxes.
+    // This write also clears the interrupt request of the mailboxes.
     Bus::write(bxcan::kTransmit, bxcan::kRequestsDone);
     fill_mailboxes();
   }
@@ -140,9 +144,9 @@ class CanLine final : public CanPort {
   static_assert(kTiming.exists(), "this rate is not within reach");
   static constexpr unsigned kFunction = 9;
   static constexpr Word kMode = bxcan::kRecoverAlone | bxcan::kInOrder | bxcan::kKeepOldest;
-  /// Reads until a change of mode is given up. The controller waits for the end of the current
-  /// frame, then for 11 bits of silence: 2 ms at 125 kbit/s. One read takes at least 4 clocks of
-  /// 168 MHz.
+  /// Number of reads after which a change of mode is abandoned. CAN1 waits for the end of the
+  /// current frame, then for 11 bits of silence: 2 ms at 125 kbit/s. One read takes at least 4
+  /// clocks of 168 MHz.
   static constexpr std::uint32_t kLooks = 420'000;
 
   static bool reached(Word mode) noexcept {
@@ -194,7 +198,7 @@ class CanLine final : public CanPort {
     frame.remote = (identifier & bxcan::kRemote) != 0;
     frame.id = frame.extended ? identifier >> 3 : identifier >> 21;
     const Word length = Bus::read(place + 4) & 0xFU;
-    frame.length = static_cast<std::uint8_t>(length < 8 ? length : 8);  // Codes 9 to 15 mean 8.
+    frame.length = static_cast<std::uint8_t>(length < 8 ? length : 8);  // The codes 9 to 15 mean 8.
     const std::array<Word, 2> words{Bus::read(place + 8), Bus::read(place + 12)};
     for (std::size_t at = 0; at < frame.length && !frame.remote; ++at) {
       frame.data[at] = static_cast<std::byte>(words[at / 4] >> (8 * (at % 4)) & 0xFFU);

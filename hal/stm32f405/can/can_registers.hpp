@@ -4,11 +4,11 @@
 
 #include "hal/stm32f405/registers.hpp"
 
-/// CAN1 (RM0090 rev. 19, chapter 32).
+/// Registers of CAN1 (RM0090 rev. 19, chapter 32).
 namespace hal::stm32f405::bxcan {
 
 inline constexpr Address kBase = 0x4000'6400;
-inline constexpr Word kClock = bit(25);  ///< In rcc::kApb1Enr.
+inline constexpr Word kClock = bit(25);  ///< Bit of rcc::kApb1Enr.
 inline constexpr unsigned kTransmitInterrupt = 19;
 inline constexpr unsigned kFifo0Interrupt = 20;
 inline constexpr unsigned kFifo1Interrupt = 21;
@@ -23,7 +23,7 @@ constexpr Address fifo(unsigned number) { return kBase + 0x0C + 4 * number; }
 inline constexpr Address kInterrupts = kBase + 0x14;
 inline constexpr Address kErrors = kBase + 0x18;
 inline constexpr Address kTiming = kBase + 0x1C;
-/// Mailboxes have four words each: identifier, length, data.
+/// Returns the address of a mailbox. It has four words: identifier, length and two words of data.
 constexpr Address mailbox(unsigned number) { return kBase + 0x180 + 0x10 * number; }
 constexpr Address received(unsigned number) { return kBase + 0x1B0 + 0x10 * number; }
 inline constexpr Address kFilterControl = kBase + 0x200;
@@ -34,13 +34,15 @@ inline constexpr Address kFiltersOn = kBase + 0x21C;
 constexpr Address filter(unsigned bank) { return kBase + 0x240 + 8 * bank; }
 inline constexpr unsigned kMailboxes = 3;
 inline constexpr unsigned kFifos = 2;
-inline constexpr unsigned kBanks = 14;  ///< The other 14 belong to CAN2.
+inline constexpr unsigned kBanks = 14;  ///< The other 14 filter banks belong to CAN2.
 
-// Bits of kControl. The first two are acknowledged by the same bits of kStatus.
+// Bits of kControl. The same bits of kStatus acknowledge the first two.
 inline constexpr Word kInitialise = bit(0);
 inline constexpr Word kSleep = bit(1);
-inline constexpr Word kInOrder = bit(2);     ///< Sends mailboxes as filled, not by identifier.
-inline constexpr Word kKeepOldest = bit(3);  ///< A full FIFO drops new frames, not old ones.
+/// Sends mailboxes in the order of filling, not of identifiers.
+inline constexpr Word kInOrder = bit(2);
+/// A full FIFO drops new frames instead of old frames.
+inline constexpr Word kKeepOldest = bit(3);
 inline constexpr Word kRecoverAlone = bit(6);
 // Bits of kStatus.
 inline constexpr Word kErrorAsked = bit(2);

@@ -6,12 +6,12 @@
 
 namespace hal::stm32f405 {
 
-/// Division of a bit into quanta of time (RM0090, 32.7.7): one quantum for synchronisation,
-/// `before` quanta until the sample point, `after` quanta until the end.
+/// Division of a bit into time quanta (RM0090, 32.7.7): one quantum for synchronisation, `before`
+/// quanta until the sample point, and `after` quanta until the end of the bit.
 struct CanTiming {
-  std::uint32_t prescaler = 0;  ///< Clocks in a quantum, 1 to 1024; 0 if there is no timing.
-  std::uint32_t before = 0;     ///< Quanta before the sample point, 1 to 16.
-  std::uint32_t after = 0;      ///< Quanta after the sample point, 1 to 8.
+  std::uint32_t prescaler = 0;  ///< Clocks in a quantum, 1 to 1024; 0 if no timing exists.
+  std::uint32_t before = 0;     ///< Number of quanta before the sample point, 1 to 16.
+  std::uint32_t after = 0;      ///< Number of quanta after the sample point, 1 to 8.
 
   [[nodiscard]] constexpr bool exists() const { return prescaler != 0; }
   [[nodiscard]] constexpr std::uint32_t quanta() const { return 1 + before + after; }
@@ -19,19 +19,20 @@ struct CanTiming {
   [[nodiscard]] constexpr std::uint32_t sample_point() const {
     return 1000 * (1 + before) / quanta();
   }
-  /// Returns the greatest resynchronisation step in quanta. It is as large as `after` allows,
-  /// because a larger step tolerates a larger difference between crystals.
+  /// Returns the greatest resynchronisation step in quanta. It is as large as `after` and the
+  /// hardware allow, because a larger step tolerates a larger difference between crystals.
   [[nodiscard]] constexpr std::uint32_t jump() const { return after < 4 ? after : 4; }
   [[nodiscard]] constexpr Word word() const {
     return (jump() - 1) << 24 | (after - 1) << 20 | (before - 1) << 16 | (prescaler - 1);
   }
 };
 
-inline constexpr std::uint32_t kCanSamplePoint = 875;  ///< In thousandths; CiA 301, table 1.
+/// Wanted position of the sample point, thousandths of a bit (CiA 301, table 1).
+inline constexpr std::uint32_t kCanSamplePoint = 875;
 
-/// Returns, of all timings with exactly this rate, the one whose sample point is nearest to
-/// kCanSamplePoint; among equals the one with the most quanta. Returns a timing that does not exist
-/// if no division of the clock gives the rate.
+/// Returns a timing that has exactly this bit rate and the sample point nearest to kCanSamplePoint.
+/// If several are equally near, returns the timing with the most quanta. If no division of the
+/// clock gives the rate, returns a timing whose exists() is false.
 constexpr CanTiming can_timing(std::uint32_t clock_hz, std::uint32_t bit_rate) {
   CanTiming best;
   std::uint32_t best_distance = 1000;

@@ -10,9 +10,9 @@
 
 namespace hal::stm32f405::usb {
 
-/// Endpoint 0: a request, its data in one direction, and the empty status packet at the end (USB
-/// 2.0, 8.5.3), which is called the nod. A new request ends an unfinished one. All functions run in
-/// the USB interrupt.
+/// Endpoint 0. A transfer has a request, its data in one direction, and an empty status packet at
+/// the end (USB 2.0, 8.5.3), here called the nod. A new request ends an unfinished transfer. All
+/// functions run in the USB interrupt.
 template <RegisterBus Bus>
 class ControlPipe {
  public:
@@ -24,9 +24,9 @@ class ControlPipe {
     stage_ = Stage::kIdle;
   }
 
-  // Events, in the order in which the core received them.
+  // Functions for events. Called in the order in which the core received the events.
 
-  /// Takes the bytes of a request. If several requests arrive, the last counts.
+  /// Stores the bytes of a request. If several requests arrive, the last one counts.
   void take_request(std::size_t bytes) noexcept {
     received_ = 0;
     std::size_t at = 0;
@@ -34,7 +34,7 @@ class ControlPipe {
       if (at < kSetUpBytes) request_[at++] = byte;
     });
   }
-  /// Takes data that have arrived, or the nod, which is empty.
+  /// Stores received data. The nod has no data.
   void take_data(std::size_t bytes) noexcept {
     Core::receive(bytes, [&](std::byte byte) {
       if (received_ < incoming_.size()) incoming_[received_] = byte;
@@ -42,7 +42,7 @@ class ControlPipe {
     });
   }
 
-  /// Answers the complete request. Returns the answer; the caller carries out its effect.
+  /// Answers the complete request. Returns the answer; the caller must carry out its effect.
   Answer on_request() noexcept {
     Core::stop_sending(0);
     const SetUp asked = set_up_of(request_);
@@ -61,8 +61,8 @@ class ControlPipe {
       case Answer::Kind::kSend:
         stage_ = Stage::kSend;
         to_send_ = answer.data;
-        // If the host asked for more data than there are, a packet that is not full marks their
-        // end.
+        // If the host requested more bytes than there are, a packet that is not full marks the end
+        // of the data.
         ends_short_ = answer.data.size() < asked.length;
         Core::allow_receiving(0);  // The host may send its nod before it has fetched all data.
         send_next();
@@ -71,7 +71,7 @@ class ControlPipe {
     return answer;
   }
 
-  /// Handles the end of the data or nod that arrived after allow_receiving.
+  /// Handles the end of received data, or a received nod.
   void on_received() noexcept {
     if (stage_ == Stage::kReceive) {
       if (received_ != Device::kLineCodingBytes) return stall();
@@ -86,7 +86,7 @@ class ControlPipe {
     Core::allow_receiving(0);
   }
 
-  /// Continues after the host has fetched a packet.
+  /// Continues the transfer after the host has fetched a packet.
   void on_sent() noexcept {
     if (stage_ == Stage::kNod) {
       finish();

@@ -6,17 +6,20 @@
 
 #include "hal/stm32f405/usb/identity.hpp"
 
-/// The device's description of itself (USB 2.0, chapter 9; CDC 1.2 and its PSTN120, chapter 5): a
-/// serial line that needs no special driver on the host.
+/// Descriptors that the device sends to the host (USB 2.0, chapter 9; CDC 1.2 and its PSTN120,
+/// chapter 5). They describe a serial line that needs no special driver on the host.
 namespace hal::stm32f405::usb {
 
-inline constexpr std::size_t kPacketBytes = 64;  ///< For endpoints 0 and kData; greatest at full
-                                                 ///< speed.
-inline constexpr unsigned kData = 1;             ///< Bulk endpoint, in and out.
-inline constexpr unsigned kNews = 2;             ///< Interrupt, in; unused, but drivers expect it.
+/// Greatest packet size at full speed, for endpoint 0 and kData.
+inline constexpr std::size_t kPacketBytes = 64;
+/// Number of the bulk endpoint for data, in and out.
+inline constexpr unsigned kData = 1;
+/// Number of the interrupt endpoint, in; unused, but host drivers expect it.
+inline constexpr unsigned kNews = 2;
 inline constexpr std::size_t kNewsBytes = 8;
 inline constexpr std::uint8_t kOnlyConfiguration = 1;
-inline constexpr std::uint8_t kInterfaces = 2;  ///< 0 is control, 1 carries the data.
+/// Number of interfaces: interface 0 is for control, interface 1 for data.
+inline constexpr std::uint8_t kInterfaces = 2;
 
 enum class DescriptorType : std::uint8_t {
   kDevice = 1,
@@ -69,7 +72,7 @@ inline constexpr auto kConfigurationDescriptor =
              kOnlyConfiguration,
              0,
              0xC0,  // The board has its own supply
-             50,    // and takes 100 mA at most.
+             50,    // and takes at most 100 mA from USB.
              // Interface 0: an abstract control model without commands.
              9,
              DescriptorType::kInterface,
@@ -93,7 +96,7 @@ inline constexpr auto kConfigurationDescriptor =
              4,
              DescriptorType::kClassInterface,
              0x02,
-             0x02,  // Line coding and line state, but no breaks.
+             0x02,  // Line coding and line state are supported, breaks are not.
              5,
              DescriptorType::kClassInterface,
              0x06,
@@ -133,14 +136,14 @@ inline constexpr auto kConfigurationDescriptor =
 
 inline constexpr auto kLanguages = bytes_of(4, DescriptorType::kString, 0x09, 0x04);
 
-/// Checks that the lengths in the descriptors lead exactly to the end of `bytes`.
+/// Checks that the length fields of the descriptors lead exactly to the end of `bytes`.
 template <std::size_t Count>
 constexpr bool is_chain(const std::array<std::byte, Count>& bytes) {
   std::size_t at = 0;
   while (at + 1 < Count && bytes[at] != std::byte{0}) at += static_cast<std::size_t>(bytes[at]);
   return at == Count;
 }
-/// Returns the number of descriptors of one type in a chain (see is_chain).
+/// Returns the number of descriptors of one type in a chain of descriptors (see is_chain).
 template <std::size_t Count>
 constexpr int count_of(const std::array<std::byte, Count>& bytes, DescriptorType type) {
   int count = 0;

@@ -10,13 +10,13 @@
 
 namespace hal::stm32f405::usb {
 
-/// Action that the caller must take after a request, besides sending data.
+/// Action that the caller must carry out after a request, in addition to sending data.
 enum class Effect : std::uint8_t {
   kNone,
   kAddress,    ///< Use `address()` from now on.
-  kConfigure,  ///< Restart the data endpoints, or stop them if not `configured()`.
-  kHalt,       ///< Stall `endpoint`.
-  kUnhalt,     ///< End the stall of `endpoint` and restart with DATA0.
+  kConfigure,  ///< Restart the data endpoints; stop them if `configured()` is false.
+  kHalt,       ///< Stall the endpoint `endpoint`.
+  kUnhalt,     ///< End the stall of `endpoint` and restart it with DATA0.
   kLineState,  ///< `line_is_open()` may have changed.
 };
 
@@ -25,18 +25,19 @@ struct Answer {
 
   Kind kind = Kind::kStall;  ///< Unknown requests are stalled.
   Effect effect = Effect::kNone;
-  std::uint8_t endpoint = 0;          ///< Bit 7 is set for an in endpoint.
-  std::span<const std::byte> data{};  ///< Data to send, at most the requested length.
+  std::uint8_t endpoint = 0;          ///< Number; bit 7 is set for an IN endpoint.
+  std::span<const std::byte> data{};  ///< Data to send, at most the requested number of bytes.
 };
 
-/// Computes a serial line's answer to each request, without access to registers. To be used in one
+/// Computes a serial line's answer to each request, without access to registers. Used in one
 /// context at a time.
 class Device {
  public:
   static constexpr std::size_t kLineCodingBytes = 7;
 
-  /// Sets the identity; to be called once.
-  /// @param maker,product zero-terminated, at most kLongestString letters; not copied
+  /// Sets the identity. Called once.
+  /// @param maker,product zero-terminated texts of at most kLongestString letters; they are not
+  ///     copied
   constexpr void introduce(const Identity& identity, const char* maker, const char* product) {
     descriptor_ = device_descriptor(identity);
     maker_ = maker;
@@ -46,7 +47,7 @@ class Device {
   /// @param serial 96 bits that are unique among devices of this kind
   constexpr void set_serial(const std::array<std::uint32_t, 3>& serial) { serial_ = serial; }
 
-  /// Restores the state after power-on; identity and serial number stay.
+  /// Restores the state after power-on; the identity and the serial number stay.
   constexpr void reset() {
     address_ = configuration_ = 0;
     halted_ = 0;
@@ -56,7 +57,7 @@ class Device {
   [[nodiscard]] constexpr Answer answer(const SetUp& asked) {
     return asked.to_host() ? tell(asked) : obey(asked);
   }
-  /// Takes the data of a request that was answered by kReceive.
+  /// Stores the data of a request that was answered by kReceive.
   constexpr void take_data(std::span<const std::byte> data) {
     for (std::size_t at = 0; at < data.size() && at < kLineCodingBytes; ++at) {
       line_coding_[at] = data[at];
@@ -65,7 +66,7 @@ class Device {
 
   [[nodiscard]] constexpr std::uint8_t address() const { return address_; }
   [[nodiscard]] constexpr bool configured() const { return configuration_ != 0; }
-  /// Returns whether a program on the host has opened the line, which it reports by DTR.
+  /// Returns whether a program on the host has opened the line, which the host reports by DTR.
   [[nodiscard]] constexpr bool line_is_open() const { return line_is_open_; }
 
  private:
@@ -78,7 +79,7 @@ class Device {
       case request::kDescriptor:
         return send(descriptor(asked), asked);
       case request::kDeviceStatus:
-        return send(two_bytes(1), asked);  // The device has its own supply.
+        return send(two_bytes(1), asked);  // The value 1 means that the device has its own supply.
       case request::kInterfaceStatus:
         if (!configured() || asked.index >= kInterfaces) return {};
         return send(two_bytes(0), asked);
@@ -143,7 +144,7 @@ class Device {
     if (!configured()) return false;
     return index == kData || index == (kIn | kData) || index == (kIn | kNews);
   }
-  /// Returns the endpoint's bit in `halted_`.
+  /// Returns the bit of an endpoint in `halted_`.
   static constexpr std::uint8_t mark(std::uint16_t index) {
     return static_cast<std::uint8_t>(1U << ((index & 3U) + ((index & kIn) != 0 ? 4U : 0U)));
   }
@@ -159,7 +160,7 @@ class Device {
       case DescriptorType::kString:
         return string(static_cast<StringIndex>(index));
       default:
-        return {};  // For example the qualifier, which only high-speed devices have.
+        return {};  // An example is the device qualifier, which only high-speed devices have.
     }
   }
 
@@ -212,7 +213,7 @@ class Device {
   const char* product_ = "";
   std::array<std::uint32_t, 3> serial_{};
   std::array<std::byte, 2 + 2 * kLongestString> scratch_{};
-  /// 115,200 baud, 8N1: the value that a host reads before it has set another.
+  /// 115,200 baud, 8N1: the value that a host reads before it has set another value.
   std::array<std::byte, kLineCodingBytes> line_coding_ = bytes_of(0x00, 0xC2, 0x01, 0, 0, 0, 8);
   std::uint8_t address_ = 0;
   std::uint8_t configuration_ = 0;

@@ -10,9 +10,9 @@
 
 namespace hal::stm32f405::usb {
 
-/// The full-speed USB core, by its registers: one packet at a time in each direction, without DMA.
-/// The class has no state of its own. Functions are called in the USB interrupt, and set_up()
-/// before that interrupt is enabled.
+/// The full-speed USB core, driven by its registers: one packet at a time in each direction,
+/// without DMA. The class has no state of its own. Functions are called in the USB interrupt,
+/// except set_up(), which is called before that interrupt is enabled.
 template <RegisterBus Bus>
 class OtgCore {
  public:
@@ -20,14 +20,15 @@ class OtgCore {
                                       otg::kInEndpoints | otg::kOutEndpoints | otg::kSuspended |
                                       otg::kWakeUp;
 
-  /// Takes the core from reset to a device that is visible to the host, with its clock at 48 MHz.
-  /// Returns false if the core does not answer. Takes some 25 ms at most.
+  /// Sets up the core after reset as a device that is visible to the host. Requires a USB clock of
+  /// 48 MHz. Returns false if the core does not respond. Takes at most some 25 ms.
   ///
-  /// VBUS is not sensed, because its pin, PA9, belongs to a serial line. So an absent host looks
-  /// like a suspended bus.
+  /// VBUS is not sensed, because its pin, PA9, belongs to a serial line. So an absent host appears
+  /// as a suspended bus.
   [[nodiscard]] static bool set_up() noexcept {
     set<Bus>(rcc::kAhb2Enr, otg::kClock);
-    static_cast<void>(Bus::read(rcc::kAhb2Enr));  // Gives the clock two cycles, ES0182, 2.2.13.
+    // Gives the clock the two cycles that it needs (ES0182, 2.2.13).
+    static_cast<void>(Bus::read(rcc::kAhb2Enr));
     if (!wait_for<Bus>(otg::kResets, otg::kBusIdle, otg::kBusIdle, kLooks)) return false;
     Bus::write(otg::kUsbConfig, otg::kPhysical);
     Bus::write(otg::kResets, otg::kCoreReset);
@@ -64,8 +65,8 @@ class OtgCore {
     }
   }
 
-  /// Sets the device's address. To be called before the host is answered: the core keeps the old
-  /// address until the request is complete.
+  /// Sets the device's address. Called before the request is answered, because the core keeps the
+  /// old address until the request is complete.
   static void set_address(std::uint8_t address) noexcept {
     modify<Bus>(otg::kDeviceConfig, otg::kAssignedMask, Word{address} << 4);
   }
@@ -88,10 +89,10 @@ class OtgCore {
     Bus::write(otg::kEndpointsMask, bit(0));
   }
 
-  /// Allows one packet to be received. Before and after that packet the host is made to wait.
+  /// Allows one packet to be received. While no packet is allowed, the host must wait.
   static void allow_receiving(unsigned endpoint) noexcept {
-    // An endpoint that was enabled before a bus reset is still enabled, and its size must not
-    // change.
+    // An endpoint that was enabled before a bus reset stays enabled, and its size must not change
+    // then.
     const bool open = (Bus::read(otg::out_control(endpoint)) & otg::kEnable) != 0;
     const Word requests = endpoint == 0 ? otg::kThreeSetUps : 0;
     if (endpoint == 0 || !open) {
@@ -99,11 +100,11 @@ class OtgCore {
     }
     set<Bus>(otg::out_control(endpoint), otg::kEnable | otg::kClearNak);
   }
-  /// Allows requests, up to three in a row, at any time.
+  /// Allows requests at any time, up to three in a row.
   static void allow_requests() noexcept { Bus::write(otg::out_size(0), kRequests); }
 
   /// Sends one packet.
-  /// @pre no packet of this endpoint is waiting to be fetched
+  /// @pre the host has fetched the previous packet of this endpoint
   static void send(unsigned endpoint, std::span<const std::byte> packet) noexcept {
     Bus::write(otg::in_size(endpoint), otg::kOnePacket | static_cast<Word>(packet.size()));
     set<Bus>(otg::in_control(endpoint), otg::kEnable | otg::kClearNak);
@@ -123,7 +124,7 @@ class OtgCore {
       change(control, 0, otg::kSetNak);
       await(otg::in_status(endpoint), otg::kNakEffective);
     }
-    // The host may have fetched the packet just before.
+    // The host may have fetched the packet meanwhile.
     if ((Bus::read(control) & otg::kEnable) != 0) {
       set<Bus>(control, otg::kSetNak | otg::kDisable);
       await(otg::in_status(endpoint), otg::kDisabled);
@@ -143,7 +144,7 @@ class OtgCore {
     }
   }
 
-  /// Stalls an endpoint. On endpoint 0 the core ends the stall at the next request.
+  /// Stalls an endpoint. On endpoint 0 the core ends the stall when the next request arrives.
   static void stall(unsigned endpoint, bool in) noexcept {
     change(in ? otg::in_control(endpoint) : otg::out_control(endpoint), 0, otg::kStall);
   }
@@ -156,22 +157,24 @@ class OtgCore {
  private:
   // One read takes at least 4 clocks of 168 MHz.
   static constexpr std::uint32_t kLooks = 20'000;
-  static constexpr std::uint32_t kModeLooks = 1'100'000;  ///< Reads in 25 ms, RM0090, 34.16.1.
-  static constexpr std::uint32_t kFewLooks = 200;         ///< Some clocks of 48 MHz suffice.
+  /// Number of reads in 25 ms (RM0090, 34.16.1).
+  static constexpr std::uint32_t kModeLooks = 1'100'000;
+  /// Number of reads that suffices for a wait of some clocks of 48 MHz.
+  static constexpr std::uint32_t kFewLooks = 200;
   static constexpr Word kFromReset = otg::kActive | otg::kSetNak | otg::kFirstIsData0;
   static constexpr Word kRequests = otg::kThreeSetUps | otg::kOnePacket | kPacketBytes;
 
-  // FIFO sizes in words. The receive FIFO has 10 words for requests, 1 for global NAK, and the rest
-  // for 6 packets with their status entries.
+  // FIFO sizes in words. The receive FIFO has space for requests (10 words), for the global NAK (1
+  // word), and for 6 packets with their status entries.
   static constexpr Word kReceiveWords = 128;
   static constexpr Word kControlWords = 32;
   static constexpr Word kDataWords = 128;
-  static constexpr Word kNewsWords = 16;  ///< Smallest FIFO size allowed.
+  static constexpr Word kNewsWords = 16;  ///< Smallest FIFO size that the core allows.
   static_assert(kReceiveWords + kControlWords + kDataWords + kNewsWords <= otg::kFifoWords);
   static_assert(kReceiveWords >= 10U + 1U + 2U * (kPacketBytes / 4 + 1) + 4U, "RM0090, 34.13.1");
 
-  /// Changes bits of a control register. Does not write back the enable bit that it has read,
-  /// because the packet may be complete by then.
+  /// Changes bits of a control register. Writes the enable bit as 0, which has no effect, because
+  /// the packet may be complete by then and 1 would enable the endpoint again.
   static void change(Address control, Word off, Word on) noexcept {
     modify<Bus>(control, off | otg::kEnable, on);
   }

@@ -5,12 +5,12 @@
 
 #include "hal/stm32f405/registers.hpp"
 
-/// The full-speed USB core as a device (RM0090 rev. 19, chapter 34).
+/// Registers of the full-speed USB core in device mode (RM0090 rev. 19, chapter 34).
 namespace hal::stm32f405::otg {
 
 inline constexpr Address kBase = 0x5000'0000;
 inline constexpr unsigned kInterrupt = 67;
-inline constexpr Word kClock = bit(7);  ///< In rcc::kAhb2Enr.
+inline constexpr Word kClock = bit(7);  ///< Bit of rcc::kAhb2Enr.
 
 // Global registers.
 inline constexpr Address kAhbConfig = kBase + 0x008;
@@ -19,10 +19,10 @@ inline constexpr Address kResets = kBase + 0x010;
 inline constexpr Address kStatus = kBase + 0x014;
 inline constexpr Address kMask = kBase + 0x018;
 inline constexpr Address kReceivedPop = kBase + 0x020;
-inline constexpr Address kReceiveSize = kBase + 0x024;  ///< In words, like all FIFO sizes.
+inline constexpr Address kReceiveSize = kBase + 0x024;  ///< Size in words, like all FIFO sizes.
 inline constexpr Address kGeneral = kBase + 0x038;
-/// Returns the register of an IN endpoint's FIFO: its start in the lower half, its size from bit 16
-/// on.
+/// Returns the register with the FIFO of an IN endpoint: its start in the lower half, its size in
+/// the upper half.
 constexpr Address transmit_size(unsigned endpoint) {
   return kBase + (endpoint == 0 ? 0x028 : 0x100 + 4 * endpoint);
 }
@@ -32,7 +32,7 @@ inline constexpr Address kDeviceConfig = kBase + 0x800;
 inline constexpr Address kDeviceControl = kBase + 0x804;
 inline constexpr Address kInMask = kBase + 0x810;
 inline constexpr Address kOutMask = kBase + 0x814;
-inline constexpr Address kEndpoints = kBase + 0x818;  ///< OUT endpoints from bit 16 on.
+inline constexpr Address kEndpoints = kBase + 0x818;  ///< OUT endpoints have the bits from 16 on.
 inline constexpr Address kEndpointsMask = kBase + 0x81C;
 constexpr Address in_control(unsigned endpoint) { return kBase + 0x900 + 0x20 * endpoint; }
 constexpr Address in_status(unsigned endpoint) { return kBase + 0x908 + 0x20 * endpoint; }
@@ -41,8 +41,8 @@ constexpr Address out_control(unsigned endpoint) { return kBase + 0xB00 + 0x20 *
 constexpr Address out_status(unsigned endpoint) { return kBase + 0xB08 + 0x20 * endpoint; }
 constexpr Address out_size(unsigned endpoint) { return kBase + 0xB10 + 0x20 * endpoint; }
 inline constexpr Address kPowerAndClock = kBase + 0xE00;
-/// Returns the FIFO register. A write appends to the endpoint's next packet; a read of FIFO 0 takes
-/// the oldest received word.
+/// Returns the address of an endpoint's FIFO. A write appends a word to the endpoint's next packet.
+/// A read of FIFO 0 takes the oldest received word.
 constexpr Address fifo(unsigned endpoint) { return kBase + 0x1000 * (endpoint + 1); }
 inline constexpr unsigned kFifoWords = 320;
 
@@ -50,7 +50,7 @@ inline constexpr unsigned kFifoWords = 320;
 inline constexpr Word kInterruptOn = bit(0);
 // Bits of kUsbConfig.
 inline constexpr Word kPhysical = bit(6);
-inline constexpr Word kTurnaround = 6 << 10;  ///< For a bus clock of 32 MHz and more, table 202.
+inline constexpr Word kTurnaround = 6 << 10;  ///< For a bus clock of 32 MHz or more, table 202.
 inline constexpr Word kForceDevice = bit(30);
 // Bits of kResets.
 inline constexpr Word kCoreReset = bit(0);
@@ -95,7 +95,7 @@ constexpr Word fifo_number(unsigned endpoint) { return endpoint << 22; }
 // Bits of in_status, out_status and their masks.
 inline constexpr Word kDone = bit(0);
 inline constexpr Word kDisabled = bit(1);
-inline constexpr Word kNakEffective = bit(6);  ///< IN endpoints only.
+inline constexpr Word kNakEffective = bit(6);  ///< Exists only for IN endpoints.
 // Bits of in_size and out_size.
 inline constexpr Word kOnePacket = bit(19);
 inline constexpr Word kThreeSetUps = 3 << 29;

@@ -8,13 +8,13 @@ namespace hal::stm32f405::usb {
 
 inline constexpr std::size_t kSetUpBytes = 8;
 
-/// A host's request to endpoint 0 (USB 2.0, 9.3).
+/// A request from the host to endpoint 0 (USB 2.0, 9.3).
 struct SetUp {
   std::uint8_t type = 0;
   std::uint8_t request = 0;
   std::uint16_t value = 0;
   std::uint16_t index = 0;
-  std::uint16_t length = 0;  ///< Length of the data that follow, in bytes.
+  std::uint16_t length = 0;  ///< Length in bytes of the data that follow.
 
   [[nodiscard]] constexpr bool to_host() const { return (type & 0x80U) != 0; }
 };
@@ -27,7 +27,7 @@ constexpr SetUp set_up_of(const std::array<std::byte, kSetUpBytes>& bytes) {
   return {byte(0), byte(1), half(2), half(4), half(6)};
 }
 
-/// Returns type and request as one number.
+/// Returns a request's type (upper byte) and code as one number.
 constexpr std::uint16_t request_of(std::uint8_t type, std::uint8_t request) {
   return static_cast<std::uint16_t>(type << 8 | request);
 }
@@ -35,7 +35,7 @@ constexpr std::uint16_t request_of(const SetUp& set_up) {
   return request_of(set_up.type, set_up.request);
 }
 
-namespace request {  // USB 2.0, table 9-3; PSTN120, table 13.
+namespace request {  // Standard and class requests: USB 2.0, table 9-3; PSTN120, table 13.
 inline constexpr std::uint16_t kDeviceStatus = request_of(0x80, 0);
 inline constexpr std::uint16_t kInterfaceStatus = request_of(0x81, 0);
 inline constexpr std::uint16_t kEndpointStatus = request_of(0x82, 0);

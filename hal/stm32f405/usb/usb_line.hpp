@@ -15,13 +15,13 @@
 
 namespace hal::stm32f405 {
 
-/// The board's USB socket as a serial line: an interrupt between the USB core and two rings. Only
-/// the interrupt accesses the core; the main loop requests the interrupt.
+/// The board's USB socket as a serial line: an interrupt routine transfers bytes between the USB
+/// core and two rings. Only the interrupt accesses the core; the main loop requests the interrupt.
 ///
-/// No byte is dropped: if a host sends more than there is free space for, it is made to wait (NAK),
-/// packet by packet. A session begins when a program on the host opens the line (DTR) or, for
-/// programs that do not use DTR, sends bytes. It ends when the line is closed, or when the bus is
-/// reset or suspended, as it is without a host.
+/// No byte is dropped: while there is no free space, the host must wait with each packet (NAK). A
+/// session begins when a program on the host opens the line (DTR). For programs that do not use
+/// DTR, it begins when the host sends bytes. It ends when the line is closed, or when the bus is
+/// reset or suspended, as happens without a host.
 template <const Board& kBoard, RegisterBus Bus = MemoryBus>
 class UsbLine final : public SessionStream {
  public:
@@ -31,8 +31,8 @@ class UsbLine final : public SessionStream {
   constexpr explicit UsbLine(UsbRings& rings)
       : received_{rings.received}, to_send_{rings.to_send} {}
 
-  /// Sets up USB; to be called once, with interrupts off. Without the crystal USB stays off,
-  /// because it requires 48 MHz within 0.25 %.
+  /// Sets up USB. Called once, with interrupts off. Without the crystal USB stays off, because USB
+  /// requires 48 MHz within 0.25 %.
   void set_up(const Clocks& clocks) noexcept {
     if (!kBoard.has_usb || clocks.source != ClockSource::kCrystal) return;
     for (const Pin pin : kUsbPins) PinSetUp<Bus>::hand_over(pin, kFunction, false);
@@ -43,7 +43,8 @@ class UsbLine final : public SessionStream {
 
   // Functions for the main loop.
 
-  /// Begins a cycle: from now on read() returns only bytes that had arrived by its boundary.
+  /// Begins a cycle: from now on read() returns only bytes that had arrived by the boundary of the
+  /// cycle.
   void begin_turn(std::uint32_t turn) { marks_.begin_turn(turn); }
 
   [[nodiscard]] std::uint32_t session() const override {
@@ -75,7 +76,7 @@ class UsbLine final : public SessionStream {
     return count;
   }
 
-  /// A host that is made to wait would send a feed hold only after its waiting lines.
+  /// Returns false: if bytes waited, the host could send a feed hold only after its waiting lines.
   [[nodiscard]] bool may_wait() const override { return false; }
 
   /// Returns whether the host has fetched all written bytes, or no host is connected.
@@ -83,11 +84,11 @@ class UsbLine final : public SessionStream {
     return session() == 0 || (to_send_.size() == 0 && !sending_.load(std::memory_order_relaxed));
   }
 
-  /// Marks the boundary of a cycle. To be called from an interrupt of higher priority than this
-  /// line's.
+  /// Marks the boundary of a cycle. Called from an interrupt of higher priority than the line's
+  /// interrupt.
   void note_turn(std::uint32_t turn) noexcept { marks_.note(turn, received_.place()); }
 
-  // Function for the line's own interrupt.
+  // The function for the line's own interrupt.
 
   void on_interrupt() noexcept {
     for (unsigned turn = 0; turn < kMaxTurns; ++turn) {
@@ -102,16 +103,16 @@ class UsbLine final : public SessionStream {
   using Core = usb::OtgCore<Bus>;
   using Effect = usb::Effect;
   static constexpr unsigned kFunction = 10;
-  /// Bounds of the loops. For work that is left over, the core raises the interrupt again.
+  /// Bounds of the loops. If work is left over, the core raises the interrupt again.
   static constexpr unsigned kMaxTurns = 8;
   static constexpr unsigned kMaxEntries = 16;
 
   void attend(Word status) noexcept {
-    // The other flags are cleared at their sources.
+    // All other flags are cleared where they arise.
     Bus::write(otg::kStatus,
                status & (otg::kBusReset | otg::kSpeedKnown | otg::kSuspended | otg::kWakeUp));
-    // The order matters: a bus reset discards the packets that came before it, and the latest
-    // request ends an earlier answer.
+    // The order matters: a bus reset discards the packets that arrived before it, and a new request
+    // ends an earlier answer.
     if ((status & otg::kReceived) != 0) take_packets();
     if ((status & otg::kBusReset) != 0) on_bus_reset();
     if ((status & otg::kSuspended) != 0) suspended_ = true;
@@ -136,8 +137,8 @@ class UsbLine final : public SessionStream {
     }
   }
 
-  /// Handles one received entry. Endpoint 0 is driven by these entries alone, because they are in
-  /// the order of the wire. The flags of its interrupts do not show that order.
+  /// Handles one received entry. Only these entries drive endpoint 0, because they have the order
+  /// of the wire; the interrupt flags of the endpoint do not show that order.
   void take(Word entry) noexcept {
     const bool data = otg::endpoint_in(entry) == usb::kData;
     switch (otg::kind_in(entry)) {
@@ -157,9 +158,10 @@ class UsbLine final : public SessionStream {
 
   void keep(std::size_t bytes) noexcept {
     if (bytes > 0) spoken_ = true;
-    judge_session();  // Before the bytes are stored, because they belong to the new session.
+    // Called before the bytes are stored, because the bytes belong to the new session.
+    judge_session();
     Core::receive(bytes, [this](std::byte byte) {
-      // There is free space: the endpoint accepts a packet only if it fits.
+      // There is free space, because the endpoint accepts a packet only if it fits.
       static_cast<void>(received_.try_push(byte));
     });
   }
@@ -172,7 +174,8 @@ class UsbLine final : public SessionStream {
     }
   }
 
-  /// Returns whether a transfer is complete; clears its flags, so each transfer is reported once.
+  /// Returns whether a transfer is complete. Clears its flags, so that each transfer is reported
+  /// once.
   static bool take_done(Address status) noexcept {
     const Word flags = Bus::read(status);
     Bus::write(status, flags);
@@ -241,7 +244,7 @@ class UsbLine final : public SessionStream {
     std::size_t count = 0;
     while (count < packet.size() && to_send_.try_pop(packet[count])) ++count;
     // A transfer must end with a packet that is not full; otherwise the host's driver waits for
-    // more.
+    // more bytes.
     if (count == 0 && !ends_full_) return;
     ends_full_ = count == packet.size();
     sending_.store(true, std::memory_order_relaxed);
@@ -257,14 +260,14 @@ class UsbLine final : public SessionStream {
   std::atomic<std::uint32_t> begin_{0};
   std::atomic<bool> waits_for_room_{false};
   std::atomic<bool> sending_{false};  ///< The core has a packet to send.
-  std::uint32_t read_session_ = 0;    ///< Session of the last read(); main loop.
+  std::uint32_t read_session_ = 0;    ///< Session of the last read(); used in the main loop only.
 
   // Used in the interrupt only.
   std::uint32_t sessions_ = 0;
   bool suspended_ = false;
-  bool spoken_ = false;     ///< The host sent bytes, with or without opening the line.
-  bool listening_ = false;  ///< The core may receive a packet.
-  bool ends_full_ = false;  ///< The last packet was full.
+  bool spoken_ = false;     ///< The host has sent bytes since the line was last closed.
+  bool listening_ = false;  ///< The core is allowed to receive a packet.
+  bool ends_full_ = false;  ///< The last sent packet was full.
 };
 
 }  // namespace hal::stm32f405

@@ -1,4 +1,4 @@
-/// A line of G-code in, step segments out: the planner in another program.
+/// Shows the planner in another program: converts a line of G-code to step segments.
 ///
 ///     embed 'G1 X10 Y5 F3000'
 ///
@@ -23,13 +23,15 @@ void print(const cnc::motion::Segment& segment) {
   std::cout << '\n';
 }
 
-/// One cycle of a main loop: a millisecond passes, and all segments that are ready go out.
+/// Runs one cycle of a main loop: a millisecond passes, and all segments that are ready are
+/// printed.
 void run_cycle(cnc::Pipeline& pipeline) {
   pipeline.attend(1000);
   for (cnc::motion::Segment segment; pipeline.next(segment);) print(segment);
 }
 
-/// Drives an action of G-code that moves, element by element. False if its end is out of reach.
+/// Drives an action of G-code that moves, element by element. Returns false if its end is out of
+/// the range of the motors.
 bool drive(const cnc::gcode::Action& action,
            const cnc::gcode::PathControl& control,
            cnc::Pipeline& pipeline) {

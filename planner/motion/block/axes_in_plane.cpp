@@ -35,8 +35,9 @@ DirectionRange::DirectionRange(float start, float end) : all_{end - start >= kHa
   end_ = sin_cos(end);
 }
 
-// Each of the two shares is the derivative of the other one, except for the sign. So over less than
-// half a turn a share is greatest at one of the ends, or where the other share changes sign.
+// Except for its sign, the tangent share is the derivative of the normal share by the angle, and
+// the other way round. So over less than half a turn, a share is greatest at one of the ends, or
+// where the other share changes sign.
 AxisShares DirectionRange::greatest_shares(const AxisInPlane& axis) const {
   if (all_) return {axis.size, axis.size};
   const float tangent_start = axis.share(start_);

@@ -10,31 +10,33 @@
 
 namespace cnc::motion {
 
-/// How an axis lies in the plane of an arc. A speed in the plane whose direction has the angle φ
-/// gives the axis the share first · cos φ + second · sin φ.
+/// Direction of an axis relative to the plane of an arc. For a speed in the plane whose direction
+/// has the angle φ, the axis has the share first · cos φ + second · sin φ of that speed.
 struct AxisInPlane {
   std::uint8_t axis = 0;
   float first = 0.0F;
   float second = 0.0F;
-  float size = 0.0F;  ///< Greatest value of the share over all φ, at most 1.
+  float size = 0.0F;  ///< Greatest share over all φ, at most 1.
 
   [[nodiscard]] float share(const SinCos& angle) const {
     return angle.cosine * first + angle.sine * second;
   }
-  /// Returns the share of the axis in the normal, a quarter turn to the left of the direction.
+  /// Returns the share of the axis in the normal, which points a quarter turn to the left of the
+  /// direction.
   [[nodiscard]] float normal_share(const SinCos& angle) const {
     return angle.cosine * second - angle.sine * first;
   }
-  /// Returns the angle at which the share of the axis is greatest in magnitude, in quarter turns.
+  /// Returns the angle, in quarter turns, at which the magnitude of the axis's share is greatest.
   /// The angle is at least 0 and below 2.
   [[nodiscard]] float quarters() const;
 };
 
-/// The axes that a motion in a plane may move. In a coordinate plane there are two.
+/// The axes that a motion in a plane may move. A coordinate plane has two of them.
 class AxesInPlane {
  public:
   AxesInPlane() = default;
-  /// @param side −1 to see the plane from behind, so that angles grow along a clockwise arc; else 1
+  /// @param side −1 if the plane is seen from behind, so that angles grow along a clockwise arc;
+  /// else 1
   AxesInPlane(const ArcPlane& plane, float side);
 
   [[nodiscard]] const AxisInPlane* begin() const { return axes_.data(); }
@@ -45,8 +47,8 @@ class AxesInPlane {
   std::size_t count_ = 0;
 };
 
-/// Greatest shares that an axis has, over a range of directions, in the direction of travel and in
-/// its normal.
+/// Greatest shares of an axis in the direction of travel and in its normal, over a range of
+/// directions.
 struct AxisShares {
   float tangent = 0.0F;
   float normal = 0.0F;
@@ -57,13 +59,15 @@ class DirectionRange {
  public:
   /// Makes the range of all directions.
   DirectionRange() = default;
-  /// Makes a range of angles. @param start, end radians, start ≤ end
+  /// Makes the range from one angle of a direction to another.
+  /// @param start, end the angles in radians, start ≤ end
   DirectionRange(float start, float end);
-  /// Makes the range from `start` to `end`. @pre `end` is less than a quarter turn after `start`
+  /// Makes the range between two angles, which are given by sine and cosine. @pre `end` is less
+  /// than a quarter turn after `start`
   DirectionRange(const SinCos& start, const SinCos& end) : start_{start}, end_{end}, all_{false} {}
 
-  /// Returns the greatest shares of an axis in these directions. For a range of a quarter turn or
-  /// more, these are its greatest shares in any direction.
+  /// Returns the greatest shares of an axis over these directions. If the range is a quarter turn
+  /// or more, returns the greatest shares over all directions.
   [[nodiscard]] AxisShares greatest_shares(const AxisInPlane& axis) const;
 
  private:

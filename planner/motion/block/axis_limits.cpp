@@ -11,7 +11,7 @@ namespace {
 
 constexpr float kRadiansPerDegree = kPi / 180.0F;
 
-/// Evaluates positions along a block with their derivatives by path length.
+/// Computes positions on a block, and their derivatives by path length.
 class BlockWay {
  public:
   BlockWay(const Block& block, const Position& start) : block_{block}, start_{start} {
@@ -41,10 +41,10 @@ class BlockWay {
  private:
   const Block& block_;
   const Position& start_;
-  float per_mm_ = 0.0F;  ///< rad of turn per mm of path.
+  float per_mm_ = 0.0F;  ///< Angle by which the path turns per mm of its length, in rad.
 };
 
-/// Returns the greatest sum of the rates of both rotary axes on any part of a block, in rad/mm.
+/// Returns the greatest sum of the rates of both rotary axes anywhere on a block, in rad/mm.
 float rotary_rate(const Block& block, const BlockWay& way) {
   constexpr std::array<float, 3> kShares{0.0F, 0.5F, 1.0F};
   float greatest = 0.0F;
@@ -62,9 +62,9 @@ float rotary_rate(const Block& block, const BlockWay& way) {
 
 }  // namespace
 
-// The axes are evaluated at kLooks positions. No position of the block is farther than an eighth of
-// its length from one of these. Over that distance a derivative changes by at most the distance
-// times the bound of the next higher derivative.
+// The motion of the axes is evaluated at kLooks positions, equally spaced. Every position of the
+// block is within an eighth of the block's length of one of them. Over that distance, a derivative
+// changes by at most the distance times the bound of the next higher derivative.
 AxisCourse axis_course(const Block& block,
                        const Position& start,
                        const kinematics::ToolCentre& centre) {
@@ -85,8 +85,8 @@ AxisCourse axis_course(const Block& block,
   const float third = kinematics::ToolCentre::third_derivative(lever, rate, way.curvature());
   course.second.array() += between * third;
   course.first += between * course.second;
-  // Between two evaluated points, a curve is at most as far from its chord as an arc of its
-  // greatest curvature.
+  // Between two evaluated positions, a curve is at most as far from its chord as an arc of the
+  // curve's greatest curvature is.
   const Vec3 beyond = 0.5F * square(between) * course.second;
   const float anywhere = 2.0F * lever + block.length;
   course.least -= beyond.cwiseMin(anywhere);

@@ -7,21 +7,26 @@
 
 namespace cnc::motion {
 
-/// Bounds of the motion of the axes X Y Z on a block where rotary axes move the tip.
+/// Bounds of the motion of the axes X Y Z on a block on which rotary axes move the tip.
 struct AxisCourse {
-  Vec3 first = Vec3::Zero();   ///< Greatest first derivatives by path length, mm per mm.
-  Vec3 second = Vec3::Zero();  ///< Greatest second derivatives, 1/mm.
-  Vec3 least = Vec3::Zero();   ///< Least positions, mm, as seen from the tool's centre.
+  /// Greatest first derivatives by path length, as magnitudes, mm per mm.
+  Vec3 first = Vec3::Zero();
+  Vec3 second = Vec3::Zero();  ///< Greatest second derivatives by path length, as magnitudes, 1/mm.
+  Vec3 least = Vec3::Zero();   ///< Least positions, mm, relative to ToolCentre::centre().
   Vec3 most = Vec3::Zero();
 };
 
-/// Returns how the axes X Y Z move on a block whose rotary axes turn little. @pre centre.active()
+/// Returns bounds of the motion of the axes X Y Z on a block. The block must be short enough that
+/// its rotary axes turn by only a few degrees, see ToolCentre::parts_of().
+/// @param start programmed position at the start of the block
+/// @pre centre.active()
 [[nodiscard]] AxisCourse axis_course(const Block& block,
                                      const Position& start,
                                      const kinematics::ToolCentre& centre);
 
-/// Lowers the speed and the acceleration of a block so that the axes X Y Z, too, keep their limits,
-/// at up to twice the programmed feed. Braking and turning share the acceleration of an axis.
+/// Lowers the speed and the acceleration of a block so that the axes X Y Z keep their limits, too,
+/// at up to twice the programmed feed. Turning may use half of an axis's acceleration. The change
+/// of speed may use the rest.
 void limit_axes(Block& block, const AxisCourse& course, const Limits& limits);
 
 }  // namespace cnc::motion

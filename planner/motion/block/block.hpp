@@ -13,35 +13,40 @@
 
 namespace cnc::motion {
 
-/// The side of an edge on which the beam is driven, at an offset of half a kerf. The side is seen
-/// in the direction of travel.
+/// The side of the programmed path on which the beam is driven, as seen in the direction of travel.
+/// The offset of the beam from this path is half of a kerf.
 enum class Beside : std::uint8_t { kNothing, kLeft, kRight };
 
-/// The beam or spindle output that goes with a motion.
+/// The output of the beam or spindle during a motion.
 struct BeamCommand {
-  /// Share of full power at the programmed feed, 0…1; of a beam, of its light.
+  /// Output at the programmed feed as a share of full output, 0…1. For a beam with a power table it
+  /// is the share of the greatest power (see PowerTable).
   float duty = 0.0F;
   bool follows_speed = false;  ///< M4: the power is scaled by speed / programmed feed.
   Beside beside = Beside::kNothing;
   constexpr bool operator==(const BeamCommand&) const = default;
 };
 
-/// The planar part of a block that turns. For a straight block `half_sweep` is 0.
+/// The turning part of a block, in the plane of its arc. For a straight block `half_sweep` is 0.
 struct Turn {
   ArcPlane plane{};
-  float half_sweep = 0.0F;   ///< In radians, positive counter-clockwise.
+  /// Half of the angle by which the block turns, in radians, positive counter-clockwise.
+  float half_sweep = 0.0F;
   float start_angle = 0.0F;  ///< Angle of the tangent at the start, in the plane, in radians.
-  float plane_share = 1.0F;  ///< Plane speed / path speed; below 1 on a helix.
-  float curvature = 0.0F;    ///< |κ| of the plane circle, 1/mm.
+  float plane_share = 1.0F;  ///< Speed in the plane / speed along the path; below 1 on a helix.
+  float curvature = 0.0F;    ///< |κ| of the arc's circle in the plane, 1/mm.
 };
 
-/// Limits of a block that reach into its neighbours. The motion is the mean of the plan over a
-/// window of time T. So the plan must keep the limits of a position from about v · T / 2 before it
-/// to about v · T / 2 after it.
+/// Limits of a block that also hold on a part of the neighbouring blocks.
+///
+/// The motion is the mean of the plan over a window of time T. So the plan must keep the limits of
+/// a position from about v · T / 2 before the position to about v · T / 2 after it.
 struct LimitZone {
-  float length = 0.0F;           ///< mm; 0 means that there is no zone.
-  float speed_square = 1.0e12F;  ///< Greatest v².
-  float acceleration = 1.0e9F;   ///< Greatest acceleration, mm/s²; turning takes a part of it.
+  /// Distance from the end of the block, mm; 0 means that there is no zone.
+  float length = 0.0F;
+  float speed_square = 1.0e12F;  ///< Greatest v², mm²/s².
+  /// Greatest acceleration for turning and change of speed together, mm/s².
+  float acceleration = 1.0e9F;
   Turning turning{};
   constexpr bool operator==(const LimitZone&) const = default;
 };
@@ -49,51 +54,57 @@ struct LimitZone {
 /// State of the look-ahead's backward pass at one point of the path.
 ///
 /// Under a window T, a motion that speeds up must be able to keep its speed for T before it brakes.
-/// X is v² on the braking curve, extended beyond the caps that cut the curve off. a is the steepest
-/// braking ahead. The condition holds up to the speed
+/// Let X be v² on the braking curve at this point, extended beyond the caps that cut the curve off.
+/// Let a be the steepest braking ahead. Then the motion may speed up to
 ///   sqrt(X + a² T²) − a T,
-/// because braking by a over the distance v T takes 2 a v T from X. Up to a speed that may be kept
-/// ahead, no braking is needed.
+/// because braking by a over the distance v T takes 2 a v T from X.
+///
+/// Up to the speed `kept` the motion may always speed up. The path ahead allows it to keep that
+/// speed until it reaches a point where the condition above is satisfied.
 struct BrakingState {
-  float speed_square = 0.0F;   ///< Greatest v² from which the rest of the path can be driven.
+  /// Greatest v² from which the rest of the path can be driven, mm²/s².
+  float speed_square = 0.0F;
   float commit_square = 0.0F;  ///< X, see above.
   float steepest = 0.0F;       ///< a, see above, in mm/s².
-  float kept = 0.0F;           ///< Speed that may be kept ahead, mm/s; 0 without a window.
+  /// Speed that can be kept on the path ahead, see above, mm/s; 0 without a window.
+  float kept = 0.0F;
   constexpr bool operator==(const BrakingState&) const = default;
 };
 
-/// Zones that reach into a block from one of its ends; at most two.
+/// Zones that reach into a block over one of its ends; at most two.
 using BlockZones = std::array<LimitZone, 2>;
 
-/// One line, arc or helix as the planner keeps it. The geometry is in steps, for making pulses. The
-/// limits are in mm and seconds, for planning the speed.
+/// One line, arc or helix in the planner. The geometry is in steps, because it is used for pulses.
+/// The limits are in mm and seconds, because they are used for planning the speed.
 ///
-/// Path length, speed and acceleration are measured in the Euclidean metric of all six axes. For X
-/// Y Z motion that is millimetres along the tool path.
+/// Path length, speed and acceleration are measured in the Euclidean metric of all six axes. For a
+/// motion of X Y Z alone, path length is in millimetres along the tool path.
 struct Block {
   AxisArray<StepPosition> end{};
-  /// The chord turned a quarter turn left in its plane; see ChordFrame.
+  /// The chord, turned to the left by a quarter turn in the plane of the arc; see ChordFrame.
   AxisArray<StepPosition> normal{};
   Turn turn{};
 
-  AxisArray<float> direction{};     ///< Unit tangent; of an arc, only its part off the plane.
-  float length = 0.0F;              ///< mm.
-  float feed = 0.0F;                ///< Programmed speed along the path, mm/s; 0 is a rapid.
-  bool from_rest = true;            ///< The machine is at rest at the start of the block.
-  bool fixed_feed = false;          ///< Overrides of feed and rapid do not change the feed.
-  OutputChanges outputs{};          ///< Changes at the start of the block.
-  float acceleration = 0.0F;        ///< Limit by the axes of constant direction, mm/s².
-  float speed_limit_square = 0.0F;  ///< Limit of v² by axis and step rates; Spans adds turning.
-  /// The members from here to `tail` are results of the look-ahead. They change as blocks are
-  /// added.
+  AxisArray<float> direction{};  ///< Unit tangent; of an arc, only its part outside the plane.
+  float length = 0.0F;           ///< Length of the path, mm.
+  float feed = 0.0F;             ///< Programmed speed along the path, mm/s; 0 for a rapid.
+  bool from_rest = true;         ///< True if the machine is at rest at the start of the block.
+  bool fixed_feed = false;       ///< True if feed and rapid overrides do not change the speed.
+  OutputChanges outputs{};       ///< Output changes at the start of the block.
+  /// Greatest acceleration along the path that the axes of constant direction allow, mm/s².
+  float acceleration = 0.0F;
+  /// Greatest v² that the rates of axes and steps allow, mm²/s². Spans adds the limits of turning.
+  float speed_limit_square = 0.0F;
+  /// The members from here to `tail` are results of the look-ahead. They change when later blocks
+  /// are added.
   BrakingState entry{};  ///< State of the backward pass at the start of the block.
   /// Greatest v² at the end of the block if the motion speeds up all the way from the last rest.
   float reachable_square = 1.0e12F;
-  BlockZones head{};  ///< Zones of earlier blocks.
-  BlockZones tail{};  ///< Zones of later blocks.
+  BlockZones head{};  ///< Zones of earlier blocks that reach into this block.
+  BlockZones tail{};  ///< Zones of later blocks that reach into this block.
 
   BeamCommand beam{};
-  RowPart row{};  ///< If row.any(), the pixels of the row set the duty.
+  RowPart row{};  ///< Part of a row; if row.any(), the pixels of the row set the duty.
   SourceLine line{};
 
   [[nodiscard]] bool is_rapid() const { return feed <= 0.0F; }

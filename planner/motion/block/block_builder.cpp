@@ -9,7 +9,7 @@
 namespace cnc::motion {
 namespace {
 
-/// Returns the length of the part of a vector along X Y Z.
+/// Returns the length of the X Y Z part of a vector.
 float linear_norm(const AxisVector& vector) {
   float sum = 0.0F;
   for (std::size_t axis = 0; axis < kLinearAxisCount; ++axis) sum += square(vector[axis]);
@@ -27,8 +27,8 @@ bool place_in_steps(const PathElement& element, const Limits& limits, Block& blo
   return true;
 }
 
-/// Sets the normal of the block: the chord turned by a quarter turn in an oblique plane. Returns
-/// false if the normal is outside the range of the step counters.
+/// Sets `normal` of a block in an oblique plane: the chord, turned to the left by a quarter turn.
+/// Returns false if the normal is outside the range of the step counters.
 bool place_oblique_normal(const AxisVector& chord, const Limits& limits, Block& block) {
   const ArcPlane& plane = block.turn.plane;
   const AxisVector normal = plane.vector(left_normal(plane.seen(chord)));
@@ -40,9 +40,10 @@ bool place_oblique_normal(const AxisVector& chord, const Limits& limits, Block& 
   return true;
 }
 
-/// Sets the normal of the block: the chord turned by a quarter turn, in steps. The chord (first,
-/// second) becomes (−second, first), and each part has the scale of the axis along which it now
-/// lies. Returns false if the normal is outside the range of the step counters.
+/// Sets `normal` of the block, in steps: the chord, turned to the left by a quarter turn. The chord
+/// (first, second) becomes (−second, first). Each component is converted with the scale of the axis
+/// that it belongs to after the turn. Returns false if the normal is outside the range of the step
+/// counters.
 bool place_normal(const PathElement& element, const Limits& limits, Block& block) {
   if (element.plane.oblique()) {
     return place_oblique_normal(travel_between(element.start, element.end), limits, block);
@@ -58,8 +59,8 @@ bool place_normal(const PathElement& element, const Limits& limits, Block& block
   return true;
 }
 
-/// Sets `turn` to the arc. Removes the part of `travel` in the plane of the arc, and returns the
-/// length of the arc, which stands for that part.
+/// Fills `turn` from the arc, and returns the length of the arc in mm. Removes from `travel` the
+/// part in the plane of the arc, because the arc replaces that part.
 float lay_out_turn(const Arc& arc, AxisVector& travel, Turn& turn) {
   travel = turn.plane.oblique() ? AxisVector{} : turn.plane.off(travel);
   const Vec2 tangent = arc.start_tangent();
@@ -69,15 +70,15 @@ float lay_out_turn(const Arc& arc, AxisVector& travel, Turn& turn) {
   return arc.length().in_mm_and_s();
 }
 
-/// Returns whether an arc is farther than a millionth of a nanometre from its chord. A flatter arc
-/// is driven as a line: its sweep and curvature would leave the range of a float.
+/// Returns whether the sagitta of an arc is more than 1e-6 nm. A flatter arc is driven as a line,
+/// because its sweep and curvature would be outside the range of a float.
 bool leaves_its_chord(float bulge, const Arc& arc) {
   constexpr float kMinSagitta = 1.0e-12F;  // mm
   return std::abs(bulge) * arc.end().norm() > 2.0F * kMinSagitta;
 }
 
-/// Returns the limit of v² on the whole block. It comes from the rates of the axes whose direction
-/// is constant and from the step rate of all motors together.
+/// Returns the limit of v² for the whole block. It follows from the rates of the axes whose
+/// direction is constant, and from the step rate of all motors together.
 float speed_limit_square(const Block& block, const Limits& limits) {
   float limit = 1.0e12F;
   float steps_per_mm = 0.0F;
@@ -97,7 +98,8 @@ float speed_limit_square(const Block& block, const Limits& limits) {
   return std::min(limit, square(limits.steps_per_s_all_motors / steps_per_mm));
 }
 
-/// Returns the greatest acceleration along the path that the axes of constant direction allow.
+/// Returns the greatest acceleration along the path, in mm/s², that the axes of constant direction
+/// allow.
 float acceleration_limit(const Block& block, const Limits& limits) {
   float most = 1.0e9F;
   for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
@@ -108,14 +110,14 @@ float acceleration_limit(const Block& block, const Limits& limits) {
   return most;
 }
 
-/// Converts a programmed feed to the speed along all six axes, in which the planner measures. F
-/// counts along X Y Z, or along A B C when only these move.
+/// Converts a programmed feed to the speed along all six axes, which the planner uses. The F word
+/// gives the speed along X Y Z, or along A B C if only these axes move.
 float six_axis_feed(float feed, float linear_length, float length) {
   return linear_length > 0.0F ? feed * (length / linear_length) : feed;
 }
 
-/// Returns the share of an arc's length in its plane that lies along X Y Z. With rotary axes in the
-/// plane, it is the share of the chord instead.
+/// Returns the length of an arc along X Y Z as a share of its length in its plane. If rotary axes
+/// move in the plane, returns the same share of the chord instead.
 float linear_share(const ArcPlane& plane, const AxisVector& chord) {
   return plane.oblique() ? linear_norm(chord) / norm(chord) : 1.0F;
 }

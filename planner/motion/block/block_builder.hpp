@@ -13,19 +13,21 @@ enum class MotionError : std::uint8_t {
   kBulgeTooLarge,     ///< The arc has more than half a turn: split it first.
 };
 
-/// A path element with its feed, beam and outputs.
+/// A path element with its feed, its beam command and its output changes.
 struct MotionRequest {
   PathElement element{};
-  float feed_mm_s = 0.0F;  ///< Along X Y Z, or in degrees/s when only A B C move; 0 is a rapid.
+  /// Speed along X Y Z, mm/s, or degrees/s if only A B C move; 0 for a rapid.
+  float feed_mm_s = 0.0F;
   BeamCommand beam{};
-  RowPart row{};  ///< If row.any(), the pixels of the row set the duty.
+  RowPart row{};  ///< Part of a row; if row.any(), the pixels of the row set the duty.
   OutputChanges outputs{};
   SourceLine line{};
-  bool fixed_feed = false;  ///< Overrides do not change the feed: jogs, homing, parking.
+  /// True if overrides do not change the feed, as in jogs, homing and parking.
+  bool fixed_feed = false;
 };
 
-/// Builds the block of one path element: a line, an arc or a helix. The results of the look-ahead
-/// keep their defaults, because they depend on the neighbouring blocks.
+/// Builds the block of one path element, which is a line, an arc or a helix. The results of the
+/// look-ahead keep their defaults, because they depend on the neighbouring blocks.
 [[nodiscard]] Result<Block, MotionError> build_block(const MotionRequest& request,
                                                      const Limits& limits);
 

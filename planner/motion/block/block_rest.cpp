@@ -3,7 +3,8 @@
 namespace cnc::motion {
 namespace {
 
-/// Turns the chord from `start` to the end of the block by a quarter turn, as the builder does.
+/// Sets `normal` of the block to the chord from `start` to the end of the block, turned to the left
+/// by a quarter turn as in build_block().
 void turn_chord(Block& block, const AxisArray<StepPosition>& start, const Limits& limits) {
   AxisVector chord{};
   for (std::size_t axis = 0; axis < kAxisCount; ++axis) {

@@ -6,10 +6,10 @@
 
 namespace cnc::motion {
 
-/// Returns the part of `block` after `place`. The outputs that change at the start of the whole
-/// block do not change again at a later position.
+/// Returns the part of `block` after the position `place`. This part has no output changes: they
+/// happen at the start of the whole block.
 ///
-/// The returned block deviates from the whole block by at most 1e-6 of its length plus 2 nm,
+/// The result deviates from the whole block by at most 1e-6 of the block's length plus 2 nm,
 /// because angles and the turned chord are in single precision. The end is exact.
 /// @param start position of the motors at `place`
 /// @pre 0 ≤ place < length_in_units(block)

@@ -9,8 +9,8 @@
 
 namespace cnc::motion {
 
-/// Distance along a path of many blocks, in units of 2^-36 mm. Sums of integers have no error, and
-/// differences are as exact as the distances. An arc of 10 nm still has 687,000 units.
+/// Distance along a path of many blocks, in units of 2^-36 mm. Sums and differences of integers are
+/// exact, however long the path is. An arc of 10 nm still has 687,000 units.
 using PathUnits = std::int64_t;
 
 inline constexpr float kUnitsPerMm = 68'719'476'736.0F;
@@ -20,18 +20,20 @@ inline constexpr float kMmPerUnit = 1.0F / kUnitsPerMm;
 [[nodiscard]] PathUnits to_units(float mm);
 [[nodiscard]] inline float to_mm(PathUnits units) { return nearest_float(units) * kMmPerUnit; }
 
-/// Returns the distance in whole nanometres, rounded down. @pre 0 ≤ units < 2^59
+/// Returns the distance in nanometres, rounded down. @pre 0 ≤ units < 2^59
 [[nodiscard]] constexpr Coordinate to_coordinate(PathUnits units) {
   return Coordinate{((units >> 16) * 1'000'000) >> 20};
 }
 
-/// Returns the length of a block in units; at least one, so that each block has a start and an end.
+/// Returns the length of a block in units. The length is at least 1, so that the start and the end
+/// of a block differ.
 [[nodiscard]] inline PathUnits length_in_units(const Block& block) {
   return std::max<PathUnits>(1, to_units(block.length));
 }
 
-/// Converts positions within a block to fractions of its length in Q32; 2^32 is its end. The
-/// fraction is monotonic. Its error is at most 2^-31 of the length, and zero at both ends.
+/// Converts positions within a block to fractions of the block's length in Q32, where 2^32 is the
+/// end. The fraction grows monotonically with the position. Its error is at most 2^-31 of the
+/// length, and zero at both ends.
 class BlockFraction {
  public:
   static constexpr std::uint64_t kEnd = std::uint64_t{1} << 32;
@@ -39,7 +41,7 @@ class BlockFraction {
   BlockFraction() = default;
   explicit BlockFraction(PathUnits length) : length_{length} {}
 
-  /// Returns the fraction that stands for a position. @pre 0 ≤ place ≤ length
+  /// Returns the fraction of the length at a position. @pre 0 ≤ place ≤ length
   [[nodiscard]] std::uint64_t of(PathUnits place) {
     if (place >= length_) return kEnd;
     if (reciprocal_q31_ == 0) divide();
@@ -58,13 +60,13 @@ class BlockFraction {
       scaled <<= 1;
       ++left_;
     }
-    // Rounded down, so that a position before the end has a fraction below kEnd.
+    // The reciprocal is rounded down, so that a position before the end has a fraction below kEnd.
     reciprocal_q31_ = static_cast<std::uint32_t>(((std::uint64_t{1} << 63) - 1) / scaled);
   }
 
   PathUnits length_ = 1;
-  /// Reciprocal of the length; 0 until a position within the block is converted, because the
-  /// division is slow.
+  /// Reciprocal of the length. It stays 0 until the first position within the block is converted,
+  /// because the division is slow.
   std::uint32_t reciprocal_q31_ = 0;
   unsigned right_ = 0;
   unsigned left_ = 0;

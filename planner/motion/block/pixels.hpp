@@ -10,21 +10,24 @@
 
 namespace cnc::motion {
 
-/// A part of a row with one power.
+/// A part of a row that is driven with one power.
 struct Pixel {
-  float end_mm = 0.0F;  ///< Distance from the start of its row, at most 100 mm, to 1e-5 mm.
-  float duty = 0.0F;    ///< As BeamCommand::duty.
+  /// Distance of the pixel's end from the start of the row, at most 100 mm, accurate to 1e-5 mm.
+  float end_mm = 0.0F;
+  float duty = 0.0F;  ///< Output during the pixel, see BeamCommand::duty.
   SourceLine line{};
 };
 
-/// The part of a row of pixels that an element drives. An element with one power has none.
+/// The part of a row of pixels that a path element drives. An element with a single power has no
+/// such part.
 struct RowPart {
   std::uint32_t first = 0;  ///< Number of the row's first pixel, see Pixels.
-  float from_mm = 0.0F;     ///< Start of the part, from the start of the row.
-  float to_mm = 0.0F;       ///< End of the part, from the start of the row; 0 means no row.
+  float from_mm = 0.0F;     ///< Distance of the part's start from the start of the row.
+  /// Distance of the part's end from the start of the row; 0 without a row.
+  float to_mm = 0.0F;
 
   [[nodiscard]] constexpr bool any() const { return to_mm > 0.0F; }
-  /// Returns a part of this part. @param from, to its ends as shares of this part, 0…1
+  /// Returns a part of this part. @param from, to ends of the result as shares of this part, 0…1
   [[nodiscard]] constexpr RowPart part(float from, float to) const {
     const float length = to_mm - from_mm;
     return {.first = first,
@@ -33,57 +36,56 @@ struct RowPart {
   }
 };
 
-/// The pixels of all rows that wait to be driven, in the order in which they are driven.
+/// The pixels of all rows that wait to be driven, in the order of driving.
 ///
-/// A row is one block, however many powers it has. Each block has the number of its first pixel,
-/// and the look-ahead does not need the pixels. Pixels are numbered in the order of arrival; the
-/// numbers continue after clear(). When the store is full, further rows wait until some pixels are
-/// driven. Driven pixels are kept until newer ones overwrite them.
+/// A row is one block, even if it has many powers. The block has only the number of the row's first
+/// pixel, so the look-ahead does not need the pixels. Pixels are numbered in the order of arrival,
+/// and the numbers continue after clear(). When the store is full, further rows wait until some
+/// pixels have been driven. Driven pixels are kept until newer pixels overwrite them.
 ///
 /// Main loop only.
 class Pixels {
  public:
-  /// More than the pixels of a braking from 300 mm/s at 5000 mm/s² and of 8 ms more, at 20,000
-  /// pixels per second.
+  /// Greatest number of waiting pixels. It covers 68 ms at 20,000 pixels per second: braking from
+  /// 300 mm/s at 5000 mm/s², and 8 ms more.
   static constexpr std::size_t kMax = 1536;
 
-  /// Least number of driven pixels that are kept: those of 25 ms at 20,000 per second and of two
-  /// rows.
+  /// Least number of driven pixels that are kept: 25 ms at 20,000 pixels per second, and two rows.
   static constexpr std::size_t kKept = 640;
 
   [[nodiscard]] std::size_t room() const { return size() < kMax ? kMax - size() : 0; }
   [[nodiscard]] bool empty() const { return end_ == first_; }
-  /// Return the number of the oldest pixel, and the number that the next pixel will get.
+  /// Return the number of the oldest waiting pixel, and the number of the next pixel to be pushed.
   [[nodiscard]] std::uint32_t first() const { return first_; }
   [[nodiscard]] std::uint32_t next() const { return end_; }
 
   /// Adds a pixel.
-  /// @pre room() > 0. After take_back() there may be no room for the two pixels of a row that is
-  /// held; these may be pushed all the same.
+  /// @pre room() > 0. A row that began while room() > 0 may still push its last two pixels after
+  /// take_back() has used up the free space.
   void push(const Pixel& pixel) {
     CNC_ASSERT(size() < kStored);
     kept_ = std::min(kept_, kStored - 1 - size());
     pixels_[slot_of(size())] = pixel;
     ++end_;
   }
-  /// Returns the oldest pixel. @pre !empty()
+  /// Returns the oldest waiting pixel. @pre !empty()
   [[nodiscard]] const Pixel& front() const {
     CNC_ASSERT(!empty());
     return pixels_[slot_];
   }
-  /// Moves the oldest pixel to the driven ones that are kept. @pre !empty()
+  /// Marks the oldest waiting pixel as driven. It is kept. @pre !empty()
   void pop() {
     CNC_ASSERT(!empty());
     ++first_;
     ++kept_;
     slot_ = slot_of(1);
   }
-  /// Moves all pixels before `number` to the driven ones that are kept.
-  /// @param number of a stored pixel, or next()
+  /// Marks all pixels before `number` as driven. They are kept.
+  /// @param number of a waiting pixel, or next()
   void drop_before(std::uint32_t number) {
     while (!empty() && static_cast<std::int32_t>(number - first_) > 0) pop();
   }
-  /// Makes a driven pixel the oldest again. Returns false if the pixel is no longer kept.
+  /// Makes a driven pixel the oldest waiting one. Returns false if the pixel is no longer kept.
   [[nodiscard]] bool take_back(std::uint32_t number) {
     const std::uint32_t count = first_ - number;
     if (static_cast<std::int32_t>(count) <= 0) return true;
@@ -100,7 +102,7 @@ class Pixels {
   }
 
  private:
-  /// Number of pixels that a row may push without free space, if there was some when the row began.
+  /// Number of pixels that a row may push without free space if there was free space when it began.
   static constexpr std::uint32_t kHeldBack = 2;
   static constexpr std::uint32_t kStored = kMax + kKept + kHeldBack;
 
@@ -113,8 +115,8 @@ class Pixels {
   std::array<Pixel, kStored> pixels_{};
   std::uint32_t first_ = 0;
   std::uint32_t end_ = 0;
-  std::uint32_t slot_ = 0;  ///< Index of the oldest pixel that is not driven.
-  std::uint32_t kept_ = 0;  ///< Number of driven pixels before that one.
+  std::uint32_t slot_ = 0;  ///< Index of the oldest waiting pixel.
+  std::uint32_t kept_ = 0;  ///< Number of driven pixels before the oldest waiting one.
 };
 
 }  // namespace cnc::motion

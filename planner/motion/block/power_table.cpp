@@ -7,8 +7,8 @@ namespace {
 
 constexpr auto kFullDutyF = static_cast<float>(PowerPoint::kFullDuty);
 
-/// Interpolates from the origin (0, 0) along the points. Returns y at x; where y has a step at x,
-/// returns y after the step.
+/// Returns y at x, interpolated between the points, which begin at the origin (0, 0). Where y has a
+/// step at x, returns the value after the step.
 template <typename X, typename Y>
 float interpolated(std::span<const PowerPoint> points, float x, X x_of, Y y_of) {
   float x_before = 0.0F;
@@ -25,7 +25,7 @@ float interpolated(std::span<const PowerPoint> points, float x, X x_of, Y y_of) 
 
 float duty_of(const PowerPoint& point) { return static_cast<float>(point.duty) / kFullDutyF; }
 
-/// Returns a function that gives the power of a point as a share of the last point's power.
+/// Returns a function that computes the power of a point as a share of the last point's power.
 /// @pre !points.empty()
 auto share_of_last(std::span<const PowerPoint> points) {
   return [most = static_cast<float>(points.back().milliwatts)](const PowerPoint& point) {

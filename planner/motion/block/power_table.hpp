@@ -9,30 +9,32 @@
 
 namespace cnc::motion {
 
-/// A measured point of a beam: an output duty and its power. Both are integers, so that the stored
-/// values are exactly those that were entered.
+/// A measured point of a beam: a duty of the output, and the power at this duty. Both are integers,
+/// so that the stored values are exactly those that were entered.
 struct PowerPoint {
   static constexpr std::uint32_t kFullDuty = 10'000;
   static constexpr std::uint32_t kMaxMilliwatts = 10'000'000;
 
-  std::uint16_t duty = 0;  ///< Hundredths of a percent of full output.
+  std::uint16_t duty = 0;  ///< Duty in hundredths of a percent of full output.
   std::uint32_t milliwatts = 0;
   constexpr bool operator==(const PowerPoint&) const = default;
 };
 
 enum class PowerTableError : std::uint8_t {
   kTooManyPoints,
-  kBeyondRange,       ///< A duty above 100 %, or more than 10 kW.
-  kLightWithoutDuty,  ///< Watts at a duty of 0.
-  kDutyNotRising,     ///< A duty is not greater than the one before it.
-  kWattsNotRising,    ///< A power is not greater than the one before it, or the last is 0 W.
+  kBeyondRange,       ///< A duty is above 100 %, or a power is above 10 kW.
+  kLightWithoutDuty,  ///< A power is above 0 W at a duty of 0.
+  kDutyNotRising,     ///< A duty is not greater than the duty of the point before it.
+  /// A power is not greater than the one of the point before it, or the last is 0 W.
+  kWattsNotRising,
 };
 
-/// How much light an output duty gives: points from no power to the greatest, with straight lines
-/// between them. The table begins at 0 % with 0 W, so a first point of 0 W is a threshold. Duty and
-/// power both rise strictly, so the table can be read in both directions.
+/// The power of a beam as a function of the output's duty: points in rising order, with straight
+/// lines between them. The table begins at 0 % with 0 W, so a first point of 0 W is a threshold.
+/// Duty and power both rise strictly, so the table can be read in both directions.
 ///
-/// S means the share of the last point's watts. Without points S is the duty.
+/// The S word gives the required power as a share of the last point's power. Without points, the S
+/// word gives the duty itself.
 class PowerTable {
  public:
   static constexpr std::size_t kMaxPoints = 16;
@@ -42,11 +44,10 @@ class PowerTable {
 
   [[nodiscard]] std::span<const PowerPoint> points() const { return {points_.data(), count_}; }
 
-  /// Returns the duty that gives a share of the greatest light, both 0…1. The duty rises with the
-  /// share; for a share of 0 it is the threshold, up to which there is no light. Error at most
-  /// 3e-7.
+  /// Returns the duty for a share of the greatest power, both 0…1. The duty rises with the share.
+  /// For a share of 0 it is the threshold, up to which the beam has no power. Error at most 3e-7.
   [[nodiscard]] float duty_for(float share) const;
-  /// Returns the share of the greatest light that a duty gives, both 0…1. Error at most 3e-7.
+  /// Returns the share of the greatest power at a duty, both 0…1. Error at most 3e-7.
   [[nodiscard]] float share_of(float duty) const;
 
   bool operator==(const PowerTable&) const = default;
@@ -56,10 +57,10 @@ class PowerTable {
   std::size_t count_ = 0;
 };
 
-/// How the output duty of a beam follows from the required light.
+/// Relation between the required power of a beam and the duty of its output.
 struct BeamResponse {
   PowerTable table{};
-  /// Least duty, 0…1, of a beam that follows the speed, while its S is not 0.
+  /// Least duty, 0…1, of a beam whose power follows the speed, unless its S is 0.
   float min_duty = 0.0F;
   bool operator==(const BeamResponse&) const = default;
 };

@@ -24,7 +24,7 @@ float Turning::speed_limit_square(float window_s) const {
   if (curvature <= 0.0F || window_s <= 0.0F) return kNoLimit;
   const float centripetal = 1.0F / speed_ratio;
   constexpr float kJerkShare = 0.95F;
-  constexpr float kCubes = 1.0e25F;  // Greatest argument of cube_root(); 1 / kCubes is the least.
+  constexpr float kCubes = 1.0e25F;  // Greatest argument of cube_root(); 1 / kCubes is its least.
   const float cube = kJerkShare / (window_s * jerk_ratio);
   return std::min(centripetal, square(cube_root(std::clamp(cube, 1.0F / kCubes, kCubes))));
 }
@@ -56,7 +56,7 @@ float Turning::within_acceleration(float acceleration, float distance, float spe
   return acceleration * left / (half + std::sqrt(square(half) + leading * left));
 }
 
-/// Solves (α + r)² + (α q)² = 1 for α and returns a = α A. r and q are in units of 1 / T.
+/// Solves (α + r)² + (α q)² = 1 for α and returns a = α A. All jerks are relative to A / T.
 float Turning::within_jerk(float acceleration, float speed_square, float window_s) const {
   const float speed = std::sqrt(speed_square);
   const float r = jerk_ratio * speed * speed_square * window_s;

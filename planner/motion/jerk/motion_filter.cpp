@@ -7,8 +7,8 @@
 namespace cnc::motion {
 namespace {
 
-/// Shortest time of a motion's last stretch. A single remaining unit of distance within a
-/// nanosecond would need more acceleration than axes have.
+/// Shortest duration of the last stretch of a motion, in ns. Driving a single remaining path unit
+/// within a nanosecond would require more acceleration than axes have.
 constexpr std::uint32_t kShortestEndNs = 4'000;
 
 }  // namespace
@@ -22,7 +22,7 @@ void MotionFilter::add(const Stretch& stretch) {
   const auto duration_ns = static_cast<std::uint32_t>(stretch.duration_ns);
   CNC_ASSERT(duration_ns <= room_ns());
   const float sum = stretch.start_speed + stretch.end_speed;
-  // The mean position of a stretch of constant acceleration, as a share of its distance.
+  // Mean distance within a stretch of constant acceleration, as a share of the stretch's distance.
   const float mean =
       sum > 0.0F ? (2.0F * stretch.start_speed + stretch.end_speed) / (3.0F * sum) : 0.5F;
   const float way = to_mm(place_ - from_) + mean * to_mm(stretch.way);
@@ -52,7 +52,7 @@ Stretch MotionFilter::take() {
                  .duration_ns = window_way > 0 ? window_.cell_ns : last_ns,
                  .start_speed = speed_,
                  .end_speed = to_mm(window_way) / seconds};
-  // Computed from the distances that the plan drives in the newest and in the oldest cell: the
+  // Computed from the distances of the plan in the newest and in the oldest cell, because the
   // difference of two nearly equal speeds has no exact digits.
   motion.acceleration = window_way > 0
                             ? to_mm(window_way - window_way_) / (seconds * window_.cell_seconds())
@@ -68,8 +68,8 @@ Stretch MotionFilter::take() {
   return motion;
 }
 
-/// Returns the distance by which the position of the motion grows. This position is the sum of the
-/// means of all cells, divided by their number.
+/// Returns the distance in units that the motion drives in the cell. The position of the motion is
+/// the mean position over all cells, so it grows by (newest mean − oldest mean) / number of cells.
 PathUnits MotionFilter::next_way(const Cell& newest, const Cell& oldest) {
   const PathUnits sum = remainder_ + (newest.mean - oldest.mean);
   const PathUnits way = sum / static_cast<PathUnits>(window_.cells);

@@ -11,35 +11,36 @@ namespace cnc::motion {
 /// Makes the motion from the plan. The position of the motion is the mean of the plan's position
 /// over the window of time that ends now.
 ///
-/// Time is divided into cells. The plan is added stretch by stretch until a cell is full; then the
-/// motion in the time of that cell can be taken. Means are exact integers, so the motion ends where
-/// the plan does, to the unit. Speeds and accelerations are those of the exact mean at the ends of
-/// cells.
+/// Time is divided into cells. The plan is added stretch by stretch until a cell is full. Then the
+/// motion in the time of that cell can be taken. Means are exact integers, so the motion ends
+/// exactly where the plan ends. Speeds and accelerations are those of the exact mean at the
+/// boundaries of cells.
 class MotionFilter {
  public:
-  /// Restarts with another window. @pre window.filters()
+  /// Begins a motion from rest with the given window. @pre window.filters()
   void begin(const TimeWindow& window);
 
-  /// Returns the time in ns until the present cell is full.
+  /// Returns the time in ns that is missing until the present cell is full.
   [[nodiscard]] std::uint32_t room_ns() const { return window_.cell_ns - used_ns_; }
-  /// Adds a stretch of the plan. @pre the stretch is at most room_ns() long
+  /// Adds a stretch of the plan. @pre the duration of the stretch is at most room_ns()
   void add(const Stretch& stretch);
-  /// Fills the rest of the cell with a plan at rest.
+  /// Fills the rest of the present cell with a plan at rest.
   void rest();
 
-  /// Returns the motion within the cell just filled. It is shorter than a cell if the motion comes
-  /// to rest within the cell. @pre room_ns() == 0
+  /// Returns the motion within the cell that was just filled. It is shorter than the cell if the
+  /// motion comes to rest within the cell. @pre room_ns() == 0
   [[nodiscard]] Stretch take();
 
-  /// Returns whether the motion is at rest, and stays so until the plan moves.
+  /// Returns whether the motion is at rest and stays at rest until the plan moves.
   [[nodiscard]] bool at_rest() const { return window_way_ == 0 && used_ns_ == 0; }
 
  private:
-  /// A cell of the plan. Positions wrap; only their differences are used.
+  /// The plan within one cell. Positions wrap around; only their differences are used.
   struct Cell {
-    PathUnits mean = 0;          ///< Mean of the plan's position in the cell.
-    PathUnits end = 0;           ///< The plan's position at the end of the cell.
-    std::uint32_t moved_ns = 0;  ///< Time from the start of the cell for which the plan moved.
+    PathUnits mean = 0;  ///< Mean of the plan's position in the cell.
+    PathUnits end = 0;   ///< The plan's position at the end of the cell.
+    /// Time from the start of the cell to the end of the plan's last motion in it.
+    std::uint32_t moved_ns = 0;
   };
 
   [[nodiscard]] PathUnits next_way(const Cell& newest, const Cell& oldest);
@@ -48,17 +49,19 @@ class MotionFilter {
   std::array<Cell, TimeWindow::kMaxCells> cells_{};
   std::uint32_t oldest_ = 0;
 
-  // The plan in the cell being filled.
+  // Values of the plan in the cell that is being filled.
   PathUnits from_ = 0;  ///< Position at the start of the cell.
   PathUnits place_ = 0;
-  float mean_way_ = 0.0F;  ///< Mean distance from from_ in mm, weighted by the filled part.
+  /// Mean distance of the plan from from_ in the filled part of the cell, mm, times the share of
+  /// this part in the cell.
+  float mean_way_ = 0.0F;
   std::uint32_t used_ns_ = 0;
   std::uint32_t moved_ns_ = 0;
 
-  // The motion.
+  // Values of the motion.
   PathUnits remainder_ = 0;   ///< Remainder of the division by the number of cells.
   PathUnits window_way_ = 0;  ///< Distance that the plan drives within the window.
-  float speed_ = 0.0F;        ///< mm/s.
+  float speed_ = 0.0F;        ///< Speed of the motion, mm/s.
 };
 
 }  // namespace cnc::motion

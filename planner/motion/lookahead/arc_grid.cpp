@@ -8,13 +8,13 @@
 namespace cnc::motion {
 namespace {
 
-/// In radians. A boundary nearer than this to an end of the arc is left out: a reversal so near to
-/// an end moves an axis by R · 5e-11, far below a step.
+/// Least angle between a boundary and an end of the arc, in radians. A nearer boundary is left out.
+/// A reversal so near to an end moves an axis by R · 5e-11, which is far below a step.
 constexpr float kSliver = 1.0e-5F;
 
 constexpr int kGridPerQuarter = ArcGrid::kPerTurn / 4;
 
-/// Computes sin(k · 3.75°) for a quarter turn, by Taylor's series at compile time.
+/// Computes sin(k · 3.75°) over a quarter turn with Taylor's series, at compile time.
 constexpr std::array<float, kGridPerQuarter + 1> make_quarter_sines() {
   std::array<float, kGridPerQuarter + 1> sines{};
   for (int k = 0; k <= kGridPerQuarter; ++k) {
@@ -62,7 +62,7 @@ ArcGrid ArcGrid::of_equal_spans(const ArcShape& arc) {
 
 int ArcGrid::finest_split(const ArcShape& arc, float seconds) {
   constexpr float kMaxSplit = 16.0F;
-  constexpr float kShortestSpan = 0.7e-3F;  // s.
+  constexpr float kShortestSpan = 0.7e-3F;  // Shortest duration of a span, s.
   const float most = std::min(seconds / kShortestSpan, static_cast<float>(kMaxFineSpans - 2));
   constexpr float kRounding = 1.0e-3F;
   const float split = most / std::max(1.0F, arc.sweep() / kAngle) + kRounding;

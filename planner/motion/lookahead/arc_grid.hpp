@@ -7,8 +7,8 @@
 
 namespace cnc::motion {
 
-/// Boundaries of the spans of an arc. They lie where the angle of the tangent is a multiple of
-/// 3.75° or of a whole fraction of it, or at equal distances. A line is one span.
+/// Boundaries of the spans of an arc. They are either at equal distances, or where the angle of the
+/// tangent is a multiple of 3.75° / split, with an integer split. A line is a single span.
 ///
 /// Quarter turns are among the multiples, so in a coordinate plane no axis reverses within a span.
 class ArcGrid {
@@ -16,29 +16,30 @@ class ArcGrid {
   static constexpr int kPerTurn = 96;
   static constexpr float kAngle = kTwoPi / static_cast<float>(kPerTurn);  ///< 3.75° in radians.
   static constexpr int kMaxSpans = kPerTurn / 2 + 2;
-  static constexpr int kMaxFineSpans = 2 * kPerTurn + 2;  ///< Greatest count with a split above 1.
+  /// Greatest number of spans with a split above 1.
+  static constexpr int kMaxFineSpans = 2 * kPerTurn + 2;
 
   ArcGrid() = default;
   /// Divides an arc at the multiples of kAngle / `split`. @pre arc.turns(), split ≥ 1
   [[nodiscard]] static ArcGrid at_multiples(const ArcShape& arc, int split);
   /// Divides an arc into equal spans of at most kAngle. @pre arc.turns()
   [[nodiscard]] static ArcGrid of_equal_spans(const ArcShape& arc);
-  /// Returns the greatest split, at most 16, for which each span takes at least 0.7 ms and there
-  /// are at most kMaxFineSpans spans.
-  /// @param seconds the shortest time in which the arc can be driven
+  /// Returns the greatest split, at most 16, with which each span takes at least 0.7 ms and the arc
+  /// has at most kMaxFineSpans spans.
+  /// @param seconds shortest time in which the arc can be driven
   [[nodiscard]] static int finest_split(const ArcShape& arc, float seconds);
 
   /// Returns the number of spans. The boundaries are numbered 0…count().
   [[nodiscard]] int count() const { return count_; }
-  /// Checks whether each span is shorter than 3.75°.
+  /// Checks whether the split is above 1, so that each span is shorter than 3.75°.
   [[nodiscard]] bool fine() const { return fine_; }
-  /// Checks whether the spans are equal, independent of the multiples of 3.75°.
+  /// Checks whether the boundaries are at equal distances instead of multiples of an angle.
   [[nodiscard]] bool equal_spans() const { return equal_spans_; }
-  /// Returns the greatest angle of a span, in radians.
+  /// Returns the greatest angle by which the arc turns on a span, in radians.
   [[nodiscard]] float spacing() const { return spacing_; }
 
   /// Returns the angle of the tangent at a boundary, in radians.
-  /// @param arc the arc that was divided
+  /// @param arc the arc that this grid divides
   [[nodiscard]] float angle(const ArcShape& arc, int boundary) const;
   /// Returns the distance of a boundary from the start of the arc, in mm. @pre arc.turns()
   [[nodiscard]] float distance(const ArcShape& arc, int boundary) const {
@@ -48,10 +49,10 @@ class ArcGrid {
 
  private:
   int count_ = 1;
-  float spacing_ = kAngle;    ///< kAngle / split.
+  float spacing_ = kAngle;    ///< Angle between two boundaries, kAngle / split, in radians.
   int first_multiple_ = 0;    ///< The multiple of the spacing at boundary 1.
-  bool fine_ = false;         ///< The split is above 1.
-  bool equal_spans_ = false;  ///< If set, first_multiple_ has no meaning.
+  bool fine_ = false;         ///< True if the split is above 1.
+  bool equal_spans_ = false;  ///< If true, first_multiple_ is unused.
 };
 
 }  // namespace cnc::motion

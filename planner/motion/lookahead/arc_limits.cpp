@@ -8,13 +8,14 @@
 namespace cnc::motion {
 namespace {
 
-/// Returns the share of an acceleration limit that may be used if limits are evaluated at positions
-/// at most `angle` radians apart. The angle is a grid step or the reach of the window.
+/// Returns the share of an acceleration limit that may be used if the limit is evaluated only at
+/// positions at most `angle` radians apart. This angle is a step of the grid or the reach of the
+/// window.
 ///
 /// Between two such positions, the acceleration f of an axis can rise by at most (angle)² / 8 ·
-/// |f″|, and |f″| is at most 5 times the limit (differentiate t·a + t′·v² twice, with v² linear in
-/// the angle). That is 0.27 % for 3.75°. At least a thousandth is left for rounding and for
-/// measurements by steps.
+/// |f″|. |f″| is at most 5 times the limit: differentiate t·a + t′·v² twice by the angle, with v²
+/// linear in the angle. For 3.75° that is 0.27 %. At least a thousandth is left for rounding and
+/// for measurements by steps.
 float margin_for(float angle) {
   constexpr float kRounding = 2.0e-4F;
   constexpr float kMin = 1.0e-3F;
@@ -41,11 +42,11 @@ ArcLimits::ArcLimits(const Block& block,
   divide_between_turning_and_speed(arc, any_direction, block.reachable_square, window.seconds());
 }
 
-/// Limits the speed so that it can turn in any direction. Sets reach_ to the angle that the window
-/// spans at that speed, before kTurningShare lowers it.
+/// Limits the speed so that the axes can turn at this speed in any direction. Sets reach_ to the
+/// angle that the window spans at the speed before kTurningShare lowers it.
 void ArcLimits::limit_speed(const ArcShape& arc, const TimeWindow& window) {
-  /// At this share of the v² that would need all acceleration for turning, a third of the
-  /// acceleration is left for slowing down when an override is lowered or the feed is held.
+  /// Share of the v² at which turning would use all acceleration. At this share, a third of the
+  /// acceleration is left for slowing down after a lower override or a feed hold.
   constexpr float kTurningShare = 0.95F;
   const float to_plane = square(arc.plane_share());
   speed_square_ = std::min(speed_square_, turning_.speed_limit_square(window.seconds()) / to_plane);
@@ -57,18 +58,19 @@ void ArcLimits::limit_speed(const ArcShape& arc, const TimeWindow& window) {
 
 /// Divides the acceleration between turning and the change of speed.
 ///
-/// An arc with few directions has more acceleration than the least of its axes' limits. The need of
-/// turning is compared with the limits along all normals of the arc. The rest of each axis's limit
-/// is compared along all tangents. The ellipse of a tangential a and a normal b is possible where
-///   (T_i a)² + (N_i b)² ≤ A_i²
-/// for the greatest shares T and N that axis i has of the tangents and of the normals.
+/// On an arc with few directions, more acceleration is possible than the least of the axes' limits.
+/// The acceleration that turning requires is compared with the limits along all normals of the arc.
+/// The rest of each axis's limit is compared along all tangents. A tangential acceleration a and a
+/// normal acceleration b are possible if, for each axis i with the limit A_i,
+///   (T_i a)² + (N_i b)² ≤ A_i²,
+/// where T_i and N_i are the axis's greatest shares in the tangents and in the normals.
 void ArcLimits::divide_between_turning_and_speed(const ArcShape& arc,
                                                  float any_direction,
                                                  float reachable_square,
                                                  float window_s) {
   constexpr float kWorthIt = 1.01F;
-  /// Turning gets this many times the acceleration that it needs along the arc. With less, little
-  /// is left for speeding up.
+  /// Turning gets this multiple of the acceleration that it requires on the arc. A lower multiple
+  /// leaves little for speeding up.
   constexpr float kRoom = 2.0F;
   const DirectionRange directions{arc.start_angle(), arc.end_angle()};
   const float margin = plane_acceleration_ / any_direction;
@@ -103,7 +105,8 @@ Turning ArcLimits::turning_along_path(const ArcShape& arc) const {
 }
 
 float ArcLimits::shortest_time(const ArcShape& arc, float length) const {
-  // A bound for any speed at which the arc may be driven: at best, one axis alone turns the motion.
+  // A bound for any speed at which the arc may be driven: in the best case, a single axis provides
+  // all of the acceleration for turning.
   const float turned =
       axes_.greatest_acceleration() / (arc.curvature() * square(arc.plane_share()));
   return length / std::sqrt(std::min(speed_square_, turned));

@@ -7,46 +7,52 @@
 
 namespace cnc::motion {
 
-/// Limits of an arc as a whole and of its axes. The limits of each span come from these: by
-/// DirectionLimits where the window spans few directions, else by ManyDirectionLimits.
+/// Limits of a whole arc, and of the axes in its plane. The limits of each span are derived from
+/// them: by DirectionLimits if the window spans few directions, otherwise by ManyDirectionLimits.
 class ArcLimits {
  public:
   ArcLimits() = default;
-  /// @param line limits of the same block; these hold on the arc, too
+  /// @param line limits of the same block from the axes of constant direction; they hold on the
+  /// arc, too
   ArcLimits(const Block& block, const ArcShape& arc, const Limits& limits, const LineLimits& line);
-  /// Reduces each axis's acceleration by a margin for positions between those at which limits are
-  /// evaluated.
+  /// Reduces the acceleration of each axis by a margin, because limits are evaluated only at some
+  /// positions.
   /// @param spacing angle between the boundaries of spans, in radians
   void leave_margin(float spacing);
 
   [[nodiscard]] const ArcAxes& axes() const { return axes_; }
-  /// Returns the angle to either side that the window spans, in radians; 0 without a window.
+  /// Returns the angle of the arc, in radians, that the window spans to either side of a position;
+  /// 0 without a window.
   [[nodiscard]] float reach() const { return reach_; }
-  /// Checks whether the window spans so many directions that these are not distinguished.
+  /// Checks whether the window spans so many directions that the limits are computed for all of
+  /// them together.
   [[nodiscard]] bool many_directions() const { return reach_ > kFarReach; }
-  /// Returns how turning and the change of speed share the acceleration within the plane.
+  /// Returns the division of the acceleration within the plane between turning and the change of
+  /// speed.
   [[nodiscard]] const Turning& turning() const { return turning_; }
-  /// Returns turning() for speed and acceleration along the path.
+  /// Returns turning(), converted to speed and acceleration along the path.
   [[nodiscard]] Turning turning_along_path(const ArcShape& arc) const;
-  /// Returns the acceleration within the plane, in mm/s², that all directions of the arc allow in
-  /// addition to turning.
+  /// Returns the acceleration within the plane, in mm/s², that is allowed in all directions of the
+  /// arc. turning() divides it between turning and the change of speed.
   [[nodiscard]] float plane_acceleration() const { return plane_acceleration_; }
-  /// Returns the greatest acceleration within the plane, in mm/s², that would be possible without
-  /// turning.
+  /// Returns the acceleration within the plane, in mm/s², that would be possible if the arc did not
+  /// require any for turning.
   [[nodiscard]] float max_acceleration() const { return max_acceleration_; }
-  /// Returns the shortest time, in s, in which the arc can be driven. The result holds only before
+  /// Returns a lower bound of the time, in s, in which the arc can be driven. To be called before
   /// leave_margin().
+  /// @param length length of the path along the arc, mm
   [[nodiscard]] float shortest_time(const ArcShape& arc, float length) const;
 
-  /// Returns the greatest v² in a range of directions.
-  /// @param turning_limits whether to limit the centripetal acceleration of each axis; under a
-  /// window the limits of the whole arc include it already
+  /// Returns the greatest v² over a range of directions.
+  /// @param turning_limits whether to limit the centripetal acceleration of each axis. Under a
+  /// window this is not necessary, because the limits of the whole arc include it.
   [[nodiscard]] float speed_square(const ArcShape& arc,
                                    const DirectionRange& directions,
                                    bool turning_limits) const;
 
  private:
-  /// Angle in radians that the window may span to either side while directions are distinguished.
+  /// Greatest angle, in radians, that the window may span to either side for the limits to depend
+  /// on single directions.
   static constexpr float kFarReach = kTwoPi / 48.0F;
 
   void limit_speed(const ArcShape& arc, const TimeWindow& window);
@@ -57,14 +63,14 @@ class ArcLimits {
 
   ArcAxes axes_;
   Turning turning_{};
-  float speed_square_ = 0.0F;        ///< The greatest v² in all directions.
-  float plane_acceleration_ = 0.0F;  ///< mm/s².
-  float max_acceleration_ = 0.0F;    ///< mm/s².
-  float reach_ = 0.0F;               ///< Radians.
+  float speed_square_ = 0.0F;        ///< Greatest v² that is allowed in all directions, mm²/s².
+  float plane_acceleration_ = 0.0F;  ///< Result of plane_acceleration(), mm/s².
+  float max_acceleration_ = 0.0F;    ///< Result of max_acceleration(), mm/s².
+  float reach_ = 0.0F;               ///< Result of reach(), radians.
 };
 
-/// Returns the greatest shares that an axis has, over `directions`, of a speed along the path and
-/// of its normal.
+/// Returns the greatest shares that an axis has, over `directions`, in the direction of the path
+/// and in its normal.
 [[nodiscard]] inline AxisShares shares_along_path(const ArcShape& arc,
                                                   const DirectionRange& directions,
                                                   const ArcAxis& axis) {

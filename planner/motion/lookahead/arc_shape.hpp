@@ -7,13 +7,15 @@
 
 namespace cnc::motion {
 
-/// A position on an arc as the acceleration limits need it: the direction of travel in the plane of
-/// the arc. With path speed v and path acceleration a, axis i accelerates by tangent_i · a + bend_i
-/// · v², where the bend is d tangent / d path length. On a line, a Place has no meaning.
+/// The direction of travel in the plane of an arc, which identifies a position on the arc for the
+/// acceleration limits. With path speed v and path acceleration a, axis i has the acceleration
+/// tangent_i · a + bend_i · v², where bend_i is d tangent_i / d path length. On a line, a Place has
+/// no meaning.
 using Place = SinCos;
 
-/// The shape of an arc as its limits need it: the angle of the tangent in the arc's plane. The
-/// plane of a clockwise arc is seen from behind, so the angle always grows along the path.
+/// The shape of an arc, as the acceleration limits use it: the angle of the tangent in the arc's
+/// plane. The plane of a clockwise arc is seen from behind, so that the angle always grows along
+/// the path.
 class ArcShape {
  public:
   /// Makes the shape of a line, which has no sweep.
@@ -29,28 +31,28 @@ class ArcShape {
   }
 
   [[nodiscard]] bool turns() const { return sweep_ > 0.0F; }
-  /// Return the angle of the tangent at the start and at the end, in radians.
+  /// Return the angle of the tangent at the start and at the end of the arc, in radians.
   [[nodiscard]] float start_angle() const { return start_angle_; }
   [[nodiscard]] float end_angle() const { return start_angle_ + sweep_; }
   /// Returns end_angle() − start_angle() in radians; 0 on a line.
   [[nodiscard]] float sweep() const { return sweep_; }
   [[nodiscard]] float mm_per_radian() const { return mm_per_radian_; }
-  /// Returns the plane speed divided by the path speed; it is below 1 on a helix.
+  /// Returns the speed in the plane divided by the speed along the path. It is below 1 on a helix.
   [[nodiscard]] float plane_share() const { return plane_share_; }
   /// Returns the curvature of the circle in the plane, in 1/mm.
   [[nodiscard]] float curvature() const { return curvature_; }
 
-  /// Returns the angle of the tangent `distance` mm from the start. @pre turns()
+  /// Returns the angle of the tangent at the position `distance` mm after the start. @pre turns()
   [[nodiscard]] float angle_at(float distance) const {
     return start_angle_ + distance / mm_per_radian_;
   }
-  /// Returns the distance of an angle from the start, in mm. @pre turns()
+  /// Returns the distance from the start, in mm, at which the tangent has an angle. @pre turns()
   [[nodiscard]] float distance_to(float angle) const {
     return (angle - start_angle_) * mm_per_radian_;
   }
   [[nodiscard]] Place place_at(float distance) const;
 
-  /// Returns 1 if the plane of a block's arc is seen from the front, and −1 from behind.
+  /// Returns 1 if the plane of a turn is seen from the front, and −1 if it is seen from behind.
   [[nodiscard]] static float side_of(const Turn& turn) {
     return turn.half_sweep < 0.0F ? -1.0F : 1.0F;
   }

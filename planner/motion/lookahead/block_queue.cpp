@@ -60,7 +60,7 @@ void BlockQueue::clear(const AxisArray<StepPosition>& place) {
 
 namespace {
 
-/// Returns the greatest v² anywhere on a block, at the greatest pace that may hold.
+/// Returns the greatest v² anywhere on a block, under the overrides `terms.greatest`.
 float max_square(const Spans& spans, const Block& block, const PlanTerms& terms) {
   const SpeedCap greatest{block, terms.greatest};
   float most = 0.0F;
@@ -70,8 +70,8 @@ float max_square(const Spans& spans, const Block& block, const PlanTerms& terms)
   return most;
 }
 
-/// Returns the zone that a block imposes on the blocks before and after it: the least of its speed
-/// limits, as far as the greatest of them reaches.
+/// Returns the zone that a block imposes on the blocks before and after it. The zone's speed is the
+/// lowest speed limit on the block. Its length follows from the greatest one.
 LimitZone zone_of(const Spans& spans, const Block& block, const PlanTerms& terms) {
   const SpeedCap cap{block, terms.overrides};
   float least = LimitZone{}.speed_square;
@@ -83,7 +83,8 @@ LimitZone zone_of(const Spans& spans, const Block& block, const PlanTerms& terms
   return zone;
 }
 
-/// Returns the greatest v² at the end of a block, from that at the end of the block before.
+/// Returns the greatest v² with which a block can be left.
+/// @param before_square greatest v² with which the block before it can be left
 float reachable_after(Block& block,
                       float before_square,
                       const Limits& limits,
@@ -97,8 +98,9 @@ float reachable_after(Block& block,
   return std::min(most, max_square(spans, block, terms));
 }
 
-/// Computes the zones that later blocks impose on `block`. Returns false if these zones have
-/// changed, or may have changed for blocks before `block`.
+/// Sets `block.tail` to the zones that later blocks impose on `block`, and adds the zone of `block`
+/// to `ahead`. Returns whether the tail is unchanged and no zone of later blocks reaches beyond
+/// `block`.
 bool lay_tail(ZoneTrail& ahead, Block& block, const Limits& limits, const PlanTerms& terms) {
   const Spans spans{block, limits, terms.window};
   const LimitZone own = zone_of(spans, block, terms);
@@ -125,12 +127,13 @@ void BlockQueue::stop_before_newest() {
   forget_plan();
 }
 
-/// Sets the heads of the blocks up to `end` that were not planned before.
+/// Sets the heads and the reachable speeds of the blocks before index `end` that are not planned
+/// yet.
 void BlockQueue::lay_heads(const Limits& limits, const PlanTerms& terms, std::size_t end) {
   if (!terms.window.filters()) return;
   if (unplanned_ == size()) {
-    // The zones of removed blocks stay as they were, so that a plan that is taken back is found
-    // again.
+    // front_trail_ itself stays unchanged. So if new terms are refused, planning under the old
+    // terms gives the old plan again.
     trail_ = front_trail_;
     reachable_square_ = left_square_;
   }
@@ -153,8 +156,8 @@ void BlockQueue::lay_heads(const Limits& limits, const PlanTerms& terms, std::si
 
 namespace {
 
-/// Returns the state at the start of a block from which `exit` can be reached, apart from the joint
-/// before the block.
+/// Returns the state at the start of a block from which `exit` can be reached at its end. The joint
+/// before the block is not considered.
 BrakingState entry_for(const Block& block,
                        const Limits& limits,
                        const PlanTerms& terms,
@@ -166,7 +169,8 @@ BrakingState entry_for(const Block& block,
     return {.speed_square = brake_over_line(block, cap, exit.speed_square)};
   }
   const Spans spans{block, limits, terms.window};
-  constexpr std::uint32_t kCostOfSpan = 2;  // Relative to a line without a time window.
+  // Cost relative to a line without a time window.
+  constexpr std::uint32_t kCostOfSpan = 2;
   looked_at += kCostOfSpan * static_cast<std::uint32_t>(spans.count());
   return brake_backwards(spans, cap, exit);
 }
@@ -180,9 +184,9 @@ void BlockQueue::plan(const Limits& limits, const PlanTerms& terms, std::size_t 
 
 namespace {
 
-/// Returns whether a block may keep its entry: the new entry is equal or, without a window, greater
-/// by only a little. On arcs driven at their limit, the effect of later blocks fades but never
-/// ends.
+/// Returns whether a block may keep its entry `before`: it equals the new entry `now` or, without a
+/// window, it is only a little lower. The tolerance ends the backward pass on arcs that are driven
+/// at their limit, where the effect of later blocks decreases but never becomes zero.
 bool as_good(const BrakingState& before, const BrakingState& now, const TimeWindow& window) {
   constexpr float kNegligible = 1.0F + 5.0e-5F;
   if (before == now) return true;
@@ -213,9 +217,9 @@ void BlockQueue::plan_chain(const Limits& limits,
   plan_backwards(limits, terms, lead, end);
 }
 
-// Plans from the newest block backwards. Stops at a block that was planned before and gets the same
-// entry again, unless a zone reaches beyond it that did not before: all older blocks would get the
-// same entries, too.
+// Plans backwards from the block before index `end`. Stops at a block that was planned before if
+// its new entry equals the old one: then the entries of all older blocks would stay equal, too.
+// Continues all the same if a changed zone reaches beyond that block.
 void BlockQueue::plan_backwards(const Limits& limits,
                                 const PlanTerms& terms,
                                 std::size_t lead,

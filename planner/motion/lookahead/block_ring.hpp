@@ -8,23 +8,23 @@
 
 namespace cnc::motion {
 
-/// Blocks in the order in which they are driven, in storage of fixed size. First come those that
-/// wait, oldest first. The rest of the ring has driven blocks, until newer blocks overwrite them.
-/// Blocks that wait may use all of the storage except a share for driven ones. Driven blocks have
-/// that share and all free space, and can return to the front.
+/// Blocks in the order in which they are driven, in storage of fixed size. The waiting blocks come
+/// first, oldest first. Driven blocks have the rest of the ring, until newer blocks overwrite them.
+/// A share of the storage is reserved for driven blocks. They use all free space, too, and can
+/// return to the front.
 ///
-/// The ring knows nothing of speeds: BlockQueue plans them. Main loop only.
+/// The ring does not compute speeds; BlockQueue does. Main loop only.
 class BlockRing {
  public:
   /// @param storage not empty; must outlive the ring
-  /// @param kept number of blocks of the storage that driven blocks have at least
+  /// @param kept number of blocks of the storage that are reserved for driven blocks
   BlockRing(std::span<Block> storage, std::size_t kept)
       : blocks_{storage}, capacity_{storage.size() - kept} {}
 
-  /// Returns the number of blocks that may wait.
+  /// Returns the number of blocks that may wait, unless blocks are taken back.
   [[nodiscard]] std::size_t capacity() const { return capacity_; }
-  /// Returns whether no block may be added. After blocks were taken back, more than capacity() may
-  /// wait.
+  /// Returns whether no block may be added. After blocks were taken back, more than capacity()
+  /// blocks may be waiting.
   [[nodiscard]] bool full() const {
     return size_ >= capacity_ || (keeps_all_ && size_ + kept_ == blocks_.size());
   }
@@ -36,29 +36,30 @@ class BlockRing {
     return blocks_[place_of(index)];
   }
   [[nodiscard]] Block& at(std::size_t index) { return blocks_[place_of(index)]; }
-  /// Returns the oldest block, the one being driven. @pre !empty()
+  /// Returns the oldest waiting block, which is being driven. @pre !empty()
   [[nodiscard]] const Block& front() const {
     CNC_ASSERT(size_ > 0);
     return blocks_[first_];
   }
 
-  /// Returns the number of driven blocks that can return.
+  /// Returns the number of driven blocks that can return to the front.
   [[nodiscard]] std::size_t kept() const { return kept_; }
   /// Returns the block that was driven last. @pre kept() > 0
   [[nodiscard]] const Block& newest_kept() const { return blocks_[place_of(blocks_.size() - 1)]; }
-  /// Sets whether all driven blocks are kept. If they are, no newer block overwrites them: the ring
-  /// counts as full before that.
+  /// Sets whether all driven blocks are kept. If true, no newer block overwrites them: the ring
+  /// counts as full when a new block would overwrite a driven one.
   void keep_all(bool keeps) { keeps_all_ = keeps; }
 
-  /// Returns the start of the oldest block, including driven blocks that are kept.
+  /// Returns the start position of the oldest block, which may be a driven one.
   [[nodiscard]] const AxisArray<StepPosition>& start() const { return start_; }
-  /// Returns the start of the block at the front or, if none waits, of the next block.
+  /// Returns the start position of the block at the front. If no block waits, returns the start
+  /// position of the next block.
   [[nodiscard]] const AxisArray<StepPosition>& start_of_front() const {
     return kept_ == 0 ? start_ : newest_kept().end;
   }
 
-  /// Adds a copy of a block after the newest one, and returns the copy. Without free space, the
-  /// copy overwrites the oldest driven block.
+  /// Adds a copy of a block after the newest one, and returns the copy. If there is no free space,
+  /// the copy overwrites the oldest driven block.
   /// @pre !full()
   Block& add(const Block& block) {
     CNC_ASSERT(!full());
@@ -70,7 +71,7 @@ class BlockRing {
     added = block;
     return added;
   }
-  /// Moves the oldest block to the driven ones. @pre !empty()
+  /// Makes the oldest waiting block a driven one. @pre !empty()
   void pass_front() {
     CNC_ASSERT(size_ > 0);
     first_ = place_of(1);
@@ -84,12 +85,12 @@ class BlockRing {
     ++size_;
     --kept_;
   }
-  /// Forgets the blocks before the front; the block at the front begins at `place`.
+  /// Forgets all driven blocks. The block at the front begins at `place`.
   void forget_kept(const AxisArray<StepPosition>& place) {
     kept_ = 0;
     start_ = place;
   }
-  /// Forgets all blocks; the next one begins at `place`.
+  /// Forgets all blocks. The next block begins at `place`.
   void forget_all(const AxisArray<StepPosition>& place) {
     size_ = 0;
     keeps_all_ = false;
@@ -97,8 +98,8 @@ class BlockRing {
   }
 
  private:
-  /// Returns the index in the storage. Does not divide, because the capacity is not a constant
-  /// here.
+  /// Returns the index in the storage. It is computed without a division, which would be slow,
+  /// because the capacity is not a constant here.
   [[nodiscard]] std::size_t place_of(std::size_t index) const {
     const std::size_t place = first_ + index;
     return place < blocks_.size() ? place : place - blocks_.size();
@@ -108,9 +109,9 @@ class BlockRing {
   std::size_t capacity_;
   std::size_t first_ = 0;
   std::size_t size_ = 0;
-  std::size_t kept_ = 0;  ///< Number of driven blocks before the first.
+  std::size_t kept_ = 0;  ///< Number of driven blocks before the front.
   bool keeps_all_ = false;
-  AxisArray<StepPosition> start_{};  ///< Start of the oldest block, kept ones included.
+  AxisArray<StepPosition> start_{};  ///< Start of the oldest block, which may be a driven one.
 };
 
 }  // namespace cnc::motion

@@ -3,14 +3,15 @@
 namespace cnc::motion {
 
 BrakingState start_of(const BrakingPoint& point, float length, float window_s) {
-  // Rounded down, so that the stored speeds never need more than the deceleration.
+  // Rounded down, so that braking from this v² never requires more than `point.deceleration`.
   const float end_square = point.end.speed_square;
   const float from = next_below(end_square + 2.0F * point.deceleration * length);
   BrakingState start;
   start.speed_square = std::min(point.cap_square, std::max(end_square, from));
   start.steepest = point.steepest;
   start.commit_square = point.commit_square(length);
-  // If braking reaches the cap in time, the path after the span no longer matters.
+  // If only the cap limits the state at the start, the path after the span has no effect on earlier
+  // states. Then X is just large enough for a commit speed that equals the cap.
   if (window_s <= 0.0F) return start;
   const float cap = std::sqrt(point.cap_square);
   start.kept = std::min(cap, point.committed(length, window_s));

@@ -9,58 +9,64 @@
 
 namespace cnc::motion {
 
-/// A gain in v² or a level stretch smaller than this share is rounding.
+/// A gain of v² below this share of v² counts as rounding. So does a level stretch below this share
+/// of the distance.
 inline constexpr float kNegligibleShare = 1.0e-5F;
 
 /// Returns the greatest speed, in mm/s, up to which the motion may speed up; see BrakingState.
+/// @param commit_square, steepest X and a of BrakingState
 [[nodiscard]] inline float commit_speed(float commit_square, float steepest, float window_s) {
   const float lead = steepest * window_s;
-  // Computed without cancellation, as X / (sqrt(X + lead²) + lead).
+  // Computed as X / (sqrt(X + lead²) + lead), because the difference would lose digits.
   const float sum = std::sqrt(commit_square + square(lead)) + lead;
   return sum > 0.0F ? commit_square / sum : 0.0F;
 }
 
-/// The braking curve within a span.
+/// The braking curve within one span.
 struct BrakingPoint {
-  BrakingState end{};         ///< State at the end of the span, with v² within the span's cap.
+  BrakingState end{};         ///< State at the end of the span; its v² is within the span's cap.
   float deceleration = 0.0F;  ///< Deceleration towards the end of the span, mm/s² ≥ 0.
-  float cap_square = 0.0F;    ///< Greatest v² within the span, after feed and overrides.
-  float steepest = 0.0F;      ///< Steepest braking in the span and ahead, mm/s².
+  float cap_square = 0.0F;    ///< Greatest v² within the span, with feed and overrides.
+  float steepest = 0.0F;      ///< Greatest braking deceleration in the span and after it, mm/s².
 
-  /// Returns X of BrakingState with `left` mm of the span to go.
+  /// Returns X of BrakingState at the position `left` mm before the end of the span.
   [[nodiscard]] float commit_square(float left) const {
     if (cap_square <= end.speed_square) return end.commit_square + 2.0F * steepest * left;
     const float slope = end.speed_square + 2.0F * deceleration * left;
     if (slope <= cap_square || deceleration <= 0.0F) return slope;
     return cap_square + (slope - cap_square) * (steepest / deceleration);
   }
-  /// Returns the greatest speed, in mm/s, with `left` mm to go, from which all limits ahead can be
-  /// kept if braking does not begin for another `wait_s`.
+  /// Returns the greatest speed, in mm/s, with which all limits ahead can be kept from the position
+  /// `left` mm before the end of the span. Braking begins only after another `wait_s` at this
+  /// speed.
   [[nodiscard]] float committed(float left, float wait_s) const {
-    // Lower by as much as speeds are rounded: with v / a = 2 s, a digit of v is 0.2 µs of the wait.
+    // Lowers the result by the rounding error of a speed. With v / a = 2 s, the last digit of v
+    // corresponds to 0.2 µs of the wait.
     constexpr float kSurely = 1.0F - 4.8e-7F;
     const float braked = kSurely * commit_speed(commit_square(left), steepest, wait_s);
     return std::max(braked, std::min(end.kept, std::sqrt(cap_square)));
   }
-  /// Returns whether a motion with v² = `speed_square` can neither speed up within the span nor has
-  /// to brake in it. @pre no time window
+  /// Returns whether a motion with v² = `speed_square` keeps its speed within the span, because it
+  /// can neither speed up nor has to brake there. @pre there is no time window
   [[nodiscard]] bool stays_level(float speed_square) const {
     return cap_square >= speed_square && cap_square <= speed_square * (1.0F + kNegligibleShare) &&
            end.speed_square >= speed_square;
   }
 };
 
-/// Returns the state at the start of a span of `length` mm, from that at its end.
+/// Returns the state at the start of a span.
+/// @param point braking curve within the span, with the state at its end
+/// @param length length of the span, mm
 [[nodiscard]] BrakingState start_of(const BrakingPoint& point, float length, float window_s);
 
-/// Backward pass over one block. Visits its spans from last to first, as far back as the span
-/// `first`, with their BrakingPoints. Returns the state at the start of the block from which `exit`
-/// can be reached at its end.
+/// Performs the backward pass over one block. Calls `visit(span, point)` for each span from the
+/// last one back to the span `first`, with its BrakingPoint. Returns the state at the start of the
+/// last visited span from which `exit` can be reached at the end of the block.
 ///
-/// The acceleration limits are linear in (a, v²) and allow a = 0 below the speed limit. So the v²
-/// from which braking is possible always form an interval from 0, and taking the largest value span
-/// by span is optimal (Pham and Pham, "A new approach to time-optimal path parameterization", IEEE
-/// T-RO 34(3), 2018).
+/// The acceleration limits are linear in (a, v²) and allow a = 0 below the speed limit. So the
+/// values of v² from which braking is possible always form an interval from 0, and it is optimal to
+/// take the largest value span by span (Pham and Pham, "A new approach to time-optimal path
+/// parameterization", IEEE T-RO 34(3), 2018).
 template <typename Visitor>
 BrakingState brake_backwards(const Spans& spans,
                              const SpeedCap& cap,
@@ -94,8 +100,8 @@ BrakingState brake_backwards(const Spans& spans,
   return state;
 }
 
-/// Returns the greatest v² at the start of a straight block into which no zone reaches. Most blocks
-/// are of this kind.
+/// Returns the greatest v² at the start of a straight block without zones of neighbours. Most
+/// blocks are of this kind.
 [[nodiscard]] inline float brake_over_line(const Block& block,
                                            const SpeedCap& cap,
                                            float exit_square) {

@@ -39,10 +39,10 @@ float DirectionBox::max_along() const {
   return most;
 }
 
-/// Returns the part along an axis of a vector that is turned towards the axis by up to half the
-/// angle of the range. If it could be turned as far as the axis, returns more than all of the
-/// vector.
-/// @param own, other parts of the vector along the axis and across it
+/// Returns the greatest component along an axis that a vector has when it is turned towards the
+/// axis by up to half of the range's angle. If this turn can make the vector parallel to the axis,
+/// returns kNoLength, which exceeds the length of any vector.
+/// @param own, other components of the vector along the axis and across it
 float DirectionBox::turned(float own, float other) const {
   const bool beside = other * half_.cosine > own * half_.sine;
   return beside ? own * half_.cosine + other * half_.sine : kNoLength;

@@ -6,9 +6,8 @@
 namespace cnc::motion {
 namespace {
 
-/// Returns the greatest x ≥ 0 with |gradient · x + offset| ≤ limit, or `most` if smaller. If
-/// gradient = 0, no x can correct an offset that rounding put beyond the limit; the result is then
-/// `most`.
+/// Returns the greatest x with 0 ≤ x ≤ `most` and |gradient · x + offset| ≤ limit. If the gradient
+/// is 0, no x can correct an offset that exceeds the limit by rounding. Then the result is `most`.
 float tighten(float most, float limit, float gradient, float offset) {
   const float room = limit - (gradient > 0.0F ? offset : -offset);
   const float steepness = std::abs(gradient);
@@ -33,8 +32,8 @@ float DirectionLimits::at(const Place& place, Speeds speeds, float most) const {
   return most;
 }
 
-/// An axis with the share t of the tangent and the share n of the normal has the jerk t (a / T + κ²
-/// v³) + n 3 κ v a at most.
+/// The jerk of an axis is at most t (a / T + κ² v³) + n 3 κ v a, where t and n are the shares of
+/// the axis in the tangent and in the normal.
 float DirectionLimits::within_jerk(const DirectionRange& directions,
                                    float most,
                                    float window_s) const {
@@ -55,7 +54,8 @@ float DirectionLimits::within_jerk_at(float speed,
                                       const AxisArray<AxisShares>& shares,
                                       float most,
                                       float window_s) const {
-  // Jerk is in units of A = J T, because A limits the accelerations, too.
+  // Jerk is multiplied by T: the limit of the acceleration is A = J T, so A limits jerk in this
+  // unit, too.
   const float along = arc_.curvature() * bend_ * speed * square(speed) * window_s;
   const float across = 3.0F * bend_ * speed * window_s;
   const ArcAxes& axes = limits_.axes();

@@ -5,8 +5,9 @@
 
 namespace cnc::motion {
 
-/// Limits of a change of speed on a span of an arc whose directions are distinguished: each axis
-/// takes its own share of the tangent and of the normal. Lives only as long as its arguments.
+/// Limits of a change of speed on a span of an arc where the window spans few directions. Each axis
+/// is limited by its own shares of the tangent and of the normal. The object refers to its
+/// arguments, which must outlive it.
 class DirectionLimits {
  public:
   DirectionLimits(const ArcShape& arc, const ArcLimits& limits, const SpeedChange& change)
@@ -17,19 +18,20 @@ class DirectionLimits {
         sign_{static_cast<float>(change.change)},
         twice_along_{2.0F * change.distance * static_cast<float>(change.travel)} {}
 
-  /// Returns the greatest acceleration ≤ `most` mm/s² for which no axis exceeds its limit at
-  /// `from`, where the speed is known, nor at `to`, nor at either of them at speed 0.
+  /// Returns the greatest acceleration ≤ `most` mm/s² for a change of speed between two positions.
+  /// No axis exceeds its limit at `from` with the known speed, at `to` with the reached speed, or
+  /// at either position with speed 0.
   [[nodiscard]] float between(const Place& from, const Place& to, float most) const {
     return at(to, Speeds::kReached, at(from, Speeds::kKnown, most));
   }
-  /// Returns the greatest acceleration ≤ `most` mm/s² at a position that may have the known or the
-  /// reached speed. No axis exceeds its limit at either speed, nor at speed 0.
+  /// Returns the greatest acceleration ≤ `most` mm/s² at a position whose speed may be the known or
+  /// the reached one. No axis exceeds its limit at either of these speeds or at speed 0.
   [[nodiscard]] float at_both_speeds(const Place& place, float most) const {
     return at(place, Speeds::kBoth, most);
   }
-  /// Returns the greatest acceleration ≤ `most` mm/s² with which no axis exceeds its jerk in these
-  /// directions.
-  /// @param window_s above 0
+  /// Returns the greatest acceleration ≤ `most` mm/s² with which no axis exceeds its jerk limit in
+  /// `directions`.
+  /// @param window_s length of the window in s, above 0
   [[nodiscard]] float within_jerk(const DirectionRange& directions,
                                   float most,
                                   float window_s) const;
@@ -46,9 +48,10 @@ class DirectionLimits {
   const ArcShape& arc_;
   const ArcLimits& limits_;
   const SpeedChange& change_;
-  float bend_;         ///< Bend along the path, 1/mm.
-  float sign_;         ///< Sign of the change of speed.
-  float twice_along_;  ///< Twice the distance along the path, mm; below 0 against it.
+  float bend_;  ///< Bend of an axis whose share in the normal is 1, see Place, 1/mm.
+  float sign_;  ///< 1 for speeding up, −1 for slowing down.
+  /// Twice the distance of the change along the path, mm; negative if the travel is backward.
+  float twice_along_;
 };
 
 }  // namespace cnc::motion

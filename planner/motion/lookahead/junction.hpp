@@ -4,25 +4,27 @@
 
 namespace cnc::motion {
 
-/// How the path continues between two blocks, as far as the caller knows it.
+/// The caller's knowledge about the path at the point where two blocks meet.
 enum class Joint : std::uint8_t {
-  kAsItTurns,  ///< Nothing is known: the tangents decide.
-  kSmooth,     ///< The path does not turn, except for rounding to a nanometre.
+  kAsItTurns,  ///< Nothing is known: the look-ahead compares the tangents.
+  kSmooth,     ///< The path does not change its direction, except for rounding to a nanometre.
   kStop,       ///< The machine is at rest at the joint.
 };
 
-/// The greatest turn, in radians, that counts as none. There, an axis that runs at 500 mm/s changes
-/// its speed by 0.1 mm/s. 1000 mm/s² do this in a tenth of the time of a slice, over a distance of
-/// 5 nm. A larger turn needs a blend or a stop.
+/// Greatest change of direction, in radians, at which the path counts as straight. Such a change
+/// alters the speed of an axis that moves at 500 mm/s by 0.1 mm/s. An acceleration of 1000 mm/s²
+/// achieves this within 5 nm, in a tenth of the duration of a slice. A larger change of direction
+/// requires a blend or a stop.
 inline constexpr float kTangentTurn = 2.0e-4F;
 
-/// Returns whether the path continues straight, within kTangentTurn. No machine turns on the spot,
-/// so a joint is passed at any speed or at rest.
-/// @param before, after unit tangents on either side
+/// Returns whether the path continues in the same direction, within kTangentTurn. A larger change
+/// of direction requires a stop. There is no speed in between, because no machine can change its
+/// direction in zero time.
+/// @param before, after unit tangents of the path before and after the joint
 [[nodiscard]] bool is_tangent(const AxisArray<float>& before, const AxisArray<float>& after);
 
 /// Returns |after − before|². It is computed from the difference and not from the dot product,
-/// which has lost the angle near a tangent joint.
+/// which has too few digits at a nearly tangent joint.
 [[nodiscard]] float turn_square(const AxisArray<float>& before, const AxisArray<float>& after);
 
 }  // namespace cnc::motion

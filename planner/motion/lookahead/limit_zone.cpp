@@ -6,14 +6,15 @@
 namespace cnc::motion {
 namespace {
 
-/// Returns whether `other` has all limits of `zone`, at least as far as `zone` reaches.
+/// Returns whether `other` is at least as long as `zone` and has limits that are at least as
+/// strict.
 bool is_within(const LimitZone& zone, const LimitZone& other) {
   return zone.length <= other.length && zone.speed_square >= other.speed_square &&
          zone.acceleration >= other.acceleration &&
          both(zone.turning, other.turning) == other.turning;
 }
 
-/// Returns a zone with the limits of both, as far as the longer one reaches.
+/// Returns a zone with the stricter limits of both zones and the length of the longer one.
 LimitZone both(const LimitZone& a, const LimitZone& b) {
   return {.length = std::max(a.length, b.length),
           .speed_square = std::min(a.speed_square, b.speed_square),
@@ -26,14 +27,15 @@ bool binds(const LimitZone& zone, const LimitZone& own) {
          zone.turning.curvature > 0.0F;
 }
 
-/// Returns the time per distance that a zone costs, in s/mm. It depends on the zone's speed, and on
-/// the speed at which turning takes all acceleration, which no override changes.
+/// Returns the time per distance that the limits of a zone cost, in s/mm. It is the sum of 1 / v
+/// for two speeds: the speed of the zone, and the speed at which turning uses all acceleration.
+/// Overrides do not change the second speed.
 float pace_within(const LimitZone& zone) {
   return 1.0F / std::sqrt(zone.speed_square) + std::sqrt(zone.turning.speed_ratio);
 }
 
-/// Returns the time in s that is lost if the limits of the shorter zone hold as far as the longer
-/// one reaches.
+/// Returns the time in s that is lost if the limits of the shorter zone also hold over the length
+/// of the longer one.
 float price_of_both(const LimitZone& a, const LimitZone& b) {
   const LimitZone& longer = a.length < b.length ? b : a;
   return std::abs(a.length - b.length) * (pace_within(both(a, b)) - pace_within(longer));
@@ -53,8 +55,8 @@ void ZoneTrail::add(const LimitZone& zone) {
   if (count_ > kCapacity) merge_cheapest();
 }
 
-/// Merges the two zones for which this costs the least time. The result is at least as strict as
-/// both zones everywhere.
+/// Merges the two zones for which merging costs the least time. The result is at least as strict as
+/// each of them everywhere.
 void ZoneTrail::merge_cheapest() {
   std::size_t first = 0;
   std::size_t second = 1;
@@ -73,8 +75,8 @@ void ZoneTrail::merge_cheapest() {
   remove(second);
 }
 
-/// If a plan has been beyond a position for the whole window, none of its mean is before the
-/// position, however short the distance was. If the plan keeps its speed, half of the window is
+/// When the plan has been beyond a position for the whole window, no part of the mean is before
+/// that position, even if the distance is short. If the plan keeps its speed, half of the window is
 /// enough.
 void ZoneTrail::advance(float length, float reach) {
   const float window_share = reach > 0.0F ? 0.5F * length / reach : 0.0F;

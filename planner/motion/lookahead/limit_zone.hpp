@@ -7,17 +7,19 @@
 
 namespace cnc::motion {
 
-/// Collects, along the path, the zones of blocks that were passed.
+/// Collects the zones of blocks while a pass moves along the path.
 class ZoneTrail {
  public:
   void clear() { count_ = 0; }
   [[nodiscard]] bool empty() const { return count_ == 0; }
-  /// Adds the zone of a block at its end, where the zone begins to reach into the neighbours.
+  /// Adds the zone of a block. To be called when the pass reaches the end of the block, where the
+  /// zone begins.
   void add(const LimitZone& zone);
-  /// Moves on by `length` mm. The plan drives this distance at most so fast that half a window is
-  /// `reach` mm. Where the plan is slow, zones end after the time of a window.
+  /// Moves on by `length` mm: shortens all zones, and removes those that have ended. Where the plan
+  /// is slow, a zone ends after the time of a window even if its length is not used up.
+  /// @param reach distance of half a window, in mm, at the greatest speed on this length
   void advance(float length, float reach);
-  /// Returns the zones that reach into a block whose own limits are `own`.
+  /// Returns the zones that restrict the next block, whose own limits are `own`.
   [[nodiscard]] BlockZones reaching(const LimitZone& own) const;
 
  private:
@@ -25,7 +27,7 @@ class ZoneTrail {
 
   struct Reaching {
     LimitZone zone{};
-    float whole = 0.0F;  ///< Length of the zone at first, mm.
+    float whole = 0.0F;  ///< Initial length of the zone, mm.
   };
 
   void remove(std::size_t index);

@@ -6,28 +6,29 @@
 
 namespace cnc::motion {
 
-/// Limits along the path that the axes of constant direction set. A line has no other limits. An
-/// arc also has those of its plane.
+/// Limits along the path that the axes of constant direction set. A line has only these limits. An
+/// arc also has the limits of its plane.
 class LineLimits {
  public:
   LineLimits() = default;
   LineLimits(const Block& block, const Limits& limits, const TimeWindow& window);
 
   [[nodiscard]] const TimeWindow& window() const { return window_; }
-  /// Returns the greatest acceleration in mm/s².
+  /// Returns the greatest acceleration along the path that these axes allow, in mm/s².
   [[nodiscard]] float acceleration() const { return acceleration_; }
-  /// Returns the greatest v².
+  /// Returns the greatest v² that these axes allow.
   [[nodiscard]] float speed_square() const { return speed_square_; }
-  /// Returns the distance in mm to either side of a position of the block within which the
-  /// position's limits hold; 0 without a window.
-  /// @param cap_square the greatest v² there
-  /// @param reachable_square the greatest v² with which the block may be left
+  /// Returns the distance, in mm, to either side of a position of the block over which the limits
+  /// of that position hold; 0 without a window.
+  /// @param cap_square greatest v² over this distance
+  /// @param reachable_square greatest v² with which the block may be left
   [[nodiscard]] float reach_within(float cap_square, float reachable_square) const;
 
  private:
   float acceleration_ = 0.0F;
   float speed_square_ = 0.0F;
-  float all_axes_ = 0.0F;  ///< Acceleration that no block exceeds under a window, mm/s².
+  /// Acceleration of all axes together, which no block exceeds under a window, mm/s².
+  float all_axes_ = 0.0F;
   TimeWindow window_{};
 };
 

@@ -30,13 +30,13 @@ float ManyDirectionLimits::steepest(float most) const {
   return low;
 }
 
-/// Checks whether the box holds the acceleration and the jerk of the motion where the plan has the
+/// Checks whether the box contains the acceleration and the jerk of the motion if the plan has the
 /// acceleration `steep` along the path.
 ///
 /// Somewhere within the window, an acceleration a of the plan gives the motion the acceleration a
-/// along the tangent and κ v² across it. The jerk is first a / T − κ² v³ and then −a / T − κ² v³
-/// along the tangent, and up to 3 κ v a across it. (Jerk is in units of 1 / T, because the limits
-/// of acceleration limit it, too.)
+/// along the tangent and κ v² across it. The jerk along the tangent is first a / T − κ² v³ and then
+/// −a / T − κ² v³. The jerk across the tangent is up to 3 κ v a. All jerks are multiplied by T,
+/// because the limits of acceleration are J T and so limit jerk, too.
 bool ManyDirectionLimits::holds(float steep) const {
   const float curvature = arc_.curvature();
   const float sign = static_cast<float>(change_.change);
@@ -50,7 +50,7 @@ bool ManyDirectionLimits::holds(float steep) const {
          box_.holds(along - inwards, across) && box_.holds(-along - inwards, across);
 }
 
-/// Returns the acceleration in mm/s² along the path that turning leaves in any direction.
+/// Returns the acceleration along the path, in mm/s², that turning leaves in any direction.
 float ManyDirectionLimits::left_in_any_direction() const {
   const float share = arc_.plane_share();
   const float to_plane = square(share);

@@ -6,21 +6,22 @@
 
 namespace cnc::motion {
 
-/// Limits of a change of speed on an arc where the window spans many directions. Acceleration and
-/// jerk, as vectors along and across the path, must lie in the box of these directions. Lives only
-/// as long as its arguments.
+/// Limits of a change of speed on an arc where the window spans many directions. The vectors of
+/// acceleration and jerk along and across the path must be in the box of these directions. The
+/// object refers to its arguments, which must outlive it.
 class ManyDirectionLimits {
  public:
-  /// @param box for the directions that the window spans around the span
-  /// @param window_s above 0
+  /// @param box the box for all directions that the window spans around the span
+  /// @param window_s length of the window in s, above 0
   ManyDirectionLimits(const ArcShape& arc,
                       const ArcLimits& limits,
                       const DirectionBox& box,
                       const SpeedChange& change,
                       float window_s);
 
-  /// Returns an acceleration ≤ `most` mm/s² along the path that the box holds. A bisection looks
-  /// for the greatest one, from an acceleration that turning leaves in any direction.
+  /// Returns an acceleration along the path, ≤ `most` mm/s², that is in the box. A bisection
+  /// searches for the greatest one. It starts from an acceleration that is possible in any
+  /// direction.
   [[nodiscard]] float steepest(float most) const;
 
  private:
@@ -32,8 +33,8 @@ class ManyDirectionLimits {
   const DirectionBox& box_;
   const SpeedChange& change_;
   float window_s_;
-  float cap_;  ///< Greatest speed during the change, mm/s.
-  float lag_;  ///< s, see lag_of.
+  float cap_;  ///< Greatest speed along the path during the change, mm/s.
+  float lag_;  ///< Result of lag_of(), s.
 };
 
 }  // namespace cnc::motion

@@ -5,10 +5,10 @@
 
 namespace cnc::motion {
 
-/// Zones of a block's neighbours that reach into it, under a time window.
+/// Zones of neighbouring blocks that reach into a block, under a time window.
 class NeighbourZones {
  public:
-  /// Takes the zones that reach into a block.
+  /// Copies the zones that reach into a block.
   void take(const Block& block) {
     head_ = block.head;
     tail_ = block.tail;
@@ -16,10 +16,9 @@ class NeighbourZones {
 
   [[nodiscard]] const BlockZones& head() const { return head_; }
   [[nodiscard]] const BlockZones& tail() const { return tail_; }
-  /// Returns the limits that all zones together set between two distances from the start of the
-  /// block.
-  /// @param from, to the distances in mm
-  /// @param length of the block in mm
+  /// Returns the limits of all zones together between two positions of the block.
+  /// @param from, to distances of these positions from the start of the block, mm
+  /// @param length length of the block, mm
   [[nodiscard]] LimitZone between(float from, float to, float length) const;
 
  private:
@@ -27,7 +26,8 @@ class NeighbourZones {
   BlockZones tail_{};
 };
 
-/// Returns the greatest acceleration ≤ `most` mm/s² within a zone. @param window_s above 0
+/// Returns the greatest acceleration ≤ `most` mm/s² that a zone allows for a change of speed.
+/// @param window_s length of the window in s, above 0
 [[nodiscard]] float steepest_in(const LimitZone& zone,
                                 float most,
                                 const SpeedChange& change,

@@ -7,16 +7,16 @@
 
 namespace cnc::motion {
 
-/// Terms of a plan, besides the machine and the path.
+/// Conditions of a plan other than the limits of the machine and the path.
 struct PlanTerms {
   Overrides overrides{};
-  /// The greatest overrides since the last rest. The limits of a block reach beyond it as far as
-  /// these overrides require, because the block may still be left at that speed.
+  /// Greatest overrides since the last rest. The lengths of zones follow from these overrides,
+  /// because a block may still be left with the speed that they allowed.
   Overrides greatest{};
   TimeWindow window{};
 };
 
-/// Return the lesser and the greater of two overrides, each for feed and for rapids.
+/// Return the lower and the higher of two overrides, for the feed and for rapids separately.
 [[nodiscard]] inline Overrides lesser_pace(const Overrides& a, const Overrides& b) {
   return {.feed = std::min(a.feed, b.feed), .rapid = std::min(a.rapid, b.rapid)};
 }

@@ -6,27 +6,28 @@
 
 namespace cnc::motion {
 
-/// Where the spans of a block begin and end: at the boundaries of the arc's grid and at the edges
-/// of zones.
+/// The positions where the spans of a block begin and end. These are the boundaries of the arc's
+/// grid and the edges of zones.
 class SpanBoundaries {
  public:
   SpanBoundaries() = default;
-  /// Begins with a single span.
+  /// Makes the boundaries of a single span, which is the whole block.
   explicit SpanBoundaries(const Block& block) : arc_{block}, length_{block.length} {}
 
-  /// Divides the arc. @pre arc().turns(), and before cut_at_zones()
+  /// Divides the block at the boundaries of the arc's grid. @pre arc().turns(), and cut_at_zones()
+  /// was not called
   void divide(const ArcGrid& grid) {
     grid_ = grid;
     count_ = grid.count();
   }
-  /// Divides the block at the edges of zones, too. @pre cut_at_zones() was not called before
+  /// Divides the block at the edges of zones, too. @pre cut_at_zones() was not called
   void cut_at_zones(const BlockZones& head, const BlockZones& tail);
 
   [[nodiscard]] const ArcShape& arc() const { return arc_; }
   [[nodiscard]] const ArcGrid& grid() const { return grid_; }
   /// Returns the length of the block in mm.
   [[nodiscard]] float length() const { return length_; }
-  /// Returns the number of spans. The boundaries are numbered 0…count().
+  /// Returns the number of spans. The boundaries have the numbers 0…count().
   [[nodiscard]] int count() const { return count_; }
   /// Returns the distance of a boundary from the start of the block, in mm.
   [[nodiscard]] float distance(int boundary) const;
@@ -34,8 +35,8 @@ class SpanBoundaries {
   [[nodiscard]] float angle(int boundary) const;
   [[nodiscard]] Place place(int boundary) const;
 
-  /// Return the angle `reach` radians before the start and after the end of a span, at most up to
-  /// the end of the arc.
+  /// Return the angle of the tangent `reach` radians before the start, or after the end, of a span.
+  /// The result is limited to the angles of the arc.
   [[nodiscard]] float angle_before(int span, float reach) const;
   [[nodiscard]] float angle_behind(int span, float reach) const;
 
@@ -44,7 +45,7 @@ class SpanBoundaries {
   ArcShape arc_;
   ArcGrid grid_;
   ZoneEdges edges_;
-  float length_ = 0.0F;  ///< mm.
+  float length_ = 0.0F;  ///< Length of the block, mm.
 };
 
 }  // namespace cnc::motion

@@ -10,21 +10,22 @@
 
 namespace cnc::motion {
 
-/// Divides a block into spans on which one acceleration can hold, see SpanBoundaries, and finds the
-/// limits of each span. Only limits are divided here. The path stays one arc.
+/// Divides a block into spans on which one acceleration can hold (see SpanBoundaries), and computes
+/// the limits of each span. Only the limits are divided; the path stays one arc.
 ///
-/// Under a time window, the limits of a position hold around it, up to the ends of the arc. In the
-/// neighbouring blocks they hold as zones. If the window spans more than 7.5° to either side, the
-/// arc has equal spans of at most 3.75°. Each of these spans keeps the limits of all directions
-/// that the window may span around it.
+/// Under a time window, the limits of a position also hold at some distance before and after it. On
+/// an arc, this distance ends at the ends of the arc; in the neighbouring blocks, the limits hold
+/// as zones. If the window spans more than 7.5° to either side, the arc has equal spans of at most
+/// 3.75°. Then each span keeps the limits of all directions that the window may span around it.
 class Spans {
  public:
   static constexpr int kGridPerTurn = ArcGrid::kPerTurn;
   static constexpr int kMaxSpans = ArcGrid::kMaxSpans + ZoneEdges::kMax;
 
-  /// The fine grid has up to 16 spans in place of one, and at most kMaxFineSpans in all. Each of
-  /// its spans takes at least 0.7 ms. It can use more of limits that change along the arc. With a
-  /// time window there is no fine grid.
+  /// The fine grid divides each span of the usual grid into up to 16 spans, with at most
+  /// kMaxFineSpans in total. Each of them takes at least 0.7 ms. On the fine grid, the speed
+  /// follows limits that change along the arc more closely. Under a time window there is no fine
+  /// grid.
   enum class Grid : std::uint8_t { kUsual, kFine };
   static constexpr int kMaxFineSpans = ArcGrid::kMaxFineSpans;
 
@@ -37,29 +38,30 @@ class Spans {
   [[nodiscard]] int count() const { return boundaries_.count(); }
   /// Checks whether the spans are shorter than those of the usual grid.
   [[nodiscard]] bool fine() const { return boundaries_.grid().fine(); }
-  /// Returns the zones of later blocks.
+  /// Returns the zones of later blocks that reach into this block.
   [[nodiscard]] const BlockZones& tail() const { return zones_.tail(); }
   /// Returns the time window in s; 0 without one.
   [[nodiscard]] float window_s() const { return line_.window().seconds(); }
   /// Returns the distance of a boundary, 0…count(), from the start of the block, in mm.
   [[nodiscard]] float boundary(int index) const { return boundaries_.distance(index); }
   [[nodiscard]] float length_of(int span) const { return boundary(span + 1) - boundary(span); }
-  /// Returns the limit of v² inside a span from axis rates, step rates, centripetal
-  /// acceleration and jerk, before any feed.
+  /// Returns the limit of v² within a span from axis rates, step rates, centripetal acceleration
+  /// and jerk. The feed is not considered.
   [[nodiscard]] float speed_limit_square(int span) const {
     return speed_limit_square(span, place_at_boundary(span), place_at_boundary(span + 1));
   }
-  /// Returns the limit of v² inside a span for a caller that has the places of the span's ends
-  /// already.
+  /// Returns the same limit, for callers that have already computed the places of the span's ends.
+  /// @param from, to places at the start and at the end of the span
   [[nodiscard]] float speed_limit_square(int span, const Place& from, const Place& to) const;
-  /// Returns the limit of v² from neighbours' zones, their feeds included.
+  /// Returns the limit of v² from the zones of neighbours, which include the neighbours' feeds.
   [[nodiscard]] float zone_speed_square(int span) const { return zone_on(span).speed_square; }
 
-  /// Returns the greatest acceleration along the path, in mm/s². @pre there is a time window
+  /// Returns the greatest acceleration along the path anywhere on the block, in mm/s². @pre there
+  /// is a time window
   [[nodiscard]] float greatest_acceleration() const;
   /// Returns the zone that this block imposes on its neighbours.
-  /// @param cap_square the greatest v² on the block and in its zone
-  /// @param reachable_square the greatest v² on the block
+  /// @param cap_square greatest v² on the block and in its zone
+  /// @param reachable_square greatest v² with which the block may be left
   [[nodiscard]] LimitZone zone(float cap_square, float reachable_square) const;
 
   [[nodiscard]] Place place_at_boundary(int index) const { return boundaries_.place(index); }
@@ -67,10 +69,10 @@ class Spans {
     return boundaries_.arc().place_at(distance);
   }
 
-  /// Returns the greatest rate of change of speed, in mm/s² ≥ 0, that may hold from `from` to `to`.
-  /// At either end no axis exceeds its acceleration (or, under a window, its jerk), nor would it at
-  /// speed 0.
-  /// @param span the span in which both positions lie
+  /// Returns the greatest magnitude of acceleration along the path, in mm/s², that may hold from
+  /// `from` to `to`. At both positions, no axis exceeds its acceleration limit (or, under a window,
+  /// its jerk limit). Neither would it at speed 0.
+  /// @param span the span that contains both positions
   [[nodiscard]] float steepest(int span,
                                const Place& from,
                                const Place& to,
@@ -97,7 +99,8 @@ class Spans {
   LineLimits line_;
   SpanBoundaries boundaries_;
   ArcLimits arc_limits_;
-  NeighbourZones zones_;  ///< Empty without a time window.
+  /// Zones of neighbours that reach into the block; empty without a time window.
+  NeighbourZones zones_;
 };
 
 }  // namespace cnc::motion

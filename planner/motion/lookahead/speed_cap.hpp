@@ -8,7 +8,7 @@
 
 namespace cnc::motion {
 
-/// The requested speed on a block, with feed and overrides.
+/// The limit of the speed on a block that follows from its programmed feed and the overrides.
 class SpeedCap {
  public:
   SpeedCap(const Block& block, const Overrides& overrides)
@@ -17,7 +17,7 @@ class SpeedCap {
                          : square(block.fixed_feed ? block.feed : block.feed * overrides.feed)},
         rapid_factor_{block.is_rapid() && !block.fixed_feed ? square(overrides.rapid) : 1.0F} {}
 
-  /// Returns the v² that is allowed where the machine itself allows `limit_square`.
+  /// Returns the greatest v² at a position where the machine's own limit of v² is `limit_square`.
   [[nodiscard]] float square_within(float limit_square) const {
     return std::min(feed_square_, limit_square * rapid_factor_);
   }

@@ -9,7 +9,8 @@ void ZoneEdges::add(const BlockZones& head, const BlockZones& tail, float length
   }
 }
 
-/// Inserts an edge if it lies within the block. Keeps all edges in order, and each only once.
+/// Inserts an edge if it is within the block. Keeps the edges in order, and each distance only
+/// once.
 void ZoneEdges::insert(float distance, float length) {
   if (distance <= 0.0F || distance >= length) return;
   const auto count = static_cast<std::size_t>(count_);

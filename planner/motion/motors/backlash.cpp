@@ -8,9 +8,10 @@
 namespace cnc::motion {
 namespace {
 
-constexpr std::int64_t kNoticed = std::int64_t{1} << 28;  ///< A sixteenth of a step, Q32.
+/// Least distance that counts as a reversal: a sixteenth of a step, in Q32 steps.
+constexpr std::int64_t kNoticed = std::int64_t{1} << 28;
 
-// Greatest derivatives of the quintic from 0 to 1.
+// Greatest first, second and third derivatives of the quintic on 0…1.
 constexpr float kGreatestFirst = 1.875F;
 constexpr float kGreatestSecond = 5.7735027F;
 constexpr float kGreatestThird = 60.0F;
@@ -32,7 +33,7 @@ void Backlash::stand(StepPosition tool, std::int32_t offset) {
   const std::int32_t end = towards_plus_ ? low_ + setting_.steps : low_;
   from_ = offset;
   to_ = end;
-  // Play that is not taken up yet is taken up with the next motion.
+  // Play that is not taken up yet will be taken up during the next motion.
   duration_ = seconds_for(end - offset);
   elapsed_ = 0.0F;
 }
@@ -50,7 +51,7 @@ std::int64_t Backlash::follow(StepPosition tool, float seconds) {
   return StepPosition::whole(from_).q32() + truncated(way * kQ16) * 65'536;
 }
 
-/// Returns whether the tool has reversed. Updates the farthest position of the tool, too.
+/// Returns whether the tool has reversed. Also updates the farthest position of the tool.
 bool Backlash::reverses(StepPosition tool) {
   if (!active()) return false;
   const std::int64_t back = towards_plus_ ? farthest_q32_ - tool.q32() : tool.q32() - farthest_q32_;
@@ -67,7 +68,8 @@ void Backlash::turn_round(StepPosition tool) {
   elapsed_ = 0.0F;
 }
 
-/// Returns the shortest time for moving the offset by `steps` within rate, acceleration and jerk.
+/// Returns the shortest time, in s, in which the offset can move by `steps` within the limits of
+/// rate, acceleration and jerk.
 float Backlash::seconds_for(std::int32_t steps) const {
   const auto way = static_cast<float>(std::abs(steps));
   if (steps == 0) return 0.0F;

@@ -6,17 +6,19 @@
 
 namespace cnc::motion {
 
-/// The source line that is driven, where motion goes out a number of cells of time after it was
-/// planned. The result is that line, or one that came at most the same number of cells before it.
+/// Delays the source line of a motion, because the motion goes out a number of cells after it was
+/// planned. line() returns the line of the motion that goes out, or a line that is older by at most
+/// that number of cells.
 class LineDelay {
  public:
-  /// Begins from rest. @param cells number of cells from planning to output
+  /// Begins a motion from rest with its source line. @param cells number of cells between planning
+  /// and output
   void begin(SourceLine line, std::uint32_t cells) {
     older_ = newer_ = line;
     cells_ = cells;
     age_ = 0;
   }
-  /// Adds a cell that was planned, with its line.
+  /// Adds the source line of a cell that was planned.
   void add(SourceLine line) {
     if (++age_ < cells_) return;
     older_ = newer_;

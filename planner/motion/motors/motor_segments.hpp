@@ -5,9 +5,9 @@
 
 namespace cnc::motion {
 
-/// Makes the next segment of the motors. It is the plan's own where no shaper and no backlash is
-/// set and slices do not leave the path. Returns false if there is none: everything is driven to
-/// its end, the motion is halted and has come to rest, or another segmenter owns the stage.
+/// Makes the next segment of the motors. If no shaper and no backlash is set and slices stay on the
+/// path, it is the segment of the plan. Returns false if there is no segment: all blocks are driven
+/// to their ends, the motion is halted and has come to rest, or another segmenter owns the stage.
 [[nodiscard]] bool next_segment(Segmenter& plan, MotorStage& motors, Segment& segment);
 
 }  // namespace cnc::motion

@@ -59,7 +59,8 @@ float MotorStage::cell_seconds() const {
   return static_cast<float>(grid_.cell_ticks) / static_cast<float>(kTicksPerSecond);
 }
 
-/// Begins a motion. First the time before the motion goes out, in which shapers begin.
+/// Begins a motion. Fills the first cells with the output at rest, because the motion goes out only
+/// after the delay of the shapers.
 void MotorStage::begin(const PlannedSlice& slice, const void* owner) {
   at_rest_ = false;
   owner_ = owner;
@@ -109,8 +110,9 @@ void MotorStage::close_cell() {
   comes_to_rest_ = comes_to_rest_ && settled();
 }
 
-/// Lays the motion of a motor in the cell that goes out. The start speed is limited so that the
-/// motor neither reverses within the cell nor ends it faster than the motor can run.
+/// Computes the motion of a motor in the cell that goes out. The start speed is limited so that the
+/// motor does not reverse within the cell, and so that it can run at the speed at the end of the
+/// cell.
 void MotorStage::lay_course(std::size_t axis, StepPosition tool) {
   Course& course = courses_[axis];
   const float before = course.way;

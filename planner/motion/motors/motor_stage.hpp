@@ -12,25 +12,28 @@
 
 namespace cnc::motion {
 
-/// Settings for making the motors move so that the tool moves as planned.
+/// Settings of MotorStage.
 struct MotorStageSetting {
   AxisArray<ShaperSetting> shapers{};
   AxisArray<BacklashSetting> backlash{};
   AxisArray<float> max_steps_per_s{};  ///< Greatest step rate of each motor.
-  /// True for a beam; a spindle turns before and after a motion.
+  /// Whether the output is off at rest: true for a beam, false for a spindle, which turns before
+  /// and after a motion.
   bool dark_at_rest = false;
   constexpr bool operator==(const MotorStageSetting&) const = default;
 };
 
-/// Positions at the end of a cell before and after shaping, in motor steps without backlash.
+/// Positions before and after shaping, in motor steps without backlash.
 struct ShapedCell {
-  const AxisArray<StepPosition>& planned;  ///< End of the newest planned cell.
-  const AxisArray<StepPosition>& shaped;   ///< End of the cell that goes out.
-  std::uint32_t reach;                     ///< Number of cells whose positions count for it.
+  const AxisArray<StepPosition>& planned;  ///< Planned positions at the end of the newest cell.
+  /// Shaped positions at the end of the cell that goes out.
+  const AxisArray<StepPosition>& shaped;
+  /// Number of neighbouring cells that contribute to `shaped`.
+  std::uint32_t reach;
   std::uint32_t duration_ns;
 };
 
-/// Receives the results of shaping.
+/// Receives the positions of each cell before and after shaping.
 class ShapingObserver {
  public:
   virtual void on_cell(const ShapedCell& cell) = 0;
@@ -39,66 +42,70 @@ class ShapingObserver {
   ~ShapingObserver() = default;
 };
 
-/// Makes the motion of the motors from the planned motion: input shaping, and then backlash.
+/// Makes the motion of the motors from the planned motion, by input shaping and then backlash.
 ///
 /// Time is divided into cells (ShaperGrid). The plan is added slice by slice until a cell is full.
-/// Then the cell that was planned ShaperGrid::ahead cells before goes out, in as many segments as
-/// its output has pieces. In a cell, each motor moves along a parabola from position to position.
-/// The start speed of the parabola is the mean speed of this cell and the one before.
+/// Then the cell goes out that was planned ShaperGrid::ahead cells before. It makes as many
+/// segments as its output has pieces. In a cell, each motor moves along a parabola over time from
+/// position to position. The start speed of the parabola is the mean of the mean speeds of this
+/// cell and the cell before.
 ///
-/// An owner that begins a motion has the stage until the motion has come to rest. Main loop only.
+/// The owner that begins a motion keeps the stage until the motion has come to rest. Main loop
+/// only.
 class MotorStage {
  public:
   using Places = AxisArray<StepPosition>;
   using Steps = AxisArray<std::int32_t>;
 
-  /// Applies a setting. The motors' counters give the positions of their tools from now on, and
+  /// Applies a setting. From now on the counters of the motors equal the positions of the tool.
   /// reset() must follow. @pre at_rest()
   void configure(const MotorStageSetting& setting);
-  /// Returns whether any shaper or backlash is set. Otherwise it is best to make segments directly
-  /// from the plan.
+  /// Returns whether any shaper or backlash is set. If not, segments can be made directly from the
+  /// plan.
   [[nodiscard]] bool active() const { return active_; }
 
-  /// Sets the state at rest: the tool is at `tool`, and the motors are ahead of it by `ahead`.
+  /// Sets the state at rest: the tool is at `tool`, and the counters of the motors are ahead of it
+  /// by `ahead`.
   void reset(const Places& tool, const Steps& ahead);
 
-  /// Returns whether nothing is left of any motion.
+  /// Returns whether all motion has gone out and the motors are at rest.
   [[nodiscard]] bool at_rest() const { return at_rest_; }
-  /// Returns the owner of the motion that is not at rest.
+  /// Returns the owner of the present motion, or null at rest.
   [[nodiscard]] const void* owner() const { return owner_; }
 
-  /// Returns whether all backlash is taken up.
+  /// Returns whether the backlash of all axes is taken up.
   [[nodiscard]] bool settled() const;
 
   // Input: the planned motion.
 
-  /// Returns the time in ns until the present cell is full.
+  /// Returns the time in ns that is missing until the present cell is full.
   [[nodiscard]] std::uint32_t room_ns() const { return cell_ns() - used_ns_; }
   /// Adds a slice of the plan for `owner`.
-  /// @pre the slice is at most room_ns() long; at_rest(), or `owner` is owner()
+  /// @pre the duration of the slice is at most room_ns(); at_rest(), or `owner` is owner()
   void add(const PlannedSlice& slice, const void* owner);
-  /// Fills the rest of the cell with a plan at rest.
+  /// Fills the rest of the present cell with a plan at rest.
   void rest();
-  /// Closes the cell that is full, so that the next cell goes out.
+  /// Closes the full cell, so that the next cell goes out.
   /// @pre room_ns() == 0, and take() has returned false
   void close_cell();
 
   // Output: the segments.
 
-  /// Takes the next segment. Returns false if the cell that goes out is used up.
+  /// Takes the next segment. Returns false if there is none left in the cell that goes out.
   [[nodiscard]] bool take(Segment& segment);
 
-  /// Returns whether all of the cell that goes out was taken. Then the plan and the output are both
-  /// at the end of a cell.
+  /// Returns whether take() has returned all segments of the cell that goes out. Then the plan and
+  /// the output are both at the end of a cell.
   [[nodiscard]] bool between_cells() const { return out_tick_ == grid_.cell_ticks; }
-  /// Returns the time in ticks from when a position is added until it goes out.
+  /// Returns the delay in ticks between adding a position and its output.
   [[nodiscard]] std::uint32_t ticks_ahead() const { return grid_.ahead * grid_.cell_ticks; }
 
   /// Reports every cell to `observer` from now on; null stops the reports.
   void observe(ShapingObserver* observer) { observer_ = observer; }
 
   [[nodiscard]] const Backlash& backlash(std::size_t axis) const { return backlash_[axis]; }
-  /// Sets an axis's counter to the position of its tool. @pre at_rest(); reset() must follow
+  /// Makes the counter of an axis equal to the position of the tool. @pre at_rest(); reset() must
+  /// follow
   void rebase(std::size_t axis) { backlash_[axis].rebase(); }
 
  private:
@@ -106,8 +113,8 @@ class MotorStage {
   struct Course {
     StepPosition from{};
     StepPosition to{};
-    float way = 0.0F;   ///< Steps in the cell.
-    float lead = 0.0F;  ///< Steps that the cell would have at its start speed.
+    float way = 0.0F;   ///< Steps that the motor makes in the cell.
+    float lead = 0.0F;  ///< Steps that the motor would make in the cell at its start speed.
   };
 
   [[nodiscard]] std::uint32_t cell_ns() const;
@@ -124,12 +131,12 @@ class MotorStage {
   const void* owner_ = nullptr;
   ShapingObserver* observer_ = nullptr;
 
-  // The cell being filled.
+  // Values of the cell that is being filled.
   std::uint32_t used_ns_ = 0;
-  bool rests_ = true;       ///< No slice was added so far.
-  Places tool_{};           ///< Position that the plan has reached…
-  SourceLine line_{};       ///< …and the source line there.
-  float rest_duty_ = 0.0F;  ///< Duty at rest.
+  bool rests_ = true;       ///< True while no slice was added to the cell.
+  Places tool_{};           ///< Position that the plan has reached.
+  SourceLine line_{};       ///< Source line of the plan at this position.
+  float rest_duty_ = 0.0F;  ///< Duty at rest, 0…1.
   std::uint32_t cells_at_rest_ = 0;
 
   PlaceHistory history_{};
@@ -137,10 +144,11 @@ class MotorStage {
   LineDelay lines_{};
   AxisArray<Backlash> backlash_{};
 
-  // The cell that goes out.
+  // Values of the cell that goes out.
   AxisArray<Course> courses_{};
-  Places motors_{};             ///< Positions at the end of the last segment.
-  std::uint32_t out_tick_ = 0;  ///< Ticks of the cell that are taken; all if there is no cell.
+  Places motors_{};  ///< Positions of the motors at the end of the last segment.
+  /// Ticks of the cell that take() has returned; all ticks if no cell goes out.
+  std::uint32_t out_tick_ = 0;
   bool comes_to_rest_ = false;
 };
 

@@ -7,7 +7,7 @@ namespace {
 
 std::uint16_t to_level(float duty) { return static_cast<std::uint16_t>(duty * kFullOutput + 0.5F); }
 
-/// Returns twice the energy of a piece.
+/// Returns twice the energy of a piece, in duty · ticks.
 std::uint32_t doubled_energy(const OutputPiece& piece) {
   return (std::uint32_t{piece.start} + piece.end) * piece.ticks;
 }

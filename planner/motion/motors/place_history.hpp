@@ -8,7 +8,7 @@
 
 namespace cnc::motion {
 
-/// Positions of all axes at the ends of the last cells of time, and their weighted means.
+/// Positions of all axes at the ends of the latest cells, and their weighted means.
 class PlaceHistory {
  public:
   using Places = AxisArray<StepPosition>;
@@ -21,10 +21,10 @@ class PlaceHistory {
     ring_[newest_] = places;
   }
 
-  /// Returns the weighted mean of the positions of an axis, to 2^-16 step. The mean is exact if all
-  /// positions with a weight are equal.
-  /// @pre these positions are less than 2^17 steps from the newest one: motors at 200,000 steps/s
-  /// move a quarter of that within the longest reach (ShaperGrid), 150 ms
+  /// Returns the weighted mean of an axis's positions, to 2^-16 step. The mean is exact if all
+  /// positions that have a weight are equal.
+  /// @pre These positions are less than 2^17 steps from the newest one. At 200,000 steps/s, a motor
+  /// moves a quarter of this distance within 150 ms, the longest reach of ShaperGrid.
   [[nodiscard]] StepPosition mean(std::size_t axis, const ShaperTaps& taps) const {
     const std::int64_t newest_q32 = ring_[newest_][axis].q32();
     std::int64_t sum_q46 = 0;

@@ -10,8 +10,8 @@ namespace {
 
 constexpr float kTickRate = static_cast<float>(kTicksPerSecond);
 
-/// Times of the positions that a shaper needs, in s, relative to the shaped position. A negative
-/// time is earlier.
+/// Range of the times at which a shaper uses positions, in s, relative to the time of the shaped
+/// position. A negative time is earlier.
 struct TimeReach {
   float earliest = 0.0F;
   float latest = 0.0F;
@@ -24,7 +24,7 @@ TimeReach reach_of(const ShaperImpulses& impulses) {
 
 std::uint32_t cell_ticks_for(const AxisArray<ShaperSetting>& settings, const TimeReach& reach) {
   constexpr float kCellsPerPeriod = 24.0F;
-  // Each end of the reach may lie between two cells, so that both of these are needed.
+  // Each end of the range may be between two cells, so that both cells are needed.
   constexpr auto kCells = static_cast<float>(ShaperGrid::kMaxPlaces - 4);
   float cell = ShaperGrid::kLongestCell;
   for (const ShaperSetting& setting : settings) {
@@ -35,7 +35,7 @@ std::uint32_t cell_ticks_for(const AxisArray<ShaperSetting>& settings, const Tim
   return static_cast<std::uint32_t>(cell * kTickRate) + 1U;
 }
 
-/// Returns the impulses of a shaper on the grid. Ages count from the newest known position.
+/// Returns the impulses of a shaper on the grid. Ages are counted from the newest known position.
 ShaperTaps taps_of(const ShaperImpulses& impulses, std::uint32_t ahead, float cell) {
   ShaperTaps taps{.count = 0};
   const float mean = impulses.mean_delay_s();

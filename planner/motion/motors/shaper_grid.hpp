@@ -9,11 +9,11 @@
 
 namespace cnc::motion {
 
-/// A shaper on a grid of time. The shaped position is the sum of weight · position, where each
-/// position is that of `age` cells ago. Weights are above 0 and sum to 2^30 exactly.
+/// A shaper on a grid of time. The shaped position is the sum of weight · position over all
+/// impulses, with the position `age` cells ago. Weights are above 0, and their sum is 2^30 exactly.
 ///
-/// An impulse between two cells is shared by both, so that the mean delay is kept. At a frequency
-/// f, sharing weakens the impulse by at most (2π f · cell)² / 8.
+/// An impulse between two cells is shared by both cells, so that the mean delay stays the same. At
+/// a frequency f, this weakens the impulse by at most (2π f · cell)² / 8.
 struct ShaperTaps {
   static constexpr std::size_t kMax = 2 * ShaperImpulses::kMax;
   static constexpr std::int32_t kOne = std::int32_t{1} << 30;
@@ -23,28 +23,29 @@ struct ShaperTaps {
   std::array<std::int32_t, kMax> weight_q30{kOne};
 };
 
-/// The shapers of all axes on one grid. Each shaper is moved in time so that all have the same mean
-/// delay, which is `ahead` cells. The beam and the axes without a shaper wait for that delay, too.
+/// The shapers of all axes on one grid. Each shaper is moved in time so that all of them have the
+/// same mean delay of `ahead` cells. The beam and the axes without a shaper have the same delay.
 struct ShaperGrid {
-  static constexpr float kLongestCell = 1.0e-3F;   ///< s.
-  static constexpr float kShortestCell = 2.5e-4F;  ///< s.
-  /// Number of positions that are kept of each axis: as many as 10 Hz needs with the longest cells.
+  static constexpr float kLongestCell = 1.0e-3F;   ///< Longest duration of a cell, s.
+  static constexpr float kShortestCell = 2.5e-4F;  ///< Shortest duration of a cell, s.
+  /// Greatest number of positions that are kept per axis. A shaper for 10 Hz requires this number
+  /// with the longest cells.
   static constexpr std::size_t kMaxPlaces = 192;
 
   std::uint32_t cell_ticks = 2000;
-  std::uint32_t ahead = 0;   ///< Number of cells needed after the one that goes out…
-  std::uint32_t behind = 0;  ///< …and before the one that goes out.
-  bool shapes = false;       ///< Any axis has a shaper.
+  std::uint32_t ahead = 0;   ///< Number of cells that shapers use after the cell that goes out.
+  std::uint32_t behind = 0;  ///< Number of cells that shapers use before the cell that goes out.
+  bool shapes = false;       ///< True if any axis has a shaper.
   AxisArray<ShaperTaps> taps{};
 
-  /// Returns the number of cells until no mean contains anything of a motion.
+  /// Returns the number of cells at rest after which no shaped position depends on the last motion.
   [[nodiscard]] std::uint32_t reach() const { return ahead + behind; }
 };
 
 /// Returns the grid for the shapers of all axes. A cell lasts a 24th of the shortest period, so
-/// that sharing impulses costs at most 1 % of a swing, but not more than kLongestCell. A cell is
-/// longer where it would be below kShortestCell, or where there would be more than kMaxPlaces, as
-/// with 10 Hz and 200 Hz together.
+/// that sharing of impulses leaves at most 1 % of a swing. But a cell lasts at most kLongestCell
+/// and at least kShortestCell. It is longer if more than kMaxPlaces positions were necessary
+/// otherwise, as with 10 Hz and 200 Hz together.
 [[nodiscard]] ShaperGrid grid_of(const AxisArray<ShaperSetting>& settings);
 
 }  // namespace cnc::motion

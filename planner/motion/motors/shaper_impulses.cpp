@@ -7,7 +7,8 @@
 namespace cnc::motion {
 namespace {
 
-/// Swing that EI leaves at its frequency, so that it leaves no more at frequencies nearby.
+/// Residual swing of the EI shaper at its frequency, as a share. With this residual, the swing at
+/// nearby frequencies is not greater either.
 constexpr float kTolerance = 0.05F;
 constexpr float kHalfSqrt2 = 0.70710678F;
 

@@ -9,31 +9,32 @@ namespace cnc::motion {
 /// Kinds of input shapers. Their numbers are the values of `$810`.
 enum class ShaperKind : std::uint8_t { kNone, kZv, kZvd, kMzv, kEi };
 
-/// The swing of an axis, and the shaper that keeps the axis from swinging.
+/// Frequency and damping of the swing of an axis, and the shaper that suppresses this swing.
 struct ShaperSetting {
   static constexpr float kMinFrequency = 10.0F;
   static constexpr float kMaxFrequency = 200.0F;
   static constexpr float kMaxDamping = 0.5F;
 
   ShaperKind kind = ShaperKind::kNone;
-  float frequency_hz = 40.0F;  ///< Frequency without damping.
-  float damping = 0.0F;        ///< Damping ratio; 1 would be critical.
+  float frequency_hz = 40.0F;  ///< Frequency of the swing without damping, Hz.
+  float damping = 0.0F;        ///< Damping ratio of the swing; 1 would be critical.
   constexpr bool operator==(const ShaperSetting&) const = default;
 };
 
-/// A shaped position is Σ amplitude · position(t − delay).
+/// Impulses of a shaper. The shaped position is Σ amplitude · position(t − delay).
 ///
-/// Amplitudes are above 0 and sum to 1, so a shaped position is a mean of earlier positions. No
-/// derivative of it ever exceeds the greatest one of the original motion, and it comes to rest
-/// where that motion does.
+/// Amplitudes are above 0 and their sum is 1, so a shaped position is a mean of earlier positions.
+/// So no derivative of the shaped motion exceeds the greatest one of the original motion. The
+/// shaped motion comes to rest where the original motion does.
 struct ShaperImpulses {
   static constexpr std::size_t kMax = 3;
 
   std::size_t count = 1;
   std::array<float, kMax> amplitude{1.0F};
-  std::array<float, kMax> delay_s{};  ///< Delays in s, from 0, increasing.
+  std::array<float, kMax> delay_s{};  ///< Delays in s, from 0, in rising order.
 
-  /// Returns the time, in s, by which the shaped position lags in a motion at constant speed.
+  /// Returns the time, in s, by which the shaped position lags behind in a motion at constant
+  /// speed.
   [[nodiscard]] float mean_delay_s() const;
 };
 

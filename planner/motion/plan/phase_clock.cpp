@@ -8,8 +8,8 @@
 namespace cnc::motion {
 
 std::uint64_t PhaseClock::begin(float seconds, bool keeps_up) {
-  constexpr float kLong = 1.0e4F;  // s.
-  constexpr float kMax = 1.0e8F;   // s: nothing slower is worth its time.
+  constexpr float kLong = 1.0e4F;  // Duration, s, from which on phases have whole microseconds.
+  constexpr float kMax = 1.0e8F;   // Greatest duration, s: about three years.
   seconds = std::min(seconds, kMax);
   start_late_ns_ = keeps_up ? end_late_ns_ : 0.0F;
   end_late_ns_ = start_late_ns_;
@@ -19,7 +19,8 @@ std::uint64_t PhaseClock::begin(float seconds, bool keeps_up) {
   }
   const float exact_ns = seconds * kNanosecondsPerSecond;
   duration_ns_ = std::max(1.0F, std::ceil(exact_ns - start_late_ns_));
-  // Many phases of less than a nanosecond may be later than the next ones can make up for.
+  // After many phases of less than a nanosecond, the lateness could be too great for the next
+  // phases to compensate. So it is limited.
   constexpr float kMaxLateNs = 16.0F;
   end_late_ns_ = std::clamp(start_late_ns_ + (duration_ns_ - exact_ns), 0.0F, kMaxLateNs);
   return static_cast<std::uint64_t>(truncated(duration_ns_));

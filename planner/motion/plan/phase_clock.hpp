@@ -6,27 +6,30 @@
 
 namespace cnc::motion {
 
-/// Gives phases durations of whole nanoseconds, and knows how late these make the motion.
+/// Rounds the durations of phases to whole nanoseconds, and computes the delay of the motion that
+/// follows from this.
 ///
-/// At 500 mm/s, a nanosecond is 0.5 nm of distance that is missing from one cell of a window. Jerk
-/// is a third difference of distances: at 500 mm/s² and with cells of 0.5 ms, 0.5 nm would be 0.4 %
-/// of it. So under a window the next phase makes up for the rounding of the one before, and a
-/// caller that takes a position adds the distance by which it is late.
+/// At 500 mm/s, a delay of a nanosecond removes 0.5 nm of distance from one cell of a window. Jerk
+/// is computed from third differences of distances. At an acceleration of 500 mm/s² and with cells
+/// of 0.5 ms, 0.5 nm would be 0.4 % of such a difference. So under a window, the next phase is
+/// shorter by the rounding of the phase before it. A caller that evaluates a position adds the
+/// distance that corresponds to late_ns().
 class PhaseClock {
  public:
   /// Begins the next phase. Returns its duration in ns, ≥ 1. The duration is rounded up, so that no
-  /// speed is above the plan's. For a phase of hours it has whole microseconds. It is at most three
-  /// years, which only axes of a millimetre per minute need.
-  /// @param keeps_up shortens the phase by the time that the phases before it took too long
+  /// speed exceeds the speed of the plan. A phase of 10,000 s or more has whole microseconds. The
+  /// duration is limited to three years, which only axes with a speed of a millimetre per minute
+  /// could exceed.
+  /// @param keeps_up whether to shorten the phase by the delay of the phases before it
   [[nodiscard]] std::uint64_t begin(float seconds, bool keeps_up);
 
-  /// Returns the time in ns by which the motion is late, `elapsed_ns` after the start of the phase.
+  /// Returns the delay of the motion in ns, `elapsed_ns` after the start of the phase.
   /// @pre begin() was called with keeps_up
   [[nodiscard]] float late_ns(std::uint64_t elapsed_ns) const;
 
-  /// Ends the phase after `elapsed_ns`, before its end.
+  /// Ends the phase early, `elapsed_ns` after its start.
   void cut(std::uint64_t elapsed_ns) { end_late_ns_ = late_ns(elapsed_ns); }
-  /// Forgets the lateness, because the plan is at rest.
+  /// Sets the delay to zero, because the plan is at rest.
   void rest() { end_late_ns_ = 0.0F; }
 
  private:

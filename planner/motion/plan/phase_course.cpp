@@ -12,11 +12,11 @@ namespace {
 constexpr std::uint64_t kOneQ30 = std::uint64_t{1} << 30;
 constexpr std::uint64_t kOneQ63 = std::uint64_t{1} << 63;
 
-/// Up to this number of ticks, the reciprocal is exact to 2^-30 of the whole.
+/// Number of ticks up to which the reciprocal has a relative error of at most 2^-30.
 constexpr std::uint64_t kMaxTicks = std::uint64_t{1} << 33;
 
-/// With these additional bits the reciprocal is exact to 2^-47, for up to 18 minutes in
-/// nanoseconds.
+/// Number of additional bits of the reciprocal with Grain::kFine. Its relative error is then at
+/// most 2^-47, for up to 18 minutes in ticks of a nanosecond.
 constexpr unsigned kRestBits = 24;
 constexpr std::uint64_t kMaxFineTicks = std::uint64_t{1} << (64U - kRestBits);
 
@@ -51,7 +51,8 @@ PathUnits PhaseCourse::way_within(std::uint64_t ns) {
   return std::min(static_cast<PathUnits>(multiply_high(whole << 3, share_q61)), whole_.way);
 }
 
-/// Computes the same as way_within(), but with no digits left out.
+/// Computes the same distance as way_within(), but drops no digits.
+/// @param ticks time since the start, in units of 2^shift_ ns
 std::uint64_t PhaseCourse::fine_way(std::uint64_t ticks) const {
   const std::uint64_t x_q63 = ticks * per_tick_q63_ + ((ticks * rest_q24_) >> kRestBits);
   const bool slows_down = start_slope_q30_ > kOneQ30;
@@ -65,7 +66,8 @@ std::uint64_t PhaseCourse::fine_way(std::uint64_t ticks) const {
 }
 
 float PhaseCourse::speed_within(std::uint64_t ns) const {
-  // Computed from the nearer end, because the speed near the end of a long braking is small.
+  // Computed from the nearer end, because a difference from a large start speed would have few
+  // digits near the end of a long braking.
   const float change = whole_.end_speed - whole_.start_speed;
   if (ns <= whole_.duration_ns / 2) {
     return whole_.start_speed + change * (nearest_float(ns) / duration_);

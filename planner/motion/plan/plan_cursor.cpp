@@ -6,8 +6,8 @@
 namespace cnc::motion {
 namespace {
 
-/// Returns the acceleration of a phase whose time was rounded up. It is smaller in the same ratio
-/// as the time is longer, so that the speeds stay.
+/// Returns the acceleration of a phase whose duration was rounded up. The acceleration is reduced
+/// in the ratio in which the duration grows, so that the speeds at both ends stay equal.
 float acceleration_of(const Phase& phase, std::uint64_t duration_ns) {
   const float duration = nearest_float(duration_ns) * kSecondsPerNanosecond;
   return phase.acceleration * std::min(1.0F, phase.duration / duration);
@@ -55,7 +55,7 @@ Stretch PlanCursor::follow(std::uint32_t max_ns, Drive drive, bool may_start) {
   return stretch;
 }
 
-/// Drives the present phase for at most `max_ns`, and returns that stretch.
+/// Moves the plan along the present phase for at most `max_ns`, and returns the stretch.
 Stretch PlanCursor::pass(std::uint32_t max_ns) {
   const std::uint64_t left_ns = course_.duration_ns() - elapsed_ns_;
   const std::uint64_t duration_ns = std::min<std::uint64_t>(max_ns, left_ns);
@@ -64,7 +64,7 @@ Stretch PlanCursor::pass(std::uint32_t max_ns) {
   elapsed_ns_ += duration_ns;
   speed_ = course_.speed_after(elapsed_ns_);
   place_ = phase_from_ + course_.way_after(elapsed_ns_);
-  // The end of the block is reached only at the end of a phase.
+  // Only the end of a phase may reach the end of the block.
   if (duration_ns < left_ns) place_ = std::min(place_, length_ - 1);
   return {.way = terms_.window.filters() ? way_in_time(place_ - from) : place_ - from,
           .duration_ns = duration_ns,
@@ -80,9 +80,10 @@ void PlanCursor::end_phase() {
   if (profile_.at_end()) end_block();
 }
 
-/// Returns the distance that the plan would have driven if phases did not last whole nanoseconds,
-/// at most up to a stop. A cell of the window may end exactly where a phase does, so the lead of a
-/// late phase reaches into the next one.
+/// Returns the distance of a stretch as if phases were not rounded up to whole nanoseconds. It adds
+/// the distance by which the phase is late, but never leads beyond a stop. A cell of the window may
+/// end exactly where a phase ends. So the lead of a late phase may reach into the next phase.
+/// @param way distance of the stretch with the rounded durations
 PathUnits PlanCursor::way_in_time(PathUnits way) {
   const float late_mm = speed_ * clock_.late_ns(elapsed_ns_) * kSecondsPerNanosecond;
   const bool stops = index_ + 1 == queue_.size() || queue_.at(index_ + 1).from_rest;
@@ -116,19 +117,21 @@ void PlanCursor::note_change(const Stretch& stretch) {
   pass(since_braking_ns_, stretch.acceleration < 0.0F);
 }
 
-/// Ends a block after a cut phase, of which rounding may have left nothing.
+/// Ends a block whose last phase was cut, and returns a stretch of 1 ns for the distance that is
+/// left. Rounding may have reduced this distance to zero.
 Stretch PlanCursor::finish_block() {
   end_block();
   return {.way = length_ - place_, .duration_ns = 1, .start_speed = speed_, .end_speed = speed_};
 }
 
-/// Begins the next phase. Returns false when there is no motion.
+/// Begins the next phase. Returns false if the plan is at rest and stays so.
 bool PlanCursor::begin_phase(Drive drive) {
   if (!driving_) {
     if (index_ == queue_.size()) return false;
     begin_block();
   }
-  // Until braking has ended, the motion may be faster than the plan, and than the lower pace.
+  // Until the braking after a lower override has ended, the motion may be faster than the plan and
+  // than the override allows.
   overtaken_ = overtaken_ && (since_braking_ns_ == 0 || profile_.too_fast(patience()));
   phase_ = profile_.next_phase(drive, patience());
   phase_drive_ = drive;
@@ -148,9 +151,10 @@ bool PlanCursor::begin_phase(Drive drive) {
   return true;
 }
 
-/// Returns the position on the block where the phase ends. The position counts from the nearer end
-/// of the block, so that rounding never falls on a short phase at either end. Where the position is
-/// settled afterwards, it counts by the phase's own length.
+/// Returns the position on the block where the phase ends. The position is computed from the nearer
+/// end of the block. So the rounding error of a long block never falls on a short phase at one of
+/// its ends. If settle_place() corrects the position later, it is computed from the distance of the
+/// phase instead.
 PathUnits PlanCursor::place_after(const Phase& phase) const {
   const float left = profile_.left_of_block(phase);
   if (left <= 0.0F) return length_;
@@ -168,9 +172,9 @@ float PlanCursor::phase_distance_left() const {
   return phase_.distance * (left / whole);
 }
 
-/// Sets the speed to zero at a stop. A hold or an override under a window may make the plan miss a
-/// stop by a little. It is a stop all the same: the window spreads the speed that is left, and the
-/// motion is at rest before the path turns.
+/// Sets the speed to zero where the next block begins from rest. Under a window, a hold or an
+/// override may leave a low speed there. It still counts as a stop: the window distributes this
+/// speed over time, and the motion is at rest before the path changes its direction.
 void PlanCursor::stand_at_stop() {
   if (index_ == queue_.size() || !queue_.at(index_).from_rest) return;
   speed_ = 0.0F;

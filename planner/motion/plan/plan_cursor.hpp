@@ -9,47 +9,50 @@
 
 namespace cnc::motion {
 
-/// Drives the plan through the blocks of a queue as time goes on. The plan is the position and the
-/// speed that the limits of speed and acceleration allow.
+/// Moves the plan through the blocks of a queue as time passes. The plan is a position and a speed
+/// that keep the limits of speed and acceleration.
 ///
-/// The object that drives the motors removes blocks from the queue, maybe later; it calls
-/// block_left() for each. A change of the plan, an override or a hold takes effect with the next
-/// stretch.
+/// The object that drives the motors removes blocks from the queue, possibly some time after the
+/// plan has left them. It calls block_left() before each removal. A change of the plan, an override
+/// or a hold takes effect with the next stretch.
 ///
 /// Main loop only.
 class PlanCursor {
  public:
   PlanCursor(BlockQueue& queue, const Limits& limits) : queue_{queue}, limits_{limits} {}
 
-  /// Returns the next stretch, at most `max_ns` long, within one block and phase. It has no
-  /// duration when the plan is at rest: everything is planned, or the plan is halted, or it may not
-  /// start yet.
+  /// Returns the next stretch, which lasts at most `max_ns` and is within one block and one phase.
+  /// Its duration is 0 if the plan is at rest: it has reached the end of the queue, it is halted,
+  /// or `may_start` is false.
   [[nodiscard]] Stretch next(std::uint32_t max_ns, Drive drive, bool may_start);
 
-  /// Sets the overrides. Under a window, a lower pace holds at once. A higher one holds as soon as
-  /// position and speed allow a change to its plan.
+  /// Sets the overrides. Without a window they hold immediately. Under a window, lower overrides
+  /// hold immediately, too. Higher overrides hold as soon as the position and the speed allow a
+  /// change to the faster plan.
   void set_overrides(const Overrides& overrides);
   /// Returns the overrides as last requested.
   [[nodiscard]] const Overrides& overrides() const { return overrides_; }
 
-  /// Sets the window over which the motion is the mean of the plan from now on. @pre at rest
+  /// Sets the window over which the motion is the mean of the plan. @pre at rest
   void set_window(const TimeWindow& window);
-  /// Returns the window that suits the path to the next stop, or the longest window if that stop is
-  /// not known. The choice is final: blocks that come later do not join this path.
+  /// Returns the best window for the path to the next stop, or the longest window if that stop is
+  /// not known yet. If the window is not the longest one, blocks that are added later begin from
+  /// rest, because the window was not chosen for them.
   /// @pre at rest, not at_end()
   [[nodiscard]] TimeWindow choose_window();
 
-  /// Prepares for the removal of the block at the front of the queue. @pre the plan has left it
+  /// Prepares for the removal of the block at the front of the queue. @pre the plan has left this
+  /// block
   void block_left();
   /// Returns the number of blocks at the front of the queue that the plan has left. The next
-  /// stretch lies in the block after them.
+  /// stretch is in the block after them.
   [[nodiscard]] std::size_t blocks_left() const { return index_; }
-  /// Forgets all of the plan; index 0 of the queue is the next block.
+  /// Forgets the plan. The next stretch begins from rest, with the block at index 0 of the queue.
   void reset();
 
   /// Returns the speed of the plan, in mm/s.
   [[nodiscard]] float speed() const { return speed_; }
-  /// Returns whether nothing is left to plan.
+  /// Returns whether the plan has reached the end of the queue.
   [[nodiscard]] bool at_end() const { return !driving_ && index_ == queue_.size(); }
 
  private:
@@ -86,36 +89,37 @@ class PlanCursor {
 
   BlockQueue& queue_;
   const Limits& limits_;
-  SpeedProfile profile_{};  ///< Profile of the block that is being planned through.
+  SpeedProfile profile_{};  ///< Profile of the block in which the plan is.
   /// Overrides as last requested; the current plan may still use older ones.
   Overrides overrides_{};
   PlanTerms terms_{};
-  std::uint64_t untried_ns_ = 0;    ///< Time since a higher pace was last tried.
-  std::uint64_t postponed_ns_ = 0;  ///< Time until a lower pace is tried again.
-  std::uint32_t followed_ = 0;      ///< Number of the queue's plan that the present phase follows.
+  std::uint64_t untried_ns_ = 0;    ///< Time since higher overrides were last tried.
+  std::uint64_t postponed_ns_ = 0;  ///< Time until lower overrides are tried again.
+  /// Count of plans of the queue (BlockQueue::plans) that the present phase follows.
+  std::uint32_t followed_ = 0;
   bool replan_ = false;
 
-  // The block that is or will be planned through.
+  // The block in which the plan is or, between two blocks, the next one.
   std::size_t index_ = 0;      ///< Index of the block in the queue.
-  bool driving_ = false;       ///< The block has been begun.
+  bool driving_ = false;       ///< True if the plan has begun the block.
   PathUnits length_ = 0;       ///< Length of the block.
   PathUnits place_ = 0;        ///< Position within the block.
-  float speed_ = 0.0F;         ///< mm/s.
-  float entry_square_ = 0.0F;  ///< v² with which the next block is begun.
+  float speed_ = 0.0F;         ///< Speed of the plan, mm/s.
+  float entry_square_ = 0.0F;  ///< v² at the start of the next block.
 
   // The present phase of the block.
   Drive phase_drive_ = Drive::kOn;
   Phase phase_{};
   PathUnits phase_from_ = 0;
   PhaseCourse course_{};
-  std::uint64_t elapsed_ns_ = 0;  ///< Time since the start of the course.
+  std::uint64_t elapsed_ns_ = 0;  ///< Time since the start of the phase.
   PhaseClock clock_{};
-  PathUnits lead_ = 0;  ///< Distance by which the motion handed out is beyond place_.
+  PathUnits lead_ = 0;  ///< Distance by which the stretches returned so far are beyond place_.
 
-  // Values for patience().
+  // State from which patience() is computed.
   std::uint32_t since_speeding_up_ns_ = kLongAgo;
   std::uint32_t since_braking_ns_ = kLongAgo;
-  float braking_from_ = 0.0F;  ///< Speed when the plan last did not brake, mm/s.
+  float braking_from_ = 0.0F;  ///< Speed of the plan when it last did not brake, mm/s.
   bool overtaken_ = false;
 };
 

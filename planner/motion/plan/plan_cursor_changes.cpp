@@ -1,5 +1,5 @@
-// How a plan begins, and how it changes while it is driven: by more blocks, other overrides and
-// holds.
+// The part of PlanCursor that begins a plan, and that changes it when blocks are added, overrides
+// are set or the feed is held.
 
 #include <algorithm>
 #include <array>
@@ -9,22 +9,22 @@
 namespace cnc::motion {
 namespace {
 
-/// Least time between two tries of a pace. A try plans all blocks, and does so twice if the pace is
-/// refused.
+/// Least time between two attempts to apply an override, in ns. An attempt plans all blocks, and
+/// plans them again if the override is refused.
 constexpr std::uint64_t kBetweenTriesNs = 20'000'000;
 
 }  // namespace
 
-/// Returns the end of the chain of blocks that begins at the present one: the index of the next
-/// block that begins from rest, or the end of the queue.
+/// Returns the index of the end of the chain that begins at the present block. It is the index of
+/// the next block that begins from rest, or the size of the queue.
 std::size_t PlanCursor::chain_end() const {
   std::size_t end = index_ + 1;
   while (end < queue_.size() && !queue_.at(end).from_rest) ++end;
   return end;
 }
 
-/// Returns the time in ns that the plan takes from the present block to block `end` under a window.
-/// The window stays set. @pre at rest, and no block is begun
+/// Returns the time in ns that the motion takes from the present block to the block at index `end`
+/// under a window. Leaves the window set. @pre at rest, and no block is begun
 std::uint64_t PlanCursor::time_to(std::size_t end, const TimeWindow& window) {
   constexpr std::uint32_t kAnyNs = 1'000'000'000;
   const std::size_t first = index_;
@@ -43,12 +43,13 @@ std::uint64_t PlanCursor::time_to(std::size_t end, const TimeWindow& window) {
   return took_ns;
 }
 
-/// Returns the quickest window for the blocks up to `end`: tries the window that suits a single
-/// move, then shorter ones until the plan takes longer again.
+/// Returns the quickest window for the blocks before index `end`. Tries the window for a single
+/// move first, and then shorter windows until the motion takes longer again.
 TimeWindow PlanCursor::quickest(const WindowChoice& choice, std::size_t end) {
   constexpr std::array<float, 7> kShares{0.84F, 0.7F, 0.59F, 0.5F, 0.42F, 0.35F, 0.25F};
-  /// Planning takes some 4,000 instructions per block on the controller. That is 5 ms for
-  /// kFewBlocks under all windows, and for kMaxBlocks under two.
+  /// These numbers of blocks limit the time of the choice to some milliseconds on the controller.
+  /// Up to kFewBlocks blocks are planned under all windows. Up to kMaxBlocks blocks are planned
+  /// under every third window.
   constexpr std::size_t kFewBlocks = 16;
   constexpr std::size_t kMaxBlocks = 64;
   constexpr std::size_t kWideStep = 3;
@@ -80,7 +81,7 @@ TimeWindow PlanCursor::choose_window() {
   const TimeWindow longest = window_for(limits_, axes);
   const bool stop_known = end < queue_.size() || queue_.ends();
   if (!longest.filters() || !stop_known) return longest;
-  // An override below the programmed pace may still be raised.
+  // An override below 100 % may still be raised, so the window is chosen for at least 100 %.
   const Overrides greatest = greater_pace(overrides_, {});
   WindowChoice choice{limits_};
   for (std::size_t index = index_; index < end; ++index) {
@@ -115,14 +116,15 @@ void PlanCursor::set_overrides(const Overrides& overrides) {
   if (!terms_.window.filters() && !same_pace(overrides, terms_.overrides)) take_up_overrides();
 }
 
-/// Sets the terms of the plan, and marks all blocks as unplanned.
+/// Replaces the terms of the plan, and marks all blocks as unplanned.
 void PlanCursor::plan_for(const PlanTerms& terms) {
   terms_ = terms;
   queue_.forget_plan();
   replan_ = true;
 }
 
-/// Takes up the requested overrides. @pre at rest, or no limits of a block reach into another
+/// Puts the requested overrides into the terms of the plan. @pre at rest, or without a window, so
+/// that no limits of a block reach into other blocks
 void PlanCursor::take_up_overrides() {
   plan_for({.overrides = overrides_, .greatest = overrides_, .window = terms_.window});
 }
@@ -141,19 +143,21 @@ void PlanCursor::stop_phase_short() {
   settle_place();
 }
 
-/// Corrects the position of the profile. The profile counts in floats, of which each phase rounds
-/// one. If the sum were corrected only much later, in one phase, the speed would jump there.
+/// Corrects the position in the profile at the end of a phase. The profile adds up distances in
+/// single precision, and each phase adds a rounding error. If all errors were corrected in one
+/// later phase, the speed would jump there.
 void PlanCursor::settle_place() {
   if (terms_.window.filters()) profile_.settle(to_mm(length_ - place_));
 }
 
 /// Returns whether the plan continues without rest into the next block, which was planned before.
-/// If that block is begun first, any change of the plan is judged by the position of the motion.
+/// The caller then begins this block before it changes the plan, so that the change is checked at
+/// the position of the motion.
 bool PlanCursor::goes_on() const {
   return !driving_ && index_ < queue_.size() && !queue_.at(index_).from_rest;
 }
 
-/// Adapts the profile to more blocks, an override or a hold that may have changed the plan ahead.
+/// Adapts the profile if added blocks, an override or a hold may have changed the plan ahead.
 /// @pre driving_
 void PlanCursor::follow_plan(Drive drive) {
   if (queue_.plans() == followed_ && !replan_ && drive == phase_drive_) return;
@@ -176,17 +180,17 @@ void PlanCursor::follow_plan(Drive drive) {
   replan_ = false;
 }
 
-/// Brings the plan up to date, so that blocks that are not planned yet are judged by the plan as it
-/// was.
+/// Plans all blocks that are not planned yet, and adapts the profile. Before a change of the terms,
+/// this ensures that late blocks are accepted or refused under the old terms.
 void PlanCursor::bring_up_to_date(Drive drive) {
   queue_.plan_all(limits_, terms_, index_);
   if (driving_) follow_plan(drive);
 }
 
-/// Takes up a lower pace at once: if the motion is too fast for it, it slows down. But where zones
-/// that are taken together have changed, a zone in which the speed is too high to turn may reach
-/// farther than before. Such a zone leaves nothing for braking, so the plan for the lower pace has
-/// to wait there.
+/// Applies lower overrides immediately: if the motion is too fast for them, it slows down. There is
+/// one exception. Under other terms, other zones may be merged. A zone in which the speed is too
+/// high for turning may then reach farther than before, and leaves no acceleration for braking. In
+/// this case the lower overrides are postponed.
 void PlanCursor::lower_pace(std::uint64_t passed_ns, Drive drive) {
   postponed_ns_ -= std::min(postponed_ns_, passed_ns);
   PlanTerms lower = terms_;
@@ -203,7 +207,7 @@ void PlanCursor::lower_pace(std::uint64_t passed_ns, Drive drive) {
   postponed_ns_ = kBetweenTriesNs;
 }
 
-/// Takes up a higher pace as soon as the motion can change to its plan at the present position.
+/// Applies higher overrides as soon as the motion can change to the faster plan at its position.
 void PlanCursor::try_higher_pace(std::uint64_t passed_ns, Drive drive) {
   untried_ns_ += passed_ns;
   if (untried_ns_ < kBetweenTriesNs || same_pace(terms_.overrides, overrides_)) return;
@@ -231,8 +235,8 @@ void PlanCursor::replan() {
   profile_.replan(queue_.at(index_), limits_, terms_, queue_.exit_of(index_));
 }
 
-/// Refuses blocks that came so late that the plan is already too fast for the limits that they
-/// impose before their start. The plan is not too fast for a stop before them, because it was made
+/// Refuses blocks that arrived so late that the plan is already too fast for the limits that they
+/// impose on earlier blocks. The plan can always stop before these blocks, because it was made
 /// without them.
 void PlanCursor::refuse_late_blocks() {
   if (!queue_.has_newest_behind(index_)) return;

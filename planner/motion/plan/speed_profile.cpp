@@ -8,24 +8,24 @@
 namespace cnc::motion {
 namespace {
 
-/// Least gain of v², as a share, that is worth a phase without a jerk limit. Ten times the
-/// negligible share is rounding there, too: such a gain has four digits at most, and so would the
-/// acceleration.
+/// Least gain, as a share of v², for which a phase speeds up where jerk is not limited. A gain of
+/// ten times kNegligibleShare is still inexact: it has four exact digits at most, and so has the
+/// acceleration that is computed from it.
 constexpr float kMinGain = 1.0e-4F;
 
-/// If the speed exceeds the cap, or the braking exceeds the planned one, by more than these
-/// factors, an override has lowered the plan. A smaller excess is rounding.
+/// If the ratio of v² to the cap, or of the braking to the planned braking, exceeds these factors,
+/// an override has lowered the plan. A smaller excess is rounding.
 constexpr float kAbovePlan = 1.0F + 1.0e-4F;
 constexpr float kSteeperThanPlan = 1.0F + 5.0e-4F;
 
-/// Factor by which rounding of the wait for braking can make the speed too high.
+/// Greatest ratio of v² to the braking curve that rounding of the wait before braking can cause.
 constexpr float kLate = 1.0005F;
 
-/// Two units in the last place of a float.
+/// Rounding error of v², relative to v²: two units in the last place of a float.
 constexpr float kSpeedSquareRounding = 2.4e-7F;
 
-/// v² that counts as rest: (1 µm/s)², slower than a step per second. Under a window it is the v²
-/// that jerk allows within a cell.
+/// Greatest v² that counts as rest, in mm²/s². Without a window this is (1 µm/s)², slower than a
+/// step per second. Under a window it is the v² that the jerk limit allows within a cell.
 constexpr float kStandstillSquare = 1.0e-6F;
 constexpr float kFilteredStandstillSquare = 1.0e-9F;
 
@@ -38,7 +38,8 @@ void SpeedProfile::begin(const Block& block,
                          float speed_square) {
   speed_square_ = speed_square;
   lay_out(block, limits, terms, exit, block.length, grid_for(block, terms, exit));
-  // A speed planned on the usual grid may be a little above the braking curve of the finer grid.
+  // A speed that was planned on the usual grid may slightly exceed the braking curve of the fine
+  // grid. Then the block has the usual grid.
   const float curve = end_target_square() + 2.0F * here().deceleration * left_;
   if (!spans_.fine() || speed_square_ <= std::min(curve, here().cap_square)) return;
   lay_out(block, limits, terms, exit, block.length, Spans::Grid::kUsual);
@@ -64,10 +65,10 @@ void SpeedProfile::lay_out(const Block& block,
   brake_from_the_end(block, terms.overrides);
 }
 
-/// Returns the grid for a block. It holds up to the end of the block, because braking from the
-/// speeds of the fine grid is not possible on the usual one. The fine grid is used only from rest
-/// or to rest: along a path of many arcs it would gain thousandths of the time, for a third more
-/// segments.
+/// Returns the grid for a block. The block keeps this grid up to its end, because the speeds on the
+/// fine grid may be too high for braking on the usual grid. The fine grid is used only if the block
+/// begins or ends at rest. On a path of many arcs, it would save only thousandths of the time, but
+/// require a third more segments.
 Spans::Grid SpeedProfile::grid_for(const Block& block,
                                    const PlanTerms& terms,
                                    const BrakingState& exit) const {
@@ -93,7 +94,8 @@ void SpeedProfile::brake_from_the_end(const Block& block, const Overrides& overr
   static_cast<void>(brake_backwards(spans_, cap, exit_, keep, span_));
 }
 
-/// Finds the span with `left_of_block` mm of the block to go, as other zones make other spans.
+/// Sets span_ and left_ for the position `left_of_block` mm before the end of the block. This is
+/// required after each change of the zones, because the zones define the spans.
 void SpeedProfile::find_span(float left_of_block) {
   const float length = spans_.boundary(spans_.count());
   span_ = 0;
@@ -161,8 +163,7 @@ bool SpeedProfile::too_fast_to_turn(const BlockZones& before) const {
   });
 }
 
-/// Returns the phase that speeds up, holds the cap or follows the braking curve, whichever comes
-/// first.
+/// Returns the next phase: it speeds up, keeps the speed, or follows the braking curve.
 Phase SpeedProfile::change_speed(const Patience& patience) const {
   if (patience.before_braking > 0.0F && patience.overtaken) {
     return level_for(patience.before_braking);
@@ -171,15 +172,15 @@ Phase SpeedProfile::change_speed(const Patience& patience) const {
     return level_or_follow(std::sqrt(speed_square_) * patience.before_speeding_up);
   }
   const Phase up = committed(speed_up());
-  // Any gain counts up to the end of a span, so that the speed also rises along a chain of very
+  // At the end of a span, any gain is accepted, so that the speed also rises along a chain of very
   // short spans.
   const float min_gain = spans_.window_s() > 0.0F ? kNegligibleShare : kMinGain;
   const bool worth_it = up.left <= 0.0F || up.end_speed_square > speed_square_ * (1.0F + min_gain);
   return worth_it && up.distance > 0.0F ? up : level_or_follow(left_);
 }
 
-/// Returns the phase that speeds up as far as the cap, the braking curve and the end of the span
-/// allow.
+/// Returns the phase that speeds up until it reaches the cap, the braking curve or the end of the
+/// span.
 Phase SpeedProfile::speed_up() const {
   const float cap = here().cap_square;
   if (speed_square_ >= cap) return {};
@@ -189,14 +190,15 @@ Phase SpeedProfile::speed_up() const {
   if (reach <= target && reach <= cap) {
     return phase_to(std::max(reach, speed_square_), left_, 0.0F);
   }
-  // The point where the speeding-up line meets the braking curve.
+  // Computes v² where the line of speeding up intersects the braking curve. Both are linear in
+  // distance.
   const float curve = target + 2.0F * here().deceleration * left_;
   const float slopes = acceleration + here().deceleration;
   const float gain = slopes > 0.0F ? (curve - speed_square_) * (acceleration / slopes) : 0.0F;
   const float peak = std::clamp(speed_square_ + gain, speed_square_, cap);
   if (peak <= speed_square_) return {};
-  // Gain and drop are small compared to v². The steeper one of them gives its distance with more
-  // digits.
+  // The gain and the drop are small differences of large v². The steeper line gives its distance
+  // with the smaller rounding error.
   const float fall = fall_from(peak);
   float rise = (peak - speed_square_) / (2.0F * acceleration);
   const bool steeper_fall = acceleration < here().deceleration;
@@ -204,7 +206,8 @@ Phase SpeedProfile::speed_up() const {
   return phase_to(peak, rise, std::max(left_ - rise, fall));
 }
 
-/// Returns the part of a phase that ends early enough for a level speed before braking.
+/// Returns the part of a phase of speeding up that ends early enough for a level speed before
+/// braking.
 Phase SpeedProfile::committed(const Phase& phase) const {
   const float window_s = spans_.window_s();
   if (window_s <= 0.0F || phase.distance <= 0.0F) return phase;
@@ -221,12 +224,13 @@ Phase SpeedProfile::committed(const Phase& phase) const {
     const float middle = 0.5F * (short_of + beyond);
     (too_fast(middle) ? beyond : short_of) = middle;
   }
-  // The rest cannot be distinguished from nothing, but must be driven, too.
+  // At rest, this part can be too short to be computed. Then the whole phase is driven.
   if (short_of <= 0.0F && speed_square_ <= 0.0F) return phase;
   return phase_to(speed_square_ + gain * short_of, short_of, left_ - short_of);
 }
 
-/// Returns the distance in mm before the end of the span at which braking from v² has to begin.
+/// Returns the distance in mm before the end of the span at which braking from `speed_square` has
+/// to begin.
 float SpeedProfile::fall_from(float speed_square) const {
   const float drop = std::max(0.0F, speed_square - end_target_square());
   const float deceleration = here().deceleration;
@@ -244,8 +248,8 @@ Phase SpeedProfile::level_or_follow(float longest_level) const {
   return phase_to(std::min(end_target_square(), speed_square_), left_, 0.0F);
 }
 
-/// Returns the phase that keeps the speed to the end of the span, and over later spans in which
-/// nothing changes either.
+/// Returns the phase that keeps the speed to the end of the span, and through the following spans
+/// in which the speed stays level, too.
 Phase SpeedProfile::level_on() const {
   int last = span_;
   if (spans_.window_s() <= 0.0F) {
@@ -264,13 +268,15 @@ Phase SpeedProfile::level_for(float seconds) const {
   return phase_to(speed_square_, distance, left_ - distance);
 }
 
-/// Returns the deceleration of the plan for the present speed, or 0 if the plan is not made for it.
+/// Returns the deceleration of the plan at the present speed, or 0 if the plan does not allow this
+/// speed.
 ///
-/// Below the braking curve, the plan's own deceleration is feasible in the share v² / curve,
-/// because the limits are linear in (a, v²) and hold at rest. So if the plan can stop from here,
-/// the motion can, too. (Within a span the limits at the exact position may be tighter than at its
-/// ends, by the margin.) Above the curve, or under a window above the cap, where turning leaves
-/// less, the plan is not made for this speed: an override has lowered it.
+/// Below the braking curve, the share v² / curve of the plan's deceleration is feasible, because
+/// the limits are linear in (a, v²) and allow rest. So if the plan can stop from the present
+/// position, the motion can, too. (The limits at a position within a span may be stricter than
+/// those at the span's ends, by the margin.) The plan does not allow a speed above the curve. Under
+/// a window it does not allow a speed above the cap either, because turning leaves less
+/// acceleration there. Such a speed follows from an override that has lowered the plan.
 float SpeedProfile::planned_deceleration() const {
   const float planned = here().deceleration;
   const bool beyond_cap = speed_square_ > here().cap_square * kAbovePlan;
@@ -284,9 +290,9 @@ float SpeedProfile::planned_deceleration() const {
 /// the span ends.
 Phase SpeedProfile::brake_to(float target_square, const Patience& patience) const {
   if (patience.before_braking > 0.0F) return level_for(patience.before_braking);
-  // If the speed is too high already, braking needs all of the limits. Otherwise a part is left to
-  // the motion, which is the mean and therefore faster than the plan. The motion may be faster than
-  // the lowered cap, too.
+  // If an override has made the speed too high, braking uses the limits in full. Otherwise a part
+  // of them is left for the motion: as a mean over time, it is faster than the plan while the plan
+  // brakes. The motion may also be faster than the lowered cap.
   const float growing = patience.overtaken ? 0.0F : left_;
   float cap = std::max(here().cap_square, speed_square_);
   if (patience.overtaken) cap = std::max(cap, square(patience.braking_from));
@@ -296,7 +302,7 @@ Phase SpeedProfile::brake_to(float target_square, const Patience& patience) cons
   const float possible = 2.0F * deceleration * left_;
   if (needed <= 0.0F) return {};
   if (needed >= possible) {
-    // A rest that is missed only by rounding counts as reached.
+    // If only rounding prevents the rest from being reached, it counts as reached.
     const float standstill =
         spans_.window_s() > 0.0F ? kFilteredStandstillSquare : kStandstillSquare;
     const float rounding = possible * 1.0e-3F + speed_square_ * kSpeedSquareRounding + standstill;
@@ -307,7 +313,8 @@ Phase SpeedProfile::brake_to(float target_square, const Patience& patience) cons
   return phase_to(target_square, distance, std::max(0.0F, left_ - distance));
 }
 
-/// The square of a speed is rounded. It must not leave the phase, whose ends are within the caps.
+/// Limits v² to its values at the ends of the phase, which are within the caps. The square of
+/// `speed` is rounded and could be outside.
 void SpeedProfile::stop_short(const Phase& phase, float distance, float speed) {
   const auto [least, most] = std::minmax(speed_square_, phase.end_speed_square);
   const float speed_square = std::clamp(speed * speed, least, most);

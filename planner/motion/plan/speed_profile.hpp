@@ -8,51 +8,53 @@
 
 namespace cnc::motion {
 
-/// A stretch of constant acceleration.
+/// A part of the speed profile with constant acceleration.
 struct Phase {
-  float start_speed = 0.0F;   ///< mm/s.
-  float acceleration = 0.0F;  ///< mm/s², signed.
-  float duration = 0.0F;      ///< s; 0 means that the machine is at rest.
-  float distance = 0.0F;      ///< mm.
+  float start_speed = 0.0F;   ///< Speed at the start, mm/s.
+  float acceleration = 0.0F;  ///< Acceleration along the path, mm/s²; negative when braking.
+  float duration = 0.0F;      ///< Duration, s; 0 means that the machine is at rest.
+  float distance = 0.0F;      ///< Distance along the path, mm.
   float end_speed_square = 0.0F;
-  float left = 0.0F;  ///< mm from its end to the end of its last span; 0 ends the span.
-  int passes = 0;     ///< Number of spans that the phase ends before its last one.
+  /// Distance from the end of the phase to the end of its last span, mm; 0 if that span ends, too.
+  float left = 0.0F;
+  int passes = 0;  ///< Number of spans that end within the phase, without its last span.
 };
 
-/// How long the speed must still stay level before it may change, in s, because jerk is limited. At
-/// rest there is nothing to wait for.
+/// State that limits a change of speed, because jerk is limited. The first two fields are times in
+/// s for which the speed must stay level before it may rise or fall. At rest both times are 0.
 struct Patience {
   float before_speeding_up = 0.0F;
   float before_braking = 0.0F;
-  /// Speed in mm/s when the plan last did not brake: the motion may still be as fast.
+  /// Speed of the plan in mm/s when it last did not brake. The motion may still have this speed.
   float braking_from = 0.0F;
-  /// An override has lowered the speed below what braking after the wait can reach. Limits that the
-  /// override does not change must still be kept, and will be, because the plan before kept them.
+  /// True if an override has lowered the speed limits so far that braking after the wait is too
+  /// late for them. The other limits are still kept, because the plan before the override kept
+  /// them.
   bool overtaken = false;
 };
 
 enum class Drive : std::uint8_t {
-  kOn,    ///< As fast as limits, feed and the path ahead allow.
+  kOn,    ///< Drive as fast as limits, feed and the path ahead allow.
   kHalt,  ///< Feed hold: slow down as hard as the limits allow.
 };
 
-/// Speed along the block being driven, as phases of constant acceleration.
+/// Speed along the block that is being driven, as phases of constant acceleration.
 ///
 /// This is the forward pass of the look-ahead. Within a span, the speed rises until it reaches the
-/// cap or the braking curve, keeps the cap, then follows the braking curve. Under a time window,
-/// the speed stops rising so early that it is level for T before braking. Each phase is computed
-/// from the present state when it is needed. So after an override, a hold or more blocks, the
-/// caller just requests the next phase.
+/// cap or the braking curve. It keeps the cap, and then follows the braking curve. Under a time
+/// window T, the speed stops rising early enough to be level for T before braking. Each phase is
+/// computed from the present state when it is required. So after an override, a hold or added
+/// blocks, the caller just requests the next phase.
 class SpeedProfile {
  public:
-  /// Starts a block at its beginning, with the given v².
+  /// Starts at the beginning of a block, with the given v².
   void begin(const Block& block,
              const Limits& limits,
              const PlanTerms& terms,
              const BrakingState& exit,
              float speed_square);
-  /// Replaces the plan after a change ahead, or in the zones that reach into the block. Position
-  /// and speed stay.
+  /// Computes the profile again after a change of the plan ahead, or of the zones that reach into
+  /// the block. The position and the speed stay the same.
   void replan(const Block& block,
               const Limits& limits,
               const PlanTerms& terms,
@@ -61,35 +63,38 @@ class SpeedProfile {
   [[nodiscard]] bool at_end() const { return span_ == spans_.count(); }
   [[nodiscard]] float speed_square() const { return speed_square_; }
   [[nodiscard]] const BrakingState& exit() const { return exit_; }
-  /// Returns whether the speed is too high for braking in time after the wait before braking.
+  /// Returns whether the speed exceeds the cap, or is too high for braking in time after the wait
+  /// before braking.
   [[nodiscard]] bool too_fast(const Patience& patience) const;
-  /// Returns whether the position lies in a zone of a later block that is not in `before`.
+  /// Returns whether the position is within a zone of a later block that is not one of `before`.
   [[nodiscard]] bool within_other_zones(const BlockZones& before) const;
-  /// Returns whether there is a zone of a later block in which turning at the present speed takes
-  /// all of the limits. A zone that `before` has as far does not count.
+  /// Returns whether there is a zone of a later block in which turning at the present speed uses
+  /// all acceleration. Ignores a zone if `before` contains one that is as long and as strict in
+  /// turning.
   [[nodiscard]] bool too_fast_to_turn(const BlockZones& before) const;
-  /// Returns the zones of later blocks that the plan knows.
+  /// Returns the zones of later blocks that the profile includes.
   [[nodiscard]] const BlockZones& tail() const { return spans_.tail(); }
 
   /// Returns the next phase from the present position and speed. A duration of 0 means that the
-  /// machine is at rest and stays so (halted). @pre !at_end()
+  /// machine is halted and at rest. @pre !at_end()
   [[nodiscard]] Phase next_phase(Drive drive, const Patience& patience = {}) const;
 
-  /// Moves to the end of a phase that was driven as a whole.
+  /// Moves to the end of a phase that was driven completely.
   void complete(const Phase& phase) {
     span_ += phase.passes;
     move(phase.left, phase.end_speed_square);
   }
-  /// Moves to the position `distance` mm before the end of a phase, where the speed is `speed`
-  /// mm/s.
+  /// Moves to the position `distance` mm before the end of `phase`, which was driven only up to
+  /// there.
+  /// @param speed speed at that position, mm/s
   void stop_short(const Phase& phase, float distance, float speed);
-  /// Sets the distance to the end of the block, in mm. It is more exact than the sum of the
-  /// distances that phases left. Takes effect only in the last span.
+  /// Corrects the distance to the end of the block, in mm. `left_of_block` is more exact than the
+  /// sum of the distances of the phases. Has an effect only in the last span.
   void settle(float left_of_block) {
     if (span_ + 1 == spans_.count() && settles(left_of_block)) left_ = left_of_block;
   }
-  /// Returns whether settle() is useful at this distance. Nearer to the end than a micrometre, the
-  /// sum is exact enough.
+  /// Returns whether settle() is useful at this distance. Less than a micrometre before the end,
+  /// the sum is exact enough.
   [[nodiscard]] static bool settles(float left_of_block) { return left_of_block > 1.0e-3F; }
   /// Returns the distance from the end of a phase to the end of the block, in mm.
   [[nodiscard]] float left_of_block(const Phase& phase) const {
@@ -135,8 +140,9 @@ class SpeedProfile {
   static_assert(Spans::kMaxSpans <= Spans::kMaxFineSpans);
   BrakingState exit_{};
   float speed_square_ = 0.0F;
-  /// mm to the end of the span. It counts from that end, because braking ends there and needs the
-  /// digits; counted from the start, they would be lost in the length.
+  /// Distance to the end of the present span, mm. It is measured from the end of the span, because
+  /// braking ends there and requires exact digits. A distance from the start would have fewer
+  /// digits there.
   float left_ = 0.0F;
   int span_ = 0;
 };

@@ -48,12 +48,7 @@ void Segmenter::go_back(PathUnits place, PathUnits distance) {
 /// Forgets the motion so far; the motors are at rest at `place`.
 void Segmenter::stand(const AxisArray<StepPosition>& place) {
   plan_.reset();
-  window_ = {};
-  filter_ = {};
-  plan_.set_window({});
-  course_ = {};
-  elapsed_ns_ = 0;
-  stretch_from_ = 0;
+  stretch_ = {};
   place_ = 0;
   driving_ = false;
   speed_ = 0.0F;
@@ -158,16 +153,15 @@ void Segmenter::join_next(std::uint32_t max_ns) {
 /// Returns whether the power of a row changes sooner than a segment should end.
 bool Segmenter::pixels_are_short() {
   if (power_.next_change() >= length_) return false;
-  const PathUnits least = stretch_from_ + course_.way_after(elapsed_ns_ + kShortestNs);
-  return power_.changes_before(least);
+  return power_.changes_before(stretch_.place_after(stretch_.elapsed_ns() + kShortestNs));
 }
 
 /// Adds the powers of pixels up to the end of a slice. Within the slice, speed is taken to grow
 /// evenly with distance: at 10,000 mm/s² a change of power is at most 0.1 µm from its position.
 void Segmenter::add_pixels(const End& end) {
   const float way_mm = to_mm(end.place - place_);
-  const float ns_per_mm = static_cast<float>(end.ns - elapsed_ns_) / way_mm;
-  const float speed_per_mm = (course_.speed_after(end.ns) - speed_) / way_mm;
+  const float ns_per_mm = static_cast<float>(end.ns - stretch_.elapsed_ns()) / way_mm;
+  const float speed_per_mm = (stretch_.speed_after(end.ns) - speed_) / way_mm;
   float from_mm = 0.0F;
   const auto add_until = [&](PathUnits place) {
     const float until_mm = to_mm(place - place_);
@@ -219,55 +213,13 @@ bool Segmenter::goes_on_as_joined() {
 
 /// Makes sure that there is a stretch with time left. Returns false if there is no motion.
 bool Segmenter::ready_stretch() {
-  // At its end, a stretch may have no time left for its last few units of distance.
-  const bool driven = place_ == stretch_from_ + course_.whole().way;
-  if (!driven || elapsed_ns_ < course_.duration_ns()) return true;
-  const Stretch stretch = next_stretch();
+  if (!stretch_.is_over(place_)) return true;
+  const Stretch stretch = plan_.next(kLongestSliceNs);
   if (!stretch.lasts()) {
     speed_ = 0.0F;
     return false;
   }
-  course_.begin(stretch);
-  elapsed_ns_ = 0;
-  stretch_from_ = place_;
-  return true;
-}
-
-/// Returns the next stretch: of the plan itself or, under a window, of the filtered motion.
-Stretch Segmenter::next_stretch() {
-  const bool stands = plan_.speed() <= 0.0F && filter_.at_rest();
-  if (stands && drive_ == Drive::kOn) choose_window();
-  if (!window_.filters()) return plan_.next(kLongestSliceNs, drive_, true);
-  Stretch stretch;
-  while (!stretch.lasts() && fill_cell()) stretch = filter_.take();
-  return stretch;
-}
-
-/// Chooses the window for the motion from this rest to the next.
-void Segmenter::choose_window() {
-  if (plan_.at_end()) return;
-  const TimeWindow window = plan_.choose_window();
-  if (window == window_) return;
-  window_ = window;
-  plan_.set_window(window);
-  filter_.begin(window);
-}
-
-/// Fills the present cell of the filter. Returns false if neither plan nor motion move.
-bool Segmenter::fill_cell() {
-  const bool may_start = filter_.at_rest();
-  bool moves = !may_start;
-  while (filter_.room_ns() > 0) {
-    const Stretch stretch = plan_.next(filter_.room_ns(), drive_, may_start && !moves);
-    if (stretch.lasts()) {
-      filter_.add(stretch);
-      moves = true;
-    } else if (moves) {
-      filter_.rest();
-    } else {
-      return false;
-    }
-  }
+  stretch_.begin(stretch, place_);
   return true;
 }
 
@@ -287,7 +239,7 @@ void Segmenter::begin_block() {
   fraction_ = BlockFraction{length_};
   reversals_ = Reversals{block, length_};
   // Under a window, stretches are short anyway.
-  const bool widely = block.turns() && !window_.filters();
+  const bool widely = block.turns() && !plan_.window().filters();
   widest_mm_ = widely ? kWidestSlice * block.length / std::abs(block.turn.half_sweep) : kFar;
   power_.begin(block, length_);
   const MotorPath::Point start = path_.at(0);
@@ -303,7 +255,7 @@ void Segmenter::end_block() {
   ++blocks_ended_;
   ended_ += static_cast<std::uint64_t>(length_);
   driving_ = false;
-  stretch_from_ -= length_;
+  stretch_.leave_block(length_);
   place_ = 0;
 }
 
@@ -311,10 +263,10 @@ void Segmenter::end_block() {
 /// an axis changes by more than a third of itself. On an arc they turn by at most a 48th of a turn.
 /// So a parabola in the step index fits. All slices of a stretch are equally long.
 std::uint32_t Segmenter::longest_slice_ns() const {
-  const auto left = static_cast<std::uint32_t>(course_.duration_ns()) - elapsed_ns_;
+  const std::uint32_t left = stretch_.left_ns();
   std::uint32_t longest = kShortSliceNs;
   if (left > kShortSliceNs) {
-    const float change = 3.0F * std::abs(course_.whole().acceleration) * kLongestSlice;
+    const float change = 3.0F * std::abs(stretch_.acceleration()) * kLongestSlice;
     const bool changes = change > speed_ || reversals_.near(place_);
     longest = changes ? kShortSliceNs : kLongestSliceNs;
   }
@@ -336,10 +288,10 @@ Segmenter::Cut Segmenter::cut_slice(std::uint32_t max_ns) {
 
 /// Returns the end of the next slice: at `stop`, or earlier if its time is over before.
 Segmenter::End Segmenter::end_of_slice(PathUnits stop, std::uint32_t max_ns) {
-  End end{.ns = elapsed_ns_ + std::min(longest_slice_ns(), max_ns)};
-  end.place = stretch_from_ + course_.way_after(end.ns);
+  End end{.ns = stretch_.elapsed_ns() + std::min(longest_slice_ns(), max_ns)};
+  end.place = stretch_.place_after(end.ns);
   if (end.place > stop) {
-    end.ns = elapsed_ns_ + static_cast<std::uint32_t>(course_.time_of(stop - place_, elapsed_ns_));
+    end.ns = stretch_.time_after(stop - place_);
     end.place = stop;
   }
   return end;
@@ -352,21 +304,20 @@ void Segmenter::move_to(const MotorPath::Point& point) {
 }
 
 void Segmenter::pass_to_rest() {
-  elapsed_ns_ = static_cast<std::uint32_t>(course_.duration_ns());
-  stretch_from_ = place_ - course_.whole().way;
+  stretch_.end_at(place_);
   speed_ = 0.0F;
 }
 
 Segmenter::Cut Segmenter::cut(const End& end) {
-  const std::uint32_t duration_ns = end.ns - elapsed_ns_;
-  const float speed = course_.speed_after(end.ns);
+  const std::uint32_t duration_ns = end.ns - stretch_.elapsed_ns();
+  const float speed = stretch_.speed_after(end.ns);
   const std::uint64_t to_fraction = fraction_.of(end.place);
   if (observer_ != nullptr) {
     observer_->on_slice({blocks_ended_,
                          fraction_.of(place_),
                          to_fraction,
                          speed_,
-                         course_.whole().acceleration,
+                         stretch_.acceleration(),
                          static_cast<float>(duration_ns) * kSecondsPerNanosecond});
   }
   const Cut cut{.to = path_.at(to_fraction),
@@ -378,7 +329,7 @@ Segmenter::Cut Segmenter::cut(const End& end) {
   place_ = end.place;
   reversals_.pass(place_);
   power_.pass(place_);
-  elapsed_ns_ = end.ns;
+  stretch_.pass_until(end.ns);
   if (place_ == length_) end_block();
   return cut;
 }

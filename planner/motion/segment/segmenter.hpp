@@ -3,8 +3,7 @@
 #include <cstdint>
 
 #include "planner/kinematics/tool_centre.hpp"
-#include "planner/motion/jerk/motion_filter.hpp"
-#include "planner/motion/plan/plan_cursor.hpp"
+#include "planner/motion/segment/filtered_plan.hpp"
 #include "planner/motion/segment/joined_slices.hpp"
 #include "planner/motion/segment/kerf_shift.hpp"
 #include "planner/motion/segment/motor_path.hpp"
@@ -14,6 +13,7 @@
 #include "planner/motion/segment/segment.hpp"
 #include "planner/motion/segment/segment_power.hpp"
 #include "planner/motion/segment/segment_rate.hpp"
+#include "planner/motion/segment/stretch_in_progress.hpp"
 
 namespace cnc::motion {
 
@@ -68,8 +68,8 @@ class Segmenter {
   void set_overrides(const Overrides& overrides) { plan_.set_overrides(overrides); }
   [[nodiscard]] const Overrides& overrides() const { return plan_.overrides(); }
 
-  void halt() { drive_ = Drive::kHalt; }
-  void go_on() { drive_ = Drive::kOn; }
+  void halt() { plan_.halt(); }
+  void go_on() { plan_.go_on(); }
 
   /// Returns whether nothing is left to hand out.
   [[nodiscard]] bool idle() const { return !driving_ && queue_.empty(); }
@@ -92,9 +92,9 @@ class Segmenter {
   [[nodiscard]] float speed() const { return speed_; }
   /// Returns the speed of the plan, in mm/s. Where jerk is limited, the plan is ahead of the motion
   /// that was handed out, because the motion is the mean of the plan over the window.
-  [[nodiscard]] float planned_speed() const { return plan_.speed(); }
-  [[nodiscard]] const TimeWindow& window() const { return window_; }
-  [[nodiscard]] bool halted() const { return drive_ == Drive::kHalt && at_rest(); }
+  [[nodiscard]] float planned_speed() const { return plan_.planned_speed(); }
+  [[nodiscard]] const TimeWindow& window() const { return plan_.window(); }
+  [[nodiscard]] bool halted() const { return plan_.halts() && at_rest(); }
 
   /// Lets the motors follow the kerf of the driven power and speed on blocks that have an edge.
   /// Slices then end off the path, but segments do not. Null stops following.
@@ -129,9 +129,6 @@ class Segmenter {
  private:
   void stand(const AxisArray<StepPosition>& place);
   [[nodiscard]] bool ready_stretch();
-  [[nodiscard]] Stretch next_stretch();
-  void choose_window();
-  [[nodiscard]] bool fill_cell();
   /// Duties of the output, 0…1, at the start and at the end of a slice.
   struct Duties {
     float start = 0.0F;
@@ -175,15 +172,8 @@ class Segmenter {
 
   BlockQueue& queue_;
   const Limits& limits_;
-  PlanCursor plan_;
-  TimeWindow window_{};
-  MotionFilter filter_{};  ///< Makes the motion from the plan, under a window.
-  Drive drive_ = Drive::kOn;
-
-  PhaseCourse course_{};  ///< Position and speed within the stretch being cut.
-  /// Start of the stretch, like place_; below 0 in an earlier block.
-  PathUnits stretch_from_ = 0;
-  std::uint32_t elapsed_ns_ = 0;  ///< Time since the start of the stretch.
+  FilteredPlan plan_;
+  StretchInProgress stretch_{};
 
   bool driving_ = false;    ///< The front block has been begun.
   PathUnits length_ = 0;    ///< Length of the front block.

@@ -271,7 +271,7 @@ class CommandLine(unittest.TestCase):
         for call in (("cut", part, "--material", "CSP 1N", "--thickness", "2"), ("offset", part, "-d", "1")):
             done = run(*call, "-o", old)
             self.assertEqual(done.returncode, 1)
-            self.assertIn(f"{old} is still the file of before", done.stderr)
+            self.assertIn(f"{old} is still the earlier file", done.stderr)
             self.assertNotIn("is still", run(*call, "-o", self.folder / "new").stderr)
         self.assertEqual(old.read_text(), "old")
 

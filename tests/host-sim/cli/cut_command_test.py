@@ -64,12 +64,12 @@ class Cut(CutBench):
 
         def told(drawing, *wishes):
             return run("cut", drawing, *STEEL, *wishes).stderr
-        self.assertIn("has room for 1 of 40 tabs", told(small, "--tabs", "40", "--tab-width", "8"))
+        self.assertIn("has space for 1 of 40 tabs", told(small, "--tabs", "40", "--tab-width", "8"))
         usual = ("--lead-in", "line:10", "--start", "usual")
         self.assertIn('rect "hole" at ', told(window, *usual))
-        self.assertIn("has room for leads of 50 % of their length", told(window, *usual))
-        self.assertNotIn("has room for leads", told(window, *usual[:2]), "it begins where they have room")
-        self.assertIn("have room for a smaller loop only", told(small, "--corner-loop", "1.5"))
+        self.assertIn("has free space for leads of 50 % of their length", told(window, *usual))
+        self.assertNotIn("has free space for leads", told(window, *usual[:2]), "it begins where they have room")
+        self.assertIn("have free space for a smaller loop only", told(small, "--corner-loop", "1.5"))
         marks = self.drawn("marks.svg", SHEET + '<path id="m" d="M20 20H90"/><path id="n" d="M20 30H90"/></svg>')
         done = run("cut", marks, *STEEL, "--layer", ": side=on", "--tabs", "2", "--pierce", "0.1")
         self.assertEqual(done.stderr.count("is cut on its line, without tabs, pierce"), 1, done.stderr)
@@ -98,7 +98,7 @@ class Cut(CutBench):
         self.assertIn("S38.889\n", done.stdout)
         for more in ("lead-in=arc:1", "tabs=2", "pierce=0.3"):
             told = self.refused(self.plate, *STEEL, "--layer", f"red: {more}", "--layer", "red: side=mark")
-            self.assertIn(f"--layer: {more}: a layer that is engraved has power, feed, side, kind, start, rank,", told)
+            self.assertIn(f"--layer: {more}: an engraved layer takes power, feed, side, kind, start, rank,", told)
 
     def test_the_picture_tells_order_size_power_and_kerf(self):
         svg = self.folder / "out.svg"

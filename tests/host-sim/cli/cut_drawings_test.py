@@ -131,7 +131,7 @@ class CutDrawings(unittest.TestCase):
         refused = self.cut('<circle cx="30" cy="20" r="15"/><circle cx="30" cy="20" r="10"/>'
                            '<circle cx="30" cy="20" r="9.9"/>')
         self.assertEqual(refused.returncode, 1)
-        self.assertIn("put them at least the kerf apart", refused.stderr)
+        self.assertIn("place them at least the kerf apart", refused.stderr)
 
     def test_waste_narrower_than_the_kerf_is_cut_along_its_middle_where_that_is_allowed(self):
         rings = ('<circle cx="30" cy="20" r="15"/><circle cx="30" cy="20" r="10"/>'

@@ -85,8 +85,8 @@ class Cut(unittest.TestCase):
     def test_bad_rules_are_refused_with_place_and_column(self):
         rules = self.folder / "rules"
         rules.write_text("hole: skip\nhole diameter 3: skip\n")
-        for call, told in ((("--rules", rules), f"{rules}:2: column 15: wants `<`"),
-                           (("--rule", "hole: fed=3"), "--rule: column 7: fed: no such setting"),
+        for call, told in ((("--rules", rules), f"{rules}:2: column 15: requires `<`"),
+                           (("--rule", "hole: fed=3"), "--rule: column 7: fed: there is no such setting"),
                            (("--rule", "hole: feed=1%"), '--rule: "hole: feed=1%": '),
                            (("--rule", "hole: mark", "--mark-power", "0"), "--mark-power")):
             done = self.cut(*call, status=2)

@@ -130,7 +130,7 @@ class Offered(unittest.TestCase):
         self.assertIn('layer "C02" #ff0000: power is not given',
                       self.cut(text, "--kerf", "0.15", "--feed", "600", status=2).stderr)
         self.cut(text, "--kerf", "0.15", "--layer", "C02: kind=fill, power=30%, feed=6000")
-        self.assertIn("the mode Scan+Cut is none of Cut, Scan, Image and Tool; say what it is with kind=",
+        self.assertIn("the mode Scan+Cut is none of Cut, Scan, Image and Tool; set its kind with kind=",
                       self.offered()[1])
         dark = setting(0, maxPower=0, speed=10, priority=2000)
         self.assertIn("layer", self.cut(project(dark, square(0, 0, 0, 9)), "--kerf", "0.15", status=2).stderr)
@@ -146,7 +146,7 @@ class Offered(unittest.TestCase):
 
     def test_watts_and_shares_need_the_full_power(self):
         error = self.cut(BOX, "--kerf", "0.15", "--power", "40W", status=2).stderr
-        self.assertIn("in watts and as a share; say with --full-power", error)
+        self.assertIn("in watts and as a share; give the power of the laser, W, with --full-power", error)
         self.cut(BOX, "--kerf", "0.15", "--power", "40W", "--layer", "C01: kind=skip")
 
     def test_any_settings_are_those_of_the_program(self):

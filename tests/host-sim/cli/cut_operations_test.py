@@ -106,14 +106,14 @@ class Operations(unittest.TestCase):
             self.layered, "--kerf", "0.1", "--feed", "900", "--power", "40", "--layer", "lines: kind=score, power=5%"))
 
     def test_what_lacks_is_named(self):
-        self.assertIn("kerf is not known; say --kerf", self.refused(self.plain, "--power", "60%", "--feed", "600"))
-        self.assertIn("power is not given; say --power", self.refused(self.plain, "--kerf", "0.1", "--feed", "600"))
-        self.assertIn("feed is not given; say --feed", self.refused(self.plain, "--kerf", "0.1", "--power", "S9"))
-        self.assertIn("--thickness: is needed", self.refused(self.plain, "--material", "CSP 1N"))
+        self.assertIn("kerf is not known; give --kerf", self.refused(self.plain, "--power", "60%", "--feed", "600"))
+        self.assertIn("power is not given; give --power", self.refused(self.plain, "--kerf", "0.1", "--feed", "600"))
+        self.assertIn("feed is not given; give --feed", self.refused(self.plain, "--kerf", "0.1", "--power", "S9"))
+        self.assertIn("--thickness is missing", self.refused(self.plain, "--material", "CSP 1N"))
         self.assertIn("--kerf-table", self.refused(self.plain, *GIVEN, "--kerf-table", "1"))
-        self.assertIn("needs the thickness",
+        self.assertIn("requires the thickness",
                       self.refused(self.plain, *GIVEN, "--rule", "hole diameter < thickness: skip"))
-        self.assertIn("name it, or leave them out", self.refused(self.plain, *GIVEN, "--unit", "J/mm"))
+        self.assertIn("name one, or leave them out", self.refused(self.plain, *GIVEN, "--unit", "J/mm"))
 
     def test_a_material_gives_what_is_not_said(self):
         self.cut(self.plain, "--material", "CSP 1N", "--thickness", "2", "--kerf", "0.4")
@@ -170,7 +170,7 @@ class Operations(unittest.TestCase):
 
     def test_wrong_patterns_are_refused(self):
         green = "green: kind=fill, power=15%, feed=6000, "
-        for text, told in (("pattern=spiral", "pattern=spiral: wants `lines` or `contour`"),
+        for text, told in (("pattern=spiral", "pattern=spiral: must be `lines` or `contour`"),
                            ("pattern=lines feed=3000", "put a comma between settings"),
                            ("pattern=contour, angle=45", "angle=45: is for pattern=lines"),
                            ("pattern=contour, overscan=2", "overscan=2: is for pattern=lines")):
@@ -285,10 +285,10 @@ class Operations(unittest.TestCase):
                            ('{"kerfline_recipe": 1,\n "kerf" 3}', "r.json:2:"),
                            ('{"kerfline_recipe": 1, "karf": 0.2}', "/karf: there is no such key"),
                            ('{"kerfline_recipe": 1, "output": "x"}', "/output: there is no such key"),
-                           ('{"kerfline_recipe": 1, "check": 3}', "/check: wants true or false"),
+                           ('{"kerfline_recipe": 1, "check": 3}', "/check: must be true or false"),
                            ('{"kerfline_recipe": 1, "layers": {"a": {"pwer": 3}}}', "/layers/a/pwer: "),
                            ('{"kerfline_recipe": 1, "layers": {"nowhere": {"power": 3}}}', "/layers/nowhere: "),
-                           ('{"kerfline_recipe": 1, "avoid-margin": 3}', "/avoid-margin: needs --avoid-freed"),
+                           ('{"kerfline_recipe": 1, "avoid-margin": 3}', "/avoid-margin: requires --avoid-freed"),
                            ('{"kerfline_recipe": 1, "feed": "1 2"}', "feed=1 2")):
             recipe = self.file("r.json", text)
             self.assertIn(told, self.refused(self.plain, "--recipe", recipe), text)

@@ -222,20 +222,20 @@ class Pictures(unittest.TestCase):
 
     def test_what_is_wrong_is_named(self):
         drawing = page(PLATE, image('x="10" y="5" width="2" height="1.5"'))
-        for rule, told in (("image: kind=image, power=80%", "a picture needs a power and a feed of its own"),
-                           (BURN + ", min-power=90%", 'layer "" image: min-power is more than power'),
+        for rule, told in (("image: kind=image, power=80%", "a picture requires its own power and feed"),
+                           (BURN + ", min-power=90%", 'layer "" image: min-power exceeds power'),
                            (BURN + ", angle=3", "angle=3: is not for pictures"),
                            (BURN + ", lead-in=arc:2", "is not for pictures"),
-                           (BURN + ", shading=dots", "shading=dots: wants grey, threshold"),
-                           (BURN + ", invert=yes", "wants `on` or `off`"),
+                           (BURN + ", shading=dots", "shading=dots: must be grey, threshold"),
+                           (BURN + ", invert=yes", "must be `on` or `off`"),
                            (BURN + ", interval=0.005, pixel=0.005", ""),
                            ("#000: gamma=2", "gamma=2: is for a layer with kind=image"),
-                           ("image: kind=photo", "wants `cut`, `score`, `engrave`, `fill`, `image` or `skip`")):
+                           ("image: kind=photo", "must be `cut`, `score`, `engrave`, `fill`, `image` or `skip`")):
             status = 2 if told else 0
             self.assertIn(told, self.cut(drawing, *CUT, "--layer", rule, status=status).stderr)
         told = self.cut(drawing, *CUT, "--layer", BURN, "--layer", "#000: kind=image, power=1%, feed=100",
                         status=1).stderr
-        self.assertRegex(told, r'rect "plate" at 1.000 \S+: its layer burns pictures')
+        self.assertRegex(told, r'rect "plate" at 1.000 \S+: its layer has kind=image')
         white = page(PLATE, image('x="10" y="5" width="2" height="1.5"', [[255, 255]]))
         self.assertIn("warning: ", self.cut(white, *CUT, "--layer", BURN).stderr)
         self.assertEqual(re.findall("picture", "".join(statements(self.program.read_text()))), [])

@@ -25,7 +25,7 @@ class Refusals(CutBench):
                           "--full-power", "1000").stderr)
         self.assertIn('no layer or colour "blue"; it has',
                       self.refused(self.plate, *STEEL, "--layer", "blue: feed=1"))
-        self.assertIn("--layer: led-in: no such setting; there are power, feed",
+        self.assertIn("--layer: led-in: there is no such setting; settings are power, feed",
                       self.refused(self.plate, *STEEL, "--layer", "red: led-in=arc:1"))
         for number in ("nan", "inf", "1e99", "x"):
             self.assertIn("feed=", self.refused(self.plate, *STEEL, "--feed", number))
@@ -57,7 +57,7 @@ class Refusals(CutBench):
         told = run("cut", long, *STEEL)
         self.assertEqual(told.returncode, 0, told.stderr)
         self.assertRegex(told.stderr, r"warning: .*\$130 allows 300")
-        self.assertIn("--machine or --settings tells of yours", told.stderr)
+        self.assertIn("give that of your machine with --machine or --settings", told.stderr)
         refused = run("cut", long, *STEEL, "--set", "$130=320")
         self.assertEqual(refused.returncode, 1)
         self.assertIn("$130 allows 320", refused.stderr)

@@ -81,7 +81,7 @@ class Safety(unittest.TestCase):
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertEqual(crossings(self.program.read_text(), boxes), 0)
         self.assertGreater(self.safety()["led_round"], 0)
-        self.assertIn("rapids led round freed areas", done.stdout)
+        self.assertIn("rapids routed around freed areas", done.stdout)
         self.assertNotIn("Z", self.program.read_text().split("M4")[1])
 
     def test_without_a_way_there_is_no_program_or_the_head_is_lifted(self):

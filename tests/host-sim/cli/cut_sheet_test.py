@@ -112,16 +112,16 @@ class Sheets(unittest.TestCase):
         self.assertIn('/parts/0/after: parts wait for each other in a circle: "a" after "c" after "a"; take', told)
         self.assertIn('"a" after "a"', self.refused(a | {"after": ["a"]}, b))
         self.assertIn('/parts/1/after: no part is called "d"', self.refused(a, b | {"after": ["d"]}))
-        self.assertIn('has what is no name', self.refused(a | {"after": [3]}, b))
-        self.assertIn('part "b" stands below it, and the order is locked',
+        self.assertIn('contains a value that is no name', self.refused(a | {"after": [3]}, b))
+        self.assertIn('part "b" comes later in the file, and the order is locked',
                       self.refused(a | {"after": ["b"]}, b, locked=True))
         frame = {"drawing": "parts/frame.svg", "name": "frame", "x_mm": 100, "y_mm": 50}
         inside = {"drawing": "parts/key.svg", "name": "inside", "x_mm": 120, "y_mm": 70}
-        self.assertIn("inside lies in it and is to be cut later; nothing is cut free before that",
+        self.assertIn("inside is inside it and is to be cut later, but inner parts come first",
                       self.refused(inside | {"after": ["frame"]}, frame))
         done = self.cut(self.sheet(frame, inside, locked=True))
         self.assertEqual(done.returncode, 0, done.stderr)
-        self.assertIn("inside lies in it and is to be cut later", done.stderr)
+        self.assertIn("inside is inside it and is to be cut later", done.stderr)
 
     def test_a_saved_sheet_cuts_the_same(self):
         saved = self.folder / "saved.json"
@@ -148,7 +148,7 @@ class Sheets(unittest.TestCase):
                       self.refused(key | {"x_mm": 250}, margin_mm=5))
         self.assertIn('/parts/0: part "none": ', self.refused({"drawing": "parts/none.svg"}))
         self.assertIn("No such file", self.refused({"drawing": "parts/none.svg"}))
-        self.assertIn("/parts/0/copies: -1 is out of range; it takes 1 to 100000", self.refused(key | {"copies": -1}))
+        self.assertIn("/parts/0/copies: -1 is out of range; write 1 to 100000", self.refused(key | {"copies": -1}))
         self.assertIn("did you mean drawing?", self.refused({"drawin": "parts/key.svg"}))
         self.assertIn("is a sheet, too", self.refused({"drawing": "sheet.json"}))
         broken = self.folder / "broken.json"

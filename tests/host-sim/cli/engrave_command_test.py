@@ -151,9 +151,9 @@ class Engrave(unittest.TestCase):
     def test_what_is_wrong_is_named(self):
         picture = self.picture([[0] * 10] * 10)
         fine = ("--width", "20", "--power", "50%", "--feed", "3000")
-        for wrong, told in ((("--power", "50%", "--feed", "3000"), "has to give the size"),
-                            (("--width", "20", "--power", "20W", "--feed", "3000"), "say with --full-power"),
-                            ((*fine, "--min-power", "60%"), "--min-power: is more than --power"),
+        for wrong, told in ((("--power", "50%", "--feed", "3000"), "the size of the picture is missing"),
+                            (("--width", "20", "--power", "20W", "--feed", "3000"), "laser with --full-power"),
+                            ((*fine, "--min-power", "60%"), "--min-power: exceeds --power"),
                             ((*fine, "--image-dpi", "100"), "--image-dpi"),
                             ((*fine, "--shading", "dots"), "--shading"),
                             ((*fine, "--interval", "0.005", "--pixel", "0.005", "--height", "9999"),

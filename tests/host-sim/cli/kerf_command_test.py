@@ -137,7 +137,7 @@ class KerfCommand(unittest.TestCase):
         self.assertIn(" 0 accepted", done.stdout)
         self.assertIn("straightness 0.005 mm is above 0.004 mm", done.stdout)
         self.assertEqual(self.count("cut WHERE rejection <> ''"), self.count("cut"))
-        self.assertIn("no accepted cut",
+        self.assertIn("no cut is accepted",
                       kerf("fit", "--db", self.base, "--material", "steel").stderr)
 
     def test_adds_nothing_from_a_broken_file(self):
@@ -215,10 +215,10 @@ class KerfCommand(unittest.TestCase):
 
     def test_reads_back_the_form_that_it_writes(self):
         form, told = self.filled_form()
-        self.assertIn("names no laser; write its name into the form, or give it by --laser", told)
+        self.assertIn("names no laser; write its name into the form, or give it with --laser", told)
         refused = kerf("calibrate", "--measured", form, "--db", self.base, "--unit", "J/mm")
         self.assertEqual(refused.returncode, 2)
-        self.assertIn(f"{form}:2: column laser is empty; say with --laser NAME which laser cut these", refused.stderr)
+        self.assertIn(f"{form}:2: column laser is empty; name the laser of these cuts", refused.stderr)
         self.assertFalse(self.base.exists(), "nothing is written")
         done = kerf("calibrate", "--measured", form, "--db", self.base, "--unit", "J/mm", "--laser", "mine")
         self.assertEqual(done.returncode, 0, done.stderr)
@@ -237,7 +237,7 @@ class KerfCommand(unittest.TestCase):
         form, _ = self.filled_form()
         done = kerf("calibrate", "--measured", form, "--db", self.base)
         self.assertEqual(done.returncode, 2)
-        self.assertIn("say with --laser NAME which laser cut these", done.stderr)
+        self.assertIn("name the laser of these cuts with --laser NAME", done.stderr)
         self.assertEqual(self.count("cut"), 8, "nothing was added")
         done = kerf("calibrate", "--measured", form, "--db", self.base, "--laser", "other")
         self.assertEqual(done.returncode, 0, done.stderr)

@@ -67,7 +67,7 @@ class Import(unittest.TestCase):
                       done.stdout)
         self.assertIn('shop.clb:4:', done.stderr)
         self.assertIn('Felt "Cut": cut, 4 mm: power not known, 480 mm/min', done.stderr)
-        self.assertIn('Felt "Photo": the mode Image is none of Cut and Scan; it is left out', done.stderr)
+        self.assertIn('Felt "Photo": the mode Image is neither Cut nor Scan; it is left out', done.stderr)
         self.assertIn("Birch, Q in W/(mm/min): not measured here", self.kerf("show").stdout)
         shown = self.kerf("show", "--material", "Birch").stdout
         self.assertRegex(shown, r"3 +cut +65 +600 +2 +\? +Cut; not measured here")
@@ -78,7 +78,7 @@ class Import(unittest.TestCase):
     def test_a_cut_takes_them_with_a_kerf_and_says_so(self):
         self.kerf("import", "shop.clb", "--laser", "tube")
         call = ("--material", "Birch", "--thickness", "3")
-        self.assertIn("there are 2 ways to cut it, none measured here; say which with --entry: \"Cut\"",
+        self.assertIn("there are 2 settings to cut it, none measured here; choose one with --entry: \"Cut\"",
                       self.cut(*call, "--kerf", "0.15", status=2).stderr)
         self.assertIn("the kerf of Birch is not known (not measured here: from LightBurn library shop.clb",
                       self.cut(*call, "--entry", "Cut", status=2).stderr)
@@ -99,11 +99,11 @@ class Import(unittest.TestCase):
         self.kerf("import", "shop.clb")
         call = ("--kerf", "0.1", "--material")
         self.assertIn("power is not given", self.cut(*call, "Felt", "--thickness", "4", status=2).stderr)
-        self.assertIn("nothing is known of 5 mm; there is 4 mm",
+        self.assertIn("no settings are known for 5 mm; there is 4 mm",
                       self.cut(*call, "Felt", "--thickness", "5", status=2).stderr)
         self.assertIn("did you mean Cut?",
                       self.cut(*call, "Birch", "--thickness", "3", "--entry", "Cat", status=2).stderr)
-        self.assertIn("--entry: is one of a --material",
+        self.assertIn("--entry: requires a --material",
                       self.run_it("cut", "square.svg", "--entry", "x", status=2).stderr)
         self.assertIn("CSP 1N has no entries",
                       self.cut("--material", "CSP 1N", "--thickness", "2", "--entry", "x", status=2).stderr)

@@ -142,7 +142,7 @@ class Order(unittest.TestCase):
             file.write_text("TYPE: TSP\nEDGE_WEIGHT_TYPE: ATT\n")
             done = run(file)
         self.assertEqual((done.returncode, done.stdout), (1, ""))
-        self.assertIn(f"{file}:2: EDGE_WEIGHT_TYPE `ATT` is not read; it must be EUC_2D, CEIL_2D or EXPLICIT",
+        self.assertIn(f"{file}:2: EDGE_WEIGHT_TYPE `ATT` is not supported; it must be EUC_2D, CEIL_2D or EXPLICIT",
                       done.stderr)
 
 

@@ -213,7 +213,7 @@ class PocketCommand(PocketTest):
                             (("--strategy", "adaptive", "--corner", 1), "adaptive has no --corner"),
                             (("--strategy", "adaptive", "--engagement", 170), "10 to 150 degrees"),
                             (("--v-angle", 180), "1 to 175 degrees"),
-                            (("--strategy", "zigzag", "--conventional"), "lines go both ways"),
+                            (("--strategy", "zigzag", "--conventional"), "lines run in both directions"),
                             (("--strategy", "zigzag", "--stepover", 7), "leave stock between"),
                             (("--strategy", "paper", "--corner", 0), "it is as printed"),
                             (("--strategy", "helical"), "helical"),
@@ -261,7 +261,7 @@ class PocketCommand(PocketTest):
         for more, words in ((("--tool", "flat7", *of_file), "has no tool flat7; there are flat6, bare, v60"),
                             (("--tool", "bare", *of_file), "has a feed per tooth and no spindle"),
                             (("--tool", "v60", *of_file, "--v-angle", 90), "has 60 degrees"),
-                            (("--tool", "flat6", "--depth", 2), "a name needs the file of --tools"),
+                            (("--tool", "flat6", "--depth", 2), "a name requires --tools"),
                             (("--tool", 6, *of_file), "--feed is required")):
             with self.subTest(more=more):
                 done = self.pocket(TRAY, *more)
@@ -284,7 +284,7 @@ class PocketCommand(PocketTest):
         self.assertAlmostEqual(bounds["Z"][0], -4, 2)
         done = self.pocket(svg('<circle cx="40" cy="30" r="15"/>'), "--tool", 3, "--rest-of", 8, "--depth", 4, *MILL)
         self.assertEqual(done.returncode, 1)
-        self.assertIn("a tool of 8 mm has left nothing", done.stderr)
+        self.assertIn("a tool of 8 mm has left no stock", done.stderr)
 
     def test_takes_pockets_in_a_short_order(self):
         holes = [f'<circle cx="{10 + 9 * (7 * k % 10)}" cy="20" r="4"/>' for k in range(10)]

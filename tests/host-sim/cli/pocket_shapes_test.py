@@ -130,7 +130,7 @@ class PocketShapes(PocketTest):
         done = self.pocket(svg('<rect x="10" y="10" width="60" height="40" stroke="red"/>'), "--tool", 6, "--depth", 2,
                            *MILL, "--depth-of", "red=0")
         self.assertEqual(done.returncode, 1)
-        self.assertIn("nothing in it is deeper than Z 0", done.stderr)
+        self.assertIn("no contour in it is deeper than Z 0", done.stderr)
 
     def test_mills_open_pockets_from_beside_the_stock(self):
         shapes = svg('<rect x="40" y="-5" width="20" height="45"/>', '<rect x="75" y="50" width="15" height="20"/>')
@@ -151,7 +151,7 @@ class PocketShapes(PocketTest):
 
     def test_refuses_what_open_pockets_have_not(self):
         shapes = svg('<rect x="40" y="-5" width="20" height="45"/>')
-        for more, words in ((("--stock", "0,0,100,-80"), "the greater ones last"),
+        for more, words in ((("--stock", "0,0,100,-80"), "the greater values last"),
                             (("--stock", OPEN_BOX, "--strategy", "paper"), "--stock"),
                             (("--stock", OPEN_BOX, "--finish", 0.2), "--stock has no --finish"),
                             (("--stock", OPEN_BOX, "--rest-of", 9), "--rest-of has no --stock")):
@@ -161,7 +161,7 @@ class PocketShapes(PocketTest):
                 self.assertIn(words, done.stderr)
         done = self.pocket(shapes, "--tool", 6, "--depth", 3, *MILL, "--stock", "200,200,300,300")
         self.assertEqual(done.returncode, 1)
-        self.assertIn("nothing of it lies in the stock", done.stderr)
+        self.assertIn("no pocket is within the stock", done.stderr)
 
     def test_names_what_the_tool_does_not_fit_into(self):
         two = svg('<rect x="10" y="10" width="40" height="30"/>', '<rect x="60" y="10" width="4" height="30"/>')

@@ -141,7 +141,7 @@ class Posts(PocketTest):
             with self.subTest(command=command):
                 with self.assertRaises(AssertionError) as refused:
                     self.made(command, "--post", post)
-                self.assertIn("bad.post:2: blanks = maybe: takes yes, no", str(refused.exception))
+                self.assertIn("bad.post:2: blanks = maybe: must be one of yes, no", str(refused.exception))
                 self.assertFalse(self.program.exists())
 
 

@@ -146,8 +146,8 @@ class ProbeGrid(unittest.TestCase):
         self.assertEqual(done.returncode, 1)
         for told in ("row 1, column 3 (X 10, Y 0) touched nothing down to Z -8.000",
                      ":16: an answer is damaged", "row 2, column 3 (X 10, Y 5) has no answer",
-                     "row 3, column 3 (X 10, Y 10) has no answer", "3 of 20 points lack, and nothing is written",
-                     "is still the file of before"):
+                     "row 3, column 3 (X 10, Y 10) has no answer", "3 of 20 points are missing, and nothing is written",
+                     "is still the earlier file"):
             self.assertIn(told, done.stderr)
         self.assertEqual(self.grid.read_text(), "before\n")
         done = self.read("--gaps")
@@ -179,7 +179,7 @@ class ProbeGrid(unittest.TestCase):
                 (("--pitch", 0.01), "choose a greater pitch"), (("--x", "0"), "--x 0: is not FROM:TO"),
                 (("--x", "5:0"), "does not rise"), (("--y", "nan:4"), "check the unit"),
                 (("--fast-feed", 100), "is not above --feed"), (("--hop", -1), "--hop -1"),
-                (("--tip", -2), "--tip -2"), (("--offset", "1,2,3"), "give --read"), (("--gaps",), "give --read"),
+                (("--tip", -2), "--tip -2"), (("--offset", "1,2,3"), "require --read"), (("--gaps",), "require --read"),
                 (("--columns", 3), "--columns")):
             options = list(map(str, WORDS))
             if words[0] in options:

@@ -199,9 +199,9 @@ class SimStock(unittest.TestCase):
     def test_wrong_stocks_and_tools_are_refused(self):
         good = ("--stock", "0,0,20,10,0,-5", "--tool", "6")
         for more, words in (
-                ((*good[:2],), "--stock: needs the tool"),
-                ((*good[2:],), "--tool: needs the block of --stock"),
-                (("--stock-stl", self.folder / "x.stl"), "--stock-stl: needs the block"),
+                ((*good[:2],), "--stock: requires the tool"),
+                ((*good[2:],), "--tool: requires the block of --stock"),
+                (("--stock-stl", self.folder / "x.stl"), "--stock-stl: requires the block"),
                 (("--stock", "0,0,20,10", *good[2:]), "has 4 numbers; it takes XMIN,YMIN,XMAX,YMAX,ZTOP[,ZBOTTOM]"),
                 (("--stock", "0,0,20,ten,0", *good[2:]), "`ten` is no number"),
                 (("--stock", "0,0,nan,10,0", *good[2:]), "`nan` is no number"),
@@ -210,19 +210,19 @@ class SimStock(unittest.TestCase):
                 (("--stock", "0,0,20,10,0,0", *good[2:]), "Z of the stock is 0 to 0 mm"),
                 (("--stock", "0,0,20,10,0,-2000", *good[2:]), "the stock is 2000 mm high; it takes up to 1000 mm"),
                 (("--stock", "0,0,9000,9000,0", *good[2:], "--stock-cell", "0.01"), "cells of 0.01 mm; it takes up to"),
-                ((*good, "--stock-target", self.folder / "none.svg"), "--stock-target: needs the depth"),
-                ((*good, "--stock-depth", "2"), "--stock-depth: needs the drawing"),
+                ((*good, "--stock-target", self.folder / "none.svg"), "--stock-target: requires the depth"),
+                ((*good, "--stock-depth", "2"), "--stock-depth: requires the drawing"),
                 ((*good, "--stock-depth", "2", "--stock-target", self.folder / "none.svg"), "none.svg"),
                 ((*good, "--stock-depth", "2", "--stock-target", self.job), "it is neither SVG nor DXF"),
                 ((*good, "--stock-cell", "0"), "0 is out of range, 0.001 to 10 mm"),
                 ((*good, "--stock-cell", "nan"), "--stock-cell"),
                 ((*good[:2], "--tool", "0"), "the tool's diameter is 0 mm; it takes 0.01 to 500 mm"),
-                ((*good[:2], "--tool", "6,drill"), "takes a diameter in mm and flat, ball"),
-                ((*good[:2], "--tool", "6,bull"), "takes a diameter in mm and flat, ball"),
+                ((*good[:2], "--tool", "6,drill"), "must be a diameter in mm and flat, ball"),
+                ((*good[:2], "--tool", "6,bull"), "must be a diameter in mm and flat, ball"),
                 ((*good[:2], "--tool", "6,bull,3.5"), "the corner radius is 3.5 mm; it takes more than 0 and up to 3"),
                 ((*good[:2], "--tool", "6,v,180"), "the included angle is 180 degrees; it takes 1 to 179 degrees"),
                 ((*good[:2], "--tool", "6,v,60,6"), "the tip's diameter is 6 mm; it takes 0 to less than 6 mm"),
-                ((*good[:2], "--tool", ""), "--stock: needs the tool"),
+                ((*good[:2], "--tool", ""), "--stock: requires the tool"),
                 ((*good, "--stock-png", self.job), "FILE")):
             with self.subTest(more):
                 before = sorted(self.folder.iterdir())

@@ -250,17 +250,17 @@ class SurfaceCommand(unittest.TestCase):
         uneven.write_text("0 0 0\n1 0 0\n\n0 1 0\n1 1 0\n2 1 0\n\n0 2 0\n1 2 0\n")
         empty.write_text("")
         for options, file, told in (
-                (("--tool", "ball:4", "--plunge-feed", 100), self.scan, "--feed: is needed"),
-                (("--tool", "ball:4", "--feed", 100), self.scan, "--plunge-feed: is needed"),
-                (MILL, self.scan, "--tool: is needed"),
+                (("--tool", "ball:4", "--plunge-feed", 100), self.scan, "--feed is missing"),
+                (("--tool", "ball:4", "--feed", 100), self.scan, "--plunge-feed is missing"),
+                (MILL, self.scan, "--tool is missing"),
                 (("--tool", "ball", *MILL), self.scan, "`ball` is no number"),
-                (("--tool", "egg:4", *MILL), self.scan, "takes a diameter in mm and flat, ball"),
+                (("--tool", "egg:4", *MILL), self.scan, "must be a diameter in mm and flat, ball"),
                 ((*good, "--safe", 0), self.scan, "is not above the path and the surface"),
                 ((*good, "--tolerance", 0.0001), self.scan, "take more --decimals"),
                 ((*good, "--tolerance", 0), self.scan, "--tolerance"),
                 ((*good, "--step", 0), self.scan, "--step"),
                 ((*good, "--scallop", 0.015), self.scan, "less than 2 times the --tolerance"),
-                ((*good, "--heights", self.folder / "h.txt"), self.scan, "--heights: needs --at"),
+                ((*good, "--heights", self.folder / "h.txt"), self.scan, "--heights: requires --at"),
                 ((*good, "--like-paper"), self.scan, "--output: there is no program with --like-paper"),
                 (good, nan, "nan.xyz:2"),
                 (good, uneven, "uneven.xyz"),

@@ -118,8 +118,8 @@ class SurfacePictures(unittest.TestCase):
         self.assertEqual(self.surface().returncode, 0)
         stock = ("--stock", "0,0,12,8,-1.5,-8", "--tool", "ball:3")
         for options, message in (
-                ((*stock, "--stock-map", "a.png"), "--stock-map: needs the surface of --stock-surface"),
-                (("--stock-surface", self.scan), "--stock-surface: needs the block of --stock"),
+                ((*stock, "--stock-map", "a.png"), "--stock-map: requires the surface of --stock-surface"),
+                (("--stock-surface", self.scan), "--stock-surface: requires the block of --stock"),
                 ((*stock, "--stock-surface", self.scan, "--stock-map", "a.gif"), "--stock-map a.gif: is no kind"),
                 ((*stock, "--stock-surface", self.folder / "no.xyz"), "no.xyz"),
                 (("--stock", "0,0,1200,800,-1,-8", "--tool", "ball:3", "--stock-surface", self.scan, "--stock-cell",

@@ -133,7 +133,7 @@ class SurfaceRegions(unittest.TestCase):
                 (("--boundary", open_line), "open.svg:1"),
                 (("--boundary", self.folder / "none.svg"), "none.svg"),
                 (("--boundary", far), "no row of it is in the region"),
-                (("--boundary-side", "inside"), "--boundary-side: needs --boundary"),
+                (("--boundary-side", "inside"), "--boundary-side: requires --boundary"),
                 (("--boundary", self.drawing, "--boundary-side", "inside", "--tool", "ball:16"), "fits nowhere"),
                 (("--slope", "30"), "--slope 30: is not LOW:HIGH"),
                 (("--slope", "40:30"), "--slope 40:30: is not LOW:HIGH"),
@@ -141,9 +141,9 @@ class SurfaceRegions(unittest.TestCase):
                 (("--rest-of", "ball:2"), "is no larger than --tool"),
                 (("--rest-of", "egg:9"), "--rest-of egg:9"),
                 (("--rest-of", "ball:6", "--rest-allowance", 0.2), "are a rest everywhere"),
-                (("--rest-depth", 0.1), "--rest-depth: needs --rest-of"),
-                (("--rest-allowance", 0.1), "--rest-allowance: needs --rest-of"),
-                (("--direction", "climb", "--order", "zigzag"), "rows to and fro cut both ways"),
+                (("--rest-depth", 0.1), "--rest-depth: requires --rest-of"),
+                (("--rest-allowance", 0.1), "--rest-allowance: requires --rest-of"),
+                (("--direction", "climb", "--order", "zigzag"), "rows to and fro cut in both directions"),
                 (("--direction", "up"), "--direction")):
             done = run("surface", self.surface, *(() if "--tool" in options else ROWS[:2]), *ROWS[2:], "-o",
                        self.program, *options)

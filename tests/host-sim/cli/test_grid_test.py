@@ -143,19 +143,19 @@ class TestGrid(unittest.TestCase):
     def test_what_cannot_be_is_refused_with_its_range(self):
         base = ("--material", "m", "--thickness", "3")
         for options, reason in (
-                (("--power", "20:180", "--feed", "300"), "--power 20:180: wants LOW:HIGH or one number, 0.1 to 100"),
-                (("--power", "80:20", "--feed", "300"), "--power 80:20: the lower number comes first"),
-                (("--power", "x", "--feed", "300"), "--power x: wants"),
-                (("--power", "20", "--feed", "0:9"), "--feed 0:9: wants LOW:HIGH or one number, 1 to"),
-                (("--power", "20:80", "--feed", "9", "--power-steps", "1"), "a range needs 2 steps"),
-                (("--power", "20"), "--power and --feed: are needed"),
-                (("--power", "20", "--feed", "300:30000", "--machine", "k40"), "30000 mm/min is more than"),
+                (("--power", "20:180", "--feed", "300"), "--power 20:180: must be LOW:HIGH or one number, 0.1 to 100"),
+                (("--power", "80:20", "--feed", "300"), "--power 80:20: must have the lower number first"),
+                (("--power", "x", "--feed", "300"), "--power x: must be"),
+                (("--power", "20", "--feed", "0:9"), "--feed 0:9: must be LOW:HIGH or one number, 1 to"),
+                (("--power", "20:80", "--feed", "9", "--power-steps", "1"), "a range requires at least 2 steps"),
+                (("--power", "20"), "--power and --feed are missing"),
+                (("--power", "20", "--feed", "300:30000", "--machine", "k40"), "30000 mm/min exceeds the greatest"),
                 (("--power", "20:80", "--feed", "300:900", "--cell", "40", "--machine", "k40"),
                  "leaves the bed of K40"),
                 (("--power", "20", "--feed", "300", "--move", "-9,0"), "leaves the quadrant of X0 Y0 by 4.000 mm"),
                 (("--power", "20:80", "--feed", "300", "--cell", "1", "--gap", "0.5"), "--cell: labels of 1.2 mm")):
             self.assertIn(reason, self.grid(*options, call=base, status=2).stderr)
-        self.assertIn("--thickness: is needed",
+        self.assertIn("--thickness is missing",
                       self.grid("--power", "20", "--feed", "300", call=("--material", "m"), status=2).stderr)
         self.assertIn("--passes", self.grid("--passes", "0", status=2).stderr)
         self.assertFalse((self.folder / "grid.nc").exists())
@@ -170,7 +170,7 @@ class TestGrid(unittest.TestCase):
             row["measured_mm"] = width
         done = self.measured(squares=form["squares"], slots=form["slots"], measured_by="Ada", measured_on="2026-11-30")
         self.assertIn("measured by Ada on 2026-11-30, grid.json", done.stdout)
-        self.assertIn("kerf 0.150 mm, the mean of 2 slots at 80 percent and 300 mm/min, is taken for all squares",
+        self.assertIn("kerf 0.150 mm, the mean of 2 slots at 80 percent and 300 mm/min, is used for all squares",
                       done.stderr)
         self.assertIn("1 squares have no result", done.stderr)
         (self.folder / "square.svg").write_text(SQUARE)
@@ -201,12 +201,12 @@ class TestGrid(unittest.TestCase):
         for changes, reason in (
                 ({}, "measured_by"), ({"measured_by": "Ada"}, "measured_on"),
                 ({**person, "measured_on": "30.11.2026"}, "measured_on"),
-                ({**person}, "no square is good"), ({**person, "squares": 3}, "/squares: wants the list"),
-                ({**person, "squares": [{"result": "good"}]}, "/squares/0/power_percent: wants a number"),
-                ({**person, "squares": [{**good[0], "result": "yes"}]}, "/squares/0/result: wants"),
+                ({**person}, "no square is good"), ({**person, "squares": 3}, "/squares: must be the list"),
+                ({**person, "squares": [{"result": "good"}]}, "/squares/0/power_percent: must be a number"),
+                ({**person, "squares": [{**good[0], "result": "yes"}]}, "/squares/0/result: must be"),
                 ({**person, "squares": [{**good[0], "power_percent": 101}]}, "/squares/0/power_percent"),
                 ({**person, "squares": good, "slots": slots(4.9)}, "a slot is wider than its path"),
-                ({**person, "squares": good, "slots": slots(5.1, 5.6)}, "kerfs from 0.100 to 0.600 mm"),
+                ({**person, "squares": good, "slots": slots(5.1, 5.6)}, "differ, from 0.100 to 0.600 mm"),
                 ({**person, "squares": good, "material": ""}, "material"), ({"kind": "burn"}, "kind"),
                 ({"kerfline_test_grid": 2}, "kerfline_test_grid")):
             self.form.write_text(json.dumps(fresh))

@@ -115,7 +115,7 @@ class WallCarving(unittest.TestCase):
         cuts = self.file("cuts.txt", "# drawn carved gain\n0 10\n2 12 0\n0 4.4 1\n2 6.4 1\n30 30 1\n")
         done = run("wall", "taper", cuts, "--half-angle", 7)
         self.assertEqual(done.returncode, 0, done.stderr)
-        self.assertIn("by 10.000 degrees; what the beam leans more takes 0.800", done.stdout)
+        self.assertIn("by 10.000 degrees; additional lean of the beam removes 0.800", done.stdout)
         self.assertIn(f"--taper-gain {10 / 5.6:.4f}", done.stdout)
         self.assertIn("4 cuts, off by 0.000 degrees (root mean square); 1 that", done.stderr)
 
@@ -131,10 +131,10 @@ class WallCarving(unittest.TestCase):
             ((*carve, self.file("e", "# 0 0 0 is out of reach\n")), "e: has no beam"),
             ((*carve, good, "--cell", 0.001, "--around", 20), "--cell: cells of 0.001 mm on 41.2 by 41.2"),
             ((*carve, good, "--depth", 0.1), "add --waist"),
-            (("wall", "carve", self.part, "--beams", good, "--half-angle", 30, "--heat", 60), "are no cone"),
-            ((*carve, good, "--section", "0,0,1,1"), "--section and --picture-section need each other"),
+            (("wall", "carve", self.part, "--beams", good, "--half-angle", 30, "--heat", 60), "exceed 85 degrees"),
+            ((*carve, good, "--section", "0,0,1,1"), "--section and --picture-section require each other"),
             ((*carve, good, "--section", "1,1,1,1", "--picture-section", "a.gif"), "is no kind of picture"),
-            ((*carve, good, "--section", "1,1,1,1", "--picture-section", "a.svg"), "its ends are one point"),
+            ((*carve, good, "--section", "1,1,1,1", "--picture-section", "a.svg"), "both ends are one point"),
             (("wall", "taper", self.file("f", "0 13\n0 x\n"), "--half-angle", 7), "f:2: `0 x` is no cut"),
             (("wall", "taper", self.file("g", "30 30\n"), "--half-angle", 7), "only walls that an upright beam"),
             (("wall", "taper", self.file("h", "0 5 0\n0 9 1\n"), "--half-angle", 7), "which no gain"),

@@ -205,14 +205,14 @@ class WallJob(unittest.TestCase):
         self.assertEqual(beams.read_text().count("is out of reach"), 0)
         # From one wall at the depth of 0.5 mm a beam fits up to the rim of the other, 0.08 mm away.
         left = 7 - math.degrees(math.atan(0.08 / 0.5)) / 2
-        self.assertIn("beams are in the part, by up to", done.stderr)
+        self.assertIn("beams enter the part, by up to", done.stderr)
         self.assertAlmostEqual(float(re.search(r"by up to ([\d.]+)", done.stderr)[1]), left, delta=0.02)
 
     def test_warns_of_undercuts_with_the_place(self):
         done = self.job(block([ring(1, 0), ring(1, 1), ring(2, 1), ring(2, 2)]), "--layer", 0.5, "--hatch", 0.5,
                         "--stock-margin", 1)
         self.assertIn("overhangs 12.000 mm2", done.stderr)
-        self.assertRegex(done.stderr, r"most at \S+ \S+ 1\.000; that stays")
+        self.assertRegex(done.stderr, r"most at \S+ \S+ 1\.000; the stock below stays")
         self.assertTrue(all(max(abs(end[0]), abs(end[1])) >= 2 - 1e-6 for _, end in Drive(
             self.output.read_text()).cuts))
 
@@ -236,13 +236,13 @@ class WallJob(unittest.TestCase):
         half = ("--half-angle", 7)
         burn = (*half, "--power", 10, "--feed", 600)
         calls = (
-            ((part, *half, "--layer", 0.1), "--power: is needed"),
-            ((part, *half, "--layer", 0.1, "--power", 10), "--feed: is needed"),
+            ((part, *half, "--layer", 0.1), "--power is missing"),
+            ((part, *half, "--layer", 0.1, "--power", 10), "--feed is missing"),
             ((part, *burn, "--layer", 0.1, "--max-tilt", 6), "--max-tilt: 6 degrees do not clear"),
-            ((part, *burn, "--layer", 0.1, "--no-contour"), "--no-contour: without a --hatch nothing is cut"),
-            ((part, *burn, "--layer", 0.1, "--record", two), "--record: says how deep"),
+            ((part, *burn, "--layer", 0.1, "--no-contour"), "--no-contour: without --hatch nothing is cut"),
+            ((part, *burn, "--layer", 0.1, "--record", two), "--record: the depth of a layer is given"),
             ((part, *burn, "--layer", 0.1, "--stock-top", 0.2), "--stock-top: 0.2 mm is below the part's top"),
-            ((part, *burn, "--layer", 0.1, "--full-power", 5), "is more than the 5 W"),
+            ((part, *burn, "--layer", 0.1, "--full-power", 5), "exceeds the 5 W"),
             ((part, *burn, "--layer", 0), "--layer"),
             ((part, *burn, "--record", one), "one.json: has passes of fewer than two energies"),
             ((part, *burn, "--record", nan), "nan.json: a pass has no `feed_mm_min` above 0"),
@@ -250,8 +250,8 @@ class WallJob(unittest.TestCase):
             ((part, *burn, "--record", two), "10 W at 600 mm/min are 1 J/mm, and 0.05 to 0.1 were measured"),
             ((flat, *burn, "--layer", 0.1), "flat.stl: encloses no volume"),
             ((block_only, *burn, "--layer", 0.1), "leaves nothing to remove in 10 layers of 0.1 mm"),
-            ((part, *half, "--at", one, "--layer", 0.1), "--at: has tips of its own"),
-            ((part, *half, "--at", one, "--beams", self.folder / "b"), "are of a program"),
+            ((part, *half, "--at", one, "--layer", 0.1), "--at: gives the tips and excludes"),
+            ((part, *half, "--at", one, "--beams", self.folder / "b"), "describe a program"),
         )
         for call, message in calls:
             done = run("wall", *call, "-o", self.output)

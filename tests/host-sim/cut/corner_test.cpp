@@ -106,7 +106,7 @@ TEST(CornerLoops, AreMadeSmallerOrLeftOutWhereThereIsNoRoom) {
   EXPECT_EQ(figures_of(tight).corner_dwells, 2U);
   std::size_t told = 0;
   for (const auto& warning : tight.warnings) {
-    told += warning.reason.find("have no room for their loops") != std::string::npos;
+    told += warning.reason.find("have no free space for their loops") != std::string::npos;
     EXPECT_TRUE(warning.place_mm.has_value());
   }
   EXPECT_EQ(told, 1U);

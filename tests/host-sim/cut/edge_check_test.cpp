@@ -198,7 +198,7 @@ TEST_F(CutEdges, StayThereWhereTheControllerFindsTheWayBesideThem) {
       choose(record, 2'000, 1'800'000, 4'000'000), {}, 0.0, 0.0, WayBeside::kOnController);
   for (const Cut& cut : plan.cuts) EXPECT_FALSE(cut.programmed.empty());
   for (const drawing::Fault& warning : plan.warnings) {
-    EXPECT_THAT(warning.reason, testing::HasSubstr("has room for leads of 50 %"));
+    EXPECT_THAT(warning.reason, testing::HasSubstr("has free space for leads of 50 %"));
   }
   CutJob job = job_of(false);
   job.beam.kerf_table = 1;

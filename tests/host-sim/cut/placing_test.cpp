@@ -194,7 +194,7 @@ TEST(MachineProfile, NamesWhatIsWrongWithItsPlace) {
   EXPECT_THAT(message("{}"), testing::HasSubstr("is no machine profile"));
   EXPECT_THAT(message(R"({"kerfline_machine": 1})"), testing::HasSubstr("/bed_mm: is missing"));
   EXPECT_THAT(message(R"({"kerfline_machine": 1, "bed_mm": [1]})"),
-              testing::HasSubstr("m.json: /bed_mm: wants two numbers"));
+              testing::HasSubstr("m.json: /bed_mm: must be two numbers"));
   EXPECT_THAT(message(R"({"kerfline_machine": 1, "bed_mm": [300, 200], "orgin": "centre"})"),
               testing::HasSubstr("/orgin: there is no such key"));
   EXPECT_THAT(message(R"({"kerfline_machine": 1, "bed_mm": [300, 200], "settings": ["$32"]})"),

@@ -139,7 +139,7 @@ TEST(CutPlan, EndsAtATab) {
         plan_of(drawing_of("<rect x=\"10\" y=\"10\" width=\"20\" height=\"20\"/>"), settings);
     ASSERT_EQ(plan.cuts.size(), 1U);
     ASSERT_EQ(plan.warnings.size(), 1U);
-    EXPECT_THAT(plan.warnings[0].reason, testing::HasSubstr("without overcut and lead out"));
+    EXPECT_THAT(plan.warnings[0].reason, testing::HasSubstr("without overcut and lead-out"));
     const std::vector<Stroke>& strokes = plan.cuts[0].strokes;
     const auto first = std::ranges::find(strokes, Purpose::kContour, &Stroke::purpose);
     EXPECT_EQ(strokes.back().purpose, Purpose::kContour);

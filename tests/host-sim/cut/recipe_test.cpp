@@ -51,33 +51,38 @@ TEST(ShopRules, AConditionHasAKindComparisonsOrBoth) {
 }
 
 TEST(ShopRules, WhatIsWrongIsToldByItsColumn) {
-  EXPECT_THAT(refused_rule("holes: skip"),
-              HasSubstr("--rule: column 1: `holes`: wants hole, outer, open, diameter, perimeter, "
-                        "area, thickness; did you mean hole?"));
-  EXPECT_THAT(refused_rule("hole diametr < 3: skip"),
-              HasSubstr("column 6: `diametr`: wants diameter, perimeter, area, thickness; did you "
-                        "mean diameter?"));
-  EXPECT_THAT(refused_rule("hole diameter = 3: skip"), HasSubstr("column 15: wants `<`, `<=`"));
+  EXPECT_THAT(
+      refused_rule("holes: skip"),
+      HasSubstr("--rule: column 1: `holes`: requires hole, outer, open, diameter, perimeter, "
+                "area, thickness; did you mean hole?"));
+  EXPECT_THAT(
+      refused_rule("hole diametr < 3: skip"),
+      HasSubstr("column 6: `diametr`: requires diameter, perimeter, area, thickness; did you "
+                "mean diameter?"));
+  EXPECT_THAT(refused_rule("hole diameter = 3: skip"), HasSubstr("column 15: requires `<`, `<=`"));
   EXPECT_THAT(refused_rule("hole diameter < big: skip"),
-              HasSubstr("column 17: wants a number in mm"));
+              HasSubstr("column 17: requires a number in mm"));
   EXPECT_THAT(refused_rule("hole diameter < -1: skip"), HasSubstr("column 17: out of range"));
-  EXPECT_THAT(refused_rule("hole diameter < 3 mm2: skip"), HasSubstr("column 19: `mm2`: wants"));
+  EXPECT_THAT(refused_rule("hole diameter < 3 mm2: skip"), HasSubstr("column 19: `mm2`: requires"));
   EXPECT_THAT(refused_rule("area < 3 mm: skip"),
-              HasSubstr("column 10: `mm`: wants a number in mm2"));
-  EXPECT_THAT(refused_rule("area < thickness: skip"), HasSubstr("column 8: wants a number in mm2"));
-  EXPECT_THAT(refused_rule("area < 3"), HasSubstr("column 9: wants `:`"));
+              HasSubstr("column 10: `mm`: requires a number in mm2"));
+  EXPECT_THAT(refused_rule("area < thickness: skip"),
+              HasSubstr("column 8: requires a number in mm2"));
+  EXPECT_THAT(refused_rule("area < 3"), HasSubstr("column 9: requires `:`"));
   EXPECT_THAT(refused_rule("area < 3 perimeter > 2: skip"), HasSubstr("`perimeter`"));
-  EXPECT_THAT(refused_rule("area < 3: feed"), HasSubstr("column 11: wants `skip`, `mark` or"));
+  EXPECT_THAT(refused_rule("area < 3: feed"), HasSubstr("column 11: requires `skip`, `mark` or"));
   EXPECT_THAT(refused_rule("area < 3: feed=fast"), HasSubstr("column 11: feed=fast: not a number"));
   EXPECT_THAT(refused_rule("area < 3: tabs=4, fed=9"),
-              HasSubstr("column 19: fed: no such setting"));
-  EXPECT_THAT(refused_rule("area < 3: tabs=50%"), HasSubstr("only feed and power take a share"));
-  EXPECT_THAT(refused_rule("area < 3: feed=0%"), HasSubstr("feed=0%: wants 0.1 to 1000 %"));
-  EXPECT_THAT(refused_rule("area < 3: skip, feed=3"), HasSubstr("column 15: wants nothing behind"));
+              HasSubstr("column 19: fed: there is no such setting"));
+  EXPECT_THAT(refused_rule("area < 3: tabs=50%"),
+              HasSubstr("only feed and power can be a percentage"));
+  EXPECT_THAT(refused_rule("area < 3: feed=0%"), HasSubstr("feed=0%: must be 0.1 to 1000 %"));
+  EXPECT_THAT(refused_rule("area < 3: skip, feed=3"),
+              HasSubstr("column 15: requires nothing after"));
   EXPECT_THAT(refused_rule("area < 3: mark feed=3"), HasSubstr("column 11: mark feed: no such"));
   EXPECT_THAT(refused_rule("open diameter < 3: skip"), HasSubstr("open contours have no diameter"));
-  EXPECT_THAT(refused_rule(""), HasSubstr("column 1: wants hole"));
-  EXPECT_THAT(refused_rule(": skip"), HasSubstr("column 1: wants hole"));
+  EXPECT_THAT(refused_rule(""), HasSubstr("column 1: requires hole"));
+  EXPECT_THAT(refused_rule(": skip"), HasSubstr("column 1: requires hole"));
   EXPECT_THROW(static_cast<void>(read_shop_rules("# none\n\n", "rules")), std::invalid_argument);
   try {
     static_cast<void>(read_shop_rules("hole: skip\n\nhole: nothing\n", "rules"));

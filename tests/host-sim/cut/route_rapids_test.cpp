@@ -241,7 +241,7 @@ TEST(RouteRapids, NameBothCutsWhereThereIsNoWay) {
   ASSERT_EQ(plan.safety.no_way, 2U);
   const std::string text = to_string(plan.faults[0], "ring.svg");
   EXPECT_THAT(text, testing::HasSubstr("no rapid leads here from cut 4, rect"));
-  EXPECT_THAT(text, testing::HasSubstr("to cut 5, rect \"core\" past what has been cut free"));
+  EXPECT_THAT(text, testing::HasSubstr("to cut 5, rect \"core\" around the freed areas"));
   EXPECT_THAT(text, testing::HasSubstr("--lift"));
   EXPECT_THAT(to_string(plan.faults[1], "ring.svg"), testing::HasSubstr("\"core\" to zero"));
 }

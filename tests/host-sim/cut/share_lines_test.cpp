@@ -164,7 +164,7 @@ TEST(ShareLines, AreForAlikeCutsAKerfApartOnly) {
   ASSERT_EQ(narrow.faults.size(), 2U);
   EXPECT_EQ(narrow.faults[0].reason, "its cut takes 0.050 mm off rect");
   EXPECT_THAT(narrow.faults[0].remedy,
-              testing::StartsWith("put them at least the kerf apart, 0.600 mm, or cut once "));
+              testing::StartsWith("place them at least the kerf apart, 0.600 mm, or cut once "));
   EXPECT_EQ(plan_of(pair(0.02), sharing()).faults.at(0).reason, "its cut takes 0.300 mm off rect");
   const auto layered = drawing::read(
       drawing::svg_of("<rect x=\"10\" y=\"10\" width=\"20\" height=\"20\" stroke=\"red\"/>"
@@ -181,10 +181,10 @@ TEST(ShareLines, AreAskedForWherePartsLieAgainstEachOther) {
   for (const drawing::Fault& fault : whole.faults) {
     EXPECT_TRUE(fault.is_error());
     EXPECT_EQ(fault.reason,
-              "lies against rect along 20.000 mm: there is no room for a cut between them");
+              "lies against rect along 20.000 mm, without space for a cut between them");
     EXPECT_EQ(fault.remedy,
-              "move them the kerf apart, 0.600 mm, or let --common-line cut along the edge, which "
-              "takes half of that off both");
+              "move them the kerf apart, 0.600 mm, or cut along the edge with --common-line, which "
+              "takes half a kerf off both");
     ASSERT_TRUE(fault.place_mm);
     EXPECT_NEAR(fault.place_mm->x(), 30.0, 1.0e-6);
     EXPECT_NEAR(fault.place_mm->y(), 80.0, 1.0e-6);
@@ -194,7 +194,7 @@ TEST(ShareLines, AreAskedForWherePartsLieAgainstEachOther) {
       plan_of(drawing_of({{10.0, 10.0, 40.0, 20.0}, {20.0, 30.005, 15.0, 9.0}}), {});
   ASSERT_EQ(shifted.faults.size(), 2U);
   EXPECT_EQ(shifted.faults[1].reason,
-            "lies against rect along 15.000 mm: there is no room for a cut between them");
+            "lies against rect along 15.000 mm, without space for a cut between them");
   const auto in_hole =
       drawing::read(drawing::svg_of("<rect x=\"10\" y=\"10\" width=\"40\" height=\"40\"/>"
                                     "<circle cx=\"30\" cy=\"30\" r=\"10\"/>"

@@ -63,7 +63,7 @@ TEST(ExperimentCsv, NamesFileLineColumnAndReason) {
             "cuts.csv:3: a quotation mark is not closed");
   EXPECT_THAT(with("a;b,l,0.1,1,1000,3000,0.5,0.4,0.1,0\n"), HasSubstr("column material: `a;b`"));
   EXPECT_THAT(fault_in("material,speed\n"), HasSubstr("cuts.csv:1: column speed: unknown"));
-  EXPECT_THAT(fault_in("material,material\n"), HasSubstr("column material: is there twice"));
+  EXPECT_THAT(fault_in("material,material\n"), HasSubstr("column material: occurs twice"));
   EXPECT_EQ(fault_in("material\n"), "cuts.csv:1: column laser: is missing in the header");
   EXPECT_THAT(fault_in(""), HasSubstr("cuts.csv:1: no header"));
   EXPECT_EQ(fault_in(kHeader), "cuts.csv:1: no test cut below the header");

@@ -40,7 +40,7 @@ std::string refusal_of(const char* text) {
 TEST(MillTools, RefuseWhatIsNoTool) {
   for (const auto& [text, words] : {
            std::pair{"", "t: has no tool `NAME: diameter=MM, key=value`"},
-           std::pair{"6mm", "t:1: 6mm: wants a tool"},
+           std::pair{"6mm", "t:1: 6mm: must be a tool"},
            std::pair{"a: flutes=2", "t:1: a tool without diameter=MM"},
            std::pair{": diameter=2", "t:1: a tool without a name"},
            std::pair{"a: diameter=0", "t:1: diameter=0: out of range, 0.01 to 500 mm"},

@@ -181,23 +181,25 @@ TEST(Post, RefusesWhatNoProgramMakerWrites) {
 
 TEST(Post, NamesLineReasonAndRemedyOfABadFile) {
   EXPECT_EQ(refusal_of("decimals = 3\n"),
-            "my.post:1: stands before the first section; begin with [format]");
+            "my.post:1: this line is before the first section; begin with [format]");
   EXPECT_THAT(refusal_of("[format]\n\ndecimal = 3\n"),
               HasSubstr("my.post:3: there is no key decimal; keys are line-numbers, decimals"));
   EXPECT_THAT(refusal_of("[format]\ndecimals = 9\n"),
               HasSubstr("my.post:2: decimals=9: out of range, 3 to 6"));
-  EXPECT_THAT(refusal_of("[format]\ndecimals = 3.5\n"), HasSubstr("takes whole numbers"));
-  EXPECT_THAT(refusal_of("[format]\narcs = round\n"),
-              HasSubstr("my.post:2: arcs = round: takes centre, absolute-centre, radius, lines"));
-  EXPECT_THAT(refusal_of("[format]\nblanks yes\n"), HasSubstr("`blanks yes` is no KEY = VALUE"));
+  EXPECT_THAT(refusal_of("[format]\ndecimals = 3.5\n"), HasSubstr("is not a whole number"));
+  EXPECT_THAT(
+      refusal_of("[format]\narcs = round\n"),
+      HasSubstr("my.post:2: arcs = round: must be one of centre, absolute-centre, radius, lines"));
+  EXPECT_THAT(refusal_of("[format]\nblanks yes\n"),
+              HasSubstr("`blanks yes` is not of the form KEY = VALUE"));
   EXPECT_THAT(refusal_of("[format]\nblanks = yes\nblanks = no\n"),
-              HasSubstr("my.post:3: blanks has a value already"));
+              HasSubstr("my.post:3: blanks has two values"));
   EXPECT_THAT(refusal_of("[frame]\n"), HasSubstr("sections are [format], [words]"));
   EXPECT_THAT(refusal_of("[words]\nM2 = M30\n[format]\n[words]\n"), HasSubstr("a second time"));
-  EXPECT_THAT(refusal_of("[words]\nM99 = M30\n"), HasSubstr("no program has the word M99"));
+  EXPECT_THAT(refusal_of("[words]\nM99 = M30\n"), HasSubstr("no program contains the word M99"));
   EXPECT_THAT(refusal_of("[words]\nS = T\n"), HasSubstr("S may be left out"));
   EXPECT_THAT(refusal_of("[words]\nM2 = \xc3\xa9\n"), HasSubstr("not plain ASCII"));
-  EXPECT_THAT(refusal_of("[header]\n\xc3\xa9\n"), HasSubstr("my.post:2: has a character"));
+  EXPECT_THAT(refusal_of("[header]\n\xc3\xa9\n"), HasSubstr("my.post:2: a character"));
   EXPECT_THAT(refusal_of("[format]\nline-numbers = 10 10 5\n"), HasSubstr("greater than"));
   EXPECT_THAT(refusal_of("[format]\nline-numbers = 1 2 3 4\n"), HasSubstr("first number, step"));
   EXPECT_THAT(refusal_of("[format]\narc-planes = G16\n"), HasSubstr("takes G17, G18, G19"));

@@ -173,7 +173,7 @@ class SendTest(SendBench):
         self.assertEqual(process.returncode, 1)
         status, _, err = self.send(job, *where, "--stop-when-held")
         self.assertEqual(status, 1)
-        self.assertIn("stopped instead of waiting: it waits before line ", err)
+        self.assertIn("stopped instead of waiting: the machine waits before line ", err)
 
     def test_stopped_in_a_tool_change_leaves_nothing_to_go_on(self):
         server = self.serve("--tcp", 0, *SETTINGS)

@@ -74,9 +74,11 @@ TEST(Conversation, SaysWhereItIsWrong) {
   EXPECT_EQ(refusal_of("kerfline conversation 2\n").substr(0, 7), "talk:1:");
   EXPECT_EQ(refusal_of(head + "> x \"a\"\nend 1\n"), "talk:2: `x` is not a number");
   EXPECT_EQ(refusal_of(head + "> 1 a\nend 1\n").substr(0, 7), "talk:2:");
-  EXPECT_EQ(refusal_of(head + "> 2 \"a\"\n< 1 \"b\"\nend 3\n"), "talk:3: time goes back");
-  EXPECT_EQ(refusal_of(head + "hello\nend 3\n"), "talk:2: `hello` is not known here");
-  EXPECT_EQ(refusal_of(head + "end 3\n> 4 \"a\"\n"), "talk:3: there is something after the end");
+  EXPECT_EQ(refusal_of(head + "> 2 \"a\"\n< 1 \"b\"\nend 3\n"),
+            "talk:3: its time is before that of the line above");
+  EXPECT_EQ(refusal_of(head + "hello\nend 3\n"), "talk:2: `hello` is no known kind of line");
+  EXPECT_EQ(refusal_of(head + "end 3\n> 4 \"a\"\n"),
+            "talk:3: has text after the `end` line; remove it");
   EXPECT_EQ(refusal_of(head), "talk:1: has no line that begins with `end`");
 }
 

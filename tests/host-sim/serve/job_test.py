@@ -121,7 +121,7 @@ class Job(ServeTest):
         page.socket.close()
         page.socket = None
         news = page.news(lambda news: news["sender"] == "job")
-        self.assertEqual(news["job"]["waits"], "the end of the job that runs")
+        self.assertEqual(news["job"]["waits"], "the end of the running job")
 
     def test_names_all_faults_or_counts_them(self):
         _, port, page = self.bench("--set", "$130=100")

@@ -151,7 +151,7 @@ TEST(WebHttp, TellsAClientWhoseBodyStops) {
   bench.hear(client);
   EXPECT_EQ(client.heard, "") << "each part has its time";
   bench.pass(seconds{11});
-  EXPECT_TRUE(bench.hears(client, "\r\n\r\nThe program did not come in time.")) << client.heard;
+  EXPECT_TRUE(bench.hears(client, "\r\n\r\nThe request did not arrive in time.")) << client.heard;
   EXPECT_TRUE(client.heard.starts_with("HTTP/1.1 408"));
 }
 

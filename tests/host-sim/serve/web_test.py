@@ -103,7 +103,7 @@ class Web(ServeTest):
         port = self.serve("--ws", 0).port("ws")
         large = 64 << 20
         status, answer = post(port, "/outline", b"", length=large + 1)
-        self.assertEqual((status, answer), (413, b"A program of more than 64 MiB is not drawn."))
+        self.assertEqual((status, answer), (413, b"The request is longer than 64 MiB."))
         # All of it is taken; reading ends at its first line, which is what makes this fast.
         status, answer = post(port, "/outline", b"nonsense\n".ljust(large))
         self.assertEqual((status, json.loads(answer)["refused"]["line"]), (200, 1))

@@ -47,7 +47,7 @@ TEST(SheetFile, EveryFaultNamesItsPlaceReasonAndRemedy) {
     return faults_in(sheet_with("{" + part + "," + more + "}"));
   };
   EXPECT_THAT(one(R"("copies": -2)"),
-              ElementsAre("test.json: /parts/0/copies: -2 is out of range; it takes 1 to 100000"));
+              ElementsAre("test.json: /parts/0/copies: -2 is out of range; write 1 to 100000"));
   EXPECT_THAT(one(R"("copies": 0)"), ElementsAre(HasSubstr("/parts/0/copies: 0 is out of range")));
   EXPECT_THAT(one(R"("copies": 1.5)"), ElementsAre(HasSubstr("1.5 is no whole number")));
   EXPECT_THAT(one(R"("copies": "two")"), ElementsAre(HasSubstr("\"two\" is no number")));
@@ -63,7 +63,8 @@ TEST(SheetFile, EveryFaultNamesItsPlaceReasonAndRemedy) {
   EXPECT_THAT(one(R"("places": [7])"), ElementsAre(HasSubstr("/parts/0/places/0: is no place")));
   EXPECT_THAT(one(R"("places": [{"x": 7}])"),
               ElementsAre(HasSubstr("/parts/0/places/0/x: no such")));
-  EXPECT_THAT(one(R"("places": [{}], "x_mm": 1)"), ElementsAre(HasSubstr("is beside \"places\"")));
+  EXPECT_THAT(one(R"("places": [{}], "x_mm": 1)"),
+              ElementsAre(HasSubstr("is used together with \"places\"")));
   EXPECT_THAT(one(R"("copies": 2)"), ElementsAre(HasSubstr("/parts/0/step_x_mm: copies in a row")));
   EXPECT_THAT(one(R"("copies": 2, "columns": 1, "step_x_mm": 4)"),
               ElementsAre(HasSubstr("/parts/0/step_y_mm: rows need")));
@@ -76,7 +77,7 @@ TEST(SheetFile, EveryFaultNamesItsPlaceReasonAndRemedy) {
       faults_in(sheet_with(
           "{" + part + R"(,"copies":99999,"step_x_mm":1},{"name":"b","copies":9,"step_x_mm":1,)" +
           part + "}")),
-      ElementsAre(HasSubstr("there are 100008 copies up to here; a sheet has 100000")));
+      ElementsAre(HasSubstr("there are 100008 copies up to here; place at most 100000")));
   std::string many = "{}";
   for (std::size_t i = 0; i < kMaxParts; ++i) many += ",{}";
   EXPECT_THAT(faults_in(sheet_with(many)), ElementsAre(HasSubstr("there are 10001 parts")));
@@ -90,7 +91,7 @@ TEST(SheetFile, StockHasASizeAndAMarginThatLeavesRoom) {
   EXPECT_THAT(with(R"({"width_mm": 3, "height_mm": 4, "margin_mm": 1.5, "skeleton": true})"),
               IsEmpty());
   EXPECT_THAT(with(R"({"width_mm": 3, "height_mm": 4, "margin_mm": 2})"),
-              ElementsAre(HasSubstr("/stock/margin_mm: 2 is out of range; it takes 0 to 1.5 mm")));
+              ElementsAre(HasSubstr("/stock/margin_mm: 2 is out of range; write 0 to 1.5 mm")));
   EXPECT_THAT(with(R"({"width_mm": 3})"), ElementsAre(HasSubstr("/stock/height_mm: is missing")));
   EXPECT_THAT(with(R"({"width_mm": -3, "height_mm": 4})"),
               ElementsAre(HasSubstr("0.1 to 100000 mm")));
@@ -106,8 +107,9 @@ TEST(SheetFile, BrokenJsonIsToldByLineAndColumn) {
   EXPECT_THAT(faults_in("{\"kerfline_sheet\": 1,\n \"parts\" [\n]}"),
               ElementsAre("test.json:2:10: broken JSON; mend it here, or just before"));
   EXPECT_THAT(faults_in(R"({"kerfline_sheet": 1, "parts": [], "parts": []})"),
-              ElementsAre(HasSubstr("the key \"parts\" is there twice")));
-  EXPECT_THAT(faults_in(R"({"kerfline_sheet": 1e999})"), ElementsAre(HasSubstr("too great")));
+              ElementsAre(HasSubstr("the key \"parts\" occurs twice")));
+  EXPECT_THAT(faults_in(R"({"kerfline_sheet": 1e999})"),
+              ElementsAre(HasSubstr("a number is too great")));
   EXPECT_THAT(faults_in(R"({"kerfline_sheet": [[[[[[[[[1]]]]]]]]]})"),
               ElementsAre(HasSubstr("nested too deeply")));
   EXPECT_THAT(faults_in(R"([{"kerfline_sheet": 1}])"), ElementsAre(HasSubstr("no object with")));

@@ -123,7 +123,7 @@ TEST_F(CompensationWords, WantAToolWhoseRadiusIsKnown) {
   EXPECT_EQ(refuse("G41 D1.5").detail, FaultDetail::kNotAnInteger);
   EXPECT_EQ(refuse("G10 L1 R1").detail, FaultDetail::kWordMissing);
   EXPECT_EQ(refuse("G10 L1 P1").detail, FaultDetail::kWordMissing);
-  EXPECT_EQ(refuse("G10 L1 P0 R1").detail, FaultDetail::kNegative);
+  EXPECT_EQ(refuse("G10 L1 P0 R1").detail, FaultDetail::kBelowOne);
   EXPECT_EQ(refuse("G10 L1 P1 R-1").detail, FaultDetail::kNotACutWidth);
   EXPECT_EQ(refuse("G10 L1 P1 R51").detail, FaultDetail::kNotACutWidth);
   EXPECT_EQ(refuse("G10 L1 P1 R1 X2").detail, FaultDetail::kAxisWordUnused);

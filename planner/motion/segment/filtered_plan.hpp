@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstdint>
+
+#include "planner/motion/jerk/motion_filter.hpp"
+#include "planner/motion/plan/plan_cursor.hpp"
+
+namespace cnc::motion {
+
+/// The motion that the motors are to make: the plan itself or, where jerk is limited, the mean of
+/// the plan over a time window.
+///
+/// Main loop only.
+class FilteredPlan {
+ public:
+  FilteredPlan(BlockQueue& queue, const Limits& limits) : plan_{queue, limits} {}
+
+  /// Returns the next stretch of the motion, at most `max_ns` long. It has no duration if there is
+  /// no motion: everything is driven, or the motion is halted.
+  /// @pre max_ns is at least a cell of the filter
+  [[nodiscard]] Stretch next(std::uint32_t max_ns);
+  /// Forgets plan and window; the motors are at rest. A halt remains.
+  void reset();
+
+  void halt() { drive_ = Drive::kHalt; }
+  void go_on() { drive_ = Drive::kOn; }
+  /// Returns whether the motion stops, or has stopped, because of a halt.
+  [[nodiscard]] bool halts() const { return drive_ == Drive::kHalt; }
+
+  void set_overrides(const Overrides& overrides) { plan_.set_overrides(overrides); }
+  [[nodiscard]] const Overrides& overrides() const { return plan_.overrides(); }
+  /// Returns the speed of the plan, in mm/s. Under a window, the plan is ahead of the motion.
+  [[nodiscard]] float planned_speed() const { return plan_.speed(); }
+  [[nodiscard]] const TimeWindow& window() const { return window_; }
+  /// Prepares for the removal of the block at the front of the queue. @pre the motion has left it
+  void block_left() { plan_.block_left(); }
+
+ private:
+  void choose_window();
+  [[nodiscard]] bool fill_cell();
+
+  PlanCursor plan_;
+  TimeWindow window_{};
+  MotionFilter filter_{};  ///< Makes the motion from the plan, under a window.
+  Drive drive_ = Drive::kOn;
+};
+
+}  // namespace cnc::motion
