@@ -118,15 +118,11 @@ void print_other_beam(const Board& board, const BoardSheet& sheet) {
 int main() {
   std::puts(
       "# Boards\n\n"
-      "`toolchain/boards.py` writes this page from `hal/stm32f405/boards`. Inputs have a pull-up "
-      "and\n"
-      "are active while they are connected to ground; `$5`, `$6` and `$14` turn them round. `$2` "
-      "to\n"
-      "`$4`, `$15` and `$16` turn outputs round, but never the beam's pin. None of the boards has "
-      "been\n"
-      "tried by this project: measure a pin before something dangerous is connected to it, and fit "
-      "a\n"
-      "pull-down at the beam's.");
+      "`toolchain/boards.py` writes this page from `hal/stm32f405/boards`. Inputs have a pull-up.\n"
+      "They are active while they are connected to ground; `$5`, `$6` and `$14` invert them. `$2` to\n"
+      "`$4`, `$15` and `$16` invert outputs, but never the beam's pin. This project has not tried\n"
+      "any of the boards: measure a pin before you connect something dangerous to it, and fit a\n"
+      "pull-down at the beam's pin.");
   print_board<kBttSkr2>("`kerfline_btt_skr_2`");
   print_board<kBttSkrPro12>("`kerfline_btt_skr_pro_1_2`");
   print_board<kMksRobinNanoV30>("`kerfline_mks_robin_nano_v3_0`");

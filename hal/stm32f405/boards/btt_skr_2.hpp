@@ -65,7 +65,7 @@ inline constexpr BoardSheet kSheet<kBttSkr2>{
         "that has not been repaired",
     .notes =
         "HE0 (PB3) and HE1 (PB4) are pins of the debugger's JTAG. From reset until start-up, "
-        "PB4 is pulled up; PC13 keeps the outputs without supply meanwhile.",
+        "PB4 is pulled up. During this time PC13 keeps the outputs without supply.",
     .sockets = {"X", "Y", "Z", "E0", "E1", nullptr},
     .connectors = kBttSkr2Connectors,
 };

@@ -67,13 +67,13 @@ inline constexpr Board kGenericCan = with_can(kGeneric, "Generic F407, CAN");
 template <>
 inline constexpr BoardSheet kSheet<kGeneric>{
     .chips = "STM32F405, STM32F407 or STM32F429 with 512 KiB of flash or more",
-    .notes = "Its pins are those of the chip, on the headers of any board.",
+    .notes = "The pins are those of the chip, on the headers of any board.",
 };
 template <>
 inline constexpr BoardSheet kSheet<kGenericCan>{
     .chips = "STM32F407 or STM32F429 with 100 pins and 1 MiB of flash or more",
     .notes =
-        "Its pins are those of the chip, on the headers of any board. CAN needs a transceiver.",
+        "The pins are those of the chip, on the headers of any board. CAN needs a transceiver.",
 };
 
 }  // namespace hal::stm32f405

@@ -79,8 +79,8 @@ inline constexpr auto kMksRobinNanoHe1Connectors = with_he1(kMksRobinNanoConnect
 constexpr BoardSheet robin_nano_sheet(const char* chips, std::span<const Connector> connectors) {
   return {.chips = chips,
           .notes =
-              "PA13 and PA14 are the debugger's pins, too: attach one while the board is held in "
-              "reset. Boards up to V3.0_002 have FAN1 and FAN2 printed the other way round.",
+              "PA13 and PA14 are also the debugger's pins: attach a debugger while the board is held "
+              "in reset. On boards up to V3.0_002 the printed names FAN1 and FAN2 are exchanged.",
           .sockets = {"X", "Y", "Z", "E0", "E1", nullptr},
           .connectors = connectors};
 }
