@@ -119,7 +119,8 @@ int main() {
   std::puts(
       "# Boards\n\n"
       "`toolchain/boards.py` writes this page from `hal/stm32f405/boards`. Inputs have a pull-up.\n"
-      "They are active while they are connected to ground; `$5`, `$6` and `$14` invert them. `$2` to\n"
+      "They are active while they are connected to ground; `$5`, `$6` and `$14` invert them. `$2` "
+      "to\n"
       "`$4`, `$15` and `$16` invert outputs, but never the beam's pin. This project has not tried\n"
       "any of the boards: measure a pin before you connect something dangerous to it, and fit a\n"
       "pull-down at the beam's pin.");

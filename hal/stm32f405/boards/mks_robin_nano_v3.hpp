@@ -77,12 +77,13 @@ constexpr auto with_he1(auto connectors) {
 inline constexpr auto kMksRobinNanoHe1Connectors = with_he1(kMksRobinNanoConnectors);
 
 constexpr BoardSheet robin_nano_sheet(const char* chips, std::span<const Connector> connectors) {
-  return {.chips = chips,
-          .notes =
-              "PA13 and PA14 are also the debugger's pins: attach a debugger while the board is held "
-              "in reset. On boards up to V3.0_002 the printed names FAN1 and FAN2 are exchanged.",
-          .sockets = {"X", "Y", "Z", "E0", "E1", nullptr},
-          .connectors = connectors};
+  return {
+      .chips = chips,
+      .notes =
+          "PA13 and PA14 are also the debugger's pins: attach a debugger while the board is held "
+          "in reset. On boards up to V3.0_002 the printed names FAN1 and FAN2 are exchanged.",
+      .sockets = {"X", "Y", "Z", "E0", "E1", nullptr},
+      .connectors = connectors};
 }
 template <>
 inline constexpr BoardSheet kSheet<kMksRobinNanoV30> = robin_nano_sheet("STM32F407VG",
