@@ -17,7 +17,8 @@ struct NamedUnit {
   double mm;
 };
 
-// The units, likely ones first. Units of 72 and 90 dpi are the points and pixels of old programs.
+// The units, the most likely ones first. A unit of 72 or 90 dpi is the point or the pixel of old
+// programs.
 constexpr auto kDrawingUnits = std::to_array<NamedUnit>({{"mm", 1.0},
                                                          {"inch", 25.4},
                                                          {"cm", 10.0},
@@ -31,7 +32,8 @@ constexpr auto kDrawingUnits = std::to_array<NamedUnit>({{"mm", 1.0},
 
 bool is_usual(double size_mm) { return size_mm >= kSmallestUsualMm && size_mm <= kLargestUsualMm; }
 
-/// Returns the name of the unit with which the drawing would have a usual size.
+/// Returns the name of the most likely unit with which the drawing would have a usual size; empty
+/// if there is none.
 std::string_view likely_unit(double size_mm, double mm_per_unit) {
   for (const NamedUnit& unit : kDrawingUnits) {
     if (unit.name.ends_with("dpi")) continue;

@@ -15,7 +15,8 @@ namespace {
 constexpr int kByBlock = 0;
 constexpr int kByLayer = 256;
 
-/// Splits a row of curves wherever a curve does not begin at the end of the curve before it.
+/// Splits curves into rows. A new row begins where a curve does not begin at the end of the curve
+/// before it.
 std::vector<std::vector<Shape>> rows_of(std::vector<Shape> shapes) {
   std::vector<std::vector<Shape>> rows;
   for (Shape& shape : shapes) {
@@ -98,7 +99,8 @@ void DxfDrawer::add(const DxfEntity& entity, const DxfInstance& within, DxfShape
   }
 }
 
-/// Returns whether a row of curves is visible within clips, by the rule of clips in SVG.
+/// Returns whether a row of curves is drawn. A row that crosses the edge of a clip is a fault, and
+/// a row outside of the clips is left out with a note, as in SVG.
 bool DxfDrawer::is_visible(const std::vector<Shape>& row,
                            const Entity& named,
                            const ClipRegions& clips) {
@@ -144,7 +146,7 @@ void DxfDrawer::add_text(const DxfEntity& entity, const DxfInstance& within) {
   if (letters.lines.back().font == style.font) note_style(entity, style, named);
 }
 
-/// Adds a note if the font that the style wishes is not the font in which letters are drawn.
+/// Adds a note if letters are drawn in another font than the style names.
 void DxfDrawer::note_style(const DxfEntity& entity, const DxfStyle& style, const Entity& named) {
   const std::string& used = sketch_.lettering().font_name();
   const std::string& family = style.font.family;

@@ -17,16 +17,16 @@
 namespace sim::drawing {
 namespace {
 
-// Blocks within blocks may double the instances at each level: without a bound, a page of text
-// fills memory.
+// Nested blocks may double the number of instances at each level. Without a bound, a file of one
+// page could fill the memory.
 constexpr std::size_t kMaxInstances = 500'000;
 constexpr std::size_t kMaxGroups = 8'000'000;
 constexpr double kDegreeInRadians = kFullTurn / 360.0;
 
 struct DxfBlock {
   Place base{0.0, 0.0};
-  bool is_external = false;  ///< The block's entities are in another file.
-  DxfCursor body;            ///< Cursor at the first group 0 after that of BLOCK.
+  bool is_external = false;  ///< True if the entities of the block are in another file.
+  DxfCursor body;  ///< Cursor at the first group 0 after the group 0 that begins the BLOCK.
 };
 
 class DxfReader {
@@ -82,7 +82,8 @@ class DxfReader {
     return !group_ || at(keyword) || at("ENDSEC") || at("EOF");
   }
 
-  /// Returns the entity whose group 0 was read last, and reads the group 0 after it.
+  /// Returns the entity whose group 0 was read last. Reads the file up to and including the next
+  /// group 0.
   DxfEntity take_entity(DxfCursor& cursor) {
     DxfEntity entity;
     entity.type = group_->value;
@@ -98,7 +99,7 @@ class DxfReader {
   void read_section(std::string_view name) {
     if (name == "HEADER") read_header();
     while (!at_end("ENDSEC")) {
-      // NOLINTNEXTLINE(bugprone-branch-clone): what is not read is passed over in two ways.
+      // NOLINTNEXTLINE(bugprone-branch-clone): the first and the last branch both skip a group.
       if (group_->code != 0) {
         next(cursor_);
       } else if (name == "TABLES") {
@@ -155,7 +156,8 @@ class DxfReader {
     if (entity.type == "POLYLINE") {
       while (at("VERTEX") && vertices.size() < kMaxShapes) vertices.push_back(take_entity(cursor));
     }
-    // An ATTDEF, which defines letters, is visible only outside of blocks.
+    // An ATTDEF, which is a template for the attributes of an INSERT, is visible only outside of
+    // blocks.
     if (entity.type == "SEQEND" || (entity.type == "ATTDEF" && within.depth != 0)) return;
     const std::string hidden = drawer_.hidden(entity, within);
     if (!hidden.empty()) return sketch_.ignore(hidden, drawer_.described(entity, within));
@@ -267,7 +269,8 @@ class DxfReader {
                     "they are left out; set the spacing, or one row and column"});
   }
 
-  /// Counts one more entity to draw. Returns false if there are too many, which is reported once.
+  /// Counts one more entity that is drawn. Returns false if there are too many; the first excess is
+  /// reported.
   bool count(const DxfEntity& entity) {
     if (++instances_ <= max_instances_) return true;
     if (instances_ == max_instances_ + 1) too_many(entity);

@@ -7,7 +7,7 @@
 namespace sim::drawing {
 namespace {
 
-/// Least length of reported lines that are on no outline, mm. Shorter lines are rounding.
+/// Least length of lines on no outline that a note reports, mm. Shorter lines result from rounding.
 constexpr double kUnseenRoundingMm = 0.01;
 constexpr LeastLoop kMinLoop{};
 

@@ -14,7 +14,7 @@ using nlohmann::json;
 
 constexpr int kDeepestJson = 16;
 
-/// Returns the vertex [x, y] or [x, y, bulge]; nothing for any other value.
+/// Returns the vertex of an array [x, y] or [x, y, bulge]; nothing for any other value.
 std::optional<BulgeVertex> vertex_of(const json& value) {
   if (!value.is_array() || value.size() < 2 || value.size() > 3) return {};
   for (const json& number : value) {

@@ -12,7 +12,7 @@ namespace {
 
 /// Returns whether a text has letters that are read from right to left.
 bool has_right_to_left(std::string_view words) {
-  // The bytes below begin the UTF-8 of U+0590 to U+08FF.
+  // The UTF-8 codes of U+0590 to U+08FF begin with the bytes below.
   for (std::size_t i = 0; i + 1 < words.size(); ++i) {
     const auto byte = static_cast<unsigned char>(words[i]);
     const auto next = static_cast<unsigned char>(words[i + 1]);

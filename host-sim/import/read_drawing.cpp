@@ -21,7 +21,7 @@ constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 constexpr double kMillimetresPerPoint = 25.4 / 72.0;
 constexpr double kMillimetresPerPixel = 25.4 / 96.0;
 
-/// Reads an SVGZ: an SVG in gzip.
+/// Reads an SVGZ, which is an SVG packed by gzip.
 void read_packed(const std::string& bytes, Sketch& sketch) {
   const auto text = gunzip(bytes, kMaxBytes);
   if (!text) {
@@ -37,7 +37,8 @@ void read_packed(const std::string& bytes, Sketch& sketch) {
   }
 }
 
-/// A format that is recognised by the start of its files, but not read.
+/// A format that is not supported, but is recognised by the start of its files, so that a message
+/// can name it.
 struct OtherFormat {
   std::string_view start;
   std::string_view name;
@@ -70,9 +71,9 @@ void refuse_other(std::string_view start, Sketch& sketch) {
   }
 }
 
-/// Returns the millimetres per unit of the drawing. If the options give a unit, that is used in
-/// place of the format's, and the sketch is scaled by the ratio, including sizes that the drawing
-/// gives in millimetres.
+/// Returns the millimetres per unit of the drawing. If the options give a unit, it replaces the
+/// unit of the format, `usual_mm`. The sketch is then scaled by the ratio of both units, including
+/// sizes that the drawing gives in millimetres.
 double read_scaled(const ImportOptions& options, double usual_mm, Sketch& sketch) {
   if (!options.unit_mm) return usual_mm;
   sketch.scale(*options.unit_mm / usual_mm);

@@ -11,8 +11,8 @@
 namespace sim::drawing {
 namespace {
 
-// Least length of a shape, mm: a tenth of the controller's nanometre. A shorter shape counts as a
-// point.
+// Length below which a shape counts as a point, mm: a tenth of the nanometre in which the
+// controller computes.
 constexpr double kNoLengthMm = 1.0e-7;
 constexpr std::size_t kMaxLayers = 10'000;
 
@@ -34,8 +34,8 @@ bool within_reach(const Shape& shape) {
            within_reach(ellipse->minor);
   }
   if (const auto* const arc = std::get_if<Arc>(&shape)) {
-    // An arc of at most half a turn is no farther from its ends than the ends are from each other.
-    // A longer arc may reach all sides of its circle.
+    // Only an arc of more than half a turn may reach far beyond its ends, up to all sides of its
+    // circle.
     const double radius = distance(arc->start, arc->centre);
     const Place far = arc->centre.cwiseAbs() + Place{radius, radius};
     if (std::abs(arc->sweep) > 0.5 * kFullTurn && !within_reach(far)) return false;
@@ -191,7 +191,8 @@ void Sketch::refuse(std::size_t line, std::size_t column, std::string reason, st
 }
 
 void Sketch::note(const Fault& first, std::string detail) {
-  // One note per layer, because rules may skip the letters or pictures of one layer only.
+  // Letters and pictures have one note for each layer, because rules may skip those of one layer
+  // only.
   const bool is_of_layer = first.kind == FaultKind::kText || first.kind == FaultKind::kPicture ||
                            first.kind == FaultKind::kBadPicture;
   const std::size_t layer = is_of_layer ? first.entity.layer : 0;

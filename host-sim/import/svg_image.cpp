@@ -25,7 +25,7 @@ std::optional<int> hex_digit(char c) {
   return std::nullopt;
 }
 
-/// Returns a link with escapes such as `%20` replaced by their characters.
+/// Returns a link in which escapes such as `%20` are replaced by their characters.
 std::string unescaped(std::string_view link) {
   constexpr int kHex = 16;
   std::string text;
@@ -42,8 +42,8 @@ std::string unescaped(std::string_view link) {
   return text;
 }
 
-/// Returns the reason why a link is not followed; empty if it names a file below the drawing's
-/// folder.
+/// Returns the reason why a link to a picture is not followed; empty if it names a file below the
+/// folder of the drawing.
 std::string reason_against(std::string_view name) {
   if (name.empty()) return "it links no picture";
   const std::size_t colon = name.find(':');

@@ -8,7 +8,7 @@
 namespace sim::drawing {
 
 void note_burn(Sketch& sketch, const std::string& svg) {
-  // Boxes.py labels its reference line with a text such as `100.0mm, burn:0.10mm`.
+  // The label of the reference line of Boxes.py is a text such as `100.0mm, burn:0.10mm`.
   constexpr std::string_view kGenerator = "Boxes.py";
   constexpr std::string_view kBurn = "burn:";
   const std::size_t found = svg.find(kBurn);
