@@ -17,7 +17,8 @@ struct BulgeVertex {
 /// Returns the edges of a polyline, except edges without length.
 [[nodiscard]] std::vector<Shape> bulge_edges(const std::vector<BulgeVertex>& vertices, bool closed);
 
-/// Returns the edges of an LWPOLYLINE. @pre no bad_number()
+/// Returns the edges of an LWPOLYLINE.
+/// @pre no bad_number()
 [[nodiscard]] DxfShapes light_polyline(const DxfEntity& entity);
 
 /// Returns the edges of a POLYLINE, whose corners are separate entities.

@@ -84,8 +84,8 @@ bool is_below_folder(const std::filesystem::path& name) {
   return name.is_relative() && std::ranges::find(name, "..") == name.end();
 }
 
-/// Returns the present digest of a file; empty if the file does not exist, cannot be read, is no
-/// plain file or is too large.
+/// Returns the digest of the present content of a file; empty if the file does not exist, cannot be
+/// read, is no regular file or is too large.
 std::optional<std::string> digest_now(const std::filesystem::path& file) {
   std::error_code is_none;
   if (!std::filesystem::is_regular_file(file, is_none)) return {};

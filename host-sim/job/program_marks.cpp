@@ -13,7 +13,8 @@ bool is_digit_at(std::string_view text, std::size_t at) {
   return at < text.size() && std::isdigit(static_cast<unsigned char>(text[at])) != 0;
 }
 
-/// Returns whether a line is the name of a program: `O1234` alone or before a comment, or `:1234`.
+/// Returns whether a line gives the name of a program: `O1234`, alone or before a comment, or
+/// `:1234`.
 bool is_name(std::string_view text) {
   return (text.front() == 'O' || text.front() == 'o' || text.front() == ':') &&
          is_digit_at(text, 1);

@@ -10,7 +10,8 @@ namespace sim {
 /// Cuts beyond this number appear in groups, one after the other.
 inline constexpr std::size_t kMaxAnimatedCuts = 2'000;
 
-/// Appends each cut as a line that grows as the beam runs along it. @pre the scene has a timeline
+/// Appends each cut as a line that grows while the beam moves along it.
+/// @pre the scene has a timeline
 void add_growing_cuts(std::string& out,
                       const CutScene& scene,
                       const View& view,

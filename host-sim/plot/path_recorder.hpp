@@ -39,7 +39,8 @@ class PathRecorder final : public TraceSink {
   /// When the path is thinned, it is replaced by a shorter one.
   [[nodiscard]] const std::vector<PathVertex>& settled() const { return simplifier_.vertices(); }
 
-  /// Returns the path. @pre on_end() was called
+  /// Returns the path.
+  /// @pre on_end() was called
   [[nodiscard]] const Path& path() const { return path_; }
 
  private:

@@ -14,7 +14,8 @@ inline constexpr double kPageHeightPt = 841.89;
 /// with the same fonts and libraries.
 ///
 /// Throws std::runtime_error naming the file if a page cannot be drawn, or std::system_error if the
-/// file cannot be written. @pre there is at least one page
+/// file cannot be written.
+/// @pre there is at least one page
 void write_pdf(const std::string& file,
                const std::vector<std::string>& pages,
                const std::string& title);

@@ -19,7 +19,8 @@ class PixelImage {
   [[nodiscard]] int width() const { return width_; }
   [[nodiscard]] int height() const { return height_; }
 
-  /// Sets a pixel; row 0 is the top. @pre 0 <= column < width(), 0 <= row < height()
+  /// Sets the colour of a pixel. Row 0 is the top row.
+  /// @pre 0 <= column < width(), 0 <= row < height()
   void set(int column, int row, const Colour& colour) {
     pixels_[static_cast<std::size_t>(row) * static_cast<std::size_t>(width_) +
             static_cast<std::size_t>(column)] =

@@ -24,7 +24,8 @@ using CairoContext = std::unique_ptr<cairo_t, Releaser<cairo_destroy>>;
 /// Throws std::runtime_error with the text `cannot draw FILE: REASON`.
 [[noreturn]] void fail_to_draw(const std::string& file, std::string_view reason);
 
-/// Reads an SVG document. Throws as fail_to_draw() does. @param file name of the file for messages
+/// Reads an SVG document. Throws the exception of fail_to_draw() if the document is not valid.
+/// @param file name of the file, for messages
 [[nodiscard]] SvgHandle load_svg(const std::string& file, std::string_view svg);
 
 /// Draws a document over the whole of a surface. Throws as fail_to_draw() does.
