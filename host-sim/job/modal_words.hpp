@@ -10,8 +10,8 @@ namespace sim {
 /// Returns a length in mm as an exact decimal number for G-code.
 [[nodiscard]] std::string coordinate_text(cnc::Coordinate place);
 
-/// Returns the words of G-code that set the modes of a modal state, except those that process_of()
-/// and units_of() return. These words have the same meaning in all units.
+/// Returns the words for coordinate system, plane, arc distance mode and path mode. Tolerances of
+/// G64 are in mm, so the line must be read in mm.
 [[nodiscard]] std::string modes_of(const cnc::gcode::ModalState& state);
 /// Returns the words for feed, output, coolant, and G0 or G1. The feed is in mm, so the line must
 /// be read in mm.

@@ -95,7 +95,8 @@ GreyImage read_jpeg_image(std::string_view bytes, const std::string& name) {
       exif_orientation(bytes));
 }
 
-/// Returns the number that `count` bytes at `at` encode; nothing if they reach beyond the end.
+/// Returns the number that `count` bytes at the position `at` encode; nothing if `bytes` ends
+/// before them.
 std::optional<std::uint32_t> number_at(std::string_view bytes,
                                        std::size_t at,
                                        std::size_t count,
@@ -109,7 +110,7 @@ std::optional<std::uint32_t> number_at(std::string_view bytes,
   return value;
 }
 
-/// Returns the orientation that TIFF data give; EXIF data contain TIFF data.
+/// Returns the orientation that TIFF data give. The EXIF data of a JPEG contain TIFF data.
 int tiff_orientation(std::string_view tiff) {
   constexpr std::uint32_t kOrientation = 0x0112;
   constexpr std::size_t kEntryBytes = 12;

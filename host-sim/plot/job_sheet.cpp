@@ -23,7 +23,7 @@ using Cells = std::vector<std::string>;
 
 constexpr std::size_t kMaxNotes = 60;
 
-/// Returns `CSP 1N, 2 mm. `; an empty text if the kerf is known and no material was named.
+/// Returns the material as a text such as `CSP 1N, 2 mm. `; empty if the job names no material.
 std::string material_text(const CutJob& job) {
   if (job.record.name.empty()) return {};
   const cut::LayerPlan& layer = job.plan.layers[job.plan.cuts.front().layer];
@@ -99,8 +99,8 @@ void add_conditions(SheetPages& pages, const CutJob& job, const CutAccount& acco
   pages.add_table(columns, rows);
 }
 
-/// Appends the picture of the sheet, drawn at twice the size of the page, so that lines and letters
-/// are fine.
+/// Appends the picture of the sheet. It is drawn at a larger size and then reduced to the page, so
+/// that its lines and letters are fine.
 void add_sheet_picture(SheetPages& pages, const CutJob& job, const CutAccount& account) {
   constexpr double kFineness = 2.0;
   constexpr double kLabelsPx = 64.0;

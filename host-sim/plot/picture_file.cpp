@@ -12,7 +12,8 @@
 namespace sim {
 namespace {
 
-/// Returns the ending of a file's name from its last dot on, in lower case; empty if there is none.
+/// Returns the ending of the name of a file, which begins with its last dot, in lower case; empty
+/// if there is no ending.
 std::string end_of(const std::string& file) {
   std::string end = std::filesystem::path{file}.extension().string();
   for (char& c : end) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
