@@ -42,7 +42,7 @@ void throw_faults(const drawing::Drawing& drawn, const std::vector<drawing::Faul
   }
   if (drawn.more_faults != 0) text += "and " + std::to_string(drawn.more_faults) + " more\n";
   if (text.empty() && drawn.contours.empty())
-    text = printable_line(drawn.file) + ": no contour in it\n";
+    text = printable_line(drawn.file) + ": the drawing has no contour\n";
   if (!text.empty()) text.pop_back();
   if (!text.empty()) throw FaultyDrawing{text};
 }
@@ -54,7 +54,8 @@ void refuse_far(const Contour& contour, const std::string& name) {
     const ContourVertex& vertex = contour.vertices[i];
     if (std::max(std::abs(vertex.x), std::abs(vertex.y)) <= drawing::kFarthestMm) continue;
     throw FaultyDrawing{fmt::format(
-        "{}: vertex {} at {:g} {:g}: farther than 10 km from the origin; is its unit mm?",
+        "{}: vertex {} at {:g} {:g}: is farther than 10 km from the origin; check that its unit "
+        "is mm",
         name,
         i + 1,
         vertex.x,

@@ -41,12 +41,12 @@ Crowd densest(const cnc::contour::ContourView<double>& input, double side_mm) {
   const Crowd crowd = densest(input, side_mm);
   throw NoOffset{crowd.place,
                  fmt::format("offset by {:g} mm, its elements cross each other more than {} times; "
-                             "most lie here, {} in a square of {:g} mm",
+                             "most elements are here, {} in a square of {:g} mm",
                              distance_mm,
                              max_meetings,
                              crowd.vertices,
                              side_mm),
-                 "simplify it there, or leave out what the tool does not reach"};
+                 "simplify the contour here, or leave out details that the tool does not reach"};
 }
 
 /// Measures of loops, which together bound the area that an offset adds or removes.
@@ -160,9 +160,10 @@ cnc::contour::ContourView<double> ContourOffset::offset_once_filled(
           return offset_once_filled(filled_.view(), distance_mm, true);
         }
         throw NoOffset{input.vertices[0].point(),
-                       "the offset of the contour that begins here, or of one with it, does not "
+                       "the offset of the contour that begins here, or of another contour, does "
+                       "not "
                        "close",
-                       "do loops of it cross each other? take them apart"};
+                       "separate loops that cross each other"};
       case OffsetFault::kTooManyElements:
       case OffsetFault::kResultTooLong:
         grow(2 * space_.elements() + 8, space_.cuts() + 16);

@@ -101,7 +101,7 @@ class RowFitter {
       count = split_offset(row, 0.0, pieces, kDrawnSmooth);
     }
     if (!count.ok()) {
-      fail(start_of(shapes.front()), "a curve that begins here is a place in parts of it");
+      fail(start_of(shapes.front()), "a part of the curve that begins here is a single point");
       return std::move(row_);
     }
     for (std::size_t i = 0; i < count.value() && row_.fault == nullptr; ++i) {
@@ -130,7 +130,7 @@ class RowFitter {
       if (made.error() == FitError::kNoFit) break;
     }
     fail(piece.at(piece.from).place,
-         "no arcs were found within the tolerance for what begins here");
+         "no arcs within the tolerance were found for the curves that begin here");
   }
 
   void fail(const Place& place, const char* reason) { row_ = {{}, reason, place}; }
@@ -241,7 +241,7 @@ class ContourFitter {
                             contour_.entity,
                             place,
                             reason,
-                            "draw it anew, or allow another tolerance"};
+                            "draw it again, or set another tolerance"};
   }
 
   const drawing::DrawnContour& contour_;

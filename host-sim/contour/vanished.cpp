@@ -129,7 +129,7 @@ std::string Vanished::text() const {
     return fmt::format("the {} that begins at {:.3f} {:.3f} vanishes", kind, begin.x(), begin.y());
   return fmt::format(
       "{:.1f} mm of the {} that begins at {:.3f} {:.3f}, from about {:.3f} {:.3f} on, "
-      "have no room and vanish",
+      "vanish, because the space there is too narrow",
       piece_mm,
       kind,
       begin.x(),

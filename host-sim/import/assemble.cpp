@@ -35,8 +35,9 @@ std::vector<Piece> pieces_of(Sketch& sketch) {
       sketch.report({FaultKind::kTooMuch,
                      piece.contour.entity,
                      {},
-                     "more curves than can be compared; this and what follows is left out",
-                     "cut the drawing in parts"});
+                     "there are more curves than can be compared; this curve and all later ones "
+                     "are left out",
+                     "divide the drawing into several files"});
       break;
     }
     pieces.push_back(std::move(piece));
@@ -123,19 +124,19 @@ struct GapToJoin {
 GapToJoin gap_to_join(Sketch& sketch,
                       const std::vector<Piece>& pieces,
                       const ImportOptions& options) {
-  GapToJoin gap{options.gap_mm, fmt::format("join wider gaps than {} mm", options.gap_mm)};
+  GapToJoin gap{options.gap_mm, fmt::format("join gaps wider than {} mm", options.gap_mm)};
   const auto wider = wider_gap(pieces, options.gap_mm);
   if (!wider) return gap;
   const std::string closed =
       fmt::format("{} of {} open ends within {} mm", wider->closing, wider->open, wider->gap_mm);
   if (options.finds_gap) {
-    sketch.note(fmt::format("gaps up to {} mm are joined: that closes {}", wider->gap_mm, closed),
+    sketch.note(fmt::format("gaps up to {} mm are joined, which closes {}", wider->gap_mm, closed),
                 {},
-                "check the joints, or give the gap that is meant");
-    return {wider->gap_mm, fmt::format("join wider gaps than {} mm", wider->gap_mm)};
+                "check the joints, or set the gap with --gap");
+    return {wider->gap_mm, fmt::format("join gaps wider than {} mm", wider->gap_mm)};
   }
   gap.remedy = fmt::format(
-      "join wider gaps: --gap {} closes {}, and --gap auto takes that", wider->gap_mm, closed);
+      "join wider gaps: --gap {} closes {}, and --gap auto uses this gap", wider->gap_mm, closed);
   return gap;
 }
 

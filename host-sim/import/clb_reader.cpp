@@ -52,7 +52,7 @@ class ClbReader {
     }
     library_.name = attribute_of(root, {"DisplayName"});
     for (const pugi::xml_node& material : root.children("Material")) read_material(material);
-    if (library_.entries.empty()) refuse(0, "the library has no entry that can be taken");
+    if (library_.entries.empty()) refuse(0, "the library has no entry that can be used");
     return std::move(library_);
   }
 
@@ -93,7 +93,8 @@ class ClbReader {
       if (!std::string_view{setting.name()}.starts_with("CutSetting")) continue;
       ++settings;
       if (library_.entries.size() == kMaxLibraryEntries) {
-        refuse(offset_of(setting), fmt::format("more than {} entries", kMaxLibraryEntries));
+        refuse(offset_of(setting), fmt::format("the library has more than {} entries", "
+                                               "kMaxLibraryEntries));
       }
       found.settings = offered_by(setting);
       if (const auto offset = found.settings.kerf_offset_mm) {
@@ -116,7 +117,7 @@ class ClbReader {
     if (is_number && *number <= 0.0) return {};
     if (is_number && *number <= kGreatestThicknessMm) return number;
     note(entry,
-         fmt::format("Thickness {:.40} is no number up to {:g} mm; it is taken as not known",
+         fmt::format("Thickness {:.40} is no number up to {:g} mm; it counts as unknown",
                      is_plain_text(text) ? text : "?",
                      kGreatestThicknessMm));
     return {};

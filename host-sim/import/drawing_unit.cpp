@@ -71,9 +71,9 @@ void question_scale(Sketch& sketch, const OutlineBox& box, double mm_per_unit) {
   if (!(size_mm > 0.0) || !std::isfinite(size_mm) || is_usual(size_mm)) return;
   const std::string_view likely = likely_unit(size_mm, mm_per_unit);
   const double factor = likely.empty() ? 1.0 : *drawing_unit_mm(likely) / mm_per_unit;
-  std::string remedy = "if its unit is another one, say so with --drawing-unit";
+  std::string remedy = "if its unit is a different one, set it with --drawing-unit";
   if (!likely.empty()) {
-    remedy = fmt::format("if its unit is {}, it is {}: say so with --drawing-unit {}",
+    remedy = fmt::format("if its unit is {}, its size is {}: set the unit with --drawing-unit {}",
                          likely,
                          size_text(box.width() * factor, box.height() * factor),
                          likely);

@@ -108,7 +108,7 @@ void report_exhausted(Sketch& sketch) {
   sketch.report({FaultKind::kUnchecked,
                  {},
                  {},
-                 "too many contours lie on each other to look at all of them",
+                 "too many contours lie on each other to compare all of them",
                  "remove duplicates in the drawing"});
 }
 

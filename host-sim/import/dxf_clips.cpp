@@ -115,7 +115,9 @@ ClipRegion region_of(const DxfClip& clip, const Transform& to_mm, const std::str
     edges.emplace_back(Line{corners[i], corners[(i + 1) % corners.size()]});
   }
   ClipRegion region{.name = "boundary of " + insert,
-                    .remedy = "explode the block and trim it at the boundary, or delete that",
+                    .remedy =
+                        "explode the block and trim it at the boundary, or delete the "
+                        "boundary",
                     .areas{}};
   region.add({std::move(edges)}, FillRule::kEvenOdd);
   return region;

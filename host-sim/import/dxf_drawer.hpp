@@ -54,7 +54,7 @@ class DxfDrawer {
   void refuse(const DxfEntity& entity,
               const DxfInstance& within,
               std::string reason,
-              std::string remedy = "it is left out; mend it in the drawing");
+              std::string remedy = "it is left out; correct it in the drawing");
 
  private:
   [[nodiscard]] bool is_visible(const std::vector<Shape>& row,

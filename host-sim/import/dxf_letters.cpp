@@ -71,9 +71,12 @@ DxfLetters text_line(const DxfEntity& entity, const DxfStyle& style, text::Lette
   const DxfWords words = dxf_words(entity.text(entity.type == "ATTDEF" ? 2 : 1));
   line.words = words.text;
   if (words.has_unknown) {
-    letters.notes.emplace_back("has letters by numbers (%%nnn) that are none of ASCII: left out");
+    letters.notes.emplace_back("has characters (%%nnn) that are not in ASCII: they are left out");
   }
-  if (words.has_lines) letters.notes.emplace_back("has lines under or over its letters: left out");
+  if (words.has_lines)
+    letters.notes.emplace_back(
+        "has lines under or over its letters: they are "
+        "left out");
   const auto across = static_cast<Across>(std::clamp(entity.whole(72, 0), 0, 5));
   const bool is_between = across == Across::kAligned || across == Across::kFit;
   const double base_line = base_line_of(entity, line, lettering);

@@ -71,7 +71,12 @@ class DxfReader {
 
  private:
   void finish(bool any) {
-    if (!any) sketch_.refuse(1, 0, "no section of a DXF file", "save the drawing again as DXF");
+    if (!any)
+      sketch_.refuse(1,
+                     0,
+                     "the file has no section of a DXF file",
+                     "save the drawing "
+                     "again as DXF");
   }
 
   void next(DxfCursor& cursor) { group_ = cursor.next(); }
@@ -131,10 +136,10 @@ class DxfReader {
 
   DxfInstance whole_drawing() {
     if (!wanted_mm_per_unit_ && !header_.mm_per_unit && !told_units_) {
-      sketch_.note(fmt::format("$INSUNITS names no unit: taken as mm{}",
+      sketch_.note(fmt::format("$INSUNITS names no unit: mm is assumed{}",
                                header_.is_english ? ", though $MEASUREMENT says English" : ""),
                    {},
-                   "if it is another one, say so with --drawing-unit");
+                   "if the unit is a different one, set it with --drawing-unit");
       told_units_ = true;
     }
     return {.to_mm = scaled_by(mm_per_unit(), mm_per_unit()), .layer = "0", .colour = "ACI 7"};
@@ -198,7 +203,7 @@ class DxfReader {
                                                              const DxfBlock* block,
                                                              std::size_t depth) const {
     const std::string name = fmt::format("`{:.60}`", entity.text(2));
-    constexpr const char* kMend = "it is left out; mend it in the drawing";
+    constexpr const char* kMend = "it is left out; correct it in the drawing";
     if (block == nullptr) return {fmt::format("there is no block {}", name), kMend};
     if (block->is_external) {
       return {fmt::format("block {} is in another file", name),
@@ -208,7 +213,7 @@ class DxfReader {
       return {fmt::format("block {} inserts itself", name), kMend};
     }
     if (depth >= kDeepestNesting) {
-      return {fmt::format("nested deeper than {} blocks", kDeepestNesting), kMend};
+      return {fmt::format("it is nested deeper than {} blocks", kDeepestNesting), kMend};
     }
     const auto clip = clips_.find(entity.text(5));
     if (clip != clips_.end() && !clip->second.is_in_plan) {
@@ -245,8 +250,7 @@ class DxfReader {
     const auto clip = clips_.find(entity.text(5));
     const bool is_clipped = clip != clips_.end();
     if (is_clipped && clip->second.has_depths) {
-      sketch_.note("the boundary of a block (XCLIP) clips by height, too: that is not followed",
-                   named);
+      sketch_.note("the boundary of a block (XCLIP) clips by height, too, which is ignored", named);
     }
     for (std::size_t copy = 0; copy < array.columns * array.rows; ++copy) {
       instance.to_mm = frame * moved_by(array.step(copy)) * inner;
@@ -265,8 +269,8 @@ class DxfReader {
     sketch_.report({FaultKind::kDuplicate,
                     entity,
                     {},
-                    fmt::format("{} of its copies have no spacing and lie on others", copies),
-                    "they are left out; set the spacing, or one row and column"});
+                    fmt::format("{} of its copies have no spacing and lie on other copies", copies),
+                    "they are left out; set the spacing, or use one row and one column"});
   }
 
   /// Counts one more entity that is drawn. Returns false if there are too many; the first excess is
@@ -283,7 +287,7 @@ class DxfReader {
          drawer_.described(entity, whole_drawing()),
          {},
          fmt::format("more than {} entities are drawn; the rest is left out", max_instances_),
-         "cut the drawing in parts"});
+         "divide the drawing into several files"});
   }
 
   /// Draws one copy of a block.

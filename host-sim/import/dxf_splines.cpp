@@ -106,10 +106,10 @@ std::string wrong_of(const SplineData& data) {
   if (std::ranges::any_of(data.weights, [](double weight) { return !(weight > 0.0); })) {
     return "one of its weights is not above 0";
   }
-  if (!std::ranges::is_sorted(data.knots)) return "its knots fall";
+  if (!std::ranges::is_sorted(data.knots)) return "its knots are not in ascending order";
   for (std::size_t i = 0; i + data.degree + 1 < data.knots.size(); ++i) {
     if (data.knots[i] == data.knots[i + data.degree + 1]) {
-      return fmt::format("one of its knots is there more than {} times", data.degree + 1);
+      return fmt::format("one of its knots occurs more than {} times", data.degree + 1);
     }
   }
   return {};
@@ -146,7 +146,7 @@ DxfShapes spline_of(const SplineData& data) {
     from = i;
   }
   add(data.knots.size());
-  if (drawn.shapes.empty()) drawn.wrong = "its knots leave no span";
+  if (drawn.shapes.empty()) drawn.wrong = "its knots define no span";
   return drawn;
 }
 

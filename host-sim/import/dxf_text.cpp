@@ -196,7 +196,7 @@ std::string utf8_of_dxf(std::string text, Sketch& sketch) {
     }
     if (replaced != 0) {
       sketch.note(
-          fmt::format("{} bytes are no characters of its code page: each is read as `?`", replaced),
+          fmt::format("{} bytes are no characters of the code page: each is read as `?`", replaced),
           {},
           "save the drawing again");
     }

@@ -213,8 +213,8 @@ void Filling::give_up(const std::vector<std::size_t>& set) {
                   pieces_[set.front()].contour.entity,
                   pieces_[set.front()].outline.front(),
                   "contours that touch from here on cross each other or themselves so closely that "
-                  "what is inside is not certain",
-                  "take the crossing apart"});
+                  "their inside cannot be determined",
+                  "separate them in the drawing"});
 }
 
 void Filling::refuse(const std::vector<std::size_t>& set, const Place& crossing) {
@@ -222,10 +222,10 @@ void Filling::refuse(const std::vector<std::size_t>& set, const Place& crossing)
   sketch_.report({FaultKind::kCrossing,
                   pieces_[set.front()].contour.entity,
                   crossing,
-                  fmt::format("{} contours cross each other or run along each other, and which of "
-                              "their areas are meant is a guess",
+                  fmt::format("{} contours cross each other or run along each other, and it is "
+                              "not certain which of their areas are meant",
                               set.size()),
-                  "take them apart, or draw the outline of what is meant"});
+                  "separate them, or draw the outline of the area that is meant"});
 }
 
 /// Replaces the pieces of each set by their outlines, at the position of the first of these pieces.

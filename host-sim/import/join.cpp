@@ -148,7 +148,7 @@ class Joiner {
                                 closed_,
                                 closed_ == 1 ? " is" : "s are",
                                 widest_.size),
-                    "draw them closed, or give --gap where a gap is meant"});
+                    "draw them closed, or set --gap if a gap is meant"});
   }
 
   /// Returns whether the gap between the ends of a piece is probably a mistake, because it is short
@@ -185,7 +185,7 @@ class Joiner {
                       entity,
                       place,
                       "more than two ends meet here",
-                      "leave two of them, or put the others on another layer"});
+                      "keep two of them, or move the others to another layer"});
       return;
     }
     sketch_.report({FaultKind::kOpen,
@@ -212,7 +212,7 @@ class Joiner {
                                 gaps.count == 1 ? "" : "s",
                                 gaps.count == 1 ? "is" : "are",
                                 gaps.widest.size),
-                    "draw them joined, or give --gap"});
+                    "draw them joined, or set --gap"});
   }
 
   Sketch& sketch_;
@@ -264,7 +264,7 @@ std::vector<Piece> join(Sketch& sketch,
                    chain.contour.entity,
                    chain.outline.front(),
                    "shorter than the gaps that are joined",
-                   "join smaller gaps to keep it"});
+                   "set a smaller --gap to keep it"});
     } else if (apart <= std::max(gap_mm, kSamePlaceMm)) {
       close(chain.contour.shapes, gap_mm);
       drop_places(chain.contour.shapes);

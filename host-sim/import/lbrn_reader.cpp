@@ -109,7 +109,7 @@ class LbrnReader {
       sketch_.note(fmt::format("the project's origin is at another corner: its {} is mirrored",
                                left ? (down ? "X and Y" : "X") : "Y"),
                    {},
-                   "check that letters are the right way round");
+                   "check that letters are not mirrored");
     }
     return scaled_by(left ? -1.0 : 1.0, down ? -1.0 : 1.0);
   }
@@ -130,8 +130,8 @@ class LbrnReader {
     sketch_.report({FaultKind::kTooMuch,
                     entity_of(shape),
                     {},
-                    "more shapes than are read; the rest is left out",
-                    "cut the drawing in parts"});
+                    "the project has more shapes than can be read; the rest is left out",
+                    "divide the drawing into several files"});
   }
 
   [[nodiscard]] const LbrnLayer& layer_of(const pugi::xml_node& shape) {
@@ -161,7 +161,7 @@ class LbrnReader {
 
   void bad(const pugi::xml_node& shape,
            std::string reason,
-           std::string remedy = "it is left out; mend it in LightBurn") {
+           std::string remedy = "it is left out; correct it in LightBurn") {
     sketch_.report(
         {FaultKind::kBadEntity, entity_of(shape), {}, std::move(reason), std::move(remedy)});
   }
@@ -213,7 +213,7 @@ class LbrnReader {
   bool is_output(const pugi::xml_node& shape) {
     const LbrnLayer& layer = layer_of(shape);
     if (layer.has_sub_layers) {
-      sketch_.note(fmt::format("layer {:.60} has sub-layers: only its first settings are offered",
+      sketch_.note(fmt::format("layer {:.60} has sub-layers: only its first settings are used",
                                layer.layer.name),
                    entity_of(shape));
     }
@@ -223,7 +223,7 @@ class LbrnReader {
               "layer {:.60}: {}", layer.layer.name, note_of_kerf_offset(*offered->kerf_offset_mm)),
           entity_of(shape));
     }
-    if (shape.child("Tabs")) sketch_.note("tabs of the project are not taken", entity_of(shape));
+    if (shape.child("Tabs")) sketch_.note("tabs of the project are ignored", entity_of(shape));
     if (layer.is_output) return true;
     sketch_.ignore(fmt::format("layer {:.60} is not sent to the laser", layer.layer.name),
                    entity_of(shape));
@@ -267,7 +267,7 @@ class LbrnReader {
     const auto bytes = picture::base64_decoded(shape.attribute("Data").value());
     if (!bytes || bytes->empty()) {
       return sketch_.report_bad_picture(
-          entity, "the project has no data of it", "import the picture again in LightBurn");
+          entity, "the project does not contain its data", "import the picture again in LightBurn");
     }
     auto image = sketch_.decode(*bytes, entity);
     if (!image) return;

@@ -36,7 +36,7 @@ void note_font(Sketch& sketch, const Entity& entity, std::string_view words) {
                         entity,
                         {},
                         "letters are left out: this system has no scalable font",
-                        "install one, or use --text stroke"});
+                        "install a font, or use --text stroke"});
   }
   sketch.note({FaultKind::kText,
                entity,
@@ -56,8 +56,8 @@ void note_font(Sketch& sketch, const Entity& entity, std::string_view words) {
     sketch.note({FaultKind::kText,
                  entity,
                  {},
-                 "letters that are read from the right may be in the wrong order",
-                 "compare the picture of --svg, or convert them to paths"});
+                 "letters of a right-to-left script may be in the wrong order",
+                 "check them in the picture of --svg, or convert them to paths"});
   }
 }
 

@@ -249,8 +249,8 @@ void nest(Sketch& sketch, std::vector<Piece>& pieces) {
     sketch.report({FaultKind::kUnchecked,
                    {},
                    {},
-                   "too many contours to tell which are holes",
-                   "cut the drawing in parts"});
+                   "there are too many contours to determine which of them are holes",
+                   "divide the drawing into several files"});
   }
 }
 

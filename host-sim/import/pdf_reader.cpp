@@ -98,7 +98,7 @@ void read_page(PopplerPage* page, Sketch& sketch) {
   poppler_page_get_size(page, &width_pt, &height_pt);
   const auto is_size = [](double size) { return size > 0.0 && size <= kLargestPagePt; };
   if (!is_size(width_pt) || !is_size(height_pt)) {
-    return sketch.refuse(0, 0, "its page has no size, or one of more than 70 m", "export it again");
+    return sketch.refuse(0, 0, "its page has no size, or is larger than 70 m", "export it again");
   }
   const auto svg = svg_of_page(page, width_pt, height_pt);
   if (!svg) return sketch.refuse(0, 0, "its page cannot be drawn", "export it as SVG");
@@ -121,16 +121,18 @@ void read_pdf(const std::string& text, Sketch& sketch) {
         failure && g_error_matches(failure.get(), POPPLER_ERROR, POPPLER_ERROR_ENCRYPTED) != 0;
     return sketch.refuse(0,
                          0,
-                         locked ? "it is a PDF file that is locked" : "it is a broken PDF file",
+                         locked ? "it is a PDF file that a password protects"
+                                : "it is a broken "
+                                  "PDF file",
                          locked ? "save it without a password" : "export it again");
   }
   const int pages = poppler_document_get_n_pages(document.get());
   const Page page{pages > 0 ? poppler_document_get_page(document.get(), 0) : nullptr};
   if (!page) return sketch.refuse(0, 0, "it is a PDF file without pages", "export it again");
   if (pages > 1) {
-    sketch.note(fmt::format("it has {} pages: the first one is read", pages),
+    sketch.note(fmt::format("it has {} pages: only the first page is read", pages),
                 {},
-                "save the others as files of their own");
+                "save the other pages as separate files");
   }
   read_page(page.get(), sketch);
 }

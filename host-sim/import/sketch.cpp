@@ -108,8 +108,8 @@ bool Sketch::add(Chain chain) {
     report({FaultKind::kBadEntity,
             from,
             {},
-            "a place that is no number, or farther than 10 km from the origin",
-            "mend it in the drawing, or its units"});
+            "one of its points is not a number, or is farther than 10 km from the origin",
+            "correct the point, or the unit of the drawing"});
     return true;
   }
   const Place start = start_of(chain.shapes.front());
@@ -124,8 +124,10 @@ bool Sketch::add(Chain chain) {
     report({FaultKind::kTooMuch,
             from,
             {},
-            fmt::format("more than {} curves; this and what follows is left out", kMaxShapes),
-            "simplify the drawing, or cut it in parts"});
+            fmt::format("there are more than {} curves; this curve and all later ones are left "
+                        "out",
+                        kMaxShapes),
+            "simplify the drawing, or divide it into several files"});
     return false;
   }
   chain.shapes.shrink_to_fit();
@@ -156,7 +158,7 @@ std::shared_ptr<const picture::GreyImage> Sketch::decode(std::string_view bytes,
     picture_pixels_ += image->darkness.size();
     if (picture_pixels_ <= share_of(picture::kMaxImagePixels)) return image;
     report_bad_picture(
-        entity, "its pixels, with those of pictures before it, are too many", "make it smaller");
+        entity, "together with the pictures before it, it has too many pixels", "make it smaller");
   } catch (const std::exception& error) {
     report_bad_picture(
         entity, fmt::format("it cannot be read: {}", error.what()), "embed it as PNG or JPEG");

@@ -118,7 +118,8 @@ SvgProperties SvgDocument::properties_of(const pugi::xml_node& node) {
     sketch_.report({FaultKind::kTooMuch,
                     entity_of(node),
                     {},
-                    "more rules of style sheets than can be compared; they end here",
+                    "the style sheets have too many rules to be compared; from here on they are "
+                    "ignored",
                     "export with presentation attributes"});
   }
   return properties;
@@ -148,7 +149,7 @@ bool SvgDocument::count(const pugi::xml_node& node) {
          entity_of(node),
          {},
          fmt::format("more than {} elements are drawn; the rest is left out", max_elements_),
-         "cut the drawing in parts"});
+         "divide the drawing into several files"});
   }
   return false;
 }

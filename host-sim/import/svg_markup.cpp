@@ -161,7 +161,7 @@ void SvgMarkup::read_entity(std::string_view declaration, std::size_t at) {
                  {.name = fmt::format("ENTITY {:.60}", name == "%" ? declaration : name),
                   .line = line,
                   .column = column},
-                 "write what it holds into the drawing");
+                 "write its content into the drawing");
 }
 
 void SvgMarkup::copy(std::size_t from, std::size_t to) {
@@ -225,8 +225,8 @@ void SvgMarkup::put(std::string_view text, bool in_tag, std::size_t depth, std::
     const auto [line, column] = lines_.at(at);
     sketch_.refuse(line,
                    column,
-                   fmt::format("its entities become more than {} bytes", max_bytes_),
-                   "write what they hold into the drawing");
+                   fmt::format("its entities expand to more than {} bytes", max_bytes_),
+                   "write their content into the drawing");
   }
 }
 
@@ -250,9 +250,11 @@ void SvgMarkup::undeclared(std::string_view name, std::size_t at) {
   sketch_.report({FaultKind::kBadEntity,
                   {.name = fmt::format("entity &{:.60};", name), .line = line, .column = column},
                   {},
-                  is_deep ? fmt::format("it holds itself, or others deeper than {}", kDeepestEntity)
+                  is_deep ? fmt::format("it contains itself, or entities that are nested deeper "
+                                        "than {}",
+                                        kDeepestEntity)
                           : "it is not declared in the DOCTYPE",
-                  "write what it means in its place"});
+                  "replace it by the text for which it stands"});
 }
 
 }  // namespace sim::drawing

@@ -20,8 +20,9 @@ void note_burn(Sketch& sketch, const std::string& svg) {
   const bool is_known = end != from && std::string_view{end}.starts_with("mm");
   if (!is_known || !(burn_mm > 0.0) || burn_mm > kMaxBurnMm) return;
   sketch.note(
-      fmt::format("drawn by Boxes.py with burn {:g} mm: it allows for a kerf of {:g} mm, and "
-                  "is cut to size on its lines, not beside them",
+      fmt::format("drawn by Boxes.py with burn {:g} mm, which allows for a kerf of {:g} mm: "
+                  "its parts have the right size if they are cut on the lines, not offset from "
+                  "them",
                   burn_mm,
                   2.0 * burn_mm),
       {},

@@ -19,7 +19,7 @@ namespace sim::drawing {
 namespace {
 
 constexpr double kMillimetresPerPx = 25.4 / 96.0;
-constexpr const char* kMend = "it is left out; mend it";
+constexpr const char* kMend = "it is left out; correct it";
 
 template <std::size_t count>
 bool is_one_of(std::string_view name, const std::array<std::string_view, count>& names) {
@@ -212,8 +212,8 @@ class SvgReader {
       const std::string_view value = properties.get(name);
       if (!value.empty() && value != "none") sketch_.ignore(what, document_.entity_of(node));
     };
-    note("mask", "masks: all of the path is read");
-    note("filter", "filters are not followed");
+    note("mask", "masks are ignored: all of the path is read");
+    note("filter", "filters are ignored");
     for (const char* const marker : {"marker", "marker-start", "marker-mid", "marker-end"}) {
       note(marker, "markers of lines are left out");
     }
@@ -240,8 +240,10 @@ class SvgReader {
     const std::string_view link = svg_link(node);
     const pugi::xml_node target = document_.linked(node);
     if (!target) {
-      return document_.report_bad(
-          node, fmt::format("nothing is called \"{:.60}\"", link), "embed what it links");
+      return document_.report_bad(node,
+                                  fmt::format("no element has the name \"{:.60}\"", link),
+                                  "embed the element that "
+                                  "it links");
     }
     if (std::ranges::find(used_, target) != used_.end() || style.depth >= kDeepestNesting) {
       return document_.report_bad(
@@ -311,7 +313,8 @@ class SvgReader {
     if (!wrong.is_error) return sketch_.ignore(wrong.reason, document_.entity_of(node), kMend);
     if (!wrong.reason.empty()) return document_.report_bad(node, wrong.reason, kMend);
     if (local_name(document_.find(svg_reference(style.fill))) == "pattern") {
-      sketch_.ignore("patterns: only the outline of the shape is read", document_.entity_of(node));
+      sketch_.ignore("patterns are ignored: only the outline of the shape is read", "
+                     "document_.entity_of(node));
     }
     SvgSubpaths& subpaths = pen.subpaths();
     if (properties.has("clip-path")) clips_.enter(node, properties, box_of(subpaths), style);

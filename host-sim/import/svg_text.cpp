@@ -143,7 +143,7 @@ void SvgText::note_unfollowed(const pugi::xml_node& node, const SvgProperties& p
                   document_.entity_of(node),
                   {},
                   fmt::format("{} of letters is not followed", name),
-                  "compare the picture of --svg, or convert them to paths"});
+                  "check them in the picture of --svg, or convert them to paths"});
   }
 }
 

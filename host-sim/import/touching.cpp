@@ -232,10 +232,10 @@ class TouchFinder {
     sketch_.report({FaultKind::kUnchecked,
                     pieces_[piece].contour.entity,
                     place(piece, 0),
-                    fmt::format("too many curves lie close together to look for crossings "
-                                "everywhere: {} pairs of them were looked at",
+                    fmt::format("too many curves lie close together to search all of them "
+                                "for crossings: {} pairs of curves were compared",
                                 sketch_.share_of(kMaxChordPairs)),
-                    "simplify the drawing here, or cut it in parts"});
+                    "simplify the drawing here, or divide it into several files"});
   }
 
   Sketch& sketch_;

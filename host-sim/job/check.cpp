@@ -104,10 +104,12 @@ Report check(const Job& job) {
   warn_of_step_rates(job, simulator.settings(), report);
   if (!job.text) warn_of_stale_inputs(job, simulator, report);
   if (report.refused_lines > 0) {
-    report.warnings.push_back(fmt::format("{}: bounds, length and time leave out {} refused line{}",
-                                          job.file,
-                                          report.refused_lines,
-                                          report.refused_lines == 1 ? "" : "s"));
+    report.warnings.push_back(
+        fmt::format("{}: bounds, length and time do not include {} refused "
+                    "line{}",
+                    job.file,
+                    report.refused_lines,
+                    report.refused_lines == 1 ? "" : "s"));
   }
   std::stable_sort(report.faults.begin(), report.faults.end(), [](const Fault& a, const Fault& b) {
     return a.line < b.line;

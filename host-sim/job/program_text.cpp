@@ -127,7 +127,7 @@ class Preparation {
   static std::string at_once_text(unsigned char byte) {
     const std::string shown = byte < ' ' ? fmt::format("byte 0x{:02X}", byte)
                                          : fmt::format("'{}'", static_cast<char>(byte));
-    return shown + " is a command that acts at once: it is left out of the program";
+    return shown + " is a command that acts immediately: it is left out of the program";
   }
 
   /// Replaces the character at `at` by blanks if a controller would not take it as it is. Returns
@@ -165,7 +165,7 @@ class Preparation {
       return;
     }
     if (mark) {
-      found_[kChecks].add(line_, star + 1, "checks of lines, all of them right, are left out");
+      found_[kChecks].add(line_, star + 1, "correct checks of lines are left out");
       blank(line, star, 1 + mark->digits.size());
       blank_number_of_statement(line);
     }

@@ -129,7 +129,7 @@ std::string ProgramWatch::feed_text(const PathPiece& piece, std::size_t axis) co
   if (found == feeds_.rend()) return fmt::format("the feed of {} {} is", plain(feed), unit);
   const bool is_same = std::abs(found->word - feed) <= kRounding * feed;
   if (is_same) return fmt::format("F{} is", plain(found->word));
-  return fmt::format("F{} asks for {} {} here,", plain(found->word), plain(feed), unit);
+  return fmt::format("F{} requires {} {} here,", plain(found->word), plain(feed), unit);
 }
 
 /// Adds a note about the first axis whose rate the piece exceeds. An arc may have any direction in
@@ -169,7 +169,7 @@ void ProgramWatch::go_dark() {
 
 void ProgramWatch::note(std::size_t line, std::string text) {
   if (notes_.size() > kMaxNotes) return;
-  if (notes_.size() == kMaxNotes) text = "more like this is not listed";
+  if (notes_.size() == kMaxNotes) text = "further notes of this kind are not listed";
   notes_.push_back({line, 0, std::move(text)});
 }
 

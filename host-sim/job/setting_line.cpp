@@ -68,7 +68,7 @@ std::vector<SettingChange> read_settings_file(const std::string& file) {
   }
   if (changes.empty()) {
     throw std::invalid_argument(
-        fmt::format("{}: has no line $N=value; leave the option out for the delivered settings",
+        fmt::format("{}: has no line $N=value; omit the option to use the default settings",
                     name_of_input(file)));
   }
   return changes;

@@ -141,8 +141,7 @@ GreyImage read_image(std::string_view bytes, const std::string& name) {
   if (bytes.starts_with(kPngStart)) return read_png_image(bytes, name);
   if (bytes.starts_with(kJpegStart)) return read_jpeg_image(bytes, name);
   if (bytes.starts_with(kBmpStart)) return read_bmp(bytes, name);
-  throw refusal(name,
-                "is other text or binary data, and no PNG, JPEG or BMP picture; save it as one");
+  throw refusal(name, "is no PNG, JPEG or BMP picture; save it in one of these formats");
 }
 
 int exif_orientation(std::string_view jpeg) {

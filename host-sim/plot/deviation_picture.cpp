@@ -142,7 +142,7 @@ PictureKey key_of(double scale_mm, const SurfaceFigures& figures) {
   key.samples = {{.shape = SampleShape::kArea, .colour = "#3182bd", .label = "stock is left (R)"},
                  {.shape = SampleShape::kArea, .colour = "#de2d26", .label = "gouge (G)"}};
   key.notes = {"at right angles to the surface,",
-               fmt::format("good to half a cell of {:.3g} mm;", figures.cell_mm),
+               fmt::format("exact to half a cell of {:.3g} mm;", figures.cell_mm),
                "darkest: the scale's end or more",
                "(…): the tool does not fit",
                ""};
