@@ -24,8 +24,7 @@ struct EdgeOwner {
   /// Number of times that the loop runs from the edge's end to its start.
   std::uint32_t against = 0;
 
-  /// Returns the difference between the winding numbers of the loop on the left and on the right of
-  /// the edge.
+  /// Returns the winding number of the loop on the left of the edge, minus that on the right.
   [[nodiscard]] int step() const { return static_cast<int>(along) - static_cast<int>(against); }
 };
 

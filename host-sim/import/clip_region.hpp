@@ -58,7 +58,9 @@ using ClipRegions = std::vector<std::shared_ptr<const ClipRegion>>;
 enum class Sight : std::uint8_t {
   kWhole,
   kNothing,
-  kPart,     ///< The row crosses the edge of a clip, or its filled area makes the edge visible.
+  /// A part of the row is visible: the row crosses the edge of a clip, or its filled area covers a
+  /// part of this edge.
+  kPart,
   kTooMuch,  ///< There are more pairs of chords than may be compared.
 };
 

@@ -61,7 +61,7 @@ class DxfEntity {
   [[nodiscard]] std::vector<double> numbers(int code) const;
   [[nodiscard]] std::vector<Place> places(int code) const;
 
-  /// Removes the subclass of this name and all groups after it.
+  /// Removes the groups of the subclass with this name, and all later groups.
   void drop_part(std::string_view subclass);
 
   /// Returns the first group whose value should be a coordinate, length, angle or flag but is no

@@ -45,7 +45,8 @@ struct DxfStyle {
   double height = 0.0;       ///< Height of texts that give no height, in units of the drawing.
   double width = 1.0;        ///< Factor of the width of letters.
   double oblique_deg = 0.0;  ///< Lean of the letters to the right.
-  int flags = 0;             ///< Flags: 2 for backwards, 4 for upside down.
+  /// Sum of flags: 2 if letters are mirrored (backwards), 4 if they are upside down.
+  int flags = 0;
 };
 
 /// Tables of a DXF file: layers, line types and text styles.

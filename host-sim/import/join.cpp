@@ -226,7 +226,7 @@ class Joiner {
   std::vector<Piece> pieces_;
   std::vector<OpenPiece> open_;
   LooseEnds loose_;  ///< Ends of the pieces of `open_`, in the same order: two for each piece.
-  std::size_t closed_ = 0;  ///< Number of pieces that nearly closed themselves and were closed.
+  std::size_t closed_ = 0;  ///< Number of nearly closed pieces that were closed by a line.
   Extent widest_{};  ///< Length of the longest line that closed a piece, mm, and its position.
   Entity widest_entity_{};
 };

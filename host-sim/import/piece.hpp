@@ -50,8 +50,8 @@ class Budget {
 };
 
 /// Returns the pieces that result when chains of one layer are joined at ends within `gap_mm` of
-/// each other. Reports ends without a partner as faults of the sketch. As a remedy, a fault names
-/// closing the contour, or `remedy`.
+/// each other. Reports ends without a partner as faults of the sketch. The remedy of such a fault
+/// is to close the contour, or the text `remedy`.
 /// @param mends_gaps see ImportOptions::mends_gaps
 [[nodiscard]] std::vector<Piece> join(Sketch& sketch,
                                       std::vector<Piece> chains,

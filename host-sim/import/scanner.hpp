@@ -33,7 +33,7 @@ class Scanner {
     ++at_;
     return true;
   }
-  /// Consumes a comma if it is next.
+  /// Consumes a comma if the next character is one.
   void separate() { static_cast<void>(take(',')); }
 
   /// Consumes a finite number and returns it. If none is next, returns nothing and consumes only

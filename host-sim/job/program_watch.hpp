@@ -70,7 +70,7 @@ class ProgramWatch {
   std::size_t lit_line_ = 0;
   bool notes_light_at_rest_ = false;
   bool homed_ = false;
-  std::deque<Feed> feeds_;  ///< The last words F, with their lines.
+  std::deque<Feed> feeds_;  ///< The last kMaxPending words F of the program, with their lines.
   std::vector<double> powers_listed_;
   std::vector<double> feeds_listed_;
   std::vector<LineNote> notes_;

@@ -49,8 +49,8 @@ class PathRecorder final : public TraceSink {
     double x_mm;
     double y_mm;
     Move move;
-    /// Height or output, if the picture shows depth or power. The speed is known only when the
-    /// window ends.
+    /// Height or output, if the picture shows depth or power. The speed is computed when the window
+    /// ends.
     float value;
   };
 
