@@ -130,7 +130,7 @@ void Planner::share_common_lines() {
   const auto drawn = usual_order(work_.unbegun, wish_, order::OrderMethod::kFile);
   std::vector<std::size_t> ranks(work_.unbegun.size());
   for (std::size_t i = 0; i < ranks.size(); ++i) ranks[drawn[i].cut] = i;
-  share_lines(plan_, work_.unbegun, ranks);
+  share_lines(work_.plan, work_.unbegun, ranks);
 }
 
 void Planner::find_beginnings() {

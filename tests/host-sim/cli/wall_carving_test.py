@@ -133,7 +133,7 @@ class WallCarving(unittest.TestCase):
             ((*carve, good, "--depth", 0.1), "add --waist"),
             (("wall", "carve", self.part, "--beams", good, "--half-angle", 30, "--heat", 60), "exceed 85 degrees"),
             ((*carve, good, "--section", "0,0,1,1"), "--section and --picture-section require each other"),
-            ((*carve, good, "--section", "1,1,1,1", "--picture-section", "a.gif"), "is no kind of picture"),
+            ((*carve, good, "--section", "1,1,1,1", "--picture-section", "a.gif"), "is no format of a picture"),
             ((*carve, good, "--section", "1,1,1,1", "--picture-section", "a.svg"), "both ends are one point"),
             (("wall", "taper", self.file("f", "0 13\n0 x\n"), "--half-angle", 7), "f:2: `0 x` is no cut"),
             (("wall", "taper", self.file("g", "30 30\n"), "--half-angle", 7), "only walls that an upright beam"),

@@ -78,7 +78,9 @@ TEST(Check, LeavesRefusedLinesOutOfAllFigures) {
   EXPECT_DOUBLE_EQ(report.cut_length_mm, 6.0);
   EXPECT_DOUBLE_EQ(report.axes[0].greatest_mm, 6.0);
   EXPECT_EQ(report.faults.size(), 3U) << "no travel is exceeded";
-  EXPECT_THAT(report.warnings, Contains("f: bounds, length and time leave out 3 refused lines"));
+  EXPECT_THAT(report.warnings,
+              Contains("f: bounds, length and time do not include 3 refused "
+                       "lines"));
   EXPECT_THAT(checked("G0 X1\n").warnings, IsEmpty());
 }
 
