@@ -13,7 +13,7 @@
 namespace sim::pocket {
 namespace {
 
-/// Steps of the search: the number for each path, and the greatest number in total.
+/// Number of search steps for each path, and greatest number in total.
 constexpr std::uint64_t kStepsOfPath = 200;
 constexpr std::uint64_t kMaxSteps = 200'000;
 

@@ -8,11 +8,11 @@ namespace {
 
 using cnc::WideVec2;
 
-/// The tool descends at this distance from the stock, as a share of its radius.
+/// Distance from the stock at which the tool's centre descends, as a share of the tool's radius.
 constexpr double kGap = 1.25;
-/// Greatest distance between the points that are tried, as a share of the tool's radius.
+/// Greatest distance between neighbouring candidate points, as a share of the tool's radius.
 constexpr double kApart = 1.0;
-/// Greatest number of paths that are tried, the shortest first, and limits of the number of points
+/// Greatest number of candidate paths (the shortest are tried), and limits of the number of points
 /// on a loop.
 constexpr std::size_t kMaxWays = 1000;
 constexpr double kFewestOnLoop = 16.0;

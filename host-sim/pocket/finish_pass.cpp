@@ -22,10 +22,10 @@ using cnc::pocket::LoopPlace;
 using cnc::pocket::Milling;
 using cnc::pocket::Use;
 
-/// Share of the tool's radius: greatest radius of an arc by which the tool reaches a wall.
+/// Greatest radius of an arc that leads to a wall, as a share of the tool's radius.
 constexpr double kLeadShare = 1.0;
 
-/// A pass along a wall, with a quarter of a circle before and after it.
+/// A pass along a wall, with a quarter of a circle before it and another after it.
 struct Lead {
   LoopPlace<double> place;
   WideVec2 begin{0.0, 0.0};
@@ -36,8 +36,8 @@ struct Lead {
   double line_mm = 0.0;
 };
 
-/// Returns the arcs on which the tool reaches a loop from a cleared point and leaves it to a
-/// cleared point.
+/// Returns the arcs of a pass along one loop. The first arc leads from a cleared point to the loop,
+/// the last arc from the loop to a cleared point. Returns none where no arcs fit.
 std::optional<Lead> lead_to(const OwnedBoundary& walls,
                             std::size_t loop,
                             const FinishOptions& options) {
@@ -66,8 +66,8 @@ std::optional<Lead> lead_to(const OwnedBoundary& walls,
   return lead;
 }
 
-/// Returns the greatest length of the lines at both ends of a lead, within the area that roughing
-/// has cleared; 0 where no line fits.
+/// Returns the greatest length of the lines at both ends of a lead that fits into the area that
+/// roughing has cleared, mm; 0 where no line fits.
 double line_length(const Lead& lead, const OwnedArea& area, const FinishOptions& options) {
   constexpr int kHalvings = 3;
   const double cleared = options.tool_radius_mm + options.allowance_mm;
@@ -82,7 +82,7 @@ double line_length(const Lead& lead, const OwnedArea& area, const FinishOptions&
   return 0.0;
 }
 
-/// Adds lines to a lead. Throws NoPocketPath where there is no lead or no line fits.
+/// Adds lines to a lead. Throws NoPocketPath if there is no lead, or if no line fits.
 Lead with_lines(std::optional<Lead> lead,
                 const WideVec2& place,
                 const OwnedArea& area,

@@ -52,7 +52,8 @@ void set(MillTool& tool, const std::string& key, const std::string& text) {
                                           did_you_mean(key, names)));
 }
 
-/// Checks a tool. Throws std::invalid_argument for values that are missing or exclude each other.
+/// Checks a tool. Throws std::invalid_argument for missing values and for values that exclude each
+/// other.
 void check(const MillTool& tool) {
   if (tool.name.empty()) throw std::invalid_argument("a tool without a name");
   if (tool.diameter_mm == 0.0) throw std::invalid_argument("a tool without diameter=MM");

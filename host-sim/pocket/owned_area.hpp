@@ -8,7 +8,7 @@
 
 namespace sim::pocket {
 
-/// Distances from the boundary of an area, with their storage.
+/// Distances from the boundary of an area, with the storage for the boundary.
 class OwnedArea {
  public:
   /// Throws std::invalid_argument for numbers that are not finite.

@@ -7,7 +7,7 @@
 
 namespace sim::pocket {
 
-/// Loops, prepared for queries for their nearest point, with their storage.
+/// Loops with their storage, prepared for queries for the nearest point.
 class OwnedBoundary {
  public:
   explicit OwnedBoundary(Contour contour);
@@ -19,7 +19,7 @@ class OwnedBoundary {
   [[nodiscard]] cnc::contour::ContourView<double> view() const { return contour_.view(); }
   [[nodiscard]] std::size_t loops() const { return contour_.loop_ends.size(); }
   [[nodiscard]] const cnc::pocket::NearestCurve<double>& nearest() const { return nearest_; }
-  /// Returns the distance from `place` to the loops, mm. @pre there is a loop
+  /// Returns the distance from `place` to the nearest loop, mm. @pre there is a loop
   [[nodiscard]] double distance(const cnc::WideVec2& place) const {
     return nearest_.nearest_to(place).distance;
   }

@@ -31,9 +31,9 @@ using cnc::pocket::PaperFault;
   throw NoPocketPath{"its path is too long; choose a larger tool"};
 }
 
-/// Returns an upper bound of the number of loops. Each loop is inside of the previous loop by at
-/// least one radius on both sides. Arcs may reach beyond the vertices, but not twice as far in a
-/// pocket that the method accepts.
+/// Returns an upper bound of the number of loops. Each loop is at least one tool radius inside of
+/// the previous loop on both sides. Arcs may reach beyond the vertices, but not twice as far in a
+/// pocket that the method supports.
 std::size_t max_loops_of(const cnc::contour::ContourView<double>& pocket, double tool_radius_mm) {
   double left = std::numeric_limits<double>::infinity();
   double right = -left;

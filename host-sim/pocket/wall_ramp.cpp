@@ -14,7 +14,7 @@ namespace {
 using cnc::WideVec2;
 using cnc::pocket::Use;
 
-/// Ramps with more legs forth, back or around are refused.
+/// Greatest number of legs of a ramp, forth, back or around.
 constexpr double kMaxLegs = 1000.0;
 
 /// Returns the middle of the longest element of a loop.
@@ -50,7 +50,7 @@ void revolve(const cnc::contour::ContourView<double>& locus,
              const cnc::pocket::LoopDrive<double>& drive,
              PathRows& out) {
   const std::size_t first = out.points.size();
-  // The element of the starting point is divided in two, so there is one element more.
+  // The element that contains the starting point is divided in two, so there is one more element.
   out.points.resize(first + locus.loop_ends[place.loop] - locus.loop_begin(place.loop) + 1);
   cnc::pocket::ToolPathWriter<double> writer{{out.points.data() + first, out.points.size() - first},
                                              {}};

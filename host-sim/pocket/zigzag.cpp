@@ -36,8 +36,8 @@ void check(const ZigzagOptions& options) {
   require(options.slope > 0.0 && options.slope <= 1.0, "slope", options.slope);
 }
 
-/// Returns the radius of turns. A line may end up to twice this radius before the wall, and the
-/// pass along the wall clears what the line leaves on both sides of its end.
+/// Returns the radius of turns. It is limited because a line may end up to twice this radius before
+/// the wall. The pass along the wall clears the stock on both sides of such an end.
 double turn_radius(const ZigzagOptions& options) {
   const double reach = options.tool_radius_mm - 0.5 * options.stepover_mm;
   const double most = std::min(kWidestTurn * options.stepover_mm, 0.5 * reach);
@@ -59,7 +59,8 @@ struct TurnAreas {
 TurnAreas turn_areas(const Contour& locus, double radius_mm) {
   ContourOffset offsetter;
   TurnAreas areas{{}, copy_of(offsetter.offset(locus.view(), -radius_mm)), radius_mm};
-  // Parts that merge have corners between them, which are filled.
+  // Where parts of the area merge, there are corners between them. The last offset fills these
+  // corners.
   const Contour wide = copy_of(offsetter.offset(areas.centres.view(), 2.0 * radius_mm));
   areas.rounded = copy_of(offsetter.offset(wide.view(), -radius_mm));
   return areas;
@@ -87,8 +88,8 @@ double length_of(const PathRows& rows) {
   return length;
 }
 
-/// Drives lines from the lowest upwards or from the highest downwards, and returns the shorter
-/// path: its entries into the stock are shorter.
+/// Drives lines both from the lowest upwards and from the highest downwards. Returns the shorter
+/// path, because its entries into the stock are shorter.
 Zigzag open_lines_of(const TurnAreas& areas, const ZigzagOptions& options) {
   Zigzag upwards = lines_of(areas, options);
   ZigzagOptions other = options;
