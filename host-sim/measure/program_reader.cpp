@@ -15,13 +15,13 @@ double rotary_distance(const Point& from, const Point& to) {
   return norm(run);
 }
 
-/// Greatest P of an arc that the controller takes.
+/// Greatest P of an arc that the controller accepts.
 constexpr double kMaxArcTurns = 65'535.0;
 
 /// Greatest number of notes that are kept in memory.
 constexpr std::size_t kMaxReadNotes = 1000;
 
-/// Radius in mm below which a circle counts as a point: half a nanometre.
+/// Radius below which a circle counts as a point, mm: half a nanometre.
 constexpr double kNoCircle = 0.5e-6;
 
 constexpr std::array kStopWords{0, 1, 2, 30};
@@ -116,8 +116,8 @@ void ProgramReader::apply_compensation(const ProgramLine& line) {
   is_beside_ = true;
 }
 
-/// Applies G43.4 and the words that end it. The machine is at rest, and its position gets other
-/// numbers.
+/// Applies G43.4 and the words that end it. The machine is at rest; only the numbers of its
+/// position change.
 void ProgramReader::apply_tool_centre(const ProgramLine& line) {
   const bool begins = line.has_g(434);
   if (begins && !options_.tool_centre) note("G43.4 left out");
@@ -150,7 +150,7 @@ void ProgramReader::stop_or_end(const ProgramLine& line) {
 }
 
 bool ProgramReader::apply_single(const ProgramLine& line, const std::vector<int>& numbers) {
-  // G43.1 and G43.4 are modes, but they take the axis words.
+  // G43.1 and G43.4 are modes, but they use the axis words.
   bool taken = line.has_g(431) || line.has_g(434);
   for (const int g : numbers) {
     if (g == 40) stop_pending_ = true;
@@ -237,7 +237,7 @@ void ProgramReader::move_straight(const Point& to, Travel travel) {
   if (travel == Travel::kProbe) stop_pending_ = true;
 }
 
-/// Adds as many equal parts as there are powers; an F of G93 applies to the whole path.
+/// Adds as many equal parts as there are powers. With G93, F applies to the complete line.
 void ProgramReader::move_in_parts(const ProgramLine& line, const Point& to) {
   const Point from = position_;
   const Curve whole = Curve::line(from, to);
@@ -269,8 +269,8 @@ void ProgramReader::move_round(const ProgramLine& line, const Point& to, bool cl
   for (const Curve& piece : pieces) add_piece(piece, Travel::kFeed, feed);
 }
 
-/// Notes a third offset. It is accepted, as Grbl accepts it; elsewhere it may be the pitch of a
-/// helix.
+/// Adds a note about a third offset, which is ignored, as in Grbl. Other controllers may read it as
+/// the pitch of a helix.
 void ProgramReader::note_third_offset(const ProgramLine& line) {
   constexpr std::array<char, 3> kOffsets{'I', 'J', 'K'};
   const char letter = kOffsets[cnc::axes_of(modes_.plane()).normal];
@@ -280,7 +280,7 @@ void ProgramReader::note_third_offset(const ProgramLine& line) {
 
 void ProgramReader::add_piece(const Curve& curve, Travel travel, double feed) {
   path_.end = position_ = curve.end();
-  // From an offset position, a motion to where the program already is leads back to the path, too.
+  // From an offset position, a motion to the programmed position also leads back to the path.
   const bool nowhere = curve.length() <= 0.0;
   if (nowhere && !is_beside_) return;
   const cnc::PlaneAxes axes = cnc::axes_of(modes_.plane());

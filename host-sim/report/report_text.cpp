@@ -23,8 +23,8 @@ std::string styled(std::string_view text, std::string_view style, bool colour) {
   return colour ? fmt::format("{}{}\033[0m", style, text) : std::string{text};
 }
 
-/// Returns jerk or acceleration as text. They span decades, so that values from 100 on are whole
-/// numbers and smaller ones have one decimal.
+/// Returns a jerk or an acceleration as text. Their values span decades. Therefore values from 100
+/// on have no decimals, and smaller values have one.
 std::string rate_text(double value) { return fmt::format("{:.{}f}", value, value < 100.0 ? 1 : 0); }
 
 void add_fact(std::string& out, std::string_view name, std::string_view value) {
@@ -89,8 +89,8 @@ void add_axis_row(TextTable& table, char letter, const AxisReport& axis) {
 
 bool is_rotary(std::size_t axis) { return axis >= cnc::kLinearAxisCount; }
 
-/// Returns the errors that reading from steps may add to the figures of a table: the greatest of
-/// all its axes.
+/// Returns a line with the possible measuring errors of the figures in a table. Each error is the
+/// greatest of all axes in the table.
 std::string errors_text(const Report& report, bool rotary, const char* unit) {
   AxisReport most;
   for (std::size_t i = 0; i < cnc::kAxisCount; ++i) {

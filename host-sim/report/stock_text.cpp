@@ -96,7 +96,8 @@ StockJson surface_json(const stock::SurfaceFigures& figures) {
           {"worst_rests", worst_json(figures.worst_rests)}};
 }
 
-/// Returns a text such as `+0.0120 mm at X1.000 Y2.000, where the tool leaves 0.0100`.
+/// Returns a text with the deviation at a point and its position. It also contains the height that
+/// the tool cannot reach there, if there is one.
 std::string worst_text(const stock::WorstPlace& place) {
   std::string text =
       fmt::format("{:+.4f} mm at X{:.3f} Y{:.3f}", place.off_mm, place.x_mm, place.y_mm);
@@ -106,8 +107,8 @@ std::string worst_text(const stock::WorstPlace& place) {
   return text;
 }
 
-/// Returns a text such as `1.2 to 3.4 mm³, surely 0.500 mm at X1.000 Y2.000`; the point is given
-/// only if a difference is certain.
+/// Returns a text with the range of a volume. It also contains the greatest certain difference and
+/// its position, if a difference is certain.
 std::string difference_text(const stock::VolumeBounds& volume, const stock::HeightPeak& peak) {
   std::string text = fmt::format("{:.2f} to {:.2f} mm³", volume.min_mm3, volume.max_mm3);
   if (peak.min_mm > 0.0) {

@@ -13,15 +13,15 @@ namespace {
 
 constexpr std::string_view kScaleName = "steps_per_mm";
 
-/// Takes `text` off the front of `rest`. Returns false if `rest` does not begin with it.
+/// Removes `text` from the beginning of `rest`. Returns false if `rest` does not begin with `text`.
 bool take_text(std::string_view& rest, std::string_view text) {
   if (rest.substr(0, text.size()) != text) return false;
   rest.remove_prefix(text.size());
   return true;
 }
 
-/// Takes a number off the front of `rest`. Returns false if `rest` does not begin with a number
-/// that fits the type.
+/// Reads a number at the beginning of `rest` and removes it from `rest`. Returns false if `rest`
+/// does not begin with a number that fits the type.
 template <typename Number>
 bool take_number(std::string_view& rest, Number& number) {
   const auto [end, error] = std::from_chars(rest.data(), rest.data() + rest.size(), number);

@@ -124,7 +124,7 @@ void VcdWriter::write_duty(float duty) {
   fmt::format_to(fmt::appender(file_.buffer()), FMT_COMPILE("r{} {}\n"), duty, kDutyCode);
 }
 
-// Writes the position in two's complement; a viewer fills missing digits of a vector with 0.
+// Writes the position in two's complement. Leading zeros are omitted, because a viewer adds them.
 void VcdWriter::write_position(std::size_t axis) {
   const auto bits = static_cast<std::uint32_t>(axes_[axis].position);
   fmt::format_to(
