@@ -207,8 +207,8 @@ BurnRaster burn_raster(const GreyImage& image,
   const double rows = std::max(1.0, std::round(size_mm.y() / interval_mm));
   if (columns * rows > static_cast<double>(picture::kMaxImagePixels)) {
     throw std::invalid_argument(
-        fmt::format("{} x {} pixels would be burnt; make the picture smaller or the interval "
-                    "greater, for at most {} in all",
+        fmt::format("{} x {} pixels would be burnt, but only {} are possible; make the picture "
+                    "smaller or the interval greater",
                     columns,
                     rows,
                     picture::kMaxImagePixels));

@@ -83,12 +83,12 @@ void Simulator::attend_pause() {
   switch (machine().state()) {
     case cnc::MachineState::kHold:
       if (machine().status().substate != 0) return;
-      note("the program pauses here (M0); resumed at once");
+      note("the program pauses here (M0); the simulator resumes it immediately");
       return machine().resume();
     case cnc::MachineState::kTool:
       if (tool_changed_) return;
       tool_changed_ = true;
-      note("the program asks for another tool (M6); resumed at once");
+      note("the program requires another tool (M6); the simulator resumes it immediately");
       return machine().resume();
     default:
       tool_changed_ = false;
@@ -114,7 +114,7 @@ RunResult Simulator::result() const {
   std::ranges::stable_sort(notes, {}, &std::pair<std::size_t, std::string>::first);
   if (machine.waits_for_g40()) {
     notes.emplace_back(link_.line(),
-                       "the program ends with G41 or G42 on, and its last motions are not driven; "
+                       "the program ends with G41 or G42 on, so its last motions are not driven; "
                        "end it with G40 or M2");
   }
   return {.job_time_s = static_cast<double>(now_ticks()) / cnc::motion::kTicksPerSecond,

@@ -51,7 +51,7 @@ void ProgramReader::read(std::string_view text) {
 
 void ProgramReader::note(std::string text) {
   if (path_.notes.size() > kMaxReadNotes) return;
-  if (path_.notes.size() == kMaxReadNotes) text = "more like this is not listed";
+  if (path_.notes.size() == kMaxReadNotes) text = "further notes are not listed";
   path_.notes.push_back({line_number_, std::move(text)});
 }
 
@@ -208,7 +208,7 @@ void ProgramReader::move(const ProgramLine& line) {
   const Point to = modes_.target(line, position_);
   switch (motion) {
     case Motion::kNone:
-      return note("axis words without a motion");
+      return note("axis words without an active motion; left out");
     case Motion::kRapid:
       return move_straight(to, Travel::kRapid);
     case Motion::kLine:
@@ -253,15 +253,15 @@ void ProgramReader::move_round(const ProgramLine& line, const Point& to, bool cl
   ProgrammedArc arc{position_, to, modes_.plane(), {}, clockwise, 1};
   const double turns = line.value('P').value_or(1.0);
   if (turns < 1.0 || turns > kMaxArcTurns || turns != std::floor(turns)) {
-    return note("P is no number of turns: 1 to 65535");
+    return note("P is not a number of turns from 1 to 65535; the arc is left out");
   }
   arc.turns = static_cast<int>(turns);
   note_third_offset(line);
   const auto radius = line.value('R');
-  if (radius && is_closed(arc)) return note("an arc by radius needs another end");
+  if (radius && is_closed(arc)) return note("the arc with R ends at its start; left out");
   arc.centre = radius ? centre_from_radius(arc, modes_.scaled(0, *radius))
                       : modes_.centre(line, position_).value_or(std::array{0.0, 0.0});
-  if (start_radius(arc) < kNoCircle) return note("an arc without a radius");
+  if (start_radius(arc) < kNoCircle) return note("the radius of the arc is 0; left out");
   const std::vector<Curve> pieces = pieces_of(arc);
   double length = 0.0;
   for (const Curve& piece : pieces) length += piece.linear_length();
@@ -275,7 +275,7 @@ void ProgramReader::note_third_offset(const ProgramLine& line) {
   constexpr std::array<char, 3> kOffsets{'I', 'J', 'K'};
   const char letter = kOffsets[cnc::axes_of(modes_.plane()).normal];
   if (line.value(letter).value_or(0.0) == 0.0) return;
-  note(std::string{letter} + " lies outside the plane of the arc and has no effect");
+  note(std::string{letter} + " is not in the plane of the arc and has no effect");
 }
 
 void ProgramReader::add_piece(const Curve& curve, Travel travel, double feed) {

@@ -42,7 +42,7 @@ void check(const AdaptiveOptions& options) {
   require(
       options.depth_mm > 0.0 && std::isfinite(options.depth_mm), "depth in mm", options.depth_mm);
   require(options.slope > 0.0 && options.slope <= 1.0, "slope of ramps", options.slope);
-  require(options.return_limit_mm >= 0.0, "way to return in mm", options.return_limit_mm);
+  require(options.return_limit_mm >= 0.0, "length of returns in mm", options.return_limit_mm);
 }
 
 /// The vertex at which a pass along a wall begins, and the cleared circle from which the tool
@@ -168,7 +168,7 @@ AdaptivePath adaptive_path(const cnc::contour::ContourView<double>& area,
   AreaClearer{owned, graph, options, driver}.clear();
   if (driver.circles().empty()) {
     throw std::invalid_argument{
-        fmt::format("a tool of {:g} mm fits nowhere into the pocket; take a smaller one",
+        fmt::format("a tool of {:g} mm fits nowhere into the pocket; choose a smaller tool",
                     2.0 * options.tool_radius_mm)};
   }
   ContourOffset offset;

@@ -28,7 +28,8 @@ std::vector<Contour> areas_of(const Contour& contours) {
   cnc::pocket::AreaList<double> areas{slice_of(vertices), slice_of(loop_ends), slice_of(ranges)};
   const auto result = cnc::pocket::split_areas<double>(contours.view(), slice_of(notes), areas);
   if (result != cnc::pocket::SplitResult::kDone) {
-    throw NoPocketPath{"an island lies outside of all pockets; are contours missing or crossing?"};
+    throw NoPocketPath{
+        "an island is outside of all pockets; check for missing or crossing contours"};
   }
   std::vector<Contour> split;
   for (std::size_t i = 0; i < areas.size(); ++i) split.push_back(copy_of(areas[i]));

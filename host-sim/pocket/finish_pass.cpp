@@ -89,11 +89,11 @@ Lead with_lines(std::optional<Lead> lead,
                 const FinishOptions& options) {
   if (lead) lead->line_mm = line_length(*lead, area, options);
   if (lead && lead->line_mm > 0.0) return *lead;
-  throw NoPocketPath{
-      fmt::format("at {:.3f} {:.3f} there is no room for the lead that G41 and G42 need; leave out "
-                  "--wear or choose a smaller tool",
-                  place.x(),
-                  place.y())};
+  throw NoPocketPath{fmt::format(
+      "at {:.3f} {:.3f} there is no space for the lead that G41 and G42 require; leave out "
+      "--wear or choose a smaller tool",
+      place.x(),
+      place.y())};
 }
 
 void drive(const OwnedBoundary& walls,

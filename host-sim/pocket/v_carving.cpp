@@ -34,7 +34,7 @@ void check(const VCarveOptions& options) {
   check_range("tolerance of carving", options.tolerance_mm, 1.0e-4, 1.0);
   if (!(options.return_limit_mm >= 0.0)) {
     throw std::invalid_argument{
-        fmt::format("way to return {:g} mm is below 0", options.return_limit_mm)};
+        fmt::format("length of returns {:g} mm is below 0", options.return_limit_mm)};
   }
 }
 

@@ -37,11 +37,12 @@ cnc::pocket::LoopPlace<double> longest_middle(const cnc::contour::ContourView<do
 double legs_of_ramp(const WallDrive& drive, double length_mm, const WideVec2& place) {
   const double legs = std::max(1.0, std::ceil(drive.depth_mm / (drive.slope * length_mm)));
   if (legs <= kMaxLegs) return legs;
-  throw NoPocketPath{fmt::format(
-      "at {:.3f} {:.3f} a ramp would be {:.3g} mm long; choose --entry plunge or a smaller tool",
-      place.x(),
-      place.y(),
-      length_mm)};
+  throw NoPocketPath{
+      fmt::format("at {:.3f} {:.3f} a ramp would be only {:.3g} mm long; choose --entry plunge or "
+                  "a smaller tool",
+                  place.x(),
+                  place.y(),
+                  length_mm)};
 }
 
 void revolve(const cnc::contour::ContourView<double>& locus,

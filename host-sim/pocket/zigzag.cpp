@@ -26,7 +26,7 @@ void check(const ZigzagOptions& options) {
   const double radius = options.tool_radius_mm;
   require(radius > 0.0 && std::isfinite(radius), "radius of the tool in mm", radius);
   require(options.stepover_mm > 0.0 && options.stepover_mm <= 2.0 * radius,
-          "distance of lines in mm",
+          "distance between lines in mm",
           options.stepover_mm);
   require(options.turn_radius_mm >= 0.0 && std::isfinite(options.turn_radius_mm),
           "radius of turns in mm",
@@ -109,7 +109,7 @@ Zigzag zigzag_path(const cnc::contour::ContourView<double>& area, const ZigzagOp
   ContourOffset offsetter;
   const Contour locus = copy_of(offsetter.offset(area, -options.tool_radius_mm));
   if (locus.loop_ends.empty()) {
-    throw NoPocketPath{"the tool fits nowhere into it; choose a smaller one with --tool"};
+    throw NoPocketPath{"the tool fits nowhere into the pocket; choose a smaller one with --tool"};
   }
   const TurnAreas areas = turn_areas(locus, turn_radius(options));
   if (options.stock) {

@@ -60,7 +60,7 @@ std::string facts_text(const Report& report) {
     add_fact(
         out,
         "tip",
-        fmt::format("X {:.3f} to {:.3f}, Y {:.3f} to {:.3f}, Z {:.3f} to {:.3f} mm, leans up to "
+        fmt::format("X {:.3f} to {:.3f}, Y {:.3f} to {:.3f}, Z {:.3f} to {:.3f} mm, tilted up to "
                     "{:.2f} deg",
                     tip.min_mm[0],
                     tip.greatest_mm[0],
@@ -104,8 +104,8 @@ std::string errors_text(const Report& report, bool rotary, const char* unit) {
   }
   if (most.speed_error_mm_s == 0.0) return "";
   return fmt::format(
-      "  read from steps: up to {:.2f} {}/s, {} {}/s² and {} {}/s³ may come from their times, "
-      "places are within {:.4f} {}\n",
+      "  read from steps: up to {:.2f} {}/s, {} {}/s² and {} {}/s³ may be measuring errors, "
+      "positions are within {:.4f} {}\n",
       most.speed_error_mm_s,
       unit,
       rate_text(most.acceleration_error_mm_s2),

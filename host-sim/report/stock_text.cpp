@@ -102,7 +102,7 @@ std::string worst_text(const stock::WorstPlace& place) {
   std::string text =
       fmt::format("{:+.4f} mm at X{:.3f} Y{:.3f}", place.off_mm, place.x_mm, place.y_mm);
   if (place.unreachable_mm > 0.0) {
-    text += fmt::format(", where the tool leaves {:.4f}", place.unreachable_mm);
+    text += fmt::format(", of which the tool cannot reach {:.4f} mm", place.unreachable_mm);
   }
   return text;
 }
@@ -112,7 +112,8 @@ std::string worst_text(const stock::WorstPlace& place) {
 std::string difference_text(const stock::VolumeBounds& volume, const stock::HeightPeak& peak) {
   std::string text = fmt::format("{:.2f} to {:.2f} mm³", volume.min_mm3, volume.max_mm3);
   if (peak.min_mm > 0.0) {
-    text += fmt::format(", surely {:.4f} mm at X{:.3f} Y{:.3f}", peak.min_mm, peak.x_mm, peak.y_mm);
+    text +=
+        fmt::format(", at least {:.4f} mm at X{:.3f} Y{:.3f}", peak.min_mm, peak.x_mm, peak.y_mm);
   }
   return text;
 }
@@ -189,7 +190,7 @@ std::vector<std::pair<std::string, std::string>> stock_facts(const stock::StockR
                                  std::max(report.cell_x_mm, report.cell_y_mm)));
   if (figures.engagement) {
     facts.emplace_back("engagement",
-                       fmt::format("{:.1f} to {:.1f} degrees at most, at line {}",
+                       fmt::format("greatest between {:.1f} and {:.1f} degrees, at line {}",
                                    figures.engagement->engagement.min_deg,
                                    figures.engagement->engagement.max_deg,
                                    figures.engagement->line));
@@ -239,7 +240,7 @@ std::vector<std::string> warnings_of(const stock::StockReport& report, const std
   }
   if (rapids.count > warnings.size()) {
     warnings.push_back(
-        fmt::format("{}: rapids cut stock {} times more", file, rapids.count - warnings.size()));
+        fmt::format("{}: rapids cut stock {} more times", file, rapids.count - warnings.size()));
   }
   if (report.pocket && report.pocket->gouge.min_mm3 > 0.0) {
     warnings.push_back(

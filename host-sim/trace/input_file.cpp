@@ -75,7 +75,7 @@ std::string name_of_input(const std::string& file) { return file == "-" ? "stand
 std::string read_bytes(const std::string& file) {
   std::string bytes = OpenInput{file}.read();
   if (bytes.empty() && file == "-") {
-    throw std::invalid_argument("standard input: is empty; give it the text, or name a file");
+    throw std::invalid_argument("standard input: is empty; send the text to it, or name a file");
   }
   return bytes;
 }
@@ -88,7 +88,7 @@ std::string read_text(const std::string& file, bool may_be_packed) {
                           (may_be_packed && text.starts_with(kGzip));
   if (is_binary(text) && !is_drawing) {
     throw std::invalid_argument(fmt::format(
-        "{}: is a binary file, not text; is it the right file, saved as plain text or UTF-8?",
+        "{}: is a binary file, not text; choose a file that is saved as plain text or UTF-8",
         name_of_input(file)));
   }
   return text;

@@ -53,7 +53,7 @@ bool TraceReader::next(TraceRow& row) {
   TraceRow parsed;
   if (!parse_row(line_, parsed)) fail("expected a time, six positions and a duty");
   if (line_number_ > first_row_line_ && parsed.time_ns <= last_time_ns_) {
-    fail("time does not increase");
+    fail("time does not increase; rows must be in order of time");
   }
   last_time_ns_ = parsed.time_ns;
   row = parsed;
@@ -81,7 +81,7 @@ void TraceReader::read_scale(std::string_view items) {
   for (std::size_t axis = 0; axis < cnc::kAxisCount; ++axis) {
     const std::string name{' ', cnc::kAxisLetters[axis], '='};
     const bool is_read = take_text(items, name) && take_number(items, steps_per_mm_[axis]);
-    if (!is_read) fail("unreadable steps_per_mm");
+    if (!is_read) fail("unreadable steps_per_mm; expected numbers for all six axes");
   }
 }
 
