@@ -17,10 +17,10 @@ enum class Shading : std::uint8_t {
   kThreshold,  ///< Full power for pixels that are darker than 50 % grey.
   /// Full power for pixels that are darker than their threshold in an 8 x 8 Bayer matrix.
   kOrdered,
-  /// Floyd and Steinberg: the error of each dot is distributed to four neighbours.
+  /// Floyd and Steinberg: the error of each dot is distributed to four neighbouring pixels.
   kFloydSteinberg,
-  kJarvis,  ///< Jarvis, Judice and Ninke: the error is distributed to twelve neighbours.
-  kStucki,  ///< Stucki: the error is distributed to twelve neighbours, with other weights.
+  kJarvis,  ///< Jarvis, Judice and Ninke: the error is distributed to twelve neighbouring pixels.
+  kStucki,  ///< Stucki: as kJarvis, with different weights.
 };
 
 /// Conversion from greys to powers.

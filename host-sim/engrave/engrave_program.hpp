@@ -20,8 +20,8 @@ struct EngraveSettings {
   bool is_plain = false;          ///< Whether each line has at most one S, as every Grbl requires.
   bool follows_speed = true;      ///< True: M4, where the power follows the speed. False: M3.
   double full_power_s = 1000.0;   ///< S value of full power: setting $30.
-  std::string air = "M8";         ///< Word that switches the air on, M7 or M8; empty: no word.
-  int decimals = 4;               ///< Number of decimals of positions.
+  std::string air = "M8";  ///< Word that switches the air assist on, M7 or M8; empty: no word.
+  int decimals = 4;        ///< Number of decimals of positions.
 };
 
 /// Figures of an engraving program.

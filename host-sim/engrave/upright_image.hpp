@@ -12,10 +12,10 @@ struct UprightImage {
   drawing::Place high_mm{0.0, 0.0};
 };
 
-/// Returns a picture as it appears on the machine. Quarter turns and mirroring keep its pixels. For
-/// any other map, the upright rectangle around the picture is sampled four times along each burnt
-/// pixel, or as often as the limit of pixels allows. Samples outside of the picture are not
-/// covered.
+/// Returns a picture as it appears on the machine. Quarter turns and mirroring keep its pixels. Any
+/// other map requires sampling of the upright rectangle around the picture. There are four samples
+/// along each burnt pixel, or as many as the limit of pixels allows. Samples outside of the picture
+/// are not covered.
 /// @param to_mm maps points of the picture, in pixels from its upper left corner with y down, to mm
 /// @param burnt_mm length of the shorter side of a burnt pixel, above 0
 /// @pre the map is finite, and its determinant is not 0

@@ -12,7 +12,7 @@ enum class Breakdown : std::uint8_t {
   /// The main loop stops, but the step interrupt continues. The watchdog then restarts the
   /// controller.
   kMainLoopHangs,
-  kSettingTurnsOver,  ///< A bit of the settings in memory flips.
+  kSettingTurnsOver,  ///< A bit of the settings in memory changes.
 };
 
 /// A breakdown that happens once, at a chosen time.

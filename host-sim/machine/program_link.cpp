@@ -66,7 +66,8 @@ void ProgramLink::take_answer(std::string_view answer) {
     return;
   }
   const bool refused = answer.starts_with(kError);
-  if (!refused && answer != kAccepted) return;  // The line is a greeting, an alarm or a report.
+  // The line is a greeting, an alarm or a report. Only `ok` and errors are answers.
+  if (!refused && answer != kAccepted) return;
   awaits_answer_ = false;
   if (!refused) {
     take_message();

@@ -10,8 +10,8 @@ constexpr unsigned kTurnsPerProgress = 256;
 constexpr std::size_t kMaxPauses = 1000;
 /// Number of cycles between two status requests, by which the sender shows that it is present.
 constexpr unsigned kTurnsPerStatus = 100;
-/// Number of cycles with the motors at rest after which the run ends although motions are left that
-/// nothing will release.
+/// Number of cycles with the motors at rest after which the run ends, although motions are left.
+/// Nothing will release such motions.
 constexpr unsigned kTurnsOfWaiting = 100;
 /// Number of cycles within which a line is answered after its motion raised an alarm.
 constexpr unsigned kTurnsToAnswer = 100;

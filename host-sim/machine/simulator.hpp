@@ -34,10 +34,11 @@ struct RunResult {
   std::size_t blocks = 0;
   std::vector<Refusal> refusals;  ///< The first refusals, at most ProgramLink::kMaxRefusals.
   std::size_t refused = 0;        ///< Number of refused lines.
-  /// Events, each with the number of its line.
+  /// Events of the run, each with the number of the program's line.
   std::vector<std::pair<std::size_t, std::string>> notes;
   int alarm = 0;  ///< Grbl's number of the alarm; 0 without an alarm.
-  cnc::AxisArray<std::int32_t> final_position{};  ///< Position in motor steps.
+  /// Position of the motors at the end of the run, steps.
+  cnc::AxisArray<std::int32_t> final_position{};
 };
 
 /// Runs a program on a virtual controller as fast as the computer can. Its sender and its operator

@@ -86,7 +86,7 @@ void VirtualController::happen(const PlantedBreakdown& breakdown) {
     case Breakdown::kSettingTurnsOver: {
       const auto settings = std::as_bytes(std::span{&machine().settings(), 1});
       const std::size_t place = breakdown.bit / 8 % settings.size();
-      // A bit that flips in memory does not respect const.
+      // A memory fault changes bits of const objects, too.
       // NOLINTNEXTLINE(cppcoreguidelines-pro-type-const-cast)
       const_cast<std::byte&>(settings[place]) ^= std::byte{1} << breakdown.bit % 8;
     }

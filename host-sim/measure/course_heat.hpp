@@ -28,7 +28,7 @@ class CourseHeat final : public TraceSink {
   void on_end(std::uint64_t time_ns) override;
 
  private:
-  static constexpr double kWindow = 0.002;  ///< Window of the courses, s.
+  static constexpr double kWindow = 0.002;  ///< Window of the axes' courses (EdgeTrack), s.
   static constexpr double kHalf = 0.001;  ///< Half of the time over which the speed is measured, s.
 
   struct Lit {

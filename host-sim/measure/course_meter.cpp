@@ -54,7 +54,7 @@ void CourseMeter::take(const Vector& sample) {
   if (count_ >= kSamples) measure();
 }
 
-/// Returns the mean over a window; window 0 is the oldest.
+/// Returns the mean of the samples in a window. Window 0 is the oldest.
 CourseMeter::Vector CourseMeter::mean(std::size_t window) const {
   Vector sum{};
   for (std::size_t i = 0; i < kSamplesPerWindow; ++i) {

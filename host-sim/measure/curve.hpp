@@ -16,7 +16,7 @@ using Point = cnc::AxisArray<double>;
 [[nodiscard]] double norm(const Point& a);
 [[nodiscard]] double distance(const Point& a, const Point& b);
 
-/// Two unit vectors at right angles that span the plane of an arc.
+/// Two perpendicular unit vectors that span the plane of an arc.
 class PlaneVectors {
  public:
   PlaneVectors() : PlaneVectors{cnc::Plane::kXY} {}

@@ -96,7 +96,7 @@ class EnergyMeter final : public TraceSink {
   std::uint64_t time_ns_ = 0;
   float duty_ = 0.0F;
   double light_ = 0.0;       ///< Sum of the light, seconds of full power.
-  double light_dark_ = 0.0;  ///< Value of light_ when the output was last off.
+  double light_dark_ = 0.0;  ///< Value of light_ at the last time when the output was off.
   cnc::AxisArray<std::int32_t> position_{};
   std::size_t run_first_ = 0;
   /// One past the index of the run's last piece. There is no run while it equals run_first_.

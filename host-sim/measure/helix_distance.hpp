@@ -11,13 +11,14 @@ namespace sim {
 /// The first line is the squared distance in the plane of the circle. The second line is the
 /// squared distance on all other axes, which move straight.
 struct HelixDistance {
-  double radius = 0.0;          ///< Radius of the helix, mm.
-  double sweep = 0.0;           ///< Angle of the helix, radians, positive.
-  double point_radius = 0.0;    ///< Distance of the point from the axis of the helix, mm.
-  double point_angle = 0.0;     ///< Angle of the point from the start, in the direction of travel.
-  double run_squared = 0.0;     ///< |run|² of the straight axes.
-  double run_offset = 0.0;      ///< run · (start − point) on the straight axes.
-  double offset_squared = 0.0;  ///< |start − point|² on the straight axes.
+  double radius = 0.0;        ///< Radius of the helix, mm.
+  double sweep = 0.0;         ///< Angle of the helix, radians, positive.
+  double point_radius = 0.0;  ///< Distance of the point from the axis of the helix, mm.
+  double point_angle = 0.0;   ///< Angle of the point from the start, in the direction of travel.
+  /// |run|², where run is the motion of the straight axes from start to end, mm².
+  double run_squared = 0.0;
+  double run_offset = 0.0;      ///< run · (start − point) on the straight axes, mm².
+  double offset_squared = 0.0;  ///< |start − point|² on the straight axes, mm².
 
   [[nodiscard]] double squared(double fraction) const;
 

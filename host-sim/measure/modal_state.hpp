@@ -90,8 +90,8 @@ class ModalState {
   double feed_word_ = 0.0;
   bool feed_in_inches_ = false;
   bool stops_at_corners_ = false;        ///< G61.1
-  std::optional<double> corner_word_{};  ///< P of G64, mm.
-  std::optional<double> weld_word_{};    ///< Q of G64, mm.
+  std::optional<double> corner_word_{};  ///< Tolerance for corners, P of G64, mm.
+  std::optional<double> weld_word_{};    ///< Tolerance for joining short lines, Q of G64, mm.
   std::size_t system_ = 0;
   std::array<Point, kSystems> systems_{};
   Point shift_{};

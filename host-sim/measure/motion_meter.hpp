@@ -16,7 +16,7 @@ struct MeterWindows {
   double speed_s = 0.010;
   double acceleration_s = 0.010;
   double jerk_s = 0.020;
-  double course_s = 0.010;  ///< Window of the measures along the path.
+  double course_s = 0.010;  ///< Window of the measures along the path (CourseMeter).
 };
 
 /// Motion of one axis, in mm and seconds; in degrees and seconds for A, B and C.

@@ -12,7 +12,7 @@ namespace sim {
 struct DeviationPeak {
   double value = 0.0;
   std::uint64_t time_ns = 0;
-  Point position{};  ///< Position of the motors, mm and degrees.
+  Point position{};  ///< Position of the motors, mm or degrees.
   int line = 0;      ///< Line of the program; 0 before the first piece.
 };
 

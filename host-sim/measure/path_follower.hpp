@@ -18,10 +18,10 @@ namespace sim {
 /// over itself, the follower does not confuse its parts. The work for each position is constant,
 /// unless many pieces are within a few steps.
 ///
-/// The place may trail the machine by a step or two. Of all points that are nearly as near as the
-/// nearest point, the follower takes the earliest, because it never examines the path before the
-/// place again. On a curve, the place trails farther, by the possible error of the arcs that
-/// replace the curve.
+/// The place may trail the machine by a step or two. Several points may be nearly as near as the
+/// nearest point. Of these, the follower takes the earliest, because it never examines the path
+/// before the place again. On a curve, the place trails farther, by the possible error of the arcs
+/// that replace the curve.
 class PathFollower {
  public:
   /// Begins at the start of the path, which must outlive the follower.

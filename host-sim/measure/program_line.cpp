@@ -32,7 +32,7 @@ std::optional<double> take_number(std::string_view& text) {
   std::string_view digits = text;
   if (!digits.empty() && digits.front() == '+') digits.remove_prefix(1);
   const std::size_t sign = !digits.empty() && digits.front() == '-' ? 1 : 0;
-  // from_chars would also read "inf" and "nan".
+  // The check is necessary because from_chars() also reads "inf" and "nan".
   if (digits.size() <= sign || is_letter(digits[sign])) return std::nullopt;
   double value = 0.0;
   // The controller accepts at most nine digits before the decimal point.

@@ -154,7 +154,7 @@ bool ProgramReader::apply_single(const ProgramLine& line, const std::vector<int>
   bool taken = line.has_g(431) || line.has_g(434);
   for (const int g : numbers) {
     if (g == 40) stop_pending_ = true;
-    // G53 is handled by ModalState::target.
+    // ModalState::target() handles G53.
     if (g == 40 || g == 530 || CutterCompensation::knows_g(g)) continue;
     taken = true;
     if (!apply_home(line, g) && !apply_offset(line, g)) {

@@ -42,7 +42,7 @@ class ProgramReader {
   void move_in_parts(const ProgramLine& line, const Point& to);
   void move_straight(const Point& to, Travel travel);
   void move_round(const ProgramLine& line, const Point& to, bool clockwise);
-  // The functions for splines are in program_reader_spline.cpp.
+  // The functions for splines are defined in program_reader_spline.cpp.
   void move_cubic(const ProgramLine& line, const Point& to);
   void move_quadratic(const ProgramLine& line, const Point& to);
   void take_control_point(const ProgramLine& line, const Point& to);

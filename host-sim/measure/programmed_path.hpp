@@ -14,7 +14,7 @@
 namespace sim {
 
 enum class Travel : std::uint8_t { kFeed, kRapid, kProbe };
-/// State of the spindle after M5, M3 and M4.
+/// State of the spindle: after M5, after M3 and after M4.
 enum class SpindleState : std::uint8_t { kOff, kConstant, kDynamic };
 
 /// Greatest distances by which the machine may leave the programmed path, mm.
@@ -72,7 +72,7 @@ struct ProgrammedPath {
   std::vector<ReadNote> notes;
   std::optional<RefusedBeside> refused{};  ///< First refusal of G41 or G42; see beside_path().
 
-  [[nodiscard]] double length() const;  ///< Six-axis length, mm.
+  [[nodiscard]] double length() const;  ///< Returns the six-axis length, mm.
   [[nodiscard]] Bounds bounds() const;
 };
 

@@ -22,7 +22,7 @@ class ShapingMeter final : public cnc::motion::ShapingObserver {
 
   void on_cell(const cnc::motion::ShapedCell& cell) override;
 
-  /// Returns the greatest distance, mm.
+  /// Returns the greatest distance of all cells, mm.
   [[nodiscard]] double greatest_distance() const { return greatest_; }
 
  private:

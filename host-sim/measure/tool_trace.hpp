@@ -12,8 +12,8 @@ namespace sim {
 /// its rows on to its own sinks.
 class ToolTrace final : public TraceSink {
  public:
-  /// Begins at step 0.
-  /// @param play play of the machine, already placed
+  /// Begins the trace at step 0 of all axes.
+  /// @param play play of the machine, after its first place()
   explicit ToolTrace(const PlayModel& play) : play_{play} {}
 
   /// Adds a sink, which must outlive this object.

@@ -45,8 +45,8 @@ void check(const AdaptiveOptions& options) {
   require(options.return_limit_mm >= 0.0, "length of returns in mm", options.return_limit_mm);
 }
 
-/// The vertex at which a pass along a wall begins, and the cleared circle from which the tool
-/// comes.
+/// The vertex at which a pass along a wall begins, and the cleared circle from which the tool comes
+/// to this vertex.
 struct WallStart {
   std::uint32_t vertex = 0;
   ToolCircle circle;

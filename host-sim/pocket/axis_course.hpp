@@ -36,7 +36,7 @@ class AxisCourse {
  private:
   const OwnedArea& area_;
   std::vector<AxisPoint> points_;
-  std::vector<double> lengths_;  ///< Length up to each point.
+  std::vector<double> lengths_;  ///< For each point, the length from the first point, mm.
   double tool_radius_mm_;
 };
 

@@ -16,7 +16,7 @@ struct BoundaryPlace {
 /// A line or an arc that begins at the end of the previous element.
 struct WayElement {
   cnc::WideVec2 to{0.0, 0.0};
-  double bulge = 0.0;  ///< tan(sweep / 4), positive turns left.
+  double bulge = 0.0;  ///< tan(sweep / 4); 0 for a line, positive for a left turn.
 };
 
 /// Returns the elements along the boundary from one point to another. The area is to the left of

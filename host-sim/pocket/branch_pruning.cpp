@@ -76,7 +76,8 @@ class BranchPruner {
   std::uint32_t prune_from(std::uint32_t leaf) {
     if (degrees_[leaf] != 1) return kNoNode;
     path_.clear();
-    std::size_t false_edges = 0;  // Number of edges at the beginning of the path that are not real.
+    // Number of false edges (edges that are not real) at the beginning of the path.
+    std::size_t false_edges = 0;
     std::uint32_t real_from = leaf;
     double excess = excess_[leaf];
     double widest = graph_.nodes[leaf].radius;

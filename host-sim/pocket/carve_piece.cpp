@@ -16,10 +16,10 @@ using cnc::WideVec2;
 /// the radii of the axis, and the reduction of radii.
 constexpr double kShare = 1.0 / 3.0;
 
-/// The part of the axis that is kept.
+/// The part of the axis that is kept, by its radius.
 enum class KeptPart : std::uint8_t { kNarrow, kWide };
 
-/// Divides chains where their radius crosses a limit.
+/// Splits chains at the points where their radius crosses a limit.
 class AxisClipper {
  public:
   AxisClipper(const MedialAxis& axis, const OwnedArea& area, double limit_mm, KeptPart part)

@@ -12,7 +12,9 @@ struct CarvePiece {
   std::uint32_t from = 0;  ///< Number of the first node.
   std::uint32_t to = 0;    ///< Number of the last node.
   std::vector<AxisPoint>
-      points;  ///< At least two. With a V tool, their radii are those of its cut at the top.
+      /// Points of the piece, at least two. For a V tool, the radius of a point is the radius of
+      /// the cut at the top.
+      points;
 };
 
 /// The part of a medial axis that is cut, as pieces between nodes.

@@ -18,10 +18,10 @@ struct WalkStep {
 
 /// Returns an order in which every piece is cut once. The tool continues at the node where it is.
 /// If all pieces of that node are cut, the tool returns along cut pieces to a node with uncut
-/// pieces, if the return is at most `return_limit_mm` long. Otherwise, the tool is lifted and
-/// continues at another node: if possible at a node with an odd number of uncut pieces, and where
-/// distance plus radius is least. At each node, dead ends of at most `return_limit_mm` come first,
-/// then pieces that continue, then longer dead ends.
+/// pieces. The return is at most `return_limit_mm` long. If no such node is in reach, the tool is
+/// lifted and continues at another node: if possible at a node with an odd number of uncut pieces,
+/// and where distance plus radius is least. At each node, dead ends of at most `return_limit_mm`
+/// come first, then pieces that continue, then longer dead ends.
 ///
 /// Source: an Euler trail where the graph has one. Time: number of pieces times number of rows.
 [[nodiscard]] std::vector<WalkStep> walk_along(const CarveGraph& graph, double return_limit_mm);

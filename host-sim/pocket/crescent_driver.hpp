@@ -8,7 +8,7 @@
 
 namespace sim::pocket {
 
-/// Result of driving along a course.
+/// Result of drive().
 struct CourseDrive {
   /// Cleared discs that lead back to the beginning of the course. The tool returns along the lines
   /// from centre to centre. Each line lies in the union of the two discs.
@@ -48,7 +48,7 @@ class CrescentDriver {
   /// Lowers the tool at the centre of a cleared disc.
   void come_down(const cnc::pocket::ToolCircle& circle);
 
-  /// Returns all circles whose discs are cleared.
+  /// Returns the circles of all cleared discs.
   [[nodiscard]] const std::vector<cnc::pocket::ToolCircle>& circles() const { return circles_; }
   [[nodiscard]] DepthWriter& writer() { return writer_; }
 

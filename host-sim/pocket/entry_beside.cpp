@@ -25,7 +25,7 @@ struct Candidate {
   double square = 0.0;  ///< Square of the line's length, mm².
 };
 
-/// Returns points along the edge of a box, at most `apart_mm` apart.
+/// Returns points along the edge of a box. Neighbouring points are at most `apart_mm` apart.
 std::vector<WideVec2> places_along(const StockBox& box, double apart_mm) {
   const std::vector<WideVec2> corners{
       {box.x0, box.y0}, {box.x1, box.y0}, {box.x1, box.y1}, {box.x0, box.y1}};

@@ -26,9 +26,9 @@ class EntryBesideSearch {
   /// search
   EntryBesideSearch(const OwnedArea& area, const StockBox& stock, double tool_radius_mm);
 
-  /// Returns the shortest of several candidate paths to a loop. A candidate begins at a point of
-  /// the loop itself that is next to the stock, or it is a line through the stock and an arc.
-  /// Returns none where no candidate fits.
+  /// Returns the shortest of several candidate paths to a loop. A candidate either begins at a
+  /// point of the loop that is next to the stock, or consists of a line through the stock and an
+  /// arc. Returns none where no candidate fits.
   [[nodiscard]] std::optional<EntryBeside> find(const DrivenLoop& loop) const;
 
  private:

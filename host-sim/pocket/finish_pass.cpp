@@ -104,7 +104,8 @@ void drive(const OwnedBoundary& walls,
   writer.begin_row_in_cleared(lead.begin + lead.line_mm * lead.inwards);
   if (lead.line_mm > 0.0) writer.go(Use::kLeadIn, lead.begin, 0.0, writer.floor_z());
   writer.pass(lead.place.pose.point, lead.bulge);
-  out.points.pop_back();  // Removes the point at which the revolution begins.
+  // Removes the point at which the revolution begins, because revolve() appends it again.
+  out.points.pop_back();
   const double floor = writer.floor_z();
   revolve(walls.view(), lead.place, options.milling, {floor, floor, Use::kPass}, out);
   const WideVec2& touch = lead.place.pose.point;

@@ -43,9 +43,9 @@ WideVec2 centre_of(const Curve& arc) {
   return arc.start + cnc::left_normal(arc.start_tangent) / arc.curvature;
 }
 
-/// Returns the point of an arc that is nearest to the full circle or infinite line of another
-/// curve, if this point touches the other curve itself. For circles that just miss each other, the
-/// computed intersections are next to this point.
+/// Returns the point of an arc that is nearest to another curve, extended to a full circle or an
+/// infinite line. Returns none if this point does not touch the other curve itself. For circles
+/// that just miss each other, the computed intersections are next to this point.
 std::optional<WideVec2> nearest_touch(const Curve& arc, const Curve& other) {
   if (arc.curvature == 0.0) return std::nullopt;
   const WideVec2 centre = centre_of(arc);

@@ -14,7 +14,7 @@ namespace {
 using cnc::WideVec2;
 using cnc::pocket::nearest_point_of;
 
-constexpr double kSagittaShare = 0.1;  ///< Share of the tolerance.
+constexpr double kSagittaShare = 0.1;  ///< Sagitta of chords, as a share of the tolerance.
 
 /// Inserts points between neighbouring points of a chain until straight lines between them are
 /// within the tolerance.

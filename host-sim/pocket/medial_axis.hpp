@@ -11,7 +11,8 @@ namespace sim::pocket {
 struct AxisChain {
   std::uint32_t from = 0;
   std::uint32_t to = 0;
-  std::vector<AxisPoint> points;  ///< At least two points; the first and the last are the nodes.
+  /// Points of the chain, at least two. The first and the last are the nodes.
+  std::vector<AxisPoint> points;
 };
 
 /// The medial axis of an area: the centres of all discs in the area that touch its boundary twice.

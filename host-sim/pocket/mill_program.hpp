@@ -18,7 +18,7 @@ enum class Coolant : std::uint8_t {
 /// Settings with which a mill drives a tool path.
 struct MillSettings {
   double feed_mm_min = 0.0;        ///< Feed along the path, above 0.
-  double light_feed_mm_min = 0.0;  ///< Feed of light passes; 0: `feed_mm_min`.
+  double light_feed_mm_min = 0.0;  ///< Feed of light passes (Use::kLight); 0: `feed_mm_min`.
   /// Feed of passes with stock on both sides, on surfaces; 0: `feed_mm_min`.
   double slot_feed_mm_min = 0.0;
   double plunge_mm_min = 0.0;  ///< Greatest feed downwards, above 0.

@@ -31,7 +31,7 @@ namespace sim::pocket {
                                const StockBox& stock,
                                double tool_radius_mm);
 
-/// Loops of a pass, sorted by the share of their length on which the tool touches stock.
+/// The loops of a pass on which the tool touches stock, in two groups.
 struct LoopsInStock {
   /// Loops on which the tool touches stock along all or nearly all of their length.
   Contour whole;

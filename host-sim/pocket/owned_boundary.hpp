@@ -12,7 +12,8 @@ class OwnedBoundary {
  public:
   explicit OwnedBoundary(Contour contour);
 
-  OwnedBoundary(const OwnedBoundary&) = delete;  // `nearest_` points into the storage.
+  // Not copyable, because `nearest_` points into the storage.
+  OwnedBoundary(const OwnedBoundary&) = delete;
   OwnedBoundary& operator=(const OwnedBoundary&) = delete;
   ~OwnedBoundary() = default;
 

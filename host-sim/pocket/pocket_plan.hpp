@@ -81,7 +81,7 @@ class PocketPlanner {
   Areas passes_;
   std::vector<cnc::pocket::PassNote<double>> pass_notes_;
   std::vector<cnc::pocket::PassState> states_;
-  // std::vector<bool> does not store its items as bool.
+  // An array, because std::vector<bool> does not store its items as bool.
   std::unique_ptr<bool[]> driven_loops_;  // NOLINT(modernize-avoid-c-arrays)
   std::vector<cnc::contour::Curve<double>> locus_;
   std::vector<cnc::contour::FlatBox<double>> locus_boxes_;

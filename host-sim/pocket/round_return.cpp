@@ -40,7 +40,8 @@ std::vector<ToolCircle> shortened(const std::vector<ToolCircle>& way) {
 /// Returns the discs without those inner discs whose centre coincides with the centre of a
 /// neighbour, because no arc fits between such discs. The first and the last disc are kept.
 std::vector<ToolCircle> without_repeats(const std::vector<ToolCircle>& discs) {
-  constexpr double kSameCentreMm = 1.0e-5;  // Far below the tolerance of the axis.
+  // Greatest distance between coinciding centres; far below the tolerance of the axis.
+  constexpr double kSameCentreMm = 1.0e-5;
   const auto is_same = [](const ToolCircle& a, const ToolCircle& b) {
     return (a.centre - b.centre).norm() <= kSameCentreMm;
   };

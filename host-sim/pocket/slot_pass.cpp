@@ -21,7 +21,7 @@ Rounding fitting_rounding(const WideVec2& before,
                           const WideVec2& after,
                           const AreaDistance& area,
                           double tool_radius_mm) {
-  constexpr double kExcessMm = 1.0e-7;   // The same value as in fits_in_line().
+  constexpr double kExcessMm = 1.0e-7;   // The same limit as in fits_in_line().
   constexpr double kFlatBulge = 2.5e-5;  // Bulge of a turn of 0.006°.
   double trim_mm = 0.5 * std::min((corner - before).norm(), (after - corner).norm());
   for (; trim_mm >= kMinTurnMm; trim_mm *= 0.5) {

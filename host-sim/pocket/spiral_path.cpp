@@ -146,7 +146,7 @@ class SpiralDriver {
     const bool has_space = search.enter(area.view());
     CNC_ASSERT(has_space);
     const std::size_t loops = area.loop_ends.size();
-    // std::vector<bool> does not store its items as bool.
+    // An array, because std::vector<bool> does not store its items as bool.
     const auto left_out = std::make_unique<bool[]>(loops);  // NOLINT(modernize-avoid-c-arrays)
     for (std::size_t i = 0; i < loops; ++i) left_out[i] = is_driven_[pass][i];
     return search.find(from, {left_out.get(), loops}, options_.milling, options_.tool_radius_mm);
@@ -224,7 +224,7 @@ class SpiralDriver {
     writer_.end_row();
     const LoopPlace<double> start = enter(first.loop, first.milling);
     drive_loop(first.loop.pass, start, first.milling);
-    // The wall of the island is driven in the opposite direction.
+    // The wall of the island is driven in the direction opposite to the spiral's first loop.
     LoopPlace<double> back = start;
     back.pose.tangent = -back.pose.tangent;
     beside_islands_.push_back({first.loop.pass, back});
@@ -278,7 +278,7 @@ class SpiralDriver {
   std::vector<LoopStart> beside_islands_;
   LoopPlace<double> at_;                  ///< Position of the tool.
   std::uint32_t at_pass_ = kNone;         ///< Number of the last pass that was driven.
-  std::unique_ptr<OwnedBoundary> walls_;  ///< Loops of the wall pass that is around the last entry.
+  std::unique_ptr<OwnedBoundary> walls_;  ///< Loops of the outermost pass around the last entry.
   std::uint32_t wall_pass_ = kNone;
 };
 

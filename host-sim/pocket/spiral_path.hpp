@@ -35,10 +35,10 @@ struct SpiralPath : PathRows {
 /// a spiral, and the loops at walls, are driven as full loops. Where links fit, they lead from one
 /// spiral to the next without lifting the tool; otherwise a new row begins.
 ///
-/// A part of a closed pocket that is a ring around islands has one spiral, from the island to the
-/// wall, if this spiral is at most 1.5 times as long as the passes of the part. Otherwise it has
-/// two spirals, one towards the wall and one towards the island. Throws NoPocketPath where a loop
-/// is too short for a ramp.
+/// A part of a closed pocket may be a ring around islands. It has one spiral, from the island to
+/// the wall, if this spiral is at most 1.5 times as long as the passes of the part. Otherwise it
+/// has two spirals, one towards the wall and one towards the island. Throws NoPocketPath where a
+/// loop is too short for a ramp.
 /// @param plan distances between its passes must be at most widest_spiral_mm()
 [[nodiscard]] SpiralPath spiral_path(const PocketPlan& plan, const SpiralOptions& options);
 

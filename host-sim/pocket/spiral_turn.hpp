@@ -26,9 +26,9 @@ struct TurnOptions {
 /// leaves the inner loop and reaches the outer loop along their tangents, and the next turn
 /// continues without a corner.
 ///
-/// Returns none where two turns would be too far apart, or where the nearest point jumps. Also
-/// returns none where a part of the outer loop is hidden from the inner loop, so that lines between
-/// the loops would cross the outer loop.
+/// Returns none in three cases: two turns would be too far apart; the nearest point jumps; a part
+/// of the outer loop is hidden from the inner loop. In the last case, lines between the loops would
+/// cross the outer loop.
 /// @param inner one loop
 /// @param start_mm distance along the outer loop to the line on which the turn begins and ends, mm
 [[nodiscard]] std::optional<std::vector<WayElement>> spiral_turn(const OwnedBoundary& inner,

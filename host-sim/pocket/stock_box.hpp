@@ -5,7 +5,7 @@
 
 namespace sim::pocket {
 
-/// The outline of the stock in plan, a rectangle along the axes, mm.
+/// The outline of the stock as seen from above, a rectangle along the axes, mm.
 using StockBox = cnc::contour::FlatBox<double>;
 
 /// Thickness of the skin that does not count as stock on all sides, mm. Therefore walls that are

@@ -13,7 +13,7 @@ namespace sim::pocket {
 enum class Strategy : std::uint8_t {
   kContour,   ///< Passes along the walls, as far apart as possible without stock left between them.
   kSpiral,    ///< Spirals from the middle outwards, and loops where no spiral fits.
-  kAdaptive,  ///< Crescents whose engagement is limited.
+  kAdaptive,  ///< Crescents with limited engagement.
   kZigzag,    ///< Lines along X, and passes along the walls.
   kPaper,     ///< Paper 5 as printed: one spiral, for convex pockets without islands.
 };

@@ -17,7 +17,8 @@ namespace {
 using cnc::pocket::Use;
 using PathPoint = cnc::pocket::PathPoint<double>;
 
-constexpr double kAxisShare = 0.2;  ///< Share of the tolerance for the points of the axis.
+/// Tolerance of the axis's points, as a share of the tolerance of carving.
+constexpr double kAxisShare = 0.2;
 
 void check_range(std::string_view name, double value, double least, double greatest) {
   if (value >= least && value <= greatest) return;

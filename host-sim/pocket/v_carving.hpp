@@ -10,7 +10,7 @@ namespace sim::pocket {
 struct VCarveOptions {
   double included_angle_deg = 90.0;  ///< Angle between the two sides of the tool's tip.
   double greatest_depth_mm = std::numeric_limits<double>::infinity();
-  /// Tolerance of depths along the axis, and of the edge of the cut at the top, mm.
+  /// Tolerance of depths along the axis, and of the edge of the cut at the top of the stock, mm.
   double tolerance_mm = 0.005;
   /// Greatest length of a return along a path that is cut already, mm. For a longer return, the
   /// tool is lifted.

@@ -49,7 +49,7 @@ WallDrive wall_drive_of(const ZigzagOptions& options) {
   return {.depth_mm = options.depth_mm, .slope = options.slope, .plunges = options.plunges};
 }
 
-/// Areas in which lines turn, with their storage.
+/// The areas of TurnSpace, with their storage.
 struct TurnAreas {
   Contour rounded;
   Contour centres;

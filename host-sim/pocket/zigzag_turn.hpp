@@ -8,7 +8,7 @@
 
 namespace sim::pocket {
 
-/// The areas that the turns between the lines of a zigzag need.
+/// The areas that the turns between the lines of a zigzag require.
 struct TurnSpace {
   /// Area in which the tool's centre may be. Its corners are rounded with the radius of turns.
   /// Turns follow the boundary of this area.
@@ -22,7 +22,7 @@ struct TurnSpace {
 struct StretchPair {
   Stretch below;
   Stretch above;
-  double y_mm = 0.0;     ///< Y of the line below.
+  double y_mm = 0.0;     ///< Y of the line below, mm.
   double step_mm = 0.0;  ///< Distance to the line above, mm.
 };
 

@@ -39,7 +39,8 @@ class ProgressBar {
  private:
   /// Time before the bar appears. Shorter jobs show no bar.
   static constexpr std::chrono::milliseconds kDelay{500};
-  static constexpr std::chrono::milliseconds kPeriod{100};  ///< Users cannot read faster updates.
+  /// Time between two updates. Users cannot read faster updates.
+  static constexpr std::chrono::milliseconds kPeriod{100};
 
   std::FILE* stream_;
   bool is_shown_;

@@ -23,7 +23,8 @@ class ProgressLines {
   void update(double fraction, std::string_view label, Time now);
 
  private:
-  static constexpr std::chrono::seconds kPeriod{5};  ///< Long enough to keep a log short.
+  /// Time between two lines; long enough to keep a log short.
+  static constexpr std::chrono::seconds kPeriod{5};
 
   std::FILE* stream_;
   bool is_shown_;

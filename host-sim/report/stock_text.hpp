@@ -25,8 +25,9 @@ namespace sim {
 [[nodiscard]] std::vector<std::pair<std::string, std::string>> surface_facts(
     const stock::SurfaceFigures& figures);
 
-/// Returns the warnings of a report: one for each of the first lines whose rapids cut stock, one
-/// for all other such lines, one for a gouged pocket and one for a gouged surface.
+/// Returns the warnings of a report. The first lines whose rapids cut stock have one warning each,
+/// and all other such lines have one together. A gouged pocket and a gouged surface have one
+/// warning each.
 [[nodiscard]] std::vector<std::string> warnings_of(const stock::StockReport& report,
                                                    const std::string& file);
 

@@ -6,7 +6,7 @@
 
 namespace sim {
 
-/// The first character of a text.
+/// The first character of a text, with its size.
 struct Utf8Character {
   /// Number of bytes of the character; at least 1, so that a loop over the text ends.
   std::size_t bytes;

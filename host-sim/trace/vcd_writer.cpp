@@ -7,7 +7,8 @@
 namespace sim {
 namespace {
 
-// Returns an identifier code. Codes are printable characters from `!` on, three for each axis.
+// Return identifier codes for the step, the direction and the position of an axis. Codes are
+// printable characters from `!` on, three for each axis.
 constexpr char step_code(std::size_t axis) { return static_cast<char>('!' + 3 * axis); }
 constexpr char dir_code(std::size_t axis) { return static_cast<char>('!' + 3 * axis + 1); }
 constexpr char position_code(std::size_t axis) { return static_cast<char>('!' + 3 * axis + 2); }

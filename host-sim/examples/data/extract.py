@@ -118,7 +118,8 @@ def extract_glyphs(path):
 
 
 def extract_sheet(path):
-    """Returns the parts without the sheet. Coordinates are rounded to 0.1 um; vertices are [x, y, bulge]."""
+    """Returns the parts of a sheet, without the outline of the sheet. Coordinates are rounded to 0.1 um; vertices are
+    [x, y, bulge]."""
     with open(path, encoding="utf-8") as file:
         parts = json.load(file)[1:]
     return {

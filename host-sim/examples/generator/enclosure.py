@@ -41,7 +41,7 @@ def program(data_folder):
 
 
 def layer(writer, names, paths, power, speed):
-    """Writes one cut of LightBurn's plan. Each shape is cut once for each name; the names are its passes."""
+    """Writes one cut of LightBurn's plan. Each shape is cut once for each of `names`, which name the passes."""
     writer.comment(f"Cut @ {speed} mm/min, {power}% power")
     writer.raw("M8")
     for path in paths:
@@ -64,7 +64,7 @@ def chopped(path):
             yield segment.point(i / count)
 
 
-# -- the box -----------------------------------------------------------------------------------------------------------
+# -- panels of the box -------------------------------------------------------------------------------------------------
 
 
 def place_panels(font):
