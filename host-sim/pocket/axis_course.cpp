@@ -72,8 +72,10 @@ double next_crescent(const AxisCourse& course,
                      const ToolCircle& cleared,
                      const StepLimits& limits) {
   const auto allows = [&](double s) { return is_allowed(cleared, course.circle_at(s), limits); };
-  constexpr double kFirstStep = 0.01;    // As a share of the tool's radius.
-  constexpr double kGreatestStep = 0.1;  // As a share of the tool's radius.
+  // First step along the course, as a share of the tool's radius.
+  constexpr double kFirstStep = 0.01;
+  // Greatest step along the course, as a share of the tool's radius.
+  constexpr double kGreatestStep = 0.1;
   constexpr double kGrowth = 1.5;
   constexpr int kHalvings = 24;
   double good = from;

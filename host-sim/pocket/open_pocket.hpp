@@ -21,8 +21,8 @@ namespace sim::pocket {
 [[nodiscard]] bool is_around(const cnc::contour::ContourView<double>& area, const StockBox& stock);
 
 /// Returns the margin around the stock that open pockets require: the space for the tool and its
-/// arcs, plus the greatest width of a pocket. With this width, passes lead out of the pocket
-/// instead of around its middle.
+/// arcs, plus half the shorter side of the stock, because a pocket is at most as wide as this side.
+/// With this margin, passes lead out of the pocket instead of around its middle.
 [[nodiscard]] double margin_around(const StockBox& stock, double tool_radius_mm);
 
 /// Returns whether the tool touches stock anywhere along a loop.

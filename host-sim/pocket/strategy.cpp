@@ -209,7 +209,8 @@ MilledPocket StrategyPlanner::mill_lines(const cnc::contour::ContourView<double>
                                          const std::optional<StockBox>& stock) const {
   const bool plunges = options_.pocket.entry.kind == cnc::pocket::EntryKind::kPlunge;
   const double radius_mm = options_.pocket.clearing.tool_radius;
-  // In a slot, the tool's radius is reduced slightly; see fitting_radius().
+  // In a slot, the tool's radius is reduced slightly (see fitting_radius()), so the stepover may
+  // exceed the tool's diameter.
   const double stepover_mm = std::min(options_.pocket.clearing.stepover, 2.0 * radius_mm);
   const Zigzag path = zigzag_path(pocket,
                                   {.tool_radius_mm = radius_mm,

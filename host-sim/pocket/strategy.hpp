@@ -49,7 +49,7 @@ struct MilledPocket : PathRows {
   std::uint32_t levels = 0;
   /// Number of passes, loops, lines or (after a former tool) parts on each level.
   std::uint32_t passes = 0;
-  std::uint32_t links = 0;            ///< Number of links between passes; for kContour.
+  std::uint32_t links = 0;            ///< Number of links between passes; for kContour and kSpiral.
   std::vector<NarrowStretch> narrow;  ///< Narrow stretches of each level; for kAdaptive.
 };
 
