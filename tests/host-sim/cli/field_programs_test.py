@@ -44,7 +44,7 @@ CASES = {
         b"%\nG00 Z0.5\nG00 X-4.5 Y0\nG01 Z-0.4 F50\nG02 I4.5\nG00 Z0.5\nM30\n%\n",
         (r"X -4\.500 to 4\.500  Y -4\.500 to 4\.500",), ("warning",)),
     "program number O": Case(b"O0001\nN1 G21\nN2 (6MM CRB 2FL 19 LOC)\nN4 T01 M06\nN5 S400 M03\nG1 X1 F500\n",
-                             (r"X 0\.000 to 1\.000", "asks for another tool"), ("M6 left out",),
+                             (r"X 0\.000 to 1\.000", "requires another tool"), ("M6 left out",),
                              options=LASER[2:]),
     "program number with a colon": Case(b":1001\nG0 X1\n", (r"X 0\.000 to 1\.000",), ("warning",)),
     "name after a percent sign": Case(b"%1001\nG0 X1\n% end\n", (r"X 0\.000 to 1\.000",), ("warning",)),

@@ -136,7 +136,7 @@ class SurfacePaths(unittest.TestCase):
 
     def test_levels_leave_no_more_than_a_layer_where_the_tool_may_be(self):
         _, printed = self.roughed()
-        rest = float(re.search(r"rest .* surely ([0-9.]+) mm", printed).group(1))
+        rest = float(re.search(r"rest .* at least ([0-9.]+) mm", printed).group(1))
         self.assertLess(rest, 3.0 + 0.4 + 2 * TOLERANCE + 0.3)
         self.assertGreater(rest, 0.3)
 
