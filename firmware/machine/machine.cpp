@@ -100,10 +100,8 @@ gcode::Refusal Machine::leave_travel(const Position& from) {
 }
 
 void Machine::poll(hal::TickCount now) {
-  const std::int32_t elapsed_us = polled_ ? now.since(last_poll_) : 0;
-  if (!polled_) lock_until_homed();
-  last_poll_ = now;
-  polled_ = true;
+  if (clock_.is_new()) lock_until_homed();
+  const std::int32_t elapsed_us = clock_.begin(now);
   if (inputs_.poll(input_port_.read_inputs(), elapsed_us)) attend_inputs();
   if (cutting_off_) {
     if (drive_.running()) return;

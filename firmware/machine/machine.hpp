@@ -17,6 +17,7 @@
 #include "firmware/machine/motion_control.hpp"
 #include "firmware/machine/motor_enable.hpp"
 #include "firmware/machine/operator_switches.hpp"
+#include "firmware/machine/poll_clock.hpp"
 #include "firmware/machine/progress.hpp"
 #include "firmware/machine/reentry.hpp"
 #include "firmware/machine/rest_light.hpp"
@@ -422,8 +423,7 @@ class Machine {
   Reentry reentry_{};
 
   OverridePercent percent_{};
-  hal::TickCount last_poll_{};
-  bool polled_ = false;
+  PollClock clock_{};
 };
 
 }  // namespace cnc
