@@ -109,7 +109,7 @@ void Machine::poll(hal::TickCount now) {
   }
   if (drive_.take_starved()) raise_alarm(Alarm::kStarved);
   if (state_.in(Mode::kFree) || tool_change_.open()) dwell_.pass(elapsed_us);
-  restart_dwell_.pass(elapsed_us);
+  resumption_.pass(elapsed_us);
   note_progress();
   gap_.follow();
   attend_mode(elapsed_us);
@@ -150,7 +150,7 @@ void Machine::attend_mode(std::int32_t elapsed_us) {
     case Mode::kHold:
     case Mode::kTool:
       if (tool_change_.open()) attend_tool_change();
-      if (restarting_ && restart_dwell_.over()) restart();
+      if (resumption_.pending() && resumption_.over()) restart();
       return;
     default:
       return;

@@ -21,6 +21,7 @@
 #include "firmware/machine/progress.hpp"
 #include "firmware/machine/reentry.hpp"
 #include "firmware/machine/rest_light.hpp"
+#include "firmware/machine/resumption.hpp"
 #include "firmware/machine/settings.hpp"
 #include "firmware/machine/side_trip.hpp"
 #include "firmware/machine/state_machine.hpp"
@@ -403,11 +404,10 @@ class Machine {
   motion::OutputChanges with_next_motion_{};
   std::optional<JogMove> jog_{};  ///< Jog that waits for free space in the planner.
   Dwell dwell_{};                 ///< Dwell of an action.
-  Dwell restart_dwell_{};         ///< Time until the spindle or the coolant runs again.
+  Resumption resumption_{};
   bool dwelling_ = false;
   bool pause_seen_ = false;
   bool step_pause_ = false;  ///< The line is done; single block pauses before the next.
-  bool restarting_ = false;  ///< resume() waits for the spindle.
   OperatorSwitches switches_{};
   std::optional<std::uint32_t> tool_wanted_{};
   ToolChange tool_change_{};

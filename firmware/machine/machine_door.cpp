@@ -12,8 +12,7 @@ void Machine::safety_door() {
   const bool reopened = state_.in(Mode::kDoor) && door_.is_on_way_back();
   if (!reopened && !state_.take(Event::kDoor)) return;
   if (!reopened) door_.come_back();
-  restarting_ = false;
-  restart_dwell_.cancel();
+  resumption_.cancel();
   door_.open(jogging);
   motion_.halt();
   side_.halt();
@@ -31,7 +30,7 @@ bool Machine::door_stops_jog() const {
 /// Runs the stages of the door. Each waits for its motion or its time, and then begins the next.
 void Machine::attend_door() {
   if (door_.stage() == DoorStage::kStopped) return;
-  if (!at_rest() || !side_.at_rest() || !restart_dwell_.over()) return;
+  if (!at_rest() || !side_.at_rest() || !resumption_.over()) return;
   switch (door_.stage()) {
     case DoorStage::kStopping:
       if (door_.ends_jog()) drop_jog();
@@ -110,14 +109,14 @@ void Machine::resume_from_door() {
 void Machine::restore_spindle() {
   door_.go_to(DoorStage::kSpindle);
   tool_.suspend(false);
-  if (tool_turns()) restart_dwell_.start(settings_.get(setting::kSpindleRestoreDelay));
+  if (tool_turns()) resumption_.wait(settings_.get(setting::kSpindleRestoreDelay));
 }
 
 void Machine::restore_coolant() {
   door_.go_to(DoorStage::kCoolant);
   coolant_.suspend(false);
   if (coolant_.wanted() == gcode::Coolant{}) return;
-  restart_dwell_.start(settings_.get(setting::kCoolantRestoreDelay));
+  resumption_.wait(settings_.get(setting::kCoolantRestoreDelay));
 }
 
 std::size_t Machine::parking_axis() const {

@@ -6,7 +6,7 @@ namespace cnc {
 
 void Machine::feed_hold() {
   if (tool_change_.open()) return stop_in_tool_change();
-  if (restarting_) cancel_restart();
+  if (resumption_.pending()) cancel_restart();
   if (state_.take(Event::kHold)) motion_.halt();
 }
 
@@ -25,18 +25,18 @@ void Machine::jog_cancel() {
 void Machine::resume() {
   if (state_.in(Mode::kDoor)) return resume_from_door();
   if (!state_.in(Mode::kHold) && !state_.in(Mode::kTool)) return;
-  if (stopping_for_ != Alarm::kNone || inputs().door || restarting_) return;
+  if (stopping_for_ != Alarm::kNone || inputs().door || resumption_.pending()) return;
   if (tool_change_.open()) return tool_change_.end();
-  restarting_ = true;
+  resumption_.begin();
   if (tool_.suspended()) {
     tool_.suspend(false);
-    if (tool_turns()) restart_dwell_.start(settings_.get(setting::kSpindleRestoreDelay));
+    if (tool_turns()) resumption_.wait(settings_.get(setting::kSpindleRestoreDelay));
   }
-  if (restart_dwell_.over()) restart();
+  if (resumption_.over()) restart();
 }
 
 void Machine::restart() {
-  restarting_ = false;
+  resumption_.end();
   tool_wanted_.reset();
   static_cast<void>(state_.take(Event::kResume));
   if (probing_ != Probing::kStopping) motion_.go_on();
@@ -44,8 +44,7 @@ void Machine::restart() {
 
 /// Cancels a resumption, because a hold came again before the spindle was up to speed.
 void Machine::cancel_restart() {
-  restarting_ = false;
-  restart_dwell_.cancel();
+  resumption_.cancel();
   tool_.suspend(true);
 }
 
@@ -57,7 +56,7 @@ bool Machine::tool_turns() const {
 std::optional<std::uint32_t> Machine::pending_tool() const { return tool_wanted_; }
 
 void Machine::toggle_spindle_stop() {
-  if (!state_.in(Mode::kHold) || restarting_ || !at_rest()) return;
+  if (!state_.in(Mode::kHold) || resumption_.pending() || !at_rest()) return;
   tool_.suspend(!tool_.suspended());
 }
 

@@ -49,10 +49,9 @@ void Machine::drop_everything() {
   with_next_motion_ = {};
   dwelling_ = false;
   dwell_.cancel();
-  restart_dwell_.cancel();
+  resumption_.cancel();
   pause_seen_ = false;
   step_pause_ = false;
-  restarting_ = false;
   stopping_for_ = Alarm::kNone;
   tool_wanted_.reset();
   probing_ = Probing::kNo;

@@ -8,7 +8,7 @@ namespace cnc {
 using Stage = ToolChange::Stage;
 
 bool Machine::acknowledge_tool() {
-  if (!state_.in(Mode::kTool) || tool_change_.open() || restarting_) return false;
+  if (!state_.in(Mode::kTool) || tool_change_.open() || resumption_.pending()) return false;
   memory_.check_settings();
   forget_exit();
   ToolChange::Job& job = tool_change_.job();
