@@ -18,6 +18,7 @@
 #include "firmware/machine/motor_enable.hpp"
 #include "firmware/machine/operator_switches.hpp"
 #include "firmware/machine/poll_clock.hpp"
+#include "firmware/machine/probe_cycle.hpp"
 #include "firmware/machine/progress.hpp"
 #include "firmware/machine/reentry.hpp"
 #include "firmware/machine/rest_light.hpp"
@@ -208,7 +209,7 @@ class Machine {
   /// Returns the N of the block being executed; 0 for none.
   [[nodiscard]] std::uint32_t line_number() const { return motion_.line_in_execution(); }
   /// Returns the result of the last probe; position 0 and no success before the first.
-  [[nodiscard]] const Probe& last_probe() const { return last_probe_; }
+  [[nodiscard]] const Probe& last_probe() const { return probing_.last(); }
   /// Returns the events that are reported once.
   [[nodiscard]] MachineNews& news() { return news_; }
   /// Returns the tool for which M6 waits, if any.
@@ -236,7 +237,6 @@ class Machine {
   void observe(motion::ShapingObserver* observer) { motion_.motors().observe(observer); }
 
  private:
-  enum class Probing : std::uint8_t { kNo, kMoving, kStopping };
   /// Points of splines in a cycle: 0.4 ms on the emulated chip; the last step of a spline may take
   /// as long again.
   static constexpr std::uint32_t kSplinePoints = 300;
@@ -412,8 +412,7 @@ class Machine {
   std::optional<std::uint32_t> tool_wanted_{};
   ToolChange tool_change_{};
   MachineNews news_{};
-  Probing probing_ = Probing::kNo;
-  Probe last_probe_{};
+  ProbeCycle probing_{};
   bool program_ended_ = false;
 
   bool seen_suspended_ = false;

@@ -39,7 +39,7 @@ void Machine::restart() {
   resumption_.end();
   tool_wanted_.reset();
   static_cast<void>(state_.take(Event::kResume));
-  if (probing_ != Probing::kStopping) motion_.go_on();
+  if (probing_.phase() != ProbeCycle::Phase::kStopping) motion_.go_on();
 }
 
 /// Cancels a resumption, because a hold came again before the spindle was up to speed.

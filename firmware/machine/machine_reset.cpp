@@ -54,7 +54,7 @@ void Machine::drop_everything() {
   step_pause_ = false;
   stopping_for_ = Alarm::kNone;
   tool_wanted_.reset();
-  probing_ = Probing::kNo;
+  probing_.cancel();
   reentry_.cancel();
   gap_.leave();
   drive_.disarm_probe();

@@ -53,7 +53,7 @@ void Machine::drop_in_tool_change() {
   jog_.reset();
   dwelling_ = false;
   dwell_.cancel();
-  probing_ = Probing::kNo;
+  probing_.cancel();
   drive_.disarm_probe();
   motion_.drop_rest();
   motion_.go_on();
