@@ -46,7 +46,7 @@ bool Machine::locked() const {
 
 bool Machine::busy() const {
   return !waiting_.empty() || reentry_.has_rest() || jog_ || step_pause_ ||
-         stopping_for_ != Alarm::kNone || cutting_off_ || door_stops_jog() || tool_change_.busy() ||
+         alarm_.stops() || alarm_.cuts_off() || door_stops_jog() || tool_change_.busy() ||
          state_.in(Mode::kHome);
 }
 
@@ -103,7 +103,7 @@ void Machine::poll(hal::TickCount now) {
   if (clock_.is_new()) lock_until_homed();
   const std::int32_t elapsed_us = clock_.begin(now);
   if (inputs_.poll(input_port_.read_inputs(), elapsed_us)) attend_inputs();
-  if (cutting_off_) {
+  if (alarm_.cuts_off()) {
     if (drive_.running()) return;
     drop_everything();
   }
@@ -130,9 +130,9 @@ void Machine::poll(hal::TickCount now) {
 
 /// Advances the activity of the present mode.
 void Machine::attend_mode(std::int32_t elapsed_us) {
-  if (stopping_for_ != Alarm::kNone && at_rest()) {
+  if (alarm_.stops() && at_rest()) {
     find_gap();
-    return raise_alarm(stopping_for_);
+    return raise_alarm(alarm_.stopping_for());
   }
   switch (state_.mode()) {
     case Mode::kJog:
@@ -160,8 +160,8 @@ void Machine::attend_mode(std::int32_t elapsed_us) {
 /// Runs the waiting actions. Lines before a hold are still planned; nothing is switched while the
 /// door is open.
 void Machine::run_actions() {
-  if (cutting_off_ || state_.in(Mode::kDoor)) return;
-  if (stopping_for_ != Alarm::kNone || tool_change_.stage() == ToolChange::Stage::kStopping) return;
+  if (alarm_.cuts_off() || state_.in(Mode::kDoor)) return;
+  if (alarm_.stops() || tool_change_.stage() == ToolChange::Stage::kStopping) return;
   if (compensator_.active()) give_out();
   while (drive_rest() && !waiting_.empty() && run(waiting_.front())) {
     waiting_ = waiting_.subspan(1);
@@ -173,7 +173,7 @@ bool Machine::may_light_at_rest() const {
   const bool dot = rest_light_.wish() == RestLight::Wish::kDot;
   return rest_light_.wish() != RestLight::Wish::kNone && tool_.is_laser() &&
          tool_.mode_now() == gcode::SpindleMode::kConstant && state_.in(Mode::kFree) &&
-         stopping_for_ == Alarm::kNone && !reentry_.active() &&
+         !alarm_.stops() && !reentry_.active() &&
          (!dot || cuts_by_mode(interpreter_.state().motion));
 }
 

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string_view>
 
+#include "firmware/machine/alarm_sequence.hpp"
 #include "firmware/machine/configuration.hpp"
 #include "firmware/machine/coolant_output.hpp"
 #include "firmware/machine/door_sequence.hpp"
@@ -107,7 +108,7 @@ class Machine {
   /// a reset and an unlock.
   void lock_for_damage() { raise_alarm(Alarm::kStoreDamaged); }
   /// Returns whether the alarm can be unlocked only after a reset.
-  [[nodiscard]] bool needs_reset() const { return needs_reset_; }
+  [[nodiscard]] bool needs_reset() const { return alarm_.needs_reset(); }
 
   void set_overrides(const OverridePercent& percent);
   [[nodiscard]] const OverridePercent& overrides() const { return percent_; }
@@ -185,7 +186,7 @@ class Machine {
 
   [[nodiscard]] MachineStatus status() const;
   [[nodiscard]] MachineState state() const { return status().state; }
-  [[nodiscard]] Alarm alarm() const { return alarm_; }
+  [[nodiscard]] Alarm alarm() const { return alarm_.now(); }
   /// Returns whether no action waits and nothing moves.
   [[nodiscard]] bool idle() const;
   /// Returns whether nothing moves; actions may wait.
@@ -385,11 +386,8 @@ class Machine {
   MotorEnable motor_enable_;
   InputFilter inputs_{};
   StateMachine state_{};
-  Alarm alarm_ = Alarm::kNone;
-  bool needs_reset_ = false;
-  bool cutting_off_ = false;  ///< Motion was cut off; the rest is dropped in the next cycle.
+  AlarmSequence alarm_{};
   std::uint8_t homed_ = 0;
-  Alarm stopping_for_ = Alarm::kNone;  ///< Alarm that follows when the hold is at rest.
   DoorSequence door_{};
   Travel travel_{};
   kinematics::ToolCentre tool_centre_{};  ///< G43.4 as lines use it, also in check mode.

@@ -8,14 +8,14 @@ HomingRefusal Machine::why_not_home(std::uint8_t axes) const {
   if (axes != 0 && !has_homing_option(settings_, homing_option::kSingleAxis)) return kAllAxesOnly;
   if (inputs().door) return kDoorOpen;
   if (inputs().emergency_stop) return kEmergencyStop;
-  const bool fit = state_.allows(Event::kHome) && idle() && !busy() && !needs_reset_;
+  const bool fit = state_.allows(Event::kHome) && idle() && !busy() && !alarm_.needs_reset();
   return fit ? kNone : kNotNow;
 }
 
 void Machine::home(std::uint8_t axes) {
   CNC_ASSERT(why_not_home(axes) == HomingRefusal::kNone);
   static_cast<void>(state_.take(Event::kHome));
-  alarm_ = Alarm::kNone;
+  alarm_.end();
   forget_exit();
   end_tool_centre();
   set_homed(axes == 0 ? std::uint8_t{0} : static_cast<std::uint8_t>(homed_ & ~axes));

@@ -5,7 +5,7 @@ namespace cnc {
 /// Stops for a line that would leave the travel or damage the part. The line moves nothing, earlier
 /// motion is held, and the alarm follows at rest, with the position known.
 void Machine::stop_for(Alarm alarm) {
-  stopping_for_ = alarm;
+  alarm_.stop_for(alarm);
   static_cast<void>(state_.take(Event::kHold));
   motion_.halt();
 }

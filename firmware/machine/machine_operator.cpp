@@ -25,7 +25,7 @@ void Machine::jog_cancel() {
 void Machine::resume() {
   if (state_.in(Mode::kDoor)) return resume_from_door();
   if (!state_.in(Mode::kHold) && !state_.in(Mode::kTool)) return;
-  if (stopping_for_ != Alarm::kNone || inputs().door || resumption_.pending()) return;
+  if (alarm_.stops() || inputs().door || resumption_.pending()) return;
   if (tool_change_.open()) return tool_change_.end();
   resumption_.begin();
   if (tool_.suspended()) {
@@ -96,7 +96,7 @@ void Machine::set_overrides(const OverridePercent& percent) {
 }
 
 bool Machine::sleep() {
-  if (!idle() || cutting_off_ || !state_.take(Event::kSleep)) return false;
+  if (!idle() || alarm_.cuts_off() || !state_.take(Event::kSleep)) return false;
   tool_.off();
   coolant_.reset();
   return true;
@@ -107,13 +107,13 @@ bool Machine::toggle_check_mode() {
     reset();
     return true;
   }
-  return idle() && !cutting_off_ && state_.take(Event::kCheck);
+  return idle() && !alarm_.cuts_off() && state_.take(Event::kCheck);
 }
 
 bool Machine::unlock() {
-  if (needs_reset_ || inputs().door || inputs().emergency_stop) return false;
+  if (alarm_.needs_reset() || inputs().door || inputs().emergency_stop) return false;
   if (!state_.take(Event::kUnlock)) return false;
-  alarm_ = Alarm::kNone;
+  alarm_.end();
   return true;
 }
 

@@ -8,10 +8,10 @@ void Machine::reset() {
   const bool slept = state_.in(Mode::kSleep);
   if (homing) {
     raise_alarm(Alarm::kHomingReset);
-  } else if (drive_.running() && !cutting_off_) {
+  } else if (drive_.running() && !alarm_.cuts_off()) {
     raise_alarm(Alarm::kAbortInMotion);
   }
-  needs_reset_ = inputs().emergency_stop;
+  alarm_.set_needs_reset(inputs().emergency_stop);
   if (slept) set_homed(0);  // Without current the motors may have been turned.
   set_overrides({});
   cut_off();
@@ -19,28 +19,27 @@ void Machine::reset() {
 
 void Machine::emergency_stop() {
   raise_alarm(Alarm::kEmergencyStop);
-  needs_reset_ = true;
+  alarm_.set_needs_reset(true);
 }
 
 void Machine::raise_alarm(Alarm alarm) {
   if (drive_.running() || alarm == Alarm::kStarved) set_homed(0);
   if (!state_.take(Event::kAlarm)) return;
-  if (state_.in(Mode::kAlarm)) alarm_ = alarm;
-  needs_reset_ = needs_reset_ || alarm == Alarm::kHardLimit || alarm == Alarm::kSoftLimit ||
-                 alarm == Alarm::kCompensation || alarm == Alarm::kStoreDamaged;
+  if (state_.in(Mode::kAlarm)) alarm_.set(alarm);
+  alarm_.require_reset_for(alarm);
   cut_off();
 }
 
 /// Switches beam or spindle off at once; the motors stop within one interrupt. The rest of the work
 /// is dropped in a later cycle, when the motors have stopped.
 void Machine::cut_off() {
-  cutting_off_ = true;
+  alarm_.cut_off();
   tool_.off();
   drive_.abort();
 }
 
 void Machine::drop_everything() {
-  cutting_off_ = false;
+  alarm_.drop();
   if (tool_change_.open()) close_tool_change();
   news_.line_failed.drop();
   waiting_ = {};
@@ -52,7 +51,6 @@ void Machine::drop_everything() {
   resumption_.cancel();
   pause_seen_ = false;
   step_pause_ = false;
-  stopping_for_ = Alarm::kNone;
   tool_wanted_.reset();
   probing_.cancel();
   reentry_.cancel();
@@ -81,7 +79,7 @@ void Machine::lock_until_homed() {
                         has_homing_option(settings_, homing_option::kRequired);
   if (!required || homed_ != 0 || !state_.in(Mode::kFree)) return;
   static_cast<void>(state_.take(Event::kAlarm));
-  alarm_ = Alarm::kHomingRequired;
+  alarm_.set(Alarm::kHomingRequired);
 }
 
 }  // namespace cnc
