@@ -143,7 +143,7 @@ class Machine {
   [[nodiscard]] bool interrupted() const;
   /// Returns whether the motors' counters are still valid for the progress, or axes have been homed
   /// since.
-  [[nodiscard]] bool can_reenter() const { return place_is_kept_ || homed_ != 0; }
+  [[nodiscard]] bool can_reenter() const { return place_is_kept_ || travel_.homed() != 0; }
   /// Begins re-entry: all further motion has the beam off until it passes the position of the
   /// progress, on the line that was driven or a later one. A reset ends re-entry.
   /// @pre idle(), progress().any(), can_reenter()
@@ -198,7 +198,7 @@ class Machine {
   /// Returns the inputs without their bounce.
   [[nodiscard]] const hal::InputState& inputs() const { return inputs_.settled(); }
   /// Returns the axes whose machine coordinates are known, bit i for axis i.
-  [[nodiscard]] std::uint8_t homed() const { return homed_; }
+  [[nodiscard]] std::uint8_t homed() const { return travel_.homed(); }
   /// Returns the position of the tool in machine coordinates.
   [[nodiscard]] Position position() const { return motion_.tool_place(); }
   [[nodiscard]] float feed_now_mm_min() const;
@@ -214,7 +214,9 @@ class Machine {
   /// Returns the events that are reported once.
   [[nodiscard]] MachineNews& news() { return news_; }
   /// Returns the tool for which M6 waits, if any.
-  [[nodiscard]] std::optional<std::uint32_t> pending_tool() const;
+  [[nodiscard]] std::optional<std::uint32_t> pending_tool() const {
+    return tool_change_.wanted();
+  }
   /// Returns, once, the part of the path that a door, a lost link or a following reset leaves
   /// uncut; null if there is none.
   [[nodiscard]] const Uncut* take_uncut() { return gap_.take_uncut(); }
@@ -387,7 +389,6 @@ class Machine {
   InputFilter inputs_{};
   StateMachine state_{};
   AlarmSequence alarm_{};
-  std::uint8_t homed_ = 0;
   DoorSequence door_{};
   Travel travel_{};
   kinematics::ToolCentre tool_centre_{};  ///< G43.4 as lines use it, also in check mode.
@@ -407,7 +408,6 @@ class Machine {
   bool pause_seen_ = false;
   bool step_pause_ = false;  ///< The line is done; single block pauses before the next.
   OperatorSwitches switches_{};
-  std::optional<std::uint32_t> tool_wanted_{};
   ToolChange tool_change_{};
   MachineNews news_{};
   ProbeCycle probing_{};

@@ -225,7 +225,7 @@ bool Machine::change_tool(std::uint32_t tool) {
   if (!pause_seen_) {
     if (!state_.take(Event::kTool)) return false;  // In a hold the change waits for its end.
     pause_seen_ = true;
-    tool_wanted_ = tool;
+    tool_change_.want(tool);
     tool_.suspend(true);
   }
   if (!state_.in(Mode::kFree)) return false;

@@ -126,7 +126,7 @@ std::size_t Machine::parking_axis() const {
 /// Returns whether the parking axis moves: its position must be known, and the tool must not be a
 /// laser, whose beam needs no way out of the work.
 bool Machine::parks() const {
-  const bool known = (homed_ >> parking_axis() & 1U) != 0;
+  const bool known = (homed() >> parking_axis() & 1U) != 0;
   return settings_.get(setting::kParking) != 0.0F && known && !tool_.is_laser();
 }
 

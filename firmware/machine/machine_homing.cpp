@@ -18,7 +18,7 @@ void Machine::home(std::uint8_t axes) {
   alarm_.end();
   forget_exit();
   end_tool_centre();
-  set_homed(axes == 0 ? std::uint8_t{0} : static_cast<std::uint8_t>(homed_ & ~axes));
+  set_homed(axes == 0 ? std::uint8_t{0} : static_cast<std::uint8_t>(homed() & ~axes));
   homing_.start(axes, tool_.command_for(true));
 }
 
@@ -36,7 +36,7 @@ void Machine::attend_homing(std::int32_t elapsed_us) {
     case kDone:
       break;
   }
-  set_homed(static_cast<std::uint8_t>(homed_ | homing_.found()));
+  set_homed(static_cast<std::uint8_t>(homed() | homing_.found()));
   interpreter_.set_position(motion_.target());
   static_cast<void>(state_.take(Event::kOver));
 }

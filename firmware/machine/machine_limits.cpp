@@ -35,9 +35,8 @@ void Machine::hit_limit() {
 
 /// Sets the axes whose position is known.
 void Machine::set_homed(std::uint8_t axes) {
-  homed_ = axes;
   if (axes == 0) place_is_kept_ = false;
-  travel_.configure(settings_, homed_);
+  travel_.set_homed(axes, settings_);
 }
 
 }  // namespace cnc

@@ -37,7 +37,7 @@ void Machine::resume() {
 
 void Machine::restart() {
   resumption_.end();
-  tool_wanted_.reset();
+  tool_change_.forget_wanted();
   static_cast<void>(state_.take(Event::kResume));
   if (probing_.phase() != ProbeCycle::Phase::kStopping) motion_.go_on();
 }
@@ -52,8 +52,6 @@ void Machine::cancel_restart() {
 bool Machine::tool_turns() const {
   return tool_.mode() != gcode::SpindleMode::kOff && !tool_.is_laser();
 }
-
-std::optional<std::uint32_t> Machine::pending_tool() const { return tool_wanted_; }
 
 void Machine::toggle_spindle_stop() {
   if (!state_.in(Mode::kHold) || resumption_.pending() || !at_rest()) return;

@@ -51,7 +51,7 @@ void Machine::drop_everything() {
   resumption_.cancel();
   pause_seen_ = false;
   step_pause_ = false;
-  tool_wanted_.reset();
+  tool_change_.forget_wanted();
   probing_.cancel();
   reentry_.cancel();
   gap_.leave();
@@ -77,7 +77,7 @@ void Machine::drop_everything() {
 void Machine::lock_until_homed() {
   const bool required = has_homing_option(settings_, homing_option::kEnabled) &&
                         has_homing_option(settings_, homing_option::kRequired);
-  if (!required || homed_ != 0 || !state_.in(Mode::kFree)) return;
+  if (!required || homed() != 0 || !state_.in(Mode::kFree)) return;
   static_cast<void>(state_.take(Event::kAlarm));
   alarm_.set(Alarm::kHomingRequired);
 }

@@ -21,7 +21,7 @@ Result<float, SettingError> Machine::change_setting(std::uint16_t number, float 
   if (other_scale) {
     // The motors do not move, but their steps now mean another position.
     const std::size_t axis = number - setting::kStepsPerMm;
-    set_homed(static_cast<std::uint8_t>(homed_ & ~(1U << axis)));
+    set_homed(static_cast<std::uint8_t>(homed() & ~(1U << axis)));
     forget_progress();
     motion_.drop_rest();
     interpreter_.set_position(motion_.target());
@@ -52,7 +52,7 @@ void Machine::set_power_table(const motion::PowerTable& table) {
 /// of the new checksum, so settings are checked by a checksum of their own.
 void Machine::apply_settings() {
   apply_limits();
-  travel_.configure(settings_, homed_);
+  travel_.configure(settings_);
   apply_motor_settings();
   apply_language_settings();
   drive_.set_second_motors(static_cast<std::uint8_t>(settings_.get(setting::kSquaredAxes)));

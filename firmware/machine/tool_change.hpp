@@ -10,10 +10,10 @@
 
 namespace cnc {
 
-/// A tool change by hand (M6) in which the sender takes part (0xA3): the program's state that waits
-/// meanwhile, and the stage of the return to it.
+/// A tool change by hand (M6): the tool for which the program waits. If the sender takes part
+/// (0xA3), also the program's state that waits meanwhile, and the stage of the return to it.
 ///
-/// Lines and jogs of the change move the machine and set offsets. At its end the tool returns to
+/// Lines and jogs of such a change move the machine and set offsets. At its end the tool returns to
 /// the program's position: up first, then across and down. The spindle starts there, as after a
 /// change without lines. The modes are restored; the offsets stay as the change has set them.
 class ToolChange {
@@ -35,6 +35,13 @@ class ToolChange {
     bool step_pause = false;
   };
 
+  /// Notes the tool for which the program waits.
+  void want(std::uint32_t tool) { wanted_ = tool; }
+  /// Forgets that tool, because the program goes on or is dropped.
+  void forget_wanted() { wanted_.reset(); }
+  /// Returns the tool for which M6 waits, if any.
+  [[nodiscard]] std::optional<std::uint32_t> wanted() const { return wanted_; }
+
   [[nodiscard]] Stage stage() const { return stage_; }
   void go_to(Stage stage) { stage_ = stage; }
   /// Ends the change because the operator resumes. Has an effect only while lines are accepted.
@@ -51,6 +58,7 @@ class ToolChange {
  private:
   static_assert(std::is_trivially_copyable_v<gcode::Interpreter>);
 
+  std::optional<std::uint32_t> wanted_{};
   Stage stage_ = Stage::kClosed;
   Job job_;
 };

@@ -306,5 +306,27 @@ TEST_F(ToolChangeTest, ALaserStaysDarkUntilItGoesOn) {
   EXPECT_TRUE(cut);
 }
 
+TEST(ToolChangeStages, KnowTheToolUntilTheProgramGoesOn) {
+  ToolChange change;
+  EXPECT_FALSE(change.wanted());
+  change.want(7);
+  EXPECT_EQ(change.wanted(), 7U);
+  EXPECT_FALSE(change.open()) << "the sender does not take part";
+  change.forget_wanted();
+  EXPECT_FALSE(change.wanted());
+}
+
+TEST(ToolChangeStages, EndOnlyWhereLinesAreAccepted) {
+  ToolChange change;
+  change.end();
+  EXPECT_EQ(change.stage(), ToolChange::Stage::kClosed);
+  change.go_to(ToolChange::Stage::kOpen);
+  EXPECT_TRUE(change.open());
+  EXPECT_FALSE(change.busy());
+  change.end();
+  EXPECT_EQ(change.stage(), ToolChange::Stage::kEnding);
+  EXPECT_TRUE(change.busy());
+}
+
 }  // namespace
 }  // namespace cnc
