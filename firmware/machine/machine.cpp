@@ -18,13 +18,13 @@ Machine::Machine(StepDrive& drive,
     : drive_{drive},
       outputs_{outputs},
       input_port_{inputs},
-      motion_{drive, limits_, pixels},
+      motion_{drive, set_up_.limits(), pixels},
       tool_{drive, outputs},
       coolant_{outputs},
-      homing_{drive, motion_, settings_},
-      side_{drive, motion_, limits_},
+      homing_{drive, motion_, settings()},
+      side_{drive, motion_, set_up_.limits()},
       gap_{drive, motion_},
-      motor_enable_{outputs, settings_},
+      motor_enable_{outputs, settings()},
       kept_progress_{kept} {
   if (kept != nullptr) progress_ = kept->progress();
   watch_memory();
@@ -45,9 +45,8 @@ bool Machine::locked() const {
 }
 
 bool Machine::busy() const {
-  return !waiting_.empty() || reentry_.has_rest() || jog_ || step_pause_ ||
-         alarm_.stops() || alarm_.cuts_off() || door_stops_jog() || tool_change_.busy() ||
-         state_.in(Mode::kHome);
+  return !waiting_.empty() || reentry_.has_rest() || jog_ || step_pause_ || alarm_.stops() ||
+         alarm_.cuts_off() || door_stops_jog() || tool_change_.busy() || state_.in(Mode::kHome);
 }
 
 bool Machine::beam_works() const {
@@ -180,7 +179,8 @@ bool Machine::may_light_at_rest() const {
 /// Returns the duty for S, by the power table.
 std::uint16_t Machine::duty_at_rest() const {
   const float share = tool_.share_now();
-  return share > 0.0F ? to_full_scale(limits_.beam.table.duty_for(share)) : std::uint16_t{0};
+  return share > 0.0F ? to_full_scale(set_up_.limits().beam.table.duty_for(share))
+                      : std::uint16_t{0};
 }
 
 /// Keeps the beam on at rest where M3 requires it: in a dwell, or for a dot in G1 to G3. The beam

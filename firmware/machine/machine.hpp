@@ -13,6 +13,7 @@
 #include "firmware/machine/input_filter.hpp"
 #include "firmware/machine/light_gap.hpp"
 #include "firmware/machine/machine_news.hpp"
+#include "firmware/machine/machine_set_up.hpp"
 #include "firmware/machine/machine_types.hpp"
 #include "firmware/machine/memory_guard.hpp"
 #include "firmware/machine/motion_control.hpp"
@@ -156,14 +157,14 @@ class Machine {
   /// Changes a setting. Returns the stored value or an error.
   /// @pre idle()
   Result<float, SettingError> change_setting(std::uint16_t number, float value);
-  [[nodiscard]] const Settings& settings() const { return settings_; }
+  [[nodiscard]] const Settings& settings() const { return set_up_.settings(); }
   /// Ends G43.4, before the axes are moved separately or all settings change.
   /// @pre idle()
   void end_tool_centre();
   /// Sets the light that the beam gives at each duty.
   /// @pre idle()
   void set_power_table(const motion::PowerTable& table);
-  [[nodiscard]] const motion::PowerTable& power_table() const { return power_table_; }
+  [[nodiscard]] const motion::PowerTable& power_table() const { return set_up_.power_table(); }
   /// Sets the kerf table that M190, G41 and G42 use from now on.
   /// @param table its view must outlive its use
   void use_kerf(const kerf::SelectedTable& table) { kerf_ = table; }
@@ -214,9 +215,7 @@ class Machine {
   /// Returns the events that are reported once.
   [[nodiscard]] MachineNews& news() { return news_; }
   /// Returns the tool for which M6 waits, if any.
-  [[nodiscard]] std::optional<std::uint32_t> pending_tool() const {
-    return tool_change_.wanted();
-  }
+  [[nodiscard]] std::optional<std::uint32_t> pending_tool() const { return tool_change_.wanted(); }
   /// Returns, once, the part of the path that a door, a lost link or a following reset leaves
   /// uncut; null if there is none.
   [[nodiscard]] const Uncut* take_uncut() { return gap_.take_uncut(); }
@@ -364,7 +363,6 @@ class Machine {
 
   // Settings, in machine_settings.cpp.
   void apply_settings();
-  void apply_limits();
   void apply_motor_settings();
   void apply_language_settings();
   [[nodiscard]] bool place_fits() const;
@@ -372,9 +370,7 @@ class Machine {
   StepDrive& drive_;
   hal::AuxiliaryOutputs& outputs_;
   hal::MachineInputs& input_port_;
-  Settings settings_{};
-  motion::PowerTable power_table_{};
-  motion::Limits limits_{};
+  MachineSetUp set_up_{};
   MemoryGuard memory_{};
   kerf::SelectedTable kerf_{};
   gcode::Interpreter interpreter_{};

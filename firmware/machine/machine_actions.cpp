@@ -68,8 +68,8 @@ bool Machine::standstill() {
 }
 
 UsualTolerance Machine::usual_tolerance() const {
-  return {.path_mm = settings_.get(setting::kJunctionDeviation),
-          .arc_mm = settings_.get(setting::kArcTolerance)};
+  return {.path_mm = settings().get(setting::kJunctionDeviation),
+          .arc_mm = settings().get(setting::kArcTolerance)};
 }
 
 /// Returns the tolerances of the path. Short lines are not welded while rotary axes turn the part
@@ -175,7 +175,7 @@ bool Machine::set_spindle(gcode::SpindleMode mode) {
     if (mode == gcode::SpindleMode::kConstant) rest_light_.ask(RestLight::Wish::kDot);
     if (same || !tool_turns()) return true;
   }
-  return dwell(settings_.get(setting::kSpindleOnDelay));
+  return dwell(settings().get(setting::kSpindleOnDelay));
 }
 
 bool Machine::switch_output(const gcode::OutputChange& change) {
@@ -220,7 +220,7 @@ bool Machine::pause() {
 /// Waits, with tool and coolant off, for the operator to change the tool. $341 may say that there
 /// is no operator.
 bool Machine::change_tool(std::uint32_t tool) {
-  if (settings_.get(setting::kToolChange) != 0.0F) return true;
+  if (settings().get(setting::kToolChange) != 0.0F) return true;
   if (!standstill()) return false;
   if (!pause_seen_) {
     if (!state_.take(Event::kTool)) return false;  // In a hold the change waits for its end.

@@ -32,7 +32,7 @@ const Position& Machine::target() const {
   return apart ? compensator_.programmed() : motion_.target();
 }
 
-bool Machine::follows_kerf() const { return settings_.get(setting::kKerfControl) != 0.0F; }
+bool Machine::follows_kerf() const { return settings().get(setting::kKerfControl) != 0.0F; }
 
 /// Sets whether the motors follow the kerf from here on. Returns false while that must wait for
 /// standstill.

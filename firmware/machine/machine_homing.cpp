@@ -4,8 +4,8 @@ namespace cnc {
 
 HomingRefusal Machine::why_not_home(std::uint8_t axes) const {
   using enum HomingRefusal;
-  if (!has_homing_option(settings_, homing_option::kEnabled)) return kSwitchedOff;
-  if (axes != 0 && !has_homing_option(settings_, homing_option::kSingleAxis)) return kAllAxesOnly;
+  if (!has_homing_option(settings(), homing_option::kEnabled)) return kSwitchedOff;
+  if (axes != 0 && !has_homing_option(settings(), homing_option::kSingleAxis)) return kAllAxesOnly;
   if (inputs().door) return kDoorOpen;
   if (inputs().emergency_stop) return kEmergencyStop;
   const bool fit = state_.allows(Event::kHome) && idle() && !busy() && !alarm_.needs_reset();

@@ -22,7 +22,7 @@ std::optional<JogRefusal> Machine::jog(std::string_view words) {
   Position end = action.end;
   if (leaves_travel(actions.value(), here)) {
     // If rotary axes move the tip, there is no nearest position for each axis.
-    if (settings_.get(setting::kJogLimited) == 0.0F || tool_centre_.active()) {
+    if (settings().get(setting::kJogLimited) == 0.0F || tool_centre_.active()) {
       interpreter_.set_position(here);
       return JogRefusal{.number = kBeyondTravel};
     }

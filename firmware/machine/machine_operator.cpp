@@ -30,7 +30,7 @@ void Machine::resume() {
   resumption_.begin();
   if (tool_.suspended()) {
     tool_.suspend(false);
-    if (tool_turns()) resumption_.wait(settings_.get(setting::kSpindleRestoreDelay));
+    if (tool_turns()) resumption_.wait(settings().get(setting::kSpindleRestoreDelay));
   }
   if (resumption_.over()) restart();
 }

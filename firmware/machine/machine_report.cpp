@@ -37,7 +37,7 @@ bool Machine::tool_runs() const {
 
 float Machine::spindle_now() const {
   const float duty = static_cast<float>(drive_.power()) / motion::kFullOutput;
-  return limits_.beam.table.share_of(duty) * tool_.max_speed();
+  return set_up_.limits().beam.table.share_of(duty) * tool_.max_speed();
 }
 
 }  // namespace cnc

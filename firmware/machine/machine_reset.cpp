@@ -75,8 +75,8 @@ void Machine::drop_everything() {
 
 /// Raises the alarm by which $22 requires a homing cycle before any other motion.
 void Machine::lock_until_homed() {
-  const bool required = has_homing_option(settings_, homing_option::kEnabled) &&
-                        has_homing_option(settings_, homing_option::kRequired);
+  const bool required = has_homing_option(settings(), homing_option::kEnabled) &&
+                        has_homing_option(settings(), homing_option::kRequired);
   if (!required || homed() != 0 || !state_.in(Mode::kFree)) return;
   static_cast<void>(state_.take(Event::kAlarm));
   alarm_.set(Alarm::kHomingRequired);
