@@ -25,8 +25,7 @@ Machine::Machine(StepDrive& drive,
       side_{drive, motion_, set_up_.limits()},
       gap_{drive, motion_},
       motor_enable_{outputs, settings()},
-      kept_progress_{kept} {
-  if (kept != nullptr) progress_ = kept->progress();
+      progress_{kept} {
   watch_memory();
   apply_settings();
 }
@@ -45,8 +44,9 @@ bool Machine::locked() const {
 }
 
 bool Machine::busy() const {
-  return !waiting_.empty() || reentry_.has_rest() || jog_ || step_pause_ || alarm_.stops() ||
-         alarm_.cuts_off() || door_stops_jog() || tool_change_.busy() || state_.in(Mode::kHome);
+  return !waiting_.empty() || progress_.reentry().has_rest() || jog_ || step_pause_ ||
+         alarm_.stops() || alarm_.cuts_off() || door_stops_jog() || tool_change_.busy() ||
+         state_.in(Mode::kHome);
 }
 
 bool Machine::beam_works() const {
@@ -55,7 +55,7 @@ bool Machine::beam_works() const {
 }
 
 bool Machine::idle() const {
-  return waiting_.empty() && !reentry_.has_rest() && !jog_ && !state_.in(Mode::kHome) &&
+  return waiting_.empty() && !progress_.reentry().has_rest() && !jog_ && !state_.in(Mode::kHome) &&
          !compensator_.active() && !tool_change_.open() && motion_.drained();
 }
 
@@ -165,14 +165,15 @@ void Machine::run_actions() {
   while (drive_rest() && !waiting_.empty() && run(waiting_.front())) {
     waiting_ = waiting_.subspan(1);
   }
-  if (waiting_.empty() && !reentry_.has_rest() && step_pause_ && pause()) step_pause_ = false;
+  if (waiting_.empty() && !progress_.reentry().has_rest() && step_pause_ && pause())
+    step_pause_ = false;
 }
 
 bool Machine::may_light_at_rest() const {
   const bool dot = rest_light_.wish() == RestLight::Wish::kDot;
   return rest_light_.wish() != RestLight::Wish::kNone && tool_.is_laser() &&
          tool_.mode_now() == gcode::SpindleMode::kConstant && state_.in(Mode::kFree) &&
-         !alarm_.stops() && !reentry_.active() &&
+         !alarm_.stops() && !progress_.reentry().active() &&
          (!dot || cuts_by_mode(interpreter_.state().motion));
 }
 

@@ -21,8 +21,7 @@
 #include "firmware/machine/operator_switches.hpp"
 #include "firmware/machine/poll_clock.hpp"
 #include "firmware/machine/probe_cycle.hpp"
-#include "firmware/machine/progress.hpp"
-#include "firmware/machine/reentry.hpp"
+#include "firmware/machine/program_progress.hpp"
 #include "firmware/machine/rest_light.hpp"
 #include "firmware/machine/resumption.hpp"
 #include "firmware/machine/settings.hpp"
@@ -132,25 +131,14 @@ class Machine {
 
   // An interrupted program, in machine_reentry.cpp.
 
-  /// Returns how far the last program with numbered lines has come; empty after the program has
-  /// ended.
-  [[nodiscard]] const Progress& progress() const { return progress_; }
-  /// Sets the progress of a program that was stored before power-down.
-  void set_progress(const Progress& progress);
-  /// Returns the position of the progress in machine coordinates.
-  /// @pre progress().any()
-  [[nodiscard]] Position progress_place() const { return motion_.place_of(progress_.steps); }
+  /// Returns the progress of the last program, by which the protocol stores and restores it.
+  [[nodiscard]] ProgramProgress& progress() { return progress_; }
   /// Returns whether a program has been interrupted and all axes are at rest.
   [[nodiscard]] bool interrupted() const;
-  /// Returns whether the motors' counters are still valid for the progress, or axes have been homed
-  /// since.
-  [[nodiscard]] bool can_reenter() const { return place_is_kept_ || travel_.homed() != 0; }
   /// Begins re-entry: all further motion has the beam off until it passes the position of the
   /// progress, on the line that was driven or a later one. A reset ends re-entry.
-  /// @pre idle(), progress().any(), can_reenter()
+  /// @pre idle(), progress().noted().any(), progress().can_reenter(homed())
   void reenter();
-  void stop_reentry() { reentry_.cancel(); }
-  [[nodiscard]] bool reenters() const { return reentry_.active(); }
 
   // Settings.
 
@@ -283,8 +271,6 @@ class Machine {
 
   // An interrupted program, in machine_reentry.cpp.
   void note_progress();
-  void place_progress(const AxisArray<std::int32_t>& steps);
-  void forget_progress();
   void darken_until_place(path::PathItem& item);
   [[nodiscard]] bool drive_rest();
 
@@ -409,11 +395,7 @@ class Machine {
   ProbeCycle probing_{};
   bool program_ended_ = false;
 
-  bool seen_suspended_ = false;
-  bool place_is_kept_ = false;  ///< No motor has lost a step since progress_ was noted.
-  Progress progress_{};
-  KeptProgress* kept_progress_;
-  Reentry reentry_{};
+  ProgramProgress progress_;
 
   OverridePercent percent_{};
   PollClock clock_{};

@@ -100,7 +100,7 @@ void Machine::append(const ActionPart& part) {
 /// part of the machine needs its pixels one by one.
 bool Machine::takes_rows() const {
   return tool_.mode() != gcode::SpindleMode::kOff && !tool_change_.open() && !compensates() &&
-         !compensator_.beside() && !state_.in(Mode::kCheck) && !reentry_.active() &&
+         !compensator_.beside() && !state_.in(Mode::kCheck) && !progress_.reentry().active() &&
          !compensation_.by_kerf;
 }
 
@@ -113,7 +113,7 @@ void Machine::append_row(path::PathItem& item, std::span<const float> speeds) {
 
 /// Appends an item. Returns whether there is anything to move.
 bool Machine::drive(path::PathItem& item) {
-  if (reentry_.active() && !tool_change_.open()) darken_until_place(item);
+  if (progress_.reentry().active() && !tool_change_.open()) darken_until_place(item);
   const auto appended = motion_.append(item);
   // The interpreter keeps targets within the motors' range, and arcs are divided.
   CNC_ASSERT(appended.ok());
@@ -235,7 +235,7 @@ bool Machine::change_tool(std::uint32_t tool) {
 
 bool Machine::end_program() {
   if (!standstill()) return false;
-  if (reentry_.active()) {
+  if (progress_.reentry().active()) {
     stop_for(Alarm::kPlaceNotMet);
     return true;
   }
@@ -244,7 +244,7 @@ bool Machine::end_program() {
   set_overrides({});
   tool_.off();
   coolant_.reset();
-  forget_progress();
+  progress_.forget();
   rest_light_.forget_program();
   program_ended_ = true;
   news_.program_ended.raise();

@@ -70,7 +70,7 @@ void Machine::end_door() {
 void Machine::find_gap() {
   if (!gap_.opens()) return;
   gap_.find();
-  if (gap_.any()) place_progress(gap_.place());
+  if (gap_.any()) progress_.note(gap_.place());
 }
 
 /// Moves the parking axis out of the work while the spindle still turns.

@@ -35,7 +35,7 @@ void Machine::hit_limit() {
 
 /// Sets the axes whose position is known.
 void Machine::set_homed(std::uint8_t axes) {
-  if (axes == 0) place_is_kept_ = false;
+  if (axes == 0) progress_.lose_place();
   travel_.set_homed(axes, settings());
 }
 

@@ -53,7 +53,7 @@ void Machine::drop_everything() {
   step_pause_ = false;
   tool_change_.forget_wanted();
   probing_.cancel();
-  reentry_.cancel();
+  progress_.reentry().cancel();
   gap_.leave();
   drive_.disarm_probe();
   homing_.cancel();

@@ -22,7 +22,7 @@ Result<float, SettingError> Machine::change_setting(std::uint16_t number, float 
     // The motors do not move, but their steps now mean another position.
     const std::size_t axis = number - setting::kStepsPerMm;
     set_homed(static_cast<std::uint8_t>(homed() & ~(1U << axis)));
-    forget_progress();
+    progress_.forget();
     motion_.drop_rest();
     interpreter_.set_position(motion_.target());
   }

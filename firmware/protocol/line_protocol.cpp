@@ -42,11 +42,11 @@ LineProtocol::LineProtocol(hal::ByteStream& link,
       stored_{store},
       kerf_{store},
       listing_{machine, stored_, kerf_, board} {
-  const Progress kept = machine_.progress();
+  const Progress kept = machine_.progress().noted();
   load_settings();  // Other steps per millimetre make the machine forget its progress.
   machine_.set_power_table(stored_.load_power_table());
   machine_.set_places(stored_.load_places());
-  machine_.set_progress(kept.any() ? kept : stored_.load_progress());
+  machine_.progress().set(kept.any() ? kept : stored_.load_progress());
   if (stored_.damaged()) machine_.lock_for_damage();
 }
 

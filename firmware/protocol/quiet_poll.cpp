@@ -21,7 +21,7 @@ bool LineProtocol::has_to_tell() const {
       machine_.pending_tool().has_value() != tool_told_) {
     return true;
   }
-  return machine_.progress().any() ? machine_.interrupted() : stored_.has_progress();
+  return machine_.progress().noted().any() ? machine_.interrupted() : stored_.has_progress();
 }
 
 bool LineProtocol::is_quiet(hal::TickCount now) const {

@@ -191,19 +191,20 @@ TEST_F(Reentry, CompletesAPartWhoseSenderWasLostAtEveryHundredthOfASecond) {
     job.bench().run(20);
     ASSERT_EQ(machine.state(), MachineState::kIdle);
     EXPECT_EQ(machine.interpreter().position(), machine.position());
-    if (!machine.progress().any()) {
+    if (!machine.progress().noted().any()) {
       EXPECT_EQ(burnt, 0U);
       continue;
     }
-    ASSERT_TRUE(machine.can_reenter());
+    ASSERT_TRUE(machine.progress().can_reenter(machine.homed()));
     machine.reenter();
-    const std::size_t line = machine.progress().line.number;
-    const Place place{1.0e-6 * static_cast<double>(machine.progress_place()[0].nanometres()),
-                      1.0e-6 * static_cast<double>(machine.progress_place()[1].nanometres())};
+    const std::size_t line = machine.progress().noted().line.number;
+    const cnc::Position noted = machine.motion().place_of(machine.progress().noted().steps);
+    const Place place{1.0e-6 * static_cast<double>(noted[0].nanometres()),
+                      1.0e-6 * static_cast<double>(noted[1].nanometres())};
     job.begin(line - 1);
     job.run_to_end();
     EXPECT_EQ(machine.alarm(), Alarm::kNone);
-    EXPECT_FALSE(machine.reenters());
+    EXPECT_FALSE(machine.progress().reentry().active());
     EXPECT_EQ(machine.state(), MachineState::kIdle);
     ++taken_up;
     if (burnt == 0 || burnt >= whole.size()) continue;
