@@ -44,7 +44,7 @@ bool Machine::locked() const {
 }
 
 bool Machine::busy() const {
-  return !waiting_.empty() || progress_.reentry().has_rest() || jog_ || step_pause_ ||
+  return !actions_.empty() || progress_.reentry().has_rest() || jog_ || actions_.pauses_after() ||
          alarm_.stops() || alarm_.cuts_off() || door_stops_jog() || tool_change_.busy() ||
          state_.in(Mode::kHome);
 }
@@ -55,13 +55,13 @@ bool Machine::beam_works() const {
 }
 
 bool Machine::idle() const {
-  return waiting_.empty() && !progress_.reentry().has_rest() && !jog_ && !state_.in(Mode::kHome) &&
+  return actions_.empty() && !progress_.reentry().has_rest() && !jog_ && !state_.in(Mode::kHome) &&
          !compensator_.active() && !tool_change_.open() && motion_.drained();
 }
 
 gcode::Refusal Machine::accept(std::string_view line) {
   const gcode::Refusal refusal = take_line(line);
-  if (!waiting_.empty()) run_actions();
+  if (!actions_.empty()) run_actions();
   return refusal;
 }
 
@@ -76,14 +76,13 @@ gcode::Refusal Machine::take_line(std::string_view line) {
   if (!actions.ok()) return actions.error();
   if (interpreter_.places_revision() != memory_.trusted_places()) trust_places();
   if (actions.value().empty()) return {};
-  program_ended_ = false;
+  actions_.note_end(false);
   if (state_.in(Mode::kCheck)) {
     judge(actions.value(), from);
     return {};
   }
   if (leaves_travel(actions.value(), from)) return leave_travel(from);
-  waiting_ = actions.value();
-  step_pause_ = switches_.single_block && !tool_change_.open();
+  actions_.begin(actions.value(), switches_.single_block && !tool_change_.open());
   return {};
 }
 
@@ -107,12 +106,12 @@ void Machine::poll(hal::TickCount now) {
     drop_everything();
   }
   if (drive_.take_starved()) raise_alarm(Alarm::kStarved);
-  if (state_.in(Mode::kFree) || tool_change_.open()) dwell_.pass(elapsed_us);
+  if (state_.in(Mode::kFree) || tool_change_.open()) actions_.pass(elapsed_us);
   resumption_.pass(elapsed_us);
   note_progress();
   gap_.follow();
   attend_mode(elapsed_us);
-  spline_points_ = kSplinePoints;
+  actions_.begin_cycle();
   run_actions();
   attend_rest_light(elapsed_us);
   if (!compensates()) motion_.stay_on_path();
@@ -162,11 +161,11 @@ void Machine::run_actions() {
   if (alarm_.cuts_off() || state_.in(Mode::kDoor)) return;
   if (alarm_.stops() || tool_change_.stage() == ToolChange::Stage::kStopping) return;
   if (compensator_.active()) give_out();
-  while (drive_rest() && !waiting_.empty() && run(waiting_.front())) {
-    waiting_ = waiting_.subspan(1);
+  while (drive_rest() && !actions_.empty() && run(actions_.front())) {
+    actions_.drop_front();
   }
-  if (waiting_.empty() && !progress_.reentry().has_rest() && step_pause_ && pause())
-    step_pause_ = false;
+  const bool is_done = actions_.empty() && !progress_.reentry().has_rest();
+  if (is_done && actions_.pauses_after() && pause()) actions_.end_pause_after();
 }
 
 bool Machine::may_light_at_rest() const {

@@ -4,11 +4,11 @@
 #include <optional>
 #include <string_view>
 
+#include "firmware/machine/actions_in_progress.hpp"
 #include "firmware/machine/alarm_sequence.hpp"
 #include "firmware/machine/configuration.hpp"
 #include "firmware/machine/coolant_output.hpp"
 #include "firmware/machine/door_sequence.hpp"
-#include "firmware/machine/dwell.hpp"
 #include "firmware/machine/homing.hpp"
 #include "firmware/machine/input_filter.hpp"
 #include "firmware/machine/light_gap.hpp"
@@ -216,7 +216,7 @@ class Machine {
     return news_.reset_pressed.is_raised() || gap_.has_uncut() || rest_light_.has_refusal();
   }
   /// Returns whether the last line was M2 or M30.
-  [[nodiscard]] bool program_ended() const { return program_ended_; }
+  [[nodiscard]] bool program_ended() const { return actions_.program_ended(); }
 
   [[nodiscard]] const gcode::Interpreter& interpreter() const { return interpreter_; }
   [[nodiscard]] const MotionControl& motion() const { return motion_; }
@@ -227,10 +227,6 @@ class Machine {
   void observe(motion::ShapingObserver* observer) { motion_.motors().observe(observer); }
 
  private:
-  /// Points of splines in a cycle: 0.4 ms on the emulated chip; the last step of a spline may take
-  /// as long again.
-  static constexpr std::uint32_t kSplinePoints = 300;
-
   struct JogMove {
     Position end{};
     float feed = 0.0F;
@@ -375,25 +371,17 @@ class Machine {
   Travel travel_{};
   kinematics::ToolCentre tool_centre_{};  ///< G43.4 as lines use it, also in check mode.
 
-  gcode::Actions waiting_{};
-  ActionElements elements_{};  ///< Elements of the action being driven.
+  ActionsInProgress actions_{};
   compensation::Compensator compensator_{};
-  gcode::CutterCompensation compensation_{};     ///< State that G41 or G42 has set.
-  Plane compensation_plane_ = Plane::kXY;        ///< Plane of G41 or G42.
-  kerf::KerfCourse kerf_course_{};               ///< Kerf course while the motors follow the kerf.
-  std::uint32_t spline_points_ = kSplinePoints;  ///< Points left in this cycle's budget.
-  motion::OutputChanges with_next_motion_{};
-  std::optional<JogMove> jog_{};  ///< Jog that waits for free space in the planner.
-  Dwell dwell_{};                 ///< Dwell of an action.
+  gcode::CutterCompensation compensation_{};  ///< State that G41 or G42 has set.
+  Plane compensation_plane_ = Plane::kXY;     ///< Plane of G41 or G42.
+  kerf::KerfCourse kerf_course_{};            ///< Kerf course while the motors follow the kerf.
+  std::optional<JogMove> jog_{};              ///< Jog that waits for free space in the planner.
   Resumption resumption_{};
-  bool dwelling_ = false;
-  bool pause_seen_ = false;
-  bool step_pause_ = false;  ///< The line is done; single block pauses before the next.
   OperatorSwitches switches_{};
   ToolChange tool_change_{};
   MachineNews news_{};
   ProbeCycle probing_{};
-  bool program_ended_ = false;
 
   ProgramProgress progress_;
 

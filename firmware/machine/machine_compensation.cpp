@@ -23,7 +23,7 @@ bool Machine::has_room() {
 }
 
 bool Machine::waits_for_g40() const {
-  return compensator_.active() && waiting_.empty() && compensator_.has_room();
+  return compensator_.active() && actions_.empty() && compensator_.has_room();
 }
 
 /// Returns the end of the programmed path.
@@ -120,7 +120,7 @@ void Machine::append_beside(path::PathItem& item) {
     compensator_.begin(element.start, compensation_plane_, left ? -offset_mm : offset_mm);
   }
   if (!compensator_.active()) return compensator_.stand_at(element.end);
-  with_next_motion_ = {};
+  actions_.forget_outputs();
   // The element is passed on when free space for the next is checked, or in the next cycle.
   if (const auto fault = compensator_.put(item)) refuse_path(*fault);
 }
@@ -137,7 +137,7 @@ void Machine::drive_apart(path::PathItem& item) {
     }
   }
   compensator_.stand_at(end);
-  if (!state_.in(Mode::kCheck) && drive(item)) with_next_motion_ = {};
+  if (!state_.in(Mode::kCheck) && drive(item)) actions_.forget_outputs();
 }
 
 /// Takes elements from the compensator and plans them while there is free space; drops them in

@@ -37,7 +37,7 @@ void Machine::judge_tool_centre() {
 /// @pre no action is being driven
 bool Machine::leaves_travel(gcode::Actions actions, const Position& from) {
   if (!tool_centre_.active()) return travel_.left_by(actions, from);
-  return travel_.left_by(actions, from, {tool_centre_, set_up_.limits()}, elements_);
+  return travel_.left_by(actions, from, {tool_centre_, set_up_.limits()}, actions_.elements());
 }
 
 }  // namespace cnc

@@ -17,13 +17,13 @@ void Machine::judge(gcode::Actions actions, const Position& from) {
     if (action.kind == gcode::ActionKind::kToolCentre) judge_tool_centre();
     if (action.kind != gcode::ActionKind::kEnd) continue;
     if (tool_centre_.active()) judge_tool_centre();
-    program_ended_ = true;
+    actions_.note_end(true);
     news_.program_ended.raise();
   }
   const bool beside = compensates() || compensator_.beside();
   if (!beside && interpreter_.state().compensation.side == gcode::CutterSide::kOn) return;
   if (!beside) compensator_.stand_at(from);
-  waiting_ = actions;
+  actions_.begin(actions, false);
 }
 
 /// Raises the alarm of a limit switch. While homing, switches are sought; in an alarm or asleep

@@ -6,7 +6,8 @@ namespace cnc {
 MachineStatus Machine::status() const {
   switch (state_.mode()) {
     case Mode::kFree:
-      return {.state = idle() && !step_pause_ ? MachineState::kIdle : MachineState::kRun};
+      return {.state =
+                  idle() && !actions_.pauses_after() ? MachineState::kIdle : MachineState::kRun};
     case Mode::kJog:
     case Mode::kJogEnding:
       return {.state = MachineState::kJog};

@@ -42,15 +42,9 @@ void Machine::drop_everything() {
   alarm_.drop();
   if (tool_change_.open()) close_tool_change();
   news_.line_failed.drop();
-  waiting_ = {};
-  elements_.clear();
+  actions_.clear();
   jog_.reset();
-  with_next_motion_ = {};
-  dwelling_ = false;
-  dwell_.cancel();
   resumption_.cancel();
-  pause_seen_ = false;
-  step_pause_ = false;
   tool_change_.forget_wanted();
   probing_.cancel();
   progress_.reentry().cancel();

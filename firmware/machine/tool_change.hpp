@@ -4,9 +4,9 @@
 #include <optional>
 #include <type_traits>
 
+#include "firmware/machine/actions_in_progress.hpp"
 #include "planner/base/coordinate.hpp"
 #include "planner/gcode/interpreter.hpp"
-#include "planner/motion/block/block.hpp"
 
 namespace cnc {
 
@@ -29,10 +29,8 @@ class ToolChange {
   /// The waiting state of the program.
   struct Job {
     std::optional<gcode::Interpreter> interpreter{};  ///< The program continues with it.
-    gcode::Actions waiting{};  ///< Views into the machine's interpreter, valid after its return.
-    motion::OutputChanges with_next_motion{};
-    Position place{};  ///< Position of the tool in machine coordinates.
-    bool step_pause = false;
+    RestOfLine line{};  ///< Its views are valid after the return of the interpreter.
+    Position place{};   ///< Position of the tool in machine coordinates.
   };
 
   /// Notes the tool for which the program waits.
