@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "firmware/machine/dwell.hpp"
-#include "planner/gcode/action.hpp"
+#include "planner/gcode/interpreter.hpp"
 #include "planner/motion/block/output_changes.hpp"
 #include "planner/pipeline/action_elements.hpp"
 

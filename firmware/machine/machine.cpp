@@ -56,7 +56,7 @@ bool Machine::beam_works() const {
 
 bool Machine::idle() const {
   return actions_.empty() && !progress_.reentry().has_rest() && !jog_ && !state_.in(Mode::kHome) &&
-         !compensator_.active() && !tool_change_.open() && motion_.drained();
+         !compensated_.active() && !tool_change_.open() && motion_.drained();
 }
 
 gcode::Refusal Machine::accept(std::string_view line) {
@@ -114,7 +114,7 @@ void Machine::poll(hal::TickCount now) {
   actions_.begin_cycle();
   run_actions();
   attend_rest_light(elapsed_us);
-  if (!compensates()) motion_.stay_on_path();
+  if (!compensated_.compensates()) motion_.stay_on_path();
   motion_.attend(elapsed_us);
   motor_enable_.attend(motor_need(), elapsed_us);
   const bool rested = !drive_.running();
@@ -160,7 +160,7 @@ void Machine::attend_mode(std::int32_t elapsed_us) {
 void Machine::run_actions() {
   if (alarm_.cuts_off() || state_.in(Mode::kDoor)) return;
   if (alarm_.stops() || tool_change_.stage() == ToolChange::Stage::kStopping) return;
-  if (compensator_.active()) give_out();
+  if (compensated_.active()) give_out();
   while (drive_rest() && !actions_.empty() && run(actions_.front())) {
     actions_.drop_front();
   }

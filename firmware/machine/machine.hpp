@@ -6,6 +6,7 @@
 
 #include "firmware/machine/actions_in_progress.hpp"
 #include "firmware/machine/alarm_sequence.hpp"
+#include "firmware/machine/compensated_path.hpp"
 #include "firmware/machine/configuration.hpp"
 #include "firmware/machine/coolant_output.hpp"
 #include "firmware/machine/door_sequence.hpp"
@@ -33,7 +34,6 @@
 #include "hal/interface/auxiliary_outputs.hpp"
 #include "hal/interface/machine_inputs.hpp"
 #include "hal/interface/tick_count.hpp"
-#include "planner/compensation/compensator.hpp"
 #include "planner/gcode/interpreter.hpp"
 #include "planner/pipeline/action_elements.hpp"
 #include "planner/pipeline/path_tolerance.hpp"
@@ -155,8 +155,7 @@ class Machine {
   [[nodiscard]] const motion::PowerTable& power_table() const { return set_up_.power_table(); }
   /// Sets the kerf table that M190, G41 and G42 use from now on.
   /// @param table its view must outlive its use
-  void use_kerf(const kerf::SelectedTable& table) { kerf_ = table; }
-  [[nodiscard]] const kerf::SelectedTable& kerf() const { return kerf_; }
+  void use_kerf(const kerf::SelectedTable& table) { compensated_.use_kerf(table); }
   /// Sets the positions that were stored at the last power-down.
   /// @pre idle()
   void set_places(const gcode::StoredPlaces& places);
@@ -312,7 +311,6 @@ class Machine {
   void trip_to(StepPosition place, std::uint16_t rate, const motion::BeamCommand& beam);
 
   // The compensated path, in machine_compensation.cpp.
-  [[nodiscard]] bool compensates() const;
   [[nodiscard]] bool has_room();
   [[nodiscard]] const Position& target() const;
   [[nodiscard]] bool follows_kerf() const;
@@ -354,7 +352,6 @@ class Machine {
   hal::MachineInputs& input_port_;
   MachineSetUp set_up_{};
   MemoryGuard memory_{};
-  kerf::SelectedTable kerf_{};
   gcode::Interpreter interpreter_{};
   MotionControl motion_;
   ToolOutput tool_;
@@ -372,11 +369,8 @@ class Machine {
   kinematics::ToolCentre tool_centre_{};  ///< G43.4 as lines use it, also in check mode.
 
   ActionsInProgress actions_{};
-  compensation::Compensator compensator_{};
-  gcode::CutterCompensation compensation_{};  ///< State that G41 or G42 has set.
-  Plane compensation_plane_ = Plane::kXY;     ///< Plane of G41 or G42.
-  kerf::KerfCourse kerf_course_{};            ///< Kerf course while the motors follow the kerf.
-  std::optional<JogMove> jog_{};              ///< Jog that waits for free space in the planner.
+  CompensatedPath compensated_{};
+  std::optional<JogMove> jog_{};  ///< Jog that waits for free space in the planner.
   Resumption resumption_{};
   OperatorSwitches switches_{};
   ToolChange tool_change_{};

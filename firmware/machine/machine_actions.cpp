@@ -20,7 +20,7 @@ bool Machine::run(const Action& action) {
   // G40 itself may take several cycles, while there is no free space for all held motion.
   const bool leads_back = action.kind == ActionKind::kCompensation &&
                           action.compensation.side == gcode::CutterSide::kOn;
-  if (compensator_.beside() && is_path(action) && !leads_back && !leave_path(action)) return false;
+  if (compensated_.beside() && is_path(action) && !leads_back && !leave_path(action)) return false;
   switch (action.kind) {
     case ActionKind::kRapid:
     case ActionKind::kLine:
@@ -90,18 +90,18 @@ void Machine::append(const ActionPart& part) {
                       .tolerance = tolerance(),
                       .continues = part.continues};
   if (!part.row.empty()) return append_row(item, part.row);
-  if (compensates() || state_.in(Mode::kCheck)) return append_beside(item);
-  if (compensator_.beside()) return drive_apart(item);
-  compensation_.by_kerf = false;  // The exit was the last motion that had to keep by_kerf.
+  if (compensated_.compensates() || state_.in(Mode::kCheck)) return append_beside(item);
+  if (compensated_.beside()) return drive_apart(item);
+  compensated_.end_exit();  // The exit was the last motion that had to keep by_kerf.
   if (drive(item)) actions_.forget_outputs();
 }
 
 /// Returns whether a line with several powers becomes one element: the beam works, and no other
 /// part of the machine needs its pixels one by one.
 bool Machine::takes_rows() const {
-  return tool_.mode() != gcode::SpindleMode::kOff && !tool_change_.open() && !compensates() &&
-         !compensator_.beside() && !state_.in(Mode::kCheck) && !progress_.reentry().active() &&
-         !compensation_.by_kerf;
+  return tool_.mode() != gcode::SpindleMode::kOff && !tool_change_.open() &&
+         !compensated_.compensates() && !compensated_.beside() && !state_.in(Mode::kCheck) &&
+         !progress_.reentry().active() && !compensated_.by_kerf();
 }
 
 void Machine::append_row(path::PathItem& item, std::span<const float> speeds) {

@@ -20,9 +20,9 @@ void Machine::judge(gcode::Actions actions, const Position& from) {
     actions_.note_end(true);
     news_.program_ended.raise();
   }
-  const bool beside = compensates() || compensator_.beside();
+  const bool beside = compensated_.compensates() || compensated_.beside();
   if (!beside && interpreter_.state().compensation.side == gcode::CutterSide::kOn) return;
-  if (!beside) compensator_.stand_at(from);
+  if (!beside) compensated_.stand_at(from);
   actions_.begin(actions, false);
 }
 

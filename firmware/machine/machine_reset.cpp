@@ -59,8 +59,7 @@ void Machine::drop_everything() {
   motion_.set_tool_centre(tool_centre_);
   motion_.go_on();
   side_.begin(motion_.motor_place());
-  compensation_ = {};
-  compensator_.clear();
+  compensated_.reset();
   interpreter_.reset();
   interpreter_.set_position(motion_.target());
   static_cast<void>(state_.take(Event::kReset));

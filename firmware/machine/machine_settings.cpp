@@ -73,7 +73,7 @@ void Machine::apply_language_settings() {
   gcode::Options options = gcode_options_from(settings());
   options.block_delete =
       (settings().get(setting::kBlockDelete) != 0.0F) != switches_.block_delete_turned;
-  options.kerf = &kerf_;
+  options.kerf = &compensated_.kerf();
   options.full_power_speed = settings().get(setting::kMaxSpindleSpeed);
   const auto points = power_table().points();
   if (!points.empty()) options.greatest_power_mw = points.back().milliwatts;

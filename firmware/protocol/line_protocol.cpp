@@ -297,7 +297,8 @@ void LineProtocol::handle(std::string_view line) {
 /// changed.
 gcode::Refusal LineProtocol::accept(std::string_view line) {
   const gcode::Material& material = machine_.interpreter().state().material;
-  const bool wanted = material.thickness_um != 0 && !machine_.kerf().holds(material.table);
+  const bool wanted =
+      material.thickness_um != 0 && !machine_.interpreter().options().kerf->holds(material.table);
   if (wanted || kerf_seen_ != kerf_.revision()) select_kerf(material.table);
   return machine_.accept(line);
 }

@@ -7,7 +7,7 @@
 namespace cnc {
 namespace {
 
-motion::PowerTable some_table() {
+motion::PowerTable table_with_threshold() {
   constexpr std::array<motion::PowerPoint, 2> kPoints{
       {{.duty = 1000, .milliwatts = 0}, {.duty = 10'000, .milliwatts = 9000}}};
   const auto table = motion::PowerTable::make(kPoints);
@@ -38,13 +38,13 @@ TEST_F(MachineSetUpTest, KeepsItsSettingsWhenAValueIsRefused) {
 }
 
 TEST_F(MachineSetUpTest, GivesALaserAloneTheResponseOfThePowerTable) {
-  set_up_.set_power_table(some_table());
+  set_up_.set_power_table(table_with_threshold());
   set_up_.apply();
-  EXPECT_EQ(set_up_.power_table(), some_table());
+  EXPECT_EQ(set_up_.power_table(), table_with_threshold());
   EXPECT_EQ(set_up_.limits().beam.table, motion::PowerTable{}) << "of a spindle";
   EXPECT_TRUE(set_up_.set(setting::kLaserMode, 1.0F).ok());
   set_up_.apply();
-  EXPECT_EQ(set_up_.limits().beam.table, some_table());
+  EXPECT_EQ(set_up_.limits().beam.table, table_with_threshold());
 }
 
 }  // namespace

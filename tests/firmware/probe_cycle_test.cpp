@@ -5,34 +5,32 @@
 namespace cnc {
 namespace {
 
-using Phase = ProbeCycle::Phase;
-
-constexpr Probe kTouched{.place = {Coordinate{1000}, Coordinate{-2000}}, .success = true};
+constexpr Probe kTouchedAtX{.place = {Coordinate{1000}, Coordinate{-2000}}, .success = true};
 
 TEST(ProbeCycle, HasNoResultBeforeTheFirst) {
   const ProbeCycle cycle;
-  EXPECT_EQ(cycle.phase(), Phase::kNone);
+  EXPECT_EQ(cycle.phase(), ProbeCycle::Phase::kNone);
   EXPECT_EQ(cycle.last(), Probe{});
   EXPECT_FALSE(cycle.last().success);
 }
 
 TEST(ProbeCycle, EndsWithItsResult) {
   ProbeCycle cycle;
-  cycle.go_to(Phase::kMoving);
-  cycle.go_to(Phase::kStopping);
-  EXPECT_EQ(cycle.phase(), Phase::kStopping);
-  cycle.end(kTouched);
-  EXPECT_EQ(cycle.phase(), Phase::kNone);
-  EXPECT_EQ(cycle.last(), kTouched);
+  cycle.go_to(ProbeCycle::Phase::kMoving);
+  cycle.go_to(ProbeCycle::Phase::kStopping);
+  EXPECT_EQ(cycle.phase(), ProbeCycle::Phase::kStopping);
+  cycle.end(kTouchedAtX);
+  EXPECT_EQ(cycle.phase(), ProbeCycle::Phase::kNone);
+  EXPECT_EQ(cycle.last(), kTouchedAtX);
 }
 
 TEST(ProbeCycle, KeepsTheLastResultWhenTheNextIsCancelled) {
   ProbeCycle cycle;
-  cycle.end(kTouched);
-  cycle.go_to(Phase::kMoving);
+  cycle.end(kTouchedAtX);
+  cycle.go_to(ProbeCycle::Phase::kMoving);
   cycle.cancel();
-  EXPECT_EQ(cycle.phase(), Phase::kNone);
-  EXPECT_EQ(cycle.last(), kTouched);
+  EXPECT_EQ(cycle.phase(), ProbeCycle::Phase::kNone);
+  EXPECT_EQ(cycle.last(), kTouchedAtX);
 }
 
 }  // namespace

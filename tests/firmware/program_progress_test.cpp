@@ -5,20 +5,20 @@
 namespace cnc {
 namespace {
 
-constexpr AxisArray<std::int32_t> kThere{10, -20, 30};
-constexpr AxisArray<std::int32_t> kBack{9, -18, 30};
-constexpr std::uint8_t kX = 1;
+constexpr AxisArray<std::int32_t> kWorkedAt{10, -20, 30};
+constexpr AxisArray<std::int32_t> kWentBackTo{9, -18, 30};
+constexpr std::uint8_t kHomedX = 1;
 
 TEST(ProgramProgress, KeepsLineAndPlaceInMemoryThatSurvives) {
   KeptProgress kept{};
   kept.keep({});
   ProgramProgress progress{&kept};
   EXPECT_FALSE(progress.noted().any());
-  progress.note({12, 1}, kThere);
+  progress.note({12, 1}, kWorkedAt);
   EXPECT_EQ(kept.progress(), progress.noted());
-  progress.note(kBack);
+  progress.note(kWentBackTo);
   EXPECT_EQ(progress.noted().line.number, 12U);
-  EXPECT_EQ(progress.noted().steps, kBack);
+  EXPECT_EQ(progress.noted().steps, kWentBackTo);
   EXPECT_EQ(kept.progress(), progress.noted());
   const ProgramProgress restarted{&kept};
   EXPECT_EQ(restarted.noted(), progress.noted());
@@ -28,16 +28,16 @@ TEST(ProgramProgress, KeepsLineAndPlaceInMemoryThatSurvives) {
 
 TEST(ProgramProgress, NotesNoPlaceWithoutALine) {
   ProgramProgress progress{nullptr};
-  progress.note(kThere);
+  progress.note(kWorkedAt);
   EXPECT_EQ(progress.noted(), Progress{});
 }
 
 TEST(ProgramProgress, CanBeReenteredWhereThePlaceIsKeptOrAxesAreHomed) {
   ProgramProgress progress{nullptr};
-  progress.set({.line = 12, .steps = kThere});
+  progress.set({.line = 12, .steps = kWorkedAt});
   EXPECT_FALSE(progress.can_reenter(0)) << "another start of the motors' counters";
-  EXPECT_TRUE(progress.can_reenter(kX));
-  progress.note(13, kThere);
+  EXPECT_TRUE(progress.can_reenter(kHomedX));
+  progress.note(13, kWorkedAt);
   EXPECT_TRUE(progress.place_is_kept());
   EXPECT_TRUE(progress.can_reenter(0));
   progress.lose_place();

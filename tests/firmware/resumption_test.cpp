@@ -5,12 +5,10 @@
 namespace cnc {
 namespace {
 
-constexpr std::int32_t kCycleUs = 1000;
-
 /// Returns the number of cycles until nothing is left to wait for.
-int cycles_of(Resumption& resumption) {
+int cycles_until_over(Resumption& resumption) {
   int cycles = 0;
-  for (; !resumption.over() && cycles < 10'000; ++cycles) resumption.pass(kCycleUs);
+  for (; !resumption.over() && cycles < 10'000; ++cycles) resumption.pass(1000);
   return cycles;
 }
 
@@ -28,7 +26,7 @@ TEST(Resumption, GivesASpindleItsTimeFromTheNextCycleOn) {
   Resumption resumption;
   resumption.begin();
   resumption.wait(0.5F);
-  EXPECT_EQ(cycles_of(resumption), 501);
+  EXPECT_EQ(cycles_until_over(resumption), 501);
   EXPECT_TRUE(resumption.pending()) << "until the motion goes on";
 }
 
