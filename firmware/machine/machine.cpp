@@ -128,7 +128,7 @@ void Machine::poll(hal::TickCount now) {
 
 /// Advances the activity of the present mode.
 void Machine::attend_mode(std::int32_t elapsed_us) {
-  if (alarm_.stops() && at_rest()) {
+  if (alarm_.stops() && motion_.at_rest()) {
     find_gap();
     return raise_alarm(alarm_.stopping_for());
   }

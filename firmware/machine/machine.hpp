@@ -111,23 +111,21 @@ class Machine {
   [[nodiscard]] bool needs_reset() const { return alarm_.needs_reset(); }
 
   void set_overrides(const OverridePercent& percent);
-  [[nodiscard]] const OverridePercent& overrides() const { return percent_; }
+  [[nodiscard]] const OverridePercent& overrides() const { return switches_.overrides; }
   /// Stops or restarts the spindle, only while held at rest. If it is stopped, resume() restarts it
   /// first.
   void toggle_spindle_stop();
-  void toggle_flood();
-  void toggle_mist();
+  /// Toggles mist, flood or both, while nothing is interrupted except by a hold.
+  void toggle_coolant(gcode::Coolant which);
   /// Lets the sender take part in the tool change that M6 requested. From now on its lines and jogs
-  /// are accepted while changes_tool() is true, and resume() continues the program. Returns false
+  /// are accepted while tool_change().open(), and resume() continues the program. Returns false
   /// if no tool change is pending, or if the sender takes part already.
   bool acknowledge_tool();
-  [[nodiscard]] bool changes_tool() const { return tool_change_.open(); }
+  [[nodiscard]] const ToolChange& tool_change() const { return tool_change_; }
   [[nodiscard]] OperatorSwitches& switches() { return switches_; }
   /// Toggles block delete until the setting is written again. Returns whether lines with / are
   /// skipped from now on.
   bool toggle_block_delete();
-  /// Returns whether lines with / are skipped: $890, or the opposite after a toggle.
-  [[nodiscard]] bool block_delete() const { return interpreter_.options().block_delete; }
 
   // An interrupted program, in machine_reentry.cpp.
 
@@ -164,9 +162,6 @@ class Machine {
 
   /// Returns the guard of settings, of memory that is computed from them, and of positions.
   [[nodiscard]] MemoryGuard& memory() { return memory_; }
-  /// Returns whether the output follows the motion and the beam is off at rest, except for light
-  /// that rest_light() allows. Any context.
-  [[nodiscard]] bool rests_dark() const { return tool_.is_dark_at_rest(); }
   /// Returns the light at rest, for RestLight::allowed(). Any context.
   [[nodiscard]] RestLight& rest_light() { return rest_light_; }
 
@@ -177,8 +172,6 @@ class Machine {
   [[nodiscard]] Alarm alarm() const { return alarm_.now(); }
   /// Returns whether no action waits and nothing moves.
   [[nodiscard]] bool idle() const;
-  /// Returns whether nothing moves; actions may wait.
-  [[nodiscard]] bool at_rest() const { return motion_.drained() || motion_.halted(); }
   /// Returns whether a spindle turns, or a beam that does not follow the motion is on.
   [[nodiscard]] bool tool_runs() const;
   /// Returns whether a beam is on and follows a motion that is not held.
@@ -187,22 +180,13 @@ class Machine {
   [[nodiscard]] const hal::InputState& inputs() const { return inputs_.settled(); }
   /// Returns the axes whose machine coordinates are known, bit i for axis i.
   [[nodiscard]] std::uint8_t homed() const { return travel_.homed(); }
-  /// Returns the position of the tool in machine coordinates.
-  [[nodiscard]] Position position() const { return motion_.tool_place(); }
-  [[nodiscard]] float feed_now_mm_min() const;
   /// Returns the real S of the output, with override; for a beam, the value of this moment.
   [[nodiscard]] float spindle_now() const;
-  [[nodiscard]] gcode::SpindleMode spindle() const { return tool_.mode_now(); }
   [[nodiscard]] gcode::Coolant coolant() const { return coolant_.now(); }
-  [[nodiscard]] std::size_t blocks_free() const { return motion_.blocks_free(); }
-  /// Returns the N of the block being executed; 0 for none.
-  [[nodiscard]] std::uint32_t line_number() const { return motion_.line_in_execution(); }
   /// Returns the result of the last probe; position 0 and no success before the first.
   [[nodiscard]] const Probe& last_probe() const { return probing_.last(); }
   /// Returns the events that are reported once.
   [[nodiscard]] MachineNews& news() { return news_; }
-  /// Returns the tool for which M6 waits, if any.
-  [[nodiscard]] std::optional<std::uint32_t> pending_tool() const { return tool_change_.wanted(); }
   /// Returns, once, the part of the path that a door, a lost link or a following reset leaves
   /// uncut; null if there is none.
   [[nodiscard]] const Uncut* take_uncut() { return gap_.take_uncut(); }
@@ -218,7 +202,10 @@ class Machine {
   [[nodiscard]] bool program_ended() const { return actions_.program_ended(); }
 
   [[nodiscard]] const gcode::Interpreter& interpreter() const { return interpreter_; }
+  /// Returns the motion: the tool's position, the speed, the line being driven, free blocks.
   [[nodiscard]] const MotionControl& motion() const { return motion_; }
+  /// Returns the beam or spindle.
+  [[nodiscard]] const ToolOutput& tool() const { return tool_; }
   /// Returns the number of cycles that took too long for motion to begin in time.
   [[nodiscard]] std::uint32_t late_turns() const { return drive_.late_turns(); }
   /// Sets an observer of the plan; null for none.
@@ -287,7 +274,6 @@ class Machine {
   void restart();
   void cancel_restart();
   [[nodiscard]] bool tool_turns() const;
-  void switch_coolant_by_hand(gcode::Coolant wanted);
 
   // A tool change, in machine_tool_change.cpp.
   void attend_tool_change();
@@ -379,7 +365,6 @@ class Machine {
 
   ProgramProgress progress_;
 
-  OverridePercent percent_{};
   PollClock clock_{};
 };
 

@@ -30,7 +30,7 @@ bool Machine::door_stops_jog() const {
 /// Runs the stages of the door. Each waits for its motion or its time, and then begins the next.
 void Machine::attend_door() {
   if (door_.stage() == DoorStage::kStopped) return;
-  if (!at_rest() || !side_.at_rest() || !resumption_.over()) return;
+  if (!motion_.at_rest() || !side_.at_rest() || !resumption_.over()) return;
   switch (door_.stage()) {
     case DoorStage::kStopping:
       if (door_.ends_jog()) drop_jog();

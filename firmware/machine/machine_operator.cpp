@@ -1,5 +1,3 @@
-#include <algorithm>
-
 #include "firmware/machine/machine.hpp"
 
 namespace cnc {
@@ -54,24 +52,15 @@ bool Machine::tool_turns() const {
 }
 
 void Machine::toggle_spindle_stop() {
-  if (!state_.in(Mode::kHold) || resumption_.pending() || !at_rest()) return;
+  if (!state_.in(Mode::kHold) || resumption_.pending() || !motion_.at_rest()) return;
   tool_.suspend(!tool_.suspended());
 }
 
-void Machine::toggle_flood() {
-  gcode::Coolant wanted = coolant_.wanted();
-  wanted.flood = !wanted.flood;
-  switch_coolant_by_hand(wanted);
-}
-
-void Machine::toggle_mist() {
-  gcode::Coolant wanted = coolant_.wanted();
-  wanted.mist = !wanted.mist;
-  switch_coolant_by_hand(wanted);
-}
-
-void Machine::switch_coolant_by_hand(gcode::Coolant wanted) {
+void Machine::toggle_coolant(gcode::Coolant which) {
   if (!state_.in(Mode::kFree) && !state_.in(Mode::kHold)) return;
+  gcode::Coolant wanted = coolant_.wanted();
+  wanted.mist = wanted.mist != which.mist;
+  wanted.flood = wanted.flood != which.flood;
   coolant_.set(wanted);
   interpreter_.set_coolant(wanted);
 }
@@ -80,17 +69,16 @@ bool Machine::toggle_block_delete() {
   memory_.check_settings();
   switches_.block_delete_turned = !switches_.block_delete_turned;
   apply_settings();
-  return block_delete();
+  return interpreter_.options().block_delete;
 }
 
 void Machine::set_overrides(const OverridePercent& percent) {
-  percent_ = {.feed = std::clamp(percent.feed, 10, 200),
-              .rapid = std::clamp(percent.rapid, 5, 100),
-              .power = std::clamp(percent.power, 10, 200)};
-  motion_.set_overrides({.feed = 0.01F * static_cast<float>(percent_.feed),
-                         .rapid = 0.01F * static_cast<float>(percent_.rapid),
-                         .power = 0.01F * static_cast<float>(percent_.power)});
-  tool_.set_override(0.01F * static_cast<float>(percent_.power));
+  switches_.set_overrides(percent);
+  const OverridePercent& set = switches_.overrides;
+  motion_.set_overrides({.feed = 0.01F * static_cast<float>(set.feed),
+                         .rapid = 0.01F * static_cast<float>(set.rapid),
+                         .power = 0.01F * static_cast<float>(set.power)});
+  tool_.set_override(0.01F * static_cast<float>(set.power));
 }
 
 bool Machine::sleep() {

@@ -28,7 +28,7 @@ bool Machine::probe(const Action& action) {
       }
       return motion_.drained() && finish_probe(action);
     case kStopping:
-      return (motion_.halted() || motion_.drained()) && finish_probe(action);
+      return motion_.at_rest() && finish_probe(action);
   }
   return true;
 }

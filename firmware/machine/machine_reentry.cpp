@@ -15,7 +15,7 @@ void Machine::note_progress() {
 bool Machine::interrupted() const {
   const bool stopped = state_.in(Mode::kHold) || state_.in(Mode::kDoor) ||
                        state_.in(Mode::kAlarm) || !progress_.place_is_kept();
-  return stopped && progress_.noted().any() && at_rest();
+  return stopped && progress_.noted().any() && motion_.at_rest();
 }
 
 void Machine::reenter() {

@@ -1,5 +1,4 @@
 #include "firmware/machine/machine.hpp"
-#include "planner/base/units.hpp"
 
 namespace cnc {
 
@@ -17,7 +16,7 @@ MachineStatus Machine::status() const {
       return {.state = MachineState::kCheck};
     case Mode::kHold:
       return {.state = MachineState::kHold,
-              .substate = at_rest() ? std::uint8_t{0} : std::uint8_t{1}};
+              .substate = motion_.at_rest() ? std::uint8_t{0} : std::uint8_t{1}};
     case Mode::kDoor:
       return {.state = MachineState::kDoor, .substate = door_.substate(inputs().door)};
     case Mode::kTool:
@@ -30,10 +29,8 @@ MachineStatus Machine::status() const {
   return {};
 }
 
-float Machine::feed_now_mm_min() const { return kSecondsPerMinute * motion_.speed(); }
-
 bool Machine::tool_runs() const {
-  return spindle() != gcode::SpindleMode::kOff && (!tool_.is_laser() || rest_light_.lit());
+  return tool_.mode_now() != gcode::SpindleMode::kOff && (!tool_.is_laser() || rest_light_.lit());
 }
 
 float Machine::spindle_now() const {

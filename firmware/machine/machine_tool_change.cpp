@@ -55,7 +55,7 @@ void Machine::attend_tool_change() {
   const Stage stage = tool_change_.stage();
   const bool rests = actions_.empty() && !jog_ && motion_.drained();
   if (stage == Stage::kStopping) {
-    if (at_rest()) drop_in_tool_change();
+    if (motion_.at_rest()) drop_in_tool_change();
   } else if (inputs().door && !motion_.drained()) {
     stop_in_tool_change();
   } else if (jog_ && motion_.has_room()) {

@@ -111,7 +111,7 @@ void LineProtocol::act_at_once(std::byte byte) {
   silence_.hear(now_);
   const auto code = std::to_integer<std::uint8_t>(byte);
   if (code == static_cast<std::uint8_t>(RealtimeByte::kToolAcknowledge)) return refuse_tool();
-  if (machine_.changes_tool()) receive();  // Lines that came before `~`.
+  if (machine_.tool_change().open()) receive();  // Lines that came before `~`.
   receiver_.act_at_once(code);
 }
 
@@ -304,7 +304,8 @@ gcode::Refusal LineProtocol::accept(std::string_view line) {
 }
 
 void LineProtocol::take_gcode(std::string_view line) {
-  if (machine_.changes_tool() && machine_.inputs().door) return refuse(error_number::kDoorOpen);
+  if (machine_.tool_change().open() && machine_.inputs().door)
+    return refuse(error_number::kDoorOpen);
   const gcode::Refusal refusal = accept(line);
   if (refusal) return refuse(*refusal, 1);
   saving_failed_ = false;

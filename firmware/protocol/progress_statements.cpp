@@ -52,7 +52,8 @@ void LineProtocol::save_progress() {
   if (machine_.alarm() == Alarm::kStoreDamaged) return;
   const Progress& progress = machine_.progress().noted();
   if (progress.any() ? !machine_.interrupted() : !stored_.has_progress()) return;
-  if (stored_.has_saved(progress) || saving_failed_ || machine_.tool_runs() || !machine_.at_rest())
+  if (stored_.has_saved(progress) || saving_failed_ || machine_.tool_runs() ||
+      !machine_.motion().at_rest())
     return;
   if (stored_.save_progress(progress)) return;
   saving_failed_ = true;

@@ -269,7 +269,7 @@ TEST_F(MachineDoorTest, EndsAJog) {
   run(5);
   EXPECT_EQ(machine.state(), MachineState::kIdle);
   EXPECT_LT(port.position[0], 5000);
-  EXPECT_EQ(machine.interpreter().position(), machine.position());
+  EXPECT_EQ(machine.interpreter().position(), machine.motion().tool_place());
 }
 
 TEST_F(MachineDoorTest, OpenAtResetIsNotForgotten) {

@@ -149,7 +149,7 @@ TEST_F(ProgressTest, AlarmsWhereAnotherProgramDoesNotPassThePlace) {
   stream("N13 M2\n");
   run(3000);
   EXPECT_EQ(machine.alarm(), Alarm::kPlaceNotMet);
-  EXPECT_EQ(at(Axis::kY), machine.position()[1]);
+  EXPECT_EQ(at(Axis::kY), machine.motion().tool_place()[1]);
 }
 
 TEST_F(ProgressTest, AlarmsWhereNumbersLeaveThePlaceBehind) {

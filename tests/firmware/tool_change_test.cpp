@@ -257,11 +257,11 @@ TEST_F(ToolChangeTest, RefusesWhatLeavesTheTravelWithoutAnAlarm) {
   EXPECT_EQ(state(), "Tool");
   EXPECT_EQ(lines_of("G91 G0 X-4").back(), "ok") << "from where it stands";
   run(1000);
-  EXPECT_EQ(machine.position()[0].mm(), -14.0F);
+  EXPECT_EQ(machine.motion().tool_place()[0].mm(), -14.0F);
   EXPECT_EQ(machine.alarm(), Alarm::kNone);
   stream("~");
   run_until_idle();
-  EXPECT_EQ(machine.position()[0].mm(), -20.0F);
+  EXPECT_EQ(machine.motion().tool_place()[0].mm(), -20.0F);
 }
 
 TEST_F(ToolChangeTest, AResetEndsItWithTheOffsets) {

@@ -180,7 +180,7 @@ TEST_F(Reentry, CompletesAPartWhoseSenderWasLostAtEveryHundredthOfASecond) {
     const std::uint64_t lost_ns =
         job.bench().controller.now_ticks() * sim::VirtualController::kNanosecondsPerTick;
     job.bench().controller.firmware().lose_sender();
-    for (int left = 3000; !machine.at_rest() && left > 0; --left) job.bench().run(1);
+    for (int left = 3000; !machine.motion().at_rest() && left > 0; --left) job.bench().run(1);
     job.bench().run(50);
     const std::size_t burnt = before.places.size();
     if (before.last_light_ns > lost_ns) {
@@ -190,7 +190,7 @@ TEST_F(Reentry, CompletesAPartWhoseSenderWasLostAtEveryHundredthOfASecond) {
     machine.reset();
     job.bench().run(20);
     ASSERT_EQ(machine.state(), MachineState::kIdle);
-    EXPECT_EQ(machine.interpreter().position(), machine.position());
+    EXPECT_EQ(machine.interpreter().position(), machine.motion().tool_place());
     if (!machine.progress().noted().any()) {
       EXPECT_EQ(burnt, 0U);
       continue;
