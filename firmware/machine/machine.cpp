@@ -18,14 +18,14 @@ Machine::Machine(StepDrive& drive,
     : drive_{drive},
       outputs_{outputs},
       input_port_{inputs},
-      motion_{drive, set_up_.limits(), pixels},
       tool_{drive, outputs},
       coolant_{outputs},
-      homing_{drive, motion_, settings()},
-      side_{drive, motion_, set_up_.limits()},
       gap_{drive, motion_},
+      progress_{kept},
       motor_enable_{outputs, settings()},
-      progress_{kept} {
+      homing_{drive, motion_, settings()},
+      motion_{drive, set_up_.limits(), pixels},
+      side_{drive, motion_, set_up_.limits()} {
   watch_memory();
   apply_settings();
 }

@@ -333,39 +333,37 @@ class Machine {
   void apply_language_settings();
   [[nodiscard]] bool place_fits() const;
 
+  // Small members come first: on a chip an instruction reaches 4 KiB of an object.
   StepDrive& drive_;
   hal::AuxiliaryOutputs& outputs_;
   hal::MachineInputs& input_port_;
-  MachineSetUp set_up_{};
-  MemoryGuard memory_{};
-  gcode::Interpreter interpreter_{};
-  MotionControl motion_;
+  StateMachine state_{};
+  AlarmSequence alarm_{};
+  OperatorSwitches switches_{};
+  Resumption resumption_{};
+  ProbeCycle probing_{};
+  DoorSequence door_{};
+  MachineNews news_{};
   ToolOutput tool_;
   RestLight rest_light_{};
   CoolantOutput coolant_;
-  Homing homing_;
-  SideTrip side_;
-  LightGap gap_;
-  MotorEnable motor_enable_;
   InputFilter inputs_{};
-  StateMachine state_{};
-  AlarmSequence alarm_{};
-  DoorSequence door_{};
+  PollClock clock_{};
+  LightGap gap_;
+  std::optional<JogMove> jog_{};  ///< Jog that waits for free space in the planner.
   Travel travel_{};
   kinematics::ToolCentre tool_centre_{};  ///< G43.4 as lines use it, also in check mode.
-
+  ProgramProgress progress_;
+  MachineSetUp set_up_{};
+  MotorEnable motor_enable_;
+  Homing homing_;
+  MemoryGuard memory_{};
   ActionsInProgress actions_{};
   CompensatedPath compensated_{};
-  std::optional<JogMove> jog_{};  ///< Jog that waits for free space in the planner.
-  Resumption resumption_{};
-  OperatorSwitches switches_{};
+  gcode::Interpreter interpreter_{};
   ToolChange tool_change_{};
-  MachineNews news_{};
-  ProbeCycle probing_{};
-
-  ProgramProgress progress_;
-
-  PollClock clock_{};
+  MotionControl motion_;
+  SideTrip side_;
 };
 
 }  // namespace cnc
