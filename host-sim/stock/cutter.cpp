@@ -9,7 +9,7 @@
 namespace sim::stock {
 namespace {
 
-/// Returns whether a number is between `least` and `most`; false for NaN.
+/// Returns whether `value` is from `least` to `most`; false for NaN.
 bool is_within(double value, double least, double most) { return value >= least && value <= most; }
 
 }  // namespace

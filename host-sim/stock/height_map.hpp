@@ -7,11 +7,13 @@
 
 namespace sim::stock {
 
-/// Heights of a stock for display, over equal blocks of cells. Each height is the mean over a block
-/// of the middles of the cells' bounds. Blocks at the upper ends of X and Y may have fewer cells.
+/// Heights of a stock for display, over equal blocks of cells. Each height is the mean over the
+/// cells of a block. A cell's height is the mean of its two bounds. Blocks at the upper ends of X
+/// and Y may have fewer cells.
 class HeightMap {
  public:
-  /// @param max_blocks greatest number of blocks, > 0; it sets the number of cells along a block
+  /// @param max_blocks greatest number of blocks, > 0. It determines the number of cells along a
+  ///     block's side
   HeightMap(const Stock& stock, std::size_t max_blocks);
 
   [[nodiscard]] int columns() const { return columns_; }

@@ -15,11 +15,12 @@ using Ring = std::vector<std::array<double, 2>>;
 
 enum class RegionPart : std::uint8_t { kOutside, kEdge, kInside };
 
-/// Classifies the cells of a stock as inside of rings, outside of rings, or cut by a ring. A point
-/// is inside where an odd number of rings is around it, so a ring in another ring is an island.
+/// Classifies the cells of a stock as inside of rings, outside of rings, or crossed by a ring. A
+/// point is inside if an odd number of rings encloses it. So a ring within another ring is an
+/// island.
 ///
-/// The grid is that of the stock's cells. It covers the box of the rings and one more cell on each
-/// side, even beyond the stock's sides.
+/// The grid has the same cells as the stock. It covers the bounding box of the rings and one more
+/// cell on each side, even beyond the stock's sides.
 class PlanRegion {
  public:
   PlanRegion(const std::vector<Ring>& rings, const Stock& stock);

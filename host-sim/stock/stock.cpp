@@ -25,7 +25,8 @@ std::string fault_of_side(char axis, double low, double high) {
 }
 
 double cells_along(double length_mm, double cell_mm) {
-  // Keeps a side of 10 mm at 200 cells of 0.05 mm, however the quotient is rounded.
+  // Tolerance of the quotient, so that rounding does not add a cell: 10 mm are 200 cells of 0.05
+  // mm.
   constexpr double kRounding = 1.0e-9;
   return std::max(1.0, std::ceil(length_mm / cell_mm - kRounding));
 }

@@ -20,11 +20,13 @@ struct AscHeader {
   double rows = 0.0;
   Eigen::Vector2d corner{0.0, 0.0};
   Eigen::Vector2d cell{0.0, 0.0};
-  /// 0.5 if the file gives the corner of a cell, 0 if it gives the cell's middle.
+  /// Offset in cells from the file's point to the middle of its cell, for X and Y: 0.5 if the file
+  /// gives the corner of the cell, 0 if it gives the middle.
   Eigen::Vector2d to_middle{0.0, 0.0};
   double no_data = -9999.0;
 
-  /// Stores the value of a key, in capital or small letters. Returns whether the key is known.
+  /// Stores the value of a key. The key may have capital or small letters. Returns whether the key
+  /// is known.
   bool take(std::string_view key, double value) {
     const auto is = [&](std::string_view small) { return equals_in_small_letters(key, small); };
     if (is("ncols")) return columns = value, true;
@@ -64,7 +66,8 @@ class AscReader {
     while (!word_.empty() && ((word_.front() >= 'a' && word_.front() <= 'z') ||
                               (word_.front() >= 'A' && word_.front() <= 'Z'))) {
       const auto as_number = parsed_number(word_);
-      if (as_number && std::isnan(*as_number)) return;  // NaN is a missing first height, not a key.
+      // `nan` is the first height, which is missing; it is not a key.
+      if (as_number && std::isnan(*as_number)) return;
       const std::size_t line = words_.line();
       const std::string_view value = words_.next();
       const auto number = parsed_number(value);
@@ -94,7 +97,7 @@ class AscReader {
     }
     if (!header_.corner.allFinite())
       refuse(name_, 0, "its corner is not finite", "mend the header");
-    // Each height takes at least a digit and a blank.
+    // A height takes at least two bytes: a digit and a blank.
     if (header_.rows * header_.columns > static_cast<double>(words_.rest().size()) / 2.0 + 2.0) {
       refuse(name_,
              0,

@@ -12,7 +12,7 @@
 namespace sim::surface {
 namespace {
 
-/// Reads an STL text line by line. A facet counts when its loop ends.
+/// Reads an STL text line by line. A facet is added at the end of its loop.
 class StlText {
  public:
   StlText(std::string_view text, const std::string& name) : name_{name}, lines_{text} {}

@@ -13,10 +13,10 @@
 namespace sim::surface {
 namespace {
 
-/// A step longer than this number of median steps is a gap.
+/// A step between points is a gap if it exceeds the median step by this factor.
 constexpr double kGapFactor = 4.0;
-/// Reversed area of a triangle that rounding may cause, as a share of the square of its longest
-/// edge.
+/// Greatest reversed area of a triangle that rounding may cause, relative to the square of its
+/// longer edge.
 constexpr double kFoldTolerance = 1.0e-9;
 
 double cross_in_plan(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
@@ -47,7 +47,7 @@ void refuse_equal_neighbours(const GridDraft& grid) {
                 "leave each point there once");
 }
 
-/// Returns whether the step to a point runs against the previous step of its row.
+/// Returns whether the row reverses its direction at the point after `column`.
 bool runs_back(const GridDraft& grid, std::size_t row, std::size_t column) {
   if (column + 2 >= grid.columns) return false;
   const Eigen::Vector3d step = grid.at(row, column + 1) - grid.at(row, column);
@@ -83,8 +83,7 @@ void refuse_folds(const GridDraft& grid) {
                 "sort the points into rows, and the rows by their place");
 }
 
-/// Returns the length in projection of the step to a point from the point that is `back` indices
-/// before it.
+/// Returns the distance in plan between point `index` and point `index - back`.
 double step_to(const GridDraft& grid, std::size_t index, std::size_t back) {
   return (grid.points[index] - grid.points[index - back]).head<2>().norm();
 }

@@ -44,7 +44,7 @@ std::uint64_t count_of(const json& document, const char* key, const std::string&
   refuse(name, 0, fmt::format("has no whole number `{}`", key), "give width, height and values");
 }
 
-/// Returns the next height of the raster; NaN for null.
+/// Converts a JSON value to the next height of the raster, mm; NaN for null.
 double value_of(const json& value, const Raster& raster, const std::string& name) {
   if (value.is_null()) return std::numeric_limits<double>::quiet_NaN();
   if (value.is_number()) return value.get<double>();

@@ -13,8 +13,8 @@ namespace sim::surface {
 namespace {
 
 constexpr auto kUnusedPoint = std::numeric_limits<std::uint32_t>::max();
-/// A facet is degenerate if twice its area is at most this share of the square of an edge. A facet
-/// without area stays below this share when its coordinates are rounded.
+/// A facet is degenerate if twice its area, divided by the square of an edge, is at most this
+/// ratio. Rounded coordinates do not lift a facet without area above it.
 constexpr double kDegenerateShare = 1.0e-12;
 
 void require_indices(const MeshDraft& draft) {
@@ -86,7 +86,7 @@ void drop_degenerate(MeshDraft& draft) {
                   first));
 }
 
-/// Removes points that belong to no facet; the others keep their order.
+/// Removes points that belong to no facet. The remaining points keep their order.
 void drop_unused(MeshDraft& draft) {
   Mesh& mesh = draft.mesh;
   std::vector<std::uint32_t> number(mesh.points.size(), kUnusedPoint);

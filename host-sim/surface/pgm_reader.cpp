@@ -63,7 +63,7 @@ GridDraft read_pgm(std::string_view bytes, const std::string& name, const ReadOp
   grey.rows = rows;
   grey.columns = columns;
   const std::size_t pixel_bytes = white > 255 ? 2 : 1;
-  // One blank ends the header. In a text file a blank stands between pixels.
+  // One blank ends the header. In a text file, a blank separates two pixels.
   require_length(
       words.rest().size(), rows * columns * (is_text ? 2 : pixel_bytes) + 1 - is_text, name);
   ByteReader pixels{words.rest().substr(is_text ? 0 : 1), ByteOrder::kBigEndian};

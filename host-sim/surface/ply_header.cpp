@@ -47,7 +47,7 @@ class PlyHeaderReader {
   PlyHeaderReader(std::string_view bytes, const std::string& name) : name_{name}, lines_{bytes} {}
 
   PlyHeader read() {
-    static_cast<void>(lines_.next());  // The line `ply`.
+    static_cast<void>(lines_.next());  // Skips the line `ply`.
     while (const auto line = lines_.next()) {
       TextWords words{*line, lines_.number()};
       const std::string_view word = words.next();
@@ -120,7 +120,8 @@ class PlyHeaderReader {
     header_.elements.back().properties.push_back(std::move(property));
   }
 
-  /// Returns the minimum number of bytes that an element takes; in a text two for each number.
+  /// Returns the minimum number of bytes of an element. In a text, each number takes at least two
+  /// bytes: a digit and a blank.
   [[nodiscard]] std::uint64_t min_bytes(const PlyElement& element) const {
     std::uint64_t bytes = 0;
     for (const PlyProperty& property : element.properties) {
@@ -134,7 +135,7 @@ class PlyHeaderReader {
     if (!has_format_) refuse_line("has no line `format`");
     header_.lines = lines_.number();
     header_.body = lines_.rest();
-    // The last number of a text needs no blank after it.
+    // Adds one byte, because the last number of a text needs no blank after it.
     std::uint64_t left = header_.body.size() + 1;
     for (const PlyElement& element : header_.elements) {
       const std::uint64_t bytes = min_bytes(element);

@@ -11,9 +11,10 @@
 namespace sim::surface {
 namespace {
 
-/// Share of a pitch by which a span may exceed whole pitches, for rounded decimals.
+/// Tolerance, relative to the pitch, by which a span may exceed a whole number of pitches. It
+/// allows for rounded decimals.
 constexpr double kPitchSlack = 1.0e-6;
-/// Minimum pitch; a step of most machines is longer.
+/// Minimum pitch, mm. Most machines have longer steps.
 constexpr double kMinPitchMm = 0.001;
 
 void require_span(const ProbeSpan& span, char axis, const char* count_name) {

@@ -21,8 +21,8 @@ namespace {
 constexpr std::string_view kFirstLine = "(kerfline probe-grid 1)";
 constexpr std::string_view kFirstWords = "(kerfline probe-grid ";
 
-/// Time in which a tip stops after a contact. Half of it is for braking from 12 mm/s with 250
-/// mm/s², and half for motion that a controller has planned already.
+/// Assumed time in which a tip stops after a contact. Half of the time is for braking from 12 mm/s
+/// with 250 mm/s². The other half is for motion that the controller has already planned.
 constexpr double kStopS = 0.05;
 
 struct NamedValue {
@@ -37,7 +37,7 @@ void require_above_0(std::initializer_list<NamedValue> values, const char* unit)
   }
 }
 
-/// Returns a coordinate or a feed with at most four decimals.
+/// Returns the text of a coordinate or a feed, with at most four decimals.
 std::string number(double value) {
   std::string text = fmt::format("{:.4f}", value);
   text.erase(text.find_last_not_of('0') + 1);
@@ -117,7 +117,7 @@ class ProbeText {
   fmt::memory_buffer buffer_;
 };
 
-/// Words `name=value` of the comments after the first line.
+/// Words `name=value` in the comments after the first line, by name.
 using Words = std::map<std::string, std::string, std::less<>>;
 
 void add_words(std::string_view comment, Words& words) {

@@ -14,8 +14,8 @@
 namespace sim::surface {
 namespace {
 
-/// Distance above the depth up to which a failed answer counts as at the depth: reports have three
-/// decimals of a mm, or of an inch.
+/// Distance above the depth within which a failed answer counts as at the depth. Reports are
+/// rounded to three decimals of a mm or an inch.
 constexpr double kDepthToleranceMm = 0.03;
 
 enum class PointState : std::uint8_t { kMissing, kMissed, kIncomplete, kMeasured };
@@ -76,13 +76,14 @@ class AnswerMatcher {
   }
 
  private:
-  /// Returns whether an answer is a touch, or a touch that missed.
+  /// Returns whether an answer belongs to a touch: it has a contact, or it missed and ended at the
+  /// depth.
   [[nodiscard]] bool counts(const ProbeAnswer& answer) const {
     return answer.is_touch || !plan_.depth_mm ||
            answer.place.z() <= *plan_.depth_mm + kDepthToleranceMm;
   }
 
-  /// Returns whether an answer is at a point; notes an answer that is not.
+  /// Returns whether an answer is at the grid point `index`. Adds a note if it is not.
   bool is_at(const ProbeAnswer& answer, std::size_t index) {
     const double off = (answer.place.head<2>() - plan_.grid.place(index)).norm();
     if (off <= tolerance_mm_) return true;
@@ -112,8 +113,9 @@ class AnswerMatcher {
     record = {.place = run.back().place, .state = state, .line = run.back().line};
   }
 
-  /// Notes answers beyond the expected ones of a visit. `$#` lists the last answer once more, and a
-  /// guarded path may end with a contact exactly at the point; such answers are not noted.
+  /// Adds a note if a visit of a point has more answers than expected. Repetitions of the last
+  /// answer by `$#` are not noted, and neither is the contact of a guarded motion exactly at the
+  /// point.
   void note_more_touches(std::size_t index, std::span<const ProbeAnswer> run) {
     const std::size_t expected = plan_.touches + (plan_.has_guards ? 1 : 0);
     if (run.size() <= expected) return;

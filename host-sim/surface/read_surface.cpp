@@ -21,7 +21,7 @@
 namespace sim::surface {
 namespace {
 
-/// Number of bytes by which a text is recognized.
+/// Number of bytes at the beginning of a file by which a text is recognized.
 constexpr std::size_t kProbeBytes = 1'000;
 
 void require_options(const std::string& name, const ReadOptions& options) {
@@ -36,7 +36,7 @@ void require_options(const std::string& name, const ReadOptions& options) {
          fmt::format("give a length up to {:g} mm", kFarthestMm));
 }
 
-/// Refuses unsupported formats, recognized by their first bytes.
+/// Refuses known but unsupported formats, which are recognized by their first bytes.
 void refuse_other_formats(std::string_view bytes, const std::string& name) {
   struct OtherFormat {
     std::string_view start;
@@ -130,7 +130,8 @@ SurfaceInput read_surface(std::string_view bytes,
   const bool is_picture =
       bytes.starts_with(kPngSignature) || is_tiff(bytes) || has_word(bytes, "P5");
   if (!is_text && !is_picture) {
-    // A binary STL file is recognized by its length alone, and the length of this file is wrong.
+    // A binary STL file is recognized only by its length. If the length is wrong, read_binary_stl()
+    // throws the message.
     static_cast<void>(read_binary_stl(bytes, name));
   }
   return finished_grid(read_grid(bytes, first_word, name, options), options);

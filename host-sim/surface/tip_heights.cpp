@@ -14,7 +14,7 @@
 namespace sim::surface {
 namespace {
 
-/// Returns the two numbers of a line; nothing if the line is not exactly two numbers.
+/// Returns the two numbers of a line; nothing if the line does not contain exactly two numbers.
 std::optional<Eigen::Vector2d> place_of(std::string_view line) {
   std::string words{line};
   for (char& c : words) {
