@@ -11,11 +11,11 @@ namespace sim::surface {
 /// border of the rectangle. Lengths are mm.
 class PlanGrid {
  public:
-  /// Maximum number of nodes, for the memory of a common computer.
+  /// Maximum number of nodes. It limits the memory to that of a common computer.
   static constexpr double kMaxNodes = 4.0e7;
 
   /// Lays the grid over the box of a surface in plan.
-  /// @param margin_mm distance by which the grid is larger on all sides
+  /// @param margin_mm distance by which the grid is larger than the box on all sides
   /// @param max_pitch_mm greatest distance between two nodes along X and along Y, above 0
   /// Throws std::invalid_argument for more than kMaxNodes nodes.
   PlanGrid(const Mesh& mesh, double margin_mm, double max_pitch_mm);
@@ -37,7 +37,7 @@ class PlanGrid {
     const Eigen::Vector2d cells{static_cast<double>(column), static_cast<double>(row)};
     return min_ + cells.cwiseProduct(pitch_);
   }
-  /// Returns whether a place is inside the rectangle or on its border.
+  /// Returns whether `place` is inside the rectangle or on its border.
   [[nodiscard]] bool holds(const Eigen::Vector2d& place) const {
     const Eigen::Array2d inside = place - min_;
     const Eigen::Array2d rest = at(columns_ - 1, rows_ - 1) - place;
