@@ -14,10 +14,10 @@ namespace {
 
 constexpr const char* kForm =
     R"(give {"passes": [{"power_w": 10, "feed_mm_min": 600, "depth_mm": 0.01}, …]})";
-/// Seconds in a minute: feeds are per minute, and watts are joules per second.
+/// Number of seconds in a minute, to convert W / (mm/min) to J/mm.
 constexpr double kMinute = 60.0;
 
-/// Returns a value of a pass. Throws std::invalid_argument unless it is a number above 0.
+/// Returns the value of `key` in a pass. Throws std::invalid_argument unless it is a number > 0.
 double value_of(const nlohmann::json& pass, const char* key, const std::string& name) {
   const auto found = pass.is_object() ? pass.find(key) : pass.end();
   if (!pass.is_object() || found == pass.end() || !found->is_number() ||

@@ -12,7 +12,7 @@
 namespace sim::surface {
 namespace {
 
-/// Approximate number of cells of a block.
+/// Approximate number of cells of a block if no cell size is given.
 constexpr double kBlockCells = 6.0e5;
 constexpr double kMinBlockCellMm = 0.01;
 

@@ -16,10 +16,10 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Minimum rise of an axis of length 1; with less the axis counts as horizontal.
+/// Minimum Z of a unit vector along the axis. Below it, the axis counts as horizontal.
 constexpr double kMinRise = 1.0e-3;
 
-/// Returns whether a line that is not a beam ends the stroke before it.
+/// Returns whether a line that is not a beam ends the current stroke.
 bool ends_stroke(std::string_view line) {
   return line.empty() || line == "# off" || line.ends_with("is out of reach");
 }

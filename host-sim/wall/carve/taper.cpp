@@ -13,10 +13,10 @@
 namespace sim::wall {
 namespace {
 
-/// A measured wall, degrees.
+/// Angles of a measured wall, degrees.
 struct MeasuredCut {
-  double over_deg = 0.0;  ///< Angle by which the beam leant more than its cone needs.
-  double off_deg = 0.0;   ///< Angle by which the wall leans more than drawn.
+  double over_deg = 0.0;  ///< Lean of the beam beyond the lean that its cone requires.
+  double off_deg = 0.0;   ///< Lean of the wall beyond the drawn angle.
 };
 
 constexpr const char* kRemedy =
@@ -39,7 +39,8 @@ std::optional<std::array<double, 3>> numbers_of_cut(std::string_view line) {
   return numbers;
 }
 
-/// Returns the cuts whose wall depends on the beam's lean, and counts the others.
+/// Returns the cuts for which the beam had to lean. Counts these cuts in `used` and the other cuts
+/// in `passed`.
 std::vector<MeasuredCut> read_cuts(std::string_view text,
                                    double half_angle_deg,
                                    const std::string& name,
