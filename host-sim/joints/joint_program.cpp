@@ -64,8 +64,8 @@ KeptWords kept_words(std::string_view line) {
     if (dwells && word.letter == 'P') kept.before += text_of(word);
     if (word.letter != 'M') continue;
     if (std::ranges::find(kKeptM, word.value.whole) == kKeptM.end()) {
-      throw std::invalid_argument(
-          fmt::format("{} has no meaning beside moves of the axes; take it out", text_of(word)));
+      throw std::invalid_argument(fmt::format(
+          "{} cannot be converted to moves of the axes; remove it from the line", text_of(word)));
     }
     add(word, is_after_motion(word.value.whole) ? kept.after : kept.before);
   }
@@ -121,8 +121,8 @@ class JointWriter {
   [[nodiscard]] JointProgram take_program() {
     if (!has_centre_) {
       throw std::invalid_argument(
-          "the program has no G43.4: its places are those of the axes already, nothing is to "
-          "convert");
+          "the program has no G43.4: its positions are axis positions already, there is nothing "
+          "to convert");
     }
     return std::move(program_);
   }
@@ -151,7 +151,8 @@ class JointWriter {
   void write(const Motion& motion) {
     const PathPiece& piece = motion.piece;
     if (piece.travel == Travel::kProbe) {
-      throw std::invalid_argument("a probe ends where the axes are told by the machine alone");
+      throw std::invalid_argument(
+          "a probing motion cannot be converted, because its end is not known; remove it");
     }
     const double linear = piece.curve.linear_length();
     const double size = linear > 0.0 ? linear : piece.curve.length();
@@ -161,7 +162,7 @@ class JointWriter {
                              : way_of_axes(piece.curve);
     const bool is_feed = piece.travel == Travel::kFeed;
     const double seconds = is_feed ? size / piece.feed : 0.0;
-    if (!std::isfinite(seconds)) throw std::invalid_argument("a motion has no feed");
+    if (!std::isfinite(seconds)) throw std::invalid_argument("a motion has no feed; add an F word");
     ++program_.figures.motions;
     program_.figures.feed_s += seconds;
     program_.figures.error_mm = std::max(program_.figures.error_mm, way.error_mm);
@@ -176,7 +177,7 @@ class JointWriter {
   static JointWay way_of_axes(const Curve& curve) {
     if (curve.circle()) {
       throw std::invalid_argument(
-          "an arc without G43.4 would be one of the axes; begin G43.4 first");
+          "an arc outside of G43.4 cannot be converted; activate G43.4 before the arc");
     }
     return {.ends = {curve.end()}};
   }
@@ -221,7 +222,7 @@ class JointWriter {
     const double tilt = place[has_a ? 3 : 4];
     if (tilt >= least - kRoundingDeg && tilt <= most + kRoundingDeg) return;
     throw std::invalid_argument(
-        fmt::format("{}{:.3f} is beyond the machine's tilt, {:.3f} to "
+        fmt::format("{}{:.3f} is outside of the machine's range of tilt, {:.3f} to "
                     "{:.3f} degrees ($916, $917)",
                     has_a ? 'A' : 'B',
                     tilt,
@@ -261,7 +262,7 @@ JointProgram joint_program(std::string_view text,
                            const JointOptions& options) {
   if (!FiveAxisModel{settings, 0.0}.leans()) {
     throw std::invalid_argument(
-        "the settings describe no five-axis machine; give $900 and those after it");
+        "the settings do not describe a five-axis machine; set $900 to $917");
   }
   JointWriter writer{settings, options};
   int number = 0;

@@ -58,8 +58,8 @@ JointWay joint_way(const FiveAxisModel& model, const Curve& curve, double tolera
     const double wanted = static_cast<double>(count) * std::sqrt(way.error_mm / tolerance_mm);
     if (!(wanted < static_cast<double>(kMaxMoves))) {
       throw std::invalid_argument(
-          fmt::format("a line needs more than {} moves to keep the tip within {} mm; divide it, or "
-                      "take a larger --tip-tolerance",
+          fmt::format("a motion needs more than {} moves to keep the tip within {} mm; divide the "
+                      "motion, or increase --tip-tolerance",
                       kMaxMoves,
                       tolerance_mm));
     }

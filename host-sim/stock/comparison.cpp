@@ -142,8 +142,9 @@ std::string include(const Ring& ring, Extent& extent) {
   for (const auto& point : ring) {
     for (std::size_t axis = 0; axis < 2; ++axis) {
       if (!(std::abs(point[axis]) <= kFarthestStockMm)) {
-        return fmt::format(
-            "the pocket reaches to {} mm; it takes up to {} mm", point[axis], kFarthestStockMm);
+        return fmt::format("the pocket reaches to {} mm; it takes up to {} mm from the origin",
+                           point[axis],
+                           kFarthestStockMm);
       }
       extent.low[axis] = std::min(extent.low[axis], point[axis]);
       extent.high[axis] = std::max(extent.high[axis], point[axis]);
@@ -170,7 +171,7 @@ std::string fault_of(const PocketTarget& target, double cell_mm) {
       (high[0] - low[0] + 4.0 * cell_mm) * (high[1] - low[1] + 4.0 * cell_mm) / (cell_mm * cell_mm);
   if (cells <= kMaxTargetCells) return {};
   return fmt::format(
-      "the pocket has {:.3g} cells of {} mm; it takes up to {:.3g}, so choose larger",
+      "the pocket has {:.3g} cells of {} mm; it takes up to {:.3g}, so choose larger cells",
       cells,
       cell_mm,
       kMaxTargetCells);

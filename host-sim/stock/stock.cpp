@@ -21,7 +21,7 @@ std::string fault_of_side(char axis, double low, double high) {
   }
   if (low < high) return {};
   return fmt::format(
-      "{} of the stock is {} to {} mm; the second has to be greater", axis, low, high);
+      "{} of the stock is {} to {} mm; the second number must be greater", axis, low, high);
 }
 
 double cells_along(double length_mm, double cell_mm) {
@@ -50,10 +50,11 @@ std::string fault_of(const StockBox& box, double cell_mm) {
   const double cells =
       cells_along(box.x_max - box.x_min, cell_mm) * cells_along(box.y_max - box.y_min, cell_mm);
   if (cells <= kMaxCells) return {};
-  return fmt::format("the stock has {:.3g} cells of {} mm; it takes up to {:.3g}, so choose larger",
-                     cells,
-                     cell_mm,
-                     kMaxCells);
+  return fmt::format(
+      "the stock has {:.3g} cells of {} mm; it takes up to {:.3g}, so choose larger cells",
+      cells,
+      cell_mm,
+      kMaxCells);
 }
 
 Stock::Stock(const StockBox& box, double cell_mm)

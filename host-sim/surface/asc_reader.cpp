@@ -74,8 +74,8 @@ class AscReader {
       if (!number || !header_.take(word_, *number)) {
         refuse(name_,
                line,
-               fmt::format("`{} {}` is no line of a header", shown(word_), shown(value)),
-               "write ncols, nrows, xllcorner, yllcorner, cellsize and NODATA_value");
+               fmt::format("`{} {}` is not a line of a header", shown(word_), shown(value)),
+               "use the keys ncols, nrows, xllcorner, yllcorner, cellsize and NODATA_value");
       }
       word_ = words_.next();
     }
@@ -86,22 +86,23 @@ class AscReader {
       return value >= 0.0 && value <= 1.0e9 && value == std::floor(value);
     };
     if (!is_count(header_.rows) || !is_count(header_.columns)) {
-      refuse(name_, 0, "ncols or nrows is no whole number", "mend the header");
+      refuse(name_, 0, "ncols or nrows is not a whole number", "correct the header");
     }
     require_raster_size(static_cast<std::uint64_t>(header_.rows),
                         static_cast<std::uint64_t>(header_.columns),
                         name_);
     const bool has_cells = header_.cell.minCoeff() > 0.0 && header_.cell.allFinite();
     if (!has_cells && options_.pitch_mm <= 0.0) {
-      refuse(name_, 0, "has no cellsize above 0", "mend the header, or give --pitch");
+      refuse(name_, 0, "the header has no cellsize above 0", "correct the header, or give --pitch");
     }
     if (!header_.corner.allFinite())
-      refuse(name_, 0, "its corner is not finite", "mend the header");
+      refuse(name_, 0, "xllcorner or yllcorner is not finite", "correct the header");
     // A height takes at least two bytes: a digit and a blank.
     if (header_.rows * header_.columns > static_cast<double>(words_.rest().size()) / 2.0 + 2.0) {
       refuse(name_,
              0,
-             fmt::format("promises {} heights and is too short", header_.rows * header_.columns),
+             fmt::format("the header announces {} heights, but the file is too short",
+                         header_.rows * header_.columns),
              "the file is cut off; export it again");
     }
   }
@@ -122,7 +123,10 @@ class AscReader {
     raster_.lines.reserve(count);
     for (; !word_.empty(); word_ = words_.next()) {
       if (raster_.heights.size() == count) {
-        refuse(name_, words_.line(), fmt::format("more than {} heights", count), "mend the header");
+        refuse(name_,
+               words_.line(),
+               fmt::format("has more than {} heights", count),
+               "correct the header");
       }
       raster_.heights.push_back(height());
       raster_.lines.push_back(static_cast<std::uint32_t>(words_.line()));
@@ -134,7 +138,7 @@ class AscReader {
                        raster_.heights.size() / raster_.columns + 1,
                        raster_.heights.size(),
                        count),
-           "export it again, or mend the header");
+           "export it again, or correct the header");
   }
 
   /// Returns the current word as a height in mm; NaN if the height was not measured.
@@ -143,11 +147,11 @@ class AscReader {
     if (!value || std::isinf(*value)) {
       refuse(name_,
              words_.line(),
-             fmt::format("`{}` in row {}, column {} is no finite number",
+             fmt::format("`{}` in row {}, column {} is not a finite number",
                          shown(word_),
                          raster_.heights.size() / raster_.columns + 1,
                          raster_.heights.size() % raster_.columns + 1),
-             "write NODATA_value for a height that is missing");
+             "write the NODATA_value for a missing height");
     }
     if (*value == header_.no_data) return std::numeric_limits<double>::quiet_NaN();
     return *value * options_.unit_mm;

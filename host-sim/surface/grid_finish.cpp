@@ -61,24 +61,25 @@ void judge_outliers(GridDraft& grid, bool repair) {
   if (!repair) {
     refuse_points(grid,
                   faults,
-                  fmt::format("{} heights are far off their neighbours", faults.count()),
+                  fmt::format("{} heights differ too much from their neighbours", faults.count()),
                   "measure them again, or replace them with --repair");
   }
-  grid.notes.push_back(fmt::format("{}: {} outliers are replaced from their neighbours, at {}",
-                                   grid.name,
-                                   faults.count(),
-                                   faults.places(grid)));
+  grid.notes.push_back(
+      fmt::format("{}: {} outliers are replaced by heights from their neighbours, at {}",
+                  grid.name,
+                  faults.count(),
+                  faults.places(grid)));
 }
 
 void judge_gaps(GridDraft& grid, bool repair) {
   const FaultyPoints gaps = gaps_of(grid);
   if (gaps.count() == 0) return;
   if (!repair) {
-    refuse_points(
-        grid,
-        gaps,
-        fmt::format("{} gaps of several times the usual spacing, before the points", gaps.count()),
-        "measure there, or bridge them with --repair");
+    refuse_points(grid,
+                  gaps,
+                  fmt::format("has {} gaps of several times the usual spacing, before the points",
+                              gaps.count()),
+                  "measure there, or bridge them with --repair");
   }
   grid.notes.push_back(fmt::format(
       "{}: {} gaps are bridged, before {}", grid.name, gaps.count(), gaps.places(grid)));

@@ -50,7 +50,7 @@ class PlyElements {
     }
     refuse(name_,
            source_.line(),
-           fmt::format("a list of {} numbers", length),
+           fmt::format("has a list of {} numbers", length),
            "the file is damaged; export it again");
   }
 
@@ -64,7 +64,7 @@ class PlyElements {
         element.index("x"), element.index("y"), element.index("z")};
     for (const std::size_t axis : axes) {
       if (axis < element.properties.size() && !element.properties[axis].list_count) continue;
-      refuse(name_, 0, "its vertices lack x, y or z", "export the mesh again");
+      refuse(name_, 0, "its vertices have no x, y or z", "export the mesh again");
     }
     if (element.count > kMaxPoints) refuse(name_, 0, "too many points", "thin the mesh out");
     draft_.mesh.points.reserve(draft_.mesh.points.size() + element.count);

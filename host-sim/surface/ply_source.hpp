@@ -24,7 +24,7 @@ class PlyText {
     if (const auto value = parsed_number(word)) return *value;
     refuse(name_,
            words_.line(),
-           word.empty() ? "ends too early" : fmt::format("`{}` is no number", shown(word)),
+           word.empty() ? "ends too early" : fmt::format("`{}` is not a number", shown(word)),
            "export the mesh again");
   }
   /// Returns the line of the last number, counted from 1.

@@ -90,7 +90,7 @@ class PngReader {
 
 void require_grey(const PngReader& png, const std::string& name) {
   if (png.kind() != PNG_COLOR_TYPE_GRAY && png.kind() != PNG_COLOR_TYPE_GRAY_ALPHA) {
-    refuse(name, 0, "a picture of colours", "export it as grey of 8 or 16 bit");
+    refuse(name, 0, "is a colour picture", "export it as grey of 8 or 16 bit");
   }
   if ((png.depth() != 8 && png.depth() != 16) || png.is_interlaced()) {
     refuse(name,
@@ -130,7 +130,7 @@ GridDraft read_png(std::string_view bytes, const std::string& name, const ReadOp
     grey.heights.push_back(sample == 1 ? pixels[i] : pixels[i] * 256 + pixels[i + 1]);
   }
   GridDraft draft = picture_draft(std::move(grey), sample == 1 ? 255.0 : 65'535.0, name, options);
-  if (has_opacity) draft.notes.push_back(name + ": its opacity is passed over");
+  if (has_opacity) draft.notes.push_back(name + ": its opacity is ignored");
   return draft;
 }
 

@@ -37,7 +37,7 @@ class AnswerMatcher {
 
   void take(const ProbeLog& log) {
     for (const std::size_t line : log.damaged_lines) {
-      note(line, "an answer is damaged and passed over");
+      note(line, "an answer is damaged and ignored");
     }
     std::vector<ProbeAnswer> run;
     std::size_t point = 0;
@@ -87,14 +87,15 @@ class AnswerMatcher {
   bool is_at(const ProbeAnswer& answer, std::size_t index) {
     const double off = (answer.place.head<2>() - plan_.grid.place(index)).norm();
     if (off <= tolerance_mm_) return true;
-    note(answer.line,
-         fmt::format("{} at X {:.3f}, Y {:.3f}, Z {:.3f}, {:.3f} mm beside the nearest point, {}",
-                     answer.is_touch ? "the tip touched" : "a probe missed",
-                     answer.place.x(),
-                     answer.place.y(),
-                     answer.place.z(),
-                     off,
-                     plan_.grid.name(index)));
+    note(
+        answer.line,
+        fmt::format("{} at X {:.3f}, Y {:.3f}, Z {:.3f}, {:.3f} mm away from the nearest point, {}",
+                    answer.is_touch ? "the tip touched" : "a probe missed",
+                    answer.place.x(),
+                    answer.place.y(),
+                    answer.place.z(),
+                    off,
+                    plan_.grid.name(index)));
     return false;
   }
 
@@ -125,7 +126,7 @@ class AnswerMatcher {
     };
     if (std::ranges::none_of(extra, is_other)) return;
     note(run.back().line,
-         fmt::format("{} has {} answers in place of {}; the last counts",
+         fmt::format("{} has {} answers in place of {}; the last answer is used",
                      plan_.grid.name(index),
                      run.size(),
                      plan_.touches));
@@ -153,7 +154,7 @@ class AnswerMatcher {
                            record.place.z());
       case PointState::kIncomplete:
         return fmt::format(
-            "{}:{}: {} has its fast touch only; probe it again", name_, record.line, point);
+            "{}:{}: {} has only its fast touch; probe it again", name_, record.line, point);
       default:
         return fmt::format("{}: {} has no answer; probe it again", name_, point);
     }

@@ -72,17 +72,17 @@ void require_samples(const TiffSamples& samples, const std::string& name, std::s
   if (samples.per_pixel != 1) {
     refuse(name,
            0,
-           fmt::format("has {} samples a pixel", samples.per_pixel),
-           "export its heights alone, as one band");
+           fmt::format("has {} samples in each pixel", samples.per_pixel),
+           "export only its heights, as one band");
   }
   if (!samples.is_upright) {
-    refuse(name, 0, "its first row is not the top one, from the left", kAgain);
+    refuse(name, 0, "its first pixel is not at the top left", kAgain);
   }
   if (samples.bits == 0 || samples.bits % 8 != 0 || !heights_of(samples, {})) {
     refuse(name,
            0,
-           fmt::format("its heights have {} bits of an unknown kind", samples.bits),
-           "export whole numbers of 8, 16 or 32 bits, or real ones of 32 or 64");
+           fmt::format("its heights have {} bits in an unknown format", samples.bits),
+           "export whole numbers of 8, 16 or 32 bits, or real numbers of 32 or 64 bits");
   }
   require_raster_size(samples.rows, samples.columns, name);
   // The compression ratio of rows is at most about 1,000. A file that is too short for its image is
@@ -105,11 +105,11 @@ void place(const TiffFile& file,
     return;
   }
   if (are_degrees(file)) {
-    refuse(name, 0, "the distance of its heights is in degrees", "give it in mm with --pitch");
+    refuse(name, 0, "the distance between its heights is in degrees", "give it in mm with --pitch");
   }
   raster.pitch = Eigen::Vector2d{scale[0], scale[1]} * options.unit_mm;
   if (raster.pitch.minCoeff() > 0.0 && raster.pitch.allFinite()) return;
-  refuse(name, 0, "the distance of its heights is not above 0", "give it in mm with --pitch");
+  refuse(name, 0, "the distance between its heights is not above 0", "give it in mm with --pitch");
 }
 
 /// Converts heights to mm, and the file's value for a missing height to NaN.

@@ -51,11 +51,11 @@ GridDraft joined_rows(XyzTable& table, const std::vector<ScanRow>& rows, const s
       rows, [&](const ScanRow& row) { return row.size() != rows.front().size(); });
   refuse(name,
          table.lines[other->begin],
-         fmt::format("row {} has {} points where row 1 has {}",
+         fmt::format("row {} has {} points, but row 1 has {}",
                      other - rows.begin() + 1,
                      other->size(),
                      rows.front().size()),
-         "give each row as many, with blank lines between rows");
+         "give each row the same number of points, with blank lines between rows");
 }
 
 }  // namespace

@@ -72,7 +72,7 @@ class XyzTableReader {
     if (dialect_.number(fields.fields[0]) && !fields.fields[0].empty()) {
       refuse(name_,
              lines_.number(),
-             fmt::format("`{}` begins a line that is no point", shown(fields.fields[0])),
+             fmt::format("`{}` begins a line that is not a point", shown(fields.fields[0])),
              "give three numbers on each line, or mark comments with #");
     }
     if (++header_lines_ > kMaxHeaderLines) {
@@ -102,8 +102,8 @@ class XyzTableReader {
     if (fields.count == width_ || short_of_height) return;
     refuse(name_,
            lines_.number(),
-           fmt::format("has {} numbers where the first point has {}", fields.count, width_),
-           "give as many on each line");
+           fmt::format("has {} numbers, but the first point has {}", fields.count, width_),
+           "give the same number on each line");
   }
 
   [[nodiscard]] double value_of(const XyzFields& fields, std::size_t column) const {
@@ -112,8 +112,8 @@ class XyzTableReader {
     if (const auto value = dialect_.number(field)) return *value;
     refuse(name_,
            lines_.number(),
-           fmt::format("`{}` is no number", shown(field)),
-           "mend it, or mark comments with #");
+           fmt::format("`{}` is not a number", shown(field)),
+           "correct it, or mark comments with #");
   }
 
   void add(const std::array<double, 4>& values) {

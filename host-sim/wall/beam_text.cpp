@@ -47,7 +47,7 @@ void for_lines(std::string_view text,
     if (!numbers || !take(*numbers)) {
       surface::refuse(name,
                       lines.number(),
-                      fmt::format("`{}` is none", surface::shown(*line)),
+                      fmt::format("`{}` is not a valid line", surface::shown(*line)),
                       fmt::format("give {}, up to 10 m", form));
     }
     has_any = true;

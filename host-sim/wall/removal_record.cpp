@@ -32,7 +32,7 @@ double value_of(const nlohmann::json& pass, const char* key, const std::string& 
 RemovalRecord::RemovalRecord(std::string_view json, const std::string& name) : name_{name} {
   const nlohmann::json record = nlohmann::json::parse(json, nullptr, false);
   if (!record.is_object() || !record.contains("passes") || !record["passes"].is_array()) {
-    surface::refuse(name, 0, "is no record of passes", kForm);
+    surface::refuse(name, 0, "is not a record of passes", kForm);
   }
   std::map<double, std::pair<double, int>> sums;
   for (const nlohmann::json& pass : record["passes"]) {
@@ -43,7 +43,7 @@ RemovalRecord::RemovalRecord(std::string_view json, const std::string& name) : n
     ++count;
   }
   if (sums.size() < 2) {
-    surface::refuse(name, 0, "has passes of fewer than two energies", "measure one more");
+    surface::refuse(name, 0, "has passes of fewer than two energies", "measure another energy");
   }
   for (const auto& [energy, sum] : sums) depths_.emplace_back(energy, sum.first / sum.second);
 }
@@ -54,8 +54,8 @@ double RemovalRecord::depth_of_pass(double power_w, double feed_mm_min) const {
   const double most = depths_.back().first;
   if (!(energy >= least && energy <= most)) {
     throw std::invalid_argument(
-        fmt::format("{}: {:g} W at {:g} mm/min are {:g} J/mm, and {:g} to {:g} were measured; "
-                    "change --power or --feed, or measure more",
+        fmt::format("{}: {:g} W at {:g} mm/min are {:g} J/mm, but only {:g} to {:g} were measured; "
+                    "change --power or --feed, or measure more energies",
                     name_,
                     power_w,
                     feed_mm_min,

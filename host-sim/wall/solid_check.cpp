@@ -86,7 +86,7 @@ void require_solid(const surface::Mesh& mesh, const std::string& name) {
   if (open == 0) return require_inside(mesh, name);
   surface::refuse(name,
                   0,
-                  fmt::format("encloses no solid: {} has a facet on one side only{}",
+                  fmt::format("does not enclose a solid: {} has a facet on only one side{}",
                               first,
                               open == 1 ? "" : fmt::format(", and {} more", open - 1)),
                   "close the holes of the mesh and turn its facets outwards");

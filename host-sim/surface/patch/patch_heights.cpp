@@ -86,8 +86,8 @@ void PatchHeights::require_no_fold() const {
                       patch.v.from + (patch.v.to - patch.v.from) * j / kLooks};
         if (sign * jet_at(at).area() > 0.0) continue;
         throw std::invalid_argument{fmt::format(
-            "the smooth patches fold near row {:.0f} column {:.0f}, where points lie too unevenly "
-            "for them; take a smaller --fit-tolerance, or measure again there",
+            "the smooth patches fold near row {:.0f} column {:.0f}, where the points are too "
+            "uneven; choose a smaller --fit-tolerance, or measure these points again",
             std::floor(at.row) + 1.0,
             std::floor(at.column) + 1.0)};
       }

@@ -61,8 +61,8 @@ class ParallelPlanner {
     }
     if (path_.stretches.empty()) {
       throw std::invalid_argument{
-          "no line half a step from the border has the surface under the tool; take a smaller "
-          "--step"};
+          "no line is over the surface, because the surface is narrower than about half a step; "
+          "choose a smaller --step"};
     }
     end_run();
     path_.without_arcs = tracer_.without_arcs();

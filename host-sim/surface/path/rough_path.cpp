@@ -101,12 +101,14 @@ class RoughPlanner {
     const std::optional<double> lowest = areas_.lowest_mm();
     if (!lowest) {
       throw std::invalid_argument{
-          "nothing of it is under the tool within its border; is the tool larger than the stock?"};
+          "no part of the surface is under the tool within its border; check whether the tool is "
+          "larger than the stock"};
     }
     const double depth = stock_top_mm_ - *lowest - tracer_.lift_mm();
     if (depth <= options_.digit_mm) {
       throw std::invalid_argument{
-          "nothing of it is below the top of the stock, with its allowance; check --stock-top"};
+          "no part of the surface with its allowance is below the top of the stock; check "
+          "--stock-top"};
     }
     const double levels = std::ceil(depth / options_.layer_mm - 1.0e-9);
     for (double level = 1.0; level <= levels; level += 1.0) {
@@ -116,7 +118,7 @@ class RoughPlanner {
     }
     if (!found_.empty()) return;
     throw std::invalid_argument{
-        "the tool fits into no level of it within its border; take a smaller one"};
+        "the tool fits into no level within its border; choose a smaller tool"};
   }
 
   /// Returns the height above a level up to which the shape of the tool leaves stock.
@@ -139,7 +141,7 @@ class RoughPlanner {
       }
     }
     throw std::invalid_argument{fmt::format(
-        "the level at Z{:.3f} has no path: {}; take another --layers, or a larger --tolerance",
+        "the level at Z{:.3f} has no path: {}; change --layers, or increase --tolerance",
         tip_mm,
         reason)};
   }

@@ -52,11 +52,11 @@ class RowPlanner {
  private:
   [[nodiscard]] const char* reason_for_none() const {
     if (!options_.regions.empty()) {
-      return "no row of it is in the region: check --boundary, --slope and --rest-of, or take a "
+      return "no row is in the region: check --boundary, --slope and --rest-of, or choose a "
              "smaller --step";
     }
-    if (options_.layer_mm > 0.0) return "nothing of it is below the top of the stock";
-    return "nothing of it is under the tool";
+    if (options_.layer_mm > 0.0) return "no part of the surface is below the top of the stock";
+    return "the surface is nowhere under the tool";
   }
 
   /// Adds layers from the top of the stock downwards until a layer is empty.

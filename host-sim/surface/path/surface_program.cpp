@@ -208,7 +208,7 @@ class RunWriter {
 
   [[noreturn]] static void refuse(const WideVec2& place) {
     throw std::invalid_argument(fmt::format(
-        "{:g} {:g} mm is too far from zero for a program; is the unit of the surface right?",
+        "X {:g}, Y {:g} mm is too far from zero for a program; check the unit of the surface",
         place.x(),
         place.y()));
   }

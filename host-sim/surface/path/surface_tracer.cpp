@@ -36,8 +36,8 @@ double band_within(const cnc::surface::GrownTool& tool, const RowOptions& option
   const double band = share * tool.band_mm - rounding;
   if (band > 0.25 * tool.band_mm) return band;
   throw std::invalid_argument{
-      fmt::format("a tolerance of {:g} mm is too small for steps of {:g} mm in the program; take "
-                  "more --decimals or a larger --tolerance",
+      fmt::format("a tolerance of {:g} mm is too small for steps of {:g} mm in the program; "
+                  "increase --decimals or --tolerance",
                   options.tolerance_mm,
                   options.digit_mm)};
 }

@@ -67,7 +67,7 @@ class WaterlinePlanner {
 
   void find_loops() {
     const TipGrid tips{tracer_, grid_, [this](double share) { report(0.4 * share); }};
-    if (!tips.has_any()) throw std::invalid_argument{"nothing of it is under the tool"};
+    if (!tips.has_any()) throw std::invalid_argument{"the surface is nowhere under the tool"};
     const double depth = tips.highest_mm() - tips.lowest_mm();
     const double levels = std::ceil(depth / distance_of(options_) - 1.0e-9);
     level_distance_mm_ = levels > 0.0 ? depth / levels : 0.0;

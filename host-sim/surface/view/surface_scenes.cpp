@@ -193,8 +193,8 @@ SpaceScene offset_scene(const Mesh& mesh,
   DropCutter::Hint hint;
   PointGrid tips = grid ? *grid : lattice_over(mesh);
   for (Vector3d& tip : tips.points) tip.z() = cutter.tip_height(tip.head<2>(), hint);
-  if (!has_level_facet(tips)) throw std::invalid_argument{"nothing of it is under the tool"};
-  SpaceScene scene{.title = "Places of the tool's tip",
+  if (!has_level_facet(tips)) throw std::invalid_argument{"the surface is nowhere under the tool"};
+  SpaceScene scene{.title = "Positions of the tool's tip",
                    .subtitle = fmt::format("{} × {} places", tips.rows, tips.columns),
                    .mesh = mesh_of(tips)};
   scene.colours = height_colours(scene.mesh, scene.key);
@@ -204,7 +204,7 @@ SpaceScene offset_scene(const Mesh& mesh,
 
 SpaceScene patch_scene(const patch::PatchSurface& patches) {
   SpaceScene scene{
-      .title = "Bézier patches over the places of the tip",
+      .title = "Bézier patches over the positions of the tip",
       .subtitle = fmt::format(
           "{} patches fit {} × {} points", patches.patches.size(), patches.rows, patches.columns)};
   double least = std::numeric_limits<double>::infinity();

@@ -35,8 +35,8 @@ std::string Columns::fault_of(const stock::StockBox& box, double cell_mm) {
   const double bytes = cells_along(width, cell_mm) * cells_along(depth, cell_mm) * sizeof(Span);
   if (bytes <= static_cast<double>(kMaxColumnBytes)) return {};
   return fmt::format(
-      "cells of {:g} mm on {:g} by {:g} mm take {:.0f} MB, and {} are the most; give "
-      "larger ones",
+      "cells of {:g} mm on {:g} by {:g} mm take {:.0f} MB, and the maximum is {}; give "
+      "larger cells",
       cell_mm,
       width,
       depth,

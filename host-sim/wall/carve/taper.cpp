@@ -21,7 +21,7 @@ struct MeasuredCut {
 
 constexpr const char* kRemedy =
     "give `drawn carved gain`: two angles from the vertical between -89 and 89 degrees, and a gain "
-    "from 0 to 12, or none";
+    "from 0 to 12, which may be omitted";
 
 /// Returns the drawn angle, the carved angle and the gain of a line; nothing if the line is not a
 /// cut.
@@ -52,7 +52,7 @@ std::vector<MeasuredCut> read_cuts(std::string_view text,
     const auto numbers = numbers_of_cut(*line);
     if (!numbers) {
       surface::refuse(
-          name, lines.number(), fmt::format("`{}` is no cut", surface::shown(*line)), kRemedy);
+          name, lines.number(), fmt::format("`{}` is not a cut", surface::shown(*line)), kRemedy);
     }
     const auto [drawn, carved, gain] = *numbers;
     const double over = gain * half_angle_deg;
@@ -100,13 +100,14 @@ TaperFit fit_taper(std::string_view cuts, double half_angle_deg, const std::stri
   fit.rest_deg = std::sqrt(fit.rest_deg);
   fit.gain = fit.heat_deg / (fit.response * half_angle_deg);
   if (!(fit.response > 0.0) || !(fit.gain >= 0.0 && fit.gain <= kMaxTaperGain)) {
-    surface::refuse(name,
-                    0,
-                    fmt::format("heat leans the walls by {:.3g} degrees, and a lean of the beam "
-                                "takes {:.3g} of itself away, which no gain from 0 to 12 cancels",
-                                fit.heat_deg,
-                                fit.response),
-                    "measure walls of two gains or more that the beam leans away from");
+    surface::refuse(
+        name,
+        0,
+        fmt::format("heat leans the walls by {:.3g} degrees, and the fitted response to "
+                    "a lean of the beam is {:.3g}; no gain from 0 to 12 cancels this",
+                    fit.heat_deg,
+                    fit.response),
+        "measure walls from which the beam leans away, with at least two gains");
   }
   return fit;
 }

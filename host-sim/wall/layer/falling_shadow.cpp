@@ -172,7 +172,7 @@ std::vector<Contour> FallingShadow::lower_to(double height_mm) {
   }
   throw std::invalid_argument(
       fmt::format("the part has no clean section at Z {:g}; move it up by a micrometre, or repair "
-                  "where it crosses itself",
+                  "the mesh where it crosses itself",
                   height_mm));
 }
 
