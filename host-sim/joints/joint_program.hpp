@@ -13,7 +13,7 @@ namespace sim::joints {
 struct JointOptions {
   double tip_tolerance_mm = 1.0e-3;  ///< Greatest deviation of the tip from its path, > 0.
   Point zero{};                      ///< Machine position of the program's zero, X Y Z in mm.
-  int decimals = 4;  ///< Digits after the decimal point of X, Y and Z; angles have one more.
+  int decimals = 4;  ///< Digits after the decimal point of X, Y and Z; angles have one digit more.
 };
 
 struct JointFigures {

@@ -23,8 +23,8 @@ struct Stretch {
 
 /// Removes the volume that a tool sweeps from a stock.
 ///
-/// The upper bound of a cell is lowered only where the whole cell is surely swept. The heights at
-/// its four corners prove this, because the swept surface is convex. The lower bound is lowered
+/// The upper bound of a cell is lowered only where the complete cell is surely swept. The heights
+/// at its four corners prove this, because the swept surface is convex. The lower bound is lowered
 /// where the tool may have touched any point of the cell. One swept surface represents the complete
 /// stretch. So the computing time is proportional to the stretch's area in plan and does not depend
 /// on a number of poses. Parts of the tool above the stock's top take no time.

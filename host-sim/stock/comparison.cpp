@@ -36,8 +36,8 @@ class ToolRoom {
     to_possible_ = distances_to(possible, region.grid());
   }
 
-  /// Returns the height above the floor to which the tool can surely cut the whole cell; infinite
-  /// if a part of the cell may be out of reach.
+  /// Returns the height above the floor to which the tool can surely cut the complete cell;
+  /// infinite if a part of the cell may be out of reach.
   [[nodiscard]] double max_left(std::size_t cell) const {
     const double distance = to_sure_[cell] + half_mm_;
     return distance <= profile_.radius_mm ? height_at(profile_, distance) : kOutOfReach;

@@ -13,8 +13,8 @@ inline constexpr std::size_t kMaxMeshPoints = 500'000;
 
 /// Writes the material that is left of a stock as a closed body. The upper surface has a point at
 /// the middle of each cell or block and is extended to the sides of the box. The sides and the
-/// bottom of the box close the body. Where the stock is cut through, the surface lies on the
-/// bottom.
+/// bottom of the box close the body. Where the stock is cut through, the upper surface is at the
+/// bottom of the box.
 ///
 /// write_stl() writes binary STL, with 50 bytes for each triangle. write_ply() writes binary PLY
 /// (little-endian), with 13 bytes for each triangle and 12 for each point. Both throw

@@ -29,8 +29,8 @@ class PlanRegion {
   [[nodiscard]] const std::vector<RegionPart>& parts() const { return parts_; }
   /// Returns the part to which a cell of the stock belongs; a cell beyond the grid is outside.
   [[nodiscard]] RegionPart part_of(int column, int row) const;
-  /// Returns whether the grid contains a cell of the stock. index_of() returns the index of this
-  /// cell.
+  /// has() returns whether the grid contains a cell of the stock. index_of() returns the index of a
+  /// contained cell.
   [[nodiscard]] bool has(int column, int row) const;
   [[nodiscard]] std::size_t index_of(int column, int row) const {
     return grid_.index(column - first_column_, row - first_row_);
@@ -43,7 +43,7 @@ class PlanRegion {
 
   const Stock& stock_;
   DistanceGrid grid_;
-  int first_column_ = 0;  ///< First column of the grid, in cells of the stock; may be negative.
+  int first_column_ = 0;  ///< Column of the stock at which the grid begins; may be negative.
   int first_row_ = 0;
   std::vector<RegionPart> parts_;
 };

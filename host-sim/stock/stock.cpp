@@ -10,7 +10,7 @@ namespace sim::stock {
 namespace {
 
 std::string fault_of_side(char axis, double low, double high) {
-  // The condition is written so that it also refuses NaN.
+  // The negated condition also refuses NaN.
   if (!(std::abs(low) <= kFarthestStockMm && std::abs(high) <= kFarthestStockMm)) {
     return fmt::format("{} of the stock is {} to {} mm; it takes {} to {} mm",
                        axis,

@@ -26,7 +26,7 @@ inline constexpr double kMinCellMm = 0.001;
 inline constexpr double kGreatestCellMm = 10.0;
 /// Greatest number of cells of a stock. The table of tiles takes 8 bytes for each 4,096 cells.
 inline constexpr double kMaxCells = 1.0e10;
-/// Greatest memory for carved cells; each takes 8 bytes.
+/// Greatest memory for carved cells, bytes. Each cell takes 8 bytes.
 inline constexpr std::size_t kMaxCarvedBytes = std::size_t{4} << 30;
 
 /// Returns the reason, with range and unit, why a stock is not possible; empty if the stock is
@@ -93,7 +93,7 @@ class Stock {
   }
   [[nodiscard]] VolumeBounds removed() const;
 
-  /// Returns the memory that carved cells take.
+  /// Returns the memory of the allocated tiles, bytes.
   [[nodiscard]] std::size_t carved_bytes() const { return tiles_in_use_ * sizeof(Tile); }
 
  private:

@@ -76,7 +76,7 @@ double lowest_cut(const DropCutter& tool, const Eigen::Vector2d& place) {
 /// Keeps the greatest deviation in each part of the plan, either of gouges or of rests.
 class WorstOfParts {
  public:
-  static constexpr int kParts = 24;  ///< Number of parts along each side.
+  static constexpr int kParts = 24;  ///< Number of parts along each side of the plan.
 
   explicit WorstOfParts(const StockBox& box) : box_{box}, worst_(std::size_t{kParts} * kParts) {}
 

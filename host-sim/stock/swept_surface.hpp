@@ -156,8 +156,9 @@ class SweptSurface {
   double up_x_ = 1.0;     ///< X of the unit direction in plan from the lower end to the other end.
   double up_y_ = 0.0;
   Lead lead_ = Lead::kNone;
-  double max_lead_ = 0.0;                ///< Upper bound of the lead for all values of `side`.
-  std::array<double, kNodes> shares_{};  ///< Ratio of lead to reach, at equal steps of `side`.
+  double max_lead_ = 0.0;  ///< Upper bound of the lead for all values of `side`.
+  /// Table of the ratio of lead to reach, at equal steps of `side`.
+  std::array<double, kNodes> shares_{};
 };
 
 }  // namespace sim::stock

@@ -11,7 +11,8 @@ namespace {
 
 using cnc::surface::kNoContact;
 
-/// A node that is still to be searched, and an upper bound of the tip's height in contact with it.
+/// A node that is still to be searched, and an upper bound of the tip's height at which the tool
+/// touches a facet of the node.
 struct OpenPart {
   std::uint32_t node = 0;
   float most = 0.0F;

@@ -12,8 +12,8 @@ namespace sim::surface {
 namespace {
 
 constexpr int kMaxSweeps = 1'000;
-/// Factor of over-relaxation. For large holes, about the square root of the sweeps is enough that
-/// plain averages would need.
+/// Factor of over-relaxation. For large holes, the number of sweeps is about the square root of the
+/// number that plain averages need.
 constexpr double kRelaxation = 1.7;
 /// Change of a height at which the sweeps end, relative to the range of heights.
 constexpr double kAgreement = 1.0e-6;

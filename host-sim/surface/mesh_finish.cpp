@@ -14,7 +14,7 @@ namespace {
 
 constexpr auto kUnusedPoint = std::numeric_limits<std::uint32_t>::max();
 /// A facet is degenerate if twice its area, divided by the square of an edge, is at most this
-/// ratio. Rounded coordinates do not lift a facet without area above it.
+/// ratio. If a facet has no area, the rounding of its coordinates keeps the ratio below this limit.
 constexpr double kDegenerateShare = 1.0e-12;
 
 void require_indices(const MeshDraft& draft) {

@@ -238,7 +238,8 @@ class PartTree::Builder {
   const cnc::surface::Profile& profile_;
   PartTree& tree_;
   double lost_mm_ = 0.0;
-  std::vector<Eigen::Vector3d> normals_;  ///< Normals of the facets, twice as long as the areas.
+  /// Normals of the facets; the length of a normal is twice the facet's area.
+  std::vector<Eigen::Vector3d> normals_;
   std::vector<Eigen::Vector2d> middles_;  ///< Three times the centre of each facet.
 };
 

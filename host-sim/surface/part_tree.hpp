@@ -14,8 +14,8 @@ namespace sim::surface {
 /// A tree of facets whose nodes have eight parts each. The facets of a part are within a rectangle
 /// in plan and nowhere above a plane. Both bound the height of a tool that touches the part.
 ///
-/// Bounds are computed in single precision for eight parts at once. They are increased by more than
-/// their rounding error. All lengths are mm.
+/// Bounds are computed in single precision for eight parts in parallel. They are increased by more
+/// than their rounding error. All lengths are mm.
 class PartTree {
  public:
   static constexpr std::size_t kParts = 8;
@@ -31,7 +31,7 @@ class PartTree {
   struct Node {
     Lanes min_x, min_y, max_x, max_y;
     Lanes top;               ///< Height of the highest point of the part.
-    Lanes slope_x, slope_y;  ///< Slope of the plane along X and along Y.
+    Lanes slope_x, slope_y;  ///< Slopes of the part's plane along X and along Y.
     Lanes level;             ///< Height of the plane at the middle of the rectangle.
     /// Offset from the tool's axis to the point of the tool that touches the plane.
     Lanes point_x, point_y;

@@ -42,8 +42,8 @@ struct ProbeGrid {
   [[nodiscard]] std::string name(std::size_t index) const;
 };
 
-/// Maximum number of points of a grid. A larger grid would take weeks, because a point takes at
-/// least a second.
+/// Maximum number of points of a grid. Probing a larger grid would take more than eleven days,
+/// because a point takes at least a second.
 inline constexpr std::size_t kMaxProbePoints = 1'000'000;
 
 /// Returns a span of evenly spaced points whose distance is at most `pitch_mm`.

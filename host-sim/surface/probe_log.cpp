@@ -144,8 +144,8 @@ class LogReader {
     }
   }
 
-  /// Sets the log's offset to the offset at the first answer. Also finds the first later line at
-  /// which the offset changes.
+  /// Sets the log's offset to the offset at the first answer. Also finds the first line between the
+  /// first and the last answer at which the offset changes.
   void choose_work_offset() {
     const std::size_t begin = log_.answers.empty() ? 0 : log_.answers.front().line;
     const std::size_t end = log_.answers.empty() ? 0 : log_.answers.back().line;

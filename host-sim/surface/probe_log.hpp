@@ -25,7 +25,8 @@ struct ProbeLog {
   /// has neither `WCO:` nor `[G54:…]`.
   std::optional<Eigen::Vector3d> offset;
   std::size_t offset_line = 0;
-  /// First line after the first answer at which the offset changes; 0 if it does not change.
+  /// First line between the first and the last answer at which the offset changes; 0 if there is
+  /// none.
   std::size_t changed_line = 0;
 };
 

@@ -25,7 +25,7 @@ const Eigen::Vector3d& corner(const Mesh& mesh, const Side& side, std::size_t nu
   return mesh.points[mesh.facets[side.facet][(side.edge + number) % 3]];
 }
 
-/// Returns whether two facets lie on different sides of their edge in plan, and neither facet is
+/// Returns whether two facets are on different sides of their edge in plan, and neither facet is
 /// below the plane of the other.
 bool is_valley(const Mesh& mesh, const Side& one, const Side& other) {
   const Eigen::Vector3d& from = corner(mesh, one, 0);

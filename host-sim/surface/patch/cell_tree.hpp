@@ -12,7 +12,7 @@ struct Cell {
   std::uint32_t column = 0;
   std::uint32_t end_row = 0;
   std::uint32_t end_column = 0;
-  std::uint32_t depth = 0;  ///< Number of splits from the whole grid to this cell.
+  std::uint32_t depth = 0;  ///< Number of splits from the complete grid to this cell.
 
   [[nodiscard]] std::uint32_t height() const { return end_row - row; }
   [[nodiscard]] std::uint32_t width() const { return end_column - column; }

@@ -57,7 +57,7 @@ double refined(const Cubic& cubic, double low, double high, double guess) {
     if (value == 0.0) return t;
     ((value > 0.0) == low_is_positive ? low : high) = t;
     double next = t - value / slope_at(cubic, t);
-    // Every third step is a halving, so that a flat part cannot delay the search.
+    // Every third step is a halving, so that a flat part of the curve cannot delay the search.
     if (!(next > low && next < high) || step % 3 == 2) next = 0.5 * (low + high);
     if (std::abs(next - t) <= 0x1.0p-53 || next == low || next == high) return t;
     t = next;

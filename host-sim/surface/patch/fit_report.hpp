@@ -18,7 +18,8 @@ struct PlacedError {
   double column = 0.0;
 };
 
-/// The errors of a fit in both directions.
+/// Errors of a fit: distances of the points from the surface, and of the surface from the points'
+/// triangles.
 struct FitReport {
   std::size_t points = 0;
   /// Number of points that are farther from the surface than the tolerance.

@@ -31,7 +31,7 @@ struct FatPlane {
 /// these are parallel or 0, too, returns +Z.
 [[nodiscard]] Eigen::Vector3d normal_of(const BezierPatch& patch);
 
-/// Returns a fat plane that contains the whole patch.
+/// Returns a fat plane that contains the complete patch.
 [[nodiscard]] FatPlane fat_plane(const BezierPatch& patch, FlatnessTest test);
 
 }  // namespace sim::surface::patch

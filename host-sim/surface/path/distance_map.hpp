@@ -7,7 +7,7 @@
 
 namespace sim::surface {
 
-/// A node from which distances are measured, and its own distance at the start, mm.
+/// A node from which distances are measured, and the node's initial distance, mm.
 struct DistanceSource {
   std::size_t node = 0;
   double distance_mm = 0.0;

@@ -20,7 +20,7 @@ inline constexpr double kFlatDigits = 0.1;
 /// A line at one level, given by its points in order.
 struct LevelLoop {
   std::size_t level = 0;  ///< Number of the level, counted from the top.
-  double level_mm = 0.0;  ///< Height of the grown tool's tip.
+  double level_mm = 0.0;  ///< Height of the grown tool's tip at the level, mm.
   std::vector<Eigen::Vector2d> places;
   /// Whether the line returns from the last point to the first point, which is not repeated.
   bool is_closed = false;

@@ -12,7 +12,8 @@ namespace sim::surface {
 
 /// The line in plan along which the grown tool's tip in contact has the height of a level. On one
 /// side of the line, the tip in contact is higher; a tool at the level would cut into the surface
-/// there. Beyond a border, the tip counts as 1 mm higher for each mm. Lengths are mm.
+/// there. A border acts as a surface that begins at the level and rises by 1 mm for each mm beyond
+/// the border. Lengths are mm.
 class LevelSet {
  public:
   /// @param border limits of the tip in plan; null if there are no limits

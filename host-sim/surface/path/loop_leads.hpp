@@ -15,7 +15,7 @@ namespace sim::surface {
 struct LoopEnd {
   Eigen::Vector2d place = Eigen::Vector2d::Zero();
   Eigen::Vector2d tangent = Eigen::Vector2d::UnitX();  ///< Unit tangent in the direction of motion.
-  double level_mm = 0.0;                               ///< Height of the grown tool's tip.
+  double level_mm = 0.0;  ///< Height of the grown tool's tip at the level, mm.
 };
 
 /// Makes leads on the free side of a wall, as quarter turns or straight lines, and the paths
@@ -56,7 +56,8 @@ class LoopLeads {
   bool lines_only_;
   double lift_mm_;
   const MilledRegions* regions_;
-  mutable PathHeights::Hint hint_{};  ///< Changes the speed of a search, but no result.
+  /// Start of the next search; it affects the speed, but no result.
+  mutable PathHeights::Hint hint_{};
 };
 
 }  // namespace sim::surface

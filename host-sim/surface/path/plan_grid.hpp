@@ -7,11 +7,11 @@
 
 namespace sim::surface {
 
-/// A regular grid of nodes over a rectangle in plan, along X and Y. The border nodes lie on the
+/// A regular grid of nodes over a rectangle in plan, along X and Y. The outer nodes are on the
 /// border of the rectangle. Lengths are mm.
 class PlanGrid {
  public:
-  /// Maximum number of nodes. It limits the memory to that of a common computer.
+  /// Maximum number of nodes. The limit keeps the memory within the capacity of a common computer.
   static constexpr double kMaxNodes = 4.0e7;
 
   /// Lays the grid over the box of a surface in plan.
@@ -43,7 +43,7 @@ class PlanGrid {
     const Eigen::Array2d rest = at(columns_ - 1, rows_ - 1) - place;
     return inside.minCoeff() >= 0.0 && rest.minCoeff() >= 0.0;
   }
-  /// Returns whether a node lies on the border of the rectangle.
+  /// Returns whether a node is on the border of the rectangle.
   [[nodiscard]] bool is_on_border(std::size_t node) const {
     const std::size_t column = node % columns_;
     const std::size_t row = node / columns_;

@@ -33,8 +33,8 @@ class RowPlanner {
         tracer_{mesh, options},
         stock_top_mm_{options.stock_top_mm.value_or(top_of(mesh))} {
     if (options.scallop_mm == 0.0 || options.layer_mm > 0.0) return;
-    // The path is up to twice the tolerance above its exact position. One tolerance applies to all
-    // rows; the second one, which may differ between rows, reduces the scallop limit.
+    // The path is between one and two tolerances above its exact position. So the heights of rows
+    // may differ by up to a tolerance, which reduces the scallop limit.
     between_.emplace(tracer_, frame_, options.tool, options.scallop_mm - options.tolerance_mm);
   }
 

@@ -19,7 +19,7 @@ class SmoothTips;
 enum class RowOrder : std::uint8_t {
   /// Rows go alternately forward and back: each row begins near the end of the previous row.
   kZigzag,
-  kOneWay,  ///< All rows go in the same direction, with a lift before each.
+  kOneWay,  ///< All rows go in the same direction, with a lift before each row.
 };
 
 /// Options of paths over a surface: tool, steps, tolerances and limits.
@@ -29,7 +29,8 @@ struct RowOptions {
   double allowance_mm = 0.0;  ///< Stock that is left on the complete surface, at least 0.
   /// Tolerance. The tip is above its exact position by at most twice the tolerance.
   double tolerance_mm = 0.01;
-  double digit_mm = 1.0e-4;  ///< Last digit of the program: ends are rounded by up to half of it.
+  /// Value of the last digit in the program; ends are rounded by up to half of it.
+  double digit_mm = 1.0e-4;
   /// Maximum distance between rows in plan; with a scallop limit, it may be 0: no limit.
   double step_mm = 0.5;
   /// Maximum scallop, > tolerance; 0: no limit. The scallop is the height of the stock between

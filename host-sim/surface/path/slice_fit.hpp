@@ -11,7 +11,7 @@ namespace sim::surface {
 
 enum class SliceElements : std::uint8_t {
   kArcs,   ///< Tangent-continuous arcs and lines.
-  kLines,  ///< Lines only, for example if the slice lies in no plane that allows arcs.
+  kLines,  ///< Lines only, for example if the slice is not in a plane that allows arcs.
 };
 
 /// Replaces the curves of slices by few arcs or lines, within a tolerance of the curve and from its

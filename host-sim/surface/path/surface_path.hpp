@@ -32,7 +32,7 @@ struct SurfaceStretch {
   StretchUse use = StretchUse::kRow;
   std::vector<ContourVertex> vertices;
 
-  /// Returns the position of the tip at a vertex.
+  /// Returns the position of the tip at `vertex`.
   [[nodiscard]] Eigen::Vector3d place_of(const ContourVertex& vertex) const {
     if (const auto* level = std::get_if<LevelPlane>(&plane)) {
       return {vertex.x, vertex.y, level->height_mm};

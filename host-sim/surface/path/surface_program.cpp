@@ -112,8 +112,8 @@ class RunWriter {
     writer_.leave_power();
   }
 
-  /// Goes down in a rapid to the height where stock may begin, and continues at the plunge feed. It
-  /// uses a ramp if one is requested and the run has space for it.
+  /// Descends to the start of a run: in a rapid down to the height where stock may begin, then at
+  /// the plunge feed. Uses a ramp instead if a slope is set and the run is long enough.
   void begin_run(std::span<const SurfaceStretch> run, double stock_mm) {
     const SurfaceStretch& first = run.front();
     const WideVec2 place = first.start().head<2>();

@@ -24,10 +24,10 @@ struct SurfaceProgramFigures {
 /// Computes the figures of a path.
 [[nodiscard]] SurfaceProgramFigures figures_of(const SurfacePath& path);
 
-/// Writes a path over a surface as G-code. After the start of spindle and coolant, each run has a
-/// rapid at the safe height, a rapid down to slightly above the stock, a descent at the plunge
-/// feed, and its stretches. Arcs in level stretches use G17, in stretches along X G18, and in
-/// stretches along Y G19. The tip never descends faster than the plunge feed. Throws
+/// Writes a path over a surface as G-code. The program first starts spindle and coolant. Each run
+/// then has a rapid at the safe height, a rapid down to slightly above the stock, a descent at the
+/// plunge feed, and its stretches. Arcs in level stretches use G17, in stretches along X G18, and
+/// in stretches along Y G19. The tip never descends faster than the plunge feed. Throws
 /// std::invalid_argument if a point is too far from zero for a program.
 /// @param heading comment lines at the top
 /// @param ramp_slope slope of a ramp above the start of each run, mm per mm. Without a value, the

@@ -150,7 +150,7 @@ class WaterlinePlanner {
   PlanGrid grid_;
   bool is_low_left_;
   double flat_mm_;
-  double lift_mm_;  ///< Height of the tip above the level to which it belongs.
+  double lift_mm_;  ///< Height of the path's tip above its level.
   LoopLeads leads_;
   double stock_top_mm_;
   double level_distance_mm_ = 0.0;

@@ -11,7 +11,8 @@ namespace sim::wall {
 /// Position at which a wall is measured, between two heights, and the limits of the search for the
 /// carved wall.
 struct WallPlace {
-  Eigen::Vector2d at = Eigen::Vector2d::Zero();  ///< Point of the wall half way up, mm.
+  /// Point of the wall in plan, half way between both heights, mm.
+  Eigen::Vector2d at = Eigen::Vector2d::Zero();
   /// Horizontal unit vector away from the part.
   Eigen::Vector2d outward = Eigen::Vector2d::UnitX();
   double low_mm = 0.0;

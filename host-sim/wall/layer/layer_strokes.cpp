@@ -62,8 +62,8 @@ void add_lines(const pocket::OwnedArea& area,
                double hatch_mm,
                std::vector<surface::RowPart>& lines) {
   const auto box = pocket::box_of(area);
-  // The lines of all areas are on a common raster. It is offset by half a line, so that no line is
-  // on the border of a stock that begins at zero.
+  // The lines of all areas are on a common raster. The raster is offset by half a distance, so that
+  // no line is on a border at zero or at a multiple of the distance.
   const double first = std::floor(box.y0 / hatch_mm - 0.5) + 0.5;
   for (double number = first; number * hatch_mm < box.y1; number += 1.0) {
     const double row = number * hatch_mm;

@@ -28,7 +28,7 @@ class SectionSweep {
   /// Returns the loops at a height. Without sorting, the time is proportional to the number of
   /// facets that the plane crosses or has passed since the previous call. Loops touch where the
   /// solid touches itself.
-  /// @pre the height is not above that of the previous call
+  /// @pre the height is not above the height of the previous call
   [[nodiscard]] std::vector<SectionLoop> loops_at(double height_mm);
 
  private:
