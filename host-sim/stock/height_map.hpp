@@ -18,7 +18,7 @@ class HeightMap {
 
   [[nodiscard]] int columns() const { return columns_; }
   [[nodiscard]] int rows() const { return rows_; }
-  /// Number of cells along each side of a block.
+  /// Returns the number of cells along each side of a block.
   [[nodiscard]] int block_cells() const { return block_cells_; }
   /// Returns the height of a block, mm, machine coordinates.
   [[nodiscard]] double height(int column, int row) const {

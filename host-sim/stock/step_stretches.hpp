@@ -39,8 +39,8 @@ class StepStretches {
  public:
   using Sink = std::function<void(const DrivenStretch&)>;
 
-  /// @param tolerance_mm > 0. It should be a few steps long; with a smaller tolerance, each step
-  ///     becomes a stretch
+  /// @param tolerance_mm greatest distance of a step from its stretch, > 0. It should be a few
+  ///     steps long; with a smaller tolerance, each step becomes a stretch
   StepStretches(double tolerance_mm, Sink sink)
       : tolerance_mm_{tolerance_mm}, sink_{std::move(sink)} {}
 

@@ -239,7 +239,7 @@ std::optional<Interval> SweptSurface::extent_at(double y, double extra_mm) const
 
 Interval SweptSurface::ahead_of_start(Interval extent, double y, double extra_mm) const {
   const double rear = extra_mm + (falls() ? max_lead_ : 0.0);
-  const double needed = -rear - (y - from_y_) * along_y_;  // Least (x − from_x) along_x.
+  const double needed = -rear - (y - from_y_) * along_y_;  // Least value of (x − from_x) along_x.
   if (along_x_ > 0.0) extent.low = std::max(extent.low, from_x_ + needed / along_x_);
   if (along_x_ < 0.0) extent.high = std::min(extent.high, from_x_ + needed / along_x_);
   if (along_x_ == 0.0 && needed > 0.0) extent.high = -kNowhere;
