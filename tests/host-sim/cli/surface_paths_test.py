@@ -157,8 +157,8 @@ class SurfacePaths(unittest.TestCase):
                 (("--paths", "rough", "--layers", 1, "--stock-top", -90), self.part, "below the top of the stock"),
                 (("--paths", "rough", "--layers", 1, "--margin", 1, "--stock-margin", 1), self.part, "--margin: with"),
                 (("--stock-margin", 1), self.part, "--stock-margin: only --paths rough"),
-                (("--paths", "contour", "--step", 50), self.part, "take a smaller --step"),
-                (("--paths", "contour", "--step", 0.001), self.part, "mill it in parts or in rows")):
+                (("--paths", "contour", "--step", 50), self.part, "choose a smaller --step"),
+                (("--paths", "contour", "--step", 0.001), self.part, "mill the surface in parts or in rows")):
             done = self.surface(*tool, *options, file=file)
             self.assertEqual(done.returncode, 2, (options, done.stderr))
             self.assertIn(told, done.stderr)

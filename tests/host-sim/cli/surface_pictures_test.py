@@ -14,7 +14,7 @@ import unittest
 
 from pocket_bench import MACHINE, MILL, run
 
-PICTURES = {"data": "Measured surface", "offset": "Places of the tool", "patches": "patches", "paths": "rapids",
+PICTURES = {"data": "Measured surface", "offset": "Positions of the tool", "patches": "patches", "paths": "rapids",
             "carved": "Carved stock", "map": "Off the surface, mm"}
 
 
