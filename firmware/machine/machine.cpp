@@ -18,15 +18,14 @@ Machine::Machine(StepDrive& drive,
     : drive_{drive},
       outputs_{outputs},
       input_port_{inputs},
-      motion_{drive, limits_, pixels},
       tool_{drive, outputs},
       coolant_{outputs},
-      homing_{drive, motion_, settings_},
-      side_{drive, motion_, limits_},
       gap_{drive, motion_},
-      motor_enable_{outputs, settings_},
-      kept_progress_{kept} {
-  if (kept != nullptr) progress_ = kept->progress();
+      progress_{kept},
+      motor_enable_{outputs, settings()},
+      homing_{drive, motion_, settings()},
+      motion_{drive, set_up_.limits(), pixels},
+      side_{drive, motion_, set_up_.limits()} {
   watch_memory();
   apply_settings();
 }
@@ -45,8 +44,8 @@ bool Machine::locked() const {
 }
 
 bool Machine::busy() const {
-  return !waiting_.empty() || reentry_.has_rest() || jog_ || step_pause_ ||
-         stopping_for_ != Alarm::kNone || cutting_off_ || door_stops_jog() || tool_change_.busy() ||
+  return !actions_.empty() || progress_.reentry().has_rest() || jog_ || actions_.pauses_after() ||
+         alarm_.stops() || alarm_.cuts_off() || door_stops_jog() || tool_change_.busy() ||
          state_.in(Mode::kHome);
 }
 
@@ -56,13 +55,13 @@ bool Machine::beam_works() const {
 }
 
 bool Machine::idle() const {
-  return waiting_.empty() && !reentry_.has_rest() && !jog_ && !state_.in(Mode::kHome) &&
-         !compensator_.active() && !tool_change_.open() && motion_.drained();
+  return actions_.empty() && !progress_.reentry().has_rest() && !jog_ && !state_.in(Mode::kHome) &&
+         !compensated_.active() && !tool_change_.open() && motion_.drained();
 }
 
 gcode::Refusal Machine::accept(std::string_view line) {
   const gcode::Refusal refusal = take_line(line);
-  if (!waiting_.empty()) run_actions();
+  if (!actions_.empty()) run_actions();
   return refusal;
 }
 
@@ -77,14 +76,13 @@ gcode::Refusal Machine::take_line(std::string_view line) {
   if (!actions.ok()) return actions.error();
   if (interpreter_.places_revision() != memory_.trusted_places()) trust_places();
   if (actions.value().empty()) return {};
-  program_ended_ = false;
+  actions_.note_end(false);
   if (state_.in(Mode::kCheck)) {
     judge(actions.value(), from);
     return {};
   }
   if (leaves_travel(actions.value(), from)) return leave_travel(from);
-  waiting_ = actions.value();
-  step_pause_ = switches_.single_block && !tool_change_.open();
+  actions_.begin(actions.value(), switches_.single_block && !tool_change_.open());
   return {};
 }
 
@@ -100,25 +98,23 @@ gcode::Refusal Machine::leave_travel(const Position& from) {
 }
 
 void Machine::poll(hal::TickCount now) {
-  const std::int32_t elapsed_us = polled_ ? now.since(last_poll_) : 0;
-  if (!polled_) lock_until_homed();
-  last_poll_ = now;
-  polled_ = true;
+  if (clock_.is_new()) lock_until_homed();
+  const std::int32_t elapsed_us = clock_.begin(now);
   if (inputs_.poll(input_port_.read_inputs(), elapsed_us)) attend_inputs();
-  if (cutting_off_) {
+  if (alarm_.cuts_off()) {
     if (drive_.running()) return;
     drop_everything();
   }
   if (drive_.take_starved()) raise_alarm(Alarm::kStarved);
-  if (state_.in(Mode::kFree) || tool_change_.open()) dwell_.pass(elapsed_us);
-  restart_dwell_.pass(elapsed_us);
+  if (state_.in(Mode::kFree) || tool_change_.open()) actions_.pass(elapsed_us);
+  resumption_.pass(elapsed_us);
   note_progress();
   gap_.follow();
   attend_mode(elapsed_us);
-  spline_points_ = kSplinePoints;
+  actions_.begin_cycle();
   run_actions();
   attend_rest_light(elapsed_us);
-  if (!compensates()) motion_.stay_on_path();
+  if (!compensated_.compensates()) motion_.stay_on_path();
   motion_.attend(elapsed_us);
   motor_enable_.attend(motor_need(), elapsed_us);
   const bool rested = !drive_.running();
@@ -132,9 +128,9 @@ void Machine::poll(hal::TickCount now) {
 
 /// Advances the activity of the present mode.
 void Machine::attend_mode(std::int32_t elapsed_us) {
-  if (stopping_for_ != Alarm::kNone && at_rest()) {
+  if (alarm_.stops() && motion_.at_rest()) {
     find_gap();
-    return raise_alarm(stopping_for_);
+    return raise_alarm(alarm_.stopping_for());
   }
   switch (state_.mode()) {
     case Mode::kJog:
@@ -152,7 +148,7 @@ void Machine::attend_mode(std::int32_t elapsed_us) {
     case Mode::kHold:
     case Mode::kTool:
       if (tool_change_.open()) attend_tool_change();
-      if (restarting_ && restart_dwell_.over()) restart();
+      if (resumption_.pending() && resumption_.over()) restart();
       return;
     default:
       return;
@@ -162,27 +158,29 @@ void Machine::attend_mode(std::int32_t elapsed_us) {
 /// Runs the waiting actions. Lines before a hold are still planned; nothing is switched while the
 /// door is open.
 void Machine::run_actions() {
-  if (cutting_off_ || state_.in(Mode::kDoor)) return;
-  if (stopping_for_ != Alarm::kNone || tool_change_.stage() == ToolChange::Stage::kStopping) return;
-  if (compensator_.active()) give_out();
-  while (drive_rest() && !waiting_.empty() && run(waiting_.front())) {
-    waiting_ = waiting_.subspan(1);
+  if (alarm_.cuts_off() || state_.in(Mode::kDoor)) return;
+  if (alarm_.stops() || tool_change_.stage() == ToolChange::Stage::kStopping) return;
+  if (compensated_.active()) give_out();
+  while (drive_rest() && !actions_.empty() && run(actions_.front())) {
+    actions_.drop_front();
   }
-  if (waiting_.empty() && !reentry_.has_rest() && step_pause_ && pause()) step_pause_ = false;
+  const bool is_done = actions_.empty() && !progress_.reentry().has_rest();
+  if (is_done && actions_.pauses_after() && pause()) actions_.end_pause_after();
 }
 
 bool Machine::may_light_at_rest() const {
   const bool dot = rest_light_.wish() == RestLight::Wish::kDot;
   return rest_light_.wish() != RestLight::Wish::kNone && tool_.is_laser() &&
          tool_.mode_now() == gcode::SpindleMode::kConstant && state_.in(Mode::kFree) &&
-         stopping_for_ == Alarm::kNone && !reentry_.active() &&
+         !alarm_.stops() && !progress_.reentry().active() &&
          (!dot || cuts_by_mode(interpreter_.state().motion));
 }
 
 /// Returns the duty for S, by the power table.
 std::uint16_t Machine::duty_at_rest() const {
   const float share = tool_.share_now();
-  return share > 0.0F ? to_full_scale(limits_.beam.table.duty_for(share)) : std::uint16_t{0};
+  return share > 0.0F ? to_full_scale(set_up_.limits().beam.table.duty_for(share))
+                      : std::uint16_t{0};
 }
 
 /// Keeps the beam on at rest where M3 requires it: in a dwell, or for a dot in G1 to G3. The beam

@@ -4,22 +4,27 @@
 #include <optional>
 #include <string_view>
 
+#include "firmware/machine/actions_in_progress.hpp"
+#include "firmware/machine/alarm_sequence.hpp"
+#include "firmware/machine/compensated_path.hpp"
 #include "firmware/machine/configuration.hpp"
 #include "firmware/machine/coolant_output.hpp"
 #include "firmware/machine/door_sequence.hpp"
-#include "firmware/machine/dwell.hpp"
 #include "firmware/machine/homing.hpp"
 #include "firmware/machine/input_filter.hpp"
 #include "firmware/machine/light_gap.hpp"
 #include "firmware/machine/machine_news.hpp"
+#include "firmware/machine/machine_set_up.hpp"
 #include "firmware/machine/machine_types.hpp"
 #include "firmware/machine/memory_guard.hpp"
 #include "firmware/machine/motion_control.hpp"
 #include "firmware/machine/motor_enable.hpp"
 #include "firmware/machine/operator_switches.hpp"
-#include "firmware/machine/progress.hpp"
-#include "firmware/machine/reentry.hpp"
+#include "firmware/machine/poll_clock.hpp"
+#include "firmware/machine/probe_cycle.hpp"
+#include "firmware/machine/program_progress.hpp"
 #include "firmware/machine/rest_light.hpp"
+#include "firmware/machine/resumption.hpp"
 #include "firmware/machine/settings.hpp"
 #include "firmware/machine/side_trip.hpp"
 #include "firmware/machine/state_machine.hpp"
@@ -29,7 +34,6 @@
 #include "hal/interface/auxiliary_outputs.hpp"
 #include "hal/interface/machine_inputs.hpp"
 #include "hal/interface/tick_count.hpp"
-#include "planner/compensation/compensator.hpp"
 #include "planner/gcode/interpreter.hpp"
 #include "planner/pipeline/action_elements.hpp"
 #include "planner/pipeline/path_tolerance.hpp"
@@ -104,66 +108,52 @@ class Machine {
   /// a reset and an unlock.
   void lock_for_damage() { raise_alarm(Alarm::kStoreDamaged); }
   /// Returns whether the alarm can be unlocked only after a reset.
-  [[nodiscard]] bool needs_reset() const { return needs_reset_; }
+  [[nodiscard]] bool needs_reset() const { return alarm_.needs_reset(); }
 
   void set_overrides(const OverridePercent& percent);
-  [[nodiscard]] const OverridePercent& overrides() const { return percent_; }
+  [[nodiscard]] const OverridePercent& overrides() const { return switches_.overrides; }
   /// Stops or restarts the spindle, only while held at rest. If it is stopped, resume() restarts it
   /// first.
   void toggle_spindle_stop();
-  void toggle_flood();
-  void toggle_mist();
+  /// Toggles mist, flood or both, while nothing is interrupted except by a hold.
+  void toggle_coolant(gcode::Coolant which);
   /// Lets the sender take part in the tool change that M6 requested. From now on its lines and jogs
-  /// are accepted while changes_tool() is true, and resume() continues the program. Returns false
+  /// are accepted while tool_change().open(), and resume() continues the program. Returns false
   /// if no tool change is pending, or if the sender takes part already.
   bool acknowledge_tool();
-  [[nodiscard]] bool changes_tool() const { return tool_change_.open(); }
+  [[nodiscard]] const ToolChange& tool_change() const { return tool_change_; }
   [[nodiscard]] OperatorSwitches& switches() { return switches_; }
   /// Toggles block delete until the setting is written again. Returns whether lines with / are
   /// skipped from now on.
   bool toggle_block_delete();
-  /// Returns whether lines with / are skipped: $890, or the opposite after a toggle.
-  [[nodiscard]] bool block_delete() const { return interpreter_.options().block_delete; }
 
   // An interrupted program, in machine_reentry.cpp.
 
-  /// Returns how far the last program with numbered lines has come; empty after the program has
-  /// ended.
-  [[nodiscard]] const Progress& progress() const { return progress_; }
-  /// Sets the progress of a program that was stored before power-down.
-  void set_progress(const Progress& progress);
-  /// Returns the position of the progress in machine coordinates.
-  /// @pre progress().any()
-  [[nodiscard]] Position progress_place() const { return motion_.place_of(progress_.steps); }
+  /// Returns the progress of the last program, by which the protocol stores and restores it.
+  [[nodiscard]] ProgramProgress& progress() { return progress_; }
   /// Returns whether a program has been interrupted and all axes are at rest.
   [[nodiscard]] bool interrupted() const;
-  /// Returns whether the motors' counters are still valid for the progress, or axes have been homed
-  /// since.
-  [[nodiscard]] bool can_reenter() const { return place_is_kept_ || homed_ != 0; }
   /// Begins re-entry: all further motion has the beam off until it passes the position of the
   /// progress, on the line that was driven or a later one. A reset ends re-entry.
-  /// @pre idle(), progress().any(), can_reenter()
+  /// @pre idle(), progress().noted().any(), progress().can_reenter(homed())
   void reenter();
-  void stop_reentry() { reentry_.cancel(); }
-  [[nodiscard]] bool reenters() const { return reentry_.active(); }
 
   // Settings.
 
   /// Changes a setting. Returns the stored value or an error.
   /// @pre idle()
   Result<float, SettingError> change_setting(std::uint16_t number, float value);
-  [[nodiscard]] const Settings& settings() const { return settings_; }
+  [[nodiscard]] const Settings& settings() const { return set_up_.settings(); }
   /// Ends G43.4, before the axes are moved separately or all settings change.
   /// @pre idle()
   void end_tool_centre();
   /// Sets the light that the beam gives at each duty.
   /// @pre idle()
   void set_power_table(const motion::PowerTable& table);
-  [[nodiscard]] const motion::PowerTable& power_table() const { return power_table_; }
+  [[nodiscard]] const motion::PowerTable& power_table() const { return set_up_.power_table(); }
   /// Sets the kerf table that M190, G41 and G42 use from now on.
   /// @param table its view must outlive its use
-  void use_kerf(const kerf::SelectedTable& table) { kerf_ = table; }
-  [[nodiscard]] const kerf::SelectedTable& kerf() const { return kerf_; }
+  void use_kerf(const kerf::SelectedTable& table) { compensated_.use_kerf(table); }
   /// Sets the positions that were stored at the last power-down.
   /// @pre idle()
   void set_places(const gcode::StoredPlaces& places);
@@ -172,9 +162,6 @@ class Machine {
 
   /// Returns the guard of settings, of memory that is computed from them, and of positions.
   [[nodiscard]] MemoryGuard& memory() { return memory_; }
-  /// Returns whether the output follows the motion and the beam is off at rest, except for light
-  /// that rest_light() allows. Any context.
-  [[nodiscard]] bool rests_dark() const { return tool_.is_dark_at_rest(); }
   /// Returns the light at rest, for RestLight::allowed(). Any context.
   [[nodiscard]] RestLight& rest_light() { return rest_light_; }
 
@@ -182,11 +169,9 @@ class Machine {
 
   [[nodiscard]] MachineStatus status() const;
   [[nodiscard]] MachineState state() const { return status().state; }
-  [[nodiscard]] Alarm alarm() const { return alarm_; }
+  [[nodiscard]] Alarm alarm() const { return alarm_.now(); }
   /// Returns whether no action waits and nothing moves.
   [[nodiscard]] bool idle() const;
-  /// Returns whether nothing moves; actions may wait.
-  [[nodiscard]] bool at_rest() const { return motion_.drained() || motion_.halted(); }
   /// Returns whether a spindle turns, or a beam that does not follow the motion is on.
   [[nodiscard]] bool tool_runs() const;
   /// Returns whether a beam is on and follows a motion that is not held.
@@ -194,23 +179,14 @@ class Machine {
   /// Returns the inputs without their bounce.
   [[nodiscard]] const hal::InputState& inputs() const { return inputs_.settled(); }
   /// Returns the axes whose machine coordinates are known, bit i for axis i.
-  [[nodiscard]] std::uint8_t homed() const { return homed_; }
-  /// Returns the position of the tool in machine coordinates.
-  [[nodiscard]] Position position() const { return motion_.tool_place(); }
-  [[nodiscard]] float feed_now_mm_min() const;
+  [[nodiscard]] std::uint8_t homed() const { return travel_.homed(); }
   /// Returns the real S of the output, with override; for a beam, the value of this moment.
   [[nodiscard]] float spindle_now() const;
-  [[nodiscard]] gcode::SpindleMode spindle() const { return tool_.mode_now(); }
   [[nodiscard]] gcode::Coolant coolant() const { return coolant_.now(); }
-  [[nodiscard]] std::size_t blocks_free() const { return motion_.blocks_free(); }
-  /// Returns the N of the block being executed; 0 for none.
-  [[nodiscard]] std::uint32_t line_number() const { return motion_.line_in_execution(); }
   /// Returns the result of the last probe; position 0 and no success before the first.
-  [[nodiscard]] const Probe& last_probe() const { return last_probe_; }
+  [[nodiscard]] const Probe& last_probe() const { return probing_.last(); }
   /// Returns the events that are reported once.
   [[nodiscard]] MachineNews& news() { return news_; }
-  /// Returns the tool for which M6 waits, if any.
-  [[nodiscard]] std::optional<std::uint32_t> pending_tool() const;
   /// Returns, once, the part of the path that a door, a lost link or a following reset leaves
   /// uncut; null if there is none.
   [[nodiscard]] const Uncut* take_uncut() { return gap_.take_uncut(); }
@@ -223,10 +199,13 @@ class Machine {
     return news_.reset_pressed.is_raised() || gap_.has_uncut() || rest_light_.has_refusal();
   }
   /// Returns whether the last line was M2 or M30.
-  [[nodiscard]] bool program_ended() const { return program_ended_; }
+  [[nodiscard]] bool program_ended() const { return actions_.program_ended(); }
 
   [[nodiscard]] const gcode::Interpreter& interpreter() const { return interpreter_; }
+  /// Returns the motion: the tool's position, the speed, the line being driven, free blocks.
   [[nodiscard]] const MotionControl& motion() const { return motion_; }
+  /// Returns the beam or spindle.
+  [[nodiscard]] const ToolOutput& tool() const { return tool_; }
   /// Returns the number of cycles that took too long for motion to begin in time.
   [[nodiscard]] std::uint32_t late_turns() const { return drive_.late_turns(); }
   /// Sets an observer of the plan; null for none.
@@ -234,11 +213,6 @@ class Machine {
   void observe(motion::ShapingObserver* observer) { motion_.motors().observe(observer); }
 
  private:
-  enum class Probing : std::uint8_t { kNo, kMoving, kStopping };
-  /// Points of splines in a cycle: 0.4 ms on the emulated chip; the last step of a spline may take
-  /// as long again.
-  static constexpr std::uint32_t kSplinePoints = 300;
-
   struct JogMove {
     Position end{};
     float feed = 0.0F;
@@ -279,8 +253,6 @@ class Machine {
 
   // An interrupted program, in machine_reentry.cpp.
   void note_progress();
-  void place_progress(const AxisArray<std::int32_t>& steps);
-  void forget_progress();
   void darken_until_place(path::PathItem& item);
   [[nodiscard]] bool drive_rest();
 
@@ -302,7 +274,6 @@ class Machine {
   void restart();
   void cancel_restart();
   [[nodiscard]] bool tool_turns() const;
-  void switch_coolant_by_hand(gcode::Coolant wanted);
 
   // A tool change, in machine_tool_change.cpp.
   void attend_tool_change();
@@ -326,7 +297,6 @@ class Machine {
   void trip_to(StepPosition place, std::uint16_t rate, const motion::BeamCommand& beam);
 
   // The compensated path, in machine_compensation.cpp.
-  [[nodiscard]] bool compensates() const;
   [[nodiscard]] bool has_room();
   [[nodiscard]] const Position& target() const;
   [[nodiscard]] bool follows_kerf() const;
@@ -359,71 +329,41 @@ class Machine {
 
   // Settings, in machine_settings.cpp.
   void apply_settings();
-  void apply_limits();
   void apply_motor_settings();
   void apply_language_settings();
   [[nodiscard]] bool place_fits() const;
 
+  // Small members come first: on a chip an instruction reaches 4 KiB of an object.
   StepDrive& drive_;
   hal::AuxiliaryOutputs& outputs_;
   hal::MachineInputs& input_port_;
-  Settings settings_{};
-  motion::PowerTable power_table_{};
-  motion::Limits limits_{};
-  MemoryGuard memory_{};
-  kerf::SelectedTable kerf_{};
-  gcode::Interpreter interpreter_{};
-  MotionControl motion_;
+  StateMachine state_{};
+  AlarmSequence alarm_{};
+  OperatorSwitches switches_{};
+  Resumption resumption_{};
+  ProbeCycle probing_{};
+  DoorSequence door_{};
+  MachineNews news_{};
   ToolOutput tool_;
   RestLight rest_light_{};
   CoolantOutput coolant_;
-  Homing homing_;
-  SideTrip side_;
-  LightGap gap_;
-  MotorEnable motor_enable_;
   InputFilter inputs_{};
-  StateMachine state_{};
-  Alarm alarm_ = Alarm::kNone;
-  bool needs_reset_ = false;
-  bool cutting_off_ = false;  ///< Motion was cut off; the rest is dropped in the next cycle.
-  std::uint8_t homed_ = 0;
-  Alarm stopping_for_ = Alarm::kNone;  ///< Alarm that follows when the hold is at rest.
-  DoorSequence door_{};
+  PollClock clock_{};
+  LightGap gap_;
+  std::optional<JogMove> jog_{};  ///< Jog that waits for free space in the planner.
   Travel travel_{};
   kinematics::ToolCentre tool_centre_{};  ///< G43.4 as lines use it, also in check mode.
-
-  gcode::Actions waiting_{};
-  ActionElements elements_{};  ///< Elements of the action being driven.
-  compensation::Compensator compensator_{};
-  gcode::CutterCompensation compensation_{};     ///< State that G41 or G42 has set.
-  Plane compensation_plane_ = Plane::kXY;        ///< Plane of G41 or G42.
-  kerf::KerfCourse kerf_course_{};               ///< Kerf course while the motors follow the kerf.
-  std::uint32_t spline_points_ = kSplinePoints;  ///< Points left in this cycle's budget.
-  motion::OutputChanges with_next_motion_{};
-  std::optional<JogMove> jog_{};  ///< Jog that waits for free space in the planner.
-  Dwell dwell_{};                 ///< Dwell of an action.
-  Dwell restart_dwell_{};         ///< Time until the spindle or the coolant runs again.
-  bool dwelling_ = false;
-  bool pause_seen_ = false;
-  bool step_pause_ = false;  ///< The line is done; single block pauses before the next.
-  bool restarting_ = false;  ///< resume() waits for the spindle.
-  OperatorSwitches switches_{};
-  std::optional<std::uint32_t> tool_wanted_{};
+  ProgramProgress progress_;
+  MachineSetUp set_up_{};
+  MotorEnable motor_enable_;
+  Homing homing_;
+  MemoryGuard memory_{};
+  ActionsInProgress actions_{};
+  CompensatedPath compensated_{};
+  gcode::Interpreter interpreter_{};
   ToolChange tool_change_{};
-  MachineNews news_{};
-  Probing probing_ = Probing::kNo;
-  Probe last_probe_{};
-  bool program_ended_ = false;
-
-  bool seen_suspended_ = false;
-  bool place_is_kept_ = false;  ///< No motor has lost a step since progress_ was noted.
-  Progress progress_{};
-  KeptProgress* kept_progress_;
-  Reentry reentry_{};
-
-  OverridePercent percent_{};
-  hal::TickCount last_poll_{};
-  bool polled_ = false;
+  MotionControl motion_;
+  SideTrip side_;
 };
 
 }  // namespace cnc

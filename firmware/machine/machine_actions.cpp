@@ -20,7 +20,7 @@ bool Machine::run(const Action& action) {
   // G40 itself may take several cycles, while there is no free space for all held motion.
   const bool leads_back = action.kind == ActionKind::kCompensation &&
                           action.compensation.side == gcode::CutterSide::kOn;
-  if (compensator_.beside() && is_path(action) && !leads_back && !leave_path(action)) return false;
+  if (compensated_.beside() && is_path(action) && !leads_back && !leave_path(action)) return false;
   switch (action.kind) {
     case ActionKind::kRapid:
     case ActionKind::kLine:
@@ -68,8 +68,8 @@ bool Machine::standstill() {
 }
 
 UsualTolerance Machine::usual_tolerance() const {
-  return {.path_mm = settings_.get(setting::kJunctionDeviation),
-          .arc_mm = settings_.get(setting::kArcTolerance)};
+  return {.path_mm = settings().get(setting::kJunctionDeviation),
+          .arc_mm = settings().get(setting::kArcTolerance)};
 }
 
 /// Returns the tolerances of the path. Short lines are not welded while rotary axes turn the part
@@ -85,35 +85,35 @@ void Machine::append(const ActionPart& part) {
   path::PathItem item{.request = {.element = part.element,
                                   .feed_mm_s = part.feed_mm_s,
                                   .beam = beam_for(part.feed_mm_s <= 0.0F),
-                                  .outputs = with_next_motion_,
+                                  .outputs = actions_.outputs(),
                                   .line = {modal.line_number, part.index}},
                       .tolerance = tolerance(),
                       .continues = part.continues};
   if (!part.row.empty()) return append_row(item, part.row);
-  if (compensates() || state_.in(Mode::kCheck)) return append_beside(item);
-  if (compensator_.beside()) return drive_apart(item);
-  compensation_.by_kerf = false;  // The exit was the last motion that had to keep by_kerf.
-  if (drive(item)) with_next_motion_ = {};
+  if (compensated_.compensates() || state_.in(Mode::kCheck)) return append_beside(item);
+  if (compensated_.beside()) return drive_apart(item);
+  compensated_.end_exit();  // The exit was the last motion that had to keep by_kerf.
+  if (drive(item)) actions_.forget_outputs();
 }
 
 /// Returns whether a line with several powers becomes one element: the beam works, and no other
 /// part of the machine needs its pixels one by one.
 bool Machine::takes_rows() const {
-  return tool_.mode() != gcode::SpindleMode::kOff && !tool_change_.open() && !compensates() &&
-         !compensator_.beside() && !state_.in(Mode::kCheck) && !reentry_.active() &&
-         !compensation_.by_kerf;
+  return tool_.mode() != gcode::SpindleMode::kOff && !tool_change_.open() &&
+         !compensated_.compensates() && !compensated_.beside() && !state_.in(Mode::kCheck) &&
+         !progress_.reentry().active() && !compensated_.by_kerf();
 }
 
 void Machine::append_row(path::PathItem& item, std::span<const float> speeds) {
   const auto appended = motion_.append_row(item, tool_.powers_of(speeds));
   CNC_ASSERT(appended.ok());  // Holds for the reason given in drive().
-  if (appended.value()) with_next_motion_ = {};
+  if (appended.value()) actions_.forget_outputs();
   tool_.set_speed(speeds.back());
 }
 
 /// Appends an item. Returns whether there is anything to move.
 bool Machine::drive(path::PathItem& item) {
-  if (reentry_.active() && !tool_change_.open()) darken_until_place(item);
+  if (progress_.reentry().active() && !tool_change_.open()) darken_until_place(item);
   const auto appended = motion_.append(item);
   // The interpreter keeps targets within the motors' range, and arcs are divided.
   CNC_ASSERT(appended.ok());
@@ -123,43 +123,35 @@ bool Machine::drive(path::PathItem& item) {
 /// Appends elements of the action while the planner has free space, and computes as many points of
 /// a spline as a cycle allows.
 bool Machine::move(const Action& action) {
-  if (!elements_.active()) {
-    elements_.begin(action,
-                    target(),
-                    spline_tolerance(interpreter_.state().path, usual_tolerance()),
-                    tool_centre_.active() ? tool_centre_.parts_of(target(), action.end) : 1,
-                    takes_rows());
+  ActionElements& elements = actions_.elements();
+  if (!elements.active()) {
+    elements.begin(action,
+                   target(),
+                   spline_tolerance(interpreter_.state().path, usual_tolerance()),
+                   tool_centre_.active() ? tool_centre_.parts_of(target(), action.end) : 1,
+                   takes_rows());
   }
-  while (!elements_.done()) {
-    if (!has_room() || !elements_.work(spline_points_)) return false;
-    const std::size_t pixels = elements_.pixels();
+  while (!elements.done()) {
+    if (!has_room() || !actions_.work()) return false;
+    const std::size_t pixels = elements.pixels();
     if (pixels > 0 && !motion_.takes_row(pixels)) return false;
-    const ActionPart part = elements_.next();
+    const ActionPart part = elements.next();
     if (part.power_s) tool_.set_speed(*part.power_s);
     append(part);
   }
-  elements_.clear();
+  elements.clear();
   return true;
 }
 
-bool Machine::dwell(float seconds) {
-  if (!standstill()) return false;
-  if (!dwelling_) {
-    dwelling_ = true;
-    dwell_.start(seconds);
-  }
-  if (!dwell_.over()) return false;
-  dwelling_ = false;
-  return true;
-}
+bool Machine::dwell(float seconds) { return standstill() && actions_.dwell(seconds); }
 
 /// Runs G4, in which M3 may switch the beam on.
 bool Machine::wait(float seconds) {
-  const bool begins = !dwelling_;
+  const bool begins = !actions_.is_dwelling();
   const bool over = dwell(seconds);
   if (over) {
     rest_light_.end();
-  } else if (begins && dwelling_) {
+  } else if (begins && actions_.is_dwelling()) {
     rest_light_.ask(RestLight::Wish::kDwell);
   }
   return over;
@@ -168,19 +160,18 @@ bool Machine::wait(float seconds) {
 /// Sets the spindle's mode. A spindle that starts or reverses is given its time ($394).
 bool Machine::set_spindle(gcode::SpindleMode mode) {
   if (!standstill()) return false;
-  if (!dwelling_) {
+  if (!actions_.is_dwelling()) {
     const bool same = mode == tool_.mode();
     tool_.set_mode(mode);
     rest_light_.renew();
     if (mode == gcode::SpindleMode::kConstant) rest_light_.ask(RestLight::Wish::kDot);
     if (same || !tool_turns()) return true;
   }
-  return dwell(settings_.get(setting::kSpindleOnDelay));
+  return dwell(settings().get(setting::kSpindleOnDelay));
 }
 
 bool Machine::switch_output(const gcode::OutputChange& change) {
   const std::uint16_t level = to_full_scale(change.value);
-  const auto bit = static_cast<std::uint8_t>(1U << change.number);
   if (!change.with_motion) {
     if (change.analog) {
       outputs_.set_analog_output(change.number, level);
@@ -189,53 +180,47 @@ bool Machine::switch_output(const gcode::OutputChange& change) {
     }
     return true;
   }
-  motion::OutputChanges& next = with_next_motion_;
-  if (!change.analog) {
-    next.raise = static_cast<std::uint8_t>(level != 0 ? next.raise | bit : next.raise & ~bit);
-    next.lower = static_cast<std::uint8_t>(level != 0 ? next.lower & ~bit : next.lower | bit);
-    return true;
-  }
   // One analog change fits into a block; a second channel waits for standstill.
-  const bool taken = next.analog_channel != motion::OutputChanges::kNoAnalog &&
-                     next.analog_channel != change.number;
-  if (taken && !standstill()) return false;
-  if (taken) outputs_.set_analog_output(next.analog_channel, next.analog_value);
-  next.analog_channel = change.number;
-  next.analog_value = level;
+  if (change.analog && actions_.changes_other_analog(change.number)) {
+    if (!standstill()) return false;
+    const motion::OutputChanges& next = actions_.outputs();
+    outputs_.set_analog_output(next.analog_channel, next.analog_value);
+  }
+  actions_.add_output(change, level);
   return true;
 }
 
 /// Pauses when all earlier motion is done. Returns true after the operator has resumed.
 bool Machine::pause() {
   if (!standstill()) return false;
-  if (!pause_seen_) {
-    pause_seen_ = true;
+  if (!actions_.is_paused()) {
+    actions_.pause();
     static_cast<void>(state_.take(Event::kHold));
   }
   if (!state_.in(Mode::kFree)) return false;
-  pause_seen_ = false;
+  actions_.end_pause();
   return true;
 }
 
 /// Waits, with tool and coolant off, for the operator to change the tool. $341 may say that there
 /// is no operator.
 bool Machine::change_tool(std::uint32_t tool) {
-  if (settings_.get(setting::kToolChange) != 0.0F) return true;
+  if (settings().get(setting::kToolChange) != 0.0F) return true;
   if (!standstill()) return false;
-  if (!pause_seen_) {
+  if (!actions_.is_paused()) {
     if (!state_.take(Event::kTool)) return false;  // In a hold the change waits for its end.
-    pause_seen_ = true;
-    tool_wanted_ = tool;
+    actions_.pause();
+    tool_change_.want(tool);
     tool_.suspend(true);
   }
   if (!state_.in(Mode::kFree)) return false;
-  pause_seen_ = false;
+  actions_.end_pause();
   return true;
 }
 
 bool Machine::end_program() {
   if (!standstill()) return false;
-  if (reentry_.active()) {
+  if (progress_.reentry().active()) {
     stop_for(Alarm::kPlaceNotMet);
     return true;
   }
@@ -244,9 +229,9 @@ bool Machine::end_program() {
   set_overrides({});
   tool_.off();
   coolant_.reset();
-  forget_progress();
+  progress_.forget();
   rest_light_.forget_program();
-  program_ended_ = true;
+  actions_.note_end(true);
   news_.program_ended.raise();
   return true;
 }

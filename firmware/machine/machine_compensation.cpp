@@ -1,5 +1,4 @@
 #include "firmware/machine/machine.hpp"
-#include "planner/base/contract.hpp"
 #include "planner/gcode/kerf_condition.hpp"
 
 /// Compensated motion: elements go through the compensator before they are planned.
@@ -7,32 +6,27 @@ namespace cnc {
 
 using gcode::CutterSide;
 
-/// Returns whether compensation is active, from G41 or G42 until all motion up to G40 is planned.
-bool Machine::compensates() const {
-  return compensation_.side != CutterSide::kOn || compensator_.active();
-}
-
 /// Returns whether there is free space for another element of the programmed path.
 bool Machine::has_room() {
   if (!drive_rest()) return false;
-  if (!compensates()) return state_.in(Mode::kCheck) || motion_.has_room();
+  if (!compensated_.compensates()) return state_.in(Mode::kCheck) || motion_.has_room();
   if (news_.path_fault) return false;  // The rest of the line is dropped with all held motion.
   give_out();
-  if (!compensator_.active()) return state_.in(Mode::kCheck) || motion_.has_room();
-  return compensator_.has_room();
+  if (!compensated_.active()) return state_.in(Mode::kCheck) || motion_.has_room();
+  return compensated_.has_room();
 }
 
 bool Machine::waits_for_g40() const {
-  return compensator_.active() && waiting_.empty() && compensator_.has_room();
+  return compensated_.active() && actions_.empty() && compensated_.has_room();
 }
 
 /// Returns the end of the programmed path.
 const Position& Machine::target() const {
-  const bool apart = compensator_.active() || compensator_.beside() || state_.in(Mode::kCheck);
-  return apart ? compensator_.programmed() : motion_.target();
+  const bool apart = compensated_.active() || compensated_.beside() || state_.in(Mode::kCheck);
+  return apart ? compensated_.programmed() : motion_.target();
 }
 
-bool Machine::follows_kerf() const { return settings_.get(setting::kKerfControl) != 0.0F; }
+bool Machine::follows_kerf() const { return settings().get(setting::kKerfControl) != 0.0F; }
 
 /// Sets whether the motors follow the kerf from here on. Returns false while that must wait for
 /// standstill.
@@ -43,10 +37,9 @@ bool Machine::set_kerf_control(const gcode::CutterCompensation& wanted) {
   motion_.follow_kerf(nullptr);
   if (!follows) return true;
   const gcode::ModalState& modal = interpreter_.state();
-  const auto refusal =
-      kerf_course_.begin(kerf_.view, gcode::kerf_condition(modal, interpreter_.options()));
-  CNC_ASSERT(!refusal);  // A refusal was excluded when the line was read.
-  motion_.follow_kerf(&kerf_course_);
+  // The table has a kerf for the condition, because the line was read.
+  motion_.follow_kerf(
+      &compensated_.course_from(gcode::kerf_condition(modal, interpreter_.options())));
   return true;
 }
 
@@ -56,7 +49,7 @@ bool Machine::set_kerf_control(const gcode::CutterCompensation& wanted) {
 motion::BeamCommand Machine::beam_for(bool rapid) const {
   if (tool_change_.open()) return {};  // The output of a spindle is off, too.
   motion::BeamCommand beam = tool_.command_for(rapid);
-  if (!rapid && compensation_.by_kerf && !follows_kerf()) beam.follows_speed = true;
+  if (!rapid && compensated_.by_kerf() && !follows_kerf()) beam.follows_speed = true;
   return beam;
 }
 
@@ -65,20 +58,19 @@ bool Machine::set_compensation(const gcode::Action& action) {
     // With a width of 0 (D0 without a tool) the path is the programmed one.
     if (action.compensation.width_mm <= 0.0F) return true;
     if (!set_kerf_control(action.compensation)) return false;
-    compensation_ = action.compensation;
-    compensation_plane_ = action.plane;
+    compensated_.set(action.compensation, action.plane);
     return true;
   }
-  compensation_.side = CutterSide::kOn;
+  compensated_.cancel();
   give_out();
-  if (!compensator_.active()) return true;
-  if (!compensator_.has_room()) return false;
-  if (const auto fault = compensator_.end()) {
+  if (!compensated_.active()) return true;
+  if (!compensated_.has_room()) return false;
+  if (const auto fault = compensated_.end()) {
     refuse_path(*fault);
     return false;
   }
   give_out();
-  return !compensator_.active();
+  return !compensated_.active();
 }
 
 /// Drives the exit. The first motion after G40 in the plane leads from the compensated path to its
@@ -93,15 +85,13 @@ bool Machine::leave_path(const gcode::Action& action) {
   };
   const bool rapid = action.kind == gcode::ActionKind::kRapid;
   if (!rapid && action.kind != gcode::ActionKind::kLine) {
-    return refuse(compensator_.refuse_to_leave());
+    return refuse(compensated_.refuse_to_leave());
   }
-  const PathElement way{.start = compensator_.programmed(), .end = action.end};
-  const bool stays = way.start != way.end && !compensation::moves_in(compensator_.plane(), way);
-  if (stays) return true;
+  if (compensated_.stays_beside(action.end)) return true;
   if (!drive_rest() || !(state_.in(Mode::kCheck) || motion_.has_room())) return false;
-  if (const auto fault = compensator_.leave(action.end, rapid)) return refuse(*fault);
+  if (const auto fault = compensated_.leave(action.end, rapid)) return refuse(*fault);
   path::PathItem turn;
-  const bool turns = compensator_.take(turn) && !state_.in(Mode::kCheck);
+  const bool turns = compensated_.take(turn) && !state_.in(Mode::kCheck);
   if (turns) static_cast<void>(drive(turn));
   return true;
 }
@@ -111,33 +101,18 @@ bool Machine::leave_path(const gcode::Action& action) {
 void Machine::append_beside(path::PathItem& item) {
   const PathElement& element = item.request.element;
   if (element.start == element.end) return;
-  const bool wanted = compensation_.side != CutterSide::kOn;
-  if (wanted && !compensator_.active()) {
-    // The entry moves in the plane. Other axes may move before it.
-    if (!compensation::moves_in(compensation_plane_, element)) return drive_apart(item);
-    const bool left = compensation_.side == CutterSide::kLeft;
-    const float offset_mm = 0.5F * compensation_.width_mm;
-    compensator_.begin(element.start, compensation_plane_, left ? -offset_mm : offset_mm);
-  }
-  if (!compensator_.active()) return compensator_.stand_at(element.end);
-  with_next_motion_ = {};
+  if (!compensated_.begin_with(element)) return drive_apart(item);
+  if (!compensated_.active()) return compensated_.stand_at(element.end);
+  actions_.forget_outputs();
   // The element is passed on when free space for the next is checked, or in the next cycle.
-  if (const auto fault = compensator_.put(item)) refuse_path(*fault);
+  if (const auto fault = compensated_.put(item)) refuse_path(*fault);
 }
 
 /// Drives an item without an offset. While the machine is off the programmed path, only axes
 /// outside the plane move.
 void Machine::drive_apart(path::PathItem& item) {
-  PathElement& element = item.request.element;
-  const Position end = element.end;
-  if (compensator_.beside()) {
-    const PlaneAxes axes = axes_of(compensator_.plane());
-    for (const std::size_t axis : {axes.first, axes.second}) {
-      element.start[axis] = element.end[axis] = compensator_.driven()[axis];
-    }
-  }
-  compensator_.stand_at(end);
-  if (!state_.in(Mode::kCheck) && drive(item)) with_next_motion_ = {};
+  compensated_.move_apart(item.request.element);
+  if (!state_.in(Mode::kCheck) && drive(item)) actions_.forget_outputs();
 }
 
 /// Takes elements from the compensator and plans them while there is free space; drops them in
@@ -145,8 +120,8 @@ void Machine::drive_apart(path::PathItem& item) {
 void Machine::give_out() {
   path::PathItem item;
   const auto room = [this] { return drive_rest() && motion_.has_room(); };
-  while (compensator_.active() && (state_.in(Mode::kCheck) || room())) {
-    if (!compensator_.take(item)) return;
+  while (compensated_.active() && (state_.in(Mode::kCheck) || room())) {
+    if (!compensated_.take(item)) return;
     if (state_.in(Mode::kCheck)) continue;
     if (!travel_.holds(item.request.element.end)) return stop_for(Alarm::kSoftLimit);
     static_cast<void>(drive(item));
@@ -164,9 +139,9 @@ void Machine::refuse_path(const compensation::Fault& fault) {
 /// Forgets an exit that is not driven: the machine continues from its position, not from the end of
 /// the programmed path.
 void Machine::forget_exit() {
-  if (!compensator_.beside()) return;
+  if (!compensated_.beside()) return;
   interpreter_.set_position(motion_.target());
-  compensator_.clear();
+  compensated_.clear();
 }
 
 }  // namespace cnc

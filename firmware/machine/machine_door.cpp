@@ -12,8 +12,7 @@ void Machine::safety_door() {
   const bool reopened = state_.in(Mode::kDoor) && door_.is_on_way_back();
   if (!reopened && !state_.take(Event::kDoor)) return;
   if (!reopened) door_.come_back();
-  restarting_ = false;
-  restart_dwell_.cancel();
+  resumption_.cancel();
   door_.open(jogging);
   motion_.halt();
   side_.halt();
@@ -31,7 +30,7 @@ bool Machine::door_stops_jog() const {
 /// Runs the stages of the door. Each waits for its motion or its time, and then begins the next.
 void Machine::attend_door() {
   if (door_.stage() == DoorStage::kStopped) return;
-  if (!at_rest() || !side_.at_rest() || !restart_dwell_.over()) return;
+  if (!motion_.at_rest() || !side_.at_rest() || !resumption_.over()) return;
   switch (door_.stage()) {
     case DoorStage::kStopping:
       if (door_.ends_jog()) drop_jog();
@@ -71,7 +70,7 @@ void Machine::end_door() {
 void Machine::find_gap() {
   if (!gap_.opens()) return;
   gap_.find();
-  if (gap_.any()) place_progress(gap_.place());
+  if (gap_.any()) progress_.note(gap_.place());
 }
 
 /// Moves the parking axis out of the work while the spindle still turns.
@@ -81,12 +80,12 @@ void Machine::pull_out() {
   find_gap();
   if (door_.is_away() || !parks()) return;
   const std::size_t axis = parking_axis();
-  const Coordinate here = limits_.scale[axis].place_of(side_.place()[axis].nearest_step());
-  const Coordinate target = from_mm(settings_.get(setting::kParkingTarget));
+  const Coordinate here = set_up_.limits().scale[axis].place_of(side_.place()[axis].nearest_step());
+  const Coordinate target = from_mm(settings().get(setting::kParkingTarget));
   if (here >= target) return;
-  const Coordinate out = here + from_mm(settings_.get(setting::kParkingPullOut));
-  const auto pulled_out = limits_.scale[axis].steps_at(out < target ? out : target);
-  const auto parked = limits_.scale[axis].steps_at(target);
+  const Coordinate out = here + from_mm(settings().get(setting::kParkingPullOut));
+  const auto pulled_out = set_up_.limits().scale[axis].steps_at(out < target ? out : target);
+  const auto parked = set_up_.limits().scale[axis].steps_at(target);
   if (!pulled_out || !parked) return;
   door_.leave({.from = side_.place()[axis], .pulled_out = *pulled_out, .parked = *parked});
   trip_to(*pulled_out, setting::kParkingPullOutRate, tool_.command_for(true));
@@ -110,29 +109,29 @@ void Machine::resume_from_door() {
 void Machine::restore_spindle() {
   door_.go_to(DoorStage::kSpindle);
   tool_.suspend(false);
-  if (tool_turns()) restart_dwell_.start(settings_.get(setting::kSpindleRestoreDelay));
+  if (tool_turns()) resumption_.wait(settings().get(setting::kSpindleRestoreDelay));
 }
 
 void Machine::restore_coolant() {
   door_.go_to(DoorStage::kCoolant);
   coolant_.suspend(false);
   if (coolant_.wanted() == gcode::Coolant{}) return;
-  restart_dwell_.start(settings_.get(setting::kCoolantRestoreDelay));
+  resumption_.wait(settings().get(setting::kCoolantRestoreDelay));
 }
 
 std::size_t Machine::parking_axis() const {
-  return static_cast<std::size_t>(settings_.get(setting::kParkingAxis));
+  return static_cast<std::size_t>(settings().get(setting::kParkingAxis));
 }
 
 /// Returns whether the parking axis moves: its position must be known, and the tool must not be a
 /// laser, whose beam needs no way out of the work.
 bool Machine::parks() const {
-  const bool known = (homed_ >> parking_axis() & 1U) != 0;
-  return settings_.get(setting::kParking) != 0.0F && known && !tool_.is_laser();
+  const bool known = (homed() >> parking_axis() & 1U) != 0;
+  return settings().get(setting::kParking) != 0.0F && known && !tool_.is_laser();
 }
 
 void Machine::trip_to(StepPosition place, std::uint16_t rate, const motion::BeamCommand& beam) {
-  side_.go(parking_axis(), place, settings_.get(rate) / kSecondsPerMinute, beam);
+  side_.go(parking_axis(), place, settings().get(rate) / kSecondsPerMinute, beam);
 }
 
 }  // namespace cnc

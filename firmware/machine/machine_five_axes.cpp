@@ -5,7 +5,7 @@ namespace cnc {
 /// Returns G43.4 with the present tool length if the mode is set; otherwise an inactive one.
 kinematics::ToolCentre Machine::wanted_tool_centre() const {
   if (!kinematics::kHasFiveAxes || !interpreter_.state().tool_centre) return {};
-  return {rotary_machine_from(settings_), interpreter_.shift().tool_length};
+  return {rotary_machine_from(settings()), interpreter_.shift().tool_length};
 }
 
 /// Begins or ends G43.4. The axes do not move; the programmed position changes its meaning.
@@ -37,7 +37,7 @@ void Machine::judge_tool_centre() {
 /// @pre no action is being driven
 bool Machine::leaves_travel(gcode::Actions actions, const Position& from) {
   if (!tool_centre_.active()) return travel_.left_by(actions, from);
-  return travel_.left_by(actions, from, {tool_centre_, limits_}, elements_);
+  return travel_.left_by(actions, from, {tool_centre_, set_up_.limits()}, actions_.elements());
 }
 
 }  // namespace cnc

@@ -4,21 +4,21 @@ namespace cnc {
 
 HomingRefusal Machine::why_not_home(std::uint8_t axes) const {
   using enum HomingRefusal;
-  if (!has_homing_option(settings_, homing_option::kEnabled)) return kSwitchedOff;
-  if (axes != 0 && !has_homing_option(settings_, homing_option::kSingleAxis)) return kAllAxesOnly;
+  if (!has_homing_option(settings(), homing_option::kEnabled)) return kSwitchedOff;
+  if (axes != 0 && !has_homing_option(settings(), homing_option::kSingleAxis)) return kAllAxesOnly;
   if (inputs().door) return kDoorOpen;
   if (inputs().emergency_stop) return kEmergencyStop;
-  const bool fit = state_.allows(Event::kHome) && idle() && !busy() && !needs_reset_;
+  const bool fit = state_.allows(Event::kHome) && idle() && !busy() && !alarm_.needs_reset();
   return fit ? kNone : kNotNow;
 }
 
 void Machine::home(std::uint8_t axes) {
   CNC_ASSERT(why_not_home(axes) == HomingRefusal::kNone);
   static_cast<void>(state_.take(Event::kHome));
-  alarm_ = Alarm::kNone;
+  alarm_.end();
   forget_exit();
   end_tool_centre();
-  set_homed(axes == 0 ? std::uint8_t{0} : static_cast<std::uint8_t>(homed_ & ~axes));
+  set_homed(axes == 0 ? std::uint8_t{0} : static_cast<std::uint8_t>(homed() & ~axes));
   homing_.start(axes, tool_.command_for(true));
 }
 
@@ -36,7 +36,7 @@ void Machine::attend_homing(std::int32_t elapsed_us) {
     case kDone:
       break;
   }
-  set_homed(static_cast<std::uint8_t>(homed_ | homing_.found()));
+  set_homed(static_cast<std::uint8_t>(homed() | homing_.found()));
   interpreter_.set_position(motion_.target());
   static_cast<void>(state_.take(Event::kOver));
 }

@@ -10,7 +10,7 @@ void Machine::attend_inputs() {
   if (now.emergency_stop && !before.emergency_stop) return emergency_stop();
   const bool limit_closed =
       closed(before.limits, now.limits) || closed(before.second_limits, now.second_limits);
-  if (limit_closed && settings_.get(setting::kHardLimits) != 0.0F) hit_limit();
+  if (limit_closed && settings().get(setting::kHardLimits) != 0.0F) hit_limit();
   if (now.reset && !before.reset) {
     news_.reset_pressed.raise();
     return reset();

@@ -22,7 +22,7 @@ std::optional<JogRefusal> Machine::jog(std::string_view words) {
   Position end = action.end;
   if (leaves_travel(actions.value(), here)) {
     // If rotary axes move the tip, there is no nearest position for each axis.
-    if (settings_.get(setting::kJogLimited) == 0.0F || tool_centre_.active()) {
+    if (settings().get(setting::kJogLimited) == 0.0F || tool_centre_.active()) {
       interpreter_.set_position(here);
       return JogRefusal{.number = kBeyondTravel};
     }
@@ -54,7 +54,7 @@ void Machine::drive_straight(const Position& end, float feed_mm_s, std::uint32_t
 
 void Machine::attend_jog() {
   if (state_.in(Mode::kJogEnding)) {
-    if (!at_rest()) return;
+    if (!motion_.at_rest()) return;
     drop_jog();
   } else {
     if (jog_ && motion_.has_room()) return append_jog();
@@ -64,7 +64,7 @@ void Machine::attend_jog() {
 }
 
 /// Drops the rest of a cancelled jog.
-/// @pre at_rest()
+/// @pre motion_.at_rest()
 void Machine::drop_jog() {
   jog_.reset();
   motion_.drop_rest();

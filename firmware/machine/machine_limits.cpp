@@ -5,7 +5,7 @@ namespace cnc {
 /// Stops for a line that would leave the travel or damage the part. The line moves nothing, earlier
 /// motion is held, and the alarm follows at rest, with the position known.
 void Machine::stop_for(Alarm alarm) {
-  stopping_for_ = alarm;
+  alarm_.stop_for(alarm);
   static_cast<void>(state_.take(Event::kHold));
   motion_.halt();
 }
@@ -17,13 +17,13 @@ void Machine::judge(gcode::Actions actions, const Position& from) {
     if (action.kind == gcode::ActionKind::kToolCentre) judge_tool_centre();
     if (action.kind != gcode::ActionKind::kEnd) continue;
     if (tool_centre_.active()) judge_tool_centre();
-    program_ended_ = true;
+    actions_.note_end(true);
     news_.program_ended.raise();
   }
-  const bool beside = compensates() || compensator_.beside();
+  const bool beside = compensated_.compensates() || compensated_.beside();
   if (!beside && interpreter_.state().compensation.side == gcode::CutterSide::kOn) return;
-  if (!beside) compensator_.stand_at(from);
-  waiting_ = actions;
+  if (!beside) compensated_.stand_at(from);
+  actions_.begin(actions, false);
 }
 
 /// Raises the alarm of a limit switch. While homing, switches are sought; in an alarm or asleep
@@ -35,9 +35,8 @@ void Machine::hit_limit() {
 
 /// Sets the axes whose position is known.
 void Machine::set_homed(std::uint8_t axes) {
-  homed_ = axes;
-  if (axes == 0) place_is_kept_ = false;
-  travel_.configure(settings_, homed_);
+  if (axes == 0) progress_.lose_place();
+  travel_.set_homed(axes, settings());
 }
 
 }  // namespace cnc

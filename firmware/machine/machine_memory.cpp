@@ -5,9 +5,7 @@ namespace cnc {
 /// Selects the memory to watch. Each change of the positions makes them trusted again. Memory that
 /// follows from settings is trusted again after a check of its old content.
 void Machine::watch_memory() {
-  memory_.watch_settings_in(settings_);
-  memory_.watch_settings_in(power_table_);
-  memory_.watch_settings_in(limits_);
+  memory_.watch_settings_in(set_up_);
   memory_.watch_settings_in(interpreter_.options());
   memory_.watch_settings_in(tool_.settings());
   memory_.watch_settings_in(rest_light_.allowance());

@@ -1,12 +1,10 @@
-#include <algorithm>
-
 #include "firmware/machine/machine.hpp"
 
 namespace cnc {
 
 void Machine::feed_hold() {
   if (tool_change_.open()) return stop_in_tool_change();
-  if (restarting_) cancel_restart();
+  if (resumption_.pending()) cancel_restart();
   if (state_.take(Event::kHold)) motion_.halt();
 }
 
@@ -25,27 +23,26 @@ void Machine::jog_cancel() {
 void Machine::resume() {
   if (state_.in(Mode::kDoor)) return resume_from_door();
   if (!state_.in(Mode::kHold) && !state_.in(Mode::kTool)) return;
-  if (stopping_for_ != Alarm::kNone || inputs().door || restarting_) return;
+  if (alarm_.stops() || inputs().door || resumption_.pending()) return;
   if (tool_change_.open()) return tool_change_.end();
-  restarting_ = true;
+  resumption_.begin();
   if (tool_.suspended()) {
     tool_.suspend(false);
-    if (tool_turns()) restart_dwell_.start(settings_.get(setting::kSpindleRestoreDelay));
+    if (tool_turns()) resumption_.wait(settings().get(setting::kSpindleRestoreDelay));
   }
-  if (restart_dwell_.over()) restart();
+  if (resumption_.over()) restart();
 }
 
 void Machine::restart() {
-  restarting_ = false;
-  tool_wanted_.reset();
+  resumption_.end();
+  tool_change_.forget_wanted();
   static_cast<void>(state_.take(Event::kResume));
-  if (probing_ != Probing::kStopping) motion_.go_on();
+  if (probing_.phase() != ProbeCycle::Phase::kStopping) motion_.go_on();
 }
 
 /// Cancels a resumption, because a hold came again before the spindle was up to speed.
 void Machine::cancel_restart() {
-  restarting_ = false;
-  restart_dwell_.cancel();
+  resumption_.cancel();
   tool_.suspend(true);
 }
 
@@ -54,27 +51,16 @@ bool Machine::tool_turns() const {
   return tool_.mode() != gcode::SpindleMode::kOff && !tool_.is_laser();
 }
 
-std::optional<std::uint32_t> Machine::pending_tool() const { return tool_wanted_; }
-
 void Machine::toggle_spindle_stop() {
-  if (!state_.in(Mode::kHold) || restarting_ || !at_rest()) return;
+  if (!state_.in(Mode::kHold) || resumption_.pending() || !motion_.at_rest()) return;
   tool_.suspend(!tool_.suspended());
 }
 
-void Machine::toggle_flood() {
-  gcode::Coolant wanted = coolant_.wanted();
-  wanted.flood = !wanted.flood;
-  switch_coolant_by_hand(wanted);
-}
-
-void Machine::toggle_mist() {
-  gcode::Coolant wanted = coolant_.wanted();
-  wanted.mist = !wanted.mist;
-  switch_coolant_by_hand(wanted);
-}
-
-void Machine::switch_coolant_by_hand(gcode::Coolant wanted) {
+void Machine::toggle_coolant(gcode::Coolant which) {
   if (!state_.in(Mode::kFree) && !state_.in(Mode::kHold)) return;
+  gcode::Coolant wanted = coolant_.wanted();
+  wanted.mist = wanted.mist != which.mist;
+  wanted.flood = wanted.flood != which.flood;
   coolant_.set(wanted);
   interpreter_.set_coolant(wanted);
 }
@@ -83,21 +69,20 @@ bool Machine::toggle_block_delete() {
   memory_.check_settings();
   switches_.block_delete_turned = !switches_.block_delete_turned;
   apply_settings();
-  return block_delete();
+  return interpreter_.options().block_delete;
 }
 
 void Machine::set_overrides(const OverridePercent& percent) {
-  percent_ = {.feed = std::clamp(percent.feed, 10, 200),
-              .rapid = std::clamp(percent.rapid, 5, 100),
-              .power = std::clamp(percent.power, 10, 200)};
-  motion_.set_overrides({.feed = 0.01F * static_cast<float>(percent_.feed),
-                         .rapid = 0.01F * static_cast<float>(percent_.rapid),
-                         .power = 0.01F * static_cast<float>(percent_.power)});
-  tool_.set_override(0.01F * static_cast<float>(percent_.power));
+  switches_.set_overrides(percent);
+  const OverridePercent& set = switches_.overrides;
+  motion_.set_overrides({.feed = 0.01F * static_cast<float>(set.feed),
+                         .rapid = 0.01F * static_cast<float>(set.rapid),
+                         .power = 0.01F * static_cast<float>(set.power)});
+  tool_.set_override(0.01F * static_cast<float>(set.power));
 }
 
 bool Machine::sleep() {
-  if (!idle() || cutting_off_ || !state_.take(Event::kSleep)) return false;
+  if (!idle() || alarm_.cuts_off() || !state_.take(Event::kSleep)) return false;
   tool_.off();
   coolant_.reset();
   return true;
@@ -108,13 +93,13 @@ bool Machine::toggle_check_mode() {
     reset();
     return true;
   }
-  return idle() && !cutting_off_ && state_.take(Event::kCheck);
+  return idle() && !alarm_.cuts_off() && state_.take(Event::kCheck);
 }
 
 bool Machine::unlock() {
-  if (needs_reset_ || inputs().door || inputs().emergency_stop) return false;
+  if (alarm_.needs_reset() || inputs().door || inputs().emergency_stop) return false;
   if (!state_.take(Event::kUnlock)) return false;
-  alarm_ = Alarm::kNone;
+  alarm_.end();
   return true;
 }
 

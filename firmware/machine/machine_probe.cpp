@@ -7,8 +7,9 @@ using gcode::Action;
 /// Runs a probe: moves straight towards the target until the probe input changes, then brakes
 /// within the limits. The rest of the motion is dropped.
 bool Machine::probe(const Action& action) {
-  switch (probing_) {
-    case Probing::kNo:
+  using enum ProbeCycle::Phase;
+  switch (probing_.phase()) {
+    case kNone:
       if (!standstill()) return false;
       if (drive_.probe_contact() == action.probe.towards_contact) {
         end_probe(motion_.target(), false);
@@ -17,17 +18,17 @@ bool Machine::probe(const Action& action) {
       drive_.arm_probe(action.probe.towards_contact);
       append({.element = {.start = motion_.target(), .end = action.end}, .feed_mm_s = action.feed});
       motion_.flush();
-      probing_ = Probing::kMoving;
+      probing_.go_to(kMoving);
       return false;
-    case Probing::kMoving:
+    case kMoving:
       if (drive_.probe_hit()) {
         motion_.halt();
-        probing_ = Probing::kStopping;
+        probing_.go_to(kStopping);
         return false;
       }
       return motion_.drained() && finish_probe(action);
-    case Probing::kStopping:
-      return (motion_.halted() || motion_.drained()) && finish_probe(action);
+    case kStopping:
+      return motion_.at_rest() && finish_probe(action);
   }
   return true;
 }
@@ -45,7 +46,6 @@ bool Machine::fail_probe(Alarm alarm) {
 }
 
 bool Machine::finish_probe(const Action& action) {
-  probing_ = Probing::kNo;
   drive_.disarm_probe();
   if (!drive_.probe_hit()) {
     end_probe(motion_.target(), false);
@@ -63,7 +63,7 @@ bool Machine::finish_probe(const Action& action) {
 }
 
 void Machine::end_probe(const Position& place, bool success) {
-  last_probe_ = {.place = place, .success = success};
+  probing_.end({.place = place, .success = success});
   news_.probe_ended.raise();
 }
 

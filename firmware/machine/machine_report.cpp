@@ -1,12 +1,12 @@
 #include "firmware/machine/machine.hpp"
-#include "planner/base/units.hpp"
 
 namespace cnc {
 
 MachineStatus Machine::status() const {
   switch (state_.mode()) {
     case Mode::kFree:
-      return {.state = idle() && !step_pause_ ? MachineState::kIdle : MachineState::kRun};
+      return {.state =
+                  idle() && !actions_.pauses_after() ? MachineState::kIdle : MachineState::kRun};
     case Mode::kJog:
     case Mode::kJogEnding:
       return {.state = MachineState::kJog};
@@ -16,7 +16,7 @@ MachineStatus Machine::status() const {
       return {.state = MachineState::kCheck};
     case Mode::kHold:
       return {.state = MachineState::kHold,
-              .substate = at_rest() ? std::uint8_t{0} : std::uint8_t{1}};
+              .substate = motion_.at_rest() ? std::uint8_t{0} : std::uint8_t{1}};
     case Mode::kDoor:
       return {.state = MachineState::kDoor, .substate = door_.substate(inputs().door)};
     case Mode::kTool:
@@ -29,15 +29,13 @@ MachineStatus Machine::status() const {
   return {};
 }
 
-float Machine::feed_now_mm_min() const { return kSecondsPerMinute * motion_.speed(); }
-
 bool Machine::tool_runs() const {
-  return spindle() != gcode::SpindleMode::kOff && (!tool_.is_laser() || rest_light_.lit());
+  return tool_.mode_now() != gcode::SpindleMode::kOff && (!tool_.is_laser() || rest_light_.lit());
 }
 
 float Machine::spindle_now() const {
   const float duty = static_cast<float>(drive_.power()) / motion::kFullOutput;
-  return limits_.beam.table.share_of(duty) * tool_.max_speed();
+  return set_up_.limits().beam.table.share_of(duty) * tool_.max_speed();
 }
 
 }  // namespace cnc

@@ -8,10 +8,10 @@ void Machine::reset() {
   const bool slept = state_.in(Mode::kSleep);
   if (homing) {
     raise_alarm(Alarm::kHomingReset);
-  } else if (drive_.running() && !cutting_off_) {
+  } else if (drive_.running() && !alarm_.cuts_off()) {
     raise_alarm(Alarm::kAbortInMotion);
   }
-  needs_reset_ = inputs().emergency_stop;
+  alarm_.set_needs_reset(inputs().emergency_stop);
   if (slept) set_homed(0);  // Without current the motors may have been turned.
   set_overrides({});
   cut_off();
@@ -19,44 +19,35 @@ void Machine::reset() {
 
 void Machine::emergency_stop() {
   raise_alarm(Alarm::kEmergencyStop);
-  needs_reset_ = true;
+  alarm_.set_needs_reset(true);
 }
 
 void Machine::raise_alarm(Alarm alarm) {
   if (drive_.running() || alarm == Alarm::kStarved) set_homed(0);
   if (!state_.take(Event::kAlarm)) return;
-  if (state_.in(Mode::kAlarm)) alarm_ = alarm;
-  needs_reset_ = needs_reset_ || alarm == Alarm::kHardLimit || alarm == Alarm::kSoftLimit ||
-                 alarm == Alarm::kCompensation || alarm == Alarm::kStoreDamaged;
+  if (state_.in(Mode::kAlarm)) alarm_.set(alarm);
+  alarm_.require_reset_for(alarm);
   cut_off();
 }
 
 /// Switches beam or spindle off at once; the motors stop within one interrupt. The rest of the work
 /// is dropped in a later cycle, when the motors have stopped.
 void Machine::cut_off() {
-  cutting_off_ = true;
+  alarm_.cut_off();
   tool_.off();
   drive_.abort();
 }
 
 void Machine::drop_everything() {
-  cutting_off_ = false;
+  alarm_.drop();
   if (tool_change_.open()) close_tool_change();
   news_.line_failed.drop();
-  waiting_ = {};
-  elements_.clear();
+  actions_.clear();
   jog_.reset();
-  with_next_motion_ = {};
-  dwelling_ = false;
-  dwell_.cancel();
-  restart_dwell_.cancel();
-  pause_seen_ = false;
-  step_pause_ = false;
-  restarting_ = false;
-  stopping_for_ = Alarm::kNone;
-  tool_wanted_.reset();
-  probing_ = Probing::kNo;
-  reentry_.cancel();
+  resumption_.cancel();
+  tool_change_.forget_wanted();
+  probing_.cancel();
+  progress_.reentry().cancel();
   gap_.leave();
   drive_.disarm_probe();
   homing_.cancel();
@@ -68,8 +59,7 @@ void Machine::drop_everything() {
   motion_.set_tool_centre(tool_centre_);
   motion_.go_on();
   side_.begin(motion_.motor_place());
-  compensation_ = {};
-  compensator_.clear();
+  compensated_.reset();
   interpreter_.reset();
   interpreter_.set_position(motion_.target());
   static_cast<void>(state_.take(Event::kReset));
@@ -78,11 +68,11 @@ void Machine::drop_everything() {
 
 /// Raises the alarm by which $22 requires a homing cycle before any other motion.
 void Machine::lock_until_homed() {
-  const bool required = has_homing_option(settings_, homing_option::kEnabled) &&
-                        has_homing_option(settings_, homing_option::kRequired);
-  if (!required || homed_ != 0 || !state_.in(Mode::kFree)) return;
+  const bool required = has_homing_option(settings(), homing_option::kEnabled) &&
+                        has_homing_option(settings(), homing_option::kRequired);
+  if (!required || homed() != 0 || !state_.in(Mode::kFree)) return;
   static_cast<void>(state_.take(Event::kAlarm));
-  alarm_ = Alarm::kHomingRequired;
+  alarm_.set(Alarm::kHomingRequired);
 }
 
 }  // namespace cnc

@@ -7,22 +7,22 @@ Result<float, SettingError> Machine::change_setting(std::uint16_t number, float 
   memory_.check_settings();
   const bool other_scale =
       number >= setting::kStepsPerMm && number < setting::kStepsPerMm + kAxisCount;
-  const float before = other_scale ? settings_.get(number) : 0.0F;
+  const float before = other_scale ? settings().get(number) : 0.0F;
   const bool is_rotary = number >= setting::kRotaryAxes && number <= setting::kMaxTilt;
   if (tool_centre_.active() && (is_rotary || other_scale)) return SettingError::kInUse;
-  const auto stored = settings_.set(number, value);
+  const auto stored = set_up_.set(number, value);
   if (!stored.ok()) return stored;
   if (number == setting::kBlockDelete) switches_.block_delete_turned = false;
   if (other_scale && !place_fits()) {
-    static_cast<void>(settings_.set(number, before));
+    static_cast<void>(set_up_.set(number, before));
     return SettingError::kPlaceLost;
   }
   apply_settings();
   if (other_scale) {
     // The motors do not move, but their steps now mean another position.
     const std::size_t axis = number - setting::kStepsPerMm;
-    set_homed(static_cast<std::uint8_t>(homed_ & ~(1U << axis)));
-    forget_progress();
+    set_homed(static_cast<std::uint8_t>(homed() & ~(1U << axis)));
+    progress_.forget();
     motion_.drop_rest();
     interpreter_.set_position(motion_.target());
   }
@@ -32,9 +32,9 @@ Result<float, SettingError> Machine::change_setting(std::uint16_t number, float 
 /// Returns whether the tool's present steps are within reach at the stored resolutions. The
 /// resolution of one linear axis bounds the others, too.
 bool Machine::place_fits() const {
-  const Position reach = gcode_options_from(settings_).reach;
+  const Position reach = gcode_options_from(settings()).reach;
   for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
-    const AxisScale scale{settings_.get(setting::kStepsPerMm, axis)};
+    const AxisScale scale{settings().get(setting::kStepsPerMm, axis)};
     const Coordinate place = scale.place_of(motion_.tool_steps()[axis]);
     if (place < -reach[axis] || place > reach[axis]) return false;
   }
@@ -44,43 +44,38 @@ bool Machine::place_fits() const {
 void Machine::set_power_table(const motion::PowerTable& table) {
   CNC_ASSERT(idle());
   memory_.check_settings();
-  power_table_ = table;
+  set_up_.set_power_table(table);
   apply_settings();
 }
 
 /// Recomputes all values that follow from the settings. A setting whose bit flipped before is part
 /// of the new checksum, so settings are checked by a checksum of their own.
 void Machine::apply_settings() {
-  apply_limits();
-  travel_.configure(settings_, homed_);
+  set_up_.apply();
+  travel_.configure(settings());
   apply_motor_settings();
   apply_language_settings();
-  drive_.set_second_motors(static_cast<std::uint8_t>(settings_.get(setting::kSquaredAxes)));
-  tool_.configure({.max_speed = settings_.get(setting::kMaxSpindleSpeed),
-                   .min_speed = settings_.get(setting::kMinSpindleSpeed),
-                   .laser = settings_.get(setting::kLaserMode) != 0.0F});
-  rest_light_.configure(rest_light_from(settings_));
-  memory_.trust_settings(settings_.sound());
-}
-
-void Machine::apply_limits() {
-  limits_ = limits_from(settings_);
-  limits_.beam = beam_response_from(settings_, power_table_);
+  drive_.set_second_motors(static_cast<std::uint8_t>(settings().get(setting::kSquaredAxes)));
+  tool_.configure({.max_speed = settings().get(setting::kMaxSpindleSpeed),
+                   .min_speed = settings().get(setting::kMinSpindleSpeed),
+                   .laser = settings().get(setting::kLaserMode) != 0.0F});
+  rest_light_.configure(rest_light_from(settings()));
+  memory_.trust_settings(settings().sound());
 }
 
 void Machine::apply_motor_settings() {
-  motion_.configure(motor_stage_from(settings_));
-  drive_.set_timing(step_timing_from(settings_));
-  drive_.set_beam_timing(beam_timing_from(settings_));
+  motion_.configure(motor_stage_from(settings()));
+  drive_.set_timing(step_timing_from(settings()));
+  drive_.set_beam_timing(beam_timing_from(settings()));
 }
 
 void Machine::apply_language_settings() {
-  gcode::Options options = gcode_options_from(settings_);
+  gcode::Options options = gcode_options_from(settings());
   options.block_delete =
-      (settings_.get(setting::kBlockDelete) != 0.0F) != switches_.block_delete_turned;
-  options.kerf = &kerf_;
-  options.full_power_speed = settings_.get(setting::kMaxSpindleSpeed);
-  const auto points = power_table_.points();
+      (settings().get(setting::kBlockDelete) != 0.0F) != switches_.block_delete_turned;
+  options.kerf = &compensated_.kerf();
+  options.full_power_speed = settings().get(setting::kMaxSpindleSpeed);
+  const auto points = power_table().points();
   if (!points.empty()) options.greatest_power_mw = points.back().milliwatts;
   interpreter_.set_options(options);
 }

@@ -8,18 +8,13 @@ namespace cnc {
 using Stage = ToolChange::Stage;
 
 bool Machine::acknowledge_tool() {
-  if (!state_.in(Mode::kTool) || tool_change_.open() || restarting_) return false;
+  if (!state_.in(Mode::kTool) || tool_change_.open() || resumption_.pending()) return false;
   memory_.check_settings();
   forget_exit();
   ToolChange::Job& job = tool_change_.job();
   job.interpreter = interpreter_;
-  job.waiting = waiting_;
-  job.with_next_motion = with_next_motion_;
+  job.line = actions_.set_aside();
   job.place = motion_.target();
-  job.step_pause = step_pause_;
-  waiting_ = {};
-  with_next_motion_ = {};
-  step_pause_ = false;
   interpreter_.begin_tool_change(motion_.target());
   memory_.trust_settings(true);
   tool_change_.go_to(Stage::kOpen);
@@ -33,27 +28,22 @@ void Machine::close_tool_change() {
   interpreter_.end_tool_change(*job.interpreter);
   memory_.trust_settings(true);
   trust_places();
-  waiting_ = job.waiting;
-  with_next_motion_ = job.with_next_motion;
-  step_pause_ = job.step_pause;
+  actions_.take_back(job.line);
   tool_change_.go_to(Stage::kClosed);
 }
 
 /// Handles a stop within a tool change: the motion of the present line or jog ends and is dropped,
 /// and the tool change stays open.
 void Machine::stop_in_tool_change() {
-  if (!waiting_.empty() || jog_) news_.line_failed.raise();
+  if (!actions_.empty() || jog_) news_.line_failed.raise();
   motion_.halt();
   tool_change_.go_to(Stage::kStopping);
 }
 
 void Machine::drop_in_tool_change() {
-  waiting_ = {};
-  elements_.clear();
+  actions_.drop();
   jog_.reset();
-  dwelling_ = false;
-  dwell_.cancel();
-  probing_ = Probing::kNo;
+  probing_.cancel();
   drive_.disarm_probe();
   motion_.drop_rest();
   motion_.go_on();
@@ -63,9 +53,9 @@ void Machine::drop_in_tool_change() {
 
 void Machine::attend_tool_change() {
   const Stage stage = tool_change_.stage();
-  const bool rests = waiting_.empty() && !jog_ && motion_.drained();
+  const bool rests = actions_.empty() && !jog_ && motion_.drained();
   if (stage == Stage::kStopping) {
-    if (at_rest()) drop_in_tool_change();
+    if (motion_.at_rest()) drop_in_tool_change();
   } else if (inputs().door && !motion_.drained()) {
     stop_in_tool_change();
   } else if (jog_ && motion_.has_room()) {

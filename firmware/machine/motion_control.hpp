@@ -2,6 +2,7 @@
 
 #include "firmware/machine/place_trail.hpp"
 #include "firmware/steps/step_drive.hpp"
+#include "planner/base/units.hpp"
 #include "planner/pipeline/pipeline.hpp"
 
 namespace cnc {
@@ -47,6 +48,8 @@ class MotionControl : private Pipeline {
   [[nodiscard]] bool drained() const { return empty() && !drive_.running(); }
   /// Returns whether halt() has stopped the motors while the rest of the motion waits.
   [[nodiscard]] bool halted() const { return held() && !drive_.running(); }
+  /// Returns whether nothing moves; motion may wait.
+  [[nodiscard]] bool at_rest() const { return (empty() || held()) && !drive_.running(); }
   /// Drops all waiting motion; the tool's position becomes the target.
   /// @pre the drive is not running
   void drop_rest();
@@ -104,6 +107,7 @@ class MotionControl : private Pipeline {
   [[nodiscard]] std::uint32_t line_in_execution() const { return line().number; }
   /// Returns the speed of the last segments cut, in mm/s; the motors reach it within 20 ms.
   [[nodiscard]] float speed() const { return drive_.running() ? Pipeline::speed() : 0.0F; }
+  [[nodiscard]] float speed_mm_min() const { return kSecondsPerMinute * speed(); }
 
  private:
   [[nodiscard]] AxisArray<std::int32_t> axis_steps() const;

@@ -1,15 +1,28 @@
 #pragma once
 
+#include <algorithm>
+
+#include "firmware/machine/machine_types.hpp"
+
 namespace cnc {
 
-/// Switches that the operator toggles by realtime bytes and `$B`; they stay until toggled back.
+/// Switches that the operator toggles by realtime bytes and `$B`, which stay until toggled back,
+/// and overrides, which stay until a reset or the end of the program.
 struct OperatorSwitches {
   bool optional_stop = false;        ///< M1 pauses.
   bool single_block = false;         ///< The machine pauses after each line.
   bool block_delete_turned = false;  ///< Block delete is the opposite of $890.
 
+  OverridePercent overrides{};  ///< In their ranges.
+
   void toggle_optional_stop() { optional_stop = !optional_stop; }
   void toggle_single_block() { single_block = !single_block; }
+  /// Sets the overrides, each clamped to its range.
+  void set_overrides(const OverridePercent& percent) {
+    overrides = {.feed = std::clamp(percent.feed, 10, 200),
+                 .rapid = std::clamp(percent.rapid, 5, 100),
+                 .power = std::clamp(percent.power, 10, 200)};
+  }
 };
 
 }  // namespace cnc

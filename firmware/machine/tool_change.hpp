@@ -4,16 +4,16 @@
 #include <optional>
 #include <type_traits>
 
+#include "firmware/machine/actions_in_progress.hpp"
 #include "planner/base/coordinate.hpp"
 #include "planner/gcode/interpreter.hpp"
-#include "planner/motion/block/block.hpp"
 
 namespace cnc {
 
-/// A tool change by hand (M6) in which the sender takes part (0xA3): the program's state that waits
-/// meanwhile, and the stage of the return to it.
+/// A tool change by hand (M6): the tool for which the program waits. If the sender takes part
+/// (0xA3), also the program's state that waits meanwhile, and the stage of the return to it.
 ///
-/// Lines and jogs of the change move the machine and set offsets. At its end the tool returns to
+/// Lines and jogs of such a change move the machine and set offsets. At its end the tool returns to
 /// the program's position: up first, then across and down. The spindle starts there, as after a
 /// change without lines. The modes are restored; the offsets stay as the change has set them.
 class ToolChange {
@@ -29,11 +29,16 @@ class ToolChange {
   /// The waiting state of the program.
   struct Job {
     std::optional<gcode::Interpreter> interpreter{};  ///< The program continues with it.
-    gcode::Actions waiting{};  ///< Views into the machine's interpreter, valid after its return.
-    motion::OutputChanges with_next_motion{};
-    Position place{};  ///< Position of the tool in machine coordinates.
-    bool step_pause = false;
+    RestOfLine line{};  ///< Its views are valid after the return of the interpreter.
+    Position place{};   ///< Position of the tool in machine coordinates.
   };
+
+  /// Notes the tool for which the program waits.
+  void want(std::uint32_t tool) { wanted_ = tool; }
+  /// Forgets that tool, because the program goes on or is dropped.
+  void forget_wanted() { wanted_.reset(); }
+  /// Returns the tool for which M6 waits, if any.
+  [[nodiscard]] std::optional<std::uint32_t> wanted() const { return wanted_; }
 
   [[nodiscard]] Stage stage() const { return stage_; }
   void go_to(Stage stage) { stage_ = stage; }
@@ -51,6 +56,7 @@ class ToolChange {
  private:
   static_assert(std::is_trivially_copyable_v<gcode::Interpreter>);
 
+  std::optional<std::uint32_t> wanted_{};
   Stage stage_ = Stage::kClosed;
   Job job_;
 };

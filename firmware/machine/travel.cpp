@@ -29,12 +29,12 @@ AxisTravel travel_of(const Settings& settings, std::size_t axis) {
                   : AxisTravel{.least = -length, .most = {}};
 }
 
-void Travel::configure(const Settings& settings, std::uint8_t homed) {
+void Travel::configure(const Settings& settings) {
   judged_ = 0;
   if (settings.get(setting::kSoftLimits) == 0.0F) return;
   for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
     const auto bit = static_cast<std::uint8_t>(1U << axis);
-    if ((homed & bit) == 0 || settings.get(setting::kTravel, axis) <= 0.0F) continue;
+    if ((homed_ & bit) == 0 || settings.get(setting::kTravel, axis) <= 0.0F) continue;
     judged_ = static_cast<std::uint8_t>(judged_ | bit);
     const AxisTravel travel = travel_of(settings, axis);
     min_[axis] = travel.least;

@@ -24,8 +24,14 @@ class Travel {
     const motion::Limits& limits;
   };
 
-  /// @param homed bit i for axis i
-  void configure(const Settings& settings, std::uint8_t homed);
+  void configure(const Settings& settings);
+  /// Sets the homed axes: bit i for axis i.
+  void set_homed(std::uint8_t axes, const Settings& settings) {
+    homed_ = axes;
+    configure(settings);
+  }
+  /// Returns the axes whose machine coordinates are known, bit i for axis i.
+  [[nodiscard]] std::uint8_t homed() const { return homed_; }
 
   /// Returns whether a motion of these actions from `from` would leave the travel. For an arc or a
   /// spline its true extremes count.
@@ -50,7 +56,8 @@ class Travel {
   [[nodiscard]] bool contains_spline(const Position& start, const gcode::Action& spline) const;
   [[nodiscard]] bool contains_arc(const Position& start, const gcode::Action& arc) const;
 
-  std::uint8_t judged_ = 0;
+  std::uint8_t homed_ = 0;
+  std::uint8_t judged_ = 0;  ///< Homed axes that are checked.
   Position min_{};
   Position max_{};
 };

@@ -65,7 +65,7 @@ bool LineProtocol::tell_news() {
     message(std::exchange(tool_refusal_, {}));
     return true;
   }
-  const auto tool = machine_.pending_tool();
+  const auto tool = machine_.tool_change().wanted();
   const bool news = tool.has_value() && !tool_told_;
   tool_told_ = tool.has_value();
   if (news) {

@@ -42,11 +42,11 @@ LineProtocol::LineProtocol(hal::ByteStream& link,
       stored_{store},
       kerf_{store},
       listing_{machine, stored_, kerf_, board} {
-  const Progress kept = machine_.progress();
+  const Progress kept = machine_.progress().noted();
   load_settings();  // If the steps per millimetre differ, the machine drops its progress.
   machine_.set_power_table(stored_.load_power_table());
   machine_.set_places(stored_.load_places());
-  machine_.set_progress(kept.any() ? kept : stored_.load_progress());
+  machine_.progress().set(kept.any() ? kept : stored_.load_progress());
   if (stored_.damaged()) machine_.lock_for_damage();
 }
 
@@ -112,7 +112,7 @@ void LineProtocol::act_at_once(std::byte byte) {
   silence_.hear(now_);
   const auto code = std::to_integer<std::uint8_t>(byte);
   if (code == static_cast<std::uint8_t>(RealtimeByte::kToolAcknowledge)) return refuse_tool();
-  if (machine_.changes_tool()) receive();  // Reads the lines that arrived before `~`.
+  if (machine_.tool_change().open()) receive();  // Reads the lines that arrived before `~`.
   receiver_.act_at_once(code);
 }
 
@@ -298,13 +298,15 @@ void LineProtocol::handle(std::string_view line) {
 /// table first.
 gcode::Refusal LineProtocol::accept(std::string_view line) {
   const gcode::Material& material = machine_.interpreter().state().material;
-  const bool wanted = material.thickness_um != 0 && !machine_.kerf().holds(material.table);
+  const bool wanted =
+      material.thickness_um != 0 && !machine_.interpreter().options().kerf->holds(material.table);
   if (wanted || kerf_seen_ != kerf_.revision()) select_kerf(material.table);
   return machine_.accept(line);
 }
 
 void LineProtocol::take_gcode(std::string_view line) {
-  if (machine_.changes_tool() && machine_.inputs().door) return refuse(error_number::kDoorOpen);
+  if (machine_.tool_change().open() && machine_.inputs().door)
+    return refuse(error_number::kDoorOpen);
   const gcode::Refusal refusal = accept(line);
   if (refusal) return refuse(*refusal, 1);
   saving_failed_ = false;

@@ -8,13 +8,13 @@ namespace cnc {
 /// machine coordinates, and `can` or `home`, depending on whether the position is still valid.
 /// Writes `[RESUME:0]` if no program was interrupted.
 void LineProtocol::tell_progress() {
-  const Progress& progress = machine_.progress();
+  const Progress& progress = machine_.progress().noted();
   Reply reply = begin_answer();
   reply.text("[RESUME:").number(progress.line.number);
   if (progress.any()) {
     reply.letter('|');
-    put_places(reply, machine_.progress_place(), form_);
-    reply.text(machine_.can_reenter() ? "|can" : "|home");
+    put_places(reply, machine_.motion().place_of(progress.steps), form_);
+    reply.text(machine_.progress().can_reenter(machine_.homed()) ? "|can" : "|home");
   }
   answer(reply.letter(']').end());
   acknowledge();
@@ -31,13 +31,13 @@ void LineProtocol::reenter(const Statement& statement) {
     return refuse(error_number::kBadNumber, statement.column, "not the number of a line");
   }
   if (wanted == 0) {
-    machine_.stop_reentry();
+    machine_.progress().reentry().cancel();
     return acknowledge();
   }
-  if (wanted != machine_.progress().line.number) {
+  if (wanted != machine_.progress().noted().line.number) {
     return refuse(error_number::kBadNumber, statement.column, "no program was interrupted there");
   }
-  if (!machine_.can_reenter()) {
+  if (!machine_.progress().can_reenter(machine_.homed())) {
     return refuse(error_number::kLocked, 0, "the place may be lost: home before");
   }
   if (machine_.locked()) return refuse(error_number::kLocked);
@@ -52,9 +52,10 @@ void LineProtocol::reenter(const Statement& statement) {
 /// operator has acknowledged it.
 void LineProtocol::save_progress() {
   if (machine_.alarm() == Alarm::kStoreDamaged) return;
-  const Progress& progress = machine_.progress();
+  const Progress& progress = machine_.progress().noted();
   if (progress.any() ? !machine_.interrupted() : !stored_.has_progress()) return;
-  if (stored_.has_saved(progress) || saving_failed_ || machine_.tool_runs() || !machine_.at_rest())
+  if (stored_.has_saved(progress) || saving_failed_ || machine_.tool_runs() ||
+      !machine_.motion().at_rest())
     return;
   if (stored_.save_progress(progress)) return;
   saving_failed_ = true;

@@ -20,15 +20,15 @@ bool LineProtocol::has_to_tell() const {
     return true;
   }
   if (machine_.alarm() != told_alarm_ || machine_.has_news() ||
-      machine_.pending_tool().has_value() != tool_told_) {
+      machine_.tool_change().wanted().has_value() != tool_told_) {
     return true;
   }
-  return machine_.progress().any() ? machine_.interrupted() : stored_.has_progress();
+  return machine_.progress().noted().any() ? machine_.interrupted() : stored_.has_progress();
 }
 
 bool LineProtocol::is_quiet(hal::TickCount now) const {
   if (!receiver_.is_empty() || !waits_for_machine() || has_to_tell()) return false;
-  if (check_.active() || takes_part_ || machine_.changes_tool()) return false;
+  if (check_.active() || takes_part_ || machine_.tool_change().open()) return false;
   if (now.since(now_) >= kMaxQuietUs) return false;
   const float allowed_ms = machine_.settings().get(setting::kLinkWatchdog);
   return allowed_ms <= 0.0F || silence_.heard_within(now, allowed_ms);

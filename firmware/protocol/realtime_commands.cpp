@@ -82,9 +82,9 @@ void apply(RealtimeByte command, Machine& machine) {
     case RealtimeByte::kSpindleStop:
       return machine.toggle_spindle_stop();
     case RealtimeByte::kFlood:
-      return machine.toggle_flood();
+      return machine.toggle_coolant({.flood = true});
     case RealtimeByte::kMist:
-      return machine.toggle_mist();
+      return machine.toggle_coolant({.mist = true});
     default:
       return;
   }

@@ -154,7 +154,7 @@ void put_parser_state(Reply& reply, const Machine& machine) {
   put_compensation(reply, state.compensation, inches);
   if (state.tool_centre) reply.text(" G43.4");
   put_path_control(reply, state.path, inches);
-  reply.text(spindle_word(machine.spindle())).text(coolant_words(machine.coolant()));
+  reply.text(spindle_word(machine.tool().mode_now())).text(coolant_words(machine.coolant()));
   reply.text(" T").number(state.tool).text(" F").value(feed, 0);
   reply.text(" S").value(state.spindle_speed, 0).letter(']').end();
 }

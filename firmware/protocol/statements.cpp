@@ -145,7 +145,8 @@ void LineProtocol::refuse_setting(const Statement& statement, SettingError error
 
 void LineProtocol::jog(const Statement& statement) {
   if (machine_.state() == MachineState::kAlarm) return refuse(error_number::kLocked);
-  if (machine_.changes_tool() && machine_.inputs().door) return refuse(error_number::kDoorOpen);
+  if (machine_.tool_change().open() && machine_.inputs().door)
+    return refuse(error_number::kDoorOpen);
   const auto refusal = machine_.jog(statement.text);
   if (!refusal) return acknowledge();
   if (refusal->fault) return refuse(*refusal->fault, statement.column, refusal->number);

@@ -62,7 +62,7 @@ void put_position(
 }
 
 void put_feed_and_speed(Reply& reply, const Machine& machine, const ReportForm& form) {
-  const float feed = machine.feed_now_mm_min();
+  const float feed = machine.motion().speed_mm_min();
   reply.text("|FS:").whole(form.inches ? feed / kMillimetresPerInch : feed);
   reply.letter(',').whole(machine.spindle_now());
 }
@@ -118,15 +118,16 @@ void StatusReport::write(Reply& reply,
   const std::uint32_t shown = fields(machine, full);
   const Position offset = work_offset(machine);
   put_state(reply, machine, full);
-  put_position(reply, machine.position(), offset, (shown & kMachinePosition) == 0, form);
+  put_position(reply, machine.motion().tool_place(), offset, (shown & kMachinePosition) == 0, form);
   if ((shown & kBuffers) != 0) {
-    const auto blocks = static_cast<std::uint32_t>(machine.blocks_free());
+    const auto blocks = static_cast<std::uint32_t>(machine.motion().blocks_free());
     reply.text("|Bf:").number(blocks).letter(',').number(receive_room);
   }
-  const std::uint32_t line = machine.line_number();
+  const std::uint32_t line = machine.motion().line_in_execution();
   if ((shown & kLineNumber) != 0 && line != 0) reply.text("|Ln:").number(line);
   if ((shown & kFeedAndSpeed) != 0) put_feed_and_speed(reply, machine, form);
-  if ((shown & kPins) != 0) put_pins(reply, machine.inputs(), full && machine.block_delete());
+  if ((shown & kPins) != 0)
+    put_pins(reply, machine.inputs(), full && machine.interpreter().options().block_delete);
   put_slow_fields(reply, machine, offset, form, shown, full);
   if (full) put_rest_of_full(reply, machine, form);
   reply.letter('>').end();
@@ -161,7 +162,7 @@ bool StatusReport::offset_is_due(const Position& offset, bool moving) {
 }
 
 bool StatusReport::overrides_are_due(const Machine& machine, bool moving) {
-  const Accessories now{machine.overrides(), machine.spindle(), machine.coolant()};
+  const Accessories now{machine.overrides(), machine.tool().mode_now(), machine.coolant()};
   const bool same = now.percent.feed == told_.percent.feed &&
                     now.percent.rapid == told_.percent.rapid &&
                     now.percent.power == told_.percent.power && now.spindle == told_.spindle &&

@@ -18,7 +18,7 @@ void LineProtocol::acknowledge_tool() {
     tool_refusal_ = "Tool change: numbered lines wait, ~ goes on";
     return;
   }
-  if (!machine_.changes_tool() && !machine_.acknowledge_tool()) return;
+  if (!machine_.tool_change().open() && !machine_.acknowledge_tool()) return;
   receiver_.keep_back();
   takes_part_ = true;
 }
@@ -44,20 +44,20 @@ void LineProtocol::forget_tool_change() {
 }
 
 /// Returns whether a tool is being changed and the sender has not sent 0xA3.
-bool LineProtocol::awaits_tool() const { return machine_.changes_tool() && !takes_part_; }
+bool LineProtocol::awaits_tool() const { return machine_.tool_change().open() && !takes_part_; }
 
 /// Returns whether `command` is a `~` that ends a tool change. The change ends only after the lines
 /// that arrived before `~` are done.
 bool LineProtocol::ends_tool_change(RealtimeByte command) {
   const bool start =
       command == RealtimeByte::kCycleStart || command == RealtimeByte::kCycleStartRaw;
-  if (!start || !machine_.changes_tool()) return false;
+  if (!start || !machine_.tool_change().open()) return false;
   tool_change_ends_ = true;
   return true;
 }
 
 void LineProtocol::attend_tool_change() {
-  if (machine_.changes_tool()) {
+  if (machine_.tool_change().open()) {
     if (!tool_change_ends_ || machine_.busy() || owed_ != Owed::kNothing) return;
     take_line_feed();
     const bool lines_wait = assembler_.has_begun() || !receiver_.is_at_start();

@@ -241,7 +241,7 @@ void can_interrupt() { Can::on_interrupt(); }
 void clock_interrupt() {
   clock_of_the_loop.on_interrupt();
   port.timer().make_up();
-  if (!application.machine().rests_dark()) return;
+  if (!application.machine().tool().is_dark_at_rest()) return;
   const std::uint32_t longest_wait = application.steps().longest_wait();
   using Watch = chip::BeamWatch<kBoard, Bus>;
   if (Watch::lit_at_rest(longest_wait) &&

@@ -114,8 +114,9 @@ ExitStatus refuse(const CutCommandOptions& options,
                   const std::vector<drawing::Fault>& faults,
                   const Drawing& drawn) {
   print_all_faults(faults, drawn);
-  terminal::print(
-      stderr, "kerfline: no program is written; mend the sheet{}\n", stale_note(options.output));
+  terminal::print(stderr,
+                  "kerfline: no program is written; mend the sheet{}\n",
+                  stale_note(options.outputs.program));
   return ExitStatus::kFaults;
 }
 
@@ -141,7 +142,8 @@ std::string timed_program(const CutCommandOptions& options,
                           const CutRun& run,
                           CutFigures& figures,
                           ExitStatus& status) {
-  const std::string name = options.output.empty() ? "the program" : options.output;
+  const std::string name =
+      options.outputs.program.empty() ? "the program" : options.outputs.program;
   const ProgramCheck check = check_program(job, run, heading_of(job, figures), name);
   figures.job_time_s = check.job_time_s;
   figures.is_simulated = check.is_simulated;
@@ -201,7 +203,8 @@ ExitStatus write_job(const CutCommandOptions& options,
   CutFigures figures = figures_of(job.plan);
   write_pictures(options.outputs, job, timeline, nullptr);
   if (job.plan.cuts.empty() || job.plan.safety.no_way != 0 || (!sound && !options.anyway)) {
-    terminal::print(stderr, "kerfline: {}{}\n", refusal_of(job.plan), stale_note(options.output));
+    terminal::print(
+        stderr, "kerfline: {}{}\n", refusal_of(job.plan), stale_note(options.outputs.program));
     return ExitStatus::kFaults;
   }
   ExitStatus status = sound ? ExitStatus::kFine : ExitStatus::kFaults;
@@ -209,12 +212,12 @@ ExitStatus write_job(const CutCommandOptions& options,
   const std::string program = timed_program(options, job, run, figures, taken);
   if (taken != ExitStatus::kFine) status = taken;
   const double job_time_s = taken == ExitStatus::kFine ? figures.job_time_s : 0.0;
-  std::FILE* const told = options.output.empty() ? stderr : stdout;
+  std::FILE* const told = options.outputs.program.empty() ? stderr : stdout;
   for (const std::string& line : lines_of(job, figures)) terminal::print(told, "{}\n", line);
-  if (options.output.empty()) {
+  if (options.outputs.program.empty()) {
     terminal::write_data(program);
   } else {
-    write_file(options.output, program);
+    write_file(options.outputs.program, program);
   }
   write_frame(options.frame, job, run, options.post);
   nlohmann::ordered_json report = json_of(job, figures);
@@ -225,8 +228,8 @@ ExitStatus write_job(const CutCommandOptions& options,
     report["edges"] = std::move(checks.rows);
     write_pictures(options.outputs, job, timeline, &checks.first);
   }
-  if (!options.report.empty()) {
-    write_file(options.report, dumped(std::move(report)) + "\n");
+  if (!options.outputs.report.empty()) {
+    write_file(options.outputs.report, dumped(std::move(report)) + "\n");
   }
   return status;
 }
@@ -236,7 +239,7 @@ ExitStatus write_job(const CutCommandOptions& options,
 ExitStatus refuse_off_the_bed(const CutCommandOptions& options) {
   terminal::print(stderr,
                   "kerfline: no program is written; the job leaves the bed{}\n",
-                  stale_note(options.output));
+                  stale_note(options.outputs.program));
   return ExitStatus::kFaults;
 }
 
@@ -282,7 +285,7 @@ CutPlan planned(const CutSource& source,
 
 ExitStatus cut_drawing(CLI::App& command, CutCommandOptions& options) {
   apply_recipe(command, options);
-  InputFiles inputs{options.output};
+  InputFiles inputs{options.outputs.program};
   options.post.read(command, inputs, options.decimals);
   const auto machine = machine_profile_of(options.place.machine);
   if (machine) take_machine(options, *machine);

@@ -32,7 +32,7 @@ std::vector<cut::LayerRule> layer_rules_of(const CutCommandOptions& options,
     rules =
         cut::read_rules(inputs.read_and_add("layers", options.layers_file), options.layers_file);
   }
-  rules.insert(rules.end(), options.recipe_layers.begin(), options.recipe_layers.end());
+  rules.insert(rules.end(), options.recipe.layers.begin(), options.recipe.layers.end());
   for (const std::string& text : options.layers) rules.push_back(cut::parse_rule(text, "--layer"));
   for (const cut::LayerRule& rule : rules) {
     std::string known;

@@ -205,9 +205,9 @@ void add_cut_options(CLI::App& command, const std::shared_ptr<CutCommandOptions>
   add_cut_frame_options(command, options->frame);
   add_file(FileRole::kOutput,
            "-o,--output",
-           options->output,
+           options->outputs.program,
            "File of the program; default: standard output");
-  add_file(FileRole::kOutput, "--report", options->report, "Write the report as JSON");
+  add_file(FileRole::kOutput, "--report", options->outputs.report, "Write the report as JSON");
   add_cut_output_options(command, options->outputs);
 }
 

@@ -24,6 +24,14 @@ class App;
 
 namespace sim {
 
+/// The recipe that a call reads, and the one that it writes.
+struct CutRecipeOptions {
+  std::string file;  ///< Recipe to read; empty for none.
+  std::string save;  ///< Recipe to write; empty for none.
+  /// Rules of the recipe that was read, which apply before those of the call.
+  std::vector<cut::LayerRule> layers;
+};
+
 /// Options of `kerfline cut`.
 struct CutCommandOptions {
   std::string file;
@@ -42,10 +50,7 @@ struct CutCommandOptions {
   std::vector<std::pair<std::string, std::string>> common;
   std::vector<std::string> layers;
   std::string layers_file;
-  /// Rules of the recipe, which apply before those of `layers`.
-  std::vector<cut::LayerRule> recipe_layers;
-  std::string recipe;       ///< Recipe to read; empty for none.
-  std::string save_recipe;  ///< Recipe to write; empty for none.
+  CutRecipeOptions recipe;
   CutPlaceOptions place;
   std::vector<SettingChange> machine_settings;  ///< Settings of the machine that `place` names.
   CutOrderOptions order;
@@ -63,8 +68,6 @@ struct CutCommandOptions {
   CutSheetOptions sheet;
   CutRuleOptions shop;
   CutFrameOptions frame;
-  std::string output;
-  std::string report;
   CutOutputOptions outputs;
 };
 

@@ -10,8 +10,11 @@ class App;
 
 namespace sim {
 
-/// Options of `kerfline cut` for pictures of a job, and for its cost.
+/// Files that `kerfline cut` writes, and the prices for the cost of a job. A file without a name is
+/// not written, except for the program.
 struct CutOutputOptions {
+  std::string program;  ///< File for the program; empty for the standard output.
+  std::string report;
   std::string svg;
   std::string png;
   std::string animation;

@@ -75,8 +75,8 @@ class RecipeReader {
   RecipeReader(CLI::App& command, CutCommandOptions& options)
       : command_{command},
         options_{options},
-        file_{options.recipe},
-        folder_{std::filesystem::path{options.recipe}.parent_path()} {}
+        file_{options.recipe.file},
+        folder_{std::filesystem::path{options.recipe.file}.parent_path()} {}
 
   void read() {
     const Json document =
@@ -194,7 +194,7 @@ class RecipeReader {
       }
       rule.values.emplace_back(key, text);
     }
-    options_.recipe_layers.push_back(std::move(rule));
+    options_.recipe.layers.push_back(std::move(rule));
   }
 
   /// Checks which options require or exclude each other, because the parser has not seen those of
@@ -278,36 +278,36 @@ Json layers_json(const std::vector<cut::LayerRule>& rules) {
 void add_cut_recipe_options(CLI::App& command, CutCommandOptions& options) {
   mark_file(command
                 .add_option("--recipe",
-                            options.recipe,
+                            options.recipe.file,
                             "File of any of these options as JSON; options of the call override it")
                 ->type_name("FILE"),
             FileRole::kInput);
   mark_file(
       command
           .add_option(
-              "--save-recipe", options.save_recipe, "Write the options of this call as a recipe")
+              "--save-recipe", options.recipe.save, "Write the options of this call as a recipe")
           ->type_name("FILE"),
       FileRole::kOutput);
 }
 
 void apply_recipe(CLI::App& command, CutCommandOptions& options) {
-  if (options.recipe.empty()) return;
+  if (options.recipe.file.empty()) return;
   RecipeReader{command, options}.read();
   refuse_shared_files(command);
 }
 
 void save_recipe(const CLI::App& command, const CutCommandOptions& options) {
-  if (options.save_recipe.empty()) return;
-  const std::filesystem::path folder = std::filesystem::path{options.save_recipe}.parent_path();
+  if (options.recipe.save.empty()) return;
+  const std::filesystem::path folder = std::filesystem::path{options.recipe.save}.parent_path();
   Json recipe{{kRecipeMark, 1}};
   for (const CLI::Option* option : command.get_options()) {
     if (option->count() == 0 || is_of_the_call(*option)) continue;
     recipe[key_of(*option)] = values_of(*option, options, folder);
   }
-  std::vector<cut::LayerRule> rules = options.recipe_layers;
+  std::vector<cut::LayerRule> rules = options.recipe.layers;
   for (const std::string& text : options.layers) rules.push_back(cut::parse_rule(text, "--layer"));
   if (!rules.empty()) recipe[kLayersKey] = layers_json(rules);
-  write_file(options.save_recipe, dumped(std::move(recipe)) + "\n");
+  write_file(options.recipe.save, dumped(std::move(recipe)) + "\n");
 }
 
 }  // namespace sim

@@ -92,16 +92,16 @@ PatchOptions patches_of(const SurfaceCommandOptions& options) {
 
 /// Returns a text on the kind of path, for the program's heading.
 std::string manner_of(const SurfaceCommandOptions& options) {
-  if (options.pencil) {
-    return fmt::format("along valleys sharper than {:g} degrees", options.pencil_angle_deg);
+  if (options.pencil.is_wanted) {
+    return fmt::format("along valleys sharper than {:g} degrees", options.pencil.angle_deg);
   }
   if (options.paths == SurfacePaths::kWaterline) return "finishing in waterlines";
   if (options.paths == SurfacePaths::kContour) return "finishing along contours";
   if (options.paths == SurfacePaths::kRough) {
-    return fmt::format("roughing in levels of {:g} mm", options.layer_mm);
+    return fmt::format("roughing in levels of {:g} mm", options.levels.depth_mm);
   }
-  const std::string kind = options.layer_mm > 0.0
-                               ? fmt::format("layers of {:g} mm", options.layer_mm)
+  const std::string kind = options.levels.depth_mm > 0.0
+                               ? fmt::format("layers of {:g} mm", options.levels.depth_mm)
                                : std::string{"finishing"};
   return fmt::format("{} in rows at {:g} degrees", kind, options.angle_deg.value_or(0.0));
 }
@@ -187,23 +187,24 @@ void write_path(const SurfaceCommandOptions& options,
                 const std::shared_ptr<const surface::SmoothTips>& smooth) {
   surface::RowOptions rows = row_options_of(options, cutter);
   rows.smooth = smooth;
-  surface::RoughOptions rough{.boundary = {}, .stock_margin_mm = options.stock_margin_mm};
+  surface::RoughOptions rough{.boundary = {}, .stock_margin_mm = options.stock.margin_mm};
   if (options.paths == SurfacePaths::kRough) {
     rough.boundary = boundary_areas_of(options.regions, rows, inputs);
   } else {
     rows.regions = regions_of(options.regions, mesh, rows, inputs);
   }
   const surface::SurfacePath path =
-      options.pencil ? valleys_of(options, mesh, cutter, rows)
-                     : path_with_progress(mesh, std::move(rows), rough, options.paths);
+      options.pencil.is_wanted ? valleys_of(options, mesh, cutter, rows)
+                               : path_with_progress(mesh, std::move(rows), rough, options.paths);
   const surface::SurfaceProgramFigures figures = figures_of(path);
   pocket::MillSettings mill = options.mill;
   mill.safe_mm = safe_height_of(
       options,
-      std::max({figures.highest_mm, top_of(mesh), options.stock_top_mm.value_or(top_of(mesh))}));
+      std::max({figures.highest_mm, top_of(mesh), options.stock.top_mm.value_or(top_of(mesh))}));
   const cnc::gcode::PrintGrid grid{static_cast<std::uint8_t>(options.decimals)};
   std::optional<double> ramp_slope;
-  if (options.ramp_deg > 0.0) ramp_slope = std::tan(options.ramp_deg * std::numbers::pi / 180.0);
+  if (options.levels.ramp_deg > 0.0)
+    ramp_slope = std::tan(options.levels.ramp_deg * std::numbers::pi / 180.0);
   const std::string program = options.post.applied_to(
       program_of(path, mill, grid, heading_of(options, figures, inputs), ramp_slope));
   terminal::print(options.output.empty() ? stderr : stdout,
@@ -226,7 +227,7 @@ void write_path(const SurfaceCommandOptions& options,
   }
   draw_path(options.pictures,
             mesh,
-            {.path = path, .safe_mm = mill.safe_mm, .stock_top_mm = options.stock_top_mm},
+            {.path = path, .safe_mm = mill.safe_mm, .stock_top_mm = options.stock.top_mm},
             cutter);
 }
 
@@ -234,11 +235,12 @@ void write_heights(const SurfaceCommandOptions& options,
                    const surface::Mesh& mesh,
                    const stock::Cutter& cutter,
                    const std::string& places) {
-  const std::string heights = surface::tip_heights(mesh, profile_of(cutter), places, options.at);
-  if (options.heights.empty()) {
+  const std::string heights =
+      surface::tip_heights(mesh, profile_of(cutter), places, options.query.points);
+  if (options.query.heights.empty()) {
     terminal::write_data(heights);
   } else {
-    write_file(options.heights, heights);
+    write_file(options.query.heights, heights);
   }
 }
 
@@ -275,7 +277,7 @@ ExitStatus run_surface(const SurfaceCommandOptions& options, InputFiles& inputs)
   }
   place(input.mesh.points, options);
   // All checks that may refuse the call come first, so that nothing is written if it is refused.
-  const std::string places = options.wants_heights() ? InputFiles::read(options.at) : "";
+  const std::string places = options.wants_heights() ? InputFiles::read(options.query.points) : "";
   surface::PointGrid grid;
   if (options.wants_patches()) grid = grid_of(input, options);
   if (options.wants_heights()) write_heights(options, input.mesh, cutter, places);

@@ -73,13 +73,13 @@ void add_stock_layer_options(CLI::App& command, SurfaceCommandOptions& options) 
   command
       .add_option(
           "--stock-top",
-          options.stock_top_mm,
+          options.stock.top_mm,
           "Z of the stock's top, mm, to which rapids go down; default: the surface's highest point")
       ->check(in_range(-surface::kFarthestMm, surface::kFarthestMm, "mm"))
       ->type_name("MM");
   command
       .add_option("--layers",
-                  options.layer_mm,
+                  options.levels.depth_mm,
                   "Depth of a layer of roughing, mm: layers from the top of the stock downwards, "
                   "each where it is\nabove the surface")
       ->check(in_range(0.001, 1000.0, "mm"))
@@ -228,7 +228,7 @@ void check_approach(const SurfaceCommandOptions& options) {
 void check_smooth(const SurfaceCommandOptions& options) {
   if (!options.patches.smooth) return;
   for (const auto& [name, is_given, reason] :
-       {std::tuple{"--pencil", options.pencil, "a smooth surface has no valleys"},
+       {std::tuple{"--pencil", options.pencil.is_wanted, "a smooth surface has no valleys"},
         std::tuple{"--at", options.wants_heights(), "it writes the tip's exact heights"},
         std::tuple{"--like-paper", options.patches.like_paper, "it makes no path"}}) {
     if (!is_given) continue;
@@ -246,17 +246,18 @@ void check_line_options(const SurfaceCommandOptions& options) {
   if (options.direction && options.order == surface::RowOrder::kZigzag) {
     refuse("--direction", "rows to and fro cut in both directions; use --order oneway");
   }
-  if (options.stock_margin_mm && options.paths != SurfacePaths::kRough) {
+  if (options.stock.margin_mm && options.paths != SurfacePaths::kRough) {
     refuse("--stock-margin", "only --paths rough comes in from outside the stock");
   }
   if (are_rows) return;
-  if (options.pencil) refuse("--pencil", "goes along valleys in place of --paths; leave one out");
+  if (options.pencil.is_wanted)
+    refuse("--pencil", "goes along valleys in place of --paths; leave one out");
   if (options.angle_deg) refuse("--angle", "only rows have one; leave it out, or --paths");
   if (options.order) {
     refuse("--order", "only rows have one; lines of --paths have a --direction");
   }
   if (options.paths == SurfacePaths::kRough) return check_rough_options(options);
-  if (options.layer_mm > 0.0) {
+  if (options.levels.depth_mm > 0.0) {
     refuse("--layers", "only rows have layers; waterlines go down by their --step");
   }
 }
@@ -286,7 +287,7 @@ void add_surface_options(CLI::App& command, SurfaceCommandOptions& options) {
       ->type_name("MM/MIN");
   command
       .add_option("--ramp",
-                  options.ramp_deg,
+                  options.levels.ramp_deg,
                   "Angle of the ramp above the first line on which the tool enters the stock, "
                   "degrees; default:\nstraight down")
       ->check(in_range(0.1, 60.0, "degrees"))
@@ -311,12 +312,13 @@ void add_surface_options(CLI::App& command, SurfaceCommandOptions& options) {
       command
           .add_option(
               "--at",
-              options.at,
+              options.query.points,
               "File of positions, `X Y` in mm on each line: write the heights of the tip there "
               "in place of\na program")
           ->type_name("FILE"),
       FileRole::kInput);
-  add_output("--heights", options.heights, "File of `X Y Z` for --at; default: standard output");
+  add_output(
+      "--heights", options.query.heights, "File of `X Y Z` for --at; default: standard output");
 }
 
 void check_surface_options(const SurfaceCommandOptions& options) {
@@ -327,7 +329,7 @@ void check_surface_options(const SurfaceCommandOptions& options) {
   check_approach(options);
   if (options.tool.empty())
     throw std::invalid_argument("--tool is missing; give it, such as ball:4");
-  if (!options.heights.empty() && !options.wants_heights()) {
+  if (!options.query.heights.empty() && !options.wants_heights()) {
     throw std::invalid_argument("--heights: requires --at, the file of positions");
   }
   if (options.scallop_mm > 0.0 &&
@@ -339,10 +341,10 @@ void check_surface_options(const SurfaceCommandOptions& options) {
                     options.tolerance_mm));
   }
   check_line_options(options);
-  if (options.mill.slot_feed_mm_min > 0.0 && options.layer_mm == 0.0) {
+  if (options.mill.slot_feed_mm_min > 0.0 && options.levels.depth_mm == 0.0) {
     throw std::invalid_argument("--slot-feed: only --layers have rows with stock on both sides");
   }
-  if (options.layer_mm > 0.0 && options.scallop_mm > 0.0) {
+  if (options.levels.depth_mm > 0.0 && options.scallop_mm > 0.0) {
     throw std::invalid_argument("--scallop: layers have rows by --step alone");
   }
   check_region_options(options.regions, options.file);
@@ -385,8 +387,8 @@ surface::RowOptions row_options_of(const SurfaceCommandOptions& options,
           .order = options.order.value_or(surface::RowOrder::kZigzag),
           .direction = options.direction,
           .regions = {},
-          .stock_top_mm = options.stock_top_mm,
-          .layer_mm = options.layer_mm,
+          .stock_top_mm = options.stock.top_mm,
+          .layer_mm = options.levels.depth_mm,
           .lines_only = options.lines_only,
           .smooth = {},
           .progress = {}};

@@ -29,6 +29,31 @@ enum class SurfacePaths : std::uint8_t {
   kRough,      ///< Levels whose areas are cleared like pockets.
 };
 
+/// The stock around a surface.
+struct SurfaceStock {
+  std::optional<double> top_mm;  ///< Top; empty for the surface's highest point.
+  /// Distance from the surface's box to the edge, mm; empty if the edge is not known.
+  std::optional<double> margin_mm;
+};
+
+/// The layers in which stock is removed.
+struct SurfaceLevels {
+  double depth_mm = 0.0;  ///< Depth of a layer; 0 for no layers.
+  double ramp_deg = 0.0;  ///< Angle of the ramp into the stock; 0 for straight down.
+};
+
+/// A path along valleys, in place of rows.
+struct PencilOptions {
+  bool is_wanted = false;
+  double angle_deg = 20.0;  ///< Least angle by which the surface bends in a valley.
+};
+
+/// A question for the heights of the tool's tip at given points.
+struct HeightQuery {
+  std::string points;   ///< File of the points; empty for no question.
+  std::string heights;  ///< File for the heights; empty for the standard output.
+};
+
 /// Options of `kerfline surface`.
 struct SurfaceCommandOptions {
   std::string file;
@@ -46,19 +71,15 @@ struct SurfaceCommandOptions {
   double allowance_mm = 0.0;
   double margin_mm = 0.0;
   std::optional<double> floor_mm;
-  std::optional<double> stock_top_mm;  ///< Top of the stock; empty for the surface's highest point.
-  double layer_mm = 0.0;               ///< Depth of a layer; 0 for no layers.
-  double ramp_deg = 0.0;               ///< Angle of the ramp into the stock; 0 for straight down.
-  std::optional<double> safe_mm;       ///< Height of rapids; empty for 5 mm above path and surface.
+  SurfaceStock stock;
+  SurfaceLevels levels;
+  std::optional<double> safe_mm;  ///< Height of rapids; empty for 5 mm above path and surface.
   SurfacePaths paths = SurfacePaths::kRows;
-  /// Distance from the surface's box to the edge of the stock, mm; empty if the edge is not known.
-  std::optional<double> stock_margin_mm;
   /// Order of the rows. If empty: zigzag, or one way if a direction is given.
   std::optional<surface::RowOrder> order;
   std::optional<cnc::pocket::Milling> direction;
   RegionOptions regions;
-  bool pencil = false;  ///< Whether the tool follows valleys in place of rows.
-  double pencil_angle_deg = 20.0;
+  PencilOptions pencil;
   bool lines_only = false;
   pocket::MillSettings mill;
   unsigned decimals = 4;
@@ -69,10 +90,9 @@ struct SurfaceCommandOptions {
   std::string report;
   std::string
       mesh;  ///< File for the triangles of the surface, after all changes to it; empty for none.
-  std::string at;       ///< File of points whose heights are required.
-  std::string heights;  ///< File for these heights.
+  HeightQuery query;
 
-  [[nodiscard]] bool wants_heights() const { return !at.empty(); }
+  [[nodiscard]] bool wants_heights() const { return !query.points.empty(); }
   [[nodiscard]] bool wants_patches() const {
     return patches.smooth || patches.like_paper || !patches.file.empty() ||
            !pictures.patches.empty();

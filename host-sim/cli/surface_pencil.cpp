@@ -12,12 +12,12 @@ namespace sim {
 
 void add_pencil_options(CLI::App& command, SurfaceCommandOptions& options) {
   command.add_flag("--pencil",
-                   options.pencil,
+                   options.pencil.is_wanted,
                    "Mill, in place of rows, one pass along each valley in which the tool touches "
                    "both sides, and\nalong the feet of walls");
   command
       .add_option("--pencil-angle",
-                  options.pencil_angle_deg,
+                  options.pencil.angle_deg,
                   "Least angle between the normals of the two sides of a valley, degrees")
       ->check(in_range(1.0, 170.0, "degrees"))
       ->type_name("DEG")
@@ -25,10 +25,10 @@ void add_pencil_options(CLI::App& command, SurfaceCommandOptions& options) {
 }
 
 void check_pencil_options(const SurfaceCommandOptions& options) {
-  if (!options.pencil) return;
+  if (!options.pencil.is_wanted) return;
   for (const auto& [name, is_given] : {std::pair{"--step", options.step_mm > 0.0},
                                        std::pair{"--scallop", options.scallop_mm > 0.0},
-                                       std::pair{"--layers", options.layer_mm > 0.0},
+                                       std::pair{"--layers", options.levels.depth_mm > 0.0},
                                        std::pair{"--angle", options.angle_deg.has_value()},
                                        std::pair{"--margin", options.margin_mm > 0.0},
                                        std::pair{"--order", options.order.has_value()},
@@ -41,7 +41,7 @@ void check_pencil_options(const SurfaceCommandOptions& options) {
 
 surface::PencilOptions pencil_options_of(const SurfaceCommandOptions& options,
                                          const stock::Cutter& cutter) {
-  return {.angle_rad = options.pencil_angle_deg * std::numbers::pi / 180.0,
+  return {.angle_rad = options.pencil.angle_deg * std::numbers::pi / 180.0,
           .min_mm = 0.5 * cutter.diameter_mm};
 }
 

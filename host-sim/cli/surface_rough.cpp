@@ -15,7 +15,7 @@ void add_rough_options(CLI::App& command, SurfaceCommandOptions& options) {
   command
       .add_option(
           "--stock-margin",
-          options.stock_margin_mm,
+          options.stock.margin_mm,
           "Distance from the surface's box to the edge of the stock, mm: --paths rough then "
           "comes in from\noutside the stock; default: from above")
       ->check(in_range(0.0, 1000.0, "mm"))
@@ -23,7 +23,7 @@ void add_rough_options(CLI::App& command, SurfaceCommandOptions& options) {
 }
 
 void check_rough_options(const SurfaceCommandOptions& options) {
-  if (options.layer_mm == 0.0) {
+  if (options.levels.depth_mm == 0.0) {
     throw std::invalid_argument("--paths rough: requires the depth of its levels; give --layers");
   }
   for (const auto& [name, is_given] : {std::pair{"--slope", !options.regions.slope.empty()},
@@ -33,7 +33,7 @@ void check_rough_options(const SurfaceCommandOptions& options) {
     throw std::invalid_argument(
         fmt::format("{}: roughing in levels has none; leave it out, or take --paths rows", name));
   }
-  if (options.stock_margin_mm && options.margin_mm > 0.0) {
+  if (options.stock.margin_mm && options.margin_mm > 0.0) {
     throw std::invalid_argument(
         "--margin: with --stock-margin the tool goes as far as required; leave one out");
   }
@@ -42,7 +42,7 @@ void check_rough_options(const SurfaceCommandOptions& options) {
 double rough_step_of(const SurfaceCommandOptions& options, const stock::Cutter& cutter) {
   // Default step-over as a share of the tool's clearing radius.
   constexpr double kUsualShare = 0.8;
-  const double clearing_mm = surface::clearing_radius(profile_of(cutter), options.layer_mm);
+  const double clearing_mm = surface::clearing_radius(profile_of(cutter), options.levels.depth_mm);
   if (options.step_mm == 0.0) return kUsualShare * clearing_mm;
   if (options.step_mm <= 2.0 * clearing_mm) return options.step_mm;
   throw std::invalid_argument{

@@ -24,7 +24,7 @@ constexpr int kMaxRounds = 4;
 
 double reach_of(const cnc::contour::ContourView<double>& loops) {
   double most = 0.0;
-  double faults = 0.0;  // Stays 0, or becomes NaN for numbers that are not finite.
+  double faults = 0.0;  // Stays 0 if all numbers are finite, and becomes NaN otherwise.
   for (const ContourVertex& vertex : loops.vertices) {
     most = std::max({most, std::abs(vertex.x), std::abs(vertex.y)});
     faults += 0.0 * (vertex.x + vertex.y + vertex.bulge);
@@ -69,7 +69,8 @@ bool Arrangement::divide(const cnc::contour::ContourView<double>& loops, double 
   return true;
 }
 
-/// Divides curves where they meet. The storage grows until it is large enough.
+/// Divides curves into pieces at the points where they meet. Enlarges the storage until it
+/// suffices. Returns false if there are more than kMaxMeetings meetings.
 bool Arrangement::cut(const std::vector<RawCurve<double>>& curves) {
   const auto raw_count = static_cast<std::uint32_t>(curves.size());
   const auto node_count = static_cast<std::uint32_t>(nodes_.size());
@@ -92,8 +93,8 @@ bool Arrangement::cut(const std::vector<RawCurve<double>>& curves) {
   }
 }
 
-/// Returns the pieces as curves of their own. They must be divided again, because a node may lie on
-/// a curve that did not meet this node's curves before.
+/// Returns the pieces as separate curves. They must be divided again, because a node may have come
+/// to lie on a curve that did not meet the curves of this node before.
 std::vector<RawCurve<double>> Arrangement::parts_of_pieces(
     const std::vector<RawCurve<double>>& curves) const {
   std::vector<RawCurve<double>> parts;
@@ -119,8 +120,8 @@ void Arrangement::add_elements(const cnc::contour::ContourView<double>& loops) {
   for (std::size_t loop = 0; loop < loops.loop_ends.size(); ++loop) add_loop(loops, loop);
 }
 
-/// Adds the elements of a loop. Elements shorter than `touch` are left out, and the next element
-/// begins where the last one ended.
+/// Adds the elements of a loop. Leaves out elements that are shorter than the touch distance. The
+/// next element then begins where the last added element ended.
 void Arrangement::add_loop(const cnc::contour::ContourView<double>& loops, std::size_t loop) {
   const std::uint32_t first = loops.loop_begin(loop);
   const std::uint32_t end = loops.loop_ends[loop];
@@ -145,7 +146,8 @@ void Arrangement::add_loop(const cnc::contour::ContourView<double>& loops, std::
     raw_.resize(first_raw);
     return;
   }
-  // The last elements may be left out; together they are shorter than `touch`.
+  // Elements may have been left out at the end of the loop. Together they are shorter than the
+  // touch distance, so the last added element can end at the start of the loop.
   raw_.back().curve.end = raw_[first_raw].curve.start;
   for (std::size_t i = first_raw; i < raw_.size(); ++i) {
     const auto node = static_cast<std::uint32_t>(nodes_.size());
@@ -162,7 +164,8 @@ void Arrangement::add_element(const WideVec2& from, const WideVec2& to, double b
   if (arc.ok()) raw_.push_back({cnc::contour::curve_of(arc.value()), kNone, kNone});
 }
 
-/// Sorts pieces by the nodes at their ends, and makes one edge of pieces on top of each other.
+/// Sorts pieces by the nodes at their ends, and makes one edge of each set of pieces that lie on
+/// top of each other.
 void Arrangement::make_edges() {
   edges_.clear();
   owners_.clear();
@@ -200,7 +203,7 @@ void Arrangement::add_edges(std::vector<std::uint32_t>& pieces) {
   }
 }
 
-/// Adds one edge.
+/// Adds the edge that stands for some pieces.
 /// @param pieces pieces on top of each other
 void Arrangement::add_edge(std::span<const std::uint32_t> pieces) {
   const Piece& first = pieces_[pieces.front()];
@@ -241,7 +244,7 @@ double Arrangement::length_mm(const ArrangedEdge& edge) const {
   return bulge < 1.0e-6 ? chord : chord * (1.0 + bulge * bulge) / bulge * std::atan(bulge);
 }
 
-/// Makes curves of the kept edges, which keep all of their nodes, and writes them as loops.
+/// Converts the kept edges to curves without removing any nodes, and writes the curves as loops.
 bool Arrangement::write_loops(std::span<const DirectedEdge> kept, Contour& out) {
   if (kept.empty()) return true;
   junctions_.resize(nodes_.size());

@@ -11,15 +11,17 @@
 
 namespace sim {
 
-/// The plane divided by closed loops of lines and arcs, with the number of times that each loop
-/// runs around each face. The code that cuts raw curves for the offset divides the elements.
+/// The division of the plane into faces by closed loops of lines and arcs, with the winding number
+/// of each loop around each face. The elements are divided by the code that cuts raw curves for an
+/// offset.
 ///
-/// Time: n log n for n elements that each meet few others. Each row of edges between points where
-/// loops meet adds the number of elements on the line of its ray.
+/// Time: n log n for n elements if each of them meets only few others. Each row of edges between
+/// points where loops meet adds a time proportional to the number of elements on the line of its
+/// ray (see WindingRays).
 class Arrangement {
  public:
-  /// Divides the loops. Points closer than `touch_mm` count as one point. The distance that is used
-  /// is never below the resolution of coordinates of this size.
+  /// Divides the plane by loops. Points closer to each other than `touch_mm`, or than the
+  /// resolution of coordinates of this size, count as one point.
   /// @return false if there are more meetings than kMaxMeetings, or numbers that are not finite
   [[nodiscard]] bool divide(const cnc::contour::ContourView<double>& loops, double touch_mm);
 
@@ -35,9 +37,9 @@ class Arrangement {
   /// Returns the length of an edge, mm.
   [[nodiscard]] double length_mm(const ArrangedEdge& edge) const;
 
-  /// Joins edges to loops with the inside on their left. The loops touch each other and themselves,
-  /// but never cross.
-  /// @return false if edges do not lead back to their start, which is a fault of rounding
+  /// Joins edges to loops whose inside is on their left. The loops may touch each other and
+  /// themselves, but never cross.
+  /// @return false if rounding keeps edges from leading back to their start
   [[nodiscard]] bool write_loops(std::span<const DirectedEdge> kept, Contour& out);
 
  private:

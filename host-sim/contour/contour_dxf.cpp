@@ -8,8 +8,8 @@
 namespace sim {
 namespace {
 
-// $INSUNITS 4 is mm. Readers of release 12 do not know this variable and skip it; later readers use
-// it.
+// The value 4 of $INSUNITS stands for mm. Readers of release 12 do not know this variable and skip
+// it. Later readers use it.
 constexpr std::string_view kDxfHead =
     "0\nSECTION\n2\nHEADER\n9\n$ACADVER\n1\nAC1009\n9\n$INSUNITS\n70\n4\n0\nENDSEC\n"
     "0\nSECTION\n2\nENTITIES\n";

@@ -15,8 +15,8 @@
 namespace sim {
 namespace {
 
-/// Returns whether a text is a drawing. A line with one whole number begins a DXF; it cannot be a
-/// vertex.
+/// Returns whether a text is a drawing. A text that begins with a line of one whole number is a
+/// DXF, because such a line cannot be a vertex of contours in text.
 bool is_drawing(std::string_view text) {
   constexpr std::string_view kByteOrder = "\xEF\xBB\xBF";
   constexpr std::string_view kDigits = "0123456789";
@@ -30,8 +30,8 @@ bool is_drawing(std::string_view text) {
          text.starts_with("AutoCAD Binary DXF");
 }
 
-/// Throws FaultyDrawing for errors, and for letters, which only `cut` draws. Other entities that
-/// are left out because they are no paths do not count.
+/// Throws FaultyDrawing if the drawing has errors, or letters that are left out, because only `cut`
+/// can draw letters. Ignores other entities that are left out because they are no paths.
 void throw_faults(const drawing::Drawing& drawn, const std::vector<drawing::Fault>& more) {
   std::string text;
   for (const auto* const faults : {&drawn.faults, &more}) {
@@ -42,19 +42,20 @@ void throw_faults(const drawing::Drawing& drawn, const std::vector<drawing::Faul
   }
   if (drawn.more_faults != 0) text += "and " + std::to_string(drawn.more_faults) + " more\n";
   if (text.empty() && drawn.contours.empty())
-    text = printable_line(drawn.file) + ": no contour in it\n";
+    text = printable_line(drawn.file) + ": the drawing has no contour\n";
   if (!text.empty()) text.pop_back();
   if (!text.empty()) throw FaultyDrawing{text};
 }
 
-/// Throws FaultyDrawing for points that are farther away than a drawing's points may be: sums with
-/// larger numbers lose the precision of distances.
+/// Throws FaultyDrawing if a point is farther from the origin than points of a drawing may be,
+/// because larger coordinates would make distances inexact.
 void refuse_far(const Contour& contour, const std::string& name) {
   for (std::size_t i = 0; i < contour.vertices.size(); ++i) {
     const ContourVertex& vertex = contour.vertices[i];
     if (std::max(std::abs(vertex.x), std::abs(vertex.y)) <= drawing::kFarthestMm) continue;
     throw FaultyDrawing{fmt::format(
-        "{}: vertex {} at {:g} {:g}: farther than 10 km from the origin; is its unit mm?",
+        "{}: vertex {} at {:g} {:g}: is farther than 10 km from the origin; check that its unit "
+        "is mm",
         name,
         i + 1,
         vertex.x,
@@ -62,7 +63,7 @@ void refuse_far(const Contour& contour, const std::string& name) {
   }
 }
 
-/// Returns the loops of each part separately, in the file's order.
+/// Returns the loops of each part separately, in the order of the file.
 std::vector<ContourPart> parts_of(const Outline& outline, const drawing::Drawing& drawn) {
   std::map<std::size_t, ContourPart> parts;
   const auto view = outline.contour.view();

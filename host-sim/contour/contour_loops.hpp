@@ -4,11 +4,11 @@
 
 namespace sim {
 
-/// Appends a copy of one loop to a contour.
-/// @pre the loop is one of `from`
+/// Appends a copy of one loop of `from` to a contour.
+/// @pre `loop` is the index of a loop of `from`
 void append_loop(const cnc::contour::ContourView<double>& from, std::size_t loop, Contour& to);
 
-/// Appends copies of all loops to a contour.
+/// Appends copies of all loops of `from` to a contour.
 void append_loops(const cnc::contour::ContourView<double>& from, Contour& to);
 
 /// Appends a rectangle along the axes, with its inside on the left.

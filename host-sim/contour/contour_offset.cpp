@@ -13,8 +13,8 @@
 namespace sim {
 namespace {
 
-/// The point with the most vertices in a square whose side is the offset distance, and their
-/// number.
+/// The most crowded square of a contour, whose side is the offset distance: one of its vertices,
+/// and the number of vertices in it.
 struct Crowd {
   drawing::Place place{0.0, 0.0};
   std::size_t vertices = 0;
@@ -41,19 +41,19 @@ Crowd densest(const cnc::contour::ContourView<double>& input, double side_mm) {
   const Crowd crowd = densest(input, side_mm);
   throw NoOffset{crowd.place,
                  fmt::format("offset by {:g} mm, its elements cross each other more than {} times; "
-                             "most lie here, {} in a square of {:g} mm",
+                             "most elements are here, {} in a square of {:g} mm",
                              distance_mm,
                              max_meetings,
                              crowd.vertices,
                              side_mm),
-                 "simplify it there, or leave out what the tool does not reach"};
+                 "simplify the contour here, or leave out details that the tool does not reach"};
 }
 
-/// The measures of loops that bound the area which an offset adds or removes.
+/// Measures of loops, which together bound the area that an offset adds or removes.
 struct Measures {
   double area_mm2 = 0.0;
   double length_mm = 0.0;
-  double turn = 0.0;  ///< Sum of the absolute turns of arcs and corners, radians.
+  double turn = 0.0;  ///< Sum of the absolute angles by which arcs and corners turn, radians.
 };
 
 Measures measures_of(const cnc::contour::ContourView<double>& view) {
@@ -81,9 +81,10 @@ Measures measures_of(const cnc::contour::ContourView<double>& view) {
 
 constexpr double kRoundingMm2 = 1.0e-6;
 
-/// Returns whether the result of an offset is possible. The material must have grown or shrunk,
-/// depending on the sign of the distance. The change is at most the area of strips along all
-/// elements and sectors at all corners. This check detects a loop that is lost or reversed.
+/// Returns whether the result of an offset is plausible. The material must have grown for a
+/// positive distance, and shrunk for a negative one. The area must not have changed by more than
+/// the area of strips along all elements and sectors at all corners. This check detects a loop that
+/// was lost or reversed.
 bool is_possible(const Measures& input,
                  const cnc::contour::ContourView<double>& result,
                  double distance_mm) {
@@ -98,8 +99,8 @@ bool is_possible(const Measures& input,
   return changed >= -rounding && changed <= most + rounding;
 }
 
-/// Returns the outlines of the area that loops fill. Returns nothing if they are unknown, or if all
-/// of the area is lost.
+/// Returns the outlines of the area that loops fill. Returns nothing if filled_loops() fails, or if
+/// it loses all of the area.
 std::optional<Contour> outlines_of(const cnc::contour::ContourView<double>& input) {
   std::optional<Contour> outlines = filled_loops(input);
   const bool is_lost =
@@ -132,9 +133,10 @@ cnc::contour::ContourView<double> ContourOffset::offset(
   return offset_once_filled(input, distance_mm, false);
 }
 
-/// Returns the offset. If no offset closes, or if material is lost, the loops touch or cross. In
-/// this case it replaces the loops, once, by the outlines of the area that they fill.
-// Once at most. NOLINTNEXTLINE(misc-no-recursion)
+/// Returns the offset. If the offset does not close or is not plausible, the loops touch or cross.
+/// The loops are then replaced by the outlines of the area that they fill, and the offset is
+/// computed once more.
+// Recurses at most once. NOLINTNEXTLINE(misc-no-recursion)
 cnc::contour::ContourView<double> ContourOffset::offset_once_filled(
     const cnc::contour::ContourView<double>& input, double distance_mm, bool is_filled) {
   using cnc::contour::OffsetFault;
@@ -158,9 +160,10 @@ cnc::contour::ContourView<double> ContourOffset::offset_once_filled(
           return offset_once_filled(filled_.view(), distance_mm, true);
         }
         throw NoOffset{input.vertices[0].point(),
-                       "the offset of the contour that begins here, or of one with it, does not "
+                       "the offset of the contour that begins here, or of another contour, does "
+                       "not "
                        "close",
-                       "do loops of it cross each other? take them apart"};
+                       "separate loops that cross each other"};
       case OffsetFault::kTooManyElements:
       case OffsetFault::kResultTooLong:
         grow(2 * space_.elements() + 8, space_.cuts() + 16);

@@ -14,7 +14,8 @@ namespace sim {
 
 using ContourVertex = cnc::contour::Vertex<double>;
 
-/// Closed loops of lines and arcs on the host, in mm, in the form of cnc::contour::ContourView.
+/// Closed loops of lines and arcs, in mm, which own their vertices. view() gives them as a
+/// cnc::contour::ContourView.
 struct Contour {
   std::vector<ContourVertex> vertices;
   std::vector<std::uint32_t> loop_ends;
@@ -27,11 +28,11 @@ struct Contour {
 
 [[nodiscard]] Contour copy_of(const cnc::contour::ContourView<double>& view);
 
-/// A contour has no offset: its remaining elements do not lead back to their start, or its elements
-/// lie so close together that their offsets cross each other without end.
+/// Exception for a contour that has no offset: the remaining elements do not lead back to their
+/// start, or the elements are so close together that their offsets cross each other too often.
 class NoOffset : public std::runtime_error {
  public:
-  /// Makes the message `at X Y: reason; remedy`.
+  /// Creates the exception with the message `at X Y: reason; remedy`.
   NoOffset(const drawing::Place& place, std::string reason, std::string remedy);
 
   [[nodiscard]] const drawing::Place& place() const { return place_; }
@@ -44,19 +45,20 @@ class NoOffset : public std::runtime_error {
   std::string remedy_;
 };
 
-/// The planner's offset with storage that grows as needed and is reused for the next contour.
+/// Computes offsets with the code of the planner. Its storage grows as needed, and is reused for
+/// the next contour.
 class ContourOffset {
  public:
-  /// Greatest number of points where offset elements cross or touch; this many need 1.4 GB of
-  /// storage.
+  /// Greatest number of points where elements of the offset cross or touch. This many require 1.4
+  /// GB of storage.
   static constexpr std::size_t kMaxMeetings = 8'000'000;
 
   explicit ContourOffset(std::size_t max_meetings = kMaxMeetings) : max_meetings_{max_meetings} {}
 
-  /// Returns the offset of contours. Loops that touch or cross may have an offset that does not
-  /// close or that loses material. Such loops are offset as the outlines of their material. The
-  /// view is valid until the next call. Throws std::invalid_argument for numbers that are not
-  /// finite, and NoOffset.
+  /// Returns the offset of loops by a distance. Loops that touch or cross may have an offset that
+  /// does not close or that loses material. The offset of the outlines of their material is then
+  /// returned. The view is valid until the next call. Throws std::invalid_argument for numbers that
+  /// are not finite, and NoOffset if there is no offset.
   cnc::contour::ContourView<double> offset(const cnc::contour::ContourView<double>& input,
                                            double distance_mm);
 

@@ -82,7 +82,7 @@ class ContourReader {
 
   std::string_view file_;
   std::size_t line_ = 0;
-  std::size_t open_ = 0;  ///< Vertices of the loop that is being read.
+  std::size_t open_ = 0;  ///< Number of vertices of the loop that is being read.
   Contour contour_;
 };
 

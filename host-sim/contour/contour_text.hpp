@@ -8,7 +8,7 @@
 
 namespace sim {
 
-/// Reports a fault and its line: `file:line: reason`.
+/// Exception for a fault in a text of contours, with the message `file:line: reason`.
 class ContourTextError : public std::runtime_error {
  public:
   ContourTextError(std::string_view file, std::size_t line, std::string_view reason);
@@ -20,8 +20,8 @@ class ContourTextError : public std::runtime_error {
 /// `file`.
 [[nodiscard]] Contour contour_from_text(std::string_view text, std::string_view file);
 
-/// Returns a contour in the format of contour_from_text(). Each number has as many digits as it
-/// needs to be read back unchanged.
+/// Returns a contour as text in the format that contour_from_text() reads. Each number has as many
+/// digits as are needed to read it back unchanged.
 [[nodiscard]] std::string text_of_contour(const cnc::contour::ContourView<double>& contour);
 
 }  // namespace sim

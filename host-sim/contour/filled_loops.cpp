@@ -8,8 +8,8 @@
 namespace sim {
 namespace {
 
-/// Greatest distance of points that count as one point, mm. The resolution of the coordinates is
-/// the lower limit.
+/// Greatest distance between points that count as one point, mm. If the resolution of the
+/// coordinates is coarser, it is used instead.
 constexpr double kSamePointMm = 1.0e-7;
 
 bool is_material(const Windings& windings) {

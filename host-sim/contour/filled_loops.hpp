@@ -7,9 +7,9 @@
 namespace sim {
 
 /// Returns the outlines of the material that loops enclose, with the material on their left. A
-/// point is in the material if the loops turn more often to the left than to the right around it.
-/// Edges with material on both sides are removed.
-/// @return nothing if the outlines do not close, which is a fault of rounding
+/// point is in the material if the sum of the winding numbers of the loops around it is positive.
+/// Edges with material on both sides are left out.
+/// @return nothing if rounding keeps the outlines from closing
 [[nodiscard]] std::optional<Contour> filled_loops(const cnc::contour::ContourView<double>& loops);
 
 }  // namespace sim

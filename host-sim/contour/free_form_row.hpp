@@ -8,8 +8,8 @@
 
 namespace sim {
 
-/// Shapes of a drawing in a row, each from the end of the previous shape, as one curve for the fit.
-/// The curve has the spans of all shapes.
+/// A row of shapes of a drawing, each of which begins at the end of the previous one, as a single
+/// curve for the fit of arcs. The spans of the curve are those of all shapes.
 class FreeFormRow final : public cnc::contour::PlaneCurve {
  public:
   /// @pre the row is not empty, and the shapes outlive this object
@@ -20,7 +20,7 @@ class FreeFormRow final : public cnc::contour::PlaneCurve {
 
  private:
   std::span<const drawing::Shape> shapes_;
-  /// For each shape, the number of the span after its last span in the row.
+  /// For each shape, the number of spans of the row up to the end of the shape.
   std::vector<std::size_t> ends_;
 };
 

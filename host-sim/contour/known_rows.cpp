@@ -11,7 +11,8 @@ namespace {
 using drawing::Bezier;
 using drawing::Place;
 
-constexpr double kUnitsPerMm = 17'179'869'184.0;  // 2^34, so that dividing by it is exact.
+// Units per mm: 2^34, so that the division by this number is exact.
+constexpr double kUnitsPerMm = 17'179'869'184.0;
 constexpr double kLongestMm = 1.0e6;
 
 }  // namespace

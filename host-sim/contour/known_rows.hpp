@@ -12,21 +12,25 @@
 
 namespace sim {
 
-/// Arcs of a row of curves, or the reason why there are none.
+/// The arcs that were fitted to a row of curves, or the reason why there are none.
 struct FittedRow {
-  std::vector<ContourVertex> vertices{};  ///< Vertices without the end of the row.
-  const char* fault = nullptr;            ///< Reason as a string literal; null if there are arcs.
+  /// Vertices at which the arcs begin; the end of the row is not included.
+  std::vector<ContourVertex> vertices{};
+  /// Reason why there are no arcs, as a string literal; null if there are arcs.
+  const char* fault = nullptr;
   drawing::Place fault_place{0.0, 0.0};
 };
 
-/// A row of Bézier curves relative to its start, in units of 2^-34 mm, together with the other
-/// numbers that decide its arcs.
+/// The shape of a row of Bézier curves: its control points relative to its start, in units of 2^-34
+/// mm, and the other numbers that determine its arcs.
 ///
-/// The same row at different points of a drawing differs in its last binary digits. In these units
-/// it is always the same row, and no coordinate moves by more than 0.03 nm.
+/// If a row is repeated at different positions of a drawing, the last binary digits of its relative
+/// coordinates differ. Rounded to these units, they are equal, and no coordinate moves by more than
+/// 0.03 nm.
 class RowShape {
  public:
-  /// Greatest number of curves. Longer rows are rarely repeated, and they take much memory.
+  /// Greatest number of curves of a row. Longer rows are rarely repeated and would take much
+  /// memory.
   static constexpr std::size_t kMaxCurves = 64;
 
   /// Returns the shape of a row. Returns nothing for curves that are not Bézier curves, for more
@@ -35,32 +39,34 @@ class RowShape {
   /// @pre the row is not empty
   [[nodiscard]] static std::optional<RowShape> of(std::span<const drawing::Shape> row);
 
-  /// Appends another number that decides the arcs of the row: tolerance, method or ends.
+  /// Appends another number that determines the arcs of the row: the tolerance, the method or a
+  /// condition at an end.
   void add(std::int64_t number) { numbers_.push_back(number); }
-  /// Returns the curves of the row, moved so that they begin at the origin.
+  /// Returns the curves of the row, moved so that the row begins at the origin.
   [[nodiscard]] std::vector<drawing::Shape> curves() const;
-  /// Returns how many numbers describe the row.
+  /// Returns the number of numbers that describe the row.
   [[nodiscard]] std::size_t size() const { return numbers_.size(); }
 
   [[nodiscard]] auto operator<=>(const RowShape&) const = default;
 
  private:
   std::size_t curves_ = 0;
-  /// Three control points for each curve, then the numbers from add().
+  /// Coordinates of three control points for each curve, followed by the numbers from add().
   std::vector<std::int64_t> numbers_{};
 };
 
-/// Keeps the arcs of rows, because generated drawings repeat a few rounded corners many times. For
-/// use in one thread.
+/// Stores the arcs of rows for reuse, because generated drawings repeat a few rounded corners many
+/// times. Must be used by one thread only.
 class KnownRows {
  public:
-  /// Greatest count of numbers that are kept, 8 bytes each, for shapes and their arcs. When there
-  /// are more, all of them are dropped.
+  /// Greatest count of numbers that are stored for shapes and their arcs; each takes 8 bytes. If it
+  /// is exceeded, all shapes and arcs are dropped.
   static constexpr std::size_t kMaxKept = 500'000;
 
-  /// Returns the arcs of a shape, which begin at the origin. The reference is valid until the next
-  /// call.
-  /// @param fit returns the arcs of a shape that is not kept; the shape alone must decide them
+  /// Returns the arcs of a row shape. The arcs begin at the origin. The reference is valid until
+  /// the next call.
+  /// @param fit function that returns the arcs of a shape which is not stored; the arcs must depend
+  /// on the shape alone
   template <typename Fit>
   [[nodiscard]] const FittedRow& find_or_fit(const RowShape& shape, const Fit& fit) {
     const auto known = rows_.find(shape);
@@ -71,7 +77,8 @@ class KnownRows {
     return fitted;
   }
 
-  /// Returns how many numbers are kept: at most kMaxKept plus the numbers of one row.
+  /// Returns the count of numbers that are stored, which is at most kMaxKept plus the numbers of
+  /// one row.
   [[nodiscard]] std::size_t kept() const { return kept_; }
 
  private:

@@ -12,7 +12,7 @@ namespace {
 void turn_round(Contour& contour, std::size_t loop) {
   const auto first = contour.vertices.begin() + contour.view().loop_begin(loop);
   const auto end = contour.vertices.begin() + contour.loop_ends[loop];
-  std::reverse(first + 1, end);  // The first vertex stays the first.
+  std::reverse(first + 1, end);  // The first vertex of the loop stays the first one.
   const double closing = first->bulge;
   for (auto vertex = first; vertex + 1 != end; ++vertex) vertex->bulge = -(vertex + 1)->bulge;
   (end - 1)->bulge = -closing;

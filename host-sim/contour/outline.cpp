@@ -23,7 +23,7 @@ using drawing::Place;
 using drawing::Shape;
 
 constexpr std::size_t kFirstFitSamples = 4'096;
-// This many samples take half a gigabyte.
+// Greatest number of samples for one fit. This many take half a gigabyte.
 constexpr std::size_t kMaxFitSamples = std::size_t{1} << 22;
 constexpr std::size_t kMaxPieces = std::size_t{1} << 16;
 
@@ -44,13 +44,13 @@ bool goes_on_smoothly(const Shape& before, const Shape& after) {
   return from.dot(to) > 0.0 && std::abs(cnc::cross(from, to)) <= kDrawnSmooth;
 }
 
-/// Returns whether one fit may continue from one shape into the next.
+/// Returns whether two consecutive shapes belong to one row, so that a single fit covers both.
 bool is_one_row(const Shape& before, const Shape& after) {
   return is_free_form(before) && is_free_form(after) && goes_on_smoothly(before, after);
 }
 
-/// Returns whether a free-form curve is so short that every point of it is within the tolerance of
-/// its start.
+/// Returns whether a free-form curve is a speck: so short that each of its points is within the
+/// tolerance of its start.
 bool is_speck(const Shape& shape, double tolerance_mm) {
   constexpr double kLongestHull = 8.0;
   if (!is_free_form(shape) || drawing::length_of_hull(shape) > kLongestHull * tolerance_mm) {
@@ -64,7 +64,8 @@ bool is_speck(const Shape& shape, double tolerance_mm) {
                              is_near);
 }
 
-/// Returns shapes without specks. A speck becomes a line, or is dropped if it ends at its start.
+/// Returns shapes without specks. A speck is replaced by a line, or dropped if it ends at its
+/// start.
 std::vector<Shape> without_specks(const std::vector<Shape>& shapes, double tolerance_mm) {
   std::vector<Shape> kept;
   kept.reserve(shapes.size());
@@ -100,7 +101,7 @@ class RowFitter {
       count = split_offset(row, 0.0, pieces, kDrawnSmooth);
     }
     if (!count.ok()) {
-      fail(start_of(shapes.front()), "a curve that begins here is a place in parts of it");
+      fail(start_of(shapes.front()), "a part of the curve that begins here is a single point");
       return std::move(row_);
     }
     for (std::size_t i = 0; i < count.value() && row_.fault == nullptr; ++i) {
@@ -129,7 +130,7 @@ class RowFitter {
       if (made.error() == FitError::kNoFit) break;
     }
     fail(piece.at(piece.from).place,
-         "no arcs were found within the tolerance for what begins here");
+         "no arcs within the tolerance were found for the curves that begin here");
   }
 
   void fail(const Place& place, const char* reason) { row_ = {{}, reason, place}; }
@@ -141,7 +142,7 @@ class RowFitter {
   FittedRow row_;
 };
 
-/// Converts the shapes of one contour to vertices.
+/// Converts the shapes of one contour to vertices of lines and arcs.
 class ContourFitter {
  public:
   ContourFitter(const drawing::DrawnContour& contour,
@@ -177,7 +178,8 @@ class ContourFitter {
     for (std::size_t i = 0; i < shapes_.size(); ++i) {
       const Shape& before = shapes_[i == 0 ? shapes_.size() - 1 : i - 1];
       if (is_one_row(before, shapes_[i])) continue;
-      // std::rotate, because std::ranges::rotate returns a range that Clang 14 does not compile.
+      // Uses std::rotate, because Clang 14 does not compile the range that std::ranges::rotate
+      // returns.
       std::rotate(shapes_.begin(), shapes_.begin() + static_cast<std::ptrdiff_t>(i), shapes_.end());
       return;
     }
@@ -197,8 +199,8 @@ class ContourFitter {
     add(arc.centre + turn.x() * radius + turn.y() * left, std::tan(0.125 * arc.sweep));
   }
 
-  /// Returns whether the path arrives at a shape without a corner. For a closed contour this
-  /// includes the transition from the last shape to the first.
+  /// Returns whether the contour has no corner at the start of a shape. For the first shape of a
+  /// closed contour, checks the transition from the last shape.
   [[nodiscard]] bool arrives_smoothly(std::size_t index) const {
     if (index > 0) return goes_on_smoothly(shapes_[index - 1], shapes_[index % shapes_.size()]);
     return contour_.closed && goes_on_smoothly(shapes_.back(), shapes_.front());
@@ -209,7 +211,7 @@ class ContourFitter {
   }
 
   /// Fits arcs to the row that begins at a shape.
-  /// @return the number of the shape after the row
+  /// @return the index of the shape after the row
   [[nodiscard]] std::size_t fit_row(std::size_t from) {
     std::size_t end = from + 1;
     while (end < shapes_.size() && is_one_row(shapes_[end - 1], shapes_[end])) ++end;
@@ -239,7 +241,7 @@ class ContourFitter {
                             contour_.entity,
                             place,
                             reason,
-                            "draw it anew, or allow another tolerance"};
+                            "draw it again, or set another tolerance"};
   }
 
   const drawing::DrawnContour& contour_;

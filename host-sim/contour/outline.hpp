@@ -14,7 +14,8 @@ namespace sim {
 class KnownRows;
 
 struct OutlineOptions {
-  /// Greatest distance between a drawn curve and its arcs, in both directions.
+  /// Greatest distance of any point of a drawn curve from its arcs, and of any point of the arcs
+  /// from the curve.
   double tolerance_mm = 0.01;
   cnc::contour::FitMethod method = cnc::contour::FitMethod::kFewest;
 };
@@ -28,44 +29,48 @@ struct OutlineOptions {
 inline constexpr double kMinToleranceMm = 1.0e-5;
 inline constexpr double kGreatestToleranceMm = 10.0;
 
-/// A contour of a drawing as lines and arcs, or the reason why that is not possible.
+/// A contour of a drawing as lines and arcs, or the reason why there are none.
 struct FittedContour {
-  /// Vertices; the last vertex of an open contour is its end.
+  /// Vertices at which lines and arcs begin. The last vertex of an open contour is its end.
   std::vector<ContourVertex> vertices;
-  std::optional<drawing::Fault> fault;  ///< If there is a fault, there are no vertices.
+  /// Reason why the contour could not be fitted. If there is a fault, there are no vertices.
+  std::optional<drawing::Fault> fault;
 };
 
-/// Returns a drawn contour as lines and arcs. Lines and arcs stay the same to the bit, except that
-/// an arc of more than half a turn becomes two arcs. Other curves become arcs within the tolerance.
-/// Corners keep their points. Where the drawing is smooth, the arcs are smooth, too: within a row
-/// of curves they have one tangent, and next to lines and arcs they have the curve's own tangent. A
-/// change of direction below kDrawnSmooth counts as smooth. A closed contour may begin at another
-/// of its points.
+/// Returns a drawn contour as lines and arcs. Drawn lines and arcs stay exactly the same, except
+/// that an arc of more than half a turn becomes two arcs. Other curves become arcs within the
+/// tolerance. Corners keep their points. Where the drawing is smooth, the result is smooth, too:
+/// arcs within a row of curves have a common tangent where they meet, and next to a drawn line or
+/// arc they have the tangent of the drawn curve. A change of direction below kDrawnSmooth counts as
+/// smooth. The result of a closed contour may begin at another point of it.
 /// @pre the tolerance is within its limits
 [[nodiscard]] FittedContour arcs_of(const drawing::DrawnContour& contour,
                                     const OutlineOptions& options);
-/// Returns the same arcs as arcs_of() without `known`, to the bit. A row of curves that is repeated
-/// is fitted only once.
-/// @param known rows of earlier contours, for one thread; the rows of this contour are added
+/// Returns exactly the same arcs as arcs_of() without `known`, but fits a row of curves that is
+/// repeated only once.
+/// @param known rows of earlier contours, to which the rows of this contour are added; must be used
+/// by one thread only
 [[nodiscard]] FittedContour arcs_of(const drawing::DrawnContour& contour,
                                     const OutlineOptions& options,
                                     KnownRows& known);
-/// Greatest change of direction that counts as smooth, radians. Control points with three decimals
-/// make such corners where the author meant none.
+/// Greatest change of direction that counts as smooth, radians. Control points that are rounded to
+/// three decimals cause such corners where the author of the drawing meant none.
 inline constexpr double kDrawnSmooth = 0.01;
 
-/// All closed contours of a drawing, as lines and arcs.
+/// The closed contours of a drawing as lines and arcs.
 struct Outline {
-  /// One loop for each closed contour, in the drawing's order; material is on the left.
+  /// One loop for each closed contour, in the order of the drawing. The material is on the left of
+  /// each loop.
   Contour contour;
-  /// Index of each loop in Drawing::contours, which has its layer, parent and depth.
+  /// For each loop, the index of its contour in Drawing::contours, which contains its layer, parent
+  /// and depth.
   std::vector<std::size_t> drawn;
-  /// Contours that could not be fitted and are left out: entity, point and reason.
+  /// Faults about contours that could not be fitted and are left out: entity, point and reason.
   std::vector<drawing::Fault> faults;
 };
 
-/// Returns the closed contours of a drawing as lines and arcs. Open contours are not included; the
-/// drawing's own faults list them.
+/// Returns the closed contours of a drawing as lines and arcs. Leaves out open contours, which
+/// Drawing::faults lists.
 [[nodiscard]] Outline outline_of(const drawing::Drawing& drawing,
                                  const OutlineOptions& options = {});
 

@@ -8,25 +8,27 @@
 
 namespace sim {
 
-/// Returns a slice of a whole vector, for code that works in the storage of its caller.
+/// Returns a slice over all items of a vector, for code that works in the storage of its caller.
 template <typename Item>
 [[nodiscard]] cnc::contour::Slice<Item> slice_of(std::vector<Item>& items) {
   return {items.data(), items.size()};
 }
 
-/// Working storage of an offset, which can grow. Initially it is large enough for no elements.
+/// Working storage for the computation of offsets. It is initially empty, and can grow.
 class OwnedOffsetSpace {
  public:
   OwnedOffsetSpace() { grow(0, 0); }
 
   [[nodiscard]] std::size_t elements() const { return elements_; }
   [[nodiscard]] std::size_t cuts() const { return cut_count_; }
-  /// Returns the greatest number of items that a result of the offset needs.
+  /// Returns the greatest number of vertices or loops of an offset that is computed in this
+  /// storage.
   [[nodiscard]] std::size_t pieces() const { return pieces_.size(); }
 
-  /// Makes the storage as large as `cnc::contour::OffsetSizes{elements, cuts}`.
+  /// Enlarges the storage to the sizes of `cnc::contour::OffsetSizes{elements, cuts}`.
   void grow(std::size_t elements, std::size_t cuts);
-  /// Returns the storage as the offset takes it; valid until the storage grows again.
+  /// Returns the storage in the form that cnc::contour::offset() takes. The result is valid until
+  /// the storage grows again.
   [[nodiscard]] cnc::contour::OffsetSpace<double> space();
 
  private:

@@ -11,11 +11,11 @@ namespace {
 
 using drawing::Place;
 
-/// Share of the tolerance that is permitted at the checked points of chords. Between these points
-/// the deviation may be larger.
+/// Share of the tolerance that is allowed at the checked points of the chords, because the
+/// deviation between these points may be larger.
 constexpr double kLooked = 0.97;
 
-/// Returns the bulge of the arc between two points through a third one; nothing if the arc exceeds
+/// Returns the bulge of the arc from `from` through `middle` to `to`; nothing if the arc exceeds
 /// half a turn.
 std::optional<double> bulge_through(const Place& from, const Place& middle, const Place& to) {
   // Seen from the middle point, the angle between the directions to both ends is half a turn minus
@@ -29,7 +29,7 @@ std::optional<double> bulge_through(const Place& from, const Place& middle, cons
   return std::tan(0.5 * half_sweep);
 }
 
-/// An arc or line from the first to the last of some points.
+/// The arc with a given bulge from one point to another one, or a line if the arc is flat.
 class Arc {
  public:
   Arc(const Place& from, const Place& to, double bulge) : from_{from}, way_{to - from} {
@@ -48,7 +48,8 @@ class Arc {
   }
 
  private:
-  static constexpr double kFlat = 2.0e-6;  ///< An arc of half this height is a line, mm.
+  /// Twice the height below which an arc counts as a line, mm.
+  static constexpr double kFlat = 2.0e-6;
 
   Place from_;
   Place way_;
@@ -57,8 +58,8 @@ class Arc {
   bool is_line_ = true;
 };
 
-/// Returns the bulge of the arc through the middle point, if this arc is within the tolerance of
-/// the chords between the points.
+/// Returns the bulge of the arc from the first point through the middle one to the last one;
+/// nothing if this arc is not within the tolerance of the chords between the points.
 std::optional<double> bulge_along(std::span<const Place> places, double tolerance_mm) {
   const Place& from = places.front();
   const Place& to = places.back();
@@ -76,7 +77,7 @@ std::optional<double> bulge_along(std::span<const Place> places, double toleranc
       if (arc.distance_of(place) > most) return std::nullopt;
     }
     // An arc of at most half a turn always advances along its chord and stays on one side of it.
-    // The same must hold for points near it.
+    // The points near the arc must do the same.
     const double next = drawing::dot(places[i] - from, way);
     const double left = drawing::cross(way, places[i] - from) / way.norm();
     if (next < along || std::copysign(left, left * *bulge) > most) return std::nullopt;
@@ -92,7 +93,8 @@ std::vector<ContourVertex> arcs_along(const std::vector<Place>& places, double t
   std::vector<ContourVertex> elements;
   std::size_t from = 0;
   while (from + 1 < places.size()) {
-    // The greatest number of chords known to fit, and the smallest number known not to fit.
+    // `fits` is the greatest number of chords that is known to fit one element, and `fails` the
+    // smallest number that is known not to fit.
     std::size_t fits = 1;
     double bulge = 0.0;
     std::size_t fails = places.size() - from;

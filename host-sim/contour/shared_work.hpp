@@ -9,10 +9,10 @@
 
 namespace sim {
 
-/// Calls a worker exactly once with each number below `count`. The calls are spread over as many
-/// threads as there are cores. Numbers are handed out in ascending order. Results must not depend
-/// on the thread.
-/// @param make_worker returns the worker of one thread; the worker is called with a number
+/// Calls a worker exactly once with each number below `count`, in as many threads as there are
+/// cores. The threads take the numbers in ascending order. The results must not depend on the
+/// thread that computes them.
+/// @param make_worker function that returns the worker of one thread, which is called with a number
 template <typename MakeWorker>
 void share_work(std::size_t count, const MakeWorker& make_worker) {
   std::atomic<std::size_t> next{0};

@@ -12,7 +12,7 @@ namespace sim {
 namespace {
 
 struct LoopSize {
-  double area_mm2 = 0.0;  ///< Area, positive if the loop turns left.
+  double area_mm2 = 0.0;  ///< Area that the loop encloses, positive if the loop turns left.
   double length_mm = 0.0;
 };
 
@@ -34,7 +34,7 @@ LoopSize size_of(const std::vector<cut::Stroke>& loop) {
   for (const cut::Stroke& stroke : loop) {
     const double length = length_of(stroke);
     const double sweep = 4.0 * std::atan(stroke.bulge);
-    // The radius has the sign of the sweep.
+    // Radius of an arc, with the sign of its sweep; 0 for a line.
     const double radius = sweep == 0.0 ? 0.0 : length / sweep;
     size.area_mm2 += 0.5 * drawing::cross(stroke.from, stroke.to);
     size.area_mm2 += 0.5 * radius * radius * (sweep - std::sin(sweep));
@@ -43,7 +43,7 @@ LoopSize size_of(const std::vector<cut::Stroke>& loop) {
   return size;
 }
 
-/// Returns a contour that consists of one loop, with its inside on the left.
+/// Returns a contour that consists of one loop, whose inside is on its left.
 Contour alone(const std::vector<cut::Stroke>& loop, bool turns_left) {
   Contour contour;
   for (std::size_t i = 0; i < loop.size(); ++i) {
@@ -55,8 +55,9 @@ Contour alone(const std::vector<cut::Stroke>& loop, bool turns_left) {
   return contour;
 }
 
-/// Returns whether an offset shrinks a loop to nothing. The largest circle inside the loop has at
-/// least the radius of area divided by length. This bound avoids the offset for most loops.
+/// Returns whether an offset shrinks a loop to nothing. The radius of the largest circle inside the
+/// loop is at least the area divided by the length of the loop. If the distance is less than this
+/// bound, the offset need not be computed.
 bool shrinks_to_nothing(const std::vector<cut::Stroke>& loop,
                         const LoopSize& size,
                         double distance_mm,
@@ -78,7 +79,7 @@ class VanishedSearch {
     left_.prepare();
   }
 
-  /// Appends the vanished pieces of a loop, or the whole loop if all of it has vanished.
+  /// Appends the pieces of a loop that have vanished, or the whole loop if all of it has vanished.
   void search(const std::vector<cut::Stroke>& loop,
               const Vanished& whole,
               std::vector<Vanished>& found) const {
@@ -102,7 +103,8 @@ class VanishedSearch {
   }
 
  private:
-  /// Reach of the search as a multiple of the distance, more than the comparison needs.
+  /// Radius of the search for the result, as a multiple of the offset distance. It is greater than
+  /// the comparison requires.
   static constexpr double kReach = 1.5;
 
   [[nodiscard]] bool has_vanished(const cut::Stroke& stroke) const {
@@ -127,7 +129,7 @@ std::string Vanished::text() const {
     return fmt::format("the {} that begins at {:.3f} {:.3f} vanishes", kind, begin.x(), begin.y());
   return fmt::format(
       "{:.1f} mm of the {} that begins at {:.3f} {:.3f}, from about {:.3f} {:.3f} on, "
-      "have no room and vanish",
+      "vanish, because the space there is too narrow",
       piece_mm,
       kind,
       begin.x(),
@@ -149,8 +151,8 @@ std::vector<Vanished> vanished(const Contour& part,
     const LoopSize size = size_of(strokes);
     const Vanished whole{.is_hole = size.area_mm2 < 0.0, .begin = strokes.front().from};
     if (result.loop_ends.empty() || shrinks_to_nothing(strokes, size, distance_mm, offsetter)) {
-      // If all material is gone, a hole that grows is gone with the material around it. Then the
-      // outer loop has vanished, not the hole.
+      // If no material is left, a growing hole disappears together with the material around it. In
+      // this case the outer loop has vanished, and not the hole.
       const bool goes_with_loop = result.loop_ends.empty() && whole.is_hole && distance_mm < 0.0;
       if (!goes_with_loop) found.push_back(whole);
       continue;

@@ -8,25 +8,25 @@
 
 namespace sim {
 
-/// A loop, or a piece of a loop, of which an offset leaves nothing.
+/// A loop, or a piece of a loop, that has no counterpart in an offset.
 struct Vanished {
   bool is_hole = false;
-  bool is_whole = true;               ///< The whole loop vanishes, otherwise only a piece of it.
-  drawing::Place begin{0.0, 0.0};     ///< The first vertex of the loop.
-  drawing::Place piece_at{0.0, 0.0};  ///< The middle of the piece's first element.
+  bool is_whole = true;  ///< True if the whole loop vanishes; false if only a piece of it vanishes.
+  drawing::Place begin{0.0, 0.0};     ///< First vertex of the loop.
+  drawing::Place piece_at{0.0, 0.0};  ///< Middle of the first element of the piece.
   double piece_mm = 0.0;              ///< Length of the piece.
 
-  /// Returns `the hole that begins at X Y vanishes`, or `12.0 mm … vanish: the space there is too
-  /// narrow`.
+  /// Returns a text such as `the hole that begins at X Y vanishes`, or for a piece `12.0 mm of the
+  /// hole that begins at X Y, …`.
   [[nodiscard]] std::string text() const;
 };
 
-/// Lists the loops of which nothing is left, and the pieces that have no offset of their own:
-/// lobes, slots, walls and gaps that are narrower than twice `distance_mm`.
+/// Returns the loops and the pieces of loops that have no counterpart in an offset. Such pieces are
+/// the edges of lobes, slots, walls and gaps that are narrower than twice `distance_mm`.
 ///
-/// An element counts as vanished if this holds for most of three points on it: the point at the
-/// offset distance from it is farther than this distance from the whole result. A corner that keeps
-/// both of its sides has not vanished, however sharp it is.
+/// An element counts as vanished if most of three points on it are farther from all of the result
+/// than the offset distance. A corner whose two sides are kept has not vanished, however sharp it
+/// is.
 /// @param part contours with their material on the left
 /// @param result the offset of `part` by `distance_mm`
 [[nodiscard]] std::vector<Vanished> vanished(const Contour& part,

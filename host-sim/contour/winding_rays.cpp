@@ -12,16 +12,16 @@ using cnc::WideVec2;
 using cnc::contour::kNone;
 using cnc::contour::Piece;
 
-/// Returns a vector turned by a quarter turn if the ray goes upwards. So all rays go along x in the
-/// computation.
+/// Returns a vector, rotated by a quarter turn if the ray goes upwards. Computations can then
+/// assume that all rays go along x.
 WideVec2 turned(const WideVec2& way, bool upwards) {
   return upwards ? WideVec2{way.y(), -way.x()} : way;
 }
 
-/// Counts the crossing of a ray along x from `from` with a part of a curve that only rises or only
-/// falls: +1 where the part rises, -1 where it falls, 0 where the ray misses it.
-/// @param curvature curvature in the direction of travel @param side side of `from` as returned by
-/// Curve::side
+/// Returns the crossing of a ray along x, which begins at `from`, with a part of a curve that only
+/// rises or only falls: +1 if the part rises, -1 if it falls, 0 if the ray misses it.
+/// @param curvature curvature of the part in its direction of travel
+/// @param side side of `from` as returned by Curve::side()
 int crossing_of_part(const WideVec2& start,
                      const WideVec2& end,
                      const WideVec2& from,
@@ -35,7 +35,7 @@ int crossing_of_part(const WideVec2& start,
   bool left = left_of_chord;
   if (curvature != 0.0) {
     const bool inside = curvature > 0.0 ? side < 0.0 : side > 0.0;
-    // A rising curve that turns left lies on the right of its chord.
+    // A rising curve that turns left is on the right of its chord.
     const bool lies_right = (curvature > 0.0) == rises;
     if (lies_right && !left_of_chord) left = inside;
     if (!lies_right && left_of_chord) left = !inside;
@@ -137,7 +137,8 @@ void WindingRays::find(std::uint32_t number) {
   windings_.push_back(std::move(right));
 }
 
-/// Copies the windings of an edge to the following edges, up to the next point where loops meet.
+/// Copies the windings of an edge to the edges that follow it, up to the next node at which loops
+/// meet.
 void WindingRays::follow(std::uint32_t number, bool forwards) {
   for (std::size_t bound = 0; bound < edges_.size(); ++bound) {
     const ArrangedEdge& edge = edges_[number];
@@ -169,7 +170,8 @@ Windings WindingRays::turns_beside(std::uint32_t edge, const WideVec2& from, boo
   return windings;
 }
 
-/// Counts the crossings of a ray with a piece. A piece is divided at its highest or lowest point.
+/// Returns the sum of the crossings of a ray with a piece. The piece is divided at its highest or
+/// lowest point, if it has one between its ends.
 int WindingRays::crossing(const Piece& piece, const WideVec2& from, bool upwards) const {
   const cnc::contour::Curve<double>& curve = raw_[piece.raw].curve;
   const WideVec2 start_place = nodes_[piece.start_node].place;
@@ -184,7 +186,8 @@ int WindingRays::crossing(const Piece& piece, const WideVec2& from, bool upwards
   if (leaving.y() * arriving.y() >= 0.0) {
     return crossing_of_part(start, end, place, curve.curvature, side);
   }
-  // At the dividing point the cosine of the direction is 1 or -1.
+  // Cosine of the direction of travel at the dividing point: 1 or -1, because the curve is level
+  // there.
   const double cosine = curve.curvature * leaving.y() > 0.0 ? -1.0 : 1.0;
   const double same = cosine * leaving.x();
   const double rise =

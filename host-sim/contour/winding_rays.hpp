@@ -9,14 +9,14 @@
 
 namespace sim {
 
-/// Finds how often each loop runs around each side of each edge. Edges between points where loops
-/// meet form a row, and one ray starts from one edge of each row. A piece on top of that edge
-/// counts by its direction. Every other piece counts by the side of its chord and of its circle on
-/// which the ray begins.
+/// Computes the winding number of each loop on both sides of each edge. The edges between two
+/// points where loops meet form a row, and a ray is cast from one edge of each row. A piece on top
+/// of that edge counts by its direction. Any other piece counts by the sides of its chord and of
+/// its circle on which the ray begins.
 class WindingRays {
  public:
-  /// Refers to its arguments, all of which must outlive this object.
-  /// @param pieces `next` of each piece is the number of its edge
+  /// Creates an object that refers to its arguments, which must outlive it.
+  /// @param pieces pieces whose member `next` is the number of their edge
   WindingRays(std::vector<ArrangedEdge>& edges,
               std::span<const EdgeOwner> owners,
               std::span<const cnc::contour::Piece> pieces,
@@ -24,7 +24,7 @@ class WindingRays {
               std::span<const std::uint32_t> loop_of_raw,
               std::span<const cnc::contour::Node<double>> nodes);
 
-  /// Returns the list of windings, and sets `left` and `right` of each edge to numbers of this
+  /// Returns the list of windings, and sets `left` and `right` of each edge to indices of this
   /// list.
   [[nodiscard]] std::vector<Windings> find_all();
 
@@ -47,7 +47,7 @@ class WindingRays {
   std::vector<cnc::contour::FlatBox<double>> boxes_;
   cnc::contour::BoxTree<double> tree_;
   std::vector<std::uint32_t> degree_;  ///< Number of edges at each node.
-  /// The edges at each node; if there are more than two, the first two.
+  /// Numbers of the edges at each node; only the first two if there are more.
   std::vector<std::array<std::uint32_t, 2>> ends_;
   std::vector<Windings> windings_;
 };

@@ -1,31 +1,24 @@
 #include "host-sim/cut/plan.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <optional>
-#include <set>
 #include <utility>
 
 #include "host-sim/contour/shared_work.hpp"
-#include "host-sim/cut/clearance.hpp"
 #include "host-sim/cut/coincident.hpp"
 #include "host-sim/cut/controller_choice.hpp"
 #include "host-sim/cut/controller_way.hpp"
 #include "host-sim/cut/cut_precedence.hpp"
 #include "host-sim/cut/cut_turn.hpp"
 #include "host-sim/cut/doubled_lines.hpp"
-#include "host-sim/cut/fill_area.hpp"
-#include "host-sim/cut/fill_paths.hpp"
-#include "host-sim/cut/kerf_faults.hpp"
+#include "host-sim/cut/find_cuts.hpp"
 #include "host-sim/cut/late_cuts.hpp"
 #include "host-sim/cut/lead.hpp"
 #include "host-sim/cut/open_lines.hpp"
 #include "host-sim/cut/outlines.hpp"
 #include "host-sim/cut/own_costs.hpp"
-#include "host-sim/cut/paths_beside.hpp"
+#include "host-sim/cut/plan_work.hpp"
 #include "host-sim/cut/possible_beginnings.hpp"
 #include "host-sim/cut/share_lines.hpp"
 #include "host-sim/cut/start_marks.hpp"
@@ -36,19 +29,6 @@ namespace sim::cut {
 namespace {
 
 using drawing::FaultKind;
-
-void append(std::vector<drawing::Fault>& faults, const std::vector<drawing::Fault>& more) {
-  faults.insert(faults.end(), more.begin(), more.end());
-}
-
-/// Removes leads, overcut, tabs and the treatment of corners from the settings.
-void leave_plain(LayerSettings& settings) {
-  settings.lead_in = settings.lead_out = {};
-  settings.overcut_mm = 0.0;
-  settings.tabs = 0;
-  settings.corner_loop_mm = settings.corner_dwell_s = 0.0;
-  settings.start = StartAt::kUsual;
-}
 
 double widest_kerf(const std::vector<LayerPlan>& layers, const Recipes& recipes) {
   double widest = 1.0e-3;
@@ -66,64 +46,47 @@ class Planner {
           WayBeside beside,
           Recipes recipes,
           const OrderWish& order)
-      : drawn_{drawn},
+      : work_{.drawn = drawn, .reach_mm = 2.0 * widest_kerf(layers, recipes)},
         beside_{beside},
-        wish_{order},
-        reach_mm_{2.0 * widest_kerf(layers, recipes)},
-        edges_{reach_mm_} {
-    plan_.layers = std::move(layers);
-    plan_.recipes = std::move(recipes);
-    plan_.curves = curves;
+        wish_{order} {
+    work_.plan.layers = std::move(layers);
+    work_.plan.recipes = std::move(recipes);
+    work_.plan.curves = curves;
   }
 
   CutPlan make() {
-    append(plan_.warnings, cut_open_on_line(drawn_, plan_.layers, plan_.recipes));
+    append_faults(work_.plan.warnings,
+                  cut_open_on_line(work_.drawn, work_.plan.layers, work_.plan.recipes));
     std::vector<Side> sides;
-    for (std::size_t i = 0; i < drawn_.contours.size(); ++i) {
-      sides.push_back(layer_of(i).settings.side);
+    for (std::size_t i = 0; i < work_.drawn.contours.size(); ++i) {
+      sides.push_back(work_.layer_of(i).settings.side);
     }
-    append(plan_.warnings, skip_coincident(drawn_, sides));
-    outlines_ = outlines_of(drawn_, sides, plan_.curves, plan_.faults);
-    left_lines_ = without_doubled(drawn_, outlines_, sides);
-    if (left_lines_.warning) plan_.warnings.push_back(*left_lines_.warning);
-    marks_ = marked_starts(drawn_, sides, outlines_, plan_.curves, plan_.faults);
-    for (std::size_t i = 0; i < outlines_.size(); ++i) {
-      for (const Stroke& stroke : outlines_[i].strokes) {
-        if (outlines_[i].is_beside) edges_.add(stroke, i);
+    append_faults(work_.plan.warnings, skip_coincident(work_.drawn, sides));
+    work_.outlines = outlines_of(work_.drawn, sides, work_.plan.curves, work_.plan.faults);
+    const LeftLines left_lines = without_doubled(work_.drawn, work_.outlines, sides);
+    if (left_lines.warning) work_.plan.warnings.push_back(*left_lines.warning);
+    marks_ =
+        marked_starts(work_.drawn, sides, work_.outlines, work_.plan.curves, work_.plan.faults);
+    for (std::size_t i = 0; i < work_.outlines.size(); ++i) {
+      for (const Stroke& stroke : work_.outlines[i].strokes) {
+        if (work_.outlines[i].is_beside) work_.edges.add(stroke, i);
       }
     }
-    edges_.prepare();
-    cut_contours(sides);
-    fill_areas(sides);
-    put_parts_last(drawn_, outlines_, plan_.cuts);
+    work_.edges.prepare();
+    find_cuts(work_, sides, left_lines, wish_);
+    put_parts_last(work_.drawn, work_.outlines, work_.plan.cuts);
     name_parts();
     share_common_lines();
     find_beginnings();
     find_own_costs();
-    for (drawing::Fault& late : late_cuts(drawn_, plan_.cuts, unbegun_)) {
-      (late.is_error() ? plan_.faults : plan_.warnings).push_back(std::move(late));
+    for (drawing::Fault& late : late_cuts(work_.drawn, work_.plan.cuts, work_.unbegun)) {
+      (late.is_error() ? work_.plan.faults : work_.plan.warnings).push_back(std::move(late));
     }
     put_in_order();
-    return std::move(plan_);
+    return std::move(work_.plan);
   }
 
  private:
-  [[nodiscard]] const LayerPlan& layer_of(std::size_t contour) const {
-    return plan_.recipes.of(contour, plan_.layers[drawn_.contours[contour].entity.layer]);
-  }
-  [[nodiscard]] double half_kerf(std::size_t contour) const {
-    return 0.5 * layer_of(contour).condition.kerf_mm;
-  }
-  [[nodiscard]] LeadRoom room_of(std::size_t contour) const { return {edges_, half_kerf(contour)}; }
-  [[nodiscard]] bool may_share(std::size_t a, std::size_t b) const;
-  void cut_contours(const std::vector<Side>& sides);
-  void cut_beside(std::size_t i, const PathBeside& path);
-  void vanish(std::size_t i);
-  void cut_along(std::size_t i);
-  void fill_areas(const std::vector<Side>& sides);
-  void fill_layer(const std::vector<std::size_t>& contours);
-  void add_cut(std::size_t i, const std::vector<Stroke>& loop);
-  void add_middle(std::size_t i, const std::vector<Stroke>& row);
   void name_parts();
   void share_common_lines();
   void find_beginnings();
@@ -137,173 +100,22 @@ class Planner {
   void begin(Cut& cut, const UnbegunCut& unbegun, const Beginning& beginning);
   void leave_to_controller(Cut& cut, std::size_t number);
 
-  const drawing::Drawing& drawn_;
+  PlanWork work_;
   WayBeside beside_;
   const OrderWish& wish_;
-  /// The plan. Until the order is chosen, its cuts have no strokes and are in the order of the
-  /// drawing.
-  CutPlan plan_;
-  std::vector<UnbegunCut> unbegun_;  ///< One unbegun cut for each cut of the plan.
-  std::vector<Outline> outlines_;    ///< Outline of each contour; empty if the contour is not cut.
-  LeftLines left_lines_;
   std::vector<std::optional<Place>> marks_;    ///< Marked start of each contour.
   std::vector<std::size_t> loops_of_contour_;  ///< Number of cuts of each contour.
-  /// Distance within which edges matter, and which searches cover: twice the widest kerf.
-  double reach_mm_;
-  Clearance edges_;
-  /// Numbers of the layers that already have the warning about cuts on the line.
-  std::set<std::size_t> told_layers_;
 };
-
-bool Planner::may_share(std::size_t a, std::size_t b) const {
-  return layer_of(a).settings.common_line_mm > 0.0 && &layer_of(a) == &layer_of(b);
-}
-
-void Planner::cut_contours(const std::vector<Side>& sides) {
-  const DrawnEdges drawn{drawn_,
-                         outlines_,
-                         edges_,
-                         reach_mm_,
-                         [this](std::size_t i) { return half_kerf(i); },
-                         [this](std::size_t i) { return layer_of(i).settings.narrow_mm; },
-                         [this](std::size_t a, std::size_t b) { return may_share(a, b); }};
-  std::vector<PathBeside> paths = paths_beside(drawn, plan_.warnings);
-  for (std::size_t i = 0; i < outlines_.size(); ++i) {
-    if (outlines_[i].is_beside) cut_beside(i, std::exchange(paths[i], {}));
-    if (outlines_[i].is_beside || outlines_[i].strokes.empty()) continue;
-    if (sides[i] != Side::kFill) cut_along(i);
-  }
-}
-
-void Planner::cut_beside(std::size_t i, const PathBeside& path) {
-  if (path.failure) plan_.faults.push_back(*path.failure);
-  if (path.vanishes) vanish(i);
-  append(plan_.warnings, rests_of(drawn_.contours[i].entity, path.rests, half_kerf(i)));
-  for (const std::vector<Stroke>& row : path.middles) add_middle(i, row);
-  for (const std::vector<Stroke>& loop : path.loops) {
-    add_cut(i, loop);
-    unbegun_.back().is_on_edge = path.shares_edges;
-  }
-  append(plan_.faults, path.gouges);
-}
-
-/// Reports an outline that is narrower than the kerf. A gap between contours that cross is not a
-/// slot that the user drew, so it only gets a warning.
-void Planner::vanish(std::size_t i) {
-  drawing::Fault fault{
-      FaultKind::kTooSmall,
-      drawn_.contours[i].entity,
-      outlines_[i].strokes.front().from,
-      fmt::format("is narrower than the kerf of {:.3f} mm and would vanish", 2.0 * half_kerf(i)),
-      "make it wider, cut it on the line with side=on, or skip its layer"};
-  if (layer_of(i).settings.narrow_mm < half_kerf(i)) {
-    fault.remedy =
-        fmt::format("cut it once along its middle with --narrow {:.3f}, ", half_kerf(i)) +
-        fault.remedy;
-  }
-  const bool is_gap = drawn_.contours[i].is_filled && outlines_[i].is_hole;
-  if (is_gap) fault.remedy = "it is left out";
-  (is_gap ? plan_.warnings : plan_.faults).push_back(std::move(fault));
-}
-
-void Planner::cut_along(std::size_t i) {
-  const std::size_t layer = drawn_.contours[i].entity.layer;
-  if (told_layers_.insert(layer).second) {
-    append(plan_.warnings,
-           unfulfilled_on_line(
-               layer_of(i).settings, drawn_.contours[i].entity, outlines_[i].strokes.front().from));
-  }
-  LayerSettings settings = layer_of(i).settings;
-  settings.overcut_mm = 0.0;
-  const auto add = [&](const std::vector<Stroke>& row, bool is_open) {
-    unbegun_.push_back(
-        {.path = MeasuredRow{row}, .is_open = is_open, .settings = settings, .layer = layer});
-    plan_.cuts.push_back({.contour = i, .layer = layer});
-  };
-  const auto rests = left_lines_.rests.find(i);
-  if (rests == left_lines_.rests.end()) return add(outlines_[i].strokes, !outlines_[i].is_closed);
-  for (const std::vector<Stroke>& row : rests->second) add(row, true);
-}
-
-/// Fills the closed contours of filled layers. Contours with the same plan are filled together.
-void Planner::fill_areas(const std::vector<Side>& sides) {
-  std::vector<std::pair<const LayerPlan*, std::vector<std::size_t>>> alike;
-  for (std::size_t i = 0; i < outlines_.size(); ++i) {
-    if (sides[i] != Side::kFill || outlines_[i].strokes.empty()) continue;
-    const LayerPlan* const plan = &layer_of(i);
-    auto known = std::ranges::find(alike, plan, &decltype(alike)::value_type::first);
-    if (known == alike.end()) known = alike.insert(known, {plan, {}});
-    known->second.push_back(i);
-  }
-  for (const auto& [plan, contours] : alike) fill_layer(contours);
-}
-
-void Planner::fill_layer(const std::vector<std::size_t>& contours) {
-  const LayerPlan& plan = layer_of(contours.front());
-  const FillSettings& fill = plan.settings.fill;
-  const double speed_mm_s = 1.0e-3 * plan.condition.cut.speed_um_min / 60.0;
-  const double overscan_mm =
-      fill.overscan_mm.value_or(overscan_for(speed_mm_s, fill.angle_deg, wish_.limits));
-  std::vector<std::vector<Stroke>> outlines;
-  outlines.reserve(contours.size());
-  for (const std::size_t i : contours) outlines.push_back(outlines_[i].strokes);
-  for (const std::vector<std::size_t>& group : groups_by_box(outlines)) {
-    std::vector<std::vector<Stroke>> area;
-    area.reserve(group.size());
-    for (const std::size_t member : group) area.push_back(outlines[member]);
-    const std::size_t first = contours[group.front()];
-    const std::size_t layer = drawn_.contours[first].entity.layer;
-    FillPaths filled = fill_paths(area, fill, overscan_mm, drawn_.contours[first].entity);
-    append(plan_.faults, filled.faults);
-    append(plan_.warnings, filled.warnings);
-    for (std::vector<Stroke>& path : filled.paths) {
-      unbegun_.push_back({.path = MeasuredRow{std::move(path)},
-                          .is_open = true,
-                          .settings = plan.settings,
-                          .layer = layer});
-      plan_.cuts.push_back({.contour = first, .layer = layer});
-    }
-  }
-}
-
-void Planner::add_cut(std::size_t i, const std::vector<Stroke>& loop) {
-  const LayerSettings& settings = layer_of(i).settings;
-  Cut cut{.contour = i,
-          .layer = drawn_.contours[i].entity.layer,
-          .is_hole = outlines_[i].is_hole,
-          .area_mm2 = area_of(loop)};
-  const double min_turn = settings.corner_angle_deg * std::numbers::pi / 180.0;
-  for (const Corner& corner : corners_of(loop, min_turn, half_kerf(i))) {
-    cut.corners.push_back(corner.place);
-  }
-  unbegun_.push_back({.path = MeasuredRow{loop},
-                      .settings = settings,
-                      .half_kerf_mm = half_kerf(i),
-                      .layer = cut.layer});
-  plan_.cuts.push_back(std::move(cut));
-}
-
-/// Adds a cut along a line in narrow waste. The cut has no leads, because there is no free space
-/// for them.
-void Planner::add_middle(std::size_t i, const std::vector<Stroke>& row) {
-  UnbegunCut cut{.path = MeasuredRow{row},
-                 .is_open = true,
-                 .settings = layer_of(i).settings,
-                 .half_kerf_mm = half_kerf(i),
-                 .layer = drawn_.contours[i].entity.layer};
-  leave_plain(cut.settings);
-  plan_.cuts.push_back({.contour = i, .layer = cut.layer, .is_hole = outlines_[i].is_hole});
-  unbegun_.push_back(std::move(cut));
-}
 
 /// Sets the part of each cut, and the cuts that must come before it.
 void Planner::name_parts() {
-  for (std::size_t i = 0; i < plan_.cuts.size(); ++i) {
-    unbegun_[i].after = plan_.cuts[i].after;
-    const std::size_t contour = plan_.cuts[i].contour;
-    unbegun_[i].part = part_of(drawn_, outlines_, contour);
-    if (!drawn_.turns.of_part.empty()) {
-      unbegun_[i].part_turn = drawn_.turns.of_part[drawn_.contours[contour].entity.part];
+  for (std::size_t i = 0; i < work_.plan.cuts.size(); ++i) {
+    work_.unbegun[i].after = work_.plan.cuts[i].after;
+    const std::size_t contour = work_.plan.cuts[i].contour;
+    work_.unbegun[i].part = part_of(work_.drawn, work_.outlines, contour);
+    if (!work_.drawn.turns.of_part.empty()) {
+      work_.unbegun[i].part_turn =
+          work_.drawn.turns.of_part[work_.drawn.contours[contour].entity.part];
     }
   }
 }
@@ -312,13 +124,13 @@ void Planner::name_parts() {
 /// part must be cut later.
 void Planner::share_common_lines() {
   const auto asks = [](const UnbegunCut& cut) { return cut.settings.common_line_mm > 0.0; };
-  if (std::ranges::none_of(unbegun_, asks)) return;
+  if (std::ranges::none_of(work_.unbegun, asks)) return;
   // The points of the beginnings do not affect the order of the file, so one for each cut suffices.
-  for (UnbegunCut& cut : unbegun_) cut.beginnings = {Beginning{}};
-  const auto drawn = usual_order(unbegun_, wish_, order::OrderMethod::kFile);
-  std::vector<std::size_t> ranks(unbegun_.size());
+  for (UnbegunCut& cut : work_.unbegun) cut.beginnings = {Beginning{}};
+  const auto drawn = usual_order(work_.unbegun, wish_, order::OrderMethod::kFile);
+  std::vector<std::size_t> ranks(work_.unbegun.size());
   for (std::size_t i = 0; i < ranks.size(); ++i) ranks[drawn[i].cut] = i;
-  share_lines(plan_, unbegun_, ranks);
+  share_lines(work_.plan, work_.unbegun, ranks);
 }
 
 void Planner::find_beginnings() {
@@ -326,56 +138,57 @@ void Planner::find_beginnings() {
   constexpr std::size_t kBeginnings = 400'000;
   constexpr std::size_t kFewest = 4;
   constexpr std::size_t kUsual = 16;
-  loops_of_contour_.assign(outlines_.size(), 0);
-  for (const Cut& cut : plan_.cuts) ++loops_of_contour_[cut.contour];
-  const std::size_t share = kBeginnings / std::max<std::size_t>(plan_.cuts.size(), 1);
+  loops_of_contour_.assign(work_.outlines.size(), 0);
+  for (const Cut& cut : work_.plan.cuts) ++loops_of_contour_[cut.contour];
+  const std::size_t share = kBeginnings / std::max<std::size_t>(work_.plan.cuts.size(), 1);
   const std::size_t count = std::clamp(share, kFewest, kUsual);
-  share_work(plan_.cuts.size(), [&] {
+  share_work(work_.plan.cuts.size(), [&] {
     return [&](std::size_t i) {
-      const std::size_t contour = plan_.cuts[i].contour;
-      find_possible_beginnings(unbegun_[i],
-                               outlines_[contour],
-                               room_of(contour),
+      const std::size_t contour = work_.plan.cuts[i].contour;
+      find_possible_beginnings(work_.unbegun[i],
+                               work_.outlines[contour],
+                               work_.room_of(contour),
                                {.is_planned_here = beside_ == WayBeside::kHere,
                                 .mark = marks_[contour],
                                 .count = count});
     };
   });
-  for (std::size_t i = 0; i < plan_.cuts.size(); ++i) {
-    const std::size_t contour = plan_.cuts[i].contour;
-    if (unbegun_[i].is_open && marks_[contour]) {
-      plan_.warnings.push_back({FaultKind::kTooSmall,
-                                drawn_.contours[contour].entity,
-                                *marks_[contour],
-                                "begins in the cut of the adjacent part, not at its mark",
-                                "give it its own lines with common-line=0 for its layer"});
+  for (std::size_t i = 0; i < work_.plan.cuts.size(); ++i) {
+    const std::size_t contour = work_.plan.cuts[i].contour;
+    if (work_.unbegun[i].is_open && marks_[contour]) {
+      work_.plan.warnings.push_back({FaultKind::kTooSmall,
+                                     work_.drawn.contours[contour].entity,
+                                     *marks_[contour],
+                                     "begins in the cut of the adjacent part, not at its mark",
+                                     "give it its own lines with common-line=0 for its layer"});
     }
-    const bool is_beside = outlines_[contour].is_beside;
+    const bool is_beside = work_.outlines[contour].is_beside;
     if (is_beside && beside_ == WayBeside::kOnController && reason_against_controller(i).empty()) {
-      keep_what_the_controller_finds(unbegun_[i], outlines_[contour], room_of(contour));
+      keep_what_the_controller_finds(
+          work_.unbegun[i], work_.outlines[contour], work_.room_of(contour));
     }
   }
 }
 
 std::string Planner::reason_against_controller(std::size_t cut) const {
-  const std::size_t loops = loops_of_contour_[plan_.cuts[cut].contour];
-  return cut::reason_against_controller(unbegun_[cut], plan_.cuts[cut].is_hole, loops);
+  const std::size_t loops = loops_of_contour_[work_.plan.cuts[cut].contour];
+  return cut::reason_against_controller(work_.unbegun[cut], work_.plan.cuts[cut].is_hole, loops);
 }
 
 void Planner::put_in_order() {
-  plan_.order.wish = wish_;
-  plan_.order.wish.progress = {};
-  if (plan_.cuts.empty()) return;
-  const ChosenOrder chosen = choose_order(unbegun_, wish_, edges_);
-  const std::vector<std::size_t> turns = numbered(turns_of(unbegun_, wish_.grouping));
-  for (std::size_t i = 0; i < turns.size(); ++i) plan_.cuts[i].turn = turns[i];
-  std::vector<std::size_t> number(plan_.cuts.size());
+  work_.plan.order.wish = wish_;
+  work_.plan.order.wish.progress = {};
+  if (work_.plan.cuts.empty()) return;
+  const ChosenOrder chosen = choose_order(work_.unbegun, wish_, work_.edges);
+  const std::vector<std::size_t> turns = numbered(turns_of(work_.unbegun, wish_.grouping));
+  for (std::size_t i = 0; i < turns.size(); ++i) work_.plan.cuts[i].turn = turns[i];
+  std::vector<std::size_t> number(work_.plan.cuts.size());
   for (std::size_t i = 0; i < chosen.cuts.size(); ++i) number[chosen.cuts[i].cut] = i;
   std::vector<Cut> cuts;
   for (const OrderedCut& ordered : chosen.cuts) {
-    Cut& cut = cuts.emplace_back(std::move(plan_.cuts[ordered.cut]));
-    begin(cut, unbegun_[ordered.cut], ordered.beginning);
-    if (beside_ == WayBeside::kOnController && outlines_[cut.contour].is_beside) {
+    Cut& cut = cuts.emplace_back(std::move(work_.plan.cuts[ordered.cut]));
+    begin(cut, work_.unbegun[ordered.cut], ordered.beginning);
+    if (beside_ == WayBeside::kOnController && work_.outlines[cut.contour].is_beside) {
       leave_to_controller(cut, ordered.cut);
     }
     for (std::size_t& before : cut.after) {
@@ -383,16 +196,16 @@ void Planner::put_in_order() {
       CNC_ASSERT(before + 1 < cuts.size());
     }
   }
-  plan_.cuts = std::move(cuts);
-  plan_.order.is_proven = chosen.is_proven;
-  plan_.order.listed = chosen.listed;
-  plan_.order.straight = rapids_of(chosen.cuts, unbegun_, wish_);
-  plan_.order.rapids = plan_.order.straight;
+  work_.plan.cuts = std::move(cuts);
+  work_.plan.order.is_proven = chosen.is_proven;
+  work_.plan.order.listed = chosen.listed;
+  work_.plan.order.straight = rapids_of(chosen.cuts, work_.unbegun, wish_);
+  work_.plan.order.rapids = work_.plan.order.straight;
   const auto usual = [this](order::OrderMethod method) {
-    return rapids_of(usual_order(unbegun_, wish_, method), unbegun_, wish_);
+    return rapids_of(usual_order(work_.unbegun, wish_, method), work_.unbegun, wish_);
   };
-  plan_.order.file = usual(order::OrderMethod::kFile);
-  plan_.order.nearest = usual(order::OrderMethod::kNearest);
+  work_.plan.order.file = usual(order::OrderMethod::kFile);
+  work_.plan.order.nearest = usual(order::OrderMethod::kNearest);
 }
 
 /// Finds the own cost of each beginning of the cuts, if a search minimises time.
@@ -401,10 +214,10 @@ void Planner::find_own_costs() {
       wish_.method == order::OrderMethod::kOurs || wish_.method == order::OrderMethod::kExact;
   if (wish_.cost != OrderCost::kTime || !is_searched) return;
   OwnCosts costs{wish_};
-  for (std::size_t i = 0; i < plan_.cuts.size(); ++i) {
-    const Cut& cut = plan_.cuts[i];
-    costs.find(unbegun_[i], layer_of(cut.contour), [&](const Beginning& beginning) {
-      return begun(cut, unbegun_[i], beginning).strokes;
+  for (std::size_t i = 0; i < work_.plan.cuts.size(); ++i) {
+    const Cut& cut = work_.plan.cuts[i];
+    costs.find(work_.unbegun[i], work_.layer_of(cut.contour), [&](const Beginning& beginning) {
+      return begun(cut, work_.unbegun[i], beginning).strokes;
     });
   }
 }
@@ -417,9 +230,12 @@ unsigned Planner::tabs_of(const Cut& cut, const UnbegunCut& unbegun) {
 
 LedCut Planner::begun(const Cut& cut, const UnbegunCut& unbegun, const Beginning& beginning) const {
   LedCut led;
-  if (outlines_[cut.contour].is_beside) {
-    led = with_leads(
-        unbegun.path, unbegun.settings, tabs_of(cut, unbegun), room_of(cut.contour), beginning);
+  if (work_.outlines[cut.contour].is_beside) {
+    led = with_leads(unbegun.path,
+                     unbegun.settings,
+                     tabs_of(cut, unbegun),
+                     work_.room_of(cut.contour),
+                     beginning);
   } else {
     led.strokes = unbegun.path.begun_at(beginning.way_mm);
   }
@@ -429,10 +245,12 @@ LedCut Planner::begun(const Cut& cut, const UnbegunCut& unbegun, const Beginning
 
 void Planner::begin(Cut& cut, const UnbegunCut& unbegun, const Beginning& beginning) {
   LedCut led = begun(cut, unbegun, beginning);
-  if (outlines_[cut.contour].is_beside) {
-    append(plan_.warnings,
-           unfulfilled(
-               led, unbegun.settings, drawn_.contours[cut.contour].entity, tabs_of(cut, unbegun)));
+  if (work_.outlines[cut.contour].is_beside) {
+    append_faults(work_.plan.warnings,
+                  unfulfilled(led,
+                              unbegun.settings,
+                              work_.drawn.contours[cut.contour].entity,
+                              tabs_of(cut, unbegun)));
   }
   cut.strokes = std::move(led.strokes);
 }
@@ -443,18 +261,18 @@ void Planner::leave_to_controller(Cut& cut, std::size_t number) {
   ControllerWay way;
   way.reason = reason_against_controller(number);
   if (way.reason.empty()) {
-    way = controller_way(outlines_[cut.contour].strokes,
+    way = controller_way(work_.outlines[cut.contour].strokes,
                          cut.strokes,
-                         layer_of(cut.contour).settings,
-                         room_of(cut.contour));
+                         work_.layer_of(cut.contour).settings,
+                         work_.room_of(cut.contour));
   }
   cut.programmed = std::move(way.strokes);
   if (way.reason.empty()) return;
-  plan_.warnings.push_back({FaultKind::kTooSmall,
-                            drawn_.contours[cut.contour].entity,
-                            cut.start(),
-                            "is not left to the controller: " + way.reason,
-                            "its path has the planned kerf, which overrides do not change"});
+  work_.plan.warnings.push_back({FaultKind::kTooSmall,
+                                 work_.drawn.contours[cut.contour].entity,
+                                 cut.start(),
+                                 "is not left to the controller: " + way.reason,
+                                 "its path has the planned kerf, which overrides do not change"});
 }
 
 }  // namespace

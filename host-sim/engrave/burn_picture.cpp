@@ -37,7 +37,7 @@ std::string burn_picture(const BurnRaster& raster) {
     bytes.resize(size);
   }
   if (is_written) return bytes;
-  throw std::runtime_error(fmt::format("--picture: cannot be drawn, {}", &image.message[0]));
+  throw std::runtime_error(fmt::format("--picture: the PNG cannot be made: {}", &image.message[0]));
 }
 
 }  // namespace sim::engrave

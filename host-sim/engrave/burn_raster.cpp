@@ -11,14 +11,15 @@
 namespace sim::engrave {
 namespace {
 
-/// The pixels that one pixel of the raster averages along a row or column: the first pixel, and the
-/// share of each from there on.
+/// The pixels of a picture that one pixel of the raster averages along a row or a column: index of
+/// the first pixel, and the shares of this pixel and the following ones.
 struct Weight {
   std::size_t from = 0;
   std::vector<float> shares{};
 };
 
-/// Returns, for each of `to` pixels, the shares by length of the `from` pixels that it covers.
+/// Divides a length of `from` pixels into `to` pixels. Returns for each new pixel the old pixels
+/// that it covers, with their shares by length.
 std::vector<Weight> weights(std::size_t from, std::size_t to) {
   std::vector<Weight> result(to);
   const double step = static_cast<double>(from) / static_cast<double>(to);
@@ -37,8 +38,8 @@ std::vector<Weight> weights(std::size_t from, std::size_t to) {
   return result;
 }
 
-/// Returns, for each pixel of the raster, the mean of values within its area. The values belong to
-/// the pixels of the picture. Rows are counted from the top.
+/// Returns for each pixel of the raster the mean of `values` within its area. `values` has one
+/// value for each pixel of the picture. Rows are counted from the top.
 std::vector<float> resampled(const GreyImage& image,
                              const std::vector<float>& values,
                              std::size_t columns,
@@ -65,7 +66,7 @@ std::vector<float> resampled(const GreyImage& image,
   return result;
 }
 
-/// A neighbour that receives a share of a dot's error.
+/// A neighbour of a dot that receives a share of the dot's error.
 struct Spread {
   int right = 0;
   int down = 0;
@@ -105,8 +106,8 @@ std::span<const Spread> spread_of(Shading shading) {
                                      : std::span<const Spread>{kStuckiSpread};
 }
 
-/// Converts greys to dots. The error of each dot is distributed to its neighbours. The direction
-/// alternates from row to row.
+/// Converts greys to dots by error diffusion: the error of each dot is distributed to its
+/// neighbours. The direction alternates from row to row.
 void diffuse(std::vector<float>& grey, std::size_t columns, std::size_t rows, Shading shading) {
   const auto width = static_cast<int>(columns);
   const auto height = static_cast<int>(rows);
@@ -206,8 +207,8 @@ BurnRaster burn_raster(const GreyImage& image,
   const double rows = std::max(1.0, std::round(size_mm.y() / interval_mm));
   if (columns * rows > static_cast<double>(picture::kMaxImagePixels)) {
     throw std::invalid_argument(
-        fmt::format("{} x {} pixels would be burnt; make the picture smaller or the interval "
-                    "greater, for at most {} in all",
+        fmt::format("{} x {} pixels would be burnt, but only {} are possible; make the picture "
+                    "smaller or the interval greater",
                     columns,
                     rows,
                     picture::kMaxImagePixels));

@@ -11,28 +11,28 @@ namespace sim::engrave {
 
 using picture::GreyImage;
 
-/// The methods that convert greys to powers.
+/// Method that converts greys to powers.
 enum class Shading : std::uint8_t {
   kGrey,       ///< Power depends on the grey, without dithering.
-  kThreshold,  ///< Full power for pixels that are darker than a half.
+  kThreshold,  ///< Full power for pixels that are darker than 50 % grey.
   /// Full power for pixels that are darker than their threshold in an 8 x 8 Bayer matrix.
   kOrdered,
-  /// Floyd and Steinberg: the error of each dot is distributed to four neighbours.
+  /// Floyd and Steinberg: the error of each dot is distributed to four neighbouring pixels.
   kFloydSteinberg,
-  kJarvis,  ///< Jarvis, Judice and Ninke: the error is distributed to twelve neighbours.
-  kStucki,  ///< Stucki: the error is distributed to twelve neighbours, with other weights.
+  kJarvis,  ///< Jarvis, Judice and Ninke: the error is distributed to twelve neighbouring pixels.
+  kStucki,  ///< Stucki: as kJarvis, with different weights.
 };
 
-/// The curve from greys to powers.
+/// Conversion from greys to powers.
 struct ToneCurve {
   Shading shading = Shading::kGrey;
-  double min_power = 0.0;  ///< Share of full power of the lightest grey that is burnt.
-  double max_power = 1.0;  ///< Share of full power of black.
+  double min_power = 0.0;  ///< Power of the lightest grey that is burnt, as a share of full power.
+  double max_power = 1.0;  ///< Power of black, as a share of full power.
   double gamma = 1.0;      ///< Exponent of the darkness. A value above 1 makes the picture lighter.
   bool is_inverted = false;
 };
 
-/// A picture as powers. Columns run along X, rows are counted from the bottom.
+/// A picture as powers. Columns run along X. Rows are counted from the bottom.
 struct BurnRaster {
   std::size_t columns = 0;
   std::size_t rows = 0;
@@ -45,27 +45,27 @@ struct BurnRaster {
   }
 };
 
-/// Darkness below this counts as white and is not burnt. It is half a step of 8 bits.
+/// Darkness below which a pixel counts as white and is not burnt. It is half a step of 8 bits.
 inline constexpr float kWhiteBelow = 0.5F / 255.0F;
 
-/// Returns the power of a darkness without dithering: 0 for white, else least power + (most power -
-/// least power) · darkness^gamma.
+/// Returns the power for a darkness without dithering: 0 for white; otherwise least power +
+/// (greatest power - least power) · darkness^gamma.
 [[nodiscard]] double power_of(double darkness, const ToneCurve& curve);
 
-/// Returns the picture as powers, in a raster of `columns` by `rows` pixels. Each pixel has the
-/// mean darkness of its area. Pixels that the picture does not cover have no power.
+/// Returns a picture as powers, in a raster of `columns` by `rows` pixels. Each pixel has the mean
+/// darkness of its area. Pixels that the picture does not cover have no power.
 /// @pre columns and rows above 0
 [[nodiscard]] BurnRaster burn_raster(const GreyImage& image,
                                      std::size_t columns,
                                      std::size_t rows,
                                      const ToneCurve& curve);
 
-/// Returns the picture as powers, for a picture of `size_mm`. The width of a pixel and the distance
-/// of rows are as near to the wanted values as whole numbers of pixels and rows allow. Throws
+/// Returns a picture of the size `size_mm` as powers. The width of a pixel and the distance of rows
+/// are as close to the required values as integer numbers of pixels and rows allow. Throws
 /// std::invalid_argument if there are too many pixels.
 /// @param size_mm above 0
-/// @param interval_mm wanted distance of rows
-/// @param pixel_mm wanted width of a pixel
+/// @param interval_mm required distance of rows
+/// @param pixel_mm required width of a pixel
 [[nodiscard]] BurnRaster burn_raster(const GreyImage& image,
                                      const drawing::Place& size_mm,
                                      double interval_mm,

@@ -11,10 +11,10 @@ namespace {
 
 using drawing::Place;
 
-/// Least length, in pixels, of a run of one power that gets a line of its own.
+/// Least length of a run of one power that gets a separate line, pixels.
 constexpr std::size_t kLongRun = 6;
-/// Greatest number of powers in one line (a controller accepts 64), and greatest number of their
-/// characters (a controller accepts lines of 256).
+/// Greatest number of powers in one line (a controller accepts 64), and greatest number of
+/// characters of these powers (a controller accepts lines of 256 characters).
 constexpr std::size_t kMaxPowers = 48;
 constexpr std::size_t kMaxPowerText = 200;
 
@@ -26,7 +26,7 @@ std::string trimmed_number(double value, int decimals) {
   return text == "-0" ? "0" : text;
 }
 
-/// Writes the rows of a raster one after the other.
+/// Writes the rows of a raster one after another.
 class RowWriter {
  public:
   RowWriter(const BurnRaster& raster,
@@ -63,7 +63,7 @@ class RowWriter {
   }
 
  private:
-  /// Returns the first burnt column of a row, and the column after the last burnt one.
+  /// Returns the first burnt column of a row, and the column after the last burnt column.
   [[nodiscard]] std::pair<std::size_t, std::size_t> burnt_columns(std::size_t row) const {
     std::size_t first = 0;
     std::size_t end = raster_.columns;
@@ -139,7 +139,7 @@ class RowWriter {
     return way_ < 0.0 ? from - index : from + index;
   }
 
-  /// Returns the end of the pixels that fit into one line. A long run ends them early.
+  /// Returns the end of the pixels that fit into one line. The line ends earlier at a long run.
   [[nodiscard]] std::size_t end_of_cluster(std::size_t begin) const {
     std::size_t end = begin;
     std::size_t characters = 0;
@@ -174,10 +174,10 @@ class RowWriter {
   std::vector<EngravedRow> rows_;
   std::vector<std::string> texts_;  ///< Powers of the row's pixels, in the order of the motion.
   Place here_{0.0, 0.0};
-  double way_ = 1.0;  ///< The row's direction: 1 to the right, -1 to the left.
+  double way_ = 1.0;  ///< Direction of the row: 1 to the right, -1 to the left.
   bool has_place_ = false;
   bool has_feed_ = false;
-  bool is_rapid_ = false;  ///< The last line was a G0.
+  bool is_rapid_ = false;  ///< Whether the last line was a G0.
 };
 
 }  // namespace

@@ -15,14 +15,15 @@ using drawing::Transform;
 using picture::GreyImage;
 
 constexpr double kSamplesAlongPixel = 4.0;
-/// Greatest number of pixels of a sampled picture, as a share of the pixels that a picture in a
-/// file may have.
+/// Greatest number of pixels of a sampled picture, as a share of the greatest number of pixels of a
+/// picture in a file.
 constexpr double kShareOfPixels = 0.25;
-/// Greatest deviation of a vector from an axis with which it still counts as parallel, as a share
-/// of its length.
+/// Greatest deviation of a vector from an axis at which the vector counts as parallel to the axis,
+/// as a share of its length.
 constexpr double kAlongAxis = 1.0e-9;
 
-/// Returns the EXIF orientation of a map that is a quarter turn or a mirror; 0 for any other map.
+/// Returns the EXIF orientation of a map that is a quarter turn or a mirroring; 0 for any other
+/// map.
 int orientation_of(const Transform& to_mm) {
   const Place& x = to_mm.x_axis;
   const Place& y = to_mm.y_axis;
@@ -67,7 +68,8 @@ double sample_size(const Transform& to_mm, const Place& size, double burnt_mm) {
   return std::max(finest, std::sqrt(size.x() * size.y() / most));
 }
 
-/// Fills the squares of the rectangle. Each gets the pixel of the picture that lies at its middle.
+/// Fills the squares of the rectangle. Each square gets the value of the picture's pixel at the
+/// middle of the square.
 void sample(const GreyImage& image, const Transform& to_mm, double step_mm, UprightImage& result) {
   const Place size = result.high_mm - result.low_mm;
   GreyImage& seen = result.image;

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""Writes the example programs beside this file; with --check, verifies the committed ones instead.
+"""Writes the example programs next to this file. With --check, verifies the committed programs instead.
 
-Needs only Python 3 and host-sim/examples/data. The same input gives the same bytes.
+Requires only Python 3 and host-sim/examples/data. The same input gives the same bytes.
 """
 import argparse
 import sys
@@ -24,7 +24,7 @@ DRAWINGS = {"cut/bracket.svg": bracket.drawing, "cut/sheet_8877.svg": sheet.draw
 
 
 def write(name, text, check_only):
-    """Writes a file, or compares it with what is there; returns the faults."""
+    """Writes a file, or compares it with the existing one. Returns the faults."""
     path = FOLDER / name
     if not check_only:
         path.write_bytes(text)
@@ -33,7 +33,7 @@ def write(name, text, check_only):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--check", action="store_true", help="compare and verify the committed programs, write nothing")
+    parser.add_argument("--check", action="store_true", help="compare and verify the committed programs; write no file")
     check_only = parser.parse_args().check
     faults = 0
     for name, (program, expected) in PROGRAMS.items():

@@ -12,12 +12,12 @@
 namespace sim::drawing {
 namespace {
 
-// Least width of a contour with an area, mm. A narrower contour is a line that is drawn there and
-// back, because a beam is wider.
+// Least mean width of a contour that has an area, mm. A narrower contour is narrower than any beam,
+// so it is treated as a line that is drawn there and back.
 constexpr double kMinWidthMm = 0.001;
 
-// Greatest number of points of all outlines. They take a third of a gigabyte, enough for more than
-// a hundred thousand holes of a millimetre.
+// Greatest number of points of all outlines together. This many points take a third of a gigabyte.
+// They suffice for more than a hundred thousand holes with a diameter of a millimetre.
 constexpr std::size_t kMaxPlaces = 20'000'000;
 
 std::vector<Piece> pieces_of(Sketch& sketch) {
@@ -35,8 +35,9 @@ std::vector<Piece> pieces_of(Sketch& sketch) {
       sketch.report({FaultKind::kTooMuch,
                      piece.contour.entity,
                      {},
-                     "more curves than can be compared; this and what follows is left out",
-                     "cut the drawing in parts"});
+                     "there are more curves than can be compared; this curve and all later ones "
+                     "are left out",
+                     "divide the drawing into several files"});
       break;
     }
     pieces.push_back(std::move(piece));
@@ -45,8 +46,8 @@ std::vector<Piece> pieces_of(Sketch& sketch) {
   return pieces;
 }
 
-/// Returns the report of a closed contour that runs to and fro with distances smaller than any
-/// beam.
+/// Returns the fault of a closed contour whose path runs to and fro so closely that `width_mm`, its
+/// mean width, is smaller than any beam.
 Fault dense(const Piece& piece, double width_mm) {
   const DrawnContour& contour = piece.contour;
   return {
@@ -61,8 +62,9 @@ Fault dense(const Piece& piece, double width_mm) {
       "it is left out; simplify it, or leave it open to draw a line"};
 }
 
-/// Reports a closed contour without area. If its outline is drawn, it is visible as a line and
-/// becomes one; else nothing of it is visible. Returns whether the contour is kept.
+/// Reports a closed contour without area. If its outline is painted, the contour is visible as a
+/// line and is kept as an open contour. Otherwise nothing of it is visible. Returns whether the
+/// contour is kept.
 bool keep_as_line(Sketch& sketch, Piece& piece) {
   const Place& place = piece.outline.front();
   const std::string reason = "the contour is closed and has no area";
@@ -84,8 +86,8 @@ bool keep_as_line(Sketch& sketch, Piece& piece) {
   return true;
 }
 
-/// Removes closed contours without area, or keeps them as lines. Does not test contours that cross
-/// themselves: parts of their area may cancel, and they are already reported.
+/// Removes closed contours without area, or keeps them as lines. Skips contours that cross
+/// themselves: parts of their signed area may cancel, and they were already reported.
 void drop_flat(Sketch& sketch, std::vector<Piece>& pieces, const std::vector<bool>& crossed) {
   std::vector<Piece> kept;
   kept.reserve(pieces.size());
@@ -113,7 +115,7 @@ OutlineBox box_around(const std::vector<Piece>& pieces) {
   return box;
 }
 
-/// The gap that is joined, and a remedy for ends that stay open.
+/// The greatest gap that is joined, mm, and the remedy in messages about ends that stay open.
 struct GapToJoin {
   double gap_mm;
   std::string remedy;
@@ -122,19 +124,19 @@ struct GapToJoin {
 GapToJoin gap_to_join(Sketch& sketch,
                       const std::vector<Piece>& pieces,
                       const ImportOptions& options) {
-  GapToJoin gap{options.gap_mm, fmt::format("join wider gaps than {} mm", options.gap_mm)};
+  GapToJoin gap{options.gap_mm, fmt::format("join gaps wider than {} mm", options.gap_mm)};
   const auto wider = wider_gap(pieces, options.gap_mm);
   if (!wider) return gap;
   const std::string closed =
       fmt::format("{} of {} open ends within {} mm", wider->closing, wider->open, wider->gap_mm);
   if (options.finds_gap) {
-    sketch.note(fmt::format("gaps up to {} mm are joined: that closes {}", wider->gap_mm, closed),
+    sketch.note(fmt::format("gaps up to {} mm are joined, which closes {}", wider->gap_mm, closed),
                 {},
-                "check the joints, or give the gap that is meant");
-    return {wider->gap_mm, fmt::format("join wider gaps than {} mm", wider->gap_mm)};
+                "check the joints, or set the gap with --gap");
+    return {wider->gap_mm, fmt::format("join gaps wider than {} mm", wider->gap_mm)};
   }
   gap.remedy = fmt::format(
-      "join wider gaps: --gap {} closes {}, and --gap auto takes that", wider->gap_mm, closed);
+      "join wider gaps: --gap {} closes {}, and --gap auto uses this gap", wider->gap_mm, closed);
   return gap;
 }
 

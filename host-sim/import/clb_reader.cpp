@@ -52,7 +52,7 @@ class ClbReader {
     }
     library_.name = attribute_of(root, {"DisplayName"});
     for (const pugi::xml_node& material : root.children("Material")) read_material(material);
-    if (library_.entries.empty()) refuse(0, "the library has no entry that can be taken");
+    if (library_.entries.empty()) refuse(0, "the library has no entry that can be used");
     return std::move(library_);
   }
 
@@ -93,7 +93,8 @@ class ClbReader {
       if (!std::string_view{setting.name()}.starts_with("CutSetting")) continue;
       ++settings;
       if (library_.entries.size() == kMaxLibraryEntries) {
-        refuse(offset_of(setting), fmt::format("more than {} entries", kMaxLibraryEntries));
+        refuse(offset_of(setting), fmt::format("the library has more than {} entries", "
+                                               "kMaxLibraryEntries));
       }
       found.settings = offered_by(setting);
       if (const auto offset = found.settings.kerf_offset_mm) {
@@ -105,7 +106,8 @@ class ClbReader {
     if (settings == 0) note(entry, "the entry has no CutSetting and is left out");
   }
 
-  /// Returns the thickness of an entry. A library writes -1 if the entry has none.
+  /// Returns the thickness of an entry; nothing if the entry has none, for which a library writes
+  /// -1.
   std::optional<double> thickness_of(const pugi::xml_node& entry) {
     const std::string text = attribute_of(entry, {"Thickness"});
     if (text.empty()) return {};
@@ -115,7 +117,7 @@ class ClbReader {
     if (is_number && *number <= 0.0) return {};
     if (is_number && *number <= kGreatestThicknessMm) return number;
     note(entry,
-         fmt::format("Thickness {:.40} is no number up to {:g} mm; it is taken as not known",
+         fmt::format("Thickness {:.40} is no number up to {:g} mm; it counts as unknown",
                      is_plain_text(text) ? text : "?",
                      kGreatestThicknessMm));
     return {};

@@ -9,14 +9,15 @@
 namespace sim::drawing {
 namespace {
 
-/// A point where a row of pixels meets the edge of a clip, and the change of the winding number
-/// there.
+/// A point where a row of pixels crosses the edge of a clip. `turn` is the change of the winding
+/// number at this point.
 struct Crossing {
   double column = 0.0;
   int turn = 0;
 };
 
-/// Returns the loops of an area in coordinates of a picture's pixels.
+/// Returns the loops of an area, converted from mm to pixels of the picture. `to_mm` maps pixels to
+/// mm.
 std::vector<std::vector<Place>> in_pixels(const ClipRegion::Area& area, const Transform& to_mm) {
   const double size = to_mm.determinant();
   const auto pixel = [&](const Place& place) {
@@ -46,7 +47,8 @@ std::vector<Crossing> crossings_at(const std::vector<std::vector<Place>>& loops,
   return crossings;
 }
 
-/// Marks those pixels of a row whose middles lie within an area.
+/// Sets in `seen` each pixel of a row whose middle is within an area, given the crossings of the
+/// row with the edge of the area.
 void mark_row(const std::vector<Crossing>& crossings, FillRule rule, std::vector<bool>& seen) {
   const auto first_behind = [&seen](double column) {
     return static_cast<std::size_t>(

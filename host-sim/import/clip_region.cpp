@@ -8,7 +8,7 @@
 namespace sim::drawing {
 namespace {
 
-/// Returns the number of turns of a loop of chords around a point, positive to the left.
+/// Returns the winding number of a loop of chords around a point, positive if the loop turns left.
 int winding_of(const std::vector<Place>& loop, const Place& place) {
   int winding = 0;
   for (std::size_t i = 1; i < loop.size(); ++i) {
@@ -58,7 +58,8 @@ bool is_on_edge(const ClipRegion& clip, const Place& place) {
   return on_edge;
 }
 
-/// Appends the points where a chord meets edges of a clip, as shares of the chord's length.
+/// Appends the positions at which a chord crosses edges of a clip, as shares of the length of the
+/// chord from `from`.
 void meet(const ClipRegion& clip, const Place& from, const Place& to, std::vector<double>& shares) {
   const Place way = to - from;
   each_edge(clip, [&](const Place& a, const Place& b) {
@@ -71,7 +72,8 @@ void meet(const ClipRegion& clip, const Place& from, const Place& to, std::vecto
   });
 }
 
-/// Returns whether chords of the shapes can be made: all shapes are finite and within kFarthestMm.
+/// Returns whether the shapes can be divided into chords: all of them are finite and their ends are
+/// within kFarthestMm.
 bool are_near(const std::vector<Shape>& shapes) {
   return std::ranges::all_of(shapes, [](const Shape& shape) {
     return finite(shape) && start_of(shape).cwiseAbs().maxCoeff() <= kFarthestMm &&
@@ -136,7 +138,7 @@ bool covers_edge(const std::vector<Place>& chords, FillRule rule, const ClipRegi
 SightOfShapes ClipComparison::compare(const std::vector<Shape>& shapes,
                                       const ClipRegions& clips,
                                       std::optional<FillRule> fill) {
-  // Shapes that are too far away are refused elsewhere, with that reason.
+  // Sketch::add() refuses shapes that are too far away, and reports that reason.
   if (clips.empty() || shapes.empty() || !are_near(shapes)) return {};
   const std::vector<Place> chords = outline_of(shapes, kClipChordMm);
   for (const auto& clip : clips) {

@@ -6,8 +6,8 @@
 namespace sim::drawing {
 namespace {
 
-// Least distance of an arc from its chord, mm. It is a hundredth of the finest step of a machine;
-// flatter arcs become lines.
+// Least height of an arc above its chord, mm. Flatter arcs become lines. The height is a hundredth
+// of the finest step of a machine.
 constexpr double kFlatMm = 1.0e-6;
 
 /// Returns an ellipse, or an arc if the ellipse is a circle.
@@ -108,7 +108,7 @@ Place end_of(const Shape& shape) {
   if (const auto* const line = std::get_if<Line>(&shape)) return line->end;
   if (const auto* const arc = std::get_if<Arc>(&shape)) return arc->end;
   if (const auto* const ellipse = std::get_if<Ellipse>(&shape)) {
-    // A whole ellipse ends exactly at its start.
+    // A full ellipse must end exactly at its start, without rounding.
     if (std::abs(ellipse->to - ellipse->from) >= kFullTurn) return start_of(shape);
   }
   return jet(shape, span_count(shape) - 1, 1.0).place;

@@ -18,12 +18,14 @@ struct Line {
   Place end;
 };
 
-/// An arc of a circle. Its end points are those of the file; they are not recomputed.
+/// An arc of a circle. Its end points are stored as the file gives them, not computed from centre
+/// and angle.
 struct Arc {
   Place start;
   Place end;
   Place centre;
-  double sweep;  ///< Angle of the arc in radians, at most a full turn; positive turns left.
+  /// Angle that the arc covers, radians: at most a full turn, positive if the arc turns left.
+  double sweep;
 };
 
 /// An elliptical arc: centre + cos t · major + sin t · minor, for t from `from` to `to`, in
@@ -37,18 +39,19 @@ struct Ellipse {
   double to;
 };
 
-/// A cubic Bézier curve. A quadratic curve is raised to degree three, which changes no point.
+/// A cubic Bézier curve. A quadratic curve is converted to a cubic one, which has exactly the same
+/// points.
 struct Bezier {
   std::array<Place, 4> points;
 };
 
-/// A rational B-spline.
+/// A rational B-spline (NURBS).
 /// @invariant made by `nurbs()`
 struct Nurbs {
   std::size_t degree;
   std::vector<Place> points;
-  std::vector<double> weights;  ///< One weight for each control point, above 0.
-  /// Number of points + degree + 1 knots, in ascending order; they may repeat.
+  std::vector<double> weights;  ///< Weight of each control point, above 0.
+  /// Knots in ascending order; their number is that of the points + degree + 1. Knots may repeat.
   std::vector<double> knots;
   std::vector<std::size_t> spans;  ///< Indices of the knots at which spans begin.
 };
@@ -61,8 +64,8 @@ using Shape = std::variant<Line, Arc, Ellipse, Bezier, Nurbs>;
 inline constexpr std::size_t kHighestDegree = 11;
 inline constexpr std::size_t kMaxControlPoints = 100'000;
 
-/// Returns a spline; nothing if degree, counts, knots or weights do not define a curve. Knots other
-/// than the first and the last `degree` + 1 may be repeated at most `degree` times.
+/// Returns a spline; nothing if degree, counts, knots or weights do not define a curve. The first
+/// and the last `degree` + 1 knots may be equal. Any other knot may occur at most `degree` times.
 [[nodiscard]] std::optional<Nurbs> nurbs(std::size_t degree,
                                          std::vector<Place> points,
                                          std::vector<double> weights,
@@ -72,7 +75,8 @@ inline constexpr std::size_t kMaxControlPoints = 100'000;
 /// would leave its chord by less than a nanometre.
 [[nodiscard]] Shape bulge_edge(const Place& start, const Place& end, double bulge);
 
-/// Returns an arc that begins at the angle `from` and covers the angle `sweep`, in radians.
+/// Returns the arc of a circle that begins at the angle `from` and covers the angle `sweep`, both
+/// in radians.
 /// @pre radius > 0
 [[nodiscard]] Arc arc_of(const Place& centre, double radius, double from, double sweep);
 
@@ -81,18 +85,18 @@ inline constexpr std::size_t kMaxControlPoints = 100'000;
 [[nodiscard]] bool finite(const Shape& shape);
 [[nodiscard]] Shape reversed(Shape shape);
 
-/// Returns a shape under an affine map. Arcs stay arcs if the map keeps circles. An ellipse that
-/// becomes a circle is returned as an arc.
+/// Returns the image of a shape under an affine map. An arc becomes an elliptical arc unless the
+/// map keeps circles. An ellipse that becomes a circle is returned as an arc.
 [[nodiscard]] Shape transformed(const Shape& shape, const Transform& transform);
 
-/// Returns the number of spans: the smooth parts of a shape. Each span has its own parameter
-/// `share` from 0 to 1.
+/// Returns the number of spans, which are the smooth parts of a shape. Each span has its own
+/// parameter `share` from 0 to 1.
 [[nodiscard]] std::size_t span_count(const Shape& shape);
 
-/// A point of a span with the derivatives by the parameter `share`.
+/// A point of a span, and the first and second derivatives of the span by the parameter `share`.
 using Jet = cnc::contour::CurveJet;
 
-/// Returns the point and the derivatives at `share` of a span.
+/// Returns the point and the derivatives of a span at the parameter `share`.
 /// @pre span < span_count(shape), share in 0…1
 [[nodiscard]] Jet jet(const Shape& shape, std::size_t span, double share);
 

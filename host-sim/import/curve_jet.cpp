@@ -7,11 +7,11 @@ namespace sim::drawing {
 namespace {
 
 std::size_t turn_spans(double sweep) {
-  // With eight spans per turn, the quadrature of lengths is accurate enough.
+  // With eight spans per full turn, the quadrature in length_of() is accurate enough.
   return static_cast<std::size_t>(std::max(1.0, std::ceil(std::abs(sweep) * 8.0 / kFullTurn)));
 }
 
-/// A control point multiplied by its weight, and the weight.
+/// A point in homogeneous coordinates: the point multiplied by its weight, and the weight.
 struct Homogeneous {
   Place place;
   double weight;
@@ -36,7 +36,8 @@ Jet projected(const Homogeneous& at, const Homogeneous& first, const Homogeneous
 }
 
 /// Computes a point and its derivatives by de Boor's algorithm in homogeneous coordinates. The
-/// derivatives are differences of the triangle's columns one and two steps before the last.
+/// derivatives are differences of the columns one and two steps before the last column of the
+/// triangle.
 Jet nurbs_jet(const Nurbs& curve, std::size_t knot, double share) {
   const std::size_t degree = curve.degree;
   const double width = curve.knots[knot + 1] - curve.knots[knot];
@@ -96,7 +97,7 @@ bool rises(const std::vector<double>& knots, std::size_t degree) {
   for (std::size_t i = 1; i < knots.size(); ++i) {
     if (!(knots[i] >= knots[i - 1])) return false;
   }
-  // degree + 1 equal inner knots would divide the curve.
+  // degree + 1 equal inner knots would divide the curve into two.
   for (std::size_t i = 1; i + degree + 1 < knots.size(); ++i) {
     if (!(knots[i + degree] > knots[i])) return false;
   }

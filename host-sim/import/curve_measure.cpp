@@ -17,7 +17,8 @@ bool near_chord(const Place& place, const Place& start, const Place& end, double
   return (place - start - chord * share).squaredNorm() <= tolerance * tolerance;
 }
 
-/// Halves a span until three points between its ends are within the tolerance of the chord.
+/// Appends chords along a span. Halves the span until three points between the ends of each part
+/// are within the tolerance of its chord.
 class Halver {
  public:
   Halver(const Shape& shape, std::size_t span, double tolerance_mm, std::vector<Place>& into)
@@ -51,7 +52,8 @@ class Halver {
   std::vector<Place>& into_;
 };
 
-/// Returns the number of chords with which a sweep leaves its circle by no more than the tolerance.
+/// Returns the number of equal chords that stay within the tolerance of an arc with this radius and
+/// sweep.
 double chords_of(double radius, double sweep, double tolerance_mm) {
   const double cosine = std::clamp(1.0 - tolerance_mm / std::max(radius, tolerance_mm), -1.0, 1.0);
   const double widest = std::min(2.0 * std::acos(cosine), 0.25 * kFullTurn);
@@ -60,8 +62,8 @@ double chords_of(double radius, double sweep, double tolerance_mm) {
 
 /// Appends points along an elliptical arc, without its end. The ellipse is the image of a unit
 /// circle under a map that stretches by at most `stretch`, and its chords are the images of the
-/// circle's chords. They therefore leave the ellipse by no more than the chords of a circle with
-/// the radius `stretch` would leave that circle.
+/// circle's chords. Their distance from the ellipse is therefore at most that of the chords of a
+/// circle with the radius `stretch` from this circle.
 void flatten_turn(const Ellipse& turn,
                   double stretch,
                   double tolerance_mm,
@@ -89,8 +91,8 @@ double longest_axis(const Ellipse& ellipse) {
   return std::sqrt(0.5 * (sum + std::sqrt(std::max(0.0, sum * sum - 4.0 * area * area))));
 }
 
-/// Integrates over a shape by Gauss-Legendre quadrature, with five points on each quarter of a
-/// span.
+/// Returns the integral of `function` over a shape, by Gauss-Legendre quadrature with five points
+/// on each quarter of a span.
 template <typename Function>
 double integral(const Shape& shape, const Function& function) {
   struct Node {

@@ -38,7 +38,7 @@ void DoubledCurves::count(const DrawnContour& contour) {
   }
 }
 
-/// Returns the arcs along a curve, or the curve itself if no arcs follow it.
+/// Returns the arcs along a curve, or the curve itself if no arcs are within the tolerance.
 std::vector<Shape> DoubledCurves::arcs_along(const Bezier& curve,
                                              const OutlineOptions& options,
                                              KnownRows& rows) {

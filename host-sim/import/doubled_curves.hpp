@@ -11,14 +11,15 @@
 
 namespace sim::drawing {
 
-/// Converts equal Bézier curves to equal arcs wherever they are drawn, in either direction.
+/// Converts equal Bézier curves to equal arcs at all points of the drawing, in either direction.
 ///
-/// Arcs are fitted to rows of curves. A curve that is drawn twice, with different neighbours in its
-/// row, would get different arcs each time. Between these arcs would be areas a micrometre wide
-/// that the drawing does not have, and lines that coincide would not cancel.
+/// Arcs are normally fitted to whole rows of curves. A curve that is drawn twice, with different
+/// neighbours in its row, would get different arcs each time. Areas about a micrometre wide, which
+/// the drawing does not have, would arise between these arcs, and coincident lines would not
+/// cancel.
 class DoubledCurves {
  public:
-  /// Counts the curves of a contour.
+  /// Counts how often each Bézier curve of a contour is drawn.
   /// @pre with_arcs() has not been called: all contours are counted first
   void count(const DrawnContour& contour);
 
@@ -28,12 +29,14 @@ class DoubledCurves {
                                        KnownRows& rows);
 
  private:
-  /// Control points in units of 1e-7 mm, from the end that sorts first.
+  /// Coordinates of the four control points in units of 1e-7 mm, from the end of the curve that
+  /// sorts first.
   using Key = std::array<std::int64_t, 8>;
 
   struct Known {
     std::size_t count = 0;
-    std::vector<Shape> arcs{};  ///< Arcs in the direction of the key; computed at the first use.
+    /// Arcs in the direction of the key; they are computed when they are first needed.
+    std::vector<Shape> arcs{};
   };
 
   /// Returns the key of a curve.

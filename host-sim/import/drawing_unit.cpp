@@ -17,7 +17,8 @@ struct NamedUnit {
   double mm;
 };
 
-// The units, likely ones first. Units of 72 and 90 dpi are the points and pixels of old programs.
+// The units, the most likely ones first. A unit of 72 or 90 dpi is the point or the pixel of old
+// programs.
 constexpr auto kDrawingUnits = std::to_array<NamedUnit>({{"mm", 1.0},
                                                          {"inch", 25.4},
                                                          {"cm", 10.0},
@@ -31,7 +32,8 @@ constexpr auto kDrawingUnits = std::to_array<NamedUnit>({{"mm", 1.0},
 
 bool is_usual(double size_mm) { return size_mm >= kSmallestUsualMm && size_mm <= kLargestUsualMm; }
 
-/// Returns the name of the unit with which the drawing would have a usual size.
+/// Returns the name of the most likely unit with which the drawing would have a usual size; empty
+/// if there is none.
 std::string_view likely_unit(double size_mm, double mm_per_unit) {
   for (const NamedUnit& unit : kDrawingUnits) {
     if (unit.name.ends_with("dpi")) continue;
@@ -69,9 +71,9 @@ void question_scale(Sketch& sketch, const OutlineBox& box, double mm_per_unit) {
   if (!(size_mm > 0.0) || !std::isfinite(size_mm) || is_usual(size_mm)) return;
   const std::string_view likely = likely_unit(size_mm, mm_per_unit);
   const double factor = likely.empty() ? 1.0 : *drawing_unit_mm(likely) / mm_per_unit;
-  std::string remedy = "if its unit is another one, say so with --drawing-unit";
+  std::string remedy = "if its unit is a different one, set it with --drawing-unit";
   if (!likely.empty()) {
-    remedy = fmt::format("if its unit is {}, it is {}: say so with --drawing-unit {}",
+    remedy = fmt::format("if its unit is {}, its size is {}: set the unit with --drawing-unit {}",
                          likely,
                          size_text(box.width() * factor, box.height() * factor),
                          likely);

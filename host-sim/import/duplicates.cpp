@@ -12,12 +12,12 @@
 namespace sim::drawing {
 namespace {
 
-// Greatest number of distances of points to chords to compute: they take some seconds.
+// Greatest number of distances between points and chords to compute. This many take some seconds.
 constexpr std::size_t kMaxComparisons = 300'000'000;
 constexpr std::size_t kPlacesCompared = 256;
 
-/// Returns whether points of `outline` lie on `other`: all of them or, of a long outline, an even
-/// selection.
+/// Returns whether points of `outline` lie on `other`. Checks all points of a short outline, and
+/// evenly selected points of a long one.
 bool runs_along(const Piece& outline, const Piece& other, double tolerance, Budget& budget) {
   const std::vector<Place>& places = outline.outline;
   const std::size_t stride = places.size() / kPlacesCompared + 1;
@@ -32,7 +32,8 @@ bool runs_along(const Piece& outline, const Piece& other, double tolerance, Budg
   return true;
 }
 
-/// Returns whether two pieces have the same chords in the same order, as copies have.
+/// Returns whether two pieces have the same chords in the same order, as copies of one contour
+/// have.
 bool same_chords(const Piece& piece, const Piece& other, double tolerance, Budget& budget) {
   const auto near = [tolerance](const Place& a, const Place& b) {
     return distance(a, b) <= tolerance;
@@ -41,16 +42,18 @@ bool same_chords(const Piece& piece, const Piece& other, double tolerance, Budge
          std::ranges::equal(piece.outline, other.outline, near);
 }
 
-/// The pieces that are compared: those of one layer, or those of all layers.
+/// The pieces with which each piece is compared: those of the same layer, or those of all layers.
 enum class Among : std::uint8_t { kLayer, kAll };
 
-/// Finds pieces by the lower left corner of their boxes.
+/// Finds earlier pieces that run along the path of a piece. The pieces are sorted into cells by the
+/// lower left corners of their boxes.
 class PieceLookup {
  public:
   PieceLookup(Among among, double tolerance, std::size_t comparisons)
       : among_{among}, tolerance_{tolerance}, budget_{comparisons} {}
 
-  /// Returns the number of the earlier piece that runs along the same path, or nothing.
+  /// Returns the index in `kept` of a piece that runs along the same path; nothing if there is
+  /// none.
   std::optional<std::size_t> find(const Piece& piece, const std::vector<Piece>& kept) {
     if (budget_.exhausted()) return std::nullopt;
     for (int dx = -1; dx <= 1; ++dx) {
@@ -81,7 +84,8 @@ class PieceLookup {
            std::abs(a.length_mm - b.length_mm) <= 4.0 * tolerance_ + 0.01 * a.length_mm &&
            (same_chords(piece, other, tolerance_, budget_) ||
             (runs_along(piece, other, tolerance_, budget_) &&
-             // Both ways. NOLINTNEXTLINE(readability-suspicious-call-argument)
+             // Each piece must run along the other.
+             // NOLINTNEXTLINE(readability-suspicious-call-argument)
              runs_along(other, piece, tolerance_, budget_)));
   }
 
@@ -97,15 +101,15 @@ class PieceLookup {
   std::unordered_map<std::uint64_t, std::vector<std::size_t>> cells_;
 };
 
-/// Returns the tolerance of the comparison. Two divisions of one curve to chords are apart by up to
-/// twice the tolerance of chords.
+/// Returns the tolerance of the comparison, mm. Two divisions of one curve into chords may differ
+/// by twice the tolerance of the chords.
 double tolerance_for(double gap_mm) { return std::max(gap_mm, 3.0 * kChordToleranceMm); }
 
 void report_exhausted(Sketch& sketch) {
   sketch.report({FaultKind::kUnchecked,
                  {},
                  {},
-                 "too many contours lie on each other to look at all of them",
+                 "too many contours lie on each other to compare all of them",
                  "remove duplicates in the drawing"});
 }
 

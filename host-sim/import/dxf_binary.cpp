@@ -12,12 +12,13 @@ namespace sim::drawing {
 namespace {
 
 constexpr std::string_view kSentinel = "AutoCAD Binary DXF";
-// The sentinel, followed by carriage return, line feed, substitute and a zero.
+// Size of the sentinel with the four bytes that follow it: carriage return, line feed, substitute
+// and zero.
 constexpr std::size_t kSentinelBytes = kSentinel.size() + 4;
 
 enum class BinaryKind : std::uint8_t { kText, kReal, kShort, kLong, kHuge, kFlag, kChunk };
 
-/// The last group code of a range, and the format of the values of the range. Values of codes after
+/// The last group code of a range of codes, and the format of their values. Values of codes above
 /// all ranges are text.
 struct BinaryRange {
   int last;
@@ -39,8 +40,8 @@ BinaryKind binary_kind(int code) {
   return kText;
 }
 
-/// Reads bytes, the least significant first. A read beyond the end returns nothing, and so do all
-/// reads after it.
+/// Reads numbers and texts, with the least significant byte first. A read beyond the end returns
+/// nothing, and so do all later reads.
 class ByteReader {
  public:
   explicit ByteReader(std::string_view bytes) : rest_{bytes} {}
@@ -79,12 +80,13 @@ class ByteReader {
   std::string_view rest_;
 };
 
-/// Reads groups. Their codes have two bytes, or one byte in files of Release 12.
+/// Reads the groups of a file one by one. Group codes have two bytes, or one byte in files of
+/// Release 12.
 class BinaryGroups {
  public:
   explicit BinaryGroups(std::string_view bytes)
-      // The first code is 0. The next byte is zero as the second byte of a two-byte code, else it
-      // begins the name of a section.
+      // The first group code is 0. If the second byte is zero, too, it belongs to a code of two
+      // bytes. Otherwise it begins the name of a section.
       : reader_{bytes}, has_short_codes_{bytes.size() > 1 && bytes[1] != '\0'} {}
 
   std::string as_lines() {

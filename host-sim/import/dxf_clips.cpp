@@ -9,11 +9,11 @@
 namespace sim::drawing {
 namespace {
 
-/// An object with the handles that lead from owner to owner.
+/// An object of the file, with its handle and the handle of its owner.
 struct Owned {
   std::string_view handle{};
   std::string_view owner{};
-  DxfEntity object{};  ///< The groups of the object, if it is a boundary.
+  DxfEntity object{};  ///< Groups of the object if it is a boundary; otherwise empty.
 };
 
 /// Returns the upper two rows of a matrix of three rows and four columns, whose values are written
@@ -23,7 +23,8 @@ Transform matrix_of(const std::vector<double>& values, std::size_t from) {
   return {.x_axis{at(0), at(4)}, .y_axis{at(1), at(5)}, .origin{at(3), at(7)}};
 }
 
-/// Reads a SPATIAL_FILTER. The first of its two matrices maps to the block.
+/// Returns the boundary that a SPATIAL_FILTER defines. The first of its two matrices gives the map
+/// to the block.
 DxfClip clip_of(const DxfEntity& filter) {
   constexpr std::size_t kMatrix = 12;
   constexpr double kTilt = 1.0e-6;
@@ -38,8 +39,8 @@ DxfClip clip_of(const DxfEntity& filter) {
   return clip;
 }
 
-/// Follows the owners of boundaries: first a dictionary of filters, then the dictionary of an
-/// entity, then the entity.
+/// Finds the entity that each boundary clips. The owner of a boundary is a dictionary of filters,
+/// whose owner is the dictionary of an entity, whose owner is the entity.
 class ClipFinder {
  public:
   explicit ClipFinder(std::string_view text) : cursor_{text} {}
@@ -64,7 +65,7 @@ class ClipFinder {
       owned_ = {};
       owned_.object.type = group.value;
     } else if (group.code == 102) {
-      // Groups between braces hold handles of other objects.
+      // Groups between braces contain handles of other objects.
       in_braces_ = group.value.starts_with('{');
     } else if (!in_braces_ && group.code == 5) {
       owned_.handle = group.value;
@@ -114,7 +115,9 @@ ClipRegion region_of(const DxfClip& clip, const Transform& to_mm, const std::str
     edges.emplace_back(Line{corners[i], corners[(i + 1) % corners.size()]});
   }
   ClipRegion region{.name = "boundary of " + insert,
-                    .remedy = "explode the block and trim it at the boundary, or delete that",
+                    .remedy =
+                        "explode the block and trim it at the boundary, or delete the "
+                        "boundary",
                     .areas{}};
   region.add({std::move(edges)}, FillRule::kEvenOdd);
   return region;

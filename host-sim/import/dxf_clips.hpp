@@ -14,14 +14,15 @@ namespace sim::drawing {
 struct DxfClip {
   std::vector<Place> corners{};  ///< Corners of the boundary. Two corners define a rectangle.
   Transform to_block{};          ///< Maps the axes of the corners to the axes of the block.
-  bool is_in_plan = true;        ///< The boundary is complete and lies in the plane of the drawing.
-  bool has_depths = false;       ///< The boundary also clips by depth, in front or at the back.
+  /// True if the boundary is complete and lies in the plane of the drawing.
+  bool is_in_plan = true;
+  /// True if the boundary also clips by height, at its front or at its back.
+  bool has_depths = false;
 };
 
 using DxfClips = std::map<std::string, DxfClip, std::less<>>;
 
-/// Returns the boundaries of a drawing. The keys are the handles of the INSERTs that the boundaries
-/// clip.
+/// Returns the boundaries of a drawing, keyed by the handles of the INSERTs that they clip.
 [[nodiscard]] DxfClips dxf_clips(std::string_view text);
 
 /// Returns the region of a block that a boundary leaves visible.

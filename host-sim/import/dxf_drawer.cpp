@@ -15,7 +15,8 @@ namespace {
 constexpr int kByBlock = 0;
 constexpr int kByLayer = 256;
 
-/// Splits a row of curves wherever a curve does not begin at the end of the curve before it.
+/// Splits curves into rows. A new row begins where a curve does not begin at the end of the curve
+/// before it.
 std::vector<std::vector<Shape>> rows_of(std::vector<Shape> shapes) {
   std::vector<std::vector<Shape>> rows;
   for (Shape& shape : shapes) {
@@ -35,11 +36,11 @@ DxfLayer DxfDrawer::layer_record(const DxfEntity& entity, const DxfInstance& wit
 }
 
 std::string DxfDrawer::hidden(const DxfEntity& entity, const DxfInstance& within) const {
-  if (entity.whole(67, 0) == 1) return "entities of the paper are not drawn";
+  if (entity.whole(67, 0) == 1) return "entities in paper space are not drawn";
   if (entity.whole(60, 0) == 1) return "invisible entities are not drawn";
   const DxfLayer layer = layer_record(entity, within);
   if (layer.hidden.empty() || (entity.type == "INSERT" && !layer.is_frozen())) return {};
-  return fmt::format("layer {:.60} is {}: what is on it is not drawn", layer.name, layer.hidden);
+  return fmt::format("layer {:.60} is {}: its entities are not drawn", layer.name, layer.hidden);
 }
 
 Entity DxfDrawer::described(const DxfEntity& entity, const DxfInstance& within) {
@@ -98,18 +99,20 @@ void DxfDrawer::add(const DxfEntity& entity, const DxfInstance& within, DxfShape
   }
 }
 
-/// Returns whether a row of curves is visible within clips, by the rule of clips in SVG.
+/// Returns whether a row of curves is drawn. A row that crosses the edge of a clip is a fault, and
+/// a row outside of the clips is left out with a note, as in SVG.
 bool DxfDrawer::is_visible(const std::vector<Shape>& row,
                            const Entity& named,
                            const ClipRegions& clips) {
   const auto [sight, clip] = comparison_.compare(row, clips, {});
   if (sight == Sight::kNothing) {
-    sketch_.ignore("what is outside of the boundary of its block (XCLIP) is not seen", named);
+    sketch_.ignore("entities outside of the boundary of their block (XCLIP) are not visible", "
+                   "named);
   } else if (sight != Sight::kWhole) {
     const std::string reason =
         sight == Sight::kPart
             ? fmt::format("it crosses the {} (XCLIP) and is left out", clip->name)
-            : fmt::format("there is too much to compare with the {} (XCLIP)", clip->name);
+            : fmt::format("it has too many curves to be compared with the {} (XCLIP)", clip->name);
     sketch_.report({FaultKind::kBadEntity, named, start_of(row.front()), reason, clip->remedy});
   }
   return sight == Sight::kWhole;
@@ -130,7 +133,8 @@ void DxfDrawer::add_text(const DxfEntity& entity, const DxfInstance& within) {
                   named,
                   {},
                   fmt::format("{:.40} {}", entity.type, note),
-                  "compare the picture of --svg, or convert it in the drawing program (TXTEXP)"});
+                  "check it in the picture of --svg, or convert it in the drawing program "
+                  "(TXTEXP)"});
   }
   if (letters.lines.empty()) {
     return sketch_.ignore(fmt::format("{:.40} has no letters", entity.type), named);
@@ -144,7 +148,7 @@ void DxfDrawer::add_text(const DxfEntity& entity, const DxfInstance& within) {
   if (letters.lines.back().font == style.font) note_style(entity, style, named);
 }
 
-/// Adds a note if the font that the style wishes is not the font in which letters are drawn.
+/// Adds a note if letters are drawn in another font than the style names.
 void DxfDrawer::note_style(const DxfEntity& entity, const DxfStyle& style, const Entity& named) {
   const std::string& used = sketch_.lettering().font_name();
   const std::string& family = style.font.family;
@@ -153,7 +157,7 @@ void DxfDrawer::note_style(const DxfEntity& entity, const DxfStyle& style, const
   sketch_.note({FaultKind::kText,
                 named,
                 {},
-                fmt::format("style {:.60} wishes the font {:.60}: {} is drawn instead",
+                fmt::format("style {:.60} names the font {:.60}: {} is used instead",
                             entity.text(7).empty() ? "STANDARD" : entity.text(7),
                             family.empty() ? style.file : family,
                             used),

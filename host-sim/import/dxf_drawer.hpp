@@ -14,15 +14,15 @@ namespace sim::drawing {
 /// Properties that an INSERT passes on to the entities of its block.
 struct DxfInstance {
   Transform to_mm{};
-  std::string layer{};      ///< Layer of entities that are on layer 0.
-  std::string colour{};     ///< Colour of entities with the colour BYBLOCK.
-  std::string line_type{};  ///< Line type of entities with the line type BYBLOCK.
+  std::string layer{};      ///< Layer that entities on layer 0 of the block get.
+  std::string colour{};     ///< Colour that entities with the colour BYBLOCK get.
+  std::string line_type{};  ///< Line type that entities with the line type BYBLOCK get.
   std::size_t line = 0;
   std::size_t depth = 0;
   ClipRegions clips{};  ///< Boundaries of this INSERT and of the INSERTs around it.
 };
 
-/// Adds entities to the sketch, on their layers, with notes and faults about them.
+/// Adds entities of a DXF file to the sketch, on their layers, with notes and faults about them.
 class DxfDrawer {
  public:
   explicit DxfDrawer(Sketch& sketch)
@@ -30,28 +30,31 @@ class DxfDrawer {
 
   [[nodiscard]] DxfTables& tables() { return tables_; }
 
-  /// Returns why an entity is not visible; empty if it is visible. A layer that is off does not
-  /// hide the entities that an INSERT on it brings on other layers; a frozen layer hides them.
+  /// Returns the reason why an entity is not visible; empty if it is visible. If the layer of an
+  /// INSERT is off, the entities of its block on other layers stay visible. If that layer is
+  /// frozen, all of them are hidden.
   [[nodiscard]] std::string hidden(const DxfEntity& entity, const DxfInstance& within) const;
 
-  /// Returns an entity as messages name it, and with its layer.
+  /// Returns the name, position and layer of an entity.
   [[nodiscard]] Entity described(const DxfEntity& entity, const DxfInstance& within);
   [[nodiscard]] Layer layer_of(const DxfEntity& entity, const DxfInstance& within) const;
-  /// Returns the line type of an entity after BYLAYER and BYBLOCK are resolved.
+  /// Returns the line type of an entity, with BYLAYER and BYBLOCK replaced by the line types that
+  /// they stand for.
   [[nodiscard]] std::string line_type_of(const DxfEntity& entity, const DxfInstance& within) const;
 
-  /// Adds the shapes of an entity as chains of curves that meet, or reports why there are none.
+  /// Adds the shapes of an entity as chains, each of which is a row of connected curves. Reports
+  /// the reason if there are no shapes.
   void add(const DxfEntity& entity, const DxfInstance& within, DxfShapes drawn);
   /// Draws letters in the text mode of the sketch.
   /// @pre is_dxf_text(entity.type)
   void add_text(const DxfEntity& entity, const DxfInstance& within);
-  /// Reports that an entity is left out because it has nothing to cut, or because its type is not
-  /// read.
+  /// Reports that an entity is left out, because it contains nothing to cut or its type is not
+  /// supported.
   void leave_out(const DxfEntity& entity, const DxfInstance& within);
   void refuse(const DxfEntity& entity,
               const DxfInstance& within,
               std::string reason,
-              std::string remedy = "it is left out; mend it in the drawing");
+              std::string remedy = "it is left out; correct it in the drawing");
 
  private:
   [[nodiscard]] bool is_visible(const std::vector<Shape>& row,

@@ -13,7 +13,7 @@ std::string_view without_blanks(std::string_view text) {
   return text.substr(from, text.find_last_not_of(kAround) - from + 1);
 }
 
-/// Returns whether the values of a code are numbers.
+/// Returns whether a code has values that are coordinates, lengths, angles or flags.
 bool is_number_code(int code) { return (code >= 10 && code < 100) || (code >= 210 && code < 240); }
 
 }  // namespace

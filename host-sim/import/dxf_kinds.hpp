@@ -7,15 +7,15 @@
 namespace sim::drawing {
 
 enum class DxfRole : std::uint8_t {
-  kLetters,     ///< Left out with a note.
-  kAnnotation,  ///< Annotates the drawing, or draws nothing to cut; left out with a note.
-  kUnread,      ///< May be meant to be cut, but is not read: a fault.
+  kLetters,     ///< Letters; left out with a note.
+  kAnnotation,  ///< An annotation, or an entity that draws nothing to cut; left out with a note.
+  kUnread,      ///< An entity that may be meant to be cut, but is not supported; a fault.
 };
 
-/// The role of an entity whose lines are not read, with the text of its message.
+/// The role of an entity that is not drawn as lines, with the texts of its message.
 struct DxfKind {
   DxfRole role;
-  std::string reason{};  ///< Reason in a message, after the entity's type.
+  std::string reason{};  ///< Reason in the message; it follows the type of the entity.
   std::string remedy{};
 };
 

@@ -13,11 +13,11 @@ namespace sim::drawing {
 namespace {
 
 constexpr double kDegreeOfLetters = kFullTurn / 360.0;
-/// Distance from base line to base line, in heights of capitals.
+/// Distance between neighbouring base lines, in units of the height of capitals.
 constexpr double kLineStep = 5.0 / 3.0;
 constexpr const char* kNoHeight = "its height is not above 0";
 
-/// Horizontal alignment of a TEXT at its point: group 72.
+/// Horizontal alignment of a TEXT at its point, as in group 72.
 enum class Across : std::uint8_t { kLeft, kCentre, kRight, kAligned, kMiddle, kFit };
 
 LetterLine line_in(const DxfEntity& entity, const DxfStyle& style) {
@@ -28,17 +28,18 @@ LetterLine line_in(const DxfEntity& entity, const DxfStyle& style) {
           .slant_rad = entity.number(51, style.oblique_deg) * kDegreeOfLetters};
 }
 
-/// Stretches a line, or enlarges it, until it reaches from one point to the other, over `length`.
+/// Makes a line of letters as wide as `length`. If `keeps_height` is true, changes only the width
+/// of the letters, otherwise their size.
 void fit(LetterLine& line, double length, bool keeps_height, text::Lettering& lettering) {
   const double width = width_of(line, lettering);
   if (!(width > 0.0) || !(length > 0.0)) return;
   (keeps_height ? line.stretch : line.size) *= length / width;
 }
 
-/// Returns the vertical alignment: group 73 of a TEXT, group 74 of attributes.
+/// Returns the vertical alignment, which is group 73 of a TEXT and group 74 of an attribute.
 int upright_of(const DxfEntity& entity) { return entity.whole(entity.type == "TEXT" ? 73 : 74, 0); }
 
-/// Returns the height of the base line above the point of a TEXT.
+/// Returns the height of the base line above the point of a TEXT, in units of the drawing.
 double base_line_of(const DxfEntity& entity, const LetterLine& line, text::Lettering& lettering) {
   constexpr int kBottom = 1;
   constexpr int kMiddle = 2;
@@ -52,7 +53,8 @@ double base_line_of(const DxfEntity& entity, const LetterLine& line, text::Lette
   return line.size * figures.descent / figures.capital;
 }
 
-/// Returns the mirroring that the flags of group 71, of a TEXT or its style, require.
+/// Returns the mirroring that the flags of group 71 require. Both a TEXT and its style may have
+/// these flags.
 Transform mirrored(int flags) {
   constexpr int kBackwards = 2;
   constexpr int kUpsideDown = 4;
@@ -69,9 +71,12 @@ DxfLetters text_line(const DxfEntity& entity, const DxfStyle& style, text::Lette
   const DxfWords words = dxf_words(entity.text(entity.type == "ATTDEF" ? 2 : 1));
   line.words = words.text;
   if (words.has_unknown) {
-    letters.notes.emplace_back("has letters by numbers (%%nnn) that are none of ASCII: left out");
+    letters.notes.emplace_back("has characters (%%nnn) that are not in ASCII: they are left out");
   }
-  if (words.has_lines) letters.notes.emplace_back("has lines under or over its letters: left out");
+  if (words.has_lines)
+    letters.notes.emplace_back(
+        "has lines under or over its letters: they are "
+        "left out");
   const auto across = static_cast<Across>(std::clamp(entity.whole(72, 0), 0, 5));
   const bool is_between = across == Across::kAligned || across == Across::kFit;
   const double base_line = base_line_of(entity, line, lettering);
@@ -92,8 +97,8 @@ DxfLetters text_line(const DxfEntity& entity, const DxfStyle& style, text::Lette
   return letters;
 }
 
-/// Returns the angle of the base line in the plane of a MTEXT. If group 11 gives it, that is a
-/// direction in the plane of the drawing.
+/// Returns the angle of the base line in the plane of a MTEXT, radians. Group 11 may give the angle
+/// as a direction in the plane of the drawing.
 double angle_of(const DxfEntity& entity, const Transform& to_plan) {
   if (!entity.number(11)) return entity.number(50, 0.0) * kDegreeOfLetters;
   const Place way = entity.place(11);
@@ -102,7 +107,8 @@ double angle_of(const DxfEntity& entity, const Transform& to_plan) {
   return std::atan2(own.y(), own.x());
 }
 
-/// Breaks paragraphs that are wider than `width` into lines, at blanks.
+/// Returns the lines of paragraphs. Paragraphs that are wider than `width` are broken into lines at
+/// blanks.
 std::vector<std::string> wrapped_at(const std::vector<std::string>& paragraphs,
                                     double width,
                                     const LetterLine& like,

@@ -10,8 +10,8 @@
 namespace sim::drawing {
 namespace {
 
-/// Takes a code that begins with two percent signs from the front of `rest`, and appends the
-/// character that it stands for.
+/// Removes a code that begins with two percent signs from the front of `rest`, and appends the
+/// character that the code stands for.
 void take_percent_code(std::string_view& rest, DxfWords& words) {
   const char code = static_cast<char>(rest[2] >= 'A' && rest[2] <= 'Z' ? rest[2] + 32 : rest[2]);
   std::size_t size = 3;
@@ -31,7 +31,7 @@ void take_percent_code(std::string_view& rest, DxfWords& words) {
     const auto [stop, error] =
         std::from_chars(digits.data(), digits.data() + digits.size(), letter);
     size = 2 + static_cast<std::size_t>(stop - digits.data());
-    // The code page is not known here. Only the letters of ASCII are equal in all code pages.
+    // The code page is not known here, and only ASCII characters are equal in all code pages.
     const bool is_known = letter >= 0x20U && letter < 0x7FU;
     if (is_known) words.text += static_cast<char>(letter);
     words.has_unknown = words.has_unknown || !is_known;
@@ -44,7 +44,7 @@ void take_percent_code(std::string_view& rest, DxfWords& words) {
 
 bool is_percent_code(std::string_view rest) { return rest.size() > 2 && rest.starts_with("%%"); }
 
-/// Reads the codes of a MTEXT.
+/// Reads the coded text of a MTEXT, and divides it into paragraphs.
 class MtextReader {
  public:
   explicit MtextReader(LetterLine& line) : line_{line}, height_{line.size} {}
@@ -85,7 +85,7 @@ class MtextReader {
     if (!unfollowed_.empty()) unfollowed_ += ' ';
     unfollowed_ += code;
   }
-  /// A setting within braces is in force up to their end.
+  /// A setting within braces is in force up to the closing brace.
   void enter(int by) {
     depth_ += by;
     if (is_set_at_ > 0 && depth_ < is_set_at_) has_ended_ = true;
@@ -132,7 +132,7 @@ class MtextReader {
     is_set_at_ = std::max(is_set_at_, depth_);
   }
 
-  /// Applies a code to the line of letters. Returns whether the code is followed.
+  /// Applies a code to the line of letters. Returns false if the code is not supported.
   bool is_set(char code, std::string_view value) {
     if (code == 'f' || code == 'F') return set_font(value);
     const bool is_relative = value.ends_with('x');
@@ -162,8 +162,8 @@ class MtextReader {
   std::string unfollowed_;
   bool has_letters_ = false;
   int depth_ = 0;
-  int is_set_at_ = 0;       ///< Depth of braces at which a code that is followed was set.
-  bool has_ended_ = false;  ///< The braces around that code were closed.
+  int is_set_at_ = 0;       ///< Greatest depth of braces at which a code was applied.
+  bool has_ended_ = false;  ///< True if the braces around that code were closed.
 };
 
 }  // namespace
@@ -184,7 +184,7 @@ DxfWords dxf_words(std::string_view coded) {
 MtextWords mtext_words(const DxfEntity& entity, LetterLine& line) {
   std::string coded;
   for (const DxfGroup& group : entity.groups) {
-    if (group.code == 101) break;  // Groups after it belong to an embedded object.
+    if (group.code == 101) break;  // Groups after a group 101 belong to an embedded object.
     if (group.code == 3 || group.code == 1) coded += group.raw;
   }
   return MtextReader{line}.read(coded);

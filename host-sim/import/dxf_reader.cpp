@@ -17,16 +17,16 @@
 namespace sim::drawing {
 namespace {
 
-// Blocks within blocks may double the instances at each level: without a bound, a page of text
-// fills memory.
+// Nested blocks may double the number of instances at each level. Without a bound, a file of one
+// page could fill the memory.
 constexpr std::size_t kMaxInstances = 500'000;
 constexpr std::size_t kMaxGroups = 8'000'000;
 constexpr double kDegreeInRadians = kFullTurn / 360.0;
 
 struct DxfBlock {
   Place base{0.0, 0.0};
-  bool is_external = false;  ///< The block's entities are in another file.
-  DxfCursor body;            ///< Cursor at the first group 0 after that of BLOCK.
+  bool is_external = false;  ///< True if the entities of the block are in another file.
+  DxfCursor body;  ///< Cursor at the first group 0 after the group 0 that begins the BLOCK.
 };
 
 class DxfReader {
@@ -71,7 +71,12 @@ class DxfReader {
 
  private:
   void finish(bool any) {
-    if (!any) sketch_.refuse(1, 0, "no section of a DXF file", "save the drawing again as DXF");
+    if (!any)
+      sketch_.refuse(1,
+                     0,
+                     "the file has no section of a DXF file",
+                     "save the drawing "
+                     "again as DXF");
   }
 
   void next(DxfCursor& cursor) { group_ = cursor.next(); }
@@ -82,7 +87,8 @@ class DxfReader {
     return !group_ || at(keyword) || at("ENDSEC") || at("EOF");
   }
 
-  /// Returns the entity whose group 0 was read last, and reads the group 0 after it.
+  /// Returns the entity whose group 0 was read last. Reads the file up to and including the next
+  /// group 0.
   DxfEntity take_entity(DxfCursor& cursor) {
     DxfEntity entity;
     entity.type = group_->value;
@@ -98,7 +104,7 @@ class DxfReader {
   void read_section(std::string_view name) {
     if (name == "HEADER") read_header();
     while (!at_end("ENDSEC")) {
-      // NOLINTNEXTLINE(bugprone-branch-clone): what is not read is passed over in two ways.
+      // NOLINTNEXTLINE(bugprone-branch-clone): the first and the last branch both skip a group.
       if (group_->code != 0) {
         next(cursor_);
       } else if (name == "TABLES") {
@@ -130,10 +136,10 @@ class DxfReader {
 
   DxfInstance whole_drawing() {
     if (!wanted_mm_per_unit_ && !header_.mm_per_unit && !told_units_) {
-      sketch_.note(fmt::format("$INSUNITS names no unit: taken as mm{}",
+      sketch_.note(fmt::format("$INSUNITS names no unit: mm is assumed{}",
                                header_.is_english ? ", though $MEASUREMENT says English" : ""),
                    {},
-                   "if it is another one, say so with --drawing-unit");
+                   "if the unit is a different one, set it with --drawing-unit");
       told_units_ = true;
     }
     return {.to_mm = scaled_by(mm_per_unit(), mm_per_unit()), .layer = "0", .colour = "ACI 7"};
@@ -155,7 +161,8 @@ class DxfReader {
     if (entity.type == "POLYLINE") {
       while (at("VERTEX") && vertices.size() < kMaxShapes) vertices.push_back(take_entity(cursor));
     }
-    // An ATTDEF, which defines letters, is visible only outside of blocks.
+    // An ATTDEF, which is a template for the attributes of an INSERT, is visible only outside of
+    // blocks.
     if (entity.type == "SEQEND" || (entity.type == "ATTDEF" && within.depth != 0)) return;
     const std::string hidden = drawer_.hidden(entity, within);
     if (!hidden.empty()) return sketch_.ignore(hidden, drawer_.described(entity, within));
@@ -196,7 +203,7 @@ class DxfReader {
                                                              const DxfBlock* block,
                                                              std::size_t depth) const {
     const std::string name = fmt::format("`{:.60}`", entity.text(2));
-    constexpr const char* kMend = "it is left out; mend it in the drawing";
+    constexpr const char* kMend = "it is left out; correct it in the drawing";
     if (block == nullptr) return {fmt::format("there is no block {}", name), kMend};
     if (block->is_external) {
       return {fmt::format("block {} is in another file", name),
@@ -206,7 +213,7 @@ class DxfReader {
       return {fmt::format("block {} inserts itself", name), kMend};
     }
     if (depth >= kDeepestNesting) {
-      return {fmt::format("nested deeper than {} blocks", kDeepestNesting), kMend};
+      return {fmt::format("it is nested deeper than {} blocks", kDeepestNesting), kMend};
     }
     const auto clip = clips_.find(entity.text(5));
     if (clip != clips_.end() && !clip->second.is_in_plan) {
@@ -243,8 +250,7 @@ class DxfReader {
     const auto clip = clips_.find(entity.text(5));
     const bool is_clipped = clip != clips_.end();
     if (is_clipped && clip->second.has_depths) {
-      sketch_.note("the boundary of a block (XCLIP) clips by height, too: that is not followed",
-                   named);
+      sketch_.note("the boundary of a block (XCLIP) clips by height, too, which is ignored", named);
     }
     for (std::size_t copy = 0; copy < array.columns * array.rows; ++copy) {
       instance.to_mm = frame * moved_by(array.step(copy)) * inner;
@@ -263,11 +269,12 @@ class DxfReader {
     sketch_.report({FaultKind::kDuplicate,
                     entity,
                     {},
-                    fmt::format("{} of its copies have no spacing and lie on others", copies),
-                    "they are left out; set the spacing, or one row and column"});
+                    fmt::format("{} of its copies have no spacing and lie on other copies", copies),
+                    "they are left out; set the spacing, or use one row and one column"});
   }
 
-  /// Counts one more entity to draw. Returns false if there are too many, which is reported once.
+  /// Counts one more entity that is drawn. Returns false if there are too many; the first excess is
+  /// reported.
   bool count(const DxfEntity& entity) {
     if (++instances_ <= max_instances_) return true;
     if (instances_ == max_instances_ + 1) too_many(entity);
@@ -280,7 +287,7 @@ class DxfReader {
          drawer_.described(entity, whole_drawing()),
          {},
          fmt::format("more than {} entities are drawn; the rest is left out", max_instances_),
-         "cut the drawing in parts"});
+         "divide the drawing into several files"});
   }
 
   /// Draws one copy of a block.

@@ -14,18 +14,20 @@ namespace {
 using Space = Eigen::Vector3d;
 
 constexpr double kRadiansInDegree = kFullTurn / 360.0;
-// Bounds for a normal of length 1. If its horizontal part is at most kTilt, it is vertical. If its
-// vertical part is less than kUprightShare, the plane of the entity is upright.
+// Bounds on the components of a normal vector of length 1. If its horizontal component is at most
+// kTilt, the plane of the entity is level. If its vertical component is less than kUprightShare,
+// the plane is upright.
 constexpr double kTilt = 1.0e-6;
 constexpr double kUprightShare = 1.0e-3;
 
-/// Returns the point in space with coordinates from `code`, `code` + 10 and `code` + 20.
+/// Returns the point in space whose coordinates have the codes `code`, `code` + 10 and `code` + 20.
 Space space_of(const DxfEntity& entity, int code, double otherwise) {
   const Place place = entity.place(code);
   return {place.x(), place.y(), entity.number(code + 20, otherwise)};
 }
 
-/// Returns the normal of an entity, of length 1; nothing if its data give none.
+/// Returns the normal vector of an entity, with length 1; nothing if the data of the entity define
+/// no direction.
 std::optional<Space> normal_of(const DxfEntity& entity) {
   const bool is_given = entity.number(210) || entity.number(220);
   const Space normal = space_of(entity, 210, is_given ? 0.0 : 1.0);
@@ -34,10 +36,11 @@ std::optional<Space> normal_of(const DxfEntity& entity) {
   return Space{normal / length};
 }
 
-/// Returns the turn from `from` to `to`, counter-clockwise, above 0 and at most a full turn.
+/// Returns the angle from `from` to `to`, counter-clockwise, in radians: above 0 and at most a full
+/// turn.
 double turn_between(double from, double to) {
   double sweep = std::fmod(to - from, kFullTurn);
-  // Files write a whole turn as 0 to 360, or as 0 to 6.283185, which is rounded.
+  // Files give a full turn as 0 to 360 or as 0 to 6.283185. The second number is rounded.
   constexpr double kRounded = 1.0e-9;
   if (sweep <= kRounded) sweep += kFullTurn;
   return std::abs(sweep - kFullTurn) <= 1.0e-6 ? kFullTurn : sweep;
@@ -64,8 +67,8 @@ DxfShapes circle_shapes(const DxfEntity& entity) {
   return on_plane(*plane, arc_of(entity.place(10), radius, from, sweep));
 }
 
-/// Returns the shapes of an ELLIPSE. Its centre and axes are in the axes of the drawing. The normal
-/// gives the direction of the minor axis.
+/// Returns the shapes of an ELLIPSE. The centre and the axes of the ellipse are in coordinates of
+/// the drawing. The normal vector determines the direction of the minor axis.
 DxfShapes ellipse_shapes(const DxfEntity& entity) {
   const auto plane = dxf_plane(entity, 0.0);
   if (!plane) return {.wrong = kDxfUpright};

@@ -12,21 +12,22 @@
 namespace sim::drawing {
 
 inline constexpr const char* kDxfUpright =
-    "its plane is tilted so far that it is a line from above";
-inline constexpr const char* kDxfSeenFromAbove = "is tilted: it is drawn as it is seen from above";
+    "its plane is upright, so that it is only a line from above";
+inline constexpr const char* kDxfSeenFromAbove = "is tilted: it is drawn as it appears from above";
 
-/// Heights that differ by less count as equal.
+/// Greatest difference of heights that count as equal, in units of the drawing.
 inline constexpr double kFlatEnoughUnits = 1.0e-6;
 
 /// The map from the plane of an entity to the plane of the drawing.
 struct DxfPlane {
   Transform to_plan{};
-  /// The entity's plane is not parallel to that of the drawing: circles become ellipses.
+  /// True if the plane of the entity is not parallel to the plane of the drawing, so that circles
+  /// become ellipses.
   bool is_tilted = false;
 };
 
-/// Returns the plane of the entity's extrusion, at the distance `elevation` along its normal.
-/// Returns nothing if the plane is upright.
+/// Returns the plane of an entity, at the distance `elevation` from the origin along its normal
+/// vector (the extrusion direction). Returns nothing if the plane is upright.
 [[nodiscard]] std::optional<DxfPlane> dxf_plane(const DxfEntity& entity, double elevation);
 
 /// Returns whether a type is one of LINE, ARC, CIRCLE, LWPOLYLINE, ELLIPSE, SPLINE, HELIX, 3DFACE,
@@ -35,18 +36,19 @@ struct DxfPlane {
 
 struct DxfShapes {
   std::vector<Shape> shapes{};
-  std::string wrong{};  ///< Reason why there are no shapes; empty if there are.
-  /// Notes on how the shapes were read, as text after the entity's type.
+  std::string wrong{};  ///< Reason why there are no shapes; empty if there are shapes.
+  /// Texts of notes about the reading of the shapes; each text follows the type of the entity.
   std::vector<std::string> notes{};
 };
 
-/// The copies of an INSERT, in its own units and axes. Copies without a spacing would lie on each
-/// other: one of them is drawn, and the others are counted.
+/// The array of copies of an INSERT, in the units and axes of the INSERT. Copies without a spacing
+/// would lie on each other. Only one of them is drawn, and the others are counted.
 struct InsertArray {
   std::size_t columns;
   std::size_t rows;
-  Place spacing;         ///< Distance from column to column (x), and from row to row (y).
-  std::size_t left_out;  ///< Number of copies that lie on copies that are drawn.
+  Place spacing;  ///< Distance between neighbouring columns (x) and between neighbouring rows (y).
+  /// Number of copies that are not drawn, because they lie on copies that are drawn.
+  std::size_t left_out;
 
   /// Returns the offset of copy `index` of columns · rows, counted row after row.
   [[nodiscard]] Place step(std::size_t index) const {

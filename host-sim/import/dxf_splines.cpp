@@ -8,14 +8,15 @@
 namespace sim::drawing {
 namespace {
 
-/// A tridiagonal system of equations. Each row is `lower · before + middle · own + upper · after`.
+/// A tridiagonal system of equations. The left side of row i is `lower · x[i-1] + middle · x[i] +
+/// upper · x[i+1]`.
 struct Tridiagonal {
   std::vector<double> lower;
   std::vector<double> middle;
   std::vector<double> upper;
 
-  /// Returns the solution by elimination without pivots (Thomas).
-  /// @pre in each row, `middle` outweighs the other two
+  /// Returns the solution for the right side `right`, by elimination without pivoting (Thomas).
+  /// @pre in each row, |middle| is greater than |lower| + |upper|
   template <typename Value>
   [[nodiscard]] std::vector<Value> solved(std::vector<Value> right) const {
     std::vector<double> share(right.size(), 0.0);
@@ -30,7 +31,7 @@ struct Tridiagonal {
   }
 };
 
-/// Points with their distances to the next point; after the last point follows the first.
+/// Points, each with its distance to the next point. The point after the last one is the first one.
 struct Chords {
   explicit Chords(const std::vector<Place>& through) : places{through}, spans(through.size()) {
     for (std::size_t i = 0; i < spans.size(); ++i) spans[i] = distance(places[i], after(i));
@@ -55,7 +56,7 @@ std::vector<Shape> beziers(const Chords& chords, const std::vector<Place>& slope
   return shapes;
 }
 
-/// Adds the equation that makes the curvature equal on both sides of a point.
+/// Adds the equation of a point: the curve has the same curvature on both sides of it.
 void add_smooth_row(Tridiagonal& rows,
                     std::vector<Place>& right,
                     const Chords& chords,
@@ -69,7 +70,7 @@ void add_smooth_row(Tridiagonal& rows,
   right.emplace_back(3.0 * (low * chords.way(before) + high * chords.way(after)));
 }
 
-/// The data of a spline.
+/// The data from which a spline is made, as the file gives them.
 struct SplineData {
   std::size_t degree = 0;
   std::vector<Place> points;
@@ -77,8 +78,8 @@ struct SplineData {
   std::vector<double> knots;
 };
 
-/// Returns the reason why control points, weights and knots define no spline; empty if they may
-/// define one.
+/// Returns the reason why control points, weights and knots define no spline; empty if no fault is
+/// found.
 std::string wrong_of(const SplineData& data) {
   const std::size_t wanted = data.points.size() + data.degree + 1;
   if (data.degree < 1 || data.degree > kHighestDegree) {
@@ -105,10 +106,10 @@ std::string wrong_of(const SplineData& data) {
   if (std::ranges::any_of(data.weights, [](double weight) { return !(weight > 0.0); })) {
     return "one of its weights is not above 0";
   }
-  if (!std::ranges::is_sorted(data.knots)) return "its knots fall";
+  if (!std::ranges::is_sorted(data.knots)) return "its knots are not in ascending order";
   for (std::size_t i = 0; i + data.degree + 1 < data.knots.size(); ++i) {
     if (data.knots[i] == data.knots[i + data.degree + 1]) {
-      return fmt::format("one of its knots is there more than {} times", data.degree + 1);
+      return fmt::format("one of its knots occurs more than {} times", data.degree + 1);
     }
   }
   return {};
@@ -134,7 +135,7 @@ DxfShapes spline_of(const SplineData& data) {
   if (!drawn.wrong.empty()) return drawn;
   const std::size_t repeats = data.degree + 1;
   std::size_t from = 0;
-  // A part at either end that lacks a span is outside the domain of the curve.
+  // A part at either end that has no span is outside the domain of the curve.
   const auto add = [&](std::size_t to) {
     if (to - from <= 2 * data.degree + 1) return;
     if (auto curve = part_of(data, from, to)) drawn.shapes.emplace_back(*std::move(curve));
@@ -145,7 +146,7 @@ DxfShapes spline_of(const SplineData& data) {
     from = i;
   }
   add(data.knots.size());
-  if (drawn.shapes.empty()) drawn.wrong = "its knots leave no span";
+  if (drawn.shapes.empty()) drawn.wrong = "its knots define no span";
   return drawn;
 }
 
@@ -169,7 +170,8 @@ DxfShapes through_places(const DxfEntity& entity, std::vector<Place> through) {
   return {.shapes = fitted_spline(through, start, end)};
 }
 
-/// Returns whether points have equal heights. If not, the curve is drawn as it appears from above.
+/// Returns whether all heights with the code `code` are equal. If not, the curve is drawn as it
+/// appears from above.
 bool is_level(const DxfEntity& entity, int code) {
   const std::vector<double> heights = entity.numbers(code);
   if (heights.empty()) return true;
@@ -218,8 +220,8 @@ std::vector<Shape> closed_spline(const std::vector<Place>& places) {
   for (std::size_t i = 0; i < count; ++i) {
     add_smooth_row(rows, right, chords, (i + count - 1) % count, i);
   }
-  // The two corner elements of the matrix are added as the product of a column and a row (Sherman
-  // and Morrison).
+  // The matrix of a closed spline has two corner elements as well. They are added to the
+  // tridiagonal matrix as the product of a column and a row (Sherman and Morrison).
   const double corner = rows.lower.front();
   const double shift = -rows.middle.front();
   rows.middle.front() -= shift;

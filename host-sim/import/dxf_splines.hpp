@@ -9,16 +9,17 @@
 
 namespace sim::drawing {
 
-/// Returns the curves of a SPLINE, or of the spline in a HELIX. Uses its control points; without
-/// them, a spline through its fit points. The degree is 1 to kHighestDegree.
+/// Returns the curves of a SPLINE, or of the spline in a HELIX. Uses the control points of the
+/// spline. If there are none, returns a spline through its fit points. The degree must be 1 to
+/// kHighestDegree.
 ///
-/// A knot that is repeated degree + 1 times divides the spline. Each part is a curve of its own,
-/// and the drawing alone decides whether the parts meet.
+/// A knot that occurs degree + 1 times divides the spline into separate curves. Whether their ends
+/// meet depends on the control points alone.
 /// @pre no bad_number()
 [[nodiscard]] DxfShapes spline_shapes(const DxfEntity& entity);
 
 /// Returns the cubic spline through points, with continuous curvature and with chord lengths as
-/// parameters. It is straight at an end without a tangent.
+/// parameters. At an end for which no tangent is given, the curvature is 0.
 /// @pre two points or more, no two neighbours equal
 [[nodiscard]] std::vector<Shape> fitted_spline(const std::vector<Place>& places,
                                                const std::optional<Place>& start_tangent,

@@ -11,8 +11,8 @@
 namespace sim::drawing {
 namespace {
 
-/// Returns the family of a font by the name of its file. Returns an empty name for stroke fonts,
-/// which exist only within the drawing program.
+/// Returns the family of a font by the name of its file; empty for a stroke font, which only the
+/// drawing program has.
 std::string family_of(std::string_view file) {
   file.remove_prefix(file.find_last_of("/\\") + 1);
   const std::size_t dot = file.rfind('.');
@@ -95,8 +95,8 @@ void DxfTables::add_line_type(const DxfEntity& record) {
   if (record.whole(73, 0) == 0) without_gaps_.insert(dxf_key(record.text(2)));
 }
 
-/// Adds a style. Its font family comes from the record's extended data, or else from the name of
-/// the font's file.
+/// Adds a style. The family of its font comes from the extended data of the record or, without
+/// them, from the name of the font file.
 void DxfTables::add_style(const DxfEntity& record) {
   DxfStyle style{.file = std::string{record.text(3)},
                  .height = record.number(40, 0.0),

@@ -16,7 +16,8 @@ namespace {
 constexpr std::string_view kEscape = "\\U+";
 constexpr std::size_t kEscapeDigits = 4;
 
-/// Returns the number of bytes in UTF-8 of the character at the front, or 0 if it is not UTF-8.
+/// Returns the number of bytes of the UTF-8 character at the front of a text; 0 if the text does
+/// not begin with UTF-8.
 std::size_t utf8_length(std::string_view text) {
   const auto first = static_cast<unsigned char>(text.front());
   if (first < 0x80) return 1;
@@ -68,11 +69,12 @@ class CodePage {
   }
 
   [[nodiscard]] bool is_known() const {
-    // NOLINTNEXTLINE(performance-no-int-to-ptr): the library's own sign of a failure.
+    // NOLINTNEXTLINE(performance-no-int-to-ptr): iconv_open() returns -1 if it fails.
     return handle_ != reinterpret_cast<iconv_t>(-1);
   }
 
-  /// Returns a text in UTF-8. Adds the number of bytes that became `?` to `replaced`.
+  /// Returns a text converted to UTF-8. Adds to `replaced` the number of bytes that were replaced
+  /// by `?`.
   std::string utf8_of(std::string text, std::size_t& replaced) {
     std::string out;
     std::array<char, 4096> buffer{};
@@ -100,7 +102,8 @@ class CodePage {
   iconv_t handle_;
 };
 
-/// Returns the name that the C library has for a code page of a drawing; empty if it has none.
+/// Returns the name under which iconv knows a code page of a drawing; empty if the code page has no
+/// such name.
 std::string library_name(const std::string& page) {
   const auto number_after = [&](std::string_view prefix) {
     return page.starts_with(prefix) ? page.substr(prefix.size()) : std::string{};
@@ -133,8 +136,8 @@ void append_utf8(std::string& out, std::uint32_t code) {
   }
 }
 
-/// Returns the unit of UTF-16 that an escape at the front of the text names; nothing if there is no
-/// escape.
+/// Returns the UTF-16 code unit of a `\U+XXXX` at the front of the text; nothing if the text does
+/// not begin with one.
 std::optional<std::uint32_t> escaped_unit(std::string_view text) {
   if (!text.starts_with(kEscape) || text.size() < kEscape.size() + kEscapeDigits) return {};
   const std::string_view digits = text.substr(kEscape.size(), kEscapeDigits);
@@ -145,8 +148,8 @@ std::optional<std::uint32_t> escaped_unit(std::string_view text) {
   return unit;
 }
 
-/// Replaces escapes by their characters. Control characters stay escaped, because a line end would
-/// count as one of the file.
+/// Returns a text with each `\U+XXXX` replaced by its character. Escaped control characters stay as
+/// they are, because a line end among them would change the lines of the file.
 std::string without_escapes(const std::string& text) {
   constexpr std::size_t kLength = kEscape.size() + kEscapeDigits;
   std::string out;
@@ -193,7 +196,7 @@ std::string utf8_of_dxf(std::string text, Sketch& sketch) {
     }
     if (replaced != 0) {
       sketch.note(
-          fmt::format("{} bytes are no characters of its code page: each is read as `?`", replaced),
+          fmt::format("{} bytes are no characters of the code page: each is read as `?`", replaced),
           {},
           "save the drawing again");
     }

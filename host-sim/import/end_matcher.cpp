@@ -28,7 +28,7 @@ EndMatcher::EndMatcher(const std::vector<Piece>& chains, double gap_mm)
 
 CertainGaps EndMatcher::pair_certain() {
   LooseEnds loose;
-  std::vector<EndIndex> of;  // Ends of chains, by their number in `loose`.
+  std::vector<EndIndex> of;  // Ends of chains, in the order in which they were added to `loose`.
   for (EndIndex end = 0; end < partner_.size(); ++end) {
     if (partner_[end] != kNoEnd || among_others_[end]) continue;
     loose.add(place(end), chains_[end / 2].contour.entity);
@@ -63,7 +63,8 @@ void EndMatcher::gather_pairs() {
 }
 
 void EndMatcher::gather_in(EndIndex end, Key key) {
-  // Greatest number of ends at one point that are checked. A sensible drawing does not have more.
+  // Greatest number of neighbours of one end that are checked in one cell. A sensible drawing does
+  // not have more.
   constexpr std::size_t kMaxEndsAtAPlace = 16;
   std::size_t found = 0;
   for (auto at = std::ranges::lower_bound(cells_, std::pair{key, end + 1});

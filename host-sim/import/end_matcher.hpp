@@ -10,36 +10,38 @@
 
 namespace sim::drawing {
 
-/// Number of an end of a chain: even for the start, odd for the end.
+/// Number of an end of a chain: 2 i for the start of chain i, 2 i + 1 for its end.
 using EndIndex = std::size_t;
 inline constexpr EndIndex kNoEnd = static_cast<EndIndex>(-1);
 
-/// Ends nearer than this count as one point, mm. It is the controller's own resolution.
+/// Distance up to which two ends count as one point, mm. It is the resolution of the controller.
 inline constexpr double kSamePlaceMm = 1.0e-6;
 
-/// Gaps that are joined although they are wider than the wanted gap.
+/// Gaps that are joined, although they are wider than the gap that the user allows.
 struct CertainGaps {
   std::size_t count = 0;
-  Extent widest{};  ///< The widest of these gaps, mm.
+  Extent widest{};  ///< Width of the widest of these gaps, mm, and its position.
 };
 
-/// Pairs the ends of chains that are near each other. The nearest ends are paired first.
+/// Pairs ends of chains that are near each other. The pairs with the smallest distances are formed
+/// first.
 class EndMatcher {
  public:
   /// @param chains must outlive the matcher
   EndMatcher(const std::vector<Piece>& chains, double gap_mm);
 
-  /// Pairs ends that are farther apart than the gap, up to kWidestCertainGapMm, if no other end is
-  /// near.
+  /// Pairs two ends that are farther apart than the gap, up to kWidestCertainGapMm, if no third end
+  /// is near them.
   CertainGaps pair_certain();
 
-  /// Returns the partner of an end, or kNoEnd.
+  /// Returns the end with which an end is paired; kNoEnd if it has no partner.
   [[nodiscard]] EndIndex partner(EndIndex end) const { return partner_[end]; }
   [[nodiscard]] Place place(EndIndex end) const {
     const std::vector<Place>& outline = chains_[end / 2].outline;
     return end % 2 == 0 ? outline.front() : outline.back();
   }
-  /// Returns whether an end without a partner is near ends that have partners.
+  /// Returns whether other ends are within the gap of an end, even if all of them have other
+  /// partners.
   [[nodiscard]] bool among_others(EndIndex end) const { return among_others_[end]; }
 
  private:
@@ -62,7 +64,8 @@ class EndMatcher {
   std::vector<EndIndex> partner_;
   std::vector<bool> among_others_;
   std::vector<EndPair> pairs_;
-  std::vector<std::pair<Key, EndIndex>> cells_;  ///< Ends by cell, sorted.
+  /// Each end with the key of its cell, sorted by cell.
+  std::vector<std::pair<Key, EndIndex>> cells_;
 };
 
 }  // namespace sim::drawing

@@ -4,7 +4,7 @@
 
 namespace sim::drawing {
 
-/// A length or an area, and its position.
+/// A length, mm, or an area, mm², and its position.
 struct Extent {
   double size = 0.0;
   Place place{0.0, 0.0};

@@ -11,7 +11,7 @@
 namespace sim::drawing {
 namespace {
 
-/// Returns whether a group has two layers or more.
+/// Returns whether any group has two or more layers.
 bool has_group(const std::vector<std::size_t>& groups) {
   std::set<std::size_t> known;
   for (const std::size_t group : groups) {
@@ -20,7 +20,8 @@ bool has_group(const std::vector<std::size_t>& groups) {
   return false;
 }
 
-/// Returns the groups, with a new number for each layer that is by itself.
+/// Returns the group number of each layer, with kAloneInGroup replaced by a number that no other
+/// layer has.
 std::vector<std::size_t> numbered_groups(const std::vector<std::size_t>& groups) {
   std::vector<std::size_t> numbers = groups;
   for (std::size_t layer = 0; layer < numbers.size(); ++layer) {
@@ -29,8 +30,8 @@ std::vector<std::size_t> numbered_groups(const std::vector<std::size_t>& groups)
   return numbers;
 }
 
-/// Pieces that fill areas, and separately the pieces that run along others: these would fill
-/// nothing together.
+/// The contours of a drawing as pieces. `doubled` are those that run along another contour; they
+/// are kept apart, because a contour and its copy would together fill nothing.
 struct SortedPieces {
   std::vector<Piece> filling{};
   std::vector<Piece> doubled{};
@@ -69,8 +70,8 @@ bool fill_across(Drawing& drawn,
                       std::make_move_iterator(sketch.faults().begin()),
                       std::make_move_iterator(sketch.faults().end()));
   std::ranges::move(doubled, std::back_inserter(pieces));
-  // A second sketch takes these notes, because they were already reported when the drawing was
-  // read.
+  // This sketch is dropped with its notes, because the same notes were reported when the drawing
+  // was read.
   Sketch told{options.effort, options.text};
   find_coincident(told, pieces, options.gap_mm);
   nest(told, pieces);

@@ -42,7 +42,7 @@ double length_of_loop(const cnc::contour::ContourView<double>& view, std::size_t
   return length;
 }
 
-/// Keeps the loops that are large enough for a cut, and counts the others.
+/// Moves the loops that are large enough for a cut to `filled`, and counts the other loops there.
 void sort_out(const Contour& loops, const LeastLoop& least, FilledSet& filled) {
   const auto view = loops.view();
   for (std::size_t loop = 0; loop < view.loop_ends.size(); ++loop) {
@@ -57,7 +57,7 @@ void sort_out(const Contour& loops, const LeastLoop& least, FilledSet& filled) {
   }
 }
 
-/// Returns a point at which edges cross, touch or separate.
+/// Returns a point at which edges of a set cross, touch or separate.
 Place crossing_of(const Arrangement& arrangement, std::span<const std::uint32_t> edges) {
   std::unordered_map<std::uint32_t, std::size_t> degrees;
   for (const std::uint32_t number : edges) {

@@ -15,32 +15,34 @@ namespace sim::drawing {
 struct FilledSet {
   Contour outlines{};
   std::size_t small_loops = 0;  ///< Number of small loops that were left out.
-  Extent greatest_small{};      ///< The greatest of the small loops, mm².
-  /// Length of lines with equal filling on both sides, which are no outline.
+  Extent greatest_small{};      ///< Area of the largest of the small loops, mm², and its position.
+  /// Length of edges that are no outlines, because both sides are filled or both are empty.
   double unseen_mm = 0.0;
-  Extent longest_unseen{};  ///< The longest of these lines, mm.
-  /// A point where more than two edges meet; if there is none, the middle of an edge.
+  Extent longest_unseen{};  ///< Length of the longest of these edges, mm, and its position.
+  /// Point where more than two edges meet; the middle of an edge if there is no such point.
   Place crossing{0.0, 0.0};
 };
 
-/// The filling rule of a loop, and the shape to which the loop belongs.
+/// The fill rule of a loop, and the shape to which the loop belongs.
 struct FillingLoop {
   bool is_nonzero = false;
-  std::uint32_t shape = 0;  ///< Number of the shape. The turns of all loops of one shape are added.
+  /// Number of the shape. The winding numbers of all loops of one shape are added.
+  std::uint32_t shape = 0;
 };
 
-/// Smallest loop that is kept. Loops with less area, or that are narrower on average, are left out.
+/// Bounds below which a loop is left out: its area, and its mean width.
 struct LeastLoop {
-  double area_mm2 = 0.02;  ///< Area of a disc with a diameter of 0.16 mm.
+  double area_mm2 = 0.02;  ///< Least area: that of a disc with a diameter of 0.16 mm.
   double width_mm = 0.01;
 };
 
 /// Returns the outlines of the area that loops fill. A point is filled if an odd number of shapes
-/// contains it. A shape contains a point if its loops turn around the point an odd number of times
-/// or, under the rule `nonzero`, a number of times that is not 0.
+/// contains it. A shape contains a point if the winding number of its loops around the point is odd
+/// or, with `is_nonzero`, not 0.
 /// @param edges edges of the loops of the set
-/// @param loops loops by number in the arrangement; nothing for loops outside of the set
-/// @return nothing if outlines do not close, which is a fault of rounding
+/// @param loops fill rule and shape of each loop of the arrangement; nothing for loops outside of
+/// the set
+/// @return nothing if rounding keeps the outlines from closing
 [[nodiscard]] std::optional<FilledSet> fill_set(
     Arrangement& arrangement,
     std::span<const std::uint32_t> edges,

@@ -20,20 +20,21 @@
 namespace sim::drawing {
 namespace {
 
-/// Contours that touch each other, as loops of one arrangement.
+/// Pieces that may touch each other, as loops of one arrangement.
 struct Group {
-  std::vector<std::size_t> pieces{};  ///< Number of the piece of each loop.
+  std::vector<std::size_t> pieces{};  ///< Number of the piece from which each loop was made.
   Contour loops{};
-  std::vector<std::size_t> without_arcs{};  ///< Pieces without a loop, because no arcs follow them.
+  /// Numbers of pieces that have no loop, because no arcs follow them within the tolerance.
+  std::vector<std::size_t> without_arcs{};
 };
 
-/// A set of pieces, and the outlines of the area that they fill together.
+/// A set of pieces, given by their numbers, and the outlines of the area that they fill together.
 struct Resolved {
   std::vector<std::size_t> from{};
   FilledSet filled{};
 };
 
-/// The loops of a set and all edges of these loops, by number in the arrangement.
+/// Numbers, in the arrangement, of the loops of a set and of all edges of these loops.
 struct SetParts {
   std::vector<std::uint32_t> loops{};
   std::vector<std::uint32_t> edges{};
@@ -110,13 +111,13 @@ class Filling {
   bool refuses_crossings_;
   std::vector<bool> unresolved_;
   std::vector<bool> replaced_;
-  /// Outlines, by the number of the first piece that they replace.
+  /// Outlines, keyed by the number of the first piece that they replace.
   std::map<std::size_t, std::vector<Piece>> outlines_;
   FillingNotes notes_;
 };
 
-/// Returns the loops of a set of pieces. Contours that no arcs follow stay as they are; they are
-/// reported when they are cut.
+/// Returns the loops of a set of pieces. Pieces that no arcs follow within the tolerance stay
+/// unchanged; they are reported when they are to be cut.
 Group Filling::group_of(const std::vector<std::size_t>& set, KnownRows& rows) const {
   Group group;
   const OutlineOptions options{.tolerance_mm = kFillToleranceMm};
@@ -143,7 +144,7 @@ void Filling::resolve(const Group& group) {
     const auto sets = resolved(group, touch_mm);
     if (!sets) continue;
     for (const Resolved& set : *sets) {
-      // Lines there and back enclose nothing; drop_flat() reports them.
+      // A path there and back along the same line encloses nothing; drop_flat() reports it.
       if (set.filled.outlines.loop_ends.empty()) continue;
       if (refuses_crossings_ && set.from.size() > 1) {
         refuse(set.from, set.filled.crossing);
@@ -157,7 +158,8 @@ void Filling::resolve(const Group& group) {
   give_up(group.pieces);
 }
 
-/// Resolves a group. Returns nothing if outlines do not close.
+/// Returns the sets of a group, each with the outlines that replace it. Returns nothing if outlines
+/// do not close.
 std::optional<std::vector<Resolved>> Filling::resolved(const Group& group, double touch_mm) const {
   Arrangement arrangement;
   if (!arrangement.divide(group.loops.view(), touch_mm)) return std::nullopt;
@@ -171,7 +173,8 @@ std::optional<std::vector<Resolved>> Filling::resolved(const Group& group, doubl
   return sets;
 }
 
-/// Returns the filling rule and the shape of each loop. The loops of one entity are one shape.
+/// Returns the fill rule and the shape of each loop of a set; nothing for other loops. The loops of
+/// one entity are one shape.
 std::vector<std::optional<FillingLoop>> Filling::filling_of(const Group& group,
                                                             const SetParts& set) const {
   std::map<std::tuple<std::size_t, std::size_t, std::string>, std::uint32_t> shapes;
@@ -210,8 +213,8 @@ void Filling::give_up(const std::vector<std::size_t>& set) {
                   pieces_[set.front()].contour.entity,
                   pieces_[set.front()].outline.front(),
                   "contours that touch from here on cross each other or themselves so closely that "
-                  "what is inside is not certain",
-                  "take the crossing apart"});
+                  "their inside cannot be determined",
+                  "separate them in the drawing"});
 }
 
 void Filling::refuse(const std::vector<std::size_t>& set, const Place& crossing) {
@@ -219,13 +222,13 @@ void Filling::refuse(const std::vector<std::size_t>& set, const Place& crossing)
   sketch_.report({FaultKind::kCrossing,
                   pieces_[set.front()].contour.entity,
                   crossing,
-                  fmt::format("{} contours cross each other or run along each other, and which of "
-                              "their areas are meant is a guess",
+                  fmt::format("{} contours cross each other or run along each other, and it is "
+                              "not certain which of their areas are meant",
                               set.size()),
-                  "take them apart, or draw the outline of what is meant"});
+                  "separate them, or draw the outline of the area that is meant"});
 }
 
-/// Replaces pieces by their outlines, at the same positions in the list.
+/// Replaces the pieces of each set by their outlines, at the position of the first of these pieces.
 void Filling::rebuild() {
   if (outlines_.empty()) return;
   std::vector<Piece> pieces;

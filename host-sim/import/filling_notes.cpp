@@ -7,7 +7,7 @@
 namespace sim::drawing {
 namespace {
 
-/// Least length of reported lines that are on no outline, mm. Shorter lines are rounding.
+/// Least length of lines on no outline that a note reports, mm. Shorter lines result from rounding.
 constexpr double kUnseenRoundingMm = 0.01;
 constexpr LeastLoop kMinLoop{};
 
@@ -16,7 +16,8 @@ std::string text_of(const FilledSet& filled, std::size_t contours) {
       contours == 1 ? std::string{"the contour crosses itself or runs along itself"}
                     : fmt::format("{} contours cross each other or run along each other", contours);
   const std::size_t outlines = filled.outlines.loop_ends.size();
-  text += fmt::format(": read as what is filled, {} outline{}", outlines, outlines == 1 ? "" : "s");
+  text += fmt::format(": replaced by {} outline{} of the filled area", outlines, outlines == 1 ? "
+                      """ : "s");
   if (filled.small_loops != 0) {
     text += fmt::format(
         "; {} loop{} of less than {} mm2 or {} mm of width left out, the largest "
@@ -31,7 +32,7 @@ std::string text_of(const FilledSet& filled, std::size_t contours) {
   }
   if (filled.unseen_mm > kUnseenRoundingMm) {
     text += fmt::format(
-        "; {:.3f} mm of lines have the same on both sides and are left out, the "
+        "; {:.3f} mm of lines that do not bound this area are left out, the "
         "longest of {:.3f} mm at {:.3f} {:.3f}",
         filled.unseen_mm,
         filled.longest_unseen.size,
@@ -66,7 +67,7 @@ void FillingNotes::add(const std::vector<Piece>& pieces,
        first.contour.entity,
        filled.unseen_mm > kUnseenRoundingMm ? filled.longest_unseen.place : filled.crossing,
        text_of(filled, from.size()),
-       "take it apart in the drawing if it is meant otherwise"});
+       "separate the contours in the drawing if another area is meant"});
 }
 
 void FillingNotes::finish() {
@@ -74,7 +75,7 @@ void FillingNotes::finish() {
     const std::string whose =
         mended_ == 1 ? std::string{"the contour has loops where it crosses itself"}
                      : fmt::format(
-                           "{} contours, this is the first, have loops where they cross "
+                           "{} contours, of which this is the first, have loops where they cross "
                            "themselves",
                            mended_);
     sketch_.report({FaultKind::kMended,
@@ -93,8 +94,9 @@ void FillingNotes::finish() {
     sketch_.report({FaultKind::kMended,
                     {},
                     {},
-                    fmt::format("{} more sets of contours that cross are read as what is filled; "
-                                "{:.3f} mm of lines have the same on both sides and are left out",
+                    fmt::format("{} more sets of crossing contours are replaced by outlines of "
+                                "the filled area; "
+                                "{:.3f} mm of lines that do not bound this area are left out",
                                 more_,
                                 more_unseen_mm_),
                     {}});

@@ -9,8 +9,8 @@
 
 namespace sim::drawing {
 
-/// Notes about contours that were replaced by the outlines of the area that they fill. Contours
-/// that only lost small loops, for example at the corners of boxes, share one note.
+/// Adds notes about contours that were replaced by the outlines of the area that they fill. All
+/// contours that only lost small loops, for example at the corners of boxes, have one common note.
 class FillingNotes {
  public:
   explicit FillingNotes(Sketch& sketch) : sketch_{sketch} {}
@@ -20,7 +20,7 @@ class FillingNotes {
   void add(const std::vector<Piece>& pieces,
            const std::vector<std::size_t>& from,
            const FilledSet& filled);
-  /// Reports the notes that share one text. Call once, at the end.
+  /// Adds the common note, and a note about sets beyond the limit. Must be called once, at the end.
   void finish();
 
  private:
@@ -31,7 +31,7 @@ class FillingNotes {
   std::size_t more_ = 0;  ///< Number of sets that have no note of their own.
   double more_unseen_mm_ = 0.0;
   std::size_t mended_ = 0;  ///< Number of contours that only lost small loops.
-  std::size_t loops_ = 0;   ///< Number of all these small loops.
+  std::size_t loops_ = 0;   ///< Number of the small loops of all these contours.
   Extent greatest_{};
   std::optional<Entity> first_{};
 };

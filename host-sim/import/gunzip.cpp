@@ -10,10 +10,11 @@ namespace sim::drawing {
 namespace {
 
 constexpr std::size_t kChunkBytes = std::size_t{1} << 16;
-// Argument of zlib: 15 is the size of the greatest window, 16 requires the gzip format.
+// The windowBits argument of zlib: 15 stands for the largest window, and + 16 requires the gzip
+// format.
 constexpr int kGzipWindow = 15 + 16;
 
-/// A stream of zlib. The destructor ends it.
+/// A stream of zlib that unpacks data. The destructor closes it.
 class Inflater {
  public:
   explicit Inflater(std::string_view bytes) : bytes_{bytes} {
@@ -39,7 +40,8 @@ class Inflater {
   }
 
  private:
-  std::string bytes_;  ///< A copy, because zlib requires bytes that are not const.
+  /// Copy of the packed bytes, because zlib requires bytes that are not const.
+  std::string bytes_;
   std::vector<Bytef> chunk_ = std::vector<Bytef>(kChunkBytes);
   z_stream stream_{};
   bool is_open_ = false;

@@ -13,8 +13,8 @@
 namespace sim::drawing {
 namespace {
 
-/// Moves the start of `next` to the end of `shape`, if they are within the gap. Returns false if a
-/// line is needed between them.
+/// Makes `shape` end where `next` starts, by moving an end of a line or Bézier curve, if the two
+/// points are within the gap. Returns false if a line is needed between them.
 bool meet(Shape& shape, Shape& next, double gap_mm) {
   const Place end = end_of(shape);
   const Place start = start_of(next);
@@ -48,7 +48,7 @@ void close(std::vector<Shape>& row, double gap_mm) {
   }
 }
 
-/// Removes lines without length: meet() may move the ends of short lines to one point.
+/// Removes lines without length, because meet() may move both ends of a short line to one point.
 void drop_places(std::vector<Shape>& row) {
   std::erase_if(row, [](const Shape& shape) {
     const auto* const line = std::get_if<Line>(&shape);
@@ -62,7 +62,7 @@ std::vector<Shape> reversed_row(std::vector<Shape> row) {
   return row;
 }
 
-/// Joins chains by following the partners of their ends.
+/// Joins chains to pieces: continues from each end of a chain to the partner of this end.
 class Joiner {
  public:
   Joiner(
@@ -91,7 +91,7 @@ class Joiner {
   }
 
  private:
-  /// An open piece, and the two chain ends at which it begins and ends.
+  /// An open piece, given by its number, and the chain ends at which it begins and ends.
   struct OpenPiece {
     std::size_t piece;
     EndIndex first;
@@ -148,11 +148,11 @@ class Joiner {
                                 closed_,
                                 closed_ == 1 ? " is" : "s are",
                                 widest_.size),
-                    "draw them closed, or give --gap where a gap is meant"});
+                    "draw them closed, or set --gap if a gap is meant"});
   }
 
-  /// Returns whether the gap of a piece is probably a mistake: it is short compared with the
-  /// contour.
+  /// Returns whether the gap between the ends of a piece is probably a mistake, because it is short
+  /// compared with the contour and no other end is near.
   [[nodiscard]] bool nearly_closes(const Piece& piece, std::size_t open) const {
     constexpr double kMaxShare = 0.02;
     const double apart = distance(piece.outline.front(), piece.outline.back());
@@ -185,7 +185,7 @@ class Joiner {
                       entity,
                       place,
                       "more than two ends meet here",
-                      "leave two of them, or put the others on another layer"});
+                      "keep two of them, or move the others to another layer"});
       return;
     }
     sketch_.report({FaultKind::kOpen,
@@ -212,7 +212,7 @@ class Joiner {
                                 gaps.count == 1 ? "" : "s",
                                 gaps.count == 1 ? "is" : "are",
                                 gaps.widest.size),
-                    "draw them joined, or give --gap"});
+                    "draw them joined, or set --gap"});
   }
 
   Sketch& sketch_;
@@ -225,9 +225,9 @@ class Joiner {
   std::vector<EndIndex> alone_;
   std::vector<Piece> pieces_;
   std::vector<OpenPiece> open_;
-  LooseEnds loose_;         ///< Ends of the pieces of `open_`, in its order.
-  std::size_t closed_ = 0;  ///< Number of pieces that nearly closed themselves and were closed.
-  Extent widest_{};         ///< The longest line that closed a piece, mm.
+  LooseEnds loose_;  ///< Ends of the pieces of `open_`, in the same order: two for each piece.
+  std::size_t closed_ = 0;  ///< Number of nearly closed pieces that were closed by a line.
+  Extent widest_{};  ///< Length of the longest line that closed a piece, mm, and its position.
   Entity widest_entity_{};
 };
 
@@ -258,12 +258,13 @@ std::vector<Piece> join(Sketch& sketch,
   for (Piece& chain : chains) {
     const double apart = distance(chain.outline.front(), chain.outline.back());
     if (chain.contour.length_mm <= gap_mm) {
-      // The piece is not visible, which is no error. One note per kind counts such pieces.
+      // Such a short piece is not visible, so it is no error. One note gives the number of these
+      // pieces.
       sketch.note({FaultKind::kIgnored,
                    chain.contour.entity,
                    chain.outline.front(),
                    "shorter than the gaps that are joined",
-                   "join smaller gaps to keep it"});
+                   "set a smaller --gap to keep it"});
     } else if (apart <= std::max(gap_mm, kSamePlaceMm)) {
       close(chain.contour.shapes, gap_mm);
       drop_places(chain.contour.shapes);

@@ -14,7 +14,7 @@ using nlohmann::json;
 
 constexpr int kDeepestJson = 16;
 
-/// Returns the vertex [x, y] or [x, y, bulge]; nothing for any other value.
+/// Returns the vertex of an array [x, y] or [x, y, bulge]; nothing for any other value.
 std::optional<BulgeVertex> vertex_of(const json& value) {
   if (!value.is_array() || value.size() < 2 || value.size() > 3) return {};
   for (const json& number : value) {
@@ -40,7 +40,7 @@ class JsonReader {
       sketch_.refuse(1,
                      0,
                      "neither a list of parts nor a nesting job",
-                     "docs/drawings.md has the form of both");
+                     "docs/drawings.md describes the format of both");
     }
   }
 
@@ -50,13 +50,13 @@ class JsonReader {
                     {.name = pointer},
                     {},
                     std::move(reason),
-                    "it is left out; mend it"});
+                    "it is left out; correct it"});
   }
 
   void read_part(const json& part) {
     const std::string pointer = fmt::format("/{}", part_++);
     if (!part.is_object() || !part.contains("paths") || !part["paths"].is_array()) {
-      return bad(pointer, "no part with paths");
+      return bad(pointer, "no part in the list has paths");
     }
     const auto id = part.find("partid");
     const bool named = id != part.end() && id->is_string();
@@ -71,7 +71,7 @@ class JsonReader {
     const std::string pointer = fmt::format("/items/{}", part_++);
     const bool whole = item.is_object() && item.contains("shape") && item["shape"].is_object() &&
                        item["shape"].contains("data");
-    if (!whole) return bad(pointer, "no item with a shape");
+    if (!whole) return bad(pointer, "no item of the job has a shape");
     const json& shape = item["shape"];
     if (shape.value("type", json{}) != "simple_polygon") {
       return bad(pointer + "/shape", "its type is not simple_polygon");
@@ -117,9 +117,9 @@ void read_json(const std::string& text, Sketch& sketch) {
     const auto [line, column] = LineTable{text}.at(error.byte == 0 ? 0 : error.byte - 1);
     sketch.refuse(line, column, "broken JSON", "export it again");
   } catch (const json::exception&) {
-    sketch.refuse(1, 0, "a number that is too great", "mend it");
+    sketch.refuse(1, 0, "a number in the file is too great", "correct it");
   } catch (const std::length_error& error) {
-    sketch.refuse(1, 0, error.what(), "this is no drawing that Kerfline knows");
+    sketch.refuse(1, 0, error.what(), "it is no drawing in a format that Kerfline can read");
   }
 }
 

@@ -7,11 +7,12 @@
 namespace sim::drawing {
 namespace {
 
-/// Reads the handles that follow the point of a vertex: `c0x` and `c0y`, `c1x` and `c1y`. A handle
-/// without both numbers does not count: LightBurn writes `c0x1` for a vertex without a curve.
+/// Reads the Bézier handles that follow the point of a vertex: `c0x` and `c0y`, `c1x` and `c1y`.
+/// Ignores a handle that lacks one of its two numbers: LightBurn writes `c0x1` for a vertex without
+/// a curve.
 class HandleReader {
  public:
-  /// Reads one `c` with its name and number. Returns false if it is broken.
+  /// Reads one coordinate of a handle, such as `c0x3`. Returns false if it is malformed.
   bool read(Scanner& scanner) {
     if (!scanner.take('c')) return false;
     const char which = scanner.peek();
@@ -67,7 +68,8 @@ std::optional<std::vector<LbrnVertex>> lbrn_vertices(std::string_view list) {
   std::vector<LbrnVertex> vertices;
   Scanner scanner{list};
   while (!scanner.at_end()) {
-    // An S marks a vertex as smooth. Its handles contain the same fact.
+    // An S marks a vertex as smooth. It is skipped, because the handles of the vertex show the
+    // same.
     if (scanner.take('S')) continue;
     if (!scanner.take('V')) return {};
     const auto x = scanner.number();
@@ -84,7 +86,7 @@ std::optional<std::vector<LbrnVertex>> lbrn_vertices(std::string_view list) {
 
 std::optional<std::vector<LbrnEdge>> lbrn_edges(std::string_view list, std::size_t vertices) {
   Scanner scanner{list};
-  // Skips blanks.
+  // Only skips blanks.
   static_cast<void>(scanner.peek());
   if (scanner.rest().starts_with("LineClosed")) return all_around(vertices, true);
   if (scanner.rest().starts_with("LineOpen")) return all_around(vertices, false);

@@ -21,9 +21,9 @@
 namespace sim::drawing {
 namespace {
 
-// Bound on the work of a project, in units of kBytesOfWork bytes of lists. Shapes may share one
-// long list: without a bound, a page of text is hours of work. Each shape costs kWorkOfShape units,
-// as much as some hundred bytes of its lists.
+// Bound on the work of reading a project. A unit of work is kBytesOfWork bytes of lists of a shape.
+// Many shapes may share one long list, so without a bound a file of one page could take hours. Each
+// shape costs kWorkOfShape units in addition to its lists.
 constexpr std::size_t kMaxLbrnWork = 20'000'000;
 constexpr std::size_t kWorkOfShape = 32;
 constexpr std::size_t kBytesOfWork = 16;
@@ -37,8 +37,8 @@ std::optional<double> lbrn_number(const pugi::xml_node& node, const char* name) 
   return number;
 }
 
-/// Returns the map of an XForm of six numbers; nothing if it is broken, the identity if there is
-/// none.
+/// Returns the map that the XForm of a shape gives by six numbers; nothing if the XForm is broken,
+/// the identity if the shape has none.
 std::optional<Transform> lbrn_transform(const pugi::xml_node& shape) {
   const pugi::xml_node form = shape.child("XForm");
   if (!form) return Transform{};
@@ -54,7 +54,7 @@ std::optional<Transform> lbrn_transform(const pugi::xml_node& shape) {
       .x_axis{values[0], values[1]}, .y_axis{values[2], values[3]}, .origin{values[4], values[5]}};
 }
 
-/// Returns a rectangle around the origin with corners rounded by a radius.
+/// Returns a rectangle whose middle is the origin, with corners rounded by a radius.
 /// @pre 2 r <= width, height
 std::vector<Shape> rounded_rectangle(double width, double height, double radius) {
   const double x = 0.5 * width;
@@ -109,7 +109,7 @@ class LbrnReader {
       sketch_.note(fmt::format("the project's origin is at another corner: its {} is mirrored",
                                left ? (down ? "X and Y" : "X") : "Y"),
                    {},
-                   "check that letters are the right way round");
+                   "check that letters are not mirrored");
     }
     return scaled_by(left ? -1.0 : 1.0, down ? -1.0 : 1.0);
   }
@@ -130,8 +130,8 @@ class LbrnReader {
     sketch_.report({FaultKind::kTooMuch,
                     entity_of(shape),
                     {},
-                    "more shapes than are read; the rest is left out",
-                    "cut the drawing in parts"});
+                    "the project has more shapes than can be read; the rest is left out",
+                    "divide the drawing into several files"});
   }
 
   [[nodiscard]] const LbrnLayer& layer_of(const pugi::xml_node& shape) {
@@ -161,7 +161,7 @@ class LbrnReader {
 
   void bad(const pugi::xml_node& shape,
            std::string reason,
-           std::string remedy = "it is left out; mend it in LightBurn") {
+           std::string remedy = "it is left out; correct it in LightBurn") {
     sketch_.report(
         {FaultKind::kBadEntity, entity_of(shape), {}, std::move(reason), std::move(remedy)});
   }
@@ -193,7 +193,8 @@ class LbrnReader {
     read_shapes(shape.child("Children"), within);
   }
 
-  /// Reads letters by their outlines. The project gives outlines and letters the same position.
+  /// Reads letters from the outlines that the project contains. Outlines and letters have the same
+  /// position in the project.
   void read_letters(const pugi::xml_node& shape, Within within) {
     if (!is_output(shape)) return;
     const pugi::xml_node outline = shape.child("BackupPath");
@@ -212,7 +213,7 @@ class LbrnReader {
   bool is_output(const pugi::xml_node& shape) {
     const LbrnLayer& layer = layer_of(shape);
     if (layer.has_sub_layers) {
-      sketch_.note(fmt::format("layer {:.60} has sub-layers: only its first settings are offered",
+      sketch_.note(fmt::format("layer {:.60} has sub-layers: only its first settings are used",
                                layer.layer.name),
                    entity_of(shape));
     }
@@ -222,7 +223,7 @@ class LbrnReader {
               "layer {:.60}: {}", layer.layer.name, note_of_kerf_offset(*offered->kerf_offset_mm)),
           entity_of(shape));
     }
-    if (shape.child("Tabs")) sketch_.note("tabs of the project are not taken", entity_of(shape));
+    if (shape.child("Tabs")) sketch_.note("tabs of the project are ignored", entity_of(shape));
     if (layer.is_output) return true;
     sketch_.ignore(fmt::format("layer {:.60} is not sent to the laser", layer.layer.name),
                    entity_of(shape));
@@ -254,8 +255,8 @@ class LbrnReader {
     add(shape, within, {Ellipse{{0.0, 0.0}, {*rx, 0.0}, {0.0, *ry}, 0.0, kFullTurn}});
   }
 
-  /// Reads a picture. Its middle is the origin. Its data are the bytes of a picture file in base
-  /// 64.
+  /// Reads a picture, whose middle is the origin of its XForm. The data of the picture are the
+  /// bytes of a picture file in base 64.
   void read_picture(const pugi::xml_node& shape, const Within& within) {
     Entity entity = entity_of(shape);
     const auto width = lbrn_number(shape, "W");
@@ -266,7 +267,7 @@ class LbrnReader {
     const auto bytes = picture::base64_decoded(shape.attribute("Data").value());
     if (!bytes || bytes->empty()) {
       return sketch_.report_bad_picture(
-          entity, "the project has no data of it", "import the picture again in LightBurn");
+          entity, "the project does not contain its data", "import the picture again in LightBurn");
     }
     auto image = sketch_.decode(*bytes, entity);
     if (!image) return;
@@ -278,7 +279,8 @@ class LbrnReader {
     sketch_.add(DrawnPicture{std::move(image), to_mm, std::move(entity), {}});
   }
 
-  /// Remembers the lists of a path. Lists that several paths share are written once, with a number.
+  /// Stores the lists of a path by their numbers. A list that several paths share is written in the
+  /// file once, with a number, and later paths refer to this number.
   void remember_lists(const pugi::xml_node& path) {
     const auto remember = [](auto& lists, const char* id, const pugi::xml_node& list) {
       if (*id != '\0' && list) lists.insert_or_assign(std::string{id}, list);
@@ -306,8 +308,8 @@ class LbrnReader {
     }
   }
 
-  /// Returns the list of vertices in the short form. Old projects have another form, which is
-  /// converted.
+  /// Returns the list of vertices of a path in the short form. Converts the longer form of old
+  /// projects.
   std::string vertex_text(const pugi::xml_node& path) const {
     if (const auto list = list_of(path, "VertList", "VertID", vertex_lists_)) return *list;
     std::string text;

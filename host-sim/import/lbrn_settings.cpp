@@ -19,8 +19,8 @@ constexpr std::array<std::string_view, 32> kLbrnPalette{
     "#fa9ed4", "#500a78", "#b45a00", "#004754", "#86fa88", "#ffdb66", "#f36926", "#0c96d9"};
 constexpr int kFirstToolLayer = 30;
 
-/// Returns the number of `<name Value="…"/>` within a setting, or else of the setting's attribute
-/// `name`.
+/// Returns the number of the element `<name Value="…"/>` within a setting. If there is none,
+/// returns the number of the attribute `name` of the setting.
 std::optional<double> value_of(const pugi::xml_node& setting, const char* name) {
   const pugi::xml_node child = setting.child(name);
   const char* const text = child ? child.attribute("Value").value() : "";
@@ -66,8 +66,8 @@ OfferedSettings offered_by(const pugi::xml_node& setting) {
 
 std::string note_of_kerf_offset(double offset_mm) {
   return fmt::format(
-      "the kerf offset of {0:g} mm is not taken: --kerf {1:g}, the whole width, says the "
-      "same",
+      "the kerf offset of {0:g} mm is not used: set --kerf {1:g}, the full width of the "
+      "kerf, instead",
       offset_mm,
       2.0 * std::abs(offset_mm));
 }
@@ -97,7 +97,7 @@ std::map<int, LbrnLayer> lbrn_layers(const pugi::xml_node& project, LbrnUse use)
     layer.layer.offered = offered_by(setting);
     if (value_of(setting, "doOutput") == 0.0) layer.is_output = false;
     layer.has_sub_layers = !setting.child("SubLayer").empty();
-    // If an index has two settings, the settings for lines come first and those for pictures
+    // If an index has two settings, those for lines come first in the file, and those for pictures
     // second.
     if (use == LbrnUse::kPictures && tag == "CutSetting_Img") {
       layers.insert_or_assign(number, std::move(layer));

@@ -12,7 +12,7 @@ namespace {
 
 /// Returns whether a text has letters that are read from right to left.
 bool has_right_to_left(std::string_view words) {
-  // The bytes below begin the UTF-8 of U+0590 to U+08FF.
+  // The UTF-8 codes of U+0590 to U+08FF begin with the bytes below.
   for (std::size_t i = 0; i + 1 < words.size(); ++i) {
     const auto byte = static_cast<unsigned char>(words[i]);
     const auto next = static_cast<unsigned char>(words[i + 1]);
@@ -36,7 +36,7 @@ void note_font(Sketch& sketch, const Entity& entity, std::string_view words) {
                         entity,
                         {},
                         "letters are left out: this system has no scalable font",
-                        "install one, or use --text stroke"});
+                        "install a font, or use --text stroke"});
   }
   sketch.note({FaultKind::kText,
                entity,
@@ -56,8 +56,8 @@ void note_font(Sketch& sketch, const Entity& entity, std::string_view words) {
     sketch.note({FaultKind::kText,
                  entity,
                  {},
-                 "letters that are read from the right may be in the wrong order",
-                 "compare the picture of --svg, or convert them to paths"});
+                 "letters of a right-to-left script may be in the wrong order",
+                 "check them in the picture of --svg, or convert them to paths"});
   }
 }
 

@@ -17,24 +17,26 @@ enum class TextAnchor : std::uint8_t { kStart, kMiddle, kEnd };
 
 /// A line of letters of a drawing.
 struct LetterLine {
-  std::string words{};  ///< UTF-8, without line breaks.
+  std::string words{};  ///< Text of the line in UTF-8, without line breaks.
   text::FontWish font{};
-  double size = 1.0;               ///< Size of the em, in units of the line's axes.
-  bool is_capital_height = false;  ///< The size is the height of capital letters, not of the em.
-  double stretch = 1.0;            ///< Factor of the width.
-  double slant_rad = 0.0;          ///< Lean of upright strokes, to the right.
-  double spacing_em = 0.0;         ///< Extra distance after each letter, in em.
+  double size = 1.0;  ///< Size of the em, in units of the line's axes.
+  /// True if `size` is the height of capital letters; false if it is the size of the em.
+  bool is_capital_height = false;
+  double stretch = 1.0;     ///< Factor of the width of letters.
+  double slant_rad = 0.0;   ///< Angle by which upright strokes lean to the right.
+  double spacing_em = 0.0;  ///< Additional distance after each letter, in em.
   TextAnchor anchor = TextAnchor::kStart;
-  /// Maps the axes of the line to mm: the base line is along x, the origin is the anchor, y points
-  /// upwards.
+  /// Maps the axes of the line to mm. In these axes the base line is along x, the anchor is at the
+  /// origin, and y points upwards.
   Transform to_mm{};
 };
 
-/// Returns the width of a line in the unit of its size; `to_mm` does not affect it.
+/// Returns the width of a line in the unit of LetterLine::size. LetterLine::to_mm does not affect
+/// it.
 [[nodiscard]] double width_of(const LetterLine& line, text::Lettering& lettering);
 
 /// Draws a line of letters in the text mode of the sketch: as outlines, as single strokes, or not
-/// at all. A note names the font, or says that the letters are left out.
+/// at all. A note names the font, or reports that the letters are left out.
 /// @param entity entity with the layer of the letters
 /// @param is_visible returns whether a row of curves, in mm, is drawn; empty: all rows are drawn
 void add_letters(Sketch& sketch,
@@ -42,13 +44,15 @@ void add_letters(Sketch& sketch,
                  const LetterLine& line,
                  const std::function<bool(const std::vector<Shape>&)>& is_visible = {});
 
-/// Gives letters of single strokes a colour of their own, kStrokeTextColour.
+/// Sets fill rule and filling of the entity of letters. Puts letters of single strokes on a layer
+/// of the same name with the colour kStrokeTextColour.
 void sort_letters(Sketch& sketch, Entity& entity);
 
-/// Adds curves of letters, in mm. Returns false if there are too many.
+/// Adds the curves of letters, in mm, to the sketch. Returns false if the sketch cannot take more
+/// curves.
 bool add_letter_curves(Sketch& sketch, const Entity& entity, text::Strokes strokes);
 
-/// Adds notes: the font of the last line, and the letters that no font has.
+/// Adds a note that names the font of the last line, and a note about letters that no font has.
 void note_font(Sketch& sketch, const Entity& entity, std::string_view words);
 
 }  // namespace sim::drawing

@@ -8,7 +8,7 @@
 
 namespace sim::drawing {
 
-/// Finds the line and column of any byte of a text, both from 1.
+/// Finds the line and the column of a byte of a text, both counted from 1.
 class LineTable {
  public:
   explicit LineTable(std::string_view text) {

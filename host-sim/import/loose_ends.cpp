@@ -18,7 +18,8 @@ struct LoosePair {
 void LooseEnds::prepare() { std::ranges::sort(cells_); }
 
 std::vector<double> LooseEnds::paired_distances() const {
-  // Greatest number of neighbours that are checked. If more ends meet, a wider gap does not help.
+  // Greatest number of neighbours of an end that are checked. If more ends are near each other, a
+  // wider gap does not help.
   constexpr std::size_t kMaxNeighbours = 16;
   std::vector<LoosePair> pairs;
   for (std::size_t end = 0; end < ends_.size(); ++end) {

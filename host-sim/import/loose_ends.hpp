@@ -9,16 +9,16 @@
 
 namespace sim::drawing {
 
-/// Widest gap that may be a mistake in a drawing, mm.
+/// Width of the widest gap that may be a mistake in a drawing, mm.
 inline constexpr double kWidestProposedGapMm = 0.5;
-/// Widest gap that is certainly a mistake if it is between two ends with no other end near, mm. It
-/// is about a kerf.
+/// Width of the widest gap that is certainly a mistake if no third end is near its two ends, mm. It
+/// is about the width of a kerf.
 inline constexpr double kWidestCertainGapMm = 0.2;
-/// Widest gap that may be a mistake if it is between two ends with no other end near, mm.
+/// Width of the widest gap that may be a mistake if no third end is near its two ends, mm.
 inline constexpr double kWidestDoubtfulGapMm = 0.3;
 
-/// Ends of open chains, by position. All ends are added first; then their neighbours can be
-/// searched.
+/// Ends of open chains, sorted by position. All ends must be added before neighbours are searched.
+/// "The widest gap" below is kWidestProposedGapMm.
 class LooseEnds {
  public:
   /// Adds an end of a chain.
@@ -32,29 +32,31 @@ class LooseEnds {
     add(chain.outline.front(), chain.contour.entity);
     add(chain.outline.back(), chain.contour.entity);
   }
-  /// Prepares the search for neighbours. Call after the last add() and before the functions below.
+  /// Prepares the search for neighbours. Must be called after the last add() and before the
+  /// functions below.
   void prepare();
 
   [[nodiscard]] std::size_t count() const { return ends_.size(); }
 
-  /// Pairs ends of one layer and part within the widest gap, the nearest first.
-  /// @return the distances of the pairs, mm, in ascending order; each end is in one pair at most
+  /// Pairs ends of one layer and part within the widest gap, beginning with the smallest distances.
+  /// @return the distances between the ends of each pair, mm, in ascending order; each end is in at
+  /// most one pair
   [[nodiscard]] std::vector<double> paired_distances() const;
 
-  /// The ends of one layer and part within the widest gap of an end.
+  /// The neighbours of an end: the ends of its layer and part within the widest gap.
   struct Neighbours {
-    std::size_t count = 0;  ///< Number of neighbours: 0, 1, or 2 for two and more.
-    std::size_t first = 0;  ///< Number of one of the neighbours, in the order of `add()`.
+    std::size_t count = 0;  ///< Number of neighbours: 0, 1, or 2 for two or more.
+    std::size_t first = 0;  ///< Index of one of the neighbours, in the order of `add()`.
     double apart_mm = 0.0;  ///< Distance of the neighbour `first`.
   };
   [[nodiscard]] Neighbours neighbours_of(std::size_t end) const;
 
-  /// Returns whether each of two ends is the only neighbour of the other: there may be a gap
-  /// between them.
+  /// Returns whether each of two ends is the only neighbour of the other end. There is then
+  /// probably a gap between them.
   [[nodiscard]] bool are_pair(std::size_t end, std::size_t other) const;
 
-  /// Returns whether an end and its only neighbour are such a pair (are_pair()), at most `max_mm`
-  /// apart.
+  /// Returns whether an end has exactly one neighbour, both are a pair by are_pair(), and they are
+  /// at most `max_mm` apart.
   [[nodiscard]] bool is_of_pair(std::size_t end, double max_mm) const;
 
  private:
@@ -67,13 +69,14 @@ class LooseEnds {
   };
 
   [[nodiscard]] static Key key_of(const Place& place, int dx, int dy);
-  /// Calls `visit(other, apart)` for each end within the widest gap of `end`, until a call returns
-  /// false.
+  /// Calls `visit(other, apart)` for each neighbour of `end`, with its index and distance, until a
+  /// call returns false.
   template <typename Visit>
   void visit_near(std::size_t end, const Visit& visit) const;
 
   std::vector<LooseEnd> ends_;
-  std::vector<std::pair<Key, std::size_t>> cells_;  ///< Ends by cell, sorted.
+  /// Each end with the key of its cell, sorted by cell.
+  std::vector<std::pair<Key, std::size_t>> cells_;
 };
 
 }  // namespace sim::drawing

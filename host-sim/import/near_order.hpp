@@ -4,8 +4,8 @@
 
 namespace sim::drawing {
 
-/// Returns the interleaved bits of both coordinates. Cells that are near in the plane are mostly
-/// near in the order of these numbers.
+/// Returns a number that consists of the interleaved bits of both coordinates. Cells that are near
+/// each other in the plane mostly have numbers that are near each other.
 [[nodiscard]] inline std::uint64_t near_order(std::uint32_t x, std::uint32_t y) {
   const auto spread = [](std::uint64_t bits) {
     bits = (bits | bits << 16U) & 0x0000'FFFF'0000'FFFFU;

@@ -26,8 +26,8 @@ std::vector<double> cuts_at(const std::vector<Place>& outline, double y) {
   return cuts;
 }
 
-/// Returns a point inside a piece. Neighbours may share edges, so three heights are tried and the
-/// point in the middle of the widest interval is chosen.
+/// Returns a point inside a piece, away from its edges, because neighbouring pieces may share
+/// edges. Of the intervals inside the piece at three heights, takes the middle of the widest one.
 Place place_inside(const Piece& piece) {
   Place best = piece.outline.front();
   double widest = -1.0;
@@ -64,10 +64,10 @@ class Strips {
     fill();
   }
 
-  /// Counts in `hits`, for each piece, how often it crosses the ray from `place` to the right. The
-  /// point may be anywhere. Returns false if the budget ends.
+  /// Counts in `hits`, for each piece, its crossings of the ray from `place` to the right. `place`
+  /// may be outside of all strips. Returns false if the budget is spent.
   bool count(const Place& place, std::map<std::size_t, std::size_t>& hits, Budget& budget) const {
-    // Cost of a full check of a chord, compared with the check of its piece's box.
+    // Cost of the full check of a chord, in units of the check of the box of its piece.
     constexpr std::size_t kCloseLook = 16;
     if (place.y() < min_ || place.y() > max_) return true;
     const std::size_t number = strip_of(place.y());
@@ -96,8 +96,8 @@ class Strips {
     return static_cast<std::size_t>(std::max(0.0, std::floor((y - min_) / height_)));
   }
 
-  /// Sorts the chords into strips. The chords of each strip are counted first, because growing
-  /// lists would take several times the memory.
+  /// Sorts the chords into strips. Counts the chords of each strip first, because lists that grow
+  /// would take several times the memory.
   void fill() {
     ends_.assign(strip_of(max_) + 2, 0);
     for_each_chord([this](std::size_t strip, const Chord&) { ++ends_[strip + 1]; });
@@ -124,12 +124,13 @@ class Strips {
   double min_ = OutlineBox::kInfinite;
   double max_ = -OutlineBox::kInfinite;
   double height_ = 1.0;
-  /// By strip: index of its first chord; its chords end where those of the next strip begin.
+  /// For each strip, the index of its first chord in `chords_`. The chords of a strip end where
+  /// those of the next strip begin.
   std::vector<std::size_t> ends_;
   std::vector<Chord> chords_;
 };
 
-/// Keeps the smallest of the pieces that surround a point.
+/// Stores the piece with the smallest area of those that surround a point.
 struct Innermost {
   void look_at(std::size_t other, double area) {
     if (area >= smallest) return;
@@ -141,8 +142,8 @@ struct Innermost {
   double smallest = OutlineBox::kInfinite;
 };
 
-/// Returns the distance between the points that are checked along open outlines. It bounds the
-/// number of all these points.
+/// Returns the distance between the points that are checked along open outlines, mm. It is great
+/// enough to bound the total number of these points.
 double spacing_of_places(const std::vector<Piece>& pieces) {
   constexpr double kEveryMm = 2.0;
   constexpr double kMaxPlaces = 500'000.0;
@@ -184,7 +185,7 @@ void turn_as_nested(DrawnContour& contour) {
 
 namespace {
 
-/// Finds the contours around an open contour. Returns false if the budget ends.
+/// Finds the contours around an open contour. Returns false if the budget is spent.
 bool find_around(std::vector<Piece>& pieces,
                  std::size_t index,
                  double every_mm,
@@ -230,8 +231,8 @@ void nest(Sketch& sketch, std::vector<Piece>& pieces) {
     Innermost of_all;
     for (const auto& [other, count] : hits) {
       const double area = std::abs(pieces[other].contour.area_mm2);
-      // If each of two contours surrounds the inner point of the other, the one with the greater
-      // area is the outer one.
+      // Two contours may each surround the inner point of the other. The contour with the greater
+      // area then counts as the outer one.
       if (count % 2 == 0 || other == index || area <= std::abs(contour.area_mm2)) continue;
       of_all.look_at(other, area);
       if (pieces[other].contour.entity.part != contour.entity.part) continue;
@@ -248,8 +249,8 @@ void nest(Sketch& sketch, std::vector<Piece>& pieces) {
     sketch.report({FaultKind::kUnchecked,
                    {},
                    {},
-                   "too many contours to tell which are holes",
-                   "cut the drawing in parts"});
+                   "there are too many contours to determine which of them are holes",
+                   "divide the drawing into several files"});
   }
 }
 

@@ -10,7 +10,8 @@
 
 namespace sim::drawing {
 
-/// The rectangle around points, with sides along the axes; empty until a point is included.
+/// The smallest rectangle around points, with sides along the axes. It is empty until a point is
+/// included.
 struct OutlineBox {
   static constexpr double kInfinite = std::numeric_limits<double>::infinity();
   Place least{kInfinite, kInfinite};

@@ -45,8 +45,8 @@ void Overlaps::add_edge(const Arrangement& arrangement, const ArrangedEdge& edge
   }
 }
 
-/// Marks a loop that overlaps itself. A simple loop turns exactly once around all of its inside,
-/// always in the same direction.
+/// Marks the loop of an edge if it overlaps itself. A simple loop has no edge twice, and winds
+/// exactly once around each point inside it, always in the same direction.
 void Overlaps::add_self(const EdgeOwner& owner, const Windings& left, const Windings& right) {
   if (owner.along + owner.against > 1) mark(owner.loop, owner.loop);
   for (const Windings* windings : {&left, &right}) {

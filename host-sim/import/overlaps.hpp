@@ -10,27 +10,26 @@
 
 namespace sim::drawing {
 
-/// Sorts the loops of an arrangement. Loops that are simple, and at most touch other loops, stay by
-/// themselves. All other loops are united to sets that overlap.
+/// Sorts the loops of an arrangement into sets. A loop that is simple, and at most touches other
+/// loops, is a set by itself. Other loops are united with the loops that they overlap.
 ///
-/// A loop overlaps itself if it crosses itself or runs along itself. Two loops overlap if one has
-/// edges inside and outside the other, or if they run along each other with both insides on the
-/// same side.
+/// A loop overlaps itself if it crosses itself or runs along itself. Two loops overlap if one of
+/// them has edges both inside and outside the other loop. They also overlap if they run along each
+/// other and their insides are on the same side.
 class Overlaps {
  public:
   Overlaps(const Arrangement& arrangement, std::size_t loops);
 
   /// Returns whether a loop overlaps itself or another loop.
   [[nodiscard]] bool overlaps(std::size_t loop) const { return overlaps_[loop]; }
-  /// Returns the number of the set of a loop: the smallest number of the loops with which the loop
-  /// must be resolved, itself included.
+  /// Returns the number of the set of a loop, which is the smallest number of a loop in this set.
   [[nodiscard]] std::size_t set_of(std::size_t loop) { return sets_.find(loop); }
 
  private:
   struct Relation {
     std::size_t edges_within = 0;  ///< Number of edges of the first loop within the second loop.
     std::size_t edges_on = 0;      ///< Number of edges that belong to both loops.
-    /// At one of the shared edges or more, both insides are on the same side.
+    /// True if the insides of both loops are on the same side of at least one shared edge.
     bool on_same_side = false;
   };
   using Pair = std::pair<std::uint32_t, std::uint32_t>;
@@ -41,7 +40,8 @@ class Overlaps {
   void mark(std::uint32_t a, std::uint32_t b);
 
   std::vector<std::size_t> edges_;  ///< Number of edges of each loop.
-  std::vector<int> turns_;          ///< Turns of each loop around its inside; 0: not known yet.
+  /// Winding number of each loop around its inside; 0 if it is not known yet.
+  std::vector<int> turns_;
   std::vector<bool> overlaps_;
   PieceSets sets_;
   std::map<Pair, Relation> relations_;

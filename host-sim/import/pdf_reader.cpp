@@ -15,8 +15,8 @@
 namespace sim::drawing {
 namespace {
 
-// Scale of the page. cairo stores points in 256ths of a unit, which would be 1.4 µm if the unit
-// were a point of the page.
+// Factor by which the page is enlarged before cairo draws it. cairo rounds coordinates to 1/256 of
+// a unit, which would be 1.4 µm on a page that is not enlarged.
 constexpr double kFinerPage = 64.0;
 constexpr double kLargestPagePt = 200'000.0;
 
@@ -39,7 +39,7 @@ cairo_status_t append_bytes(void* text, const unsigned char* bytes, unsigned int
   return CAIRO_STATUS_SUCCESS;
 }
 
-/// Draws a page as SVG. Returns nothing if that fails.
+/// Returns a page as an SVG document; nothing if cairo cannot draw it.
 std::optional<std::string> svg_of_page(PopplerPage* page, double width_pt, double height_pt) {
   std::string svg;
   const Surface surface{cairo_svg_surface_create_for_stream(
@@ -48,7 +48,7 @@ std::optional<std::string> svg_of_page(PopplerPage* page, double width_pt, doubl
   cairo_scale(context.get(), kFinerPage, kFinerPage);
   poppler_page_render_for_printing(page, context.get());
   cairo_surface_finish(surface.get());
-  // The id that cairo gives the page must not become the name of a layer.
+  // Removes the id that cairo gives to the page, so that it does not become the name of a layer.
   constexpr std::string_view kPageName = " id=\"surface";
   if (const std::size_t at = svg.find(kPageName); at != std::string::npos) {
     const std::size_t end = svg.find('"', at + kPageName.size());
@@ -60,7 +60,8 @@ std::optional<std::string> svg_of_page(PopplerPage* page, double width_pt, doubl
   return svg;
 }
 
-/// Reads `r%,g%,b%)` as a hexadecimal colour; returns nothing for any other text.
+/// Returns the hexadecimal colour of a text that begins with `r%,g%,b%)`; nothing for any other
+/// text. Sets `used` to the length of the text that was read.
 std::optional<std::string> hex_of_percents(std::string_view text, std::size_t& used) {
   Scanner scanner{text};
   std::string hex = "#";
@@ -73,7 +74,8 @@ std::optional<std::string> hex_of_percents(std::string_view text, std::size_t& u
   return hex;
 }
 
-/// Replaces `rgb(100%,0%,0%)` by `#ff0000`, the form in which users write colours.
+/// Returns an SVG document with each colour such as `rgb(100%,0%,0%)` replaced by the form
+/// `#ff0000`, in which users write colours.
 std::string with_hex_colours(const std::string& svg) {
   constexpr std::string_view kRgb = "rgb(";
   std::string out;
@@ -96,7 +98,7 @@ void read_page(PopplerPage* page, Sketch& sketch) {
   poppler_page_get_size(page, &width_pt, &height_pt);
   const auto is_size = [](double size) { return size > 0.0 && size <= kLargestPagePt; };
   if (!is_size(width_pt) || !is_size(height_pt)) {
-    return sketch.refuse(0, 0, "its page has no size, or one of more than 70 m", "export it again");
+    return sketch.refuse(0, 0, "its page has no size, or is larger than 70 m", "export it again");
   }
   const auto svg = svg_of_page(page, width_pt, height_pt);
   if (!svg) return sketch.refuse(0, 0, "its page cannot be drawn", "export it as SVG");
@@ -119,16 +121,18 @@ void read_pdf(const std::string& text, Sketch& sketch) {
         failure && g_error_matches(failure.get(), POPPLER_ERROR, POPPLER_ERROR_ENCRYPTED) != 0;
     return sketch.refuse(0,
                          0,
-                         locked ? "it is a PDF file that is locked" : "it is a broken PDF file",
+                         locked ? "it is a PDF file that a password protects"
+                                : "it is a broken "
+                                  "PDF file",
                          locked ? "save it without a password" : "export it again");
   }
   const int pages = poppler_document_get_n_pages(document.get());
   const Page page{pages > 0 ? poppler_document_get_page(document.get(), 0) : nullptr};
   if (!page) return sketch.refuse(0, 0, "it is a PDF file without pages", "export it again");
   if (pages > 1) {
-    sketch.note(fmt::format("it has {} pages: the first one is read", pages),
+    sketch.note(fmt::format("it has {} pages: only the first page is read", pages),
                 {},
-                "save the others as files of their own");
+                "save the other pages as separate files");
   }
   read_page(page.get(), sketch);
 }

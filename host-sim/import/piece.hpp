@@ -11,11 +11,11 @@
 
 namespace sim::drawing {
 
-/// A contour before it is added to the drawing, with its chords.
+/// A contour that has not yet been added to the drawing, with its chords.
 struct Piece {
   DrawnContour contour;
-  /// Points of the chords, which are within kChordToleranceMm of the curves; a closed outline ends
-  /// with its first point.
+  /// Ends of the chords, which are within kChordToleranceMm of the curves. A closed outline repeats
+  /// its first point at its end.
   std::vector<Place> outline;
   OutlineBox box;
 };
@@ -33,12 +33,12 @@ struct Piece {
 /// Computes the chords, box and length of a piece and, if it is closed, its area.
 void measure(Piece& piece);
 
-/// Remaining work of a search that would otherwise take minutes on some drawings. A search that
-/// spends all of it ends, and a fault reports that.
+/// Remaining work of a search that could take minutes for some drawings. When all of it is spent,
+/// the search ends, and a fault reports that it is incomplete.
 class Budget {
  public:
   explicit Budget(std::size_t steps) : left_{steps} {}
-  /// Takes steps from the budget. Returns false if none are left.
+  /// Subtracts steps from the budget. Returns false if no steps are left.
   bool spend(std::size_t steps) {
     left_ = steps > left_ ? 0 : left_ - steps;
     return left_ != 0;
@@ -49,8 +49,9 @@ class Budget {
   std::size_t left_;
 };
 
-/// Joins chains of one layer whose ends are within the gap. Ends without a partner become faults of
-/// the sketch. Their remedies are to close the contour, or `remedy`.
+/// Returns the pieces that result when chains of one layer are joined at ends within `gap_mm` of
+/// each other. Reports ends without a partner as faults of the sketch. The remedy of such a fault
+/// is to close the contour, or the text `remedy`.
 /// @param mends_gaps see ImportOptions::mends_gaps
 [[nodiscard]] std::vector<Piece> join(Sketch& sketch,
                                       std::vector<Piece> chains,
@@ -67,8 +68,8 @@ void find_coincident(Sketch& sketch, std::vector<Piece>& pieces, double gap_mm);
 /// Finds the depth and parent of closed pieces, and the contours around open pieces.
 void nest(Sketch& sketch, std::vector<Piece>& pieces);
 
-/// Converts the sketch that a reader gathered to a drawing, by all steps above.
-/// @param mm_per_unit unit with which the file was read, for messages
+/// Converts the sketch that a reader filled to a drawing, by all steps that are declared above.
+/// @param mm_per_unit millimetres per unit with which the file was read, for messages
 [[nodiscard]] Drawing assemble(Sketch& sketch,
                                const std::string& file,
                                const ImportOptions& options,

@@ -7,14 +7,14 @@
 
 namespace sim::drawing {
 
-/// Sets of numbers. Each number begins as a set of its own; sets are then united.
+/// Disjoint sets of numbers. Initially each number is in a set by itself. Sets can then be united.
 class PieceSets {
  public:
   explicit PieceSets(std::size_t count) : parents_(count) {
     std::iota(parents_.begin(), parents_.end(), std::size_t{0});
   }
 
-  /// Returns the smallest number of the set that contains `number`.
+  /// Returns the smallest number in the set that contains `number`.
   [[nodiscard]] std::size_t find(std::size_t number) {
     while (parents_[number] != number) {
       parents_[number] = parents_[parents_[number]];

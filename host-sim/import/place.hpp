@@ -26,7 +26,7 @@ inline constexpr double kFullTurn = 2.0 * std::numbers::pi;
 }
 [[nodiscard]] inline Place direction(double angle) { return {std::cos(angle), std::sin(angle)}; }
 
-/// An affine map: the images of the unit vectors along x and y, and of the origin.
+/// An affine map, stored as the images of the unit vectors along x and y, and of the origin.
 struct Transform {
   Place x_axis{1.0, 0.0};
   Place y_axis{0.0, 1.0};
@@ -36,7 +36,7 @@ struct Transform {
   [[nodiscard]] Place operator()(const Place& p) const { return origin + way(p); }
   [[nodiscard]] double determinant() const { return cross(x_axis, y_axis); }
 
-  /// Returns whether circles stay circles under the map, to one part in 10⁹.
+  /// Returns whether the map keeps circles as circles, to one part in 10⁹.
   [[nodiscard]] bool keeps_circles() const {
     const double size = x_axis.squaredNorm() + y_axis.squaredNorm();
     return std::abs(x_axis.squaredNorm() - y_axis.squaredNorm()) <= 1.0e-9 * size &&

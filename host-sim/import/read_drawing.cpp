@@ -21,23 +21,25 @@ constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 constexpr double kMillimetresPerPoint = 25.4 / 72.0;
 constexpr double kMillimetresPerPixel = 25.4 / 96.0;
 
-/// Reads an SVGZ: an SVG in gzip.
+/// Reads an SVGZ, which is an SVG packed by gzip.
 void read_packed(const std::string& bytes, Sketch& sketch) {
   const auto text = gunzip(bytes, kMaxBytes);
   if (!text) {
     sketch.refuse(0,
                   0,
-                  fmt::format("its gzip is damaged, or holds more than {} MiB", kMaxBytes >> 20),
+                  fmt::format("its gzip data are damaged, or contain more than {} MiB", kMaxBytes "
+                              ">> 20),
                   "export the drawing again as SVG");
   } else if (const std::size_t begin = text->find_first_not_of(" \t\r\n\xEF\xBB\xBF");
              begin == std::string::npos || (*text)[begin] != '<') {
-    sketch.refuse(0, 0, "its gzip holds no SVG", "unpack it first");
+    sketch.refuse(0, 0, "its gzip data contain no SVG", "unpack it first");
   } else {
     read_svg(*text, sketch);
   }
 }
 
-/// A format that is recognised by the start of its files, but not read.
+/// A format that is not supported, but is recognised by the start of its files, so that a message
+/// can name it.
 struct OtherFormat {
   std::string_view start;
   std::string_view name;
@@ -53,10 +55,10 @@ constexpr auto kOtherFormats = std::to_array<OtherFormat>({
     {"AC10", "DWG", "save it as DXF"},
     {"RIFF", "a drawing of CorelDRAW, or a picture", kByInkscape},
     {"PK\x03\x04", "a compressed archive", "unpack it, or export the drawing as SVG or DXF"},
-    {"\x89PNG", "a picture (PNG)", "trace it to paths, and save those as SVG"},
-    {"\xFF\xD8\xFF", "a picture (JPEG)", "trace it to paths, and save those as SVG"},
-    {"BM", "a picture (BMP)", "trace it to paths, and save those as SVG"},
-    {"GIF8", "a picture (GIF)", "trace it to paths, and save those as SVG"},
+    {"\x89PNG", "a picture (PNG)", "trace it to paths, and save the paths as SVG"},
+    {"\xFF\xD8\xFF", "a picture (JPEG)", "trace it to paths, and save the paths as SVG"},
+    {"BM", "a picture (BMP)", "trace it to paths, and save the paths as SVG"},
+    {"GIF8", "a picture (GIF)", "trace it to paths, and save the paths as SVG"},
     {"solid ", "a solid model (STL)", "save a sketch or a section of it as SVG or DXF"},
 });
 
@@ -70,9 +72,9 @@ void refuse_other(std::string_view start, Sketch& sketch) {
   }
 }
 
-/// Returns the millimetres per unit of the drawing. If the options give a unit, that is used in
-/// place of the format's, and the sketch is scaled by the ratio, including sizes that the drawing
-/// gives in millimetres.
+/// Returns the millimetres per unit of the drawing. If the options give a unit, it replaces the
+/// unit of the format, `usual_mm`. The sketch is then scaled by the ratio of both units, including
+/// sizes that the drawing gives in millimetres.
 double read_scaled(const ImportOptions& options, double usual_mm, Sketch& sketch) {
   if (!options.unit_mm) return usual_mm;
   sketch.scale(*options.unit_mm / usual_mm);
@@ -88,7 +90,7 @@ double read_any(const std::string& text, const ImportOptions& options, Sketch& s
     sketch.refuse(0,
                   0,
                   fmt::format("it has more than {} MiB", kMaxBytes >> 20),
-                  "simplify the drawing, or cut it in parts");
+                  "simplify the drawing, or divide it into several files");
   } else if (start.empty()) {
     sketch.refuse(1, 0, "it is empty", "export the drawing again");
   } else if (is_lbrn(start)) {

@@ -8,8 +8,8 @@
 
 namespace sim::drawing {
 
-/// Reads the numbers and words of SVG attributes. They are separated by blanks, by commas, or by
-/// nothing if the division is clear without.
+/// Reads the numbers and words of SVG attributes. They are separated by blanks or commas, or follow
+/// each other directly, as in `1-2`.
 class Scanner {
  public:
   explicit Scanner(std::string_view text) : text_{text} {}
@@ -22,7 +22,7 @@ class Scanner {
   [[nodiscard]] std::size_t column() const { return at_ + 1; }
   [[nodiscard]] std::string_view rest() const { return text_.substr(at_); }
 
-  /// Skips blanks and returns the next character, without taking it; 0 at the end.
+  /// Skips blanks and returns the next character without consuming it; 0 at the end.
   [[nodiscard]] char peek() {
     skip_blanks();
     return at_ < text_.size() ? text_[at_] : '\0';
@@ -33,10 +33,11 @@ class Scanner {
     ++at_;
     return true;
   }
-  /// Takes a comma if there is one.
+  /// Consumes a comma if the next character is one.
   void separate() { static_cast<void>(take(',')); }
 
-  /// Takes a finite number. If there is none, returns nothing and takes nothing.
+  /// Consumes a finite number and returns it. If none is next, returns nothing and consumes only
+  /// blanks.
   std::optional<double> number() {
     skip_blanks();
     std::size_t from = at_;
@@ -51,7 +52,7 @@ class Scanner {
     return value;
   }
 
-  /// Takes a flag, 0 or 1, which need not be separated from the text that follows.
+  /// Consumes a flag, 0 or 1, and returns it. Other text may follow it without a separator.
   std::optional<bool> flag() {
     const char next = peek();
     if (next != '0' && next != '1') return {};
@@ -59,7 +60,7 @@ class Scanner {
     return next == '1';
   }
 
-  /// Takes a word of letters and hyphens; returns an empty one if there is none.
+  /// Consumes a word of letters and hyphens and returns it; empty if none is next.
   std::string_view word() {
     skip_blanks();
     const std::size_t from = at_;

@@ -11,8 +11,8 @@
 namespace sim::drawing {
 namespace {
 
-// Least length of a shape, mm: a tenth of the controller's nanometre. A shorter shape counts as a
-// point.
+// Length below which a shape counts as a point, mm: a tenth of the nanometre in which the
+// controller computes.
 constexpr double kNoLengthMm = 1.0e-7;
 constexpr std::size_t kMaxLayers = 10'000;
 
@@ -34,8 +34,8 @@ bool within_reach(const Shape& shape) {
            within_reach(ellipse->minor);
   }
   if (const auto* const arc = std::get_if<Arc>(&shape)) {
-    // An arc of at most half a turn is no farther from its ends than the ends are from each other.
-    // A longer arc may reach all sides of its circle.
+    // Only an arc of more than half a turn may reach far beyond its ends, up to all sides of its
+    // circle.
     const double radius = distance(arc->start, arc->centre);
     const Place far = arc->centre.cwiseAbs() + Place{radius, radius};
     if (std::abs(arc->sweep) > 0.5 * kFullTurn && !within_reach(far)) return false;
@@ -108,8 +108,8 @@ bool Sketch::add(Chain chain) {
     report({FaultKind::kBadEntity,
             from,
             {},
-            "a place that is no number, or farther than 10 km from the origin",
-            "mend it in the drawing, or its units"});
+            "one of its points is not a number, or is farther than 10 km from the origin",
+            "correct the point, or the unit of the drawing"});
     return true;
   }
   const Place start = start_of(chain.shapes.front());
@@ -124,8 +124,10 @@ bool Sketch::add(Chain chain) {
     report({FaultKind::kTooMuch,
             from,
             {},
-            fmt::format("more than {} curves; this and what follows is left out", kMaxShapes),
-            "simplify the drawing, or cut it in parts"});
+            fmt::format("there are more than {} curves; this curve and all later ones are left "
+                        "out",
+                        kMaxShapes),
+            "simplify the drawing, or divide it into several files"});
     return false;
   }
   chain.shapes.shrink_to_fit();
@@ -156,7 +158,7 @@ std::shared_ptr<const picture::GreyImage> Sketch::decode(std::string_view bytes,
     picture_pixels_ += image->darkness.size();
     if (picture_pixels_ <= share_of(picture::kMaxImagePixels)) return image;
     report_bad_picture(
-        entity, "its pixels, with those of pictures before it, are too many", "make it smaller");
+        entity, "together with the pictures before it, it has too many pixels", "make it smaller");
   } catch (const std::exception& error) {
     report_bad_picture(
         entity, fmt::format("it cannot be read: {}", error.what()), "embed it as PNG or JPEG");
@@ -191,7 +193,8 @@ void Sketch::refuse(std::size_t line, std::size_t column, std::string reason, st
 }
 
 void Sketch::note(const Fault& first, std::string detail) {
-  // One note per layer, because rules may skip the letters or pictures of one layer only.
+  // Letters and pictures have one note for each layer, because rules may skip those of one layer
+  // only.
   const bool is_of_layer = first.kind == FaultKind::kText || first.kind == FaultKind::kPicture ||
                            first.kind == FaultKind::kBadPicture;
   const std::size_t layer = is_of_layer ? first.entity.layer : 0;

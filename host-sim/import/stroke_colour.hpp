@@ -4,9 +4,10 @@
 
 namespace sim::drawing {
 
-/// Colour given to letters of single strokes in place of their own, so that rules can name them.
+/// Colour that replaces the colour of letters of single strokes, so that rules can name such
+/// letters.
 inline constexpr std::string_view kStrokeTextColour = "text";
-/// Colour given to pictures, which have no colour of their own.
+/// Colour of the layers of pictures, because pictures have no colour in the drawing.
 inline constexpr std::string_view kPictureColour = "image";
 
 }  // namespace sim::drawing

@@ -70,7 +70,8 @@ std::optional<Transform> transform_of(const TransformCall& call) {
   return {};
 }
 
-/// Returns the size, in px or degrees, of a unit of the numbers in a transform of a style sheet.
+/// Returns the factor from a unit of transforms in style sheets to px or degrees; nothing for an
+/// unknown unit.
 std::optional<double> factor_of(std::string_view unit) {
   if (unit == "deg") return 1.0;
   if (unit == "rad") return 1.0 / kRadiansPerDegree;
@@ -96,7 +97,7 @@ std::optional<TransformCall> next_call(Scanner& scanner) {
   return call;
 }
 
-/// Returns the share of the free space that lies before the box, for an alignment Min, Mid or Max.
+/// Returns the share of the free space that an alignment (Min, Mid or Max) leaves before the box.
 double share_of(std::string_view align) {
   if (align.ends_with("Min")) return 0.0;
   return align.ends_with("Max") ? 1.0 : 0.5;
@@ -177,7 +178,8 @@ std::optional<Place> svg_origin(std::string_view text, const SvgViewport& viewpo
   const std::string_view all = trimmed(text);
   std::string_view x = all.substr(0, all.find_first_of(" \t\r\n"));
   std::string_view y = trimmed(all.substr(x.size()));
-  y = y.substr(0, y.find_first_of(" \t\r\n"));  // A third word would be the depth (z).
+  // A third word would be the depth (z), which is ignored.
+  y = y.substr(0, y.find_first_of(" \t\r\n"));
   if (y.empty()) y = "center";
   const auto is_upright = [](std::string_view word) { return word == "top" || word == "bottom"; };
   if (is_upright(x) || y == "left" || y == "right") std::swap(x, y);

@@ -9,7 +9,7 @@
 
 namespace sim::drawing {
 
-/// The sizes, in user units, to which percentages and lengths in em refer.
+/// The sizes to which percentages and lengths in em refer, in user units.
 struct SvgViewport {
   double width = 100.0;
   double height = 100.0;
@@ -18,13 +18,13 @@ struct SvgViewport {
 
 enum class SvgDirection : std::uint8_t { kAcross, kUpright, kOther };
 
-/// Returns a length in user units, which are px; nothing if the text is no length.
+/// Returns a length in user units (px); nothing if the text is no length.
 [[nodiscard]] std::optional<double> svg_length(std::string_view text,
                                                const SvgViewport& viewport,
                                                SvgDirection direction);
 
-/// Returns the product of a list of transforms, with or without the units of style sheets; nothing
-/// if one of them cannot be read.
+/// Returns the product of a list of transforms, whose numbers may have the units of style sheets;
+/// nothing if one of the transforms cannot be read.
 [[nodiscard]] std::optional<Transform> svg_transform(std::string_view text);
 
 struct SvgViewBox {
@@ -32,10 +32,10 @@ struct SvgViewBox {
   Place size;
 };
 
-/// Returns the box that a `viewBox` gives; nothing if it is no box with a size.
+/// Returns the box that a `viewBox` gives; nothing if the text is no box with width and height.
 [[nodiscard]] std::optional<SvgViewBox> svg_view_box(std::string_view text);
 
-/// Returns the map of the box into a viewport at the origin, as `preserveAspectRatio` requires.
+/// Returns the map from the box to a viewport at the origin, by the rules of `preserveAspectRatio`.
 [[nodiscard]] Transform svg_fit(const SvgViewBox& box,
                                 const SvgViewport& viewport,
                                 std::string_view aspect);

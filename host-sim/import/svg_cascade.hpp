@@ -14,12 +14,13 @@
 
 namespace sim::drawing {
 
-/// The properties of one element, from style sheets, `style` and attributes.
+/// The properties of one element, from style sheets, its `style` attribute and its other
+/// attributes.
 class SvgProperties {
  public:
   explicit SvgProperties(const pugi::xml_node& node) : node_{node} {}
-  // Candidates point to declarations, also to those in inline_. A move keeps these at their
-  // addresses; a copy does not.
+  // The candidates contain pointers to declarations, including those in `inline_`. A move keeps
+  // these declarations at their addresses, but a copy does not.
   SvgProperties(const SvgProperties&) = delete;
   SvgProperties& operator=(const SvgProperties&) = delete;
   SvgProperties(SvgProperties&&) noexcept = default;
@@ -28,7 +29,7 @@ class SvgProperties {
 
   /// Returns the value of a property without blanks at its ends; empty if the element has none.
   [[nodiscard]] std::string_view get(const char* name) const;
-  /// Returns an attribute as the file has it.
+  /// Returns the value of an attribute as it is written in the file.
   [[nodiscard]] std::string_view attribute(const char* name) const {
     return node_.attribute(name).value();
   }
@@ -36,7 +37,8 @@ class SvgProperties {
   [[nodiscard]] bool has(const char* name) const {
     return !styled(name).empty() || node_.attribute(name);
   }
-  /// Returns the value that `style` or a style sheet gives, without regard to attributes.
+  /// Returns the value that the `style` attribute or a style sheet gives. Ignores presentation
+  /// attributes.
   [[nodiscard]] std::string_view styled(std::string_view name) const;
 
  private:
@@ -59,10 +61,10 @@ class SvgProperties {
   std::vector<Candidate> candidates_;
 };
 
-/// The style sheets of a document.
+/// The rules of all style sheets of a document.
 class SvgCascade {
  public:
-  /// @param steps greatest number of comparisons of elements with selectors in the document
+  /// @param steps greatest number of comparisons of elements with selectors in the whole document
   explicit SvgCascade(std::size_t steps) : steps_{steps} {}
 
   /// Adds the rules of a sheet after those of earlier sheets.
@@ -70,7 +72,7 @@ class SvgCascade {
 
   [[nodiscard]] SvgProperties properties_of(const pugi::xml_node& node);
 
-  /// Returns whether all steps are used up. Elements after that do not get the rules of style
+  /// Returns whether all steps are used up. Later elements then do not get the rules of style
   /// sheets.
   [[nodiscard]] bool is_exhausted() const { return steps_ == 0; }
 
@@ -82,7 +84,8 @@ class SvgCascade {
   std::vector<SvgRule> rules_;
   Buckets by_id_;
   Buckets by_class_;
-  /// Rules by the name of the element; under the empty name, rules for any element.
+  /// Rules, keyed by the name of the element that they select. Rules for any element have the empty
+  /// name.
   Buckets by_element_;
   std::size_t steps_;
 };

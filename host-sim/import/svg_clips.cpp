@@ -55,14 +55,14 @@ void SvgClips::enter(const pugi::xml_node& node,
   if (local_name(clip_path) != "clipPath") {
     document_.report_bad(node,
                          fmt::format("clip-path \"{:.60}\" is not known", value),
-                         "all of it is read; release the clip in the drawing program");
+                         "all of the element is read; release the clip in the drawing program");
     return;
   }
   Transform to_mm = style.to_mm;
   if (std::string_view{clip_path.attribute("clipPathUnits").value()} == "objectBoundingBox") {
     if (!box || !(box->width() > 0.0) || !(box->height() > 0.0)) {
       document_.report_bad(
-          node, "its clip is in units of its box, which only a shape has", kReleaseClip);
+          node, "its clip is in units of its bounding box, which only a shape has", kReleaseClip);
       return;
     }
     to_mm = to_mm * moved_by(box->least) * scaled_by(box->width(), box->height());
@@ -106,14 +106,18 @@ void SvgClips::add_path(pugi::xml_node child,
     inherit(properties, style);
     if (properties.get("display") == "none" || !style.is_visible) return;
     const auto transform = svg_own_transform(properties, style.viewport);
-    if (!transform) return document_.report_bad(child, "its transform is none", "mend it");
+    if (!transform)
+      return document_.report_bad(child,
+                                  "its transform cannot be read",
+                                  "correct "
+                                  "it");
     own = own * *transform;
     const std::string_view name = local_name(child);
     if (is_svg_shape(name)) {
       SvgPen pen;
       const SvgShapeFault wrong = draw_svg_shape(name, properties, style.viewport, pen);
       if (!wrong.is_error) return;
-      if (!wrong.reason.empty()) return document_.report_bad(child, wrong.reason, "mend it");
+      if (!wrong.reason.empty()) return document_.report_bad(child, wrong.reason, "correct it");
       drawing::transform(pen.subpaths(), own);
       clip.add(pen.subpaths(), fill_rule_of(style.clip_rule));
       return;
@@ -127,7 +131,7 @@ void SvgClips::add_path(pugi::xml_node child,
   if (name == "title" || name == "desc" || name == "metadata") return;
   document_.report_bad(child,
                        fmt::format("<{:.40}> in a clip path is not followed", name),
-                       "make it a path; what it clips may be left out");
+                       "make it a path; content that it clips may be left out");
 }
 
 void SvgClips::enter_viewport(const pugi::xml_node& node, const Place& size, SvgStyle& style) {
@@ -158,9 +162,9 @@ bool SvgClips::is_visible(const pugi::xml_node& node,
   if (style.has_fill()) fill = fill_rule_of(style.fill_rule);
   const auto [sight, clip] = comparison_.compare(shapes, style.clips, fill);
   if (sight == Sight::kTooMuch) {
-    document_.report_bad(node, "its clip is too much to compare", kReleaseClip);
+    document_.report_bad(node, "its clip has too many curves to be compared", kReleaseClip);
   } else if (sight == Sight::kNothing) {
-    sketch_.ignore("shapes outside of their clip are not seen", document_.entity_of(node));
+    sketch_.ignore("shapes outside of their clip are not visible", document_.entity_of(node));
   } else if (sight == Sight::kPart) {
     document_.report_bad(
         node, fmt::format("it crosses the {} and is left out", clip->name), clip->remedy);

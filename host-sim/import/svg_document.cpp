@@ -8,13 +8,13 @@
 namespace sim::drawing {
 namespace {
 
-// `use` elements within `use` elements may double the elements at each level: without a bound, a
-// page of text fills memory.
+// Nested `use` elements may double the number of drawn elements at each level. Without a bound, a
+// file of one page could fill the memory.
 constexpr std::size_t kMaxElements = 500'000;
 constexpr std::size_t kMaxSelectorSteps = 100'000'000;
 constexpr std::string_view kSvgNamespace = "http://www.w3.org/2000/svg";
 
-/// Gathers ids and style sheets.
+/// Collects the elements that have ids, and the style sheets of the document.
 class Collector final : public pugi::xml_tree_walker {
  public:
   explicit Collector(std::unordered_map<std::string_view, pugi::xml_node>& ids) : ids_{ids} {}
@@ -118,7 +118,8 @@ SvgProperties SvgDocument::properties_of(const pugi::xml_node& node) {
     sketch_.report({FaultKind::kTooMuch,
                     entity_of(node),
                     {},
-                    "more rules of style sheets than can be compared; they end here",
+                    "the style sheets have too many rules to be compared; from here on they are "
+                    "ignored",
                     "export with presentation attributes"});
   }
   return properties;
@@ -148,7 +149,7 @@ bool SvgDocument::count(const pugi::xml_node& node) {
          entity_of(node),
          {},
          fmt::format("more than {} elements are drawn; the rest is left out", max_elements_),
-         "cut the drawing in parts"});
+         "divide the drawing into several files"});
   }
   return false;
 }

@@ -12,27 +12,29 @@
 
 namespace sim::drawing {
 
-/// An SVG document: its elements by id, its style sheets, and the positions of both in the file.
+/// An SVG document, with its elements by id, its style sheets, and the positions of both in the
+/// file.
 class SvgDocument {
  public:
   SvgDocument(const std::string& source, Sketch& sketch);
 
-  /// Parses the file. Returns false, and reports a fault, if it is no SVG document.
+  /// Parses the file. Returns false, and reports a fault, if the file is no SVG document.
   [[nodiscard]] bool load();
   [[nodiscard]] pugi::xml_node root() const { return document_.document_element(); }
 
   /// Returns the first element with an id; an empty node if there is none.
   [[nodiscard]] pugi::xml_node find(std::string_view id) const;
-  /// Returns the element of this document that `href` or `xlink:href` names; else an empty node.
+  /// Returns the element of this document that `href` or `xlink:href` names; an empty node if there
+  /// is none.
   [[nodiscard]] pugi::xml_node linked(const pugi::xml_node& node) const;
   [[nodiscard]] SvgProperties properties_of(const pugi::xml_node& node);
 
-  /// Returns the name, id and position of an element.
+  /// Returns the entity for an element: its name with its id, and its position in the file.
   [[nodiscard]] Entity entity_of(const pugi::xml_node& node) const;
   void report_bad(const pugi::xml_node& node, std::string reason, std::string remedy);
 
-  /// Counts an element that is drawn. Returns false if there are too many. The first element beyond
-  /// the limit becomes a fault.
+  /// Counts an element that is drawn. Returns false if there are too many elements. Reports a fault
+  /// at the first element beyond the limit.
   [[nodiscard]] bool count(const pugi::xml_node& node);
   [[nodiscard]] bool is_full() const { return elements_ > max_elements_ || sketch_.full(); }
 
@@ -50,10 +52,10 @@ class SvgDocument {
   bool told_of_steps_ = false;
 };
 
-/// Returns the value of `href`, or else of `xlink:href`.
+/// Returns the value of `href`, or that of `xlink:href` if there is no `href`.
 [[nodiscard]] std::string_view svg_link(const pugi::xml_node& node);
 
-/// Returns whether an element belongs to SVG, and not to a drawing program's own vocabulary.
+/// Returns whether an element belongs to SVG. Drawing programs add elements of other vocabularies.
 [[nodiscard]] bool is_svg_element(const pugi::xml_node& node);
 
 }  // namespace sim::drawing

@@ -32,7 +32,7 @@ void take_size(std::string_view text, SvgViewport& viewport) {
   }
 }
 
-/// Takes a word as the weight of the font. Returns whether the word was one.
+/// Sets the weight of the font if a word is a weight. Returns whether it is one.
 bool take_weight(std::string_view word, text::FontWish& wish) {
   if (word == "bold") {
     wish.weight = kBoldWeight;
@@ -56,7 +56,8 @@ bool take_slant(std::string_view word, text::FontWish& wish) {
   return true;
 }
 
-/// Reads the shorthand property `font: italic bold 12px/1.5 Georgia, serif`.
+/// Reads the value of the shorthand property `font`, for example `italic bold 12px/1.5 Georgia,
+/// serif`.
 void take_shorthand(std::string_view text, SvgViewport& viewport, text::FontWish& wish) {
   if (text.empty() || text == "inherit") return;
   wish.weight = kNormalWeight;

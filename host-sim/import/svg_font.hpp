@@ -8,17 +8,18 @@
 
 namespace sim::drawing {
 
-/// Properties that letters inherit.
+/// Properties of letters, which elements inherit.
 struct SvgFont {
   text::FontWish wish{};
-  double letter_spacing = 0.0;  ///< Extra distance after each letter, in user units.
-  double word_spacing = 0.0;    ///< Extra distance after each blank, in user units.
+  double letter_spacing = 0.0;  ///< Additional distance after each letter, in user units.
+  double word_spacing = 0.0;    ///< Additional distance after each blank, in user units.
   std::string anchor = "start";
-  std::string baseline{};  ///< `dominant-baseline`; empty: the default base line.
+  std::string baseline{};  ///< Value of `dominant-baseline`; empty for the default base line.
   bool keeps_blanks = false;
 };
 
-/// Replaces inherited font, spacing and size (`viewport.em`) by those that an element gives.
+/// Replaces the inherited font, spacing and size (`viewport.em`) by the values that an element
+/// gives.
 void inherit_font(const SvgProperties& properties, SvgViewport& viewport, SvgFont& font);
 
 /// Returns the distance of the base line below the line that `baseline` names, in em.

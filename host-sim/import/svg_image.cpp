@@ -13,7 +13,7 @@
 namespace sim::drawing {
 namespace {
 
-constexpr const char* kEmbed = "embed it in the drawing, or put it beside the drawing";
+constexpr const char* kEmbed = "embed it in the drawing, or put it in the folder of the drawing";
 constexpr std::string_view kDataScheme = "data:";
 
 /// Returns the value of a hexadecimal digit; nothing for another character.
@@ -25,7 +25,7 @@ std::optional<int> hex_digit(char c) {
   return std::nullopt;
 }
 
-/// Returns a link with escapes such as `%20` replaced by their characters.
+/// Returns a link in which escapes such as `%20` are replaced by their characters.
 std::string unescaped(std::string_view link) {
   constexpr int kHex = 16;
   std::string text;
@@ -42,16 +42,16 @@ std::string unescaped(std::string_view link) {
   return text;
 }
 
-/// Returns the reason why a link is not followed; empty if it names a file below the drawing's
-/// folder.
+/// Returns the reason why a link to a picture is not followed; empty if it names a file below the
+/// folder of the drawing.
 std::string reason_against(std::string_view name) {
   if (name.empty()) return "it links no picture";
   const std::size_t colon = name.find(':');
   if (colon != std::string_view::npos && colon > 1) {
-    return fmt::format("\"{:.60}\" is an address, and not fetched", name);
+    return fmt::format("\"{:.60}\" is a web address, which is not downloaded", name);
   }
   if (name.starts_with('/') || name.starts_with('\\') || colon == 1) {
-    return fmt::format("\"{:.60}\" is a path of another computer, or of all of this one", name);
+    return fmt::format("\"{:.60}\" is a path on another computer, or an absolute path", name);
   }
   for (std::size_t at = 0; at != std::string_view::npos; at = name.find('/', at)) {
     if (name[at] == '/') ++at;
@@ -82,7 +82,7 @@ void SvgImages::read(const pugi::xml_node& node, const SvgProperties& properties
   if (!to_mm) return sketch_.ignore("pictures of no size", entity);
   if (!is_placeable(*to_mm, *found.image)) {
     return sketch_.report_bad_picture(
-        entity, "it is flat, or farther than 10 km from the origin", "mend its transform");
+        entity, "it is flat, or farther than 10 km from the origin", "correct its transform");
   }
   Image seen = clipped(found.image, *to_mm, style, entity);
   if (!seen) return;
@@ -114,7 +114,7 @@ SvgImages::Linked SvgImages::beside(std::string_view link, const Entity& entity)
   const std::string name = unescaped(link);
   std::string reason = reason_against(name);
   if (reason.empty() && !sketch_.read_beside()) {
-    reason = fmt::format("\"{:.60}\" is in a file of its own, which is not read here", name);
+    reason = fmt::format("\"{:.60}\" is a separate file, which is not read here", name);
   }
   if (!reason.empty()) {
     sketch_.report_bad_picture(entity, std::move(reason), kEmbed);
@@ -163,14 +163,14 @@ SvgImages::Image SvgImages::clipped(const Image& image,
   }
   if (clip_steps_ > sketch_.share_of(kMaxClipSteps)) {
     sketch_.report_bad_picture(
-        entity, "its clip is too much to compare", "crop the picture itself");
+        entity, "its clip has too many curves to be compared", "crop the picture itself");
     return nullptr;
   }
   auto seen = std::make_shared<picture::GreyImage>(*image);
   for (const auto& clip : style.clips) clip_picture(*seen, to_mm, *clip);
   const bool is_seen = std::ranges::any_of(seen->cover, [](float share) { return share > 0.0F; });
   if (is_seen) return seen;
-  sketch_.ignore("pictures outside of their clip are not seen", entity);
+  sketch_.ignore("pictures outside of their clip are not visible", entity);
   return nullptr;
 }
 

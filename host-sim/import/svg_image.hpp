@@ -13,8 +13,8 @@
 
 namespace sim::drawing {
 
-/// Reads `image` elements, whose pictures are in the document itself or in files below its folder.
-/// The layers of pictures have the colour kPictureColour.
+/// Reads `image` elements, whose pictures are in the document itself or in files below the folder
+/// of the document. The layers of pictures get the colour kPictureColour.
 class SvgImages {
  public:
   SvgImages(SvgDocument& document, Sketch& sketch, SvgClips& clips)
@@ -26,7 +26,7 @@ class SvgImages {
  private:
   using Image = std::shared_ptr<const picture::GreyImage>;
 
-  /// The picture of a link; null if it cannot be read.
+  /// A picture to which the document links; the image is null if it cannot be read.
   struct Linked {
     Image image{};
     std::string file{};
@@ -35,7 +35,7 @@ class SvgImages {
   const Linked& linked(std::string_view link, const Entity& entity);
   Linked embedded(std::string_view data, const Entity& entity);
   Linked beside(std::string_view link, const Entity& entity);
-  /// Returns the map of the picture's pixels to mm; nothing if the element has no size.
+  /// Returns the map from pixels of the picture to mm; nothing if the element has no size.
   [[nodiscard]] std::optional<Transform> map_of(const pugi::xml_node& node,
                                                 const SvgProperties& properties,
                                                 const picture::GreyImage& image,
@@ -50,7 +50,7 @@ class SvgImages {
   SvgDocument& document_;
   Sketch& sketch_;
   SvgClips& clips_;
-  /// Pictures by link; the strings of the keys belong to the document.
+  /// Pictures, keyed by link. The document owns the characters of the keys.
   std::map<std::string_view, Linked> linked_;
   std::size_t clip_steps_ = 0;
 };

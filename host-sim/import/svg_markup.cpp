@@ -32,7 +32,8 @@ bool is_predefined(std::string_view name) {
   return std::ranges::find(kNames, name) != kNames.end();
 }
 
-/// Returns the position after the end mark of a construct that begins at `from`.
+/// Returns the position after the first `mark` at or after `from`; the end of the text if there is
+/// none.
 std::size_t past(std::string_view text, std::string_view mark, std::size_t from) {
   const std::size_t end = text.find(mark, from);
   return end == std::string_view::npos ? text.size() : end + mark.size();
@@ -151,7 +152,7 @@ void SvgMarkup::read_entity(std::string_view declaration, std::size_t at) {
   if (name != "%" && (quote == '"' || quote == '\'')) {
     const std::size_t end = declaration.find(quote, 1);
     if (end == std::string_view::npos) return;
-    // The first declaration of a name is in force.
+    // If a name is declared more than once, the first declaration counts.
     entities_.emplace(name, declaration.substr(1, end - 1));
     return;
   }
@@ -160,7 +161,7 @@ void SvgMarkup::read_entity(std::string_view declaration, std::size_t at) {
                  {.name = fmt::format("ENTITY {:.60}", name == "%" ? declaration : name),
                   .line = line,
                   .column = column},
-                 "write what it holds into the drawing");
+                 "write its content into the drawing");
 }
 
 void SvgMarkup::copy(std::size_t from, std::size_t to) {
@@ -224,13 +225,13 @@ void SvgMarkup::put(std::string_view text, bool in_tag, std::size_t depth, std::
     const auto [line, column] = lines_.at(at);
     sketch_.refuse(line,
                    column,
-                   fmt::format("its entities become more than {} bytes", max_bytes_),
-                   "write what they hold into the drawing");
+                   fmt::format("its entities expand to more than {} bytes", max_bytes_),
+                   "write their content into the drawing");
   }
 }
 
 void SvgMarkup::put_character(char c, bool in_tag) {
-  // In an attribute, quotes of an entity are data, as XML requires, and do not end the value.
+  // By XML, quotes that come from an entity are data within an attribute and do not end its value.
   if (in_tag && c == '"') {
     text_ += "&quot;";
   } else if (in_tag && c == '\'') {
@@ -249,9 +250,11 @@ void SvgMarkup::undeclared(std::string_view name, std::size_t at) {
   sketch_.report({FaultKind::kBadEntity,
                   {.name = fmt::format("entity &{:.60};", name), .line = line, .column = column},
                   {},
-                  is_deep ? fmt::format("it holds itself, or others deeper than {}", kDeepestEntity)
+                  is_deep ? fmt::format("it contains itself, or entities that are nested deeper "
+                                        "than {}",
+                                        kDeepestEntity)
                           : "it is not declared in the DOCTYPE",
-                  "write what it means in its place"});
+                  "replace it by the text for which it stands"});
 }
 
 }  // namespace sim::drawing

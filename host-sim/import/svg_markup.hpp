@@ -12,28 +12,28 @@
 
 namespace sim::drawing {
 
-/// An XML document with its entities expanded, and a map from its bytes back to positions in the
-/// file.
+/// An XML document whose entities are expanded. It maps positions in the expanded text back to
+/// positions in the file.
 ///
-/// Entities of the internal subset are expanded, including those that contain elements. An entity
-/// that is not declared, or lies in another file, becomes a fault and stays as it is written.
-/// Expansion is bounded in depth and size.
+/// Entities of the internal subset are expanded, including those that contain elements. A reference
+/// to an entity that is not declared, or that is in another file, is reported and stays as it is
+/// written. Expansion is bounded in depth and size.
 class SvgMarkup {
  public:
   SvgMarkup(const std::string& source, Sketch& sketch);
 
-  /// Returns the document without its DOCTYPE.
+  /// Returns the expanded document without its DOCTYPE.
   [[nodiscard]] const std::string& text() const { return text_; }
-  /// Returns the line and column in the file, both from 1, of a byte of text().
+  /// Returns the line and the column, both from 1, in the file for a byte of text().
   [[nodiscard]] std::pair<std::size_t, std::size_t> at(std::size_t offset) const;
-  /// Returns whether a bound ended the expansion; a fault reports it.
+  /// Returns whether the bound on size ended the expansion. A fault reports this.
   [[nodiscard]] bool is_too_long() const { return too_long_; }
 
  private:
   struct Stretch {
-    std::size_t out;  ///< Start of the stretch in the text.
-    std::size_t in;   ///< Position in the source from which the stretch comes.
-    /// True: copied byte by byte. False: the whole stretch comes from one reference.
+    std::size_t out;  ///< Start of the stretch in `text_`.
+    std::size_t in;   ///< Position in `source_` from which the stretch comes.
+    /// True if the stretch is copied byte by byte; false if all of it comes from one reference.
     bool is_verbatim;
   };
 
@@ -43,8 +43,8 @@ class SvgMarkup {
   void read_entity(std::string_view declaration, std::size_t at);
   void expand_all();
   void copy(std::size_t from, std::size_t to);
-  /// Writes the expansion of the reference at `at`. Returns the position at which the source
-  /// continues.
+  /// Writes the expansion of the reference at the position `at` of the source. Returns the position
+  /// after the reference.
   std::size_t put_reference(std::size_t at, bool in_tag);
   void put(std::string_view text, bool in_tag, std::size_t depth, std::size_t at);
   void undeclared(std::string_view name, std::size_t at);

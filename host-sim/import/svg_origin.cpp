@@ -8,7 +8,7 @@
 namespace sim::drawing {
 
 void note_burn(Sketch& sketch, const std::string& svg) {
-  // Boxes.py labels its reference line with a text such as `100.0mm, burn:0.10mm`.
+  // The label of the reference line of Boxes.py is a text such as `100.0mm, burn:0.10mm`.
   constexpr std::string_view kGenerator = "Boxes.py";
   constexpr std::string_view kBurn = "burn:";
   const std::size_t found = svg.find(kBurn);
@@ -20,8 +20,9 @@ void note_burn(Sketch& sketch, const std::string& svg) {
   const bool is_known = end != from && std::string_view{end}.starts_with("mm");
   if (!is_known || !(burn_mm > 0.0) || burn_mm > kMaxBurnMm) return;
   sketch.note(
-      fmt::format("drawn by Boxes.py with burn {:g} mm: it allows for a kerf of {:g} mm, and "
-                  "is cut to size on its lines, not beside them",
+      fmt::format("drawn by Boxes.py with burn {:g} mm, which allows for a kerf of {:g} mm: "
+                  "its parts have the right size if they are cut on the lines, not offset from "
+                  "them",
                   burn_mm,
                   2.0 * burn_mm),
       {},

@@ -37,7 +37,7 @@ std::optional<std::size_t> operand_count(char upper) {
   }
 }
 
-/// Reads the `d` of a path, command by command.
+/// Reads the attribute `d` of a path, command by command.
 class PathReader {
  public:
   PathReader(std::string_view data, SvgPen& pen) : scanner_{data}, pen_{pen} {}
@@ -63,7 +63,7 @@ class PathReader {
   }
 
  private:
-  /// Draws a command, and repeats it as long as numbers follow.
+  /// Draws a command, and repeats it while further operands follow.
   bool repeat(char upper, std::size_t count) {
     if (count == 0) {
       pen_.close();
@@ -108,8 +108,8 @@ class PathReader {
     return relative_ ? Place{given + pen_.at()} : given;
   }
 
-  /// Returns the control point of a smooth command: the last control point, mirrored at the current
-  /// point.
+  /// Returns the first control point of a smooth command: the last control point mirrored at the
+  /// current point, or the current point if the previous command was of another kind.
   [[nodiscard]] Place mirrored(bool after_same_kind) const {
     return after_same_kind ? Place{2.0 * pen_.at() - control_} : pen_.at();
   }
@@ -155,7 +155,7 @@ class PathReader {
   SvgPen& pen_;
   std::array<double, 7> values_{};
   Place control_{0.0, 0.0};
-  char smooth_ = '\0';  ///< The previous command.
+  char smooth_ = '\0';  ///< The previous command, which decides mirrored().
   bool relative_ = false;
   bool first_ = true;
 };
@@ -200,7 +200,7 @@ void SvgPen::arc_to(
   const Place axis = direction(rotation_deg * kDegree);
   const Place left{-axis.y(), axis.x()};
   const Place half = 0.5 * (at_ - place);
-  // Half of the chord in units of the radii, along the axes of the ellipse.
+  // Vector along half of the chord, in units of the radii along the axes of the ellipse.
   const Place unit{dot(axis, half) / radii.x(), dot(left, half) / radii.y()};
   const double reach = unit.squaredNorm();
   if (reach > 1.0) radii *= std::sqrt(reach);

@@ -9,15 +9,15 @@
 
 namespace sim::drawing {
 
-/// Draws subpaths from SVG's path commands, in the units of the element.
+/// Converts the path commands of SVG to subpaths, in the units of the element.
 class SvgPen {
  public:
   void move_to(const Place& place);
   void line_to(const Place& place);
   void cubic_to(const Place& first, const Place& second, const Place& place);
   void quadratic_to(const Place& control, const Place& place);
-  /// Draws an elliptical arc by SVG 1.1, F.6: a radius of 0 makes a line, and radii that are too
-  /// small are enlarged.
+  /// Draws an elliptical arc to `place`, by SVG 1.1, F.6. A radius of 0 results in a line. Radii
+  /// that are too small are enlarged.
   void arc_to(Place radii, double rotation_deg, bool large, bool positive, const Place& place);
   void close();
   void add(const Shape& shape) { shapes().push_back(shape); }
@@ -36,10 +36,11 @@ class SvgPen {
   bool open_ = false;
 };
 
-/// Draws the `d` of a path. Returns an empty text, or the error and the number of its character.
+/// Draws the attribute `d` of a path. Returns an empty text, or an error with the number of the
+/// character at which it is.
 [[nodiscard]] std::string draw_path(std::string_view data, SvgPen& pen);
 
-/// Draws the `points` of a polyline. Returns an empty text, or the error.
+/// Draws the attribute `points` of a polyline or polygon. Returns an empty text, or an error.
 [[nodiscard]] std::string draw_points(std::string_view points, bool closed, SvgPen& pen);
 
 }  // namespace sim::drawing

@@ -19,7 +19,7 @@ namespace sim::drawing {
 namespace {
 
 constexpr double kMillimetresPerPx = 25.4 / 96.0;
-constexpr const char* kMend = "it is left out; mend it";
+constexpr const char* kMend = "it is left out; correct it";
 
 template <std::size_t count>
 bool is_one_of(std::string_view name, const std::array<std::string_view, count>& names) {
@@ -29,7 +29,7 @@ bool is_one_of(std::string_view name, const std::array<std::string_view, count>&
 constexpr std::array<std::string_view, 4> kGroups{"g", "a", "switch", "svg"};
 constexpr std::array<std::string_view, 7> kLetters{
     "text", "tspan", "textPath", "flowRoot", "flowPara", "altGlyph", "tref"};
-// Elements that draw nothing, or draw only where another element refers to them.
+// Elements that draw nothing, or only draw where another element refers to them.
 constexpr std::array<std::string_view, 15> kSilent{"title",
                                                    "desc",
                                                    "metadata",
@@ -46,7 +46,7 @@ constexpr std::array<std::string_view, 15> kSilent{"title",
                                                    "mask",
                                                    "clipPath"};
 
-/// Gathers the first letters of an element.
+/// Collects the first letters of the texts within an element.
 class WordCollector final : public pugi::xml_tree_walker {
  public:
   bool for_each(pugi::xml_node& node) override {
@@ -57,15 +57,15 @@ class WordCollector final : public pugi::xml_tree_walker {
   std::string words;
 };
 
-/// Returns the letters within an element, at any depth.
+/// Returns the first letters of the texts within an element, at any depth.
 std::string words_of(pugi::xml_node node) {
   WordCollector words;
   node.traverse(words);
   return std::move(words.words);
 }
 
-/// Returns whether a child of `switch` can be drawn: it requires no extension, and its language is
-/// English or any.
+/// Returns whether a child of `switch` can be drawn. It must require no extension, and its language
+/// must be English or not given.
 bool is_taken(const pugi::xml_node& child) {
   if (child.type() != pugi::node_element || child.attribute("requiredExtensions")) return false;
   const pugi::xml_attribute language = child.attribute("systemLanguage");
@@ -98,7 +98,8 @@ class SvgReader {
   }
 
  private:
-  /// Returns a width or height of a document or symbol, or `otherwise` if it has none.
+  /// Returns the width or height of a document or symbol, or `otherwise` if the attribute is
+  /// missing.
   double extent(const pugi::xml_node& node,
                 const char* name,
                 const SvgViewport& around,
@@ -132,7 +133,7 @@ class SvgReader {
     read_children(root, style);
   }
 
-  /// Sets the units of the content of a viewport.
+  /// Sets the user units for the content of a viewport, by its `viewBox`.
   static void enter_box(const pugi::xml_node& node, const Place& size, SvgStyle& style) {
     const auto box = svg_view_box(node.attribute("viewBox").value());
     style.viewport.width = box ? box->size.x() : size.x();
@@ -142,8 +143,8 @@ class SvgReader {
     style.to_mm = style.to_mm * svg_fit(*box, {size.x(), size.y()}, aspect);
   }
 
-  /// Sets the layer. Layers are the groups directly in the document, and the groups that Inkscape
-  /// marks as layers.
+  /// Sets the layer of the style if a group is a layer. Layers are the groups directly in the
+  /// document, and the groups that Inkscape marks as layers.
   static void enter_layer(const pugi::xml_node& node, SvgStyle& style) {
     const std::string_view mode = node.attribute("inkscape:groupmode").value();
     if (mode != "layer" && (style.depth != 1 || local_name(node) != "g")) return;
@@ -205,20 +206,20 @@ class SvgReader {
     }
   }
 
-  /// Adds notes about properties that change the look of an element and are not followed.
+  /// Adds notes about properties that change the appearance of an element and are not supported.
   void note_effects(const pugi::xml_node& node, const SvgProperties& properties) {
     const auto note = [&](const char* name, const char* what) {
       const std::string_view value = properties.get(name);
       if (!value.empty() && value != "none") sketch_.ignore(what, document_.entity_of(node));
     };
-    note("mask", "masks: all of the path is read");
-    note("filter", "filters are not followed");
+    note("mask", "masks are ignored: all of the path is read");
+    note("filter", "filters are ignored");
     for (const char* const marker : {"marker", "marker-start", "marker-mid", "marker-end"}) {
       note(marker, "markers of lines are left out");
     }
   }
 
-  /// Enters a nested document, whose size `use` may give.
+  /// Enters a nested document. Width and height of the `use` that refers to it take precedence.
   void enter_document(const pugi::xml_node& node,
                       const pugi::xml_node& use,
                       const SvgProperties& properties,
@@ -239,8 +240,10 @@ class SvgReader {
     const std::string_view link = svg_link(node);
     const pugi::xml_node target = document_.linked(node);
     if (!target) {
-      return document_.report_bad(
-          node, fmt::format("nothing is called \"{:.60}\"", link), "embed what it links");
+      return document_.report_bad(node,
+                                  fmt::format("no element has the name \"{:.60}\"", link),
+                                  "embed the element that "
+                                  "it links");
     }
     if (std::ranges::find(used_, target) != used_.end() || style.depth >= kDeepestNesting) {
       return document_.report_bad(
@@ -251,7 +254,7 @@ class SvgReader {
     if (local_name(target) == "symbol") {
       read_symbol(node, target, style);
     } else {
-      // NOLINTNEXTLINE(readability-suspicious-call-argument): node is the `use`.
+      // NOLINTNEXTLINE(readability-suspicious-call-argument): `node` is the `use` element.
       read_element(target, style, node);
     }
     used_.pop_back();
@@ -275,8 +278,8 @@ class SvgReader {
     return sketch_.layer({style.layer, style.sorting_colour()});
   }
 
-  /// Returns whether the style paints anything visible. If not, adds a note with the reason, unless
-  /// the element is hidden.
+  /// Returns whether the style paints anything visible. If it does not, adds a note with the
+  /// reason, except for an element that is hidden.
   bool is_seen(const pugi::xml_node& node, const SvgStyle& style) {
     if (!style.is_visible) return false;
     if (style.is_clear) {
@@ -299,7 +302,8 @@ class SvgReader {
     text_.read(node, style);
   }
 
-  /// Returns whether letters have positions of their own, unlike letters that flow within a region.
+  /// Returns whether an element gives the positions of its letters. Letters that flow within a
+  /// region have none.
   static bool is_laid_out(const pugi::xml_node& node) { return local_name(node) == "text"; }
 
   void read_shape(const pugi::xml_node& node, const SvgProperties& properties, SvgStyle style) {
@@ -309,7 +313,8 @@ class SvgReader {
     if (!wrong.is_error) return sketch_.ignore(wrong.reason, document_.entity_of(node), kMend);
     if (!wrong.reason.empty()) return document_.report_bad(node, wrong.reason, kMend);
     if (local_name(document_.find(svg_reference(style.fill))) == "pattern") {
-      sketch_.ignore("patterns: only the outline of the shape is read", document_.entity_of(node));
+      sketch_.ignore("patterns are ignored: only the outline of the shape is read", "
+                     "document_.entity_of(node));
     }
     SvgSubpaths& subpaths = pen.subpaths();
     if (properties.has("clip-path")) clips_.enter(node, properties, box_of(subpaths), style);

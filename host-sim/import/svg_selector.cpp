@@ -36,7 +36,7 @@ class SelectorReader {
     return compound;
   }
 
-  /// Takes the combinator that follows. Returns nothing if the text does not continue with one.
+  /// Consumes the next combinator and returns it; nothing if no combinator is next.
   std::optional<char> combinator() {
     const bool blank = skip_blanks();
     if (at_end()) return {};
@@ -58,7 +58,7 @@ class SelectorReader {
     while (!at_end() && kCssBlanks.find(text_[at_]) != std::string_view::npos) ++at_;
     return at_ != from;
   }
-  /// Takes a name. A `\` escapes its next character.
+  /// Consumes a name and returns it. A `\` escapes the next character.
   std::string name() {
     std::string name;
     while (!at_end()) {

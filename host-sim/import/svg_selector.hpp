@@ -15,20 +15,22 @@ inline constexpr std::string_view kCssBlanks = " \t\r\n\f";
 /// A condition on an attribute: `[name]`, `[name=value]`, `[name~=value]` and so on.
 struct SvgAttributeTest {
   std::string name;
-  char kind = '\0';  ///< 0: the attribute exists. Else the sign before `=`, or `=` alone.
+  /// 0: the attribute must exist. Otherwise the character before `=`, or `=` if there is none.
+  char kind = '\0';
   std::string value{};
 };
 
-/// Conditions for one element: `rect.cut#a[id]:first-child`.
+/// The conditions on one element, for example `rect.cut#a[id]:first-child`.
 struct SvgCompound {
-  char combinator = ' ';  ///< Relation to the compound before: blank, `>`, `+` or `~`.
-  std::string element{};  ///< Name of the element; empty: any.
+  char combinator = ' ';  ///< Relation to the preceding compound: blank, `>`, `+` or `~`.
+  std::string element{};  ///< Name of the element; empty if any element matches.
   std::vector<std::string> ids{};
   std::vector<std::string> classes{};
   std::vector<SvgAttributeTest> attributes{};
   bool is_first_child = false;
   bool is_root = false;
-  /// The conditions hold only during interaction, for example while a pointer is over the element.
+  /// True if the conditions are satisfied only during interaction, for example while a pointer is
+  /// over the element.
   bool is_never = false;
 };
 
@@ -36,14 +38,16 @@ struct SvgCompound {
 /// position: within, directly within or after other elements.
 class SvgSelector {
  public:
-  /// Returns the selector of a text; nothing if it has a construct that is not supported.
+  /// Returns the selector that a text describes; nothing if the text has a construct that is not
+  /// supported.
   [[nodiscard]] static std::optional<SvgSelector> parse(std::string_view text);
 
-  /// Returns whether the selector matches an element. Counts `steps` down, and returns false if
-  /// none are left.
+  /// Returns whether the selector matches an element. Each comparison decrements `steps`; when
+  /// `steps` is 0, returns false.
   [[nodiscard]] bool matches(const pugi::xml_node& node, std::size_t& steps) const;
-  /// Returns the specificity as one number for comparisons: the count of ids in the highest bits,
-  /// then classes and attributes, then types.
+  /// Returns the specificity of the selector as one number for comparisons. Its highest bits are
+  /// the count of ids, the next ones that of classes and attributes, and the lowest ones that of
+  /// types.
   [[nodiscard]] std::uint32_t specificity() const;
   /// Returns the conditions for the selected element itself.
   /// @pre parse() made the selector
@@ -60,7 +64,7 @@ class SvgSelector {
 /// Returns the name of an element without its prefix.
 [[nodiscard]] std::string_view local_name(const pugi::xml_node& node);
 
-/// Returns whether a list of words, separated by blanks, contains a word.
+/// Returns whether a list of words that are separated by blanks contains `word`.
 [[nodiscard]] bool has_word(std::string_view list, std::string_view word);
 
 }  // namespace sim::drawing

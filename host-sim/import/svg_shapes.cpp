@@ -8,13 +8,13 @@
 namespace sim::drawing {
 namespace {
 
-/// Reads lengths of one element, and stores the error of the first one that is no length.
+/// Reads lengths of one element, and stores the error about the first attribute that is no length.
 class LengthReader {
  public:
   LengthReader(const SvgProperties& properties, const SvgViewport& viewport)
       : properties_{properties}, viewport_{viewport} {}
 
-  /// Returns a length; nothing if the attribute is missing, `auto` or wrong.
+  /// Returns the length of an attribute; nothing if the attribute is missing, `auto` or no length.
   std::optional<double> find(const char* name, SvgDirection direction) {
     const std::string_view text = properties_.get(name);
     if (!properties_.has(name) || text == "auto") return {};
@@ -26,14 +26,15 @@ class LengthReader {
     return find(name, direction).value_or(0.0);
   }
 
-  /// Returns a size or radius. A value below 0 is an error, too.
+  /// Returns an attribute that is a size or radius. A value below 0 is an error, too.
   double size(const char* name, SvgDirection direction) {
     const double length = get(name, direction);
     if (length < 0.0 && wrong_.empty()) wrong_ = fmt::format("{} is below 0", name);
     return length;
   }
 
-  /// Notes a shape without area: it is drawn as nothing, which is probably not intended.
+  /// Stores a note about a shape without area. Nothing is drawn for it, which is probably not
+  /// intended.
   void need_area(const char* what, bool has_area) {
     if (has_area || !wrong_.empty()) return;
     wrong_ = fmt::format("{} is 0: it has no area", what);

@@ -12,10 +12,10 @@ namespace sim::drawing {
 /// Returns whether a name is path, rect, circle, ellipse, line, polyline or polygon.
 [[nodiscard]] bool is_svg_shape(std::string_view name);
 
-/// The fault of a shape; its reason is empty if there is none.
+/// The fault of a shape; `reason` is empty if the shape has no fault.
 struct SvgShapeFault {
   std::string reason{};
-  bool is_error = true;  ///< False: a note, because the shape draws nothing.
+  bool is_error = true;  ///< True for an error; false for a note that the shape draws nothing.
 };
 
 /// Draws a basic shape in the units of its element.
@@ -25,7 +25,8 @@ struct SvgShapeFault {
                                            const SvgViewport& viewport,
                                            SvgPen& pen);
 
-/// Returns `x` and `y` of an element; a missing one is 0.
+/// Returns the point that the attributes `x` and `y` of an element give; a missing attribute counts
+/// as 0.
 [[nodiscard]] Place svg_place(const SvgProperties& properties, const SvgViewport& viewport);
 
 }  // namespace sim::drawing

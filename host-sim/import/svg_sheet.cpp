@@ -10,7 +10,8 @@ namespace {
 
 constexpr std::size_t kDeepestBlock = 4;
 
-/// Replaces comments and the marks of XML comments by blanks, so that positions do not change.
+/// Returns a style sheet in which blanks replace comments and the marks of XML comments, so that
+/// positions in the text do not change.
 std::string without_comments(std::string_view text) {
   std::string bare{text};
   const auto blank = [&](std::size_t from, std::size_t to) {
@@ -30,8 +31,8 @@ std::string without_comments(std::string_view text) {
   return bare;
 }
 
-/// Returns the position of the first character of `wanted` outside of quotes, brackets and braces,
-/// or the size of the text.
+/// Returns the first position, outside of quotes, brackets and braces, of any character of
+/// `wanted`; the size of the text if there is none.
 std::size_t find_outside(std::string_view text, std::string_view wanted, std::size_t from) {
   char quote = '\0';
   std::size_t depth = 0;
@@ -59,7 +60,7 @@ std::string lower(std::string_view text) {
   return result;
 }
 
-/// Returns whether a list of media includes screens.
+/// Returns whether a list of media includes screens (`all`, `screen` or `only screen`).
 bool is_seen(std::string_view media) {
   while (!media.empty()) {
     const std::string_view one = media.substr(0, media.find(','));

@@ -11,7 +11,7 @@
 
 namespace sim::drawing {
 
-/// One `name: value` of a rule or of a `style` attribute.
+/// One declaration `name: value` of a rule or of a `style` attribute.
 struct SvgDeclaration {
   std::string name;
   std::string value;
@@ -20,23 +20,26 @@ struct SvgDeclaration {
 
 using SvgDeclarations = std::vector<SvgDeclaration>;
 
-/// Reads declarations `name: value; …`. Skips malformed ones, as browsers do.
+/// Returns the declarations of a text `name: value; …`. Skips malformed declarations, as browsers
+/// do.
 [[nodiscard]] SvgDeclarations svg_declarations(std::string_view text);
 
-/// The declarations that apply to the elements of one selector.
+/// A rule of a style sheet: declarations that apply to the elements which a selector matches.
 struct SvgRule {
   SvgSelector selector;
   std::shared_ptr<const SvgDeclarations> declarations;
 };
 
-/// Receives each part of a style sheet that is not read, with the number of its first byte.
+/// Function that is called for each part of a style sheet that is not supported. `offset` is the
+/// number of the first byte of this part, and `what` describes the part.
 using SvgSheetReport = std::function<void(std::size_t offset, const std::string& what)>;
 
-/// Reads the rules of a style sheet in their order, including those of `@media all` and `screen`.
-/// Rules with a selector that is not supported, and other at-rules, are reported and left out.
+/// Returns the rules of a style sheet in their order, including those within `@media all` and
+/// `@media screen`. Other at-rules, and rules with a selector that is not supported, are reported
+/// and left out.
 [[nodiscard]] std::vector<SvgRule> svg_rules(std::string_view text, const SvgSheetReport& report);
 
-/// Returns the text without blanks at its ends.
+/// Returns a text without the blanks at both of its ends.
 [[nodiscard]] std::string_view css_trimmed(std::string_view text);
 
 }  // namespace sim::drawing

@@ -8,7 +8,7 @@
 namespace sim::drawing {
 namespace {
 
-/// Returns whether a text is a number or percentage of 0 or less.
+/// Returns whether a text is a number or a percentage that is at most 0.
 bool is_nothing(std::string_view text) {
   const auto value = Scanner{text}.number();
   return value && *value <= 0.0;

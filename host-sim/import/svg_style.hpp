@@ -14,7 +14,7 @@
 
 namespace sim::drawing {
 
-/// Properties that elements pass on to the elements within them.
+/// The properties that an element passes on to the elements within it.
 struct SvgStyle {
   Transform to_mm{};
   SvgViewport viewport{};
@@ -30,25 +30,24 @@ struct SvgStyle {
   SvgFont font{};
   ClipRegions clips{};
   bool is_visible = true;
-  bool is_clear = false;  ///< The opacity of the element, or of an element around it, is 0.
+  bool is_clear = false;  ///< True if the opacity of the element, or of an element around it, is 0.
   std::size_t depth = 0;
 
-  /// Returns whether outlines are painted in a visible colour; has_fill() returns the same for
-  /// areas.
+  /// Return whether outlines (has_stroke()) or areas (has_fill()) are painted in a visible colour.
   [[nodiscard]] bool has_stroke() const;
   [[nodiscard]] bool has_fill() const;
-  /// Returns the colour by which the drawing is sorted into layers: that of the stroke, else that
-  /// of the fill.
+  /// Returns the colour by which the drawing is sorted into layers: the colour of the stroke or, if
+  /// outlines are not painted, that of the fill.
   [[nodiscard]] const std::string& sorting_colour() const { return has_stroke() ? stroke : fill; }
 };
 
-/// Replaces inherited properties by those that an element gives.
+/// Replaces inherited properties in `style` by those that an element gives.
 void inherit(const SvgProperties& properties, SvgStyle& style);
 
 /// Returns the rule that a value of `fill-rule` or `clip-rule` names.
 [[nodiscard]] FillRule fill_rule_of(std::string_view value);
 
-/// Returns the id of `url(#id)`, with or without quotes; empty if the text has another form.
+/// Returns the id in a text `url(#id)`, with or without quotes; empty if the text has another form.
 [[nodiscard]] std::string_view svg_reference(std::string_view text);
 
 }  // namespace sim::drawing

@@ -15,8 +15,8 @@ namespace {
 constexpr double kDegreeOfText = kFullTurn / 360.0;
 constexpr std::size_t kMaxCharacters = 100'000;
 
-/// Returns the lengths of a list that is separated by blanks or commas, up to the first entry that
-/// is no length.
+/// Returns the lengths in a list whose entries are separated by blanks or commas, up to the first
+/// entry that is no length.
 std::vector<double> lengths_of(std::string_view text,
                                const SvgViewport& viewport,
                                SvgDirection direction) {
@@ -111,7 +111,8 @@ void SvgText::move_characters(const SvgProperties& properties,
     }
     return list;
   };
-  // Inner elements are read first, and their values take precedence.
+  // Inner elements are processed before outer ones, and the values of inner elements take
+  // precedence.
   const auto first = [](std::optional<double>& value, double given) {
     if (!value) value = given;
   };
@@ -142,7 +143,7 @@ void SvgText::note_unfollowed(const pugi::xml_node& node, const SvgProperties& p
                   document_.entity_of(node),
                   {},
                   fmt::format("{} of letters is not followed", name),
-                  "compare the picture of --svg, or convert them to paths"});
+                  "check them in the picture of --svg, or convert them to paths"});
   }
 }
 

@@ -25,7 +25,7 @@ class SvgText {
   void read(const pugi::xml_node& node, const SvgStyle& style);
 
  private:
-  /// A letter, and the attributes that move it.
+  /// A letter, and the positions, offsets and rotation that attributes give to it.
   struct Character {
     std::string bytes;
     std::size_t span;
@@ -35,7 +35,7 @@ class SvgText {
     double dy = 0.0;
     double rotate_deg = 0.0;
   };
-  /// A run of letters of one style.
+  /// A run of letters that have the same style.
   struct Span {
     pugi::xml_node node;
     SvgStyle style;
@@ -54,10 +54,11 @@ class SvgText {
                        const SvgViewport& viewport,
                        std::size_t from);
   void note_unfollowed(const pugi::xml_node& node, const SvgProperties& properties);
-  /// Lays out the characters of one chunk, which begins at `from`. Returns the start of the next
-  /// chunk.
+  /// Lays out the characters of the chunk that begins at the index `from`. Returns the index at
+  /// which the next chunk begins.
   std::size_t lay_chunk(std::size_t from);
-  /// Lays out the characters from `from` to `to`, which belong to one span.
+  /// Lays out the characters from the index `from` up to, but not including, `to`, which belong to
+  /// one span.
   void lay_run(std::size_t from, std::size_t to, std::vector<Glyph>& glyphs);
   void draw(const std::vector<Glyph>& glyphs, double shift);
 

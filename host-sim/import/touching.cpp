@@ -13,13 +13,14 @@
 namespace sim::drawing {
 namespace {
 
-// Greatest number of pairs of chords that are checked: they take some seconds.
+// Greatest number of pairs of chords that are checked. This many take some seconds.
 constexpr std::size_t kMaxChordPairs = 200'000'000;
-// Greatest distance of chords of curves that touch, mm: twice the tolerance of chords, and some
-// rounding.
+// Greatest distance between chords of two curves that touch, mm: twice the tolerance of chords, and
+// some space for rounding.
 constexpr double kNearMm = 2.5 * kChordToleranceMm;
-// Least path of a contour that is checked, mm, from the start of one chord to the end of another. A
-// shorter path encloses nothing that could be cut, and closely drawn curves have many.
+// Least length of path, from the start of one chord of a contour to the end of another one, for
+// which the two chords are compared, mm. A shorter path encloses nothing that could be cut, and
+// finely drawn curves have many such pairs of chords.
 constexpr double kShortPathMm = 0.01;
 
 /// A chord of an outline.
@@ -44,7 +45,7 @@ bool are_near(const Chord& a, const Chord& b) {
                    distance_to_chord(b.end, a.start, a.end)}) <= kNearMm;
 }
 
-/// Returns whether the chord `b` runs back along the chord `a` before it.
+/// Returns whether the chord `b`, which follows the chord `a`, runs back along it.
 bool turns_back(const Chord& a, const Chord& b) {
   const Place in = a.end - a.start;
   const Place out = b.end - b.start;
@@ -66,7 +67,7 @@ Box box_near(const Box& box) {
   return {box.x0 - kNearMm, box.y0 - kNearMm, box.x1 + kNearMm, box.y1 + kNearMm};
 }
 
-/// A searchable set of boxes. It is filled many times.
+/// A searchable set of boxes. It is reused: fill() replaces its content.
 class Boxes {
  public:
   /// Replaces the boxes by `box_at(i)` for all i < count.
@@ -91,8 +92,8 @@ class Boxes {
   Tree tree_{cnc::contour::Slice<Box>{}};
 };
 
-/// Compares each piece with itself and with near pieces that have fewer chords. A tree holds the
-/// chords of one piece at a time.
+/// Finds pieces that may touch. Compares each piece with itself and with near pieces that have
+/// fewer chords. `chords_` contains the chords of one piece at a time.
 class TouchFinder {
  public:
   TouchFinder(Sketch& sketch, const std::vector<Piece>& pieces)
@@ -131,7 +132,8 @@ class TouchFinder {
     return places == 0 ? 0 : static_cast<std::uint32_t>(places - 1);
   }
 
-  /// Sorts the closed pieces so that neighbours in the plane are mostly neighbours in the list.
+  /// Sorts the closed pieces so that pieces near each other in the plane are mostly near each other
+  /// in the list.
   void sort_by_place() {
     OutlineBox all;
     for (const std::uint32_t piece : closed_) {
@@ -230,20 +232,22 @@ class TouchFinder {
     sketch_.report({FaultKind::kUnchecked,
                     pieces_[piece].contour.entity,
                     place(piece, 0),
-                    fmt::format("too many curves lie close together to look for crossings "
-                                "everywhere: {} pairs of them were looked at",
+                    fmt::format("too many curves lie close together to search all of them "
+                                "for crossings: {} pairs of curves were compared",
                                 sketch_.share_of(kMaxChordPairs)),
-                    "simplify the drawing here, or cut it in parts"});
+                    "simplify the drawing here, or divide it into several files"});
   }
 
   Sketch& sketch_;
   const std::vector<Piece>& pieces_;
   TouchingPieces touching_;
   Budget budget_;
-  std::vector<std::uint32_t> closed_;  ///< Numbers of the closed pieces.
-  Boxes near_;                         ///< Boxes of the pieces of `closed_`.
-  Boxes chords_;                       ///< Boxes of the chords of the piece that is compared.
-  std::vector<double> along_mm_;  ///< Length of that piece's path up to each of its points, mm.
+  /// Numbers of the closed pieces, in the order of sort_by_place().
+  std::vector<std::uint32_t> closed_;
+  Boxes near_;    ///< Boxes of the pieces of `closed_`.
+  Boxes chords_;  ///< Boxes of the chords of the piece that is being compared.
+  /// Length of the path of this piece from its start to each of its points, mm.
+  std::vector<double> along_mm_;
 };
 
 }  // namespace

@@ -7,15 +7,15 @@
 
 namespace sim::drawing {
 
-/// Closed pieces that may touch or cross themselves or others, united to sets.
+/// The closed pieces that may touch or cross themselves or other pieces, united into sets.
 struct TouchingPieces {
   PieceSets sets;
-  std::vector<bool> touches;  ///< For each piece, whether it may touch itself or another piece.
+  std::vector<bool> touches;  ///< For each piece, true if it may touch itself or another piece.
 };
 
-/// Finds closed pieces whose chords come so near to each other, or to themselves, that their curves
-/// may touch. Compares pieces of one part within each layer or group of layers. Reports if it had
-/// to stop before all were compared.
+/// Finds closed pieces whose chords are so near to other chords, of the same piece or of another
+/// one, that their curves may touch. Compares pieces of one part within each layer or group of
+/// layers. Reports a fault if the bound on work ended the comparison.
 [[nodiscard]] TouchingPieces find_touching(Sketch& sketch, const std::vector<Piece>& pieces);
 
 }  // namespace sim::drawing

@@ -7,7 +7,7 @@
 
 namespace sim {
 
-/// Returns steps per mm for X Y Z and steps per degree for A B C.
+/// Returns the steps of each axis: per mm for X, Y and Z, and per degree for A, B and C.
 template <typename Number>
 cnc::AxisArray<Number> steps_per_mm(const cnc::Settings& settings) {
   cnc::AxisArray<Number> steps{};

@@ -14,8 +14,8 @@
 namespace sim {
 namespace {
 
-/// Reads the program along with the controller. Lines that the controller refuses have no part in
-/// the figures, and the path is not kept.
+/// Reads each line of the program that the controller accepts, and computes the figures of the
+/// path. The path itself is not stored.
 class CheckedPath {
  public:
   explicit CheckedPath(const cnc::Settings& settings)
@@ -60,14 +60,15 @@ class CheckedPath {
   }
 
   double length_ = 0.0;
-  double turned_ = 0.0;  ///< Angle turned in motions of A, B and C alone, degrees.
+  /// Sum of the angles of motions of A, B and C without X, Y and Z, degrees.
+  double turned_ = 0.0;
   double cut_length_ = 0.0;
   ProgramWatch watch_;
   JudgedPath path_;
 };
 
-/// The settings are compared only if the call names some. Otherwise the simulated machine has
-/// default settings, which no real machine need have.
+/// Compares the settings only if the job names settings. Otherwise the simulated machine has
+/// default settings, which may differ from those of every real machine.
 void warn_of_stale_inputs(const Job& job, const Simulator& simulator, Report& report) {
   const cnc::Settings* const settings = job.settings.empty() ? nullptr : &simulator.settings();
   for (const std::string& text :
@@ -92,7 +93,8 @@ Report check(const Job& job) {
   path.emplace(simulator.settings());
   RunResult result = simulator.run();
   path->end();
-  // The controller reports light at rest once, but the watch reports each occurrence in more words.
+  // The controller reports light at rest only once. Its note is removed, because ProgramWatch
+  // reports each occurrence in more detail.
   if (path->notes_light_at_rest()) {
     std::erase_if(result.notes,
                   [](const auto& note) { return note.second == cnc::RestLight::kRefusalText; });
@@ -102,10 +104,12 @@ Report check(const Job& job) {
   warn_of_step_rates(job, simulator.settings(), report);
   if (!job.text) warn_of_stale_inputs(job, simulator, report);
   if (report.refused_lines > 0) {
-    report.warnings.push_back(fmt::format("{}: bounds, length and time leave out {} refused line{}",
-                                          job.file,
-                                          report.refused_lines,
-                                          report.refused_lines == 1 ? "" : "s"));
+    report.warnings.push_back(
+        fmt::format("{}: bounds, length and time do not include {} refused "
+                    "line{}",
+                    job.file,
+                    report.refused_lines,
+                    report.refused_lines == 1 ? "" : "s"));
   }
   std::stable_sort(report.faults.begin(), report.faults.end(), [](const Fault& a, const Fault& b) {
     return a.line < b.line;

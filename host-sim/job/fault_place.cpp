@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::string_view kLineEnds = "\r\n";
 
-/// Removes the first line with its end, CR, LF or CR LF.
+/// Removes the first line of a text, with its line end (CR, LF or CR LF).
 void drop_line(std::string_view& text) {
   text.remove_prefix(std::min(text.find_first_of(kLineEnds), text.size()));
   text.remove_prefix(text.starts_with(kLineEnds) ? 2 : std::min<std::size_t>(1, text.size()));

@@ -10,18 +10,18 @@
 
 namespace sim {
 
-/// Returns a refused line as a fault of the program `text` in a file. If a path offset from the
-/// programmed one (G41, G42) cannot be driven, the fault is at the line that programs its motion:
-/// the controller refuses a line up to 16 motions later.
-/// @param beside the motion that could not be driven, see beside_path()
+/// Returns the fault for a refused line of the program `text` of a file. If a path that is offset
+/// from the programmed one (G41, G42) cannot be driven, the fault is at the line that programs the
+/// motion, because the controller refuses a line up to 16 motions later.
+/// @param beside motion whose offset path could not be driven, if there is one; see beside_path()
 [[nodiscard]] Fault fault_of(const std::string& file,
                              const Refusal& refusal,
                              const std::optional<RefusedBeside>& beside,
                              std::string_view text);
 
-/// Returns the column of a line's first word after block delete and N, from 1; 0 if the line has no
-/// such word.
-/// @param line from 1
+/// Returns the column, from 1, of the first word of a line after the block delete character and the
+/// word N; 0 if the line has no other word.
+/// @param line number of the line, from 1
 [[nodiscard]] std::size_t first_word(std::string_view text, int line);
 
 }  // namespace sim

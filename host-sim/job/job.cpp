@@ -36,10 +36,10 @@
 namespace sim {
 namespace {
 
-/// Returns the greatest distance in mm by which the tool may be off its planned position: by
-/// shapers, and by the play that it may have to cross. For a plan within the accelerations, the
-/// shaped position of an axis is off by at most half the acceleration times the mean square of its
-/// impulses' distance from their mean.
+/// Returns the greatest distance, in mm, between the tool and its planned position that shapers and
+/// play may cause. If a plan keeps within the acceleration of an axis, a shaper moves the position
+/// of the axis by at most half of the acceleration times the variance of the delays of its
+/// impulses.
 double allowed_for_motors(const cnc::Settings& settings) {
   const cnc::motion::MotorStageSetting stage = cnc::motor_stage_from(settings);
   double sum = 0.0;
@@ -58,7 +58,8 @@ double allowed_for_motors(const cnc::Settings& settings) {
   return std::sqrt(sum);
 }
 
-/// Reports to the picture whether the machine is on a rapid, which pulses do not show.
+/// Reports to the picture whether the machine drives a rapid, which cannot be concluded from the
+/// pulses.
 class MotionKindTeller final : public TraceSink {
  public:
   MotionKindTeller(const PathDeviation& follower, PathRecorder& recorder)
@@ -74,7 +75,7 @@ class MotionKindTeller final : public TraceSink {
   PathRecorder& recorder_;
 };
 
-/// Returns the cut length of the path before the line at which sending ended.
+/// Returns the length of the cuts of the path, mm, up to the line at which sending ended.
 double cut_length(const ProgrammedPath& path, const RunResult& result) {
   const int end = result.refusals.empty() ? std::numeric_limits<int>::max()
                                           : static_cast<int>(result.refusals.front().line);
@@ -96,7 +97,8 @@ void add_measured(const MotionMeter& meter, Report& report) {
   }
 }
 
-/// Adds the bounds of the tool. The motors move farther than the tool where they have play.
+/// Adds the bounds of the positions of the tool, not those of the motors, which move farther to
+/// take up play.
 void add_bounds(const ToolTrace& tool, const cnc::Settings& settings, Report& report) {
   const auto steps = steps_per_mm<double>(settings);
   for (std::size_t axis = 0; axis < cnc::kAxisCount; ++axis) {
@@ -111,7 +113,8 @@ void add_deviation(const PathDeviation& deviation, Report& report) {
       static_cast<double>(deviation.greatest_distance().time_ns) * 1.0e-9;
 }
 
-/// Returns the options for the beam at the moment: a program may begin with its power table.
+/// Returns the options of the energy meter. The light is read from the power table at each moment,
+/// because a program may change the table at its beginning.
 EnergyMeter::Options beam_of(Simulator& simulator) {
   const cnc::Settings& settings = simulator.settings();
   const cnc::Machine& machine = simulator.machine();
@@ -122,9 +125,9 @@ EnergyMeter::Options beam_of(Simulator& simulator) {
           }};
 }
 
-/// Returns whether the output of the beam equals its light. With delays set, the light is
-/// elsewhere, and the real reaction of the machine is not known here. With shapers or backlash, the
-/// path between two positions takes other times than in the plan.
+/// Returns whether the light is at the position at which the output of the beam is on. If delays
+/// are set, the light is at another position, and the reaction of the real machine is not known
+/// here. With shapers or backlash, the times of positions differ from those of the plan.
 bool lights_at_once(const cnc::Settings& settings) {
   const auto zero = [&settings](std::uint16_t number) { return settings.get(number) == 0.0F; };
   return !zero(cnc::setting::kLaserMode) && zero(cnc::setting::kBeamOnDelay) &&
@@ -132,8 +135,8 @@ bool lights_at_once(const cnc::Settings& settings) {
          zero(cnc::setting::kRotaryAxes) && allowed_for_motors(settings) <= 0.0;
 }
 
-/// Measures the light on each millimetre that is driven. A rounded corner has fewer millimetres
-/// than the programmed one.
+/// Measures the energy of the light for each millimetre of the driven path. A rounded corner is
+/// shorter than the programmed one.
 class BeamMeter {
  public:
   BeamMeter(const ProgrammedPath& programmed, Simulator& simulator)
@@ -153,7 +156,8 @@ class BeamMeter {
   }
 
  private:
-  /// Threshold in mm for axis excess: none is searched for.
+  /// Threshold of PathDeviation for the excess of an axis, mm. It is infinite, because no excess is
+  /// to be found.
   static constexpr double kNoExcess = std::numeric_limits<double>::infinity();
 
   ProgrammedPath path_;
@@ -161,7 +165,7 @@ class BeamMeter {
   EnergyMeter energy_;
 };
 
-/// The requested files that are written at every step.
+/// The requested files to which each step is written.
 class StepFiles {
  public:
   StepFiles(const JobOutputs& outputs, Simulator& simulator) {
@@ -194,7 +198,7 @@ void draw(const PathRecorder& recorder,
   if (!outputs.png.empty()) write_png(outputs.png, draw_svg(recorder.path(), options));
 }
 
-/// Writes the lines of the controller, if a file is named.
+/// Writes the lines that the controller sends to a file, if a file is named.
 class AnswerFile {
  public:
   explicit AnswerFile(const std::string& name) {
@@ -214,11 +218,12 @@ class AnswerFile {
   std::optional<OutputFile> file_;
 };
 
-/// Measures and writes the plan at the positions where cells of time divide it.
+/// Measures the effect of shaping on the plan, and writes the positions of the plan at the ends of
+/// cells of time.
 class CellWatch {
  public:
-  /// Begins the observation.
-  /// @param knots file of knots; empty for none
+  /// Begins to observe the machine of the simulator.
+  /// @param knots name of the file for the positions; empty if none is to be written
   CellWatch(const std::string& knots, Simulator& simulator)
       : name_{knots}, shaping_{steps_per_mm<double>(simulator.settings())} {
     simulator.machine().observe(&shaping_);
@@ -226,12 +231,13 @@ class CellWatch {
     knots_.emplace(knots, steps_per_mm<double>(simulator.settings()), shaping_);
     simulator.machine().observe(&*knots_);
   }
-  // Not copyable: the machine refers to its parts.
+  // Not copyable, because the machine has pointers to members of this object.
   CellWatch(const CellWatch&) = delete;
   CellWatch& operator=(const CellWatch&) = delete;
   ~CellWatch() = default;
 
-  /// Closes the file. @pre the machine has stopped
+  /// Adds the figures and warnings to a report, and closes the file.
+  /// @pre the machine has stopped
   void add_to(Report& report) {
     report.max_shaping_error_mm = shaping_.greatest_distance();
     if (!knots_) return;
@@ -247,15 +253,16 @@ class CellWatch {
   std::optional<KnotFile> knots_;
 };
 
-/// Returns the path that a program describes, with the distance by which the motors of the machine
-/// may deviate from it.
+/// Returns the path that a program describes. The tolerance of each piece includes the distance by
+/// which the motors of the machine may deviate from the path.
 ProgrammedPath path_for_machine(const std::string& text, const cnc::Settings& settings) {
   ProgrammedPath path = read_for_machine(text, settings);
   for (PathPiece& piece : path.pieces) piece.tolerance.motors = allowed_for_motors(settings);
   return path;
 }
 
-/// Warns of words that the reader has left out, or states where a refusal ends all figures.
+/// Adds the notes of the reader about words that it left out. If a line was refused, warns instead
+/// that all figures end before this line.
 void warn_of_reading(const Job& job,
                      const ProgrammedPath& path,
                      const RunResult& result,

@@ -15,13 +15,15 @@
 namespace sim {
 namespace {
 
-/// Grbl's number for text that is no G-code.
+/// Grbl's error number for a line that is no G-code.
 constexpr int kUnreadable = 1;
 
-/// A rate that exceeds the reached rate by at most a thousandth counts as reached.
+/// Greatest ratio of a set rate to the rate that the motor reaches, up to which the set rate counts
+/// as reached.
 constexpr double kNoLess = 1.001;
 
-/// Returns whether a text has only blanks and control bytes after a byte order mark.
+/// Returns whether a text consists only of blanks and control bytes, apart from a byte order mark
+/// at its start.
 bool has_no_text(std::string_view text) {
   return std::ranges::all_of(cnc::gcode::without_mark(text), [](char letter) {
     return static_cast<unsigned char>(letter) <= ' ' || letter == 0x7F;
@@ -40,7 +42,8 @@ ProgramText prepared(const Job& job) {
     if (change.number == cnc::setting::kBlockDelete) block_delete = change.value != 0.0F;
   }
   std::string text = job.text ? *job.text : read_text(job.file);
-  // A failed export leaves an empty file. A report that it takes no time would be useless.
+  // An empty file usually results from a failed export, so it is an error and not a program that
+  // takes no time.
   if (text.empty() && !job.text) {
     throw std::invalid_argument(fmt::format("{}: is empty; it has no program", job.file));
   }
@@ -116,7 +119,8 @@ Report report_on(const Job& job,
                     result.refusals.size()));
   }
   for (const LineNote& fault : program.faults) {
-    if (program.readable) break;  // The controller has refused these lines itself.
+    // If the program is readable, the controller itself has refused the lines with wrong checks.
+    if (program.readable) break;
     report.faults.push_back({job.file, fault.line, fault.column, kUnreadable, fault.text});
   }
   if (result.alarm != 0) {

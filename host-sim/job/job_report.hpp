@@ -13,19 +13,21 @@
 
 namespace sim {
 
-/// Returns the name of a file without its folders; `-` is standard input.
+/// Returns the name of a file without its folders, for a report. The name `-` stands for standard
+/// input.
 [[nodiscard]] std::string job_name(const std::string& file);
 
-/// Returns the program of a job as it is driven. Throws std::system_error for the file.
+/// Returns the program of a job, prepared by prepare_program(). Throws std::system_error if the
+/// file cannot be read.
 [[nodiscard]] ProgramText prepared(const Job& job);
 
 /// Returns the length in mm of a piece that is driven with beam or spindle on; 0 for any other
 /// piece.
 [[nodiscard]] double cut_length(const PathPiece& piece);
 
-/// Begins the report of a run with name, time, lines, faults and the warnings of text and
-/// controller.
-/// @param beside see beside_path()
+/// Returns the first part of the report of a run: name, time, lines, faults, and the warnings of
+/// the text and of the controller.
+/// @param beside motion whose offset path could not be driven, if there is one; see beside_path()
 /// @param text the program as it was sent to the controller
 [[nodiscard]] Report report_on(const Job& job,
                                const ProgramText& program,
@@ -33,9 +35,9 @@ namespace sim {
                                const std::optional<RefusedBeside>& beside,
                                std::string_view text);
 
-/// Warns of each axis whose rate ($110 to $115) its motor does not reach, because the pulses ($0)
-/// and the step interrupt leave too little time for the steps of that rate. Warns only if the job
-/// names settings.
+/// Adds a warning for each axis whose motor does not reach its rate ($110 to $115), because the
+/// step pulses ($0) and the step interrupt take too much time for that step rate. Adds no warnings
+/// if the job names no settings.
 void warn_of_step_rates(const Job& job, const cnc::Settings& settings, Report& report);
 
 void warn(const Job& job, const std::vector<LineNote>& notes, Report& report);

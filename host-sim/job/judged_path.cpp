@@ -22,7 +22,7 @@ std::string without_blanks(std::string_view text) {
   return kept;
 }
 
-/// Returns the axes of the letters, bit i for axis i; empty if one of the letters is no axis.
+/// Returns the axes that letters name, bit i for axis i; empty if one of the letters names no axis.
 std::optional<std::uint8_t> axes_of_letters(std::string_view letters) {
   unsigned axes = 0;
   for (const char letter : letters) {
@@ -71,7 +71,7 @@ void JudgedPath::take_statement(std::string_view text) {
     if (!cnc::find_setting(change.number)) return;
     if (settings_.set(change.number, change.value).ok()) travel_.configure(settings_);
   } catch (const std::invalid_argument&) {
-    // The line is no setting.
+    // The exception means that the line is no setting. It is then ignored.
   }
 }
 

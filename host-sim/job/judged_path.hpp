@@ -11,14 +11,14 @@
 
 namespace sim {
 
-/// Reads the path of a program line by line, to check it against the travel. Splines and arcs count
-/// by their curves, offset where G41 and G42 require it. The program's own homing cycles and
-/// changes of $130… are followed. The memory is bounded. The lines must be those that a controller
-/// takes.
+/// Reads the path of a program line by line, and checks it against the travel. Splines and arcs are
+/// checked with their true curves, which are offset where G41 and G42 require it. Homing cycles and
+/// changes of $130… in the program are taken into account. The memory is bounded. The lines must be
+/// lines that a controller accepts.
 class JudgedPath {
  public:
-  /// Begins at a standpoint.
-  /// @param sink gets the pieces of the path
+  /// Begins a path at a standpoint.
+  /// @param sink function that is called with each piece of the path
   JudgedPath(const Standpoint& standpoint, PieceSink sink);
 
   void take(std::size_t line, std::string_view text);
@@ -37,7 +37,7 @@ class JudgedPath {
   void home(std::string_view letters);
 
   cnc::Settings settings_;
-  Point position_;  ///< Position after the last piece.
+  Point position_;  ///< Position at the end of the last piece.
   bool homed_now_ = false;
   TravelCheck travel_;
   PieceSink sink_;

@@ -9,13 +9,13 @@
 
 namespace sim {
 
-/// Writes the positions of the axes at which cells of time divide the plan, as under G43.4. Below a
-/// heading, each position is one line `time_s x y z a b c`, in mm and degrees with 17 digits. The
-/// time is that of the motions; rests between them do not count.
+/// Writes the positions of the axes at the ends of the cells of time into which a plan is divided,
+/// for example under G43.4. After a heading, each position is a line `time_s x y z a b c`, in mm
+/// and degrees, with 17 digits. The time does not include the rests between motions.
 class KnotFile final : public cnc::motion::ShapingObserver {
  public:
   /// Creates the file.
-  /// @param next gets the same cells; it must outlive this object
+  /// @param next observer to which the same cells are passed on; it must outlive this object
   KnotFile(const std::string& file,
            const cnc::AxisArray<double>& steps_per_mm,
            cnc::motion::ShapingObserver& next);
@@ -23,7 +23,7 @@ class KnotFile final : public cnc::motion::ShapingObserver {
   void on_cell(const cnc::motion::ShapedCell& cell) override;
   void close() { file_.close(); }
 
-  /// Returns whether no cell was written.
+  /// Returns whether no position was written.
   [[nodiscard]] bool is_empty() const { return time_ns_ == 0; }
 
  private:

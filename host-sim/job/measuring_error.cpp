@@ -8,8 +8,8 @@
 namespace sim {
 namespace {
 
-/// Returns the amount by which an error of the edges in time raises a figure, as DifferenceMeter
-/// states.
+/// Returns the greatest error of a derivative of the position that an error `edge_s` of the times
+/// of pulse edges causes. DifferenceMeter gives the formula.
 double error_of_order(int order, double speed, double edge_s, double window_s) {
   return std::pow(2.0 / window_s, order) * speed * edge_s;
 }
@@ -20,8 +20,8 @@ void add_measuring_errors(const cnc::Settings& settings, Report& report) {
   constexpr double kSecondsPerMicrosecond = 1.0e-6;
   constexpr double kTickS = 250.0e-9;
   const MeterWindows windows;
-  // A pulse opens a slot of its width and an equal pause. Other pulses that are due in this slot go
-  // out together with it.
+  // A pulse and an equally long pause after it are a slot. A pulse may be late by this slot and by
+  // a tick of the timer.
   const double pulse_us = settings.get(cnc::setting::kStepPulse);
   const double edge_s = 2.0 * pulse_us * kSecondsPerMicrosecond + kTickS;
   const auto steps = steps_per_mm<double>(settings);

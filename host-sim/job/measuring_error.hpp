@@ -5,8 +5,8 @@
 
 namespace sim {
 
-/// Fills in the errors that measuring on steps may cause, for each axis's greatest speed,
-/// acceleration and jerk and for its bounds.
+/// Sets, for each axis of a report, the greatest errors of speed, acceleration, jerk and bounds
+/// that result from measuring on step pulses.
 void add_measuring_errors(const cnc::Settings& settings, Report& report);
 
 }  // namespace sim

@@ -7,15 +7,16 @@
 
 namespace sim {
 
-/// Returns a length as an exact number of G-code in mm.
+/// Returns a length in mm as an exact decimal number for G-code.
 [[nodiscard]] std::string coordinate_text(cnc::Coordinate place);
 
-/// Returns words of G-code that bring a reader into a modal state: the modes whose words mean the
-/// same in all units.
+/// Returns the words for coordinate system, plane, arc distance mode and path mode. Tolerances of
+/// G64 are in mm, so the line must be read in mm.
 [[nodiscard]] std::string modes_of(const cnc::gcode::ModalState& state);
-/// Returns the words for feed, output, coolant, and G0 or G1, for a line in mm.
+/// Returns the words for feed, output, coolant, and G0 or G1. The feed is in mm, so the line must
+/// be read in mm.
 [[nodiscard]] std::string process_of(const cnc::gcode::ModalState& state);
-/// Returns the words for units, distance and feed mode.
+/// Returns the words for the units, the distance mode and the feed mode.
 [[nodiscard]] std::string units_of(const cnc::gcode::ModalState& state);
 
 }  // namespace sim

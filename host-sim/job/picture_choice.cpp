@@ -11,7 +11,8 @@ bool is_mill(const cnc::Settings& settings) {
 }
 
 Shown shown_of(const ProgrammedPath& path, const cnc::Settings& settings) {
-  // A sheet with cut, score and engrave has three powers.
+  // Number of different powers above which a program counts as a relief. A sheet that is cut,
+  // scored and engraved has only three powers.
   constexpr std::size_t kPowersOfARelief = 8;
   constexpr std::size_t kZ = 2;
   std::set<double> powers;

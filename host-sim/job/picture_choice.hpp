@@ -6,9 +6,9 @@
 
 namespace sim {
 
-/// Returns the quantity that a picture of the program is to show: the depth for a mill that moves
-/// up and down, the power for a laser whose power changes throughout, as in a relief, and otherwise
-/// the speed.
+/// Returns the quantity that a picture of the program shows: the depth if a mill cuts at different
+/// heights, the power if a laser cuts with many different powers, as in a relief, and otherwise the
+/// speed.
 [[nodiscard]] Shown shown_of(const ProgrammedPath& path, const cnc::Settings& settings);
 
 /// Returns whether the machine is a mill, which has no kerf.

@@ -84,8 +84,8 @@ bool is_below_folder(const std::filesystem::path& name) {
   return name.is_relative() && std::ranges::find(name, "..") == name.end();
 }
 
-/// Returns the present digest of a file; empty if the file does not exist, cannot be read, is no
-/// plain file or is too large.
+/// Returns the digest of the present content of a file; empty if the file does not exist, cannot be
+/// read, is no regular file or is too large.
 std::optional<std::string> digest_now(const std::filesystem::path& file) {
   std::error_code is_none;
   if (!std::filesystem::is_regular_file(file, is_none)) return {};
@@ -147,8 +147,8 @@ std::vector<std::string> stale_inputs(std::string_view program,
     if (digest.kind == "settings" && digest.name == "given" && settings != nullptr &&
         digest_of(*settings) != digest.digest) {
       warnings.emplace_back(
-          "the settings ($30, $110, $111, $120, $121) are others than those this program was made "
-          "for; cut it again with the machine's --settings");
+          "the settings ($30, $110, $111, $120, $121) differ from those for which this program was "
+          "made; cut it again with the --settings of the machine");
     }
     if (std::ranges::find(kFileKinds, digest.kind) == kFileKinds.end()) continue;
     const std::filesystem::path name{digest.name};

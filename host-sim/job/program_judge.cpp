@@ -12,7 +12,7 @@
 namespace sim {
 namespace {
 
-/// Grbl's number for a target that cannot be driven.
+/// Grbl's error number for a target that cannot be reached.
 constexpr int kTargetNotDriven = 33;
 
 /// Returns whether a fault depends on the kerf tables, which only the controller has.

@@ -16,10 +16,11 @@
 namespace sim {
 namespace {
 
-/// Greatest number of wrong checks that are listed of one file.
+/// Greatest number of wrong checks that are listed for one file.
 constexpr std::size_t kMaxWrongChecks = 1000;
 
-/// Number of parts of one kind that were left out, and the place of the first.
+/// The parts of one kind that were left out of a program: their number, and a note with the
+/// position of the first one.
 struct Finding {
   LineNote first{};
   std::size_t count = 0;
@@ -29,8 +30,8 @@ struct Finding {
   }
 };
 
-/// Returns the number of bytes that follow `lead` in its character; a controller counts them in the
-/// same way.
+/// Returns the number of bytes that follow `lead`, the first byte of a character in UTF-8. A
+/// controller counts them in the same way.
 unsigned continuations_after(unsigned char lead) {
   if (lead >= 0xF0) return lead < 0xF8 ? 3 : 0;
   if (lead >= 0xE0) return 2;
@@ -98,7 +99,8 @@ class Preparation {
     std::ranges::fill(line.subspan(from, count), ' ');
   }
 
-  /// Replaces bytes by blanks outside comments, where a controller acts on them or drops them.
+  /// Replaces by blanks, outside of comments, the bytes on which a controller would act immediately
+  /// or which it would drop.
   void blank_bytes(std::span<char> line) {
     char closing = ' ';
     for (std::size_t i = 0; i < line.size(); ++i) {
@@ -125,10 +127,11 @@ class Preparation {
   static std::string at_once_text(unsigned char byte) {
     const std::string shown = byte < ' ' ? fmt::format("byte 0x{:02X}", byte)
                                          : fmt::format("'{}'", static_cast<char>(byte));
-    return shown + " is a command that acts at once: it is left out of the program";
+    return shown + " is a command that acts immediately: it is left out of the program";
   }
 
-  /// Returns how many more bytes the character at `at` has.
+  /// Replaces the character at `at` by blanks if a controller would not take it as it is. Returns
+  /// the number of bytes of the character after the first one.
   std::size_t pass_high(std::span<char> line, std::size_t at) {
     const auto byte = static_cast<unsigned char>(line[at]);
     if (is_continuation(byte)) {
@@ -141,7 +144,7 @@ class Preparation {
            is_continuation(static_cast<unsigned char>(line[at + more + 1]))) {
       ++more;
     }
-    // The controller refuses such a character by its column.
+    // The character stays in the text, because the controller refuses it and reports its column.
     if (byte != 0xC2 || more != 1) return more;
     const auto code = static_cast<unsigned char>(line[at + 1]);
     const char* const name = code == 0xA0 ? "a no-break space" : "a character";
@@ -162,7 +165,7 @@ class Preparation {
       return;
     }
     if (mark) {
-      found_[kChecks].add(line_, star + 1, "checks of lines, all of them right, are left out");
+      found_[kChecks].add(line_, star + 1, "correct checks of lines are left out");
       blank(line, star, 1 + mark->digits.size());
       blank_number_of_statement(line);
     }
@@ -171,8 +174,8 @@ class Preparation {
     blank(line, 0, line.size());
   }
 
-  /// Blanks the N word of `N5 $G`. With a check, a controller takes such a line; without a check, a
-  /// statement has no number.
+  /// Replaces the word N of a line such as `N5 $G` by blanks. A controller accepts a number before
+  /// a statement only if the line has a check.
   static void blank_number_of_statement(std::span<char> line) {
     const std::string_view text{line.data(), line.size()};
     const std::size_t dollar = text.find('$');
@@ -182,7 +185,7 @@ class Preparation {
     if (number) blank(line, 0, dollar);
   }
 
-  /// Returns whether a line is M110, with or without a number before and after it.
+  /// Returns whether a line consists of M110 and, optionally, words N.
   static bool counts_anew(std::string_view text) {
     constexpr std::uint32_t kCountAnew = 110;
     if (text.find("110") == std::string_view::npos) return false;
@@ -253,10 +256,10 @@ class Preparation {
   }
 
   std::string text_;
-  bool block_delete_;  ///< The program may change this value.
+  bool block_delete_;  ///< True if lines with `/` are skipped. The program may change this value.
   ProgramMarks marks_;
   std::size_t line_ = 0;
-  std::size_t end_line_ = 0;  ///< Line of M2 or M30.
+  std::size_t end_line_ = 0;  ///< Line of the M2 or M30 that ends the program; 0 if there was none.
   std::array<Finding, kKinds> found_{};
   std::vector<LineNote> faults_;
 };

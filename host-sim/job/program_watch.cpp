@@ -10,7 +10,7 @@
 namespace sim {
 namespace {
 
-/// Feeds that differ by no more than this share are equal except for rounding.
+/// Greatest relative difference between feeds that count as equal, because of rounding.
 constexpr double kRounding = 1.0e-6;
 
 /// Returns a number as text, with at most three decimals and without trailing zeros.
@@ -25,7 +25,8 @@ bool has_m(const ProgramLine& words, int number) {
   return std::ranges::find(words.m, number) != words.m.end();
 }
 
-/// Adds a value to the list. Returns false if the value is listed already or the list is full.
+/// Adds a value to a list of reported values. Returns false if the list already contains the value,
+/// or is full.
 bool is_news(std::vector<double>& listed, double value) {
   if (listed.size() >= ProgramWatch::kMaxNotes) return false;
   const bool known = std::ranges::any_of(
@@ -49,7 +50,7 @@ ProgramWatch::ProgramWatch(const cnc::Settings& settings)
   }
 }
 
-/// Most lines have only axis words, and this check does not take them apart.
+/// Most lines have only axis words. This check avoids the cost of taking them apart.
 void ProgramWatch::take(std::size_t line, std::string_view text) {
   const std::size_t front = text.find_first_not_of(" \t");
   if (front == std::string_view::npos) return;
@@ -62,7 +63,8 @@ void ProgramWatch::take(std::size_t line, std::string_view text) {
   take_words(line, take_apart(text, block_delete_));
 }
 
-/// Takes words in the order in which a controller executes them: S, M3 to M5, dwell, motion, stop.
+/// Processes the words of a line in the order in which a controller executes them: S, M3 to M5,
+/// dwell, motion, stop.
 void ProgramWatch::take_words(std::size_t line, const ProgramLine& words) {
   if (const auto power = words.value('S')) {
     check_power(line, *power);
@@ -115,8 +117,9 @@ void ProgramWatch::put(const PathPiece& piece) {
   check_feed(piece);
 }
 
-/// Returns the F word as the program has it. In inches (G20) and times (G93) the feed is another
-/// number.
+/// Returns the beginning of a note about a feed: the word F of the program and, if its number
+/// differs, the feed in mm/min or degrees/min. The number differs in inches (G20) and inverse time
+/// (G93).
 std::string ProgramWatch::feed_text(const PathPiece& piece, std::size_t axis) const {
   const double feed = piece.feed * static_cast<double>(cnc::kSecondsPerMinute);
   const auto line = static_cast<std::size_t>(std::max(piece.line, 0));
@@ -126,11 +129,11 @@ std::string ProgramWatch::feed_text(const PathPiece& piece, std::size_t axis) co
   if (found == feeds_.rend()) return fmt::format("the feed of {} {} is", plain(feed), unit);
   const bool is_same = std::abs(found->word - feed) <= kRounding * feed;
   if (is_same) return fmt::format("F{} is", plain(found->word));
-  return fmt::format("F{} asks for {} {} here,", plain(found->word), plain(feed), unit);
+  return fmt::format("F{} requires {} {} here,", plain(found->word), plain(feed), unit);
 }
 
-/// Notes the first axis of which the piece requires more than its rate. An arc turns through all
-/// directions of its plane.
+/// Adds a note about the first axis whose rate the piece exceeds. An arc may have any direction in
+/// its plane.
 void ProgramWatch::check_feed(const PathPiece& piece) {
   const Point run = piece.curve.end() - piece.curve.start();
   const double length = piece.curve.linear_length();
@@ -154,7 +157,8 @@ void ProgramWatch::check_feed(const PathPiece& piece) {
   }
 }
 
-/// Notes light that ended without a motion, as that of a focus dot.
+/// Adds a note if the light ends without a motion since it began, for example light for a focus
+/// dot.
 void ProgramWatch::go_dark() {
   if (lit_line_ != 0) {
     note(lit_line_, "M3 is on here and off again without a motion: nothing burns at rest");
@@ -165,7 +169,7 @@ void ProgramWatch::go_dark() {
 
 void ProgramWatch::note(std::size_t line, std::string text) {
   if (notes_.size() > kMaxNotes) return;
-  if (notes_.size() == kMaxNotes) text = "more like this is not listed";
+  if (notes_.size() == kMaxNotes) text = "further notes of this kind are not listed";
   notes_.push_back({line, 0, std::move(text)});
 }
 

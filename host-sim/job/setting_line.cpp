@@ -26,7 +26,8 @@ bool read_all(std::string_view text, Number& number) {
   return result.ec == std::errc{} && result.ptr == text.data() + text.size();
 }
 
-/// Returns ` 0 to 30000 mm/min` for a value that is out of range; otherwise an empty text.
+/// Returns the range of a setting as text, for example `, 0 to 30000 mm/min`, if a value was out of
+/// this range; otherwise an empty text.
 std::string range_of(std::uint16_t number, cnc::SettingError error) {
   const bool is_range =
       error == cnc::SettingError::kBelowRange || error == cnc::SettingError::kAboveRange;
@@ -67,7 +68,7 @@ std::vector<SettingChange> read_settings_file(const std::string& file) {
   }
   if (changes.empty()) {
     throw std::invalid_argument(
-        fmt::format("{}: has no line $N=value; leave the option out for the delivered settings",
+        fmt::format("{}: has no line $N=value; omit the option to use the default settings",
                     name_of_input(file)));
   }
   return changes;

@@ -10,24 +10,24 @@
 
 namespace sim {
 
-/// One `$N=value`, as on the wire, and the place where it was written.
+/// A setting `$N=value`, as it is sent to a controller, and the place where the user wrote it.
 struct SettingChange {
   std::uint16_t number = 0;
   float value = 0.0F;
-  /// Place where the setting was written, `FILE:LINE` or `--set`, for messages.
+  /// Place where the user wrote the setting, `FILE:LINE` or `--set`, for messages.
   std::string place;
 };
 
-/// Reads one `$N=value`. Throws std::invalid_argument with the fault of the text.
+/// Reads a setting `$N=value`. Throws std::invalid_argument if the text is not of this form.
 [[nodiscard]] SettingChange parse_setting(std::string_view text, std::string place);
 
-/// Reads a file of `$N=value`, one on each line. Blank lines and text after `;` or `#` do not
-/// count. Throws std::invalid_argument with the place of a fault, also for a file without any
-/// setting, and std::system_error when the file cannot be read.
+/// Reads a file of settings `$N=value`, one on each line. Ignores blank lines and text after `;` or
+/// `#`. Throws std::invalid_argument with the place of a fault, or for a file without settings, and
+/// std::system_error if the file cannot be read.
 [[nodiscard]] std::vector<SettingChange> read_settings_file(const std::string& file);
 
-/// Applies the changes to a machine. Throws std::invalid_argument with the place of the first
-/// change that the machine refuses.
+/// Applies settings to a machine. Throws std::invalid_argument, with the place where the setting
+/// was written, for the first one that the machine refuses.
 /// @pre machine.idle()
 void apply_settings(const std::vector<SettingChange>& changes, cnc::Machine& machine);
 

@@ -33,7 +33,8 @@ Standpoint standpoint_of(const cnc::Machine& machine) {
   Standpoint standpoint{
       .settings = machine.settings(), .reader = machine.interpreter(), .homed = machine.homed()};
   cnc::gcode::Options options = standpoint.reader.options();
-  options.kerf = nullptr;  // The kerf tables are the machine's own and may change.
+  // The kerf tables belong to the machine and may change, so the copy must not refer to them.
+  options.kerf = nullptr;
   standpoint.reader.set_options(options);
   static_cast<void>(
       standpoint.settings.set(cnc::setting::kBlockDelete, options.block_delete ? 1.0F : 0.0F));

@@ -9,11 +9,12 @@
 
 namespace sim {
 
-/// State of the machine when a program begins: settings, position, offsets and modes. It is a copy,
-/// which another thread may use.
+/// The state of a machine at the start of a program: settings, position, offsets and modes. It is a
+/// copy, so another thread may use it.
 struct Standpoint {
-  cnc::Settings settings{};  ///< $890 is block delete as it is in effect.
-  /// Interpreter at the machine's position, with its offsets and modes.
+  /// Settings of the machine. $890 is the block delete that is in effect.
+  cnc::Settings settings{};
+  /// Interpreter with the position, offsets and modes of the machine.
   cnc::gcode::Interpreter reader{};
   std::uint8_t homed = 0;  ///< Homed axes: bit i for axis i.
 
@@ -22,17 +23,17 @@ struct Standpoint {
 
 [[nodiscard]] Standpoint standpoint_of(const cnc::Machine& machine);
 
-/// Returns the standpoint of a machine of which only the settings are known: at zero, with all
-/// modes and offsets as delivered.
+/// Returns the standpoint of a machine of which only the settings are known. It is at zero, and all
+/// modes and offsets have their default values.
 [[nodiscard]] Standpoint standpoint_of(const cnc::Settings& settings);
 
-/// Returns a length in mm or degrees, exact to the rounding of a double.
+/// Returns a length in mm, or an angle in degrees, rounded to a double.
 [[nodiscard]] double in_double(cnc::Coordinate length);
-/// Returns a position in mm and degrees, machine coordinates.
+/// Returns a position as a point in mm and degrees, in machine coordinates.
 [[nodiscard]] Point point_of(const cnc::Position& position);
 
-/// Returns lines of G-code that bring any reader to the offsets and modes of the standpoint, from
-/// its position, without a motion. Equal lines mean that two standpoints are equal except for their
+/// Returns lines of G-code that set the offsets and modes of the standpoint in any reader at its
+/// position, without a motion. Two standpoints with equal lines are equal except for their
 /// settings.
 [[nodiscard]] std::vector<std::string> state_lines(const Standpoint& standpoint);
 

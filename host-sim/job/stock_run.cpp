@@ -20,7 +20,7 @@ namespace {
 
 constexpr std::size_t kStockAxes = 3;
 
-/// Returns the length in mm of one step of X, Y and Z together.
+/// Returns the distance, in mm, of a simultaneous step of X, Y and Z.
 double step_diagonal(const cnc::Settings& settings) {
   const auto steps = steps_per_mm<double>(settings);
   double square = 0.0;
@@ -29,7 +29,7 @@ double step_diagonal(const cnc::Settings& settings) {
 }
 
 double tolerance_of(const StockWish& wish, const cnc::Settings& settings) {
-  // A staircase of steps is off its slope by up to one step.
+  // The points of a staircase of steps are up to one step away from its slope.
   constexpr double kStaircase = 1.25;
   return std::max(StockRun::kToleranceCells * wish.cell_mm, kStaircase * step_diagonal(settings));
 }

@@ -19,29 +19,34 @@ namespace sim {
 /// A stock that a job is to carve, and the files to write about the stock that remains.
 struct StockWish {
   stock::StockBox box;
-  bool has_bottom = true;  ///< If false, the stock ends below every cut.
+  /// True if the stock ends at the bottom of `box`; false if it is deeper than every cut.
+  bool has_bottom = true;
   double cell_mm = 0.05;
   stock::Cutter cutter;
   std::string png;
   std::string stl;
   std::string ply;
   std::string map;  ///< File for a picture of the distances from `surface`.
-  std::optional<stock::PocketTarget> target{};  ///< The pocket that the stock is to become.
-  /// The surface that the stock is to become, in machine coordinates; null for none.
+  /// Pocket to which the carved stock is compared; empty for none.
+  std::optional<stock::PocketTarget> target{};
+  /// Surface to which the carved stock is compared, in machine coordinates; null for none.
   std::shared_ptr<const surface::Mesh> surface{};
 };
 
-/// Carves a stock along the steps of a tool.
+/// Carves a stock along the path of a tool that the steps of the motors describe.
 ///
-/// A step counts to the line of the piece of the program on which the follower is. The follower may
-/// be a few steps late, and corners may be rounded: the ends of rapids at feeds are joints.
+/// A step is attributed to the line of the piece at which the follower of the path is. The follower
+/// may be a few steps late, and corners may be rounded. Therefore steps near the joint of a rapid
+/// and a feed may belong to either.
 class StockRun final : public TraceSink {
  public:
-  /// Greatest distance of the gathered stretches from the steps, in cells.
+  /// Greatest distance between the steps and the straight stretches into which they are combined,
+  /// in cells.
   static constexpr double kToleranceCells = 0.25;
 
-  /// Begins a run. The path and the follower must outlive it, and the follower must see each row
-  /// before it. Throws std::invalid_argument for a stock or a tool that does not exist.
+  /// Begins a run. The path and the follower must outlive this object, and the follower must
+  /// receive each row before this object. Throws std::invalid_argument for impossible sizes of the
+  /// stock or the tool.
   StockRun(const StockWish& wish,
            const ProgrammedPath& path,
            const PathDeviation& follower,
@@ -56,7 +61,8 @@ class StockRun final : public TraceSink {
   /// Adds figures and warnings to a report.
   /// @pre on_end was called
   void add_to(Report& report, const std::string& file) const;
-  /// Writes the requested files. Throws std::system_error naming the file.
+  /// Writes the requested files. Throws std::system_error, with the name of the file, if a file
+  /// cannot be written.
   /// @pre on_end was called
   void write_files(const std::string& title) const;
 
@@ -72,7 +78,8 @@ class StockRun final : public TraceSink {
   stock::Stock stock_;
   stock::Carving carving_;
   stock::StepStretches stretches_;
-  std::optional<stock::SurfaceComparison> comparison_;  ///< Present after the end.
+  /// Comparison with `StockWish::surface`; present after on_end().
+  std::optional<stock::SurfaceComparison> comparison_;
 };
 
 }  // namespace sim

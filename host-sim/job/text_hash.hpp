@@ -5,9 +5,9 @@
 
 namespace sim {
 
-/// Returns the FNV-1a hash of 64 bits. It distinguishes texts, but gives no protection against
-/// forged ones.
-/// @param hash hash of the text before, which this text continues
+/// Returns the 64-bit FNV-1a hash of a text. It distinguishes different texts, but does not protect
+/// against deliberate collisions.
+/// @param hash hash of the preceding text, if `text` continues it
 [[nodiscard]] constexpr std::uint64_t text_hash(std::string_view text,
                                                 std::uint64_t hash = 0xCBF29CE484222325) {
   constexpr std::uint64_t kPrime = 0x100000001B3;

@@ -11,17 +11,17 @@
 
 namespace sim {
 
-/// Computes the trace of the tip as the part sees it, where rotary axes lean the tool under G43.4.
-/// Elsewhere it passes the trace of the axes on unchanged. It hands rows in whole steps to sinks of
-/// its own, and exact positions to a meter of the path.
+/// Computes the trace of the tool tip relative to the part, while G43.4 is active and rotary axes
+/// lean the tool. At other times it passes on the trace of the axes unchanged. The added sinks
+/// receive rows in whole steps, and the meter of the path deviation receives exact positions.
 class TipTrace final : public TraceSink {
  public:
   /// Begins a trace.
-  /// @param machine owner of the axes; it states whether G43.4 holds and how long the tool is
+  /// @param machine machine that owns the axes, and gives the state of G43.4 and the tool length
   TipTrace(const cnc::Machine& machine, PathDeviation& deviation)
       : machine_{machine}, deviation_{deviation} {}
 
-  /// Adds a sink, which must outlive this object.
+  /// Adds a sink for the rows. It must outlive this object.
   void add_sink(TraceSink& sink) { sinks_.push_back(&sink); }
 
   void on_row(const TraceRow& row) override;
@@ -29,7 +29,7 @@ class TipTrace final : public TraceSink {
     for (TraceSink* sink : sinks_) sink->on_end(time_ns);
   }
 
-  /// Returns the positions of the tip under G43.4; empty if G43.4 was not in use.
+  /// Returns the report on the tip under G43.4; empty if G43.4 was never active.
   [[nodiscard]] const std::optional<TipReport>& tip() const { return tip_; }
 
  private:
@@ -39,8 +39,9 @@ class TipTrace final : public TraceSink {
   PathDeviation& deviation_;
   std::vector<TraceSink*> sinks_;
   std::optional<FiveAxisModel> model_{};
-  cnc::Coordinate tool_length_{};        ///< Tool length of the model.
-  cnc::AxisArray<std::int32_t> last_{};  ///< Steps of the last row that the model saw.
+  cnc::Coordinate tool_length_{};  ///< Tool length for which the model was made.
+  /// Position, in steps, of the last row for which the model was used.
+  cnc::AxisArray<std::int32_t> last_{};
   std::optional<TipReport> tip_{};
 };
 

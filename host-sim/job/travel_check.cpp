@@ -12,7 +12,8 @@
 namespace sim {
 namespace {
 
-/// A job as large as the travel may exceed it by the rounding of its decimals.
+/// Excess over the travel that is allowed, because the decimals of a job as large as the travel are
+/// rounded, mm.
 constexpr double kSlackMm = 1.0e-6;
 
 /// Distance by which the controller lets a rounded circle exceed the ends of a homed axis.
@@ -72,8 +73,8 @@ void TravelCheck::put(const PathPiece& piece) {
   }
 }
 
-/// Checks one axis. An overrun is reported with the farthest position and the line that first went
-/// too far.
+/// Checks one axis after a piece. An overrun is stored with the farthest position and the line at
+/// which the axis first went too far.
 void TravelCheck::check(std::size_t number, int line) {
   Axis& axis = axes_[number];
   if (axis.travel <= 0.0) return;

@@ -20,12 +20,13 @@ namespace {
 using cnc::gcode::Word;
 
 constexpr std::string_view kAxisLetters = "XYZABC";
-/// M words of stops, spindle, coolant and program ends. They mean the same in a program that moves
-/// the axes.
+/// M words that the written program keeps: stops, spindle, coolant and program ends. Their meaning
+/// does not depend on G43.4.
 constexpr std::array<std::uint32_t, 10> kKeptM{0, 1, 2, 3, 4, 5, 7, 8, 9, 30};
 constexpr std::uint32_t kDwellG = 4;
 
-/// A motion of a program, and the machine model that gives the tip its position.
+/// A motion of a program. The model converts tip positions to axis positions. It is empty if the
+/// motion is outside of G43.4 and already has axis positions.
 struct Motion {
   PathPiece piece;
   std::optional<FiveAxisModel> model{};
@@ -35,7 +36,7 @@ struct Motion {
 struct KeptWords {
   std::string before{};  ///< Words for spindle, coolant and dwell, written before the motion.
   std::string after{};   ///< Words for stops and program ends, written after the motion.
-  std::string power{};   ///< The S word.
+  std::string power{};   ///< S word, or empty.
 };
 
 bool is_after_motion(std::uint32_t m) { return m <= 2 || m == 30; }
@@ -46,8 +47,7 @@ std::string text_of(const Word& word) {
 }
 
 /// Returns the words of a line that the written program keeps. Throws std::invalid_argument for an
-/// M word that means something else to another controller, and for a word that moves of the axes
-/// cannot express.
+/// M word that is not in kKeptM, because the target controller may not know it.
 KeptWords kept_words(std::string_view line) {
   KeptWords kept;
   const std::vector<Word> words = post::words_in(line);
@@ -64,8 +64,8 @@ KeptWords kept_words(std::string_view line) {
     if (dwells && word.letter == 'P') kept.before += text_of(word);
     if (word.letter != 'M') continue;
     if (std::ranges::find(kKeptM, word.value.whole) == kKeptM.end()) {
-      throw std::invalid_argument(
-          fmt::format("{} has no meaning beside moves of the axes; take it out", text_of(word)));
+      throw std::invalid_argument(fmt::format(
+          "{} cannot be converted to moves of the axes; remove it from the line", text_of(word)));
     }
     add(word, is_after_motion(word.value.whole) ? kept.after : kept.before);
   }
@@ -85,7 +85,7 @@ std::string comments_of(std::string_view line) {
   return comments;
 }
 
-/// Reads a program line by line and writes the moves of the axes.
+/// Reads a program line by line and writes the equivalent moves of the machine's axes.
 class JointWriter {
  public:
   JointWriter(const cnc::Settings& settings, const JointOptions& options)
@@ -95,7 +95,7 @@ class JointWriter {
                       0);
     program_.text = "G21 G90 G94\n";
   }
-  // The reader holds a reference to this object.
+  // Not copyable: the callbacks of the reader refer to this object.
   JointWriter(const JointWriter&) = delete;
   JointWriter& operator=(const JointWriter&) = delete;
   ~JointWriter() = default;
@@ -112,7 +112,7 @@ class JointWriter {
     add_line(kept.before);
     power_ = kept.power;
     for (const Motion& motion : motions_) write(motion);
-    add_line(power_);  // No motion of the line carried the S word.
+    add_line(power_);  // Writes the S word alone if no motion of the line has taken it.
     add_line(kept.after);
   }
 
@@ -121,8 +121,8 @@ class JointWriter {
   [[nodiscard]] JointProgram take_program() {
     if (!has_centre_) {
       throw std::invalid_argument(
-          "the program has no G43.4: its places are those of the axes already, nothing is to "
-          "convert");
+          "the program has no G43.4: its positions are axis positions already, there is nothing "
+          "to convert");
     }
     return std::move(program_);
   }
@@ -151,7 +151,8 @@ class JointWriter {
   void write(const Motion& motion) {
     const PathPiece& piece = motion.piece;
     if (piece.travel == Travel::kProbe) {
-      throw std::invalid_argument("a probe ends where the axes are told by the machine alone");
+      throw std::invalid_argument(
+          "a probing motion cannot be converted, because its end is not known; remove it");
     }
     const double linear = piece.curve.linear_length();
     const double size = linear > 0.0 ? linear : piece.curve.length();
@@ -161,7 +162,7 @@ class JointWriter {
                              : way_of_axes(piece.curve);
     const bool is_feed = piece.travel == Travel::kFeed;
     const double seconds = is_feed ? size / piece.feed : 0.0;
-    if (!std::isfinite(seconds)) throw std::invalid_argument("a motion has no feed");
+    if (!std::isfinite(seconds)) throw std::invalid_argument("a motion has no feed; add an F word");
     ++program_.figures.motions;
     program_.figures.feed_s += seconds;
     program_.figures.error_mm = std::max(program_.figures.error_mm, way.error_mm);
@@ -171,11 +172,12 @@ class JointWriter {
     }
   }
 
-  /// Returns the moves of motions that are given in axis positions already: only straight ones.
+  /// Returns the move of a motion outside of G43.4, whose positions are axis positions. Throws
+  /// std::invalid_argument for an arc.
   static JointWay way_of_axes(const Curve& curve) {
     if (curve.circle()) {
       throw std::invalid_argument(
-          "an arc without G43.4 would be one of the axes; begin G43.4 first");
+          "an arc outside of G43.4 cannot be converted; activate G43.4 before the arc");
     }
     return {.ends = {curve.end()}};
   }
@@ -186,7 +188,7 @@ class JointWriter {
     has_inverse_time_ = true;
   }
 
-  /// @param seconds duration of a feed; 0 for a rapid
+  /// @param seconds duration of the move if it is a feed; 0 for a rapid
   void write_move(const Point& place, double seconds) {
     check_tilt(place);
     grow_bounds(place);
@@ -199,7 +201,7 @@ class JointWriter {
       shown_[axis] = std::move(word);
     }
     if (seconds > 0.0) waiting_s_ += seconds;
-    // The move is below the last digit; its time is added to the next move.
+    // The move changes no written digit. waiting_s_ adds its time to the next written move.
     if (line.empty()) return;
     ++program_.figures.moves;
     program_.text += (seconds > 0.0 ? "G1" : "G0") + line;
@@ -220,7 +222,7 @@ class JointWriter {
     const double tilt = place[has_a ? 3 : 4];
     if (tilt >= least - kRoundingDeg && tilt <= most + kRoundingDeg) return;
     throw std::invalid_argument(
-        fmt::format("{}{:.3f} is beyond the machine's tilt, {:.3f} to "
+        fmt::format("{}{:.3f} is outside of the machine's range of tilt, {:.3f} to "
                     "{:.3f} degrees ($916, $917)",
                     has_a ? 'A' : 'B',
                     tilt,
@@ -244,10 +246,10 @@ class JointWriter {
   std::vector<Motion> motions_;  ///< Motions of the line that is being read.
   ProgramReader reader_;
   JointProgram program_;
-  std::array<std::string, kAxisLetters.size()> shown_;  ///< Axis words as last written.
-  /// S word of the line, until a motion carries it.
+  std::array<std::string, kAxisLetters.size()> shown_;  ///< Last written word of each axis.
+  /// S word of the current line; empty after it is written with a motion.
   std::string power_;
-  /// Time of feeds that were too short to write, in seconds.
+  /// Total time in seconds of the feeds since the last written move that were too short to write.
   double waiting_s_ = 0.0;
   bool has_inverse_time_ = false;
 };
@@ -260,7 +262,7 @@ JointProgram joint_program(std::string_view text,
                            const JointOptions& options) {
   if (!FiveAxisModel{settings, 0.0}.leans()) {
     throw std::invalid_argument(
-        "the settings describe no five-axis machine; give $900 and those after it");
+        "the settings do not describe a five-axis machine; set $900 to $917");
   }
   JointWriter writer{settings, options};
   int number = 0;

@@ -11,18 +11,19 @@
 namespace sim::joints {
 
 struct JointOptions {
-  double tip_tolerance_mm = 1.0e-3;  ///< Tolerance for the tip between the ends of a move, above 0.
+  double tip_tolerance_mm = 1.0e-3;  ///< Greatest deviation of the tip from its path, > 0.
   Point zero{};                      ///< Machine position of the program's zero, X Y Z in mm.
-  int decimals = 4;  ///< Digits after the decimal point of X, Y and Z; angles have one more.
+  int decimals = 4;  ///< Digits after the decimal point of X, Y and Z; angles have one digit more.
 };
 
 struct JointFigures {
-  std::size_t motions = 0;  ///< Number of lines and arcs of the program.
+  std::size_t motions = 0;  ///< Number of lines and arcs in the source program.
   std::size_t moves = 0;    ///< Number of written lines that move the axes.
-  /// Greatest distance of the tip from its path, before digits are cut off.
+  /// Greatest distance of the tip from its path, before coordinates are rounded to the written
+  /// digits.
   double error_mm = 0.0;
   double feed_s = 0.0;             ///< Total time of all feeds, in seconds.
-  std::optional<Bounds> bounds{};  ///< Extent of the axes' positions, machine coordinates.
+  std::optional<Bounds> bounds{};  ///< Extent of the axis positions, machine coordinates.
 };
 
 struct JointProgram {
@@ -30,14 +31,15 @@ struct JointProgram {
   JointFigures figures;
 };
 
-/// Returns a program under G43.4 as moves of the axes themselves, for a controller without control
-/// of the tool's centre. The moves are straight, in machine coordinates, mm and degrees, with
-/// inverse time feed (G93). Beam, spindle, coolant, dwells, stops and comments are those of the
-/// program.
-/// @param settings settings $900 to $917 of the machine that carries the tool
-/// @param file name of the program's file, for errors
-/// Throws std::invalid_argument with the line for words that cannot be converted, for a tilt beyond
-/// $916 and $917, and for a machine without five axes.
+/// Converts a program with G43.4 to moves of the machine's axes, for a controller that does not
+/// support G43.4 (tool centre point control). The moves are straight, in machine coordinates, mm
+/// and degrees, with inverse time feed (G93). Words for beam, spindle, coolant, dwells and stops
+/// are copied, and so are comments.
+/// @param settings settings of the five-axis machine; $900 to $917 are used
+/// @param file name of the program's file, for error messages
+/// Throws std::invalid_argument, with the line number, for words that cannot be converted and for a
+/// tilt outside of the range $916 to $917. Throws std::invalid_argument if the settings do not
+/// describe a five-axis machine.
 [[nodiscard]] JointProgram joint_program(std::string_view text,
                                          const std::string& file,
                                          const cnc::Settings& settings,

@@ -12,8 +12,8 @@ namespace sim::joints {
 namespace {
 
 constexpr std::size_t kMaxMoves = 1'000'000;
-/// Shares of a move at which the tip's error is measured. Between the ends of a move the error is
-/// greatest near the middle.
+/// Fractions of a move at which the tip's error is measured. The error is 0 at the ends of a move
+/// and greatest near its middle.
 constexpr std::array<double, 3> kLooked{0.25, 0.5, 0.75};
 
 Point between(const Point& from, const Point& to, double share) {
@@ -54,12 +54,12 @@ JointWay joint_way(const FiveAxisModel& model, const Curve& curve, double tolera
   while (true) {
     JointWay way = way_of(model, curve, count);
     if (way.error_mm <= tolerance_mm) return way;
-    // The error falls with the square of the number of moves.
+    // The error is inversely proportional to the square of the number of moves.
     const double wanted = static_cast<double>(count) * std::sqrt(way.error_mm / tolerance_mm);
     if (!(wanted < static_cast<double>(kMaxMoves))) {
       throw std::invalid_argument(
-          fmt::format("a line needs more than {} moves to keep the tip within {} mm; divide it, or "
-                      "take a larger --tip-tolerance",
+          fmt::format("a motion needs more than {} moves to keep the tip within {} mm; divide the "
+                      "motion, or increase --tip-tolerance",
                       kMaxMoves,
                       tolerance_mm));
     }

@@ -45,8 +45,8 @@ Isometry3d FiveAxisModel::turn(double degrees) const {
   return about(turn_point_, Vector3d::UnitZ(), turn_reversed_ ? -degrees : degrees);
 }
 
-// Seen from the part, the tool turns in the opposite direction to a table that carries the part.
-// The points of a head move along with the axes X Y Z that carry it.
+// Relative to the part, the tool turns in the opposite direction to a table that carries the part.
+// The pivot points of a head move along with the axes X Y Z that carry the head.
 FiveAxisModel::Turned FiveAxisModel::turned_to(const Point& axes) const {
   const double tilted = axes[tilting_];
   const double turned = axes[kTurning];

@@ -8,24 +8,24 @@
 
 namespace sim {
 
-/// Pose of a five-axis machine's tool as the part sees it.
+/// Pose of a five-axis machine's tool relative to the part.
 struct ToolPose {
-  /// Position of the tip, mm, as a program under G43.4 states it.
+  /// Position of the tip in the program's coordinates under G43.4, mm.
   Eigen::Vector3d tip = Eigen::Vector3d::Zero();
   Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();  ///< Unit vector from the tip into the tool.
 };
 
-/// Computes the pose of a five-axis machine's tool from the positions of its axes: the whole chain
-/// from the part to the tip as rigid motions in double precision. The model shares nothing with the
-/// controller's formulas, so that one checks the other.
+/// Computes the pose of a five-axis machine's tool from the positions of its axes. It multiplies
+/// the rigid motions from the part to the tip in double precision. The model shares no formula with
+/// the controller, so that each can check the other.
 class FiveAxisModel {
  public:
   /// Builds the model.
   /// @param settings $900 to $917 describe the machine
-  /// @param tool_length_mm from the machine's gauge point to the tip
+  /// @param tool_length_mm distance from the machine's gauge point to the tip, mm
   FiveAxisModel(const cnc::Settings& settings, double tool_length_mm);
 
-  /// Returns whether the machine has rotary axes that lean a tool.
+  /// Returns whether the machine has rotary axes that tilt the tool.
   [[nodiscard]] bool leans() const { return kind_ != Kind::kNone; }
 
   /// Returns the pose of the tool.
@@ -41,8 +41,8 @@ class FiveAxisModel {
  private:
   enum class Kind { kNone, kTables, kHeads, kHeadAndTable };
 
-  /// Motions of the tables and of the head. The motion of the head is relative to the part that
-  /// carries the head.
+  /// Motion of the part by tables, and motion of the head. The motion of the head is relative to
+  /// the carrier of the head.
   struct Turned {
     Eigen::Isometry3d part = Eigen::Isometry3d::Identity();
     Eigen::Isometry3d head = Eigen::Isometry3d::Identity();

@@ -9,18 +9,19 @@
 
 namespace sim {
 
-/// Computes how wide a controller's G41 cuts. It queries a controller of its own with the same
-/// power table and kerf tables, so that no other code has to know the tables.
+/// Computes the width of a controller's cut under G41. It runs a separate controller with the same
+/// power table and kerf tables, so that no other code has to know these tables.
 class KerfQuestion {
  public:
-  /// Starts the controller that is queried.
+  /// Prepares the separate controller.
   /// @param settings only $30 is used
   explicit KerfQuestion(const cnc::Settings& settings);
 
-  /// Takes a statement of a program. Only `$PC` and the statements on kerf tables have an effect.
+  /// Records a statement of a program for the controller. Only `$PC` and the statements about kerf
+  /// tables have an effect.
   void hear(std::string_view statement);
 
-  /// Returns the width of the cut in mm; empty where the controller refuses the condition.
+  /// Returns the width of the cut, mm; none if the controller refuses the condition.
   [[nodiscard]] std::optional<double> width(const CutCondition& condition) const;
 
  private:

@@ -4,7 +4,7 @@
 
 namespace sim {
 
-/// A link whose other end is in the same thread, so that it knows whether a byte waits.
+/// A link whose other end is in the same thread. Therefore it can report whether a byte waits.
 class KnownLink : public hal::ByteStream {
  public:
   /// Returns whether read() would return a byte.

@@ -9,30 +9,32 @@ namespace sim {
 
 class ProbeSurface;
 
-/// The machine around the controller. Positions are in mm (degrees), relative to the position of
-/// the motors at power-up.
+/// Model of the machine around the controller. Positions are in mm (degrees for A, B and C),
+/// relative to the position of the motors at power-up.
 struct MachineModel {
-  /// Height in mm of a conducting plate. It closes the probe circuit when the tool's tip touches it
-  /// as Z comes down.
+  /// Height of a conducting plate, mm. The plate closes the probe circuit when the tool's tip
+  /// touches it from above.
   double probe_plate_z_mm = -10.0;
-  /// A surface that closes the probe circuit as well, in machine coordinates; may be null.
+  /// A second surface that closes the probe circuit, in machine coordinates; may be null.
   std::shared_ptr<const ProbeSurface> probe_surface{};
 
   /// Whether the machine has limit switches.
   bool has_switches = true;
-  /// Position at which each axis's switch closes, at the end that $23 homes to. An empty value
-  /// means a millimetre beyond the travel of a machine that was switched on in its far left lower
-  /// corner; endless axes then have no switch.
+  /// For each axis, the position at which its switch closes, at the end to which $23 homes. An
+  /// For each axis, the position at which its switch closes, at the end to which $23 homes. An
+  /// empty value means 1 mm beyond the travel, for a machine that was switched on at the lower end
+  /// of all its axes. An endless axis with an empty value has no switch.
   std::array<std::optional<double>, 6> switch_mm{};
-  /// Distance by which the second motor of an axis is ahead of the first at power-up. The second
-  /// motor reaches its own switch earlier by this distance.
+  /// For each axis, the distance by which the second motor is ahead of the first at power-up. The
+  /// second motor reaches its own switch earlier by this distance.
   std::array<double, 6> second_ahead_mm{};
-  /// Distance that each motor turns on a reversal before its axis follows, in whole steps. An empty
-  /// value means the backlash of $160…$165, which the controller knows.
+  /// For each axis, the distance that the motor turns on a reversal before the axis follows;
+  /// rounded to full steps. An empty value means the backlash of $160…$165, which the controller
+  /// knows.
   std::array<std::optional<double>, 6> backlash_mm{};
-  /// Whether the play at power-up lies at the other end than after a homing cycle.
+  /// Whether the play at power-up is at the opposite end from that after a homing cycle.
   bool backlash_lies_otherwise = false;
-  /// Time for which a contact bounces after it opened or closed, in ticks of the step clock.
+  /// Duration of the bouncing of a contact after it opens or closes, in ticks of the step clock.
   std::uint32_t bounce_ticks = 8000;
 };
 

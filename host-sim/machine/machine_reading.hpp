@@ -14,18 +14,19 @@
 
 namespace sim {
 
-/// Reads a program as a machine with these settings does. Returns the programmed path and, under
-/// G41 and G42, the path offset from it. The offset follows from tools, widths and the kerf tables
-/// that the controller has or that the program sends.
+/// Reads a program in the same way as a machine with these settings. Returns the programmed path
+/// or, under G41 and G42, the path offset from it. The offset results from tools, widths and kerf
+/// tables that the controller has or that the program sends.
 [[nodiscard]] ProgrammedPath read_for_machine(const std::string& text,
                                               const cnc::Settings& settings);
 
-/// Reads a program line by line, as the controller takes the lines; read_for_machine() reads a
-/// whole program at once. Refused lines are no part of the path, and no path is kept.
+/// Reads a program line by line, in the order in which the controller accepts the lines.
+/// (read_for_machine() reads a complete program.) Refused lines are not part of the path. The path
+/// is not kept.
 class MachineReading {
  public:
   MachineReading(const cnc::Settings& settings, PieceSink sink);
-  // Not copyable: its parts refer to each other.
+  // Not copyable, because its members refer to each other.
   MachineReading(const MachineReading&) = delete;
   MachineReading& operator=(const MachineReading&) = delete;
   ~MachineReading() = default;
@@ -35,10 +36,10 @@ class MachineReading {
   }
   /// Sets the position after a motion that the program did not command, such as homing.
   void set_position(const Point& position) { reader_.set_position(position); }
-  /// Ends the program: no more lines follow.
+  /// Ends the program. No lines may follow.
   void end() { beside_.end(); }
   [[nodiscard]] const std::vector<ReadNote>& notes() const { return reader_.path().notes; }
-  /// Returns the first refusal of the offset path; see beside_path().
+  /// Returns the first refusal of G41 or G42; see beside_path().
   [[nodiscard]] const std::optional<RefusedBeside>& refused() const { return beside_.refused(); }
 
  private:

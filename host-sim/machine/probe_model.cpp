@@ -7,7 +7,7 @@
 namespace sim {
 namespace {
 
-/// Margin in steps, greater than the error of rounding a height to steps.
+/// Margin that exceeds the error of rounding a height to steps, steps.
 constexpr double kRoundingSteps = 2.0;
 constexpr double kMaxSteps = 1.0e9;
 
@@ -42,7 +42,7 @@ std::uint64_t ProbeModel::steps_undisturbed(const PlayModel::Steps& axes) const 
   const auto z_steps_per_mm = static_cast<double>(steps_per_mm_[2]);
   double steps = std::abs(axes[2] - model_.probe_plate_z_mm * z_steps_per_mm);
   if (model_.probe_surface != nullptr) {
-    // Below the top of the surface any step along X or Y may meet a wall.
+    // Below the top of the surface, any step along X or Y may reach a wall.
     steps = std::min(steps, axes[2] - model_.probe_surface->top_mm() * z_steps_per_mm);
   }
   return static_cast<std::uint64_t>(std::clamp(steps - kRoundingSteps, 0.0, kMaxSteps));

@@ -10,15 +10,15 @@
 
 namespace sim {
 
-/// The probe circuit of the model machine. The tool closes it when it touches the plate or the
-/// surface, or is inside.
+/// The probe circuit of the model machine. The tool closes the circuit while it touches, or is
+/// inside of, the plate or the surface.
 class ProbeModel {
  public:
   explicit ProbeModel(const MachineModel& model) : model_{model} {}
 
-  /// Takes the steps per mm from the settings.
+  /// Reads the steps per mm from the settings.
   void place(const cnc::Settings& settings);
-  /// Returns whether the circuit is closed with the axes at `axes`, in steps.
+  /// Returns whether the circuit is closed with the axes at `axes`, steps.
   [[nodiscard]] bool is_closed(const PlayModel::Steps& axes);
   /// Returns the number of steps that each motor may make from `axes` before the circuit can
   /// change.
@@ -29,8 +29,8 @@ class ProbeModel {
 
   const MachineModel& model_;
   std::array<float, 3> steps_per_mm_{1.0F, 1.0F, 1.0F};
-  // Whether the height of the surface at the last X and Y is known. It is kept because Z moves
-  // alone while a probe comes down.
+  // Whether height_mm_ is the height of the surface at x_step_ and y_step_. The height is kept
+  // because only Z moves while a probe descends.
   bool has_height_ = false;
   std::int32_t x_step_ = 0;
   std::int32_t y_step_ = 0;

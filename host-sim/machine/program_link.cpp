@@ -66,7 +66,8 @@ void ProgramLink::take_answer(std::string_view answer) {
     return;
   }
   const bool refused = answer.starts_with(kError);
-  if (!refused && answer != kAccepted) return;  // The line is a greeting, an alarm or a report.
+  // The line is a greeting, an alarm or a report. Only `ok` and errors are answers.
+  if (!refused && answer != kAccepted) return;
   awaits_answer_ = false;
   if (!refused) {
     take_message();
@@ -84,8 +85,8 @@ void ProgramLink::take_answer(std::string_view answer) {
   message_.clear();
 }
 
-/// A message before the answer belongs to a line of G-code only: statements are answered by
-/// messages as well, and the end of a program gives one.
+/// Records the message before an answer if it belongs to a line of G-code. Statements are also
+/// answered by messages, and the end of a program causes one; these messages are dropped.
 void ProgramLink::take_message() {
   if (message_.empty()) return;
   const bool statement = line_text().find_first_not_of(" \t") == line_text().find('$');

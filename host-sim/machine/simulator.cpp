@@ -8,12 +8,12 @@ namespace {
 constexpr unsigned kTurnsPerProgress = 256;
 /// Greatest number of pauses that a result lists.
 constexpr std::size_t kMaxPauses = 1000;
-/// Cycles between two status requests, by which the sender shows that it is present.
+/// Number of cycles between two status requests, by which the sender shows that it is present.
 constexpr unsigned kTurnsPerStatus = 100;
-/// Cycles for which the motors may be at rest before motions that nothing will release are given
-/// up.
+/// Number of cycles with the motors at rest after which the run ends, although motions are left.
+/// Nothing will release such motions.
 constexpr unsigned kTurnsOfWaiting = 100;
-/// Cycles within which a line is answered if its motion raised an alarm.
+/// Number of cycles within which a line is answered after its motion raised an alarm.
 constexpr unsigned kTurnsToAnswer = 100;
 
 }  // namespace
@@ -53,7 +53,7 @@ void Simulator::turn() {
     link_.ask_status();
   }
   controller_.turn();
-  // No operator homes the machine, so its position counts as zero.
+  // No operator homes the machine. Its position therefore counts as zero.
   if (machine().alarm() == cnc::Alarm::kHomingRequired) machine().unlock();
   count_turns();
   if (!controller_.step_timer_runs() && done()) controller_.take_back_idle_time();
@@ -67,8 +67,8 @@ void Simulator::count_turns() {
 
 bool Simulator::in_alarm() const { return controller_.machine().alarm() != cnc::Alarm::kNone; }
 
-/// Returns whether the run is over. After an alarm it waits for the answer to the line, which has
-/// the reason.
+/// Returns whether the run is over. After an alarm, the run continues until the answer to the line,
+/// which contains the reason.
 bool Simulator::done() const {
   const cnc::Machine& machine = controller_.machine();
   if (in_alarm()) {
@@ -78,17 +78,17 @@ bool Simulator::done() const {
   return link_.finished() && (machine.idle() || waiting_turns_ > kTurnsOfWaiting);
 }
 
-/// Acts as an operator who presses cycle start at once.
+/// Acts as an operator who presses cycle start immediately.
 void Simulator::attend_pause() {
   switch (machine().state()) {
     case cnc::MachineState::kHold:
       if (machine().status().substate != 0) return;
-      note("the program pauses here (M0); resumed at once");
+      note("the program pauses here (M0); the simulator resumes it immediately");
       return machine().resume();
     case cnc::MachineState::kTool:
       if (tool_changed_) return;
       tool_changed_ = true;
-      note("the program asks for another tool (M6); resumed at once");
+      note("the program requires another tool (M6); the simulator resumes it immediately");
       return machine().resume();
     default:
       tool_changed_ = false;
@@ -107,14 +107,14 @@ RunResult Simulator::result() const {
   const auto is_known = [this](std::size_t line) {
     return std::ranges::any_of(notes_, [line](const auto& note) { return note.first == line; });
   };
-  // Skips the message of a tool change: the change is noted already, with its consequence here.
+  // Skips the message of a tool change, because attend_pause() has already added a note about it.
   for (const auto& [line, message] : link_.messages()) {
     if (!is_known(line)) notes.emplace_back(line, message);
   }
   std::ranges::stable_sort(notes, {}, &std::pair<std::size_t, std::string>::first);
   if (machine.waits_for_g40()) {
     notes.emplace_back(link_.line(),
-                       "the program ends with G41 or G42 on, and its last motions are not driven; "
+                       "the program ends with G41 or G42 on, so its last motions are not driven; "
                        "end it with G40 or M2");
   }
   return {.job_time_s = static_cast<double>(now_ticks()) / cnc::motion::kTicksPerSecond,

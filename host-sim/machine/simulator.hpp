@@ -14,42 +14,45 @@ namespace sim {
 struct RunOptions {
   AfterRefusal after_refusal = AfterRefusal::kStop;
   MachineModel machine{};
-  /// Whether to leave out polls of the firmware that change nothing. The trace and the answers are
-  /// the same, but the run takes less time.
+  /// Whether to omit polls of the firmware that have no effect. The trace and the answers stay the
+  /// same, but the run takes less time.
   bool skips_quiet_polls = true;
-  bool watches_memory = true;  ///< See VirtualController::watch_memory().
-  /// Called now and then with the share of the program sent, 0…1.
+  /// Whether the firmware checks its memory; see VirtualController::watch_memory().
+  bool watches_memory = true;
+  /// Called regularly with the share of the program that was sent, 0…1.
   std::function<void(double)> on_progress{};
-  /// Called for every line that the controller takes.
+  /// Called for every line that the controller accepts.
   std::function<void(std::size_t line, std::string_view text)> on_taken{};
-  /// Called for every line that the controller sends, without its line end.
+  /// Called for every line that the controller sends, without the line end.
   std::function<void(std::string_view text)> on_answer{};
 };
 
-/// Result of a run, apart from the edges that the sinks saw.
+/// Result of a run, without the edges, which the sinks receive.
 struct RunResult {
   double job_time_s = 0.0;
   std::size_t lines = 0;
   std::size_t blocks = 0;
-  std::vector<Refusal> refusals;  ///< At most the first ProgramLink::kMaxRefusals.
+  std::vector<Refusal> refusals;  ///< The first refusals, at most ProgramLink::kMaxRefusals.
   std::size_t refused = 0;        ///< Number of refused lines.
-  std::vector<std::pair<std::size_t, std::string>> notes;  ///< Number of the line, and the event.
+  /// Events of the run, each with the number of the program's line.
+  std::vector<std::pair<std::size_t, std::string>> notes;
   int alarm = 0;  ///< Grbl's number of the alarm; 0 without an alarm.
-  cnc::AxisArray<std::int32_t> final_position{};  ///< Position in motor steps.
+  /// Position of the motors at the end of the run, steps.
+  cnc::AxisArray<std::int32_t> final_position{};
 };
 
-/// Runs a program on a virtual controller as fast as the computer can, with a sender and an
-/// operator that never make the controller wait.
+/// Runs a program on a virtual controller as fast as the computer can. Its sender and its operator
+/// never make the controller wait.
 class Simulator {
  public:
   Simulator(std::string program, RunOptions options);
 
-  /// Changes a setting. Returns the reason if the setting is refused, else an empty text.
+  /// Changes a setting. Returns the reason if the setting is refused, otherwise an empty text.
   /// @pre run() was not called yet
   [[nodiscard]] std::string change_setting(std::uint16_t number, float value);
   [[nodiscard]] const cnc::Settings& settings() const { return controller_.machine().settings(); }
 
-  /// Adds a sink, which sees every edge from now on and must outlive the run.
+  /// Adds a sink, which receives every later edge and must outlive the run.
   void add_sink(TraceSink& sink) { controller_.add_sink(sink); }
 
   [[nodiscard]] std::string_view program() const { return link_.program(); }
@@ -60,14 +63,14 @@ class Simulator {
   // Returns the machine, for tests that act in the middle of a run.
   [[nodiscard]] cnc::Machine& machine() { return controller_.machine(); }
   [[nodiscard]] std::uint64_t now_ticks() const { return controller_.now_ticks(); }
-  /// Runs one cycle of the main loop and the millisecond of interrupts after it.
+  /// Runs one cycle of the main loop, then the interrupts of the following millisecond.
   void turn();
   [[nodiscard]] bool done() const;
-  /// Returns whether segments are being played.
+  /// Returns whether the step interrupt is playing segments.
   [[nodiscard]] bool moves() const { return controller_.step_timer_runs(); }
   [[nodiscard]] RunResult result() const;
   [[nodiscard]] const hal::host::RecordingPort& port() const { return controller_.port(); }
-  /// Returns the positions of the axes in steps: those of the motors minus their play.
+  /// Returns the positions of the axes in steps: the positions of the motors without the play.
   [[nodiscard]] PlayModel::Steps axes() const { return controller_.axes(); }
 
  private:
@@ -81,7 +84,7 @@ class Simulator {
   VirtualController controller_;
   unsigned turns_to_status_ = 0;
   unsigned waiting_turns_ = 0;
-  /// Whether a tool was changed and the spindle is coming up to speed.
+  /// Whether a tool was changed and the spindle is accelerating to its speed.
   bool tool_changed_ = false;
   std::vector<std::pair<std::size_t, std::string>> notes_;
 };

@@ -8,14 +8,14 @@ namespace sim {
 namespace {
 
 constexpr double kBeyondTravelMm = 1.0;
-/// Ticks after which a bouncing contact may change.
+/// Duration for which a bouncing contact keeps one reading, ticks.
 constexpr std::uint64_t kBounceSlot = 400;
 
 bool in_mask(float mask, std::size_t axis) {
   return (static_cast<unsigned>(mask) >> axis & 1U) != 0;
 }
 
-/// Returns a bit of a number that looks random.
+/// Returns a pseudo-random bit that depends only on `number`.
 bool noise(std::uint64_t number) {
   number *= 0x9E37'79B9'7F4A'7C15U;
   return ((number >> 40) & 1U) != 0;
@@ -64,7 +64,8 @@ hal::SwitchMask SwitchModel::read(const PlayModel::Steps& first,
 std::uint64_t SwitchModel::steps_undisturbed(const PlayModel::Steps& first,
                                              const PlayModel::Steps& second) const {
   std::uint64_t steps = std::numeric_limits<std::uint64_t>::max();
-  // On the last step on either side of the change, the next step makes the change.
+  // If a motor is one step before or after the change of a switch, its next step may make the
+  // change.
   const auto stay_off = [&](std::int64_t distance) {
     const auto beyond = static_cast<std::uint64_t>(std::abs(distance));
     steps = std::min(steps, beyond > 0 ? beyond - 1 : 0);
@@ -79,8 +80,8 @@ std::uint64_t SwitchModel::steps_undisturbed(const PlayModel::Steps& first,
   return steps;
 }
 
-/// The first reading after a change is certain; while the contact bounces, the readings after it
-/// are not.
+/// Returns the reading of a contact. The first reading after a change is the new state. As long as
+/// the contact bounces, later readings are random.
 bool SwitchModel::reads_closed(Contact& contact, bool pressed, std::uint64_t tick) const {
   if (pressed != contact.closed) {
     contact = {.closed = pressed, .bounces = true, .changed = tick};

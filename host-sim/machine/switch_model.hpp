@@ -10,19 +10,19 @@
 
 namespace sim {
 
-/// The limit switches of the model machine: one for each motor, closed from a position onwards,
-/// with contacts that bounce. The model is deterministic: the same steps at the same ticks give the
-/// same readings.
+/// The limit switches of the model machine, one for each motor. A switch is closed from a position
+/// onwards, and its contact bounces. The model is deterministic: the same steps at the same ticks
+/// give the same readings.
 class SwitchModel {
  public:
   explicit SwitchModel(const MachineModel& model) : model_{model} {}
 
-  /// Places the switches as the machine with these settings has them.
+  /// Places the switches at the positions that result from these settings.
   void place(const cnc::Settings& settings);
-  /// Returns what the switches read at a tick.
-  /// @param first, second positions of the axes in steps, as their first and second motors have
-  ///   moved them
-  /// @pre the tick is not before that of the call before
+  /// Returns the readings of the switches at a tick.
+  /// @param first, second positions of the axes in steps, as moved by their first and by their
+  /// second motors
+  /// @pre the tick is not before the tick of the previous call
   [[nodiscard]] hal::SwitchMask read(const PlayModel::Steps& first,
                                      const PlayModel::Steps& second,
                                      std::uint64_t tick);
@@ -34,9 +34,9 @@ class SwitchModel {
  private:
   struct Switch {
     bool present = false;
-    bool low = false;       ///< Whether the switch is at the lower end.
-    bool second = false;    ///< Whether the axis has two motors, with a switch for each.
-    std::int64_t step = 0;  ///< Step from which on the switch is closed.
+    bool low = false;       ///< Whether the switch is at the lower end of the axis.
+    bool second = false;    ///< Whether the axis has two motors, each with its own switch.
+    std::int64_t step = 0;  ///< First step, from the inside, at which the switch is closed.
     /// Number of steps by which the second motor is nearer to its switch.
     std::int64_t second_ahead = 0;
   };

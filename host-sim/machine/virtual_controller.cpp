@@ -86,15 +86,15 @@ void VirtualController::happen(const PlantedBreakdown& breakdown) {
     case Breakdown::kSettingTurnsOver: {
       const auto settings = std::as_bytes(std::span{&machine().settings(), 1});
       const std::size_t place = breakdown.bit / 8 % settings.size();
-      // A bit that flips in memory does not respect const.
+      // A memory fault changes bits of const objects, too.
       // NOLINTNEXTLINE(cppcoreguidelines-pro-type-const-cast)
       const_cast<std::byte&>(settings[place]) ^= std::byte{1} << breakdown.bit % 8;
     }
   }
 }
 
-/// Restarts the controller as the chip does: the outputs go low when the program ends, and the
-/// program begins again.
+/// Restarts the controller in the same way as the chip: the outputs go low when the program ends,
+/// then the program begins again.
 void VirtualController::restart() {
   port_.reset();
   report_change();
@@ -123,11 +123,12 @@ void VirtualController::play_until(std::uint64_t tick) {
     next_interrupt_ += wait;
   }
   now_ = tick;
-  // Nothing else happens at this tick, and sinks may read the state of the machine.
+  // Pass the row on now: nothing else happens at its tick, and sinks may read the state of the
+  // machine.
   if (row_waits_ && row_.time_ns < now_ * kNanosecondsPerTick) hand_out_row();
 }
 
-/// Updates plays and contacts. An interrupt moves a motor by at most one step, so that most
+/// Updates plays and contacts. An interrupt moves a motor by at most one step. Therefore most
 /// interrupts cannot change a contact.
 inline void VirtualController::feel_machine() {
   if (undisturbed_ == 0) return touch_machine();
@@ -136,8 +137,7 @@ inline void VirtualController::feel_machine() {
   if (second_play_.any()) second_play_.follow(port_.second_position);
 }
 
-/// Updates the readings of probe and switches at the positions to which the motors have taken their
-/// axes.
+/// Updates the readings of the probe and the switches for the present positions of the axes.
 void VirtualController::touch_machine() {
   const PlayModel::Steps& axes = play_.follow(port_.position);
   const PlayModel::Steps& second = second_play_.follow(port_.second_position);
@@ -160,7 +160,7 @@ void VirtualController::keep_row() {
   const TraceRow row{.time_ns = now_ * kNanosecondsPerTick,
                      .position = port_.position,
                      .duty = static_cast<float>(port_.power) / cnc::motion::kFullOutput};
-  // All changes at one tick make one row.
+  // All changes at one tick form one row.
   if (row_waits_ && row_.time_ns != row.time_ns) hand_out_row();
   row_ = row;
   row_waits_ = true;

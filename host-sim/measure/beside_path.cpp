@@ -10,7 +10,7 @@ void BesideWay::put(const PathPiece& piece) {
   if (!piece.beside) return leave(piece);
   const cnc::path::PathItem item = item_of(piece);
   if (!compensator_->active()) {
-    // The entry moves in the plane; a motion of other axes may precede it.
+    // The entry moves in the plane of the offset. Before the entry, only other axes may move.
     if (!cnc::compensation::moves_in(piece.beside->plane, item.request.element)) {
       return pass_on(piece);
     }
@@ -35,7 +35,7 @@ void BesideWay::end() {
 }
 
 /// Ends the compensation. The first piece after G40 that moves in the plane leads back to the
-/// programmed path. Pieces before it move other axes and stay offset.
+/// programmed path. Pieces before it move only other axes and stay offset.
 void BesideWay::leave(const PathPiece& piece) {
   const bool follows = compensator_->active() || compensator_->beside();
   end();
@@ -61,7 +61,7 @@ void BesideWay::leave(const PathPiece& piece) {
   pass_on(way_back);
 }
 
-/// Passes on the arc about the corner at which the exit `piece` begins, if there is one.
+/// Passes on the arc about the corner at which the exit `piece` begins, if there is such an arc.
 void BesideWay::go_back(const PathPiece& piece, const cnc::Position& to) {
   refuse(compensator_->leave(to, piece.travel == Travel::kRapid), piece.line);
   take();
@@ -69,8 +69,8 @@ void BesideWay::go_back(const PathPiece& piece, const cnc::Position& to) {
   compensator_->clear();
 }
 
-/// Keeps a refusal, if there is a fault.
-/// @param line line of the refused piece, for a fault without a line
+/// Records a refusal if there is a fault.
+/// @param line line of the refused piece, for a fault without a line number
 void BesideWay::refuse(const std::optional<cnc::compensation::Fault>& fault, int line) {
   if (!fault) return;
   drops_ = true;

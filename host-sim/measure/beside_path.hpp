@@ -8,16 +8,16 @@
 
 namespace sim {
 
-/// Passes the pieces of a path on one by one. Pieces between G41 or G42 and G40 go through the
-/// product's compensator first; see beside_path().
+/// Passes the pieces of a path on, one by one. Pieces between G41 or G42 and G40 first go through
+/// the product's compensator; see beside_path().
 class BesideWay {
  public:
   explicit BesideWay(PieceSink sink) : sink_{std::move(sink)} {}
 
   void put(const PathPiece& piece);
-  /// Ends the path: no more pieces follow.
+  /// Ends the path. No pieces may follow.
   void end();
-  /// Returns the first motion that could not be driven offset from the programmed path.
+  /// Returns the first motion that cannot be driven offset from the programmed path.
   [[nodiscard]] const std::optional<RefusedBeside>& refused() const { return refused_; }
 
  private:
@@ -32,16 +32,16 @@ class BesideWay {
       std::make_unique<cnc::compensation::Compensator>();
   std::optional<Point> last_end_{};  ///< End of the last piece that was passed on.
   bool stops_ = false;
-  /// Whether pieces are left out until the path ends, because one was refused.
+  /// Whether pieces are dropped until the path ends, because a piece was refused.
   bool drops_ = false;
   std::optional<RefusedBeside> refused_{};
 };
 
 /// Returns the path of a program with G41 and G42 applied: half the width offset from the
-/// programmed path, as the product's compensator computes it (planner/compensation), with entry and
-/// exit. A path without G41 and G42 stays unchanged. The machine refuses elements that cannot be
-/// driven. Here the path continues straight from the last element that can be driven, and `refused`
-/// has the lines.
+/// programmed path, with entry and exit, as the product's compensator computes it
+/// (planner/compensation). A path without G41 and G42 stays unchanged. The machine refuses elements
+/// that cannot be driven. Here, the path instead continues straight from the last element that can
+/// be driven, and `refused` contains the line numbers.
 [[nodiscard]] ProgrammedPath beside_path(ProgrammedPath programmed);
 
 }  // namespace sim

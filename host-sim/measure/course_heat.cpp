@@ -7,8 +7,8 @@ namespace sim {
 namespace {
 
 constexpr double kCourseSecondsPerNs = 1.0e-9;
-/// Distance in mm of two milliseconds at 2.5 mm/s. Slower motion counts as 2.5 mm/s, because at
-/// rest the heat has no finite value.
+/// Distance that a motion at 2.5 mm/s covers in two milliseconds, mm. A slower motion counts as 2.5
+/// mm/s, because the heat has no finite value at rest.
 constexpr double kStandstill = 5.0e-3;
 
 }  // namespace
@@ -28,7 +28,7 @@ void CourseHeat::on_row(const TraceRow& row) {
     ahead_[axis].add(edge);
     steps_[axis] = row.position[axis];
   }
-  // The output may have gone off just now, but the path up to this position was lit.
+  // The output may have just gone off, but it was on along the path up to this position.
   here.light = static_cast<double>(std::max(duty_, row.duty));
   duty_ = row.duty;
   if (here.light > 0.0) lit_.push_back(here);

@@ -10,25 +10,25 @@
 
 namespace sim {
 
-/// Measures the light on each millimetre along the motors' own path in X and Y, on or off the
-/// programmed path. It is the output divided by the speed, which is measured from a millisecond
-/// before to a millisecond after. It serves for motors that leave their path, where the EnergyMeter
-/// has no positions. It resolves nothing shorter than its two milliseconds, and no speed below 2.5
-/// mm/s.
+/// Measures the light on each millimetre along the motors' own path in X and Y. This path may
+/// differ from the programmed path. The light per millimetre is the output divided by the speed.
+/// The speed is measured from a millisecond before to a millisecond after the position. Use it for
+/// motors that leave the programmed path, where EnergyMeter has no positions. It does not resolve
+/// times below two milliseconds or speeds below 2.5 mm/s.
 class CourseHeat final : public TraceSink {
  public:
-  /// Takes a position in mm, and the seconds of full output per mm there.
+  /// Receives a position in mm, and the seconds of full output per mm at this position.
   using OnPlace = std::function<void(const std::array<double, 2>&, double)>;
 
   /// Begins the measurement.
-  /// @param on_place called for every row whose output is lit, some 0.2 s later
+  /// @param on_place called about 0.2 s later for every row whose output is on
   CourseHeat(const cnc::AxisArray<double>& steps_per_mm, OnPlace on_place);
 
   void on_row(const TraceRow& row) override;
   void on_end(std::uint64_t time_ns) override;
 
  private:
-  static constexpr double kWindow = 0.002;  ///< Window of the courses, s.
+  static constexpr double kWindow = 0.002;  ///< Window of the axes' courses (EdgeTrack), s.
   static constexpr double kHalf = 0.001;  ///< Half of the time over which the speed is measured, s.
 
   struct Lit {

@@ -6,8 +6,8 @@
 namespace sim {
 namespace {
 
-/// After this many windows without an edge every axis is at rest, and all samples in memory are
-/// equal.
+/// Number of windows without an edge after which every axis is at rest and all samples in memory
+/// are equal.
 constexpr double kQuietWindows = EdgeTrack::kLongestSettling + 4.0;
 
 }  // namespace
@@ -26,7 +26,7 @@ void CourseMeter::advance(double time_s) {
   const double quiet = last_edge_s_ + kQuietWindows * window_s_;
   sample_until(std::min(certain, quiet));
   if (certain <= quiet) return;
-  // A long pause shows nothing: continue at its end with an empty memory.
+  // A long pause contains no motion. Continue at its end with an empty memory.
   count_ = 0;
   next_sample_s_ = certain;
 }
@@ -54,7 +54,7 @@ void CourseMeter::take(const Vector& sample) {
   if (count_ >= kSamples) measure();
 }
 
-/// Returns the mean over a window; window 0 is the oldest.
+/// Returns the mean of the samples in a window. Window 0 is the oldest.
 CourseMeter::Vector CourseMeter::mean(std::size_t window) const {
   Vector sum{};
   for (std::size_t i = 0; i < kSamplesPerWindow; ++i) {

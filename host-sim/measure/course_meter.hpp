@@ -9,29 +9,30 @@
 
 namespace sim {
 
-/// Speed, acceleration and length of the path in X Y Z, from ten samples per window of the three
-/// courses (EdgeTrack).
+/// Measures speed, acceleration and length of the path in X Y Z. It takes ten samples per window of
+/// the three axes' courses (EdgeTrack).
 ///
-/// Speed is the norm of the difference of two means over neighbouring windows, acceleration that of
-/// the second difference of three means. Both are weighted means with weights ≥ 0 of the true
-/// vector, so that they do not exceed its greatest norm except by errors of the course: an error e
-/// adds at most 4 e / window² to the acceleration. On a circle at angular speed ω the acceleration
-/// is low by the factor 1 − (ω window)² / 8.
+/// The speed is the norm of the difference of two means over neighbouring windows. The acceleration
+/// is the norm of the second difference of three means. Both differences are weighted means of the
+/// true vector with weights ≥ 0. Therefore they never exceed the greatest norm of this vector,
+/// except by errors of the course: an error e adds at most 4 e / window² to the acceleration. On a
+/// circle at angular speed ω, the measured acceleration is too low by the factor 1 − (ω window)² /
+/// 8.
 class CourseMeter {
  public:
   explicit CourseMeter(double window_s, const std::array<double, cnc::kLinearAxisCount>& start);
 
   void add_edge(std::size_t axis, const AxisEdge& edge);
   /// Takes all samples before this time.
-  /// @pre all edges before it were added
+  /// @pre all edges before this time were added
   void advance(double time_s);
-  /// Takes the remaining samples: no more edges follow.
+  /// Takes the remaining samples. No more edges may follow.
   void finish();
 
   [[nodiscard]] double greatest_speed() const { return speed_; }
   [[nodiscard]] double greatest_acceleration() const { return acceleration_; }
-  /// Returns the length from sample to sample. For a circle it is low by the factor 1 − (ω window)²
-  /// / 2400.
+  /// Returns the sum of the distances from sample to sample. For a circle, it is too low by the
+  /// factor 1 − (ω window)² / 2400.
   [[nodiscard]] double length() const { return length_; }
 
  private:

@@ -29,7 +29,7 @@ PlaneVectors::PlaneVectors(const cnc::ArcPlane& plane) {
   std::copy(frame.first.begin(), frame.first.end(), first_.begin());
   std::copy(frame.second.begin(), frame.second.end(), second_.begin());
   if (!plane.oblique()) return;
-  // The frame's own vectors are at right angles only in single precision.
+  // The vectors of the frame are perpendicular only in single precision.
   const double size = norm(first_);
   for (double& share : first_) share /= size;
   const double along = dot(first_, second_);
@@ -71,7 +71,7 @@ Curve Curve::arc(const Point& start,
   const double half_chord = std::hypot(half_x, half_y);
   const double middle_x = start_x + half_x;
   const double middle_y = start_y + half_y;
-  // Distance by which the centre is to the left of the chord.
+  // Distance of the centre to the left of the chord.
   const double height =
       ((centre[1] - middle_y) * half_x - (centre[0] - middle_x) * half_y) / half_chord;
   const double turn = clockwise ? -1.0 : 1.0;
@@ -90,8 +90,8 @@ Curve Curve::arc(const Point& start,
 
 Point Curve::run_off_plane() const { return circle_->vectors.off(end_ - start_); }
 
-/// Returns the length along X Y Z. For an arc with rotary axes in its plane it is the share of the
-/// arc's length that its chord has along X Y Z.
+/// Returns the length along X Y Z. For an arc with rotary axes in its plane, it is a share of the
+/// arc's length: the share of the chord's length that is along X Y Z.
 double Curve::linear_length() const {
   const Point run = end_ - start_;
   if (!circle_) return std::hypot(run[0], run[1], run[2]);
@@ -152,8 +152,8 @@ Bounds Curve::bounds() const {
   };
   include(end_);
   if (!circle_) return bounds;
-  // An axis has its extremes half a turn apart; in a coordinate plane they are at whole quarter
-  // turns.
+  // The two extremes of an axis are half a turn apart. In a coordinate plane, they are at multiples
+  // of a quarter turn.
   const double from = std::min(0.0, circle_->sweep) + circle_->start_angle;
   const double to = std::max(0.0, circle_->sweep) + circle_->start_angle;
   for (std::size_t axis = 0; axis < cnc::kAxisCount; ++axis) {
@@ -188,7 +188,8 @@ double Curve::nearest_fraction_on_arc(const Point& to, double from) const {
   const double y = seen_y - circle_->centre[1];
   const double sweep = std::abs(circle_->sweep);
   const double turn = circle_->sweep < 0.0 ? -1.0 : 1.0;
-  // The angle travelled to the point, counted from the middle of the remaining sweep.
+  // The angle from the start to the point in the direction of travel, within half a turn of the
+  // middle of the remaining sweep.
   const double middle = sweep * (from + 1.0) / 2.0;
   const double travelled =
       middle + std::remainder(turn * (std::atan2(y, x) - circle_->start_angle) - middle,

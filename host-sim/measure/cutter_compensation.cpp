@@ -50,8 +50,8 @@ std::string CutterCompensation::apply(const ProgramLine& line,
   condition_.feed_mm_min = feed_mm_min;
   const std::optional<double> width = width_of(line, by_word, scale);
   offset_mm_ = (left ? -0.5 : 0.5) * width.value_or(0.0);
-  if (!width) return "the kerf is not known here, G41 and G42 are left out";
-  return *width > 0.0 ? std::string{} : "D is 0: G41 and G42 drive the path as it is programmed";
+  if (!width) return "the kerf is not known here; G41 and G42 are left out";
+  return *width > 0.0 ? std::string{} : "D is 0: G41 and G42 do not offset the programmed path";
 }
 
 bool CutterCompensation::set_tool(const ProgramLine& line, double scale) {

@@ -9,30 +9,30 @@
 
 namespace sim {
 
-/// Condition for which G41 and G42 look up the width, where it is the kerf of a material: M190, S
-/// and F at that line.
+/// Condition that determines the width for G41 and G42 if the width is the kerf of a material: the
+/// values of M190, S and F at that line.
 struct CutCondition {
-  int table = 0;  ///< Number of the kerf table: P of M190, as `$K` counts the tables.
+  int table = 0;  ///< Number of the kerf table: P of M190, with the numbers of the listing `$K`.
   double thickness_mm = 0.0;
   double spindle_speed = 0.0;
   double feed_mm_min = 0.0;
 };
 
-/// Returns the width in mm; empty where it is not known.
+/// Returns the width of the cut, mm; none if it is not known.
 using CutWidth = std::function<std::optional<double>(const CutCondition&)>;
 
-/// Reads G40, G41, G42, G41.1 and G42.1 as the simulator does, with the data that they use: tools
-/// (G10 L1, T, M6) and the material (M190).
+/// Reads G40, G41, G42, G41.1 and G42.1 in the same way as the simulator. Also reads their data:
+/// tools (G10 L1, T, M6) and the material (M190).
 class CutterCompensation {
  public:
   /// Begins without compensation.
-  /// @param width returns the kerf for a laser's G41 without D
+  /// @param width returns the kerf for G41 of a laser without D
   CutterCompensation(bool laser, CutWidth width) : laser_{laser}, width_{std::move(width)} {}
 
   /// Applies the words of a line.
   /// @param scale mm per unit of length of the line
   /// @param feed_mm_min F in mm/min
-  /// @return text for people on what is left out; empty if nothing is left out
+  /// @return note for the user about an ignored word; empty if all words are applied
   [[nodiscard]] std::string apply(const ProgramLine& line,
                                   double scale,
                                   double spindle_speed,
@@ -41,12 +41,13 @@ class CutterCompensation {
   [[nodiscard]] bool set_tool(const ProgramLine& line, double scale);
   void end_program();  ///< Applies M2 and M30.
 
-  /// Returns half the width, positive to the right of the path; 0 for G40.
+  /// Returns half the width, mm, positive to the right of the path; 0 for G40.
   [[nodiscard]] double offset_mm() const { return offset_mm_; }
   /// Returns whether the width is the kerf of a material.
   [[nodiscard]] bool by_kerf() const { return by_kerf_; }
 
-  /// Return whether apply() understands an M number, or a G number in tenths.
+  /// Returns whether apply() supports an M number; knows_g() does the same for a G number in
+  /// tenths.
   [[nodiscard]] static bool knows_m(int m) { return m == 190; }
   [[nodiscard]] static bool knows_g(int g);
 
@@ -60,7 +61,7 @@ class CutterCompensation {
 
   bool laser_;
   CutWidth width_;
-  std::array<double, kTools + 1> radii_{};  ///< Radii in mm, by the tool's number.
+  std::array<double, kTools + 1> radii_{};  ///< Radii by the number of the tool, mm.
   double tool_ = 0.0;
   CutCondition condition_{};
   double offset_mm_ = 0.0;

@@ -7,7 +7,7 @@ namespace {
 
 constexpr std::size_t kHighestOrder = 3;
 
-/// Returns the least |value| in the interval of order! · f[t0 … tn].
+/// Returns the least |value| within the interval of order! · f[t0 … tn].
 double min_difference(const std::array<const AxisFix*, kHighestOrder + 1>& fixes,
                       std::size_t order) {
   double low = 0.0;
@@ -61,7 +61,7 @@ void DifferenceMeter::settle_latest() {
 }
 
 std::optional<std::size_t> DifferenceMeter::window_before(std::size_t age, bool exact_only) const {
-  // A fix exactly a window older may seem nearer by rounding.
+  // By rounding, a fix that is exactly a window older may seem nearer.
   const double least = window_s_ * (1.0 - 1.0e-6);
   const std::size_t kept = std::min(count_, kCapacity);
   for (std::size_t older = age + 1; older < kept; ++older) {

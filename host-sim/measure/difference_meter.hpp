@@ -7,7 +7,8 @@
 
 namespace sim {
 
-/// Position of an axis at an instant, as far as its pulses show it: between low and high.
+/// Range of an axis's position at an instant, as far as the axis's pulses determine it: from `low`
+/// to `high`.
 struct AxisFix {
   double time_s = 0.0;
   double low = 0.0;
@@ -19,44 +20,46 @@ struct AxisFix {
 /// Measures the greatest speed, acceleration or jerk of one axis (order 1, 2 or 3) that its pulses
 /// prove, over windows of time.
 ///
-/// A motor steps when the ideal position crosses a half step, so that the position at an edge is
-/// known exactly, with no quantisation. A divided difference over order + 1 edges that lie at least
-/// a window apart is a weighted mean of the derivative with weights ≥ 0 (Hermite–Genocchi). Thus it
-/// never exceeds the true maximum, however sparse the steps are. Between two edges only the step on
-/// which the motor rests is known; such fixes are intervals, and the least value that they allow
-/// counts. Interval fixes reveal sudden stops and starts; exact fixes reveal slow speeds.
+/// A motor steps when the ideal position crosses a half step. Therefore the position at an edge is
+/// known exactly, without quantisation. Take order + 1 edges that are at least a window apart.
+/// Their divided difference is a weighted mean of the derivative with weights ≥ 0
+/// (Hermite–Genocchi). Thus it never exceeds the true maximum, even if the steps are sparse.
+/// Between two edges, only the motor's step is known. Such fixes are intervals, and the least value
+/// within them counts. Interval fixes reveal sudden stops and starts; exact fixes reveal slow
+/// speeds.
 ///
-/// Only an error ε in the edges' time adds to the result: at most 2^order · v · ε / window^order at
-/// speed v. 25 µs at 100 mm/s over 10 ms make 0.5 mm/s and 100 mm/s². A motion shorter than a
-/// window is averaged over it.
+/// Only an error ε of the edges' times can increase the result: at most by 2^order · v · ε /
+/// window^order at the speed v. For example, 25 µs at 100 mm/s over 10 ms add 0.5 mm/s and 100
+/// mm/s². A motion shorter than a window is averaged over the window.
 class DifferenceMeter {
  public:
   DifferenceMeter(std::size_t order, double window_s) : order_{order}, window_s_{window_s} {}
 
-  /// Adds an edge: the axis crossed `position` at this time, and was between low and high since the
-  /// edge before.
-  /// @pre the time is later than that of the edge before
+  /// Adds an edge: the axis crossed `position` at this time. Since the previous edge, the axis was
+  /// between `low` and `high`.
+  /// @pre the time is later than the time of the previous edge
   void add_edge(double time_s, double position, double low, double high);
 
-  /// Ends the measurement: no more edges follow, and the axis stays between low and high.
+  /// Ends the measurement. No edges may follow; the axis stays between `low` and `high`.
   void finish(double low, double high);
 
   [[nodiscard]] double greatest() const { return greatest_; }
-  /// Returns the end of the windows in which the greatest value was measured; 0 before any.
+  /// Returns the end of the windows in which the greatest value was measured, s; 0 before the first
+  /// measured value.
   [[nodiscard]] double time_of_greatest_s() const { return time_s_; }
 
  private:
-  // Capacity for three windows and the gap between them, with two fixes in each sixteenth of a
-  // window.
+  // Three windows and the gap between them, with two fixes in each sixteenth of a window.
   static constexpr std::size_t kCapacity = 128;
   static constexpr double kFixesPerWindow = 16.0;
 
   void add(const AxisFix& fix);
   void settle_latest();
-  /// Measures with the newest fix and older ones: with all of them, or only with the exact ones.
+  /// Computes the difference that ends at the newest fix, from all fixes or only from the exact
+  /// ones.
   void measure(bool exact_only);
-  /// Returns the latest fix that is at least a window older than the fix of age `age`. Ages count
-  /// back from the newest fix.
+  /// Returns the age of the latest fix that is at least a window older than the fix of age `age`;
+  /// none if there is no such fix. An age counts fixes back from the newest fix.
   [[nodiscard]] std::optional<std::size_t> window_before(std::size_t age, bool exact_only) const;
   [[nodiscard]] const AxisFix& fix(std::size_t age) const;
 
@@ -64,7 +67,7 @@ class DifferenceMeter {
   double window_s_;
   std::array<AxisFix, kCapacity> fixes_{};
   std::size_t count_ = 0;
-  /// The last edge. It is added to the fixes if it is far enough from them or if the axis pauses
+  /// The last edge. It becomes a fix if it is far enough from the last fix, or if the axis pauses
   /// after it.
   std::optional<AxisFix> latest_;
   double greatest_ = 0.0;

@@ -9,10 +9,10 @@ namespace sim {
 /// Returns the options with which a machine with these settings reads a program.
 [[nodiscard]] ReadOptions read_options_for(const cnc::Settings& settings);
 
-/// Returns the path that the product's path stage makes of a programmed path within its tolerances,
-/// if the elements come one by one without a pause: rounded, welded, with its exact stops. It
-/// serves for figures about each millimetre driven. The distance from the program is measured on
-/// the programmed path instead.
+/// Returns the path that the product's path stage makes of a programmed path within its tolerances:
+/// rounded, welded, with exact stops. The elements come one by one without a pause. The result is
+/// for figures per driven millimetre. The distance from the program is measured on the programmed
+/// path instead.
 [[nodiscard]] ProgrammedPath driven_path(const ProgrammedPath& programmed,
                                          const cnc::motion::Limits& limits);
 

@@ -6,12 +6,13 @@
 namespace sim {
 namespace {
 
-/// Least distance of two kept edges, as a share of a window. Closer edges are thinned out: at an
-/// acceleration a the chord between them is off by a (window / 40)² / 8, far below a step.
+/// Least distance of two kept edges, as a share of a window. A closer edge replaces the edge before
+/// it. At an acceleration a, the chord between two kept edges is off by (window / 40)² a / 8, far
+/// below a step.
 constexpr double kSpacing = 1.0 / 40.0;
 
-/// Speed at the first edge after a rest, divided by the mean speed to the second edge: edges at 1/2
-/// and 3/2 steps of x = a t²/2 give (√3 − 1)·1.
+/// Speed at the first edge after a rest, divided by the mean speed up to the second edge. For x = a
+/// t²/2, the edges are at 1/2 and 3/2 steps, and the ratio is √3 − 1.
 constexpr double kSpeedAtRestingEdge = 0.7320508;
 
 }  // namespace
@@ -34,7 +35,7 @@ double EdgeTrack::position_at(double time_s) {
   return between(index, time_s);
 }
 
-/// Returns the mean speed from an edge to the next; 0 at the last edge.
+/// Returns the mean speed from an edge to the next one; 0 at the last edge.
 double EdgeTrack::speed_after(std::size_t index) const {
   if (index + 1 >= edges_.size()) return 0.0;
   const AxisEdge& from = edges_[index];
@@ -42,7 +43,7 @@ double EdgeTrack::speed_after(std::size_t index) const {
   return (to.position - from.position) / (to.time_s - from.time_s);
 }
 
-/// Returns the time that the half step between an edge and a rest takes.
+/// Returns the duration of the half step between an edge and a rest, s.
 double EdgeTrack::settling_time_s(std::size_t index, double speed) const {
   const double step = 2.0 * std::abs(edges_[index].rest - edges_[index].position);
   const double at_edge = kSpeedAtRestingEdge * std::abs(speed);
@@ -55,7 +56,7 @@ double EdgeTrack::between(std::size_t index, double time_s) const {
   if (index + 1 >= edges_.size()) return arriving(index, time_s);
   const double leaving_s = settling_time_s(index + 1, speed_after(index + 1));
   const double gap = edges_[index + 1].time_s - edges_[index].time_s;
-  // A reversal of uniform acceleration takes up to 1.8 times the sum of the two settling times.
+  // A reversal of uniform acceleration lasts up to 1.8 times the sum of the two settling times.
   const bool pause = gap > 2.0 * window_s_ && gap > 2.0 * (arriving_s + leaving_s);
   if (!pause) return parabola(index, time_s);
   const bool early = time_s - edges_[index].time_s < gap / 2.0;
@@ -88,8 +89,8 @@ double EdgeTrack::parabola(std::size_t index, double time_s) const {
         gap + (edges_[index + 2].time_s - to.time_s + from.time_s - edges_[index - 1].time_s) / 2.0;
     acceleration = (speed_after(index + 1) - speed_after(index - 1)) / apart;
   }
-  // The limit keeps the course monotonic between different positions, and within the step between
-  // equal ones.
+  // The limit keeps the course monotonic between different positions. Between equal positions, it
+  // keeps the course within the step.
   const double step = 2.0 * std::abs(from.rest - from.position);
   const double limit = speed == 0.0 ? 8.0 * step / (gap * gap) : 2.0 * std::abs(speed) / gap;
   acceleration = std::clamp(acceleration, -limit, limit);

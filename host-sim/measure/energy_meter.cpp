@@ -8,7 +8,8 @@ namespace {
 
 constexpr double kSecondsPerNs = 1.0e-9;
 
-/// Edges of an axis are left out if its speed is below this share of the path's speed.
+/// Least speed of an axis, as a share of the speed along the path. Edges of a slower axis are
+/// ignored.
 constexpr double kMinShare = 0.5;
 
 }  // namespace
@@ -50,8 +51,8 @@ void EnergyMeter::pass_to(std::uint64_t time_ns) {
   light_ += light * seconds;
 }
 
-/// Returns the fraction of the piece for this row. Of several steps that went out together, the one
-/// that was due first counts, because the others came early.
+/// Returns the fraction of the piece for this row. If several steps went out together, the step
+/// that was due first counts, because the other steps came early.
 std::optional<double> EnergyMeter::fraction_at(const PathFollower::Match& match,
                                                const cnc::AxisArray<std::int32_t>& position) const {
   std::optional<double> earliest;
@@ -74,7 +75,7 @@ void EnergyMeter::look(const cnc::AxisArray<std::int32_t>& position) {
   if (!fraction) return;
   const bool has_run = run_end_ > run_first_;
   if (has_run && piece >= run_end_) end_run();
-  // Near a corner the nearest piece may be the piece before once more.
+  // Near a corner, the nearest piece may again be the previous piece.
   if (!lit(piece) || piece < run_first_) return;
   if (piece >= run_end_) begin_run(piece);
   if (samples_.empty()) return;
@@ -86,7 +87,7 @@ void EnergyMeter::look(const cnc::AxisArray<std::int32_t>& position) {
 }
 
 /// Returns the fraction at which the edge is due; negative if it cannot be determined. At a sharp
-/// corner the direction shows whether the piece is the one being driven.
+/// corner, the direction shows whether `curve` is the piece that is being driven.
 double EnergyMeter::crossing(const Curve& curve, double near, const Edge& edge) {
   constexpr int kIterations = 4;
   double fraction = near;
@@ -116,7 +117,7 @@ void EnergyMeter::begin_run(std::size_t piece) {
   sum_programmed_ -= start.programmed;
 }
 
-/// Ends a run: the beam is off by now, or stays on at a single point.
+/// Ends a run. The beam is now off, or it stays on at a single point.
 void EnergyMeter::end_run() {
   const Sample end = at_start_of(run_end_);
   add(end);

@@ -7,7 +7,8 @@ namespace sim {
 
 namespace {
 
-/// A little more than half a turn, because repaired arcs may exceed it slightly.
+/// Greatest sweep of half a turn, radians. It slightly exceeds π, because corrected arcs may exceed
+/// half a turn slightly.
 constexpr double kHalfTurn = 3.2;
 
 }  // namespace
@@ -32,12 +33,12 @@ bool HelixDistance::stationary(double fraction, double from) const {
   const double slope = half_slope(fraction);
   if (fraction <= from && slope >= 0.0) return true;
   if (fraction >= 1.0 && slope <= 0.0) return true;
-  // The tolerance is 1e-10 of the length of a curve, expressed in the slope.
+  // The tolerance is 1e-10 of the length of the curve, expressed as a slope.
   return std::abs(slope) <= 1.0e-10 * (radius * radius * sweep * sweep + run_squared);
 }
 
 double HelixDistance::refined(double fraction, double low, double high) const {
-  constexpr int kSteps = 12;  // Convergence is quadratic: near the curve 5 steps are enough.
+  constexpr int kSteps = 12;  // Convergence is quadratic: near the curve, 5 steps are enough.
   for (int i = 0; i < kSteps; ++i) {
     const double rate = half_slope_rate(fraction);
     if (rate <= 0.0) break;
@@ -50,7 +51,7 @@ double HelixDistance::refined(double fraction, double low, double high) const {
 }
 
 double HelixDistance::searched(double from) const {
-  constexpr int kSamples = 128;  // On half a turn the samples are 1.4 degrees apart.
+  constexpr int kSamples = 128;  // On half a turn, the samples are 1.4 degrees apart.
   const double spacing = (1.0 - from) / kSamples;
   double best = from;
   for (int i = 1; i <= kSamples; ++i) {

@@ -2,31 +2,32 @@
 
 namespace sim {
 
-/// The squared distance of a point from a helix of less than a full turn, as a
-/// function of the fraction f of the helix:
+/// Squared distance of a point from a helix of less than a full turn, as a function of the
+/// fraction f of the helix:
 ///
 ///   point_radius² + radius² − 2 point_radius radius cos(sweep f − point_angle)
 ///   + run_squared f² + 2 run_offset f + offset_squared
 ///
-/// The first line is the distance in the plane of the circle, the second the
-/// distance on all other axes, which move straight.
+/// The first line is the squared distance in the plane of the circle. The second line is the
+/// squared distance on all other axes, which move straight.
 struct HelixDistance {
-  double radius = 0.0;          ///< Radius of the helix, mm.
-  double sweep = 0.0;           ///< Angle that the helix turns, radians, positive.
-  double point_radius = 0.0;    ///< The point's distance from the axis of the helix, mm.
-  double point_angle = 0.0;     ///< The point's angle from the start, in the direction of travel.
-  double run_squared = 0.0;     ///< |run|² of the straight axes.
-  double run_offset = 0.0;      ///< run · (start − point) on the straight axes.
-  double offset_squared = 0.0;  ///< |start − point|² on the straight axes.
+  double radius = 0.0;        ///< Radius of the helix, mm.
+  double sweep = 0.0;         ///< Angle of the helix, radians, positive.
+  double point_radius = 0.0;  ///< Distance of the point from the axis of the helix, mm.
+  double point_angle = 0.0;   ///< Angle of the point from the start, in the direction of travel.
+  /// |run|², where run is the motion of the straight axes from start to end, mm².
+  double run_squared = 0.0;
+  double run_offset = 0.0;      ///< run · (start − point) on the straight axes, mm².
+  double offset_squared = 0.0;  ///< |start − point|² on the straight axes, mm².
 
   [[nodiscard]] double squared(double fraction) const;
 
-  /// Returns the fraction in from…1 at which the distance is least.
+  /// Returns the fraction from `from` to 1 at which the distance is least.
   ///
-  /// Uses Newton's method from the guess of the linearised curve. A stationary point nearer than
-  /// the radius is the nearest of all, because the reach of a helix of up to half a turn is at
-  /// least its radius (Federer, Curvature Measures, 4.8). For points farther away and for longer
-  /// helices the whole curve is searched.
+  /// Begins with the result for the linearised curve and continues with Newton's method. A
+  /// stationary point that is nearer than the radius is the nearest point, because the reach of a
+  /// helix of up to half a turn is at least its radius (Federer, Curvature Measures, 4.8). For
+  /// points farther away, and for longer helices, the complete curve is searched.
   [[nodiscard]] double nearest_fraction(double from) const;
 
  private:

@@ -8,8 +8,8 @@
 namespace sim {
 namespace {
 
-/// Returns whether a G number is units, feed mode or path control, which are applied before, or
-/// G40, because compensation is always off here.
+/// Returns whether a G number sets units, feed mode or path control, which apply_modes() applies
+/// before its loop, or is G40, which CutterCompensation applies.
 bool is_applied_before(int g) {
   constexpr std::array kNumbers{200, 210, 930, 940, 400, 610, 611, 640};
   return std::ranges::find(kNumbers, g) != kNumbers.end();
@@ -30,7 +30,7 @@ double ModalState::offset(std::size_t axis) const {
 }
 
 std::vector<int> ModalState::apply_modes(const ProgramLine& line) {
-  // The units come first, because every other number of the line is in them.
+  // The units come first, because they apply to every other number of the line.
   if (line.has_g(200)) inches_ = true;
   if (line.has_g(210)) inches_ = false;
   if (line.has_g(930)) inverse_time_ = true;
@@ -116,7 +116,7 @@ bool ModalState::apply_motion(int g, const ProgramLine& line) {
   } else if (g >= 382 && g <= 385) {
     motion_ = Motion::kProbe;
   } else if (g == 800) {
-    // On a line with a motion, G80 only ends cycles.
+    // On a line with a motion, G80 only ends canned cycles.
     const bool beside = std::ranges::any_of(line.g, is_motion);
     if (!beside) motion_ = Motion::kNone;
   } else {

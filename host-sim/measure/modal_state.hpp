@@ -9,7 +9,7 @@
 namespace sim {
 
 /// Modal state that the words of a program leave for later lines: the modal groups, the offsets and
-/// the feed. It does not know the motions.
+/// the feed. It does not contain the motions.
 class ModalState {
  public:
   enum class Motion {
@@ -25,36 +25,35 @@ class ModalState {
     kProbe,
   };
 
-  /// Applies units, feed, plane, offsets, coordinate system, distance and motion mode of the line,
-  /// in RS274/NGC's order. Returns the remaining G numbers.
+  /// Applies units, feed, plane, offsets, coordinate system, distance mode and motion mode of a
+  /// line, in the order of RS274/NGC. Returns the remaining G numbers.
   [[nodiscard]] std::vector<int> apply_modes(const ProgramLine& line);
 
-  /// Returns the tolerance by G61, G61.1 and G64.
-  /// @param usual tolerance in mm, where the program gives none
-  /// @param arc share of it in mm that short lines may have, at most half of it
+  /// Returns the tolerance that G61, G61.1 or G64 sets.
+  /// @param usual tolerance if the program sets none, mm
+  /// @param arc share of `usual` for joining short lines, mm; at most half of `usual` counts
   [[nodiscard]] ProgramTolerance tolerance(double usual, double arc) const;
-  /// Returns the tolerance in mm of arcs that replace a spline.
-  /// @param arc tolerance in mm, where the program gives none
+  /// Returns the tolerance for arcs that replace a spline, mm.
+  /// @param arc tolerance if the program sets none, mm
   [[nodiscard]] double spline_tolerance(double arc) const;
 
   /// Resets the modes that M2 and M30 reset (RS274/NGC 3.6.1).
   void end_program();
   void end_nurbs() { motion_ = Motion::kNone; }
 
-  /// Returns the target of a line: the positions of the axes that it names, and the present
-  /// positions of the other axes.
+  /// Returns the target of a line: the line's positions for the axes in it, and the present
+  /// positions for all other axes.
   [[nodiscard]] Point target(const ProgramLine& line, const Point& position) const;
 
-  /// Returns the arc's centre from I J K; empty where the line has neither of the plane's two
-  /// words.
+  /// Returns the arc's centre from I J K; none if the line has neither of the plane's two words.
   [[nodiscard]] std::optional<std::array<double, 2>> centre(const ProgramLine& line,
                                                             const Point& position) const;
 
-  /// Returns the feed in mm/s (degrees/s for a move of A B C alone) for a move of these lengths in
-  /// mm or degrees. In inverse time mode the line's own F counts.
+  /// Returns the feed for a move with these lengths in mm or degrees. The unit is mm/s, or
+  /// degrees/s if only A B C move. In inverse time mode, the line's own F counts.
   [[nodiscard]] double feed(double linear_length, double rotary_length) const;
 
-  /// Returns the word in mm, or in degrees for A B C.
+  /// Returns the value of a word in mm, or in degrees for A B C.
   [[nodiscard]] double scaled(std::size_t axis, double value) const;
 
   /// Applies G10 L2 and L20. Returns false for any other G10.
@@ -65,12 +64,12 @@ class ModalState {
   void restore_shift() { shift_ = saved_shift_; }                  ///< Applies G92.3.
 
   [[nodiscard]] Motion motion() const { return motion_; }
-  /// Returns the tool length along Z of G43.1 or G43.4, mm.
+  /// Returns the tool length along Z from G43.1 or G43.4, mm.
   [[nodiscard]] double tool_length() const { return tool_[2]; }
   [[nodiscard]] cnc::Plane plane() const { return plane_; }
 
  private:
-  // Each apply_ function returns whether the number is one of its group.
+  // Each apply_ function returns whether `g` belongs to its group.
   [[nodiscard]] bool apply_plane(int g);
   [[nodiscard]] bool apply_distance(int g);
   [[nodiscard]] bool apply_tool_offset(int g, const ProgramLine& line);
@@ -91,8 +90,8 @@ class ModalState {
   double feed_word_ = 0.0;
   bool feed_in_inches_ = false;
   bool stops_at_corners_ = false;        ///< G61.1
-  std::optional<double> corner_word_{};  ///< P of G64, mm.
-  std::optional<double> weld_word_{};    ///< Q of G64, mm.
+  std::optional<double> corner_word_{};  ///< Tolerance for corners, P of G64, mm.
+  std::optional<double> weld_word_{};    ///< Tolerance for joining short lines, Q of G64, mm.
   std::size_t system_ = 0;
   std::array<Point, kSystems> systems_{};
   Point shift_{};

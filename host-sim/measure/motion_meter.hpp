@@ -9,49 +9,49 @@
 
 namespace sim {
 
-/// Times in seconds over which the measures average. A measure cannot show motions shorter than its
-/// window. With a short window the edges' error in time appears as noise (DifferenceMeter). Jerk
-/// has the most noise and so the longest window.
+/// Windows over which the measures average, s. A measure cannot show motions shorter than its
+/// window. With a short window, errors of the edges' times appear as noise (DifferenceMeter). Jerk
+/// has the most noise, so its window is the longest.
 struct MeterWindows {
   double speed_s = 0.010;
   double acceleration_s = 0.010;
   double jerk_s = 0.020;
-  double course_s = 0.010;  ///< Window of the measures along the path.
+  double course_s = 0.010;  ///< Window of the measures along the path (CourseMeter).
 };
 
-/// Motion of one axis; mm and seconds, degrees for A, B and C.
+/// Motion of one axis, in mm and seconds; in degrees and seconds for A, B and C.
 struct AxisMotion {
   double greatest_speed = 0.0;
   double greatest_acceleration = 0.0;
   double greatest_jerk = 0.0;
-  double lowest = 0.0;  ///< Least position of the motor; the greatest follows.
+  double lowest = 0.0;  ///< Least position of the motor.
   double highest = 0.0;
   std::uint64_t steps = 0;
 };
 
-/// Measures the motion on the pulses, row by row, in bounded memory.
+/// Measures the motion from the pulses, row by row, in bounded memory.
 ///
-/// The values of one axis are proven by its pulses: the true values are at least as great, except
-/// for an error of the edges in time (DifferenceMeter). The values along the path are estimates,
-/// because no two axes step at the same instant (CourseMeter). All values are complete after
-/// on_end.
+/// The pulses prove the values of one axis: the true values are at least as great, except for
+/// errors of the edges' times (DifferenceMeter). The values along the path are estimates, because
+/// no two axes step at the same instant (CourseMeter). All values are complete after on_end().
 class MotionMeter final : public TraceSink {
  public:
   /// Begins the measurement.
-  /// @param steps_per_mm steps per degree for A, B and C
+  /// @param steps_per_mm steps per mm; steps per degree for A, B and C
   /// @pre the motors are at step 0 before the first row
   explicit MotionMeter(const cnc::AxisArray<double>& steps_per_mm,
                        const MeterWindows& windows = {});
 
   void on_row(const TraceRow& row) override;
-  /// Ends the measurement. The motors count as at rest from their last edges on, for any `time_ns`.
+  /// Ends the measurement. The motors count as at rest after their last edges, whatever `time_ns`
+  /// is.
   void on_end(std::uint64_t time_ns) override;
 
   [[nodiscard]] AxisMotion axis(cnc::Axis which) const;
   /// Returns the greatest speed along X Y Z together, mm/s.
   [[nodiscard]] double greatest_path_speed() const { return course_.greatest_speed(); }
-  /// Returns the greatest norm of the acceleration of X Y Z, mm/s². On a circle at constant speed
-  /// it is v²/R.
+  /// Returns the greatest norm of the acceleration of X Y Z, mm/s². On a circle at constant speed,
+  /// this norm is v²/R.
   [[nodiscard]] double greatest_path_acceleration() const {
     return course_.greatest_acceleration();
   }

@@ -8,30 +8,31 @@
 
 namespace sim {
 
-/// A greatest value, and where it was measured.
+/// A greatest value, with the time and the position at which it was measured.
 struct DeviationPeak {
   double value = 0.0;
   std::uint64_t time_ns = 0;
-  Point position{};  ///< Position of the motors, mm and degrees.
+  Point position{};  ///< Position of the motors, mm or degrees.
   int line = 0;      ///< Line of the program; 0 before the first piece.
 };
 
 /// Measures the greatest distance of the motors from the programmed path, edge by edge.
 ///
-/// There are two measures. The distance is Euclidean over the axes; an ideal machine has up to half
-/// the diagonal of a step, because its motors rest on whole steps. The axis excess removes this
-/// share: it is the amount by which an axis is farther than half a step from the best point of the
-/// path, and at most 0 for an ideal machine.
+/// There are two measures. The distance is Euclidean over the axes. On an ideal machine, it is up
+/// to half the diagonal of a step, because the motors rest on full steps. The axis excess removes
+/// this part. For the best point of the path, it is the distance of an axis from this point minus
+/// half a step. On an ideal machine, it is at most 0.
 ///
-/// Rows must begin at the start of the path. A position off the path by many steps is measured
-/// well, too. If a machine leaves out a part of the path, its position on the path can only be
-/// guessed.
+/// The rows must begin at the start of the path. A position many steps away from the path is also
+/// measured well. If a machine skips a part of the path, its position on the path is only an
+/// estimate.
 class PathDeviation final : public TraceSink {
  public:
   /// Begins the measurement.
   /// @param path must outlive this object
-  /// @param steps_per_mm steps per degree for A, B and C
-  /// @param floor axis excess in mm up to which none is searched for, which saves most of the work
+  /// @param steps_per_mm steps per mm; steps per degree for A, B and C
+  /// @param floor axis excess up to which the search is omitted, mm; a high value saves most of the
+  /// work
   PathDeviation(const ProgrammedPath& path,
                 const cnc::AxisArray<double>& steps_per_mm,
                 double floor = -std::numeric_limits<double>::infinity());
@@ -40,21 +41,21 @@ class PathDeviation final : public TraceSink {
                 double floor = 0.0) = delete;
 
   void on_row(const TraceRow& row) override;
-  /// Takes a position in mm and degrees instead of a row.
+  /// Measures a position in mm and degrees instead of a row.
   void stand(std::uint64_t time_ns, const Point& place);
 
   [[nodiscard]] const DeviationPeak& greatest_distance() const { return distance_; }
-  /// Returns the greatest axis excess in mm, or in degrees where a rotary axis decides. It is the
-  /// floor if no excess was above it.
+  /// Returns the greatest axis excess, in mm, or in degrees if a rotary axis has the greatest
+  /// excess. The result is the floor if no excess is above it.
   [[nodiscard]] const DeviationPeak& greatest_axis_excess() const { return excess_; }
-  /// Returns the piece on which the machine most likely is; null on an empty path.
+  /// Returns the piece on which the machine most likely is; null for an empty path.
   [[nodiscard]] const PathPiece* present_piece() const;
-  /// Returns the nearest point of the path to the last row's position; meaningless on an empty
-  /// path.
+  /// Returns the point of the path nearest to the position of the last row. The result is
+  /// meaningless for an empty path.
   [[nodiscard]] const PathFollower::Match& present_match() const { return match_; }
-  /// Returns the distance from the last row's position to the end of the path, mm.
+  /// Returns the distance from the position of the last row to the end of the path, mm.
   [[nodiscard]] double distance_to_end() const;
-  /// Returns whether the machine came to the last piece of the path.
+  /// Returns whether the machine reached the last piece of the path.
   [[nodiscard]] bool reached_last_piece() const;
 
  private:

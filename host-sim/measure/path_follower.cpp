@@ -7,16 +7,17 @@
 namespace sim {
 namespace {
 
-/// Excess distance, in step diagonals, at which looking ahead ends. The tolerance by which a corner
-/// or the tip of a curve may be cut is added to it. The excess is greater than the two steps by
-/// which the place may trail.
+/// Excess distance at which the search ahead ends, in step diagonals. The tolerance by which
+/// corners or tips of curves may be cut is added to it. The excess exceeds the two steps by which
+/// the place may trail.
 constexpr double kWindowSteps = 3.0;
 
-/// Excess distance, in step diagonals, up to which a point counts as equally near as the nearest.
-/// It is a little more than the half diagonal by which the motors of an ideal machine are off.
+/// Excess distance up to which a point counts as being as near as the nearest point, in step
+/// diagonals. It is slightly more than half a diagonal, by which the motors of an ideal machine are
+/// off.
 constexpr double kTieSteps = 0.55;
 
-/// Distance in step diagonals by which the place stays before the nearest point of its piece.
+/// Distance by which the place stays before the nearest point of its piece, in step diagonals.
 constexpr double kTrailSteps = 1.0;
 
 double moved_step_diagonal(const ProgrammedPath& path, const Point& step) {
@@ -58,7 +59,7 @@ PathFollower::Match PathFollower::look_ahead(const Point& position) {
       window_.push_back({index, curve(index).nearest(position, from(index))});
       if (window_.back().nearest.distance < best.nearest.distance) best = window_.back();
     }
-    // The place may still be before the tip of a bend that the machine has passed.
+    // The place may still be before the tip of a bend that the machine has already passed.
     const bool trails = index <= latest_ && arcs_of(piece_) > 0.0;
     if (!trails && to_end > best.nearest.distance + window(index)) break;
     to_start = to_end;
@@ -83,8 +84,9 @@ void PathFollower::move_to(const Match& match, const Point& position, double nea
   piece_ = match.piece;
 }
 
-/// Returns the earliest point of a curve that is near. Arcs that replace a curve may be nearer to
-/// the leg after the tip of a narrow bend than to the leg before it; the tip must stay ahead.
+/// Returns the earliest point of a curve that is within `near` of the position. The arcs that
+/// replace a curve may be nearer to the leg after the tip of a narrow bend than to the leg before
+/// it. The tip must stay ahead of the place.
 double PathFollower::earliest_near(const Match& match, const Point& position, double near) const {
   constexpr double kStride = 0.25;
   const Curve& curve = this->curve(match.piece);
@@ -118,11 +120,11 @@ double PathFollower::excess_between(
   return least;
 }
 
-// Returns the excess on one piece. Along a line the excess is convex. Where an arc just touches the
-// edge of a step, the excess has more than one minimum, so that the search is done in parts.
+// Returns the excess on one piece. Along a line, the excess is convex. Where an arc just touches
+// the edge of a step, the excess has more than one minimum. Therefore the search is done in parts.
 double PathFollower::piece_excess(const Point& position, const Match& match, double enough) const {
-  // Parts of the four steps around the nearest point, in order outwards from it: a point with an
-  // excess of at most `enough` is likely to be near.
+  // Parts of the four steps around the nearest point, in order outwards from this point. A point
+  // with an excess of at most `enough` is likely to be near it.
   constexpr std::array kParts{3, 4, 2, 5, 1, 6, 0, 7};
   const Curve& curve = this->curve(match.piece);
   const double reach = 2.0 * step_size_ / curve.length();

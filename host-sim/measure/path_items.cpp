@@ -35,8 +35,8 @@ cnc::PathElement element_of(const Curve& curve) {
 
 constexpr float kDutyPerSpeed = 0x1.0p-20F;
 
-/// Returns the beam of a piece. As in the product, beams differ by duty and by whether the power
-/// follows the speed.
+/// Returns the beam of a piece. As in the product, beams differ by their duty, and by whether the
+/// power follows the speed.
 cnc::motion::BeamCommand beam_of(const PathPiece& piece) {
   if (piece.travel == Travel::kRapid || piece.spindle == SpindleState::kOff) return {};
   return {.duty = static_cast<float>(piece.spindle_speed) * kDutyPerSpeed,
@@ -50,8 +50,8 @@ cnc::path::Tolerance tolerance_of(const PathPiece& piece) {
 
 }  // namespace
 
-/// A bulge b puts the centre to the left of the chord, at a distance of (1 − b²) / 4b chord
-/// lengths.
+/// A bulge b means that the centre is to the left of the chord, at a distance of (1 − b²) / 4b
+/// chord lengths.
 PathPiece piece_of(const cnc::PathElement& element, float feed_mm_s, bool stop_before) {
   const Point start = to_mm(element.start);
   const Point end = to_mm(element.end);

@@ -9,10 +9,10 @@ namespace sim {
 [[nodiscard]] PathPiece piece_of(const cnc::PathElement& element,
                                  float feed_mm_s,
                                  bool stop_before);
-/// Sets the beam of a piece, as item_of() gave it.
+/// Sets the beam of a piece to a command from item_of().
 void set_beam(PathPiece& piece, const cnc::motion::BeamCommand& beam);
 
-/// Returns a piece as the product takes it: element, feed, beam, tolerance, line.
+/// Returns a piece in the product's form: element, feed, beam, tolerance and line.
 [[nodiscard]] cnc::path::PathItem item_of(const PathPiece& piece);
 
 }  // namespace sim

@@ -14,7 +14,7 @@ bool is_white(char c) { return static_cast<unsigned char>(c) <= ' '; }
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 char to_upper(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
 
-/// Returns a line in capital letters, without comments and blanks.
+/// Returns a line in upper case, without comments and white space.
 std::string without_comments(std::string_view text) {
   std::string bare;
   bool in_comment = false;
@@ -27,15 +27,15 @@ std::string without_comments(std::string_view text) {
   return bare;
 }
 
-/// Takes a number off the front of `text`, which then begins after the number.
+/// Reads a number at the beginning of `text` and removes it from `text`.
 std::optional<double> take_number(std::string_view& text) {
   std::string_view digits = text;
   if (!digits.empty() && digits.front() == '+') digits.remove_prefix(1);
   const std::size_t sign = !digits.empty() && digits.front() == '-' ? 1 : 0;
-  // from_chars would also read "inf" and "nan".
+  // The check is necessary because from_chars() also reads "inf" and "nan".
   if (digits.size() <= sign || is_letter(digits[sign])) return std::nullopt;
   double value = 0.0;
-  // The controller takes as many digits before the point.
+  // The controller accepts at most nine digits before the decimal point.
   constexpr double kTooLarge = 1.0e9;
   const auto [end, error] = std::from_chars(
       digits.data(), digits.data() + digits.size(), value, std::chars_format::fixed);
@@ -56,7 +56,8 @@ void add_word(ProgramLine& line, char letter, double value) {
   }
 }
 
-/// Returns whether the rest of the line is left out: after a slash, and in the name of a program.
+/// Returns whether the rest of the line is ignored: after a slash, and in the name of a program.
+/// Removes a slash that has no effect.
 bool skips(std::string_view& rest, bool block_delete) {
   if (rest.starts_with('/')) {
     if (block_delete) return true;

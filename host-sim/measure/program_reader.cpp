@@ -15,13 +15,13 @@ double rotary_distance(const Point& from, const Point& to) {
   return norm(run);
 }
 
-/// Greatest P of an arc that the controller takes.
+/// Greatest P of an arc that the controller accepts.
 constexpr double kMaxArcTurns = 65'535.0;
 
 /// Greatest number of notes that are kept in memory.
 constexpr std::size_t kMaxReadNotes = 1000;
 
-/// Radius in mm below which a circle counts as a point: half a nanometre.
+/// Radius below which a circle counts as a point, mm: half a nanometre.
 constexpr double kNoCircle = 0.5e-6;
 
 constexpr std::array kStopWords{0, 1, 2, 30};
@@ -51,7 +51,7 @@ void ProgramReader::read(std::string_view text) {
 
 void ProgramReader::note(std::string text) {
   if (path_.notes.size() > kMaxReadNotes) return;
-  if (path_.notes.size() == kMaxReadNotes) text = "more like this is not listed";
+  if (path_.notes.size() == kMaxReadNotes) text = "further notes are not listed";
   path_.notes.push_back({line_number_, std::move(text)});
 }
 
@@ -116,8 +116,8 @@ void ProgramReader::apply_compensation(const ProgramLine& line) {
   is_beside_ = true;
 }
 
-/// Applies G43.4 and the words that end it. The machine is at rest, and its position gets other
-/// numbers.
+/// Applies G43.4 and the words that end it. The machine is at rest; only the numbers of its
+/// position change.
 void ProgramReader::apply_tool_centre(const ProgramLine& line) {
   const bool begins = line.has_g(434);
   if (begins && !options_.tool_centre) note("G43.4 left out");
@@ -150,11 +150,11 @@ void ProgramReader::stop_or_end(const ProgramLine& line) {
 }
 
 bool ProgramReader::apply_single(const ProgramLine& line, const std::vector<int>& numbers) {
-  // G43.1 and G43.4 are modes, but they take the axis words.
+  // G43.1 and G43.4 are modes, but they use the axis words.
   bool taken = line.has_g(431) || line.has_g(434);
   for (const int g : numbers) {
     if (g == 40) stop_pending_ = true;
-    // G53 is handled by ModalState::target.
+    // ModalState::target() handles G53.
     if (g == 40 || g == 530 || CutterCompensation::knows_g(g)) continue;
     taken = true;
     if (!apply_home(line, g) && !apply_offset(line, g)) {
@@ -208,7 +208,7 @@ void ProgramReader::move(const ProgramLine& line) {
   const Point to = modes_.target(line, position_);
   switch (motion) {
     case Motion::kNone:
-      return note("axis words without a motion");
+      return note("axis words without an active motion; left out");
     case Motion::kRapid:
       return move_straight(to, Travel::kRapid);
     case Motion::kLine:
@@ -237,7 +237,7 @@ void ProgramReader::move_straight(const Point& to, Travel travel) {
   if (travel == Travel::kProbe) stop_pending_ = true;
 }
 
-/// Adds as many equal parts as there are powers; an F of G93 applies to the whole path.
+/// Adds as many equal parts as there are powers. With G93, F applies to the complete line.
 void ProgramReader::move_in_parts(const ProgramLine& line, const Point& to) {
   const Point from = position_;
   const Curve whole = Curve::line(from, to);
@@ -253,15 +253,15 @@ void ProgramReader::move_round(const ProgramLine& line, const Point& to, bool cl
   ProgrammedArc arc{position_, to, modes_.plane(), {}, clockwise, 1};
   const double turns = line.value('P').value_or(1.0);
   if (turns < 1.0 || turns > kMaxArcTurns || turns != std::floor(turns)) {
-    return note("P is no number of turns: 1 to 65535");
+    return note("P is not a number of turns from 1 to 65535; the arc is left out");
   }
   arc.turns = static_cast<int>(turns);
   note_third_offset(line);
   const auto radius = line.value('R');
-  if (radius && is_closed(arc)) return note("an arc by radius needs another end");
+  if (radius && is_closed(arc)) return note("the arc with R ends at its start; left out");
   arc.centre = radius ? centre_from_radius(arc, modes_.scaled(0, *radius))
                       : modes_.centre(line, position_).value_or(std::array{0.0, 0.0});
-  if (start_radius(arc) < kNoCircle) return note("an arc without a radius");
+  if (start_radius(arc) < kNoCircle) return note("the radius of the arc is 0; left out");
   const std::vector<Curve> pieces = pieces_of(arc);
   double length = 0.0;
   for (const Curve& piece : pieces) length += piece.linear_length();
@@ -269,18 +269,18 @@ void ProgramReader::move_round(const ProgramLine& line, const Point& to, bool cl
   for (const Curve& piece : pieces) add_piece(piece, Travel::kFeed, feed);
 }
 
-/// Notes a third offset. It is accepted, as Grbl accepts it; elsewhere it may be the pitch of a
-/// helix.
+/// Adds a note about a third offset, which is ignored, as in Grbl. Other controllers may read it as
+/// the pitch of a helix.
 void ProgramReader::note_third_offset(const ProgramLine& line) {
   constexpr std::array<char, 3> kOffsets{'I', 'J', 'K'};
   const char letter = kOffsets[cnc::axes_of(modes_.plane()).normal];
   if (line.value(letter).value_or(0.0) == 0.0) return;
-  note(std::string{letter} + " lies outside the plane of the arc and has no effect");
+  note(std::string{letter} + " is not in the plane of the arc and has no effect");
 }
 
 void ProgramReader::add_piece(const Curve& curve, Travel travel, double feed) {
   path_.end = position_ = curve.end();
-  // From an offset position, a motion to where the program already is leads back to the path, too.
+  // From an offset position, a motion to the programmed position also leads back to the path.
   const bool nowhere = curve.length() <= 0.0;
   if (nowhere && !is_beside_) return;
   const cnc::PlaneAxes axes = cnc::axes_of(modes_.plane());

@@ -52,7 +52,7 @@ void ProgramReader::take_control_point(const ProgramLine& line, const Point& to)
 
 void ProgramReader::end_nurbs() {
   modes_.end_nurbs();
-  if (!nurbs_ || !nurbs_->complete()) return note("a NURBS without enough control points");
+  if (!nurbs_ || !nurbs_->complete()) return note("the NURBS has too few control points; left out");
   move_along(*nurbs_);
   nurbs_.reset();
 }

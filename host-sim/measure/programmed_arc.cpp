@@ -9,13 +9,15 @@ namespace {
 
 constexpr double kTurn = 2.0 * std::numbers::pi;
 
-/// Half of the least distance that the product can resolve (1 nm), in mm.
+/// Half of the smallest distance that the product can represent (1 nm), mm.
 constexpr double kSamePlace = 0.5e-6;
 
-/// Directions closer than this (radians) count as equal; it is the rounding of doubles at 1 km.
+/// Angle below which two directions count as equal, radians. It is the rounding error of a double
+/// at 1 km.
 constexpr double kSameDirection = 1.0e-12;
 
-/// A turn this small (radians) to an end this near (mm) is a full circle whose end was rounded.
+/// Greatest angle (radians) and greatest distance (mm) from start to end of a full circle whose end
+/// was rounded.
 constexpr double kRoundedTurn = 5.0e-7;
 constexpr double kRoundedEnd = 1.0e-3;
 
@@ -97,7 +99,7 @@ std::array<double, 2> centre_from_radius(const ProgrammedArc& arc, double radius
   const double half_y = (arc.end[axes.second] - arc.start[axes.second]) / 2.0;
   const double half_chord = std::hypot(half_x, half_y);
   const double height = std::sqrt(std::max(0.0, radius * radius - half_chord * half_chord));
-  // The shorter arc, counter-clockwise: the centre is to the left of the chord.
+  // For the shorter arc, counter-clockwise, the centre is to the left of the chord.
   const double side = ((radius > 0.0) == arc.clockwise ? -height : height) / half_chord;
   return {arc.start[axes.first] + half_x - side * half_y,
           arc.start[axes.second] + half_y + side * half_x};

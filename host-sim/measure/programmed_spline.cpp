@@ -12,8 +12,8 @@ double knot_of(const ProgrammedSpline& spline, std::size_t index) {
   return std::clamp(inner, 0.0, static_cast<double>(spline.points.size() - spline.order + 1));
 }
 
-/// Returns the basis functions that are not null at a parameter within the span of knots. Their
-/// number is the order; the first belongs to control point `span`.
+/// Returns the basis functions that are not zero at a parameter within the span `span` of knots.
+/// Their number is the order. The first one belongs to the control point `span`.
 std::vector<double> basis(const ProgrammedSpline& spline, std::size_t span, double parameter) {
   std::vector<double> values{1.0};
   for (std::size_t order = 2; order <= spline.order; ++order) {
@@ -36,7 +36,7 @@ struct Circle3 {
   bool clockwise;
 };
 
-/// Returns the circle through three points; empty if they lie on a line.
+/// Returns the circle through three points; none if the points are on a line.
 std::optional<Circle3> circle_through(const Point& a, const Point& b, const Point& c) {
   const double bx = b[0] - a[0];
   const double by = b[1] - a[1];
@@ -58,7 +58,8 @@ class Divider {
   explicit Divider(const ProgrammedSpline& spline) : spline_{spline} {}
 
   void divide(double from, double to) {
-    std::vector<double> ends{to};  // Ends of the pieces still to come, the nearest last.
+    // Ends of the remaining pieces; the end of the next piece is the last item.
+    std::vector<double> ends{to};
     while (!ends.empty()) {
       const double end = ends.back();
       const Curve piece = piece_between(from, end);
@@ -128,7 +129,8 @@ Point point_of(const ProgrammedSpline& spline, double parameter) {
 }
 
 std::vector<Curve> pieces_of(const ProgrammedSpline& spline) {
-  constexpr int kParts = 8;  // In so short a part no shape can hide between the samples.
+  // In so short a part, every deviation from an arc shows at the samples.
+  constexpr int kParts = 8;
   Divider divider{spline};
   const std::size_t spans = spline.points.size() - spline.order + 1;
   for (std::size_t span = 0; span < spans; ++span) {

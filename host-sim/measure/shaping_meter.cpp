@@ -6,7 +6,7 @@
 namespace sim {
 namespace {
 
-/// Returns the distance from a point to the straight line between two others.
+/// Returns the distance from `point` to the straight line between two other points.
 double distance_to_chord(const Point& point, const Point& from, const Point& to) {
   double along = 0.0;
   double square = 0.0;

@@ -7,20 +7,22 @@
 
 namespace sim {
 
-/// Measures how far input shaping takes the tool from its planned path. It is the greatest distance
-/// of a shaped position from the planned positions within reach of the shapers, cell by cell.
+/// Measures the greatest distance by which input shaping takes the tool from its planned path. For
+/// each cell, it is the distance of the shaped position from the planned positions within the reach
+/// of the shapers.
 ///
-/// Between the ends of cells, at most 1 ms, the path counts as straight; on an arc at acceleration
-/// a this is short of the arc by a (1 ms)² / 8. The measure includes neither steps nor backlash.
+/// Between the ends of cells, which are at most 1 ms apart, the planned path counts as straight. On
+/// an arc with an acceleration a, the straight line is off by a (1 ms)² / 8. The measure includes
+/// neither steps nor backlash.
 class ShapingMeter final : public cnc::motion::ShapingObserver {
  public:
   /// Begins the measurement.
-  /// @param steps_per_mm steps per degree for A, B and C
+  /// @param steps_per_mm steps per mm; steps per degree for A, B and C
   explicit ShapingMeter(const cnc::AxisArray<double>& steps_per_mm) : steps_per_mm_{steps_per_mm} {}
 
   void on_cell(const cnc::motion::ShapedCell& cell) override;
 
-  /// Returns the greatest distance, mm.
+  /// Returns the greatest distance of all cells, mm.
   [[nodiscard]] double greatest_distance() const { return greatest_; }
 
  private:

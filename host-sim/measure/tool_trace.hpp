@@ -8,12 +8,12 @@
 
 namespace sim {
 
-/// Computes the trace of the tool: the motion of the motors minus the play of their axes. It hands
-/// its rows to sinks of its own.
+/// Computes the trace of the tool: the motion of the motors minus the play of their axes. Passes
+/// its rows on to its own sinks.
 class ToolTrace final : public TraceSink {
  public:
-  /// Begins at step 0.
-  /// @param play play of the machine, already placed
+  /// Begins the trace at step 0 of all axes.
+  /// @param play play of the machine, after its first place()
   explicit ToolTrace(const PlayModel& play) : play_{play} {}
 
   /// Adds a sink, which must outlive this object.
@@ -32,7 +32,7 @@ class ToolTrace final : public TraceSink {
     for (TraceSink* sink : sinks_) sink->on_end(time_ns);
   }
 
-  /// Returns the lowest position of the tool in steps; 0 is its first position.
+  /// Returns the lowest position of the tool, steps. 0 is the tool's first position.
   [[nodiscard]] const PlayModel::Steps& lowest() const { return lowest_; }
   [[nodiscard]] const PlayModel::Steps& highest() const { return highest_; }
 

@@ -13,7 +13,7 @@ constexpr std::uint32_t kBitsOfDigit = 6;
 constexpr std::uint32_t kBitsOfByte = 8;
 constexpr std::uint8_t kNoDigit = 0xFF;
 
-/// Returns the value of each character as a digit of base 64.
+/// Returns a table with the value of each character as a digit of base 64.
 constexpr std::array<std::uint8_t, 256> values_of_characters() {
   std::array<std::uint8_t, 256> values{};
   for (std::uint8_t& value : values) value = kNoDigit;

@@ -12,7 +12,7 @@ constexpr std::size_t kFileHeader = 14;
 constexpr std::size_t kMinInfoHeader = 40;
 constexpr std::size_t kColourBytes = 4;
 
-/// Reads numbers of a file, the least significant byte first.
+/// Reads numbers of a file whose least significant byte comes first.
 class LittleEndian {
  public:
   LittleEndian(std::string_view bytes, const std::string& name) : bytes_{bytes}, name_{name} {}
@@ -35,13 +35,13 @@ class LittleEndian {
   const std::string& name_;
 };
 
-/// Returns the darkness of a colour, with the weights of ITU-R BT.601.
+/// Returns the darkness of a colour, 0 to 1, with the weights of ITU-R BT.601.
 float darkness_of(std::uint32_t blue, std::uint32_t green, std::uint32_t red) {
   const double light = 0.299 * red + 0.587 * green + 0.114 * blue;
   return static_cast<float>(1.0 - light / 255.0);
 }
 
-/// Reads one BMP file.
+/// Reads a BMP file and converts its pixels to darkness.
 class BmpReader {
  public:
   BmpReader(std::string_view bytes, const std::string& name) : file_{bytes, name}, name_{name} {}
@@ -50,8 +50,8 @@ class BmpReader {
     read_header();
     const std::size_t row_bytes = (image_.width * bits_ + 31) / 32 * 4;
     const std::size_t begin = file_.number(10, 4);
-    // Reads the last byte first, so that no memory is allocated for rows that the file does not
-    // have.
+    // Reading the last byte throws if the file is cut off, before memory for its pixels is
+    // allocated.
     static_cast<void>(file_.number(begin + row_bytes * image_.height - 1, 1));
     image_.darkness.resize(image_.width * image_.height);
     for (std::size_t y = 0; y < image_.height; ++y) {

@@ -95,7 +95,8 @@ GreyImage read_jpeg_image(std::string_view bytes, const std::string& name) {
       exif_orientation(bytes));
 }
 
-/// Returns the number that `count` bytes at `at` encode; nothing if they reach beyond the end.
+/// Returns the number that `count` bytes at the position `at` encode; nothing if `bytes` ends
+/// before them.
 std::optional<std::uint32_t> number_at(std::string_view bytes,
                                        std::size_t at,
                                        std::size_t count,
@@ -109,7 +110,7 @@ std::optional<std::uint32_t> number_at(std::string_view bytes,
   return value;
 }
 
-/// Returns the orientation that TIFF data give; EXIF data contain TIFF data.
+/// Returns the orientation that TIFF data give. The EXIF data of a JPEG contain TIFF data.
 int tiff_orientation(std::string_view tiff) {
   constexpr std::uint32_t kOrientation = 0x0112;
   constexpr std::size_t kEntryBytes = 12;
@@ -140,8 +141,7 @@ GreyImage read_image(std::string_view bytes, const std::string& name) {
   if (bytes.starts_with(kPngStart)) return read_png_image(bytes, name);
   if (bytes.starts_with(kJpegStart)) return read_jpeg_image(bytes, name);
   if (bytes.starts_with(kBmpStart)) return read_bmp(bytes, name);
-  throw refusal(name,
-                "is other text or binary data, and no PNG, JPEG or BMP picture; save it as one");
+  throw refusal(name, "is no PNG, JPEG or BMP picture; save it in one of these formats");
 }
 
 int exif_orientation(std::string_view jpeg) {

@@ -15,8 +15,8 @@ using cut::TimeKind;
 using cut::TimeStep;
 using drawing::Place;
 
-/// Appends one cut, the steps `first` … `end` of the timeline. A dash hides the part that is still
-/// to be cut.
+/// Appends one cut, which is the steps from `first` up to, but not including, `end` of the
+/// timeline. A gap in the dash pattern of its line hides the part that is still to be cut.
 void add_growing(std::string& out,
                  const CutScene& scene,
                  const View& view,
@@ -47,8 +47,8 @@ void add_growing(std::string& out,
                  time.attributes());
 }
 
-/// Returns path data of the visible features of a cut that is too small to be seen in full, or has
-/// too many strokes.
+/// Returns simplified path data of a cut whose details are too small to be visible, or that has too
+/// many strokes.
 std::string coarse_data(const cut::Cut& cut, const View& view) {
   PathSimplifier simplifier{{.distance_mm = 0.3 / view.px_per_mm()}};
   simplifier.push({.x_mm = cut.start().x(), .y_mm = cut.start().y(), .move = Move::kCut});

@@ -18,13 +18,13 @@ constexpr double kChartWidthPx = 1600.0;
 constexpr double kChartHeightPx = 900.0;
 constexpr double kPanelTopPx = 160.0;
 constexpr double kPanelBottomPx = 800.0;
-constexpr double kLeftRoomPx = 120.0;   ///< Left of each panel, for its numbers.
-constexpr double kRightRoomPx = 175.0;  ///< Right of each panel, for the names of its lines.
+constexpr double kLeftRoomPx = 120.0;  ///< Width left of each panel, for the numbers of the y axis.
+constexpr double kRightRoomPx = 175.0;  ///< Width right of each panel, for the names of the lines.
 constexpr svg::LineStyle kRule{"#e9ebee", 1.0};
 constexpr svg::LineStyle kFrame{"#c3c8cf", 1.5};
 constexpr svg::TextStyle kNumber{.size_px = 20.0, .anchor = "middle", .fill = "#5b626c"};
 
-/// An axis with numbers, from one round number to another.
+/// An axis with numbers. Both of its ends are round numbers.
 class ChartAxis {
  public:
   void include(double value) {
@@ -33,7 +33,8 @@ class ChartAxis {
   }
   [[nodiscard]] bool is_empty() const { return max_ < min_; }
 
-  /// Scales the axis. To be called after all values were included.
+  /// Computes the scale of the axis, from `from_px` to `to_px`. Must be called after all values
+  /// were included.
   void place(double from_px, double to_px) {
     from_px_ = from_px;
     to_px_ = to_px;
@@ -114,7 +115,9 @@ class PanelDrawing {
     }
   }
 
-  /// Appends the band below all lines: along its upper side, and back along its lower side.
+  /// Appends the band of a series as a polygon, which runs along the upper side of the band and
+  /// back along the lower side. Bands must be appended before all lines, so that they are below
+  /// them.
   void add_band(const ChartSeries& series, const std::string& colour) {
     if (series.half_bands.empty()) return;
     std::string points;
@@ -137,7 +140,7 @@ class PanelDrawing {
   struct Label {
     double x_px;
     double y_px;
-    double width_px;  ///< Upper bound of the width.
+    double width_px;  ///< Upper bound of the width of a text.
   };
 
   void add_axes() {
@@ -172,8 +175,8 @@ class PanelDrawing {
     add_label(series, colour);
   }
 
-  /// Appends the name of a series at the end of its line, moved down where another name is there
-  /// already.
+  /// Appends the name of a series at the end of its line. Moves the name down if it would cover
+  /// another name.
   void add_label(const ChartSeries& series, const std::string& colour) {
     const auto& points = series.line.empty() ? series.dots : series.line;
     if (points.empty()) return;

@@ -10,23 +10,25 @@ struct ChartPoint {
   double y = 0.0;
 };
 
-/// One line of a chart, and dots in its colour.
+/// One series of a chart: a line, dots in the same colour, and a band around the line.
 struct ChartSeries {
   std::string label;
   std::vector<ChartPoint> line{};
   std::vector<ChartPoint> dots{};
-  std::vector<double> half_bands{};  ///< Half of the band's width at each point of the line.
+  /// Half of the width of the band at each point of the line; empty for no band.
+  std::vector<double> half_bands{};
 };
 
-/// A pair of axes with its lines. Both axes begin and end at round numbers that enclose the data.
+/// A panel of a chart: two axes and the series drawn between them. Both axes begin and end at round
+/// numbers, and include all data.
 struct ChartPanel {
   std::string x_label;
   std::string y_label;
   std::vector<ChartSeries> series{};
 };
 
-/// Returns an SVG document of 1600 px width with the panels next to each other. A panel without
-/// points has a text that says so.
+/// Returns an SVG document with a width of 1600 px, in which the panels are next to each other. A
+/// panel without points has a text that states this.
 /// @pre there is at least one panel
 [[nodiscard]] std::string draw_chart(const std::string& title,
                                      const std::string& subtitle,

@@ -27,8 +27,8 @@ void include(Extent& extent, const Contour& contour) {
     for (std::uint32_t i = first; i < contour.loop_ends[loop]; ++i) {
       const ContourVertex& from = contour.vertices[i];
       const ContourVertex& to = contour.vertices[i + 1 < contour.loop_ends[loop] ? i + 1 : first];
-      // The extent includes a box over the chord, as high as the arc. An arc of more than half a
-      // turn gets a wider box.
+      // The extent includes a rectangle over the chord with the height of the arc. For an arc of
+      // more than half a turn, the rectangle is wider than the chord.
       const double out_x = 0.5 * from.bulge * (to.y - from.y);
       const double out_y = -0.5 * from.bulge * (to.x - from.x);
       const double aside = std::abs(from.bulge) > 1.0 ? std::hypot(out_x, out_y) : 0.0;
@@ -83,7 +83,7 @@ View view_of(const Extent& extent) {
                std::clamp(natural_px, 200.0, kTallestContourPx)}};
 }
 
-/// Returns the start of a picture: its frame, and the grid, which lies below all that follows.
+/// Returns the start of a picture: its frame and the grid, over which the other content is drawn.
 std::string begin_picture(const View& view, const std::string& title) {
   const double height_px = view.box().bottom_px() + kContourMarginPx;
   std::string out = svg::document_start(kContourWidthPx, height_px);
@@ -96,7 +96,7 @@ std::string begin_picture(const View& view, const std::string& title) {
 using PathPoint = cnc::pocket::PathPoint<double>;
 
 /// Returns the style of an element of a tool path.
-/// @param floor_mm the lowest height of the path
+/// @param floor_mm lowest height of the path
 std::string style_of(const PathPoint& from, double floor_mm) {
   using cnc::pocket::Use;
   switch (from.use) {
@@ -115,7 +115,7 @@ std::string style_of(const PathPoint& from, double floor_mm) {
   return fmt::format(R"(stroke="{}" stroke-width="2.0")", hex(speed_colour(share)));
 }
 
-/// Appends a row of path points as one path for each stretch of one style.
+/// Appends a row of path points. Consecutive elements of the same style become one SVG path.
 void add_row(std::string& out,
              cnc::contour::Slice<const PathPoint> row,
              double floor_mm,

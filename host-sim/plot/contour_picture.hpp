@@ -8,14 +8,14 @@
 
 namespace sim {
 
-/// Returns an SVG document of contours over a grid: the input in grey with its area filled, and
-/// each of the offsets in a colour of its own. Arcs are drawn as arcs.
+/// Returns an SVG document with contours over a grid. The area of the input is filled in grey, and
+/// each offset has a different colour. Arcs are drawn as true arcs.
 [[nodiscard]] std::string draw_contours(const Contour& input,
                                         const std::vector<Contour>& offsets,
                                         const std::string& title);
 
-/// Returns an SVG document of a tool path over the walls of its pockets. Passes have colours by
-/// depth, links are dashed, and entries are green. Rapids are not drawn.
+/// Returns an SVG document with a tool path over the walls of its pockets. The colour of a pass
+/// depends on its depth. Links are dashed, and entries are green. Rapids are not drawn.
 [[nodiscard]] std::string draw_tool_path(const Contour& walls,
                                          const cnc::pocket::ToolPathView<double>& path,
                                          const std::string& title);

@@ -24,8 +24,7 @@ constexpr double kAnimationWidthPx = 1200.0;
 constexpr double kAnimationMarginPx = 40.0;
 constexpr double kAnimationHeadingPx = 110.0;
 constexpr double kAnimationTallestPx = 1000.0;
-/// Greatest number of texts of the clock. It sets the smallest step of the clock as a share of the
-/// job.
+/// Greatest number of texts of the clock. It limits the number of steps of the clock during a job.
 constexpr std::size_t kMaxClockTexts = 300;
 /// Greatest distance between an arc and the chords along which the beam moves.
 constexpr double kBeamChordPx = 0.2;
@@ -36,14 +35,14 @@ bool is_lit(const TimeStep& step) {
          step.kind != TimeKind::kOverscan;
 }
 
-/// Position of the beam at a share of the job's time.
+/// Position of the beam at a time, which is given as a share of the duration of the job.
 struct BeamPlace {
   double x_px;
   double y_px;
   double share;
 };
 
-/// Draws one job as an animated document.
+/// Draws one job as an animated SVG document.
 class Animator {
  public:
   Animator(const CutScene& scene, const AnimationOptions& options)
@@ -93,8 +92,8 @@ class Animator {
   View view_;
 };
 
-/// Appends the clock. The times of all steps form a strip of texts, of which a window shows one at
-/// a time.
+/// Appends the clock. It is a strip with the texts of all times, which moves behind a window that
+/// shows one text at a time.
 void Animator::add_clock(std::string& out) const {
   const double y_px = 64.0;
   const double step_s = round_step(time_.total_s / static_cast<double>(kMaxClockTexts - 2));
@@ -109,8 +108,8 @@ void Animator::add_clock(std::string& out) const {
     const double line_px = 22.0 + kLinePx * static_cast<double>(i);
     fmt::format_to(std::back_inserter(texts), "<text y=\"{:g}\">{}</text>", line_px, text);
   }
-  // The window is a clip path and not an <svg> of its own, because browsers would give that its own
-  // time. In a viewer that does not animate, the strip shows its end.
+  // The window is a clip path and not a nested <svg>, because browsers would give a nested <svg> a
+  // separate time. In a viewer that does not animate, the window shows the last text.
   fmt::format_to(std::back_inserter(out),
                  "<clipPath id=\"window\"><rect width=\"230\" height=\"{2:g}\"/></clipPath>\n"
                  "<g transform=\"translate({0:g} {1:g})\" clip-path=\"url(#window)\">"
@@ -151,7 +150,8 @@ std::vector<BeamPlace> Animator::beam_places() const {
   return places;
 }
 
-/// Leaves out points that are close to the point before, until at most kMaxBeamPlaces are left.
+/// Returns points without those that are close to the preceding point. The distance is increased
+/// until at most kMaxBeamPlaces points are left.
 std::vector<BeamPlace> thinned(std::vector<BeamPlace> places) {
   for (double near_px = 0.5; places.size() > kMaxBeamPlaces; near_px *= 2.0) {
     std::vector<BeamPlace> kept{places.front()};

@@ -51,7 +51,7 @@ void add_line(std::string& out, const std::string& data, std::string_view colour
                  width_px);
 }
 
-/// Appends the engraved pictures as they are burnt.
+/// Appends the pictures of the plan in the form in which they are engraved.
 void add_pictures(std::string& out, const cut::CutPlan& plan, const View& view) {
   for (const Cut& cut : plan.cuts) {
     if (!cut.picture || cut.pass > 1) continue;
@@ -86,7 +86,8 @@ void add_beam(std::string& out, const cut::CutPlan& plan, const View& view) {
   }
 }
 
-/// Returns whether a contour is an edge of parts, which engraved and skipped contours are not.
+/// Returns whether a contour is cut and therefore an edge of a part. Engraved and skipped contours
+/// are no edges.
 bool cuts_through(const cut::CutPlan& plan, std::size_t contour, std::size_t layer) {
   const cut::Side side = plan.recipes.of(contour, plan.layers[layer]).settings.side;
   return side == cut::Side::kWaste || side == cut::Side::kOn;

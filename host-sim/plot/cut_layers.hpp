@@ -11,9 +11,9 @@
 
 namespace sim {
 
-// Colours that people who are blind to red and green can distinguish, and that differ in grey
-// prints by lightness and by the widths of the lines. They are from the palette of M. Okabe and K.
-// Ito, "Color universal design", 2008.
+// Colours of pictures of cuts. People with red-green colour blindness can distinguish them. In grey
+// prints they differ by their lightness and by the widths of the lines. They are from the palette
+// of M. Okabe and K. Ito, "Color universal design", 2008.
 inline constexpr std::string_view kPartColour = "#d8dde3";
 inline constexpr std::string_view kBandColour = "#e69f00";
 inline constexpr std::string_view kBeamColour = "#000000";
@@ -27,27 +27,29 @@ inline constexpr double kTabPx = 4.5;
 struct CutScene {
   const drawing::Drawing& drawn;
   const cut::CutPlan& plan;
-  const cut::Timeline* timeline = nullptr;  ///< If null, the picture shows no heat.
+  /// Timeline of the job. If null, the picture shows no heat.
+  const cut::Timeline* timeline = nullptr;
 };
 
-/// Returns the extent of drawing and cuts; a point at the origin if there is neither.
+/// Returns the extent of the drawing and the cuts; a point at the origin if both are empty.
 [[nodiscard]] Extent extent_of(const CutScene& scene);
 
 /// Returns the extent with a margin. The result always has a width and a height.
 [[nodiscard]] Extent framed_cuts(const Extent& extent);
 
-/// Appends the parts, which are the areas that cut contours enclose, and the lines of all other
+/// Appends the areas of the parts, which the cut contours enclose, and the lines of all other
 /// contours.
 void add_parts(std::string& out, const CutScene& scene, const View& view);
 
-/// Returns path data of those strokes of a cut for which `wanted` returns true.
+/// Returns path data of the strokes of a cut for which `wanted` returns true.
 [[nodiscard]] std::string path_data_of(const cut::Cut& cut,
                                        const View& view,
                                        bool (*wanted)(const cut::Stroke&));
 
 /// Appends the layers of a picture of cuts: heat, parts, the band that the beam burns (as wide as
-/// the kerf), the middle of the band, leads, tabs, rapids and pierces. If edges were measured, they
-/// follow with their key at `edge_key_px`. The numbers of the cuts lie on top.
+/// the kerf), the middle of the band, leads, tabs, rapids and pierces. If deviations of edges were
+/// measured, these and their key at `edge_key_px` are appended next. The numbers of the cuts are
+/// appended last, so that they are on top.
 void add_cut_layers(std::string& out,
                     const CutScene& scene,
                     const View& view,

@@ -15,10 +15,10 @@
 namespace sim {
 namespace {
 
-/// A rapid that is shorter than this gets no arrow head.
+/// Least length of a rapid that has an arrow head.
 constexpr double kMinArrowPx = 24.0;
 constexpr double kArrowPx = 9.0;
-/// Heat below kMinHeat is not shown. From `kFullHeat` on the colour does not become stronger.
+/// Heat below kMinHeat is not shown. Above kFullHeat the colour does not become stronger.
 constexpr double kMinHeat = 0.15;
 constexpr double kFullHeat = 1.5;
 constexpr double kFullHeatOpacity = 0.8;

@@ -10,13 +10,14 @@
 namespace sim {
 namespace {
 
-/// Up to this number of pierces each pierce has a number, even if it covers another one.
+/// Greatest number of pierces for which every pierce has a number, even if this number covers
+/// another one.
 constexpr std::size_t kMaxAllNumbered = 100;
-/// Width and height of a digit in the picture's font, as shares of the letters' square.
+/// Width and height of a digit in the font of the picture, as shares of the font size.
 constexpr double kDigitWidth = 0.64;
 constexpr double kDigitHeight = 0.76;
 
-/// Boxes of the picture that are taken, sorted by cells.
+/// The boxes of the picture that numbers and pierces already cover, sorted by cells.
 class TakenBoxes {
  public:
   [[nodiscard]] bool is_free(const Box& box) const {
@@ -60,15 +61,16 @@ double width_of(std::size_t number, const NumberLayout& layout) {
   return kDigitWidth * layout.size_px * digits;
 }
 
-/// Returns the interval of the pierces that have a number: 1, 2 or 5 times a power of ten.
+/// Returns the interval between pierces that have a number, so that at most `max_shown` have one:
+/// 1, 2 or 5 times a power of ten.
 std::size_t step_for(std::size_t pierces, std::size_t max_shown) {
   if (pierces <= max_shown) return 1;
   return static_cast<std::size_t>(
       std::llround(round_step(static_cast<double>(pierces) / static_cast<double>(max_shown))));
 }
 
-/// Position of a number relative to its pierce, as shares of the number's size to the right and up.
-/// kSides has all of them, the preferred one first.
+/// Position of a number relative to its pierce, to the right and up, as shares of the size of the
+/// number. kSides lists all positions, beginning with the preferred one.
 struct Side {
   double right;  ///< −1: to the left of the pierce, 0: in the middle, 1: to the right.
   double up;

@@ -39,7 +39,8 @@ View view_of_cuts(const Extent& extent, double heading_px) {
               {kCutMarginPx, heading_px, width_px, std::clamp(natural_px, 200.0, kCutTallestPx)}};
 }
 
-/// Appends a sample of the dot at the start of a lead, where the beam pierces the sheet.
+/// Appends to the key a sample of the dot that marks the start of a lead, at which the beam pierces
+/// the sheet.
 void add_pierce_sample(std::string& out, double x_px, double y_px) {
   fmt::format_to(std::back_inserter(out),
                  "<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"5\" fill=\"{}\"/>\n",
@@ -75,7 +76,8 @@ void add_key(std::string& out, double y_px) {
   }
 }
 
-/// Returns lines of text: size and lengths, then power, feed and kerf of each layer that is cut.
+/// Returns the lines of text below the title: first size and lengths, then power, feed and kerf of
+/// each layer that is cut.
 std::vector<std::string> facts_of(const drawing::Drawing& drawn, const cut::CutPlan& plan) {
   Extent parts;
   for (const drawing::DrawnContour& contour : drawn.contours) {

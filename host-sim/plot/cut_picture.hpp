@@ -6,11 +6,11 @@
 
 namespace sim {
 
-/// Returns an SVG document of a drawing and of the way it is cut. It shows the parts, the band that
-/// the beam burns (as wide as the kerf), the middle of the band, leads and overcuts, tabs, rapids
-/// with their direction, the numbers of the cuts where they begin, and the areas that recent
-/// pierces have warmed.
-/// @param edges deviations of the edges if they were measured; otherwise null
+/// Returns an SVG document that shows a drawing and how it is cut. The picture contains the parts,
+/// the band that the beam burns (as wide as the kerf), the middle of the band, leads and overcuts,
+/// tabs, rapids with their directions, the numbers of the cuts at their beginnings, and the areas
+/// that recent pierces have warmed.
+/// @param edges deviations of the edges; null if they were not measured
 [[nodiscard]] std::string draw_cuts(const CutScene& scene,
                                     const std::string& title,
                                     const cut::EdgeFigures* edges = nullptr);

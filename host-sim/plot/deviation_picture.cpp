@@ -30,7 +30,8 @@ constexpr double kMapBottomPx = 84.0;
 constexpr double kMapWidthPx = kPictureWidthPx - kMapLeftPx - kMapKeyPx - 2.0 * kMapGapPx;
 constexpr double kMinMapHeightPx = 760.0;
 constexpr double kTallestMapPx = 1.15 * kMapWidthPx;
-constexpr int kMaxMapPixels = 2'000;  ///< Along the longer side.
+/// Greatest number of pixels along the longer side of the map.
+constexpr int kMaxMapPixels = 2'000;
 constexpr double kMinScaleMm = 1.0e-4;
 /// Colours of material that is left (white to dark blue) and of gouges (white to dark red).
 constexpr std::array<Colour, 4> kRestColours{
@@ -38,8 +39,8 @@ constexpr std::array<Colour, 4> kRestColours{
 constexpr std::array<Colour, 4> kGougeColours{
     {{0xff, 0xff, 0xff}, {0xfc, 0x92, 0x72}, {0xde, 0x2d, 0x26}, {0x67, 0x00, 0x0d}}};
 
-/// Returns a round number for the end of the scale, below which all but 0.2 % of the distances
-/// stay.
+/// Returns the end of the colour scale, mm: a round number that at most 0.2 % of the distances
+/// exceed.
 double scale_of(const DeviationMap& map) {
   constexpr double kShare = 0.998;
   std::vector<float> sizes;
@@ -53,8 +54,8 @@ double scale_of(const DeviationMap& map) {
   return round_step(std::max(static_cast<double>(*place), kMinScaleMm));
 }
 
-/// Returns the distance that represents a block of cells: the greatest gouge if it exceeds the mean
-/// distance, otherwise the mean.
+/// Returns the distance that represents a block of cells: the greatest gouge if it is deeper than
+/// the absolute mean distance, otherwise the mean distance.
 double off_of(const DeviationMap& map, int column, int row, int block) {
   double sum = 0.0;
   double least = 0.0;
@@ -113,7 +114,7 @@ void add_mark(std::string& out,
   svg::add_rimmed_text(out, x_px + 15.0, y_px - 9.0, 20.0, name);
 }
 
-/// Marks points on the plan and lists them in the key.
+/// Marks points on the plan and lists them in the key of the picture.
 void add_places(std::string& out,
                 const View& view,
                 const std::vector<WorstPlace>& places,
@@ -141,7 +142,7 @@ PictureKey key_of(double scale_mm, const SurfaceFigures& figures) {
   key.samples = {{.shape = SampleShape::kArea, .colour = "#3182bd", .label = "stock is left (R)"},
                  {.shape = SampleShape::kArea, .colour = "#de2d26", .label = "gouge (G)"}};
   key.notes = {"at right angles to the surface,",
-               fmt::format("good to half a cell of {:.3g} mm;", figures.cell_mm),
+               fmt::format("exact to half a cell of {:.3g} mm;", figures.cell_mm),
                "darkest: the scale's end or more",
                "(…): the tool does not fit",
                ""};

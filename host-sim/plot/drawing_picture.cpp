@@ -20,7 +20,7 @@ constexpr double kDrawingMarginPx = 30.0;
 constexpr double kChordPx = 0.1;
 constexpr double kRingPx = 9.0;
 
-/// Widens the extent so that a drawing that is a single point, or empty, has a visible area.
+/// Widens an extent, so that an empty drawing or a single point has an area that can be shown.
 void widen(Extent& bounds) {
   if (bounds.is_empty()) bounds.include(0.0, 0.0);
   const double least = 1.0e-3;
@@ -51,8 +51,8 @@ void add_paths(std::string& out, const drawing::Drawing& drawn, const View& view
                      open);
 }
 
-/// Appends the numbers of contours, where each contour begins. They are those of the listing, from
-/// 1.
+/// Appends the number of each contour at the beginning of the contour. The numbers are those of the
+/// listing, from 1.
 void add_numbers_of(std::string& out, const drawing::Drawing& drawn, const View& view) {
   constexpr double kNumberPx = 14.0;
   for (std::size_t i = 0; i < drawn.contours.size(); ++i) {

@@ -15,17 +15,17 @@ namespace {
 using cut::EdgePeak;
 using cut::EdgePlace;
 
-/// An edge gets the colour of the first bin whose `max_mm` is not below its deviation. The
-/// deviation is positive where the part is cut into.
+/// A bin of deviations, with its colour. An edge belongs to the first bin whose `max_mm` is not
+/// below its deviation. The deviation is positive if the part was cut into.
 struct EdgeBin {
   double max_mm;
   std::string_view colour;
   std::string_view name;
 };
 
-/// The limits are two sizes that matter to users: the promised accuracy, and the smallest visible
-/// deviation. The colours from blue over black to orange can be distinguished by people who are
-/// blind to red and green.
+/// The bins of deviations. Their limits are the promised accuracy and the smallest visible
+/// deviation. People with red-green colour blindness can distinguish the colours from blue through
+/// black to orange.
 constexpr std::array<EdgeBin, 5> kEdgeBins{{{-0.02, "#08306b", "> 20 um left"},
                                             {-0.005, "#56b4e9", "> 5 um left"},
                                             {0.005, "#000000", "within 5 um"},

@@ -7,8 +7,8 @@
 
 namespace sim {
 
-/// Appends the deviations of the parts' edges to a picture of cuts: the drawn edges in colours, the
-/// worst points with their figures, and the meaning of the colours at `key_y_px`.
+/// Appends the deviations of the edges of parts to a picture of cuts: the drawn edges in colours,
+/// the worst points with their figures, and a key of the colours at `key_y_px`.
 void add_edges(std::string& out,
                const cut::EdgeFigures& figures,
                const View& view,

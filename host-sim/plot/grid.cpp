@@ -12,13 +12,14 @@ constexpr svg::LineStyle kGridLine{"#e9ebee", 1.0};
 constexpr svg::LineStyle kAxisLine{"#c3c8cf", 1.5};
 constexpr std::string_view kLabelFill = "#5b626c";
 
-/// Returns the label of the line with number `index`, with as many decimals as the spacing needs.
+/// Returns the label of the grid line with number `index`, with as many decimals as the spacing
+/// requires.
 std::string label_of(long long index, double spacing_mm) {
   const int decimals = std::max(0, -static_cast<int>(std::floor(std::log10(spacing_mm) + 1e-9)));
   return fmt::format("{:.{}f}", static_cast<double>(index) * spacing_mm, decimals);
 }
 
-/// Returns the style of a line: the lines through the machine's origin are emphasized.
+/// Returns the style of a grid line. The lines through the origin of the machine are emphasized.
 const svg::LineStyle& style_of(long long index) { return index == 0 ? kAxisLine : kGridLine; }
 
 void add_columns(std::string& out, const View& view, double spacing_mm) {

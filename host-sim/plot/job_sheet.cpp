@@ -23,7 +23,7 @@ using Cells = std::vector<std::string>;
 
 constexpr std::size_t kMaxNotes = 60;
 
-/// Returns `CSP 1N, 2 mm. `; an empty text if the kerf is known and no material was named.
+/// Returns the material as a text such as `CSP 1N, 2 mm. `; empty if the job names no material.
 std::string material_text(const CutJob& job) {
   if (job.record.name.empty()) return {};
   const cut::LayerPlan& layer = job.plan.layers[job.plan.cuts.front().layer];
@@ -99,8 +99,8 @@ void add_conditions(SheetPages& pages, const CutJob& job, const CutAccount& acco
   pages.add_table(columns, rows);
 }
 
-/// Appends the picture of the sheet, drawn at twice the size of the page, so that lines and letters
-/// are fine.
+/// Appends the picture of the sheet. It is drawn at a larger size and then reduced to the page, so
+/// that its lines and letters are fine.
 void add_sheet_picture(SheetPages& pages, const CutJob& job, const CutAccount& account) {
   constexpr double kFineness = 2.0;
   constexpr double kLabelsPx = 64.0;
@@ -127,8 +127,8 @@ void add_sheet_picture(SheetPages& pages, const CutJob& job, const CutAccount& a
   add_cut_layers(out, scene, view);
   out += "</svg>\n";
   pages.add_text(
-      "Dots are pierces with the numbers of the cuts, dashed arrows are rapids; the sheet is "
-      "warm where a pierce is coloured: others were close to it shortly before.");
+      "Dots with the numbers of the cuts are pierces, and dashed arrows are rapids. At a coloured "
+      "pierce the sheet is warm, because other pierces were close to it shortly before.");
 }
 
 void add_times(SheetPages& pages, const CutAccount& account) {
@@ -208,8 +208,8 @@ void add_parts_table(SheetPages& pages, const CutAccount& account) {
   rows.push_back(totals_of(account));
   pages.add_heading("Parts", 50.0);
   pages.add_text(
-      "No. is the last cut of the first copy in the picture; pierces, length and time "
-      "are those of one copy, rapids to it included.");
+      "No. is the number of the last cut of the first copy in the picture. Pierces, length and "
+      "time are those of one copy, including the rapids to it.");
   pages.add_table(columns, rows);
 }
 
@@ -227,7 +227,8 @@ void add_notes(SheetPages& pages, const CutJob& job) {
   }
   if (notes.size() > kMaxNotes) {
     pages.add_text(
-        fmt::format("and {} more; the report of the job has all", notes.size() - kMaxNotes));
+        fmt::format("and {} more; the report of the job lists all of them", notes.size() - "
+                    "kMaxNotes));
   }
 }
 

@@ -9,8 +9,8 @@
 
 namespace sim {
 
-/// Writes `values` and `keyTimes` of one animation. A share that is smaller than the one before is
-/// raised to it. The last share must be 1.
+/// Builds the attributes `values` and `keyTimes` of one animation. add() raises a share to the
+/// preceding share if it is smaller. The last share must be 1.
 class KeyFrames {
  public:
   void add(double share, std::string_view value) {
@@ -20,7 +20,7 @@ class KeyFrames {
     fmt::format_to(std::back_inserter(times_), "{}{:.7g}", separator, last_);
   }
 
-  /// Returns `values="…" keyTimes="…"`.
+  /// Returns the attributes as `values="…" keyTimes="…"`.
   [[nodiscard]] std::string attributes() const {
     return fmt::format(R"(values="{}" keyTimes="{}")", values_, times_);
   }
@@ -31,12 +31,13 @@ class KeyFrames {
   double last_ = 0.0;
 };
 
-/// The times that relate a job to its animation.
+/// The duration of a job and that of its animation.
 struct AnimationTime {
-  double total_s = 1.0;  ///< Time of the job, > 0.
-  double shown_s = 1.0;  ///< Time of the animation, > 0.
+  double total_s = 1.0;  ///< Duration of the job, > 0.
+  double shown_s = 1.0;  ///< Duration of the animation, > 0.
 
-  /// Returns the attributes that all animations of a document share, so that they stay in step.
+  /// Returns the attributes that all animations of a document must have in common, so that they
+  /// stay synchronous.
   [[nodiscard]] std::string attributes() const {
     return fmt::format(R"(dur="{:.3f}s" repeatCount="indefinite")", shown_s);
   }

@@ -19,7 +19,7 @@ constexpr double kSampleWidthPx = 56.0;
 constexpr double kEntryHeightPx = 38.0;
 constexpr double kScaleHeightPx = 290.0;
 
-/// Writes the entries of the legend, each below the one before.
+/// Writes the entries of the legend, each below the preceding one.
 class Legend {
  public:
   Legend(std::string& out, const Box& box) : out_{out}, box_{box}, y_px_{box.top_px} {}
@@ -81,11 +81,14 @@ class Legend {
 
  private:
   void add_colours(const Box& bar, Shown shown) {
-    constexpr int kSteps = 58;  // Finer than the path's colours: the scale is continuous.
+    // Number of steps of the scale. It is greater than the number of colours of the path, so that
+    // the scale looks continuous.
+    constexpr int kSteps = 58;
     const double step_px = bar.height_px / kSteps;
     for (int i = 0; i < kSteps; ++i) {
       const double top_px = bar.bottom_px() - (i + 1) * step_px;
-      const double overlap_px = i == 0 ? 0.0 : 0.5;  // Avoids hairlines between the steps.
+      // The overlap avoids hairlines between the steps.
+      const double overlap_px = i == 0 ? 0.0 : 0.5;
       svg::add_box(out_,
                    {bar.left_px, top_px, bar.width_px, step_px + overlap_px},
                    colour_of(shown, (i + 0.5) / kSteps));

@@ -9,13 +9,13 @@
 namespace sim {
 namespace {
 
-/// Speeds measured over the steps of short stretches scatter upwards. The scale ignores the fastest
-/// 0.2 % of the length and the top 2 % of the speed, so that scatter does not extend a scale of
-/// 3000 mm/min to 4000.
+/// Shares of length and of speed that the scale ignores. Speeds that are measured over the steps of
+/// short stretches scatter, mostly upwards. Without the fastest 0.2 % of the length and the upper 2
+/// % of the speed, scatter does not extend a scale of 3000 mm/min to 4000 mm/min.
 constexpr double kScatteredLength = 0.002;
 constexpr double kScatter = 0.98;
 
-/// A shorter stretch is only a dot.
+/// Least length of a stretch that is visible as a line. A shorter one is only a dot.
 constexpr double kVisiblePx = 4.0;
 
 double length_mm(const PathVertex& from, const PathVertex& to) {
@@ -36,7 +36,8 @@ std::vector<Stretch> driven_stretches(const std::vector<PathVertex>& vertices) {
   return stretches;
 }
 
-/// Returns the greatest speed without the values that scatter; 0 if there is neither feed nor cut.
+/// Returns the greatest speed of feeds and cuts, without the values that scatter; 0 if there are no
+/// feeds or cuts.
 double greatest_speed_mm_s(const std::vector<PathVertex>& vertices) {
   std::vector<Stretch> stretches = driven_stretches(vertices);
   std::sort(stretches.begin(), stretches.end(), [](const Stretch& a, const Stretch& b) {
@@ -60,7 +61,7 @@ double greatest_shown(const std::vector<PathVertex>& vertices, Shown shown) {
   return static_cast<double>(greatest);
 }
 
-/// Returns the greatest length of path that is driven with this kind of move without a change.
+/// Returns the length of the longest piece of the path that has only moves of one kind.
 double longest_run_mm(const std::vector<PathVertex>& vertices, Move move) {
   double longest_mm = 0.0;
   double run_mm = 0.0;

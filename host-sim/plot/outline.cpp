@@ -15,7 +15,8 @@ namespace {
 using cnc::gcode::Action;
 using cnc::gcode::ActionKind;
 
-// The same limit as for the recorded path: a page can draw this many points at every change.
+// Greatest number of points of an outline, the same as for the recorded path. A page can draw this
+// many points at every change.
 constexpr std::size_t kMaxVertices = 50'000;
 constexpr std::size_t kLongestReason = 160;
 constexpr double kMillimetresPerNanometre = 1.0e-6;
@@ -30,22 +31,22 @@ Point to_point(const cnc::Position& place) {
   return point;
 }
 
-/// Returns the number of equal chords for a circle or arc with which each chord stays within the
-/// tolerance of the curve.
+/// Returns the number of equal chords into which a circle or arc must be divided, so that each
+/// chord is within the tolerance of the curve.
 double chord_count(const Curve& curve) {
   const Circle& circle = curve.circle().value();
   const double cosine = std::max(-1.0, 1.0 - PathTolerance{}.distance_mm / circle.radius);
   return std::ceil(std::abs(circle.sweep) / (2.0 * std::acos(cosine)));
 }
 
-/// Appends the motion of actions to a path.
+/// Appends the motions of G-code actions to a path.
 class OutlinePen {
  public:
   OutlinePen(const Point& start, std::size_t max_points) : at_{start}, max_points_{max_points} {
     push(start, Move::kTravel);
   }
 
-  /// Appends the motion of an action. Returns false if there would be too many points.
+  /// Appends the motion of an action. Returns false if the path would have too many points.
   [[nodiscard]] bool draw(const Action& action) {
     switch (action.kind) {
       case ActionKind::kRapid:
@@ -129,7 +130,7 @@ class OutlinePen {
   Point at_;
   std::size_t max_points_;
   std::size_t points_ = 0;
-  bool on_ = false;  ///< Beam or spindle is on.
+  bool on_ = false;  ///< True if beam or spindle is on.
   float speed_ = 0.0F;
 };
 

@@ -14,8 +14,8 @@ namespace {
 
 constexpr std::size_t kColours = 32;
 
-/// The attribute `d` of one <path>. Starts are absolute and stretches are relative, both in whole
-/// units, so that rounding errors do not add up and no digits are wasted.
+/// Builds the attribute `d` of one <path>. The start of a polyline is absolute and its stretches
+/// are relative, both in integer units. This saves digits, and rounding errors do not accumulate.
 class PathData {
  public:
   void add_stretch(const PathVertex& from, const PathVertex& to, double unit_mm) {
@@ -44,7 +44,7 @@ class PathData {
   [[nodiscard]] static Place rounded(const PathVertex& vertex, double unit_mm) {
     return {std::llround(vertex.x_mm / unit_mm), std::llround(vertex.y_mm / unit_mm)};
   }
-  /// Appends a blank before a number unless its minus sign separates it.
+  /// Appends a blank before a number, unless the minus sign of the number separates it.
   void add_separator(std::int64_t next) {
     if (next >= 0) text_ += ' ';
   }
@@ -99,12 +99,12 @@ void add_coloured(std::string& out, const ColouredData& data, double width, Show
   out += "</g>\n";
 }
 
-/// Returns the unit of path data: the greatest power of ten that is at most a tenth of a pixel.
+/// Returns the unit of path data, mm: the greatest power of ten that is at most a tenth of a pixel.
 double unit_for(const View& view) {
   return std::pow(10.0, std::floor(std::log10(0.1 / view.px_per_mm())));
 }
 
-/// Opens a group in machine coordinates, with whole units and y upwards.
+/// Opens a group whose coordinates are machine coordinates in units of `unit_mm`, with y upwards.
 void open_group(std::string& out, const View& view, double unit_mm) {
   const double px_per_unit = view.px_per_mm() * unit_mm;
   fmt::format_to(std::back_inserter(out),

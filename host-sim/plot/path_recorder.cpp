@@ -10,12 +10,12 @@
 namespace sim {
 namespace {
 
-/// Greatest number of rows in a window. It bounds a window without progress, such as that of a
-/// motor that moves to and fro.
+/// Greatest number of rows in a window. It bounds a window in which the path makes no progress, for
+/// example because a motor moves to and fro.
 constexpr std::size_t kMaxSamples = 4'096;
 
-/// Number of speed steps on the scale. Speeds that differ by less than a step look the same: a step
-/// is half a colour of the legend.
+/// Number of steps into which the greatest speed is divided. Speeds that differ by less than a step
+/// look the same, because a step is half as wide as a colour of the legend.
 constexpr float kSpeedSteps = 64.0F;
 
 double coarsest_step_mm(const cnc::AxisArray<float>& steps_per_mm) {
@@ -60,16 +60,17 @@ void PathRecorder::on_end(std::uint64_t time_ns) {
   path_.duration_s = 1e-9 * static_cast<double>(time_ns);
 }
 
-// Returns the kind of the motion before this row, which was driven with the output before this row.
+// Returns the kind of the motion from the last row to the present one. The output of the last row
+// was in effect during this motion.
 Move PathRecorder::move_of_stretch() const {
   if (is_rapid_.value_or(false)) return Move::kTravel;
   if (duty_ > 0.0F) return Move::kCut;
   return is_rapid_ ? Move::kFeed : Move::kTravel;
 }
 
-// Returns the midpoint of two positions. A motor steps when the path passes half way between two of
-// its positions. So the midpoint is nearer to the path than either position, and halves the error
-// of the staircase.
+// Returns the midpoint of two consecutive positions. A motor steps when the path is half way
+// between two of its positions. Therefore the midpoint is nearer to the path than either position,
+// which halves the error of the staircase.
 SpeedWindow::Point PathRecorder::point_between(const Position& before,
                                                const Position& after) const {
   const auto middle_mm = [&](std::size_t axis) {
@@ -102,12 +103,12 @@ void PathRecorder::come_to_rest() {
   close_window();
 }
 
-// Plunges through the air and links above the work are cuts to the controller, too. So the height
-// of the highest cut is found by the length of cuts along X and Y, and the highest hundredth of
-// that length is ignored.
+// Converts heights to depths below the highest cut, or below Z0 if a cut is below it. Plunges
+// through air and links above the work look like cuts. Therefore cuts count by their length along X
+// and Y, and the highest hundredth of this length is ignored.
 void PathRecorder::measure_depths() {
   constexpr double kLinks = 0.01;
-  std::vector<std::pair<float, double>> cuts;  // Height and length of each cut stretch.
+  std::vector<std::pair<float, double>> cuts;  // Height and length of each stretch that is a cut.
   double left_mm = 0.0;
   for (std::size_t i = 1; i < path_.vertices.size(); ++i) {
     const PathVertex& from = path_.vertices[i - 1];

@@ -47,7 +47,7 @@ bool PathSimplifier::continues_stretch(const PathVertex& point) const {
   const PathVertex& start = vertices_.back();
   const double distance = distance_mm(start, point);
   if (reach_mm_ > half_width_mm() && !is_driven_alike(point)) return false;
-  if (distance < reach_mm_ - half_width_mm()) return false;  // The path turned back.
+  if (distance < reach_mm_ - half_width_mm()) return false;  // The path has turned back.
   if (!has_sector_ || distance <= half_width_mm()) return true;
   return is_in_sector({(point.x_mm - start.x_mm) / distance, (point.y_mm - start.y_mm) / distance});
 }
@@ -61,9 +61,9 @@ bool PathSimplifier::is_in_sector(Direction direction) const {
   return cross(right_bound_, direction) >= 0.0 && cross(direction, left_bound_) >= 0.0;
 }
 
-// Narrows the sector to the directions that pass near `point`. The sector starts at a distance at
-// which it is at most a quarter turn wide, so that cross products alone decide whether a direction
-// is inside.
+// Narrows the sector to the directions that pass near `point`. Nearer points do not define a
+// sector, so that it is at most a quarter turn wide. Cross products alone can then decide whether a
+// direction is inside.
 void PathSimplifier::narrow_sector(const PathVertex& point) {
   const PathVertex& start = vertices_.back();
   const double distance = distance_mm(start, point);

@@ -7,23 +7,23 @@
 
 namespace sim {
 
-/// The allowed difference between a path and its simplified form.
+/// The greatest allowed differences between a path and its simplified form.
 struct PathTolerance {
   double distance_mm = 0.01;
   float speed_mm_s = 1.0F;
 };
 
-/// Drops points of a stream near which a straight stretch passes.
+/// Simplifies a path that arrives point by point: drops points that are near a straight stretch.
 ///
 /// The method is that of the opening sector (C. M. Williams, "An efficient algorithm for the
 /// piecewise linear approximation of planar curves", Computer Graphics and Image Processing 8,
 /// 1978). Each point narrows the sector of directions, seen from the last vertex, that pass near
-/// enough to the point. A point outside the sector makes the point before it a vertex. Work and
-/// memory for each point are constant.
+/// enough to the point. If a point is outside the sector, the point before it becomes a vertex.
+/// Work and memory for each point are constant.
 ///
 /// Guarantee: every dropped point lies within the distance tolerance of the path, and its speed is
 /// within the speed tolerance of its stretch. A change of `move` is always a vertex, unless it is
-/// nearer to the last vertex than half of the tolerance. That exception bounds the number of
+/// nearer to the last vertex than half of the tolerance. This exception bounds the number of
 /// vertices by the length of the path.
 class PathSimplifier {
  public:
@@ -33,14 +33,15 @@ class PathSimplifier {
 
   void push(const PathVertex& point);
 
-  /// Drops vertices until there are at most `most` of them. Each time that there are more, the
-  /// distance tolerance is doubled, for these vertices and for later points.
+  /// Drops vertices until there are at most `most` of them, by doubling the distance tolerance as
+  /// often as necessary. The new tolerance also applies to later points.
   void thin_to(std::size_t most);
 
-  /// Returns the vertices so far, without the points after the last vertex.
+  /// Returns the vertices so far. The points after the last vertex are not included.
   [[nodiscard]] const std::vector<PathVertex>& vertices() const { return vertices_; }
 
-  /// Ends the path with the last point pushed, returns all vertices, and empties the simplifier.
+  /// Ends the path at the last point that was pushed, returns all vertices, and empties the
+  /// simplifier.
   [[nodiscard]] std::vector<PathVertex> finish();
 
  private:
@@ -55,22 +56,23 @@ class PathSimplifier {
   void narrow_sector(const PathVertex& point);
   void make_vertex(const PathVertex& point);
 
-  /// Returns half of the sector's width. With this share of the tolerance each of three errors
-  /// stays below the tolerance: that of points near the vertex, next to the sector, and beyond the
-  /// end.
+  /// Returns half of the width of the sector at a point: half of the tolerance. With this value,
+  /// three errors stay below the tolerance: those of points near the vertex, of points beside the
+  /// sector, and of points beyond the end of a stretch.
   [[nodiscard]] double half_width_mm() const { return 0.5 * tolerance_.distance_mm; }
 
   PathTolerance tolerance_;
   std::vector<PathVertex> vertices_;
-  PathVertex last_;               ///< The last point pushed, where the present stretch ends.
-  bool is_stretch_open_ = false;  ///< There are points since the last vertex.
+  PathVertex last_;  ///< The last point that was pushed, at which the present stretch ends.
+  bool is_stretch_open_ = false;  ///< True if points were pushed since the last vertex.
   bool has_sector_ = false;
   Direction right_bound_{};
   Direction left_bound_{};
-  double reach_mm_ = 0.0;  ///< The greatest distance of points of the stretch from its start.
+  /// Greatest distance of a point of the present stretch from the start of the stretch.
+  double reach_mm_ = 0.0;
 };
 
-/// Returns the same path with fewer vertices.
+/// Returns a path with fewer vertices, which is within the tolerance of the given path.
 [[nodiscard]] std::vector<PathVertex> simplified(const std::vector<PathVertex>& vertices,
                                                  const PathTolerance& tolerance);
 

@@ -14,7 +14,7 @@ void write_pdf(const std::string& file,
   CairoSurface surface{
       cairo_pdf_surface_create_for_stream(append_to_text, &pdf, kPageWidthPt, kPageHeightPt)};
   cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_TITLE, title.c_str());
-  // Without this empty text cairo writes the present date.
+  // Without this empty text, cairo would write the present date.
   cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_CREATE_DATE, "");
   for (const std::string& page : pages) {
     const SvgHandle handle = load_svg(file, page);

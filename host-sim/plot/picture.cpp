@@ -28,16 +28,17 @@ constexpr double kLegendWidthPx = 270.0;
 constexpr double kPlotWidthPx = kPictureWidthPx - kLeftLabelsPx - kLegendWidthPx - 2.0 * kMarginPx;
 constexpr double kTallestPlotPx = 1.15 * kPlotWidthPx;
 
-/// Distances below this are invisible, so points that differ by less only cost bytes.
+/// Distance below which points look like one point, so that drawing both would only add bytes.
 constexpr double kInvisiblePx = 0.1;
 
-/// Returns the visible area: the extent with space for the width of lines. It always has a width
-/// and a height.
+/// Returns the visible area: an extent with additional space for the width of lines. It always has
+/// a width and a height.
 Extent framed(const Extent& extent) {
   const double size_mm = std::max(extent.width_mm(), extent.height_mm());
   if (extent.is_empty()) return {-11.0, 11.0, -5.5, 5.5};
   const double margin_mm = size_mm > 0.0 ? 0.04 * size_mm : 5.5;
-  const double more_x_mm = size_mm > 0.0 ? 0.0 : margin_mm;  // A single point gets a wide frame.
+  // An extent that is a single point gets a wide frame.
+  const double more_x_mm = size_mm > 0.0 ? 0.0 : margin_mm;
   return {extent.left_mm - margin_mm - more_x_mm,
           extent.right_mm + margin_mm + more_x_mm,
           extent.bottom_mm - margin_mm,
@@ -71,8 +72,8 @@ std::string length_text(double mm) {
   return mm < 1000.0 ? fmt::format("{:.1f} mm", mm) : fmt::format("{:.2f} m", mm / 1000.0);
 }
 
-/// Returns the dimensions of the cuts (or of all motion if nothing is cut), the cut length and the
-/// time.
+/// Returns a text with the dimensions of the cuts (or of all motion if nothing is cut), the length
+/// of the cuts, and the time.
 std::string subtitle_of(const Path& path, double cut_length_mm) {
   const bool has_cut = has(path.vertices, Move::kCut);
   const Extent part = bounds_of(path.vertices, has_cut ? Move::kCut : Move::kTravel);
@@ -107,7 +108,7 @@ void add_no_motion(std::string& out, const Box& box, bool in_any_axis) {
                 in_any_axis ? "no motion" : "no motion in X and Y");
 }
 
-/// Appends the path with its marks, and the legend next to it.
+/// Appends the path with its marks of start and end, and the legend next to it.
 void add_motion(std::string& out,
                 const std::vector<PathVertex>& vertices,
                 const View& view,

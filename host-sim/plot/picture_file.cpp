@@ -12,7 +12,8 @@
 namespace sim {
 namespace {
 
-/// Returns the ending of a file's name from its last dot on, in lower case; empty if there is none.
+/// Returns the ending of the name of a file, which begins with its last dot, in lower case; empty
+/// if there is no ending.
 std::string end_of(const std::string& file) {
   std::string end = std::filesystem::path{file}.extension().string();
   for (char& c : end) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
@@ -25,7 +26,8 @@ void require_picture_name(std::string_view option, const std::string& file) {
   const std::string end = end_of(file);
   if (end.empty() || end == ".svg" || end == ".png") return;
   throw std::invalid_argument(
-      fmt::format("{} {}: is no kind of picture; let its name end in .svg or .png", option, file));
+      fmt::format("{} {}: is no format of a picture; use a name that ends in .svg or .png", "
+                  "option, file));
 }
 
 void write_picture(const std::string& file, const std::string& svg) {

@@ -5,12 +5,13 @@
 
 namespace sim {
 
-/// Checks that a file's name ends in `.svg` or `.png`. Throws std::invalid_argument naming the
-/// option for another ending. Names without an ending, such as those of devices, are accepted.
+/// Checks that the name of a file ends in `.svg` or `.png`. For another ending, throws
+/// std::invalid_argument with the name of the option. Accepts names without an ending, such as
+/// names of devices.
 void require_picture_name(std::string_view option, const std::string& file);
 
-/// Writes an SVG document unchanged, or as pixels if the file's name ends in `.png`. Throws as
-/// write_file() and write_png() do.
+/// Writes an SVG document unchanged, or as an image of pixels if the name of the file ends in
+/// `.png`. Throws the exceptions of write_file() and write_png().
 void write_picture(const std::string& file, const std::string& svg);
 
 }  // namespace sim

@@ -20,13 +20,14 @@ constexpr double kKeySamplePx = 48.0;
 constexpr double kSampleRowPx = 34.0;
 constexpr double kNoteRowPx = 26.0;
 
-/// Appends a scale, and returns the height that it takes.
+/// Appends a scale of colours. Returns its height, px.
 double add_scale(std::string& out, double left_px, double top_px, const ColourScale& scale) {
   svg::add_text(out, left_px, top_px + 16.0, kKeyHeading, scale.heading);
   const Box bar{left_px, top_px + 38.0, kBarWidthPx, kBarHeightPx};
   const double step_px = bar.height_px / static_cast<double>(scale.colours.size());
   for (std::size_t i = 0; i < scale.colours.size(); ++i) {
-    const double overlap_px = i == 0 ? 0.0 : 0.5;  // Avoids hairlines between the steps.
+    // The overlap avoids hairlines between the steps.
+    const double overlap_px = i == 0 ? 0.0 : 0.5;
     svg::add_box(out,
                  {bar.left_px,
                   bar.bottom_px() - static_cast<double>(i + 1) * step_px,

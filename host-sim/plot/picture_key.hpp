@@ -9,17 +9,18 @@
 
 namespace sim {
 
-/// A scale of colours with its numbers.
+/// A scale of colours with numbers.
 struct ColourScale {
-  std::string heading;          ///< Heading with the unit of the numbers.
-  std::vector<Colour> colours;  ///< Colours from the smallest number to the greatest; at least two.
+  std::string heading;  ///< Heading of the scale, with the unit of its numbers.
+  /// Colours, from that of the smallest number to that of the greatest; at least two.
+  std::vector<Colour> colours;
   double least = 0.0;
-  double most = 1.0;  ///< Greatest number, above `least`.
+  double most = 1.0;  ///< Greatest number of the scale, above `least`.
 };
 
 enum class SampleShape : std::uint8_t { kLine, kArea };
 
-/// An entry of a key: the meaning of a line or an area of a colour.
+/// An entry of a key, which explains a line or an area of some colour.
 struct KeySample {
   SampleShape shape = SampleShape::kLine;
   std::string colour;
@@ -28,17 +29,17 @@ struct KeySample {
   std::string label;
 };
 
-/// The explanations next to a picture.
+/// The key of a picture: the explanations next to it.
 struct PictureKey {
-  std::vector<ColourScale> scales;  ///< Usually at most one.
+  std::vector<ColourScale> scales;  ///< Scales of colours; usually at most one.
   std::vector<KeySample> samples;
-  std::vector<std::string> notes;  ///< Lines of text at the bottom of the key.
+  std::vector<std::string> notes;  ///< Notes, which are lines of text at the bottom of the key.
 };
 
-/// Appends a key from the top of a box downwards.
+/// Appends a key, from the top of a box downwards.
 void add_key(std::string& out, const Box& box, const PictureKey& key);
 
-/// Returns a multiple of a round step as text, with as many decimals as the step needs.
+/// Returns a multiple of a round step as text, with as many decimals as the step has.
 [[nodiscard]] std::string tick_text(double value, double step);
 
 }  // namespace sim

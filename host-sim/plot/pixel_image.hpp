@@ -10,16 +10,17 @@
 
 namespace sim {
 
-/// Pixels for a part of a picture. Each pixel is transparent until it is set.
+/// An image of pixels for a part of a picture. A pixel is transparent until it is set.
 class PixelImage {
  public:
-  /// @pre width and height are above 0
+  /// @pre `width` and `height` are above 0
   PixelImage(int width, int height);
 
   [[nodiscard]] int width() const { return width_; }
   [[nodiscard]] int height() const { return height_; }
 
-  /// Sets a pixel; row 0 is the top. @pre 0 <= column < width(), 0 <= row < height()
+  /// Sets the colour of a pixel. Row 0 is the top row.
+  /// @pre 0 <= column < width(), 0 <= row < height()
   void set(int column, int row, const Colour& colour) {
     pixels_[static_cast<std::size_t>(row) * static_cast<std::size_t>(width_) +
             static_cast<std::size_t>(column)] =
@@ -27,25 +28,30 @@ class PixelImage {
         static_cast<std::uint32_t>(colour.green) << 8U | colour.blue;
   }
 
-  /// Returns the image as the bytes of a PNG. Throws std::runtime_error naming `file`.
+  /// Returns the image as the bytes of a PNG. Throws std::runtime_error, with the name `file`, if
+  /// cairo cannot make the PNG.
   [[nodiscard]] std::string png(const std::string& file) const;
 
  private:
   int width_;
   int height_;
-  std::vector<std::uint32_t> pixels_;  ///< Alpha, red, green and blue, from the highest byte down.
+  /// Pixels, row by row. Each consists of alpha, red, green and blue, from the highest byte to the
+  /// lowest.
+  std::vector<std::uint32_t> pixels_;
 };
 
-/// Appends an image to an SVG document, stretched over a box. Throws as PixelImage::png() does.
+/// Appends an image, stretched over a box, to an SVG document. Throws the exceptions of
+/// PixelImage::png().
 void add_image(std::string& out, const std::string& file, const PixelImage& image, const Box& box);
 
-/// How an image is combined with the content of the picture below it.
+/// The combination of an image with the content of the picture below it.
 enum class Blend : std::uint8_t {
   kOver,    ///< The image hides the content below.
-  kDarken,  ///< The content below shows through white parts of the image.
+  kDarken,  ///< The content below is visible through white parts of the image.
 };
 
-/// Appends an image, given as the bytes of a PNG, to an SVG document, stretched over a box.
+/// Appends an image, which is given as the bytes of a PNG and is stretched over a box, to an SVG
+/// document.
 void add_png(std::string& out, const std::string& png, const Box& box, Blend blend = Blend::kOver);
 
 }  // namespace sim

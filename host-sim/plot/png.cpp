@@ -8,7 +8,8 @@
 namespace sim {
 namespace {
 
-/// Returns the height that keeps the shape of the document at the given width.
+/// Returns the height of the image, px, at which the document keeps its proportions for the given
+/// width.
 int height_for(const std::string& file, RsvgHandle& handle, int width_px) {
   gdouble width = 0.0;
   gdouble height = 0.0;

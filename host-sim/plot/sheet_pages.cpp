@@ -16,8 +16,8 @@ constexpr double kLineHeightPt = 13.0;
 constexpr double kTableLinePt = 14.0;
 constexpr double kFooterPt = 26.0;
 constexpr double kCellGapPt = 6.0;
-/// Width of a letter as a share of its size: that of the font's wide letters, so that no cell
-/// overflows, and the mean over a text.
+/// Width of a letter as a share of the font size. kWideLetter is the width of wide letters, so that
+/// no cell overflows. kMeanLetter is the mean width in a text.
 constexpr double kWideLetter = 0.64;
 constexpr double kMeanLetter = 0.52;
 constexpr std::string_view kSoftInk = "#5b626c";

@@ -8,9 +8,10 @@ namespace sim {
 
 /// Measures the speed of stepping motors over a stretch of a few milliseconds.
 ///
-/// Steps of several axes interleave, so single intervals carry little information. The length is
-/// therefore summed over chords of at least `kChordSteps` steps. That makes the error of the
-/// staircase second order (below 1 %), and the chords still follow a curve.
+/// Steps of several axes interleave, so the intervals between single steps contain little
+/// information. Therefore the length is the sum of chords of at least `kChordSteps` steps. With
+/// these chords the error of the staircase is of second order (below 1 %), and they still follow a
+/// curve.
 class SpeedWindow {
  public:
   struct Point {
@@ -19,11 +20,11 @@ class SpeedWindow {
     double z_mm;
   };
 
-  /// After this time without a step the machine counts as at rest. The wait must not be averaged
-  /// into the motion before and after it.
+  /// Time without a step after which the machine counts as at rest. Such a pause must not be
+  /// averaged into the motion before and after it.
   static constexpr std::uint64_t kStandstillNs = 50'000'000;
 
-  /// @param step_mm the coarsest step of X and Y
+  /// @param step_mm length of the coarser one of the steps of X and Y
   explicit SpeedWindow(double step_mm)
       : chord_mm_{kChordSteps * step_mm}, long_enough_mm_{kWindowSteps * step_mm} {}
 
@@ -42,13 +43,13 @@ class SpeedWindow {
     chord_start_ = to;
   }
 
-  /// Returns whether the window has enough time and steps for a useful speed.
+  /// Returns whether the window is long enough, in time and in steps, for a useful speed.
   [[nodiscard]] bool is_full() const {
     return last_ns_ - start_ns_ >= kWindowNs && length_mm_ >= long_enough_mm_;
   }
 
-  /// Returns the mean speed since the restart; `otherwise` if there are too few steps and too
-  /// little time to measure it.
+  /// Returns the mean speed since restart(); `otherwise` if the steps are too few, and the time too
+  /// short, to measure it.
   [[nodiscard]] double speed_mm_s(double otherwise) const {
     const std::uint64_t elapsed_ns = last_ns_ - start_ns_;
     const double length_mm = length_mm_ + distance_mm(chord_start_, last_);
@@ -61,8 +62,10 @@ class SpeedWindow {
 
  private:
   static constexpr double kChordSteps = 8.0;
-  static constexpr double kWindowSteps = 32.0;           ///< Gives the direction to about 3 %.
-  static constexpr std::uint64_t kWindowNs = 5'000'000;  ///< Time for 0.5 mm at 100 mm/s.
+  /// Least length of a window, in steps. The direction of the path is then known to about 3 %.
+  static constexpr double kWindowSteps = 32.0;
+  /// Least duration of a window: the time for 0.5 mm at 100 mm/s.
+  static constexpr std::uint64_t kWindowNs = 5'000'000;
 
   [[nodiscard]] static double distance_mm(const Point& a, const Point& b) {
     return std::hypot(b.x_mm - a.x_mm, b.y_mm - a.y_mm, b.z_mm - a.z_mm);

@@ -25,7 +25,7 @@ constexpr double kStockWidthPx =
 constexpr double kTallestStockPx = 1.15 * kStockWidthPx;
 constexpr std::size_t kMaxPlanPixels = 2'000'000;
 constexpr Colour kUncutColour{0xd9, 0xdc, 0xe0};
-/// A block that is cut less deeply than this looks uncut, mm.
+/// Depth below which a block of cells is drawn as uncut, mm.
 constexpr double kUncutMm = 1.0e-4;
 
 View view_of_stock(const stock::StockBox& box) {
@@ -41,7 +41,7 @@ View view_of_stock(const stock::StockBox& box) {
                std::clamp(natural_px, kLegendHeightPx, kTallestStockPx)}};
 }
 
-/// Appends the plan as an image, with a pixel for each block and Y upwards.
+/// Appends the plan as an image, with a pixel for each block of cells, and with Y upwards.
 void add_plan(std::string& out,
               const std::string& file,
               const stock::HeightMap& map,

@@ -6,11 +6,11 @@
 
 namespace sim {
 
-/// Returns the picture of a carved stock as an SVG document: its plan, coloured by depth below its
-/// top where material was removed, with grid, legend and scale bar. The plan is an image within the
-/// document.
-/// Throws std::runtime_error naming `file` if the plan cannot be drawn.
-/// @param facts a line below the title, such as the removed volume; may be empty
+/// Returns the picture of a carved stock as an SVG document. The plan of the stock is coloured by
+/// the depth below its top where material was removed. The picture also contains a grid, a legend
+/// and a scale bar. The plan is an image within the document. Throws std::runtime_error, with the
+/// name `file`, if the plan cannot be drawn.
+/// @param facts text of the line below the title, such as the removed volume; may be empty
 [[nodiscard]] std::string draw_stock(const std::string& file,
                                      const stock::Stock& carved,
                                      const std::string& title,

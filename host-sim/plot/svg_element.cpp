@@ -75,7 +75,9 @@ void add_line(std::string& out,
 
 void add_bulge(
     std::string& data, double x1_px, double y1_px, double x2_px, double y2_px, double bulge) {
-  constexpr double kFlat = 0.1;  // 23 degrees: a cubic is exact to 2e-8 of the chord.
+  // Greatest bulge of an arc that is drawn as a cubic curve. The arc then turns by 23 degrees, and
+  // the curve is exact to 2e-8 of the chord.
+  constexpr double kFlat = 0.1;
   const double size = std::abs(bulge);
   const double chord_px = std::hypot(x2_px - x1_px, y2_px - y1_px);
   if (size == 0.0 || chord_px == 0.0) {
@@ -89,7 +91,7 @@ void add_bulge(
                    x2_px,
                    y2_px);
   } else {
-    // In the document y runs downwards, so a turn to the left decreases angles.
+    // In the document y points downwards, so a turn to the left decreases angles.
     const double along = std::atan2(y2_px - y1_px, x2_px - x1_px);
     const double half_turn = -2.0 * std::atan(bulge);
     const double handle_px = chord_px * (1.0 + size * size) / 3.0;

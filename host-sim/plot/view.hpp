@@ -9,7 +9,8 @@
 
 namespace sim {
 
-/// An upright rectangle in machine coordinates. It is empty until a point is included.
+/// A rectangle in machine coordinates, with sides along the axes. It is empty until a point is
+/// included.
 struct Extent {
   double left_mm = std::numeric_limits<double>::infinity();
   double right_mm = -std::numeric_limits<double>::infinity();
@@ -27,7 +28,7 @@ struct Extent {
   [[nodiscard]] double height_mm() const { return is_empty() ? 0.0 : top_mm - bottom_mm; }
 };
 
-/// A rectangle of the picture; y runs downwards.
+/// A rectangle in a picture, whose y points downwards.
 struct Box {
   double left_px;
   double top_px;
@@ -37,10 +38,11 @@ struct Box {
   [[nodiscard]] double bottom_px() const { return top_px + height_px; }
 };
 
-/// Maps machine coordinates, with y upwards, into the middle of a box.
+/// Maps machine coordinates, whose y points upwards, to a picture. The mapped area is as large as a
+/// box of the picture allows, and is in its middle.
 class View {
  public:
-  /// @pre bounds have a width and a height
+  /// @pre `bounds` has a width and a height
   View(const Extent& bounds, const Box& box)
       : box_{box},
         px_per_mm_{std::min(box.width_px / bounds.width_mm(), box.height_px / bounds.height_mm())},
@@ -69,7 +71,8 @@ class View {
   double middle_y_mm_;
 };
 
-/// Returns the smallest 1, 2 or 5 times a power of ten that is not below `least` (> 0).
+/// Returns the smallest number of the form 1, 2 or 5 times a power of ten that is at least `least`
+/// (> 0).
 [[nodiscard]] inline double round_step(double least) {
   const double power = std::pow(10.0, std::floor(std::log10(least)));
   for (const double factor : {1.0, 2.0, 5.0}) {
@@ -78,7 +81,7 @@ class View {
   return 10.0 * power;
 }
 
-/// Returns the extent of those stretches of a path whose `move` is at least `least`.
+/// Returns the extent of the stretches of a path whose `move` is `least` or a later value of Move.
 [[nodiscard]] inline Extent bounds_of(const std::vector<PathVertex>& vertices, Move least) {
   Extent bounds;
   for (std::size_t i = 0; i < vertices.size(); ++i) {

@@ -22,10 +22,10 @@ using cnc::WideVec2;
 using cnc::pocket::MovingDisc;
 using cnc::pocket::ToolCircle;
 
-/// mm: stock of about this thickness is left to the passes along the walls, also in corners.
+/// Thickness of the stock that is left to the passes along the walls, also in corners, mm.
 constexpr double kAxisMm = 2.0e-4;
-/// mm: in the cusp of a corner, crescents end before its tip. Their distance from the tip is the
-/// deviation of the axis from the middle of the cusp, divided by the sine of half the angle.
+/// Greatest deviation of the computed axis from the middle of a cusp, mm. In the cusp of a corner,
+/// crescents end at a distance from the tip: this deviation divided by the sine of half the angle.
 constexpr double kAsideMm = 2.0e-5;
 
 void check(const AdaptiveOptions& options) {
@@ -42,18 +42,18 @@ void check(const AdaptiveOptions& options) {
   require(
       options.depth_mm > 0.0 && std::isfinite(options.depth_mm), "depth in mm", options.depth_mm);
   require(options.slope > 0.0 && options.slope <= 1.0, "slope of ramps", options.slope);
-  require(options.return_limit_mm >= 0.0, "way to return in mm", options.return_limit_mm);
+  require(options.return_limit_mm >= 0.0, "length of returns in mm", options.return_limit_mm);
 }
 
-/// The vertex at which a pass along a wall begins, and the cleared circle from which the tool
-/// comes.
+/// The vertex at which a pass along a wall begins, and the cleared circle from which the tool comes
+/// to this vertex.
 struct WallStart {
   std::uint32_t vertex = 0;
   ToolCircle circle;
 };
 
-/// Returns the vertex of a loop that is nearest to a circle, if the tool fits on the line between
-/// them. Of a long loop only some vertices are checked.
+/// Returns the vertex of a loop that is nearest to one of the circles, with this circle. The tool
+/// must fit on the line between them. Of a long loop, only some vertices are checked.
 WallStart wall_start(const cnc::contour::ContourView<double>& locus,
                      std::size_t loop,
                      const std::vector<ToolCircle>& circles,
@@ -79,8 +79,8 @@ WallStart wall_start(const cnc::contour::ContourView<double>& locus,
   return best;
 }
 
-/// Returns the arc by which the tool leaves its line to a vertex of the locus, so that it reaches
-/// the wall without a corner. Returns none where the vertex is a corner, or where no arc fits.
+/// Returns an arc that leads the tool from its line to a vertex of the locus, so that the tool
+/// reaches the wall without a corner. Returns none if the vertex is a corner, or if no arc fits.
 Approach wall_approach(const cnc::contour::ContourView<double>& locus,
                        std::size_t loop,
                        const WallStart& start,
@@ -101,7 +101,7 @@ Approach wall_approach(const cnc::contour::ContourView<double>& locus,
   return fitting_approach(start.circle.centre, cut, area, tool_radius_mm);
 }
 
-/// Drives around a loop of the locus, from a cleared circle.
+/// Drives around one loop of the locus, coming from a cleared circle.
 void pass_wall(const cnc::contour::ContourView<double>& locus,
                std::size_t loop,
                const WallStart& start,
@@ -127,7 +127,7 @@ void pass_wall(const cnc::contour::ContourView<double>& locus,
   }
 }
 
-/// Drives around all loops of a locus, each from the nearest cleared circle.
+/// Drives around all loops of a locus. Each loop begins at the nearest cleared circle.
 void pass_walls(const cnc::contour::ContourView<double>& locus,
                 const OwnedArea& area,
                 const AdaptiveOptions& options,
@@ -168,7 +168,7 @@ AdaptivePath adaptive_path(const cnc::contour::ContourView<double>& area,
   AreaClearer{owned, graph, options, driver}.clear();
   if (driver.circles().empty()) {
     throw std::invalid_argument{
-        fmt::format("a tool of {:g} mm fits nowhere into the pocket; take a smaller one",
+        fmt::format("a tool of {:g} mm fits nowhere into the pocket; choose a smaller tool",
                     2.0 * options.tool_radius_mm)};
   }
   ContourOffset offset;

@@ -35,8 +35,8 @@ ToolCircle AreaClearer::circle_of(std::uint32_t node) const {
   return {point.place, point.radius - options_.tool_radius_mm};
 }
 
-/// Clears each part from its widest node. Nodes whose discs are free of stock come first, then the
-/// widest nodes.
+/// Clears each part, beginning at its first node in this order: nodes whose discs are free of
+/// stock, then the other nodes; the widest first among both.
 void AreaClearer::clear() {
   std::vector<std::uint32_t> nodes(graph_.nodes.size());
   std::iota(nodes.begin(), nodes.end(), 0U);
@@ -74,16 +74,16 @@ void AreaClearer::clear_part(std::uint32_t start) {
   }
 }
 
-/// Returns the points of a piece in order, from its end at `node` on.
+/// Returns the points of a piece in order, beginning at `node`, which is one of its ends.
 std::vector<AxisPoint> AreaClearer::points_from(std::uint32_t node, std::size_t piece) const {
   std::vector<AxisPoint> points = graph_.pieces[piece].points;
   if (graph_.pieces[piece].from != node) std::ranges::reverse(points);
   return points;
 }
 
-/// Returns the longest path from a node along one of its pieces that a ramp can take.
+/// Returns the longest path for a ramp from a node along one of its pieces.
 std::vector<WideVec2> AreaClearer::way_from(std::uint32_t node) const {
-  // Forth, and the same length back.
+  // The ramp leads forth and then back over the same length.
   const double longest_mm = 0.5 * options_.depth_mm / options_.slope;
   std::vector<WideVec2> best{graph_.nodes[node].place};
   for (const std::size_t piece : at_node_[node]) {
@@ -110,10 +110,10 @@ void AreaClearer::clear_piece(std::size_t index, std::vector<Frame>& frames) {
   const bool is_dead_end = at_node_[end].size() == 1 && end != frame.node;
   is_taken_[index] = true;
   CourseDrive done = driver_.drive(course, frame.circle, is_dead_end);
-  // Around an island, the tool returns to the circle from which it started.
+  // Around an island, the tool is back on the circle from which it started.
   if (done.is_complete && end == frame.node) done.way_back.clear();
   const bool goes_on = done.is_complete && !is_reached_[end];
-  // Crescents end before the tip of a corner, which does not need its own entry.
+  // Crescents end before the tip of a corner. The tip must not get its own entry.
   if (done.is_complete || is_dead_end) is_reached_[end] = true;
   if (goes_on) {
     frames.push_back({end, circle_of(end), std::move(done.way_back)});
@@ -122,12 +122,12 @@ void AreaClearer::clear_piece(std::size_t index, std::vector<Frame>& frames) {
   }
 }
 
-/// Drives the path back that is still to be driven, or lifts the tool if the path is too long.
+/// Drives the return that is still to be driven. Lifts the tool instead if the return is too long.
 void AreaClearer::return_to(const ToolCircle& circle) {
   std::vector<WideVec2> places;
   for (const ToolCircle& disc : way_back_) places.push_back(disc.centre);
   if (driver_.is_up() && driver_.is_free(circle)) {
-    // The tool descends when it is needed, if at all.
+    // The tool stays up. It descends before its next cut.
   } else if (driver_.is_up() || way_length(places) > options_.return_limit_mm) {
     driver_.come_down(circle);
   } else if (!way_back_.empty()) {

@@ -10,11 +10,11 @@
 
 namespace sim::pocket {
 
-/// Clears all parts of an area that a tool reaches, one after another. In each part it clears the
-/// pieces of the axis, from the widest node on.
+/// Clears all parts of an area that a tool reaches, one part after another. In each part, it clears
+/// the pieces of the medial axis, beginning at the widest node.
 class AreaClearer {
  public:
-  /// @param graph the part of the axis where the tool fits
+  /// @param graph the part of the axis along which the tool fits
   AreaClearer(const OwnedArea& area,
               const CarveGraph& graph,
               const AdaptiveOptions& options,
@@ -23,7 +23,7 @@ class AreaClearer {
   void clear();
 
  private:
-  /// A node whose disc is cleared, with the path by which the tool came to it.
+  /// A node whose disc is cleared, with the discs that lead from it back to the previous node.
   struct Frame {
     std::uint32_t node = 0;
     cnc::pocket::ToolCircle circle;
@@ -45,11 +45,13 @@ class AreaClearer {
   std::vector<std::vector<std::size_t>> at_node_;
   std::vector<bool> is_reached_;  ///< For each node, whether its disc is cleared.
   std::vector<bool> is_taken_;    ///< For each piece, whether it is cleared.
-  /// The path back that is still to be driven. The last one of a part is never driven.
+  /// Discs of the return that is still to be driven. After the last piece of a part, no return
+  /// follows.
   std::vector<cnc::pocket::ToolCircle> way_back_;
 };
 
-/// Divides each piece that is wider in the middle than at its nodes, by a node at the widest point.
+/// Splits each piece that is wider in the middle than at both of its nodes: inserts a node at the
+/// widest point.
 void split_at_widest(CarveGraph& graph);
 
 }  // namespace sim::pocket

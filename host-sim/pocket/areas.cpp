@@ -13,7 +13,7 @@
 namespace sim::pocket {
 namespace {
 
-/// Steps of the search: the number for each path, and the greatest number in total.
+/// Number of search steps for each path, and greatest number in total.
 constexpr std::uint64_t kStepsOfPath = 200;
 constexpr std::uint64_t kMaxSteps = 200'000;
 
@@ -28,7 +28,8 @@ std::vector<Contour> areas_of(const Contour& contours) {
   cnc::pocket::AreaList<double> areas{slice_of(vertices), slice_of(loop_ends), slice_of(ranges)};
   const auto result = cnc::pocket::split_areas<double>(contours.view(), slice_of(notes), areas);
   if (result != cnc::pocket::SplitResult::kDone) {
-    throw NoPocketPath{"an island lies outside of all pockets; are contours missing or crossing?"};
+    throw NoPocketPath{
+        "an island is outside of all pockets; check for missing or crossing contours"};
   }
   std::vector<Contour> split;
   for (std::size_t i = 0; i < areas.size(); ++i) split.push_back(copy_of(areas[i]));

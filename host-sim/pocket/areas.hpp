@@ -8,13 +8,13 @@
 
 namespace sim::pocket {
 
-/// Splits contours into connected areas. Each area is an outline with the holes in it.
-/// Throws NoPocketPath where a hole lies in no outline.
+/// Splits contours into connected areas. Each area is an outline with the holes in it. Throws
+/// NoPocketPath if a hole is outside of all outlines.
 [[nodiscard]] std::vector<Contour> areas_of(const Contour& contours);
 
-/// Returns an order of paths with short rapids. The order is a tour from X0 Y0 through all paths
-/// and back; rapids lead from the last point of a path to the first point of the next. The result
-/// is the same on every machine.
+/// Returns an order of the paths that keeps the rapids short. The order is a tour from X0 Y0
+/// through all paths and back. Rapids lead from the last point of a path to the first point of the
+/// next path. The result is the same on every computer.
 /// @pre no path is empty
 [[nodiscard]] std::vector<std::size_t> short_order(const std::vector<PathRows>& paths);
 

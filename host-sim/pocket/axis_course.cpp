@@ -11,13 +11,13 @@ using cnc::WideVec2;
 using cnc::pocket::ToolCircle;
 
 /// Greatest distance between the centres of neighbouring circles, as a share of the sum of their
-/// radii. Farther apart, the circles hardly meet.
+/// radii. At a greater distance, the circles hardly intersect.
 constexpr double kMaxApart = 0.95;
 
 bool is_allowed(const ToolCircle& cleared, const ToolCircle& next, const StepLimits& limits) {
   if (next.radius < limits.min_circle_mm) return false;
   const double distance = (next.centre - cleared.centre).norm();
-  // The tool has cleared the whole circle already.
+  // The tool has already cleared all of this circle.
   if (distance + next.radius <= cleared.radius) return true;
   if (distance > kMaxApart * (cleared.radius + next.radius)) return false;
   if (!crescent_between(cleared, next).exists) return false;
@@ -72,8 +72,10 @@ double next_crescent(const AxisCourse& course,
                      const ToolCircle& cleared,
                      const StepLimits& limits) {
   const auto allows = [&](double s) { return is_allowed(cleared, course.circle_at(s), limits); };
-  constexpr double kFirstStep = 0.01;    // Share of the tool's radius.
-  constexpr double kGreatestStep = 0.1;  // Share of the tool's radius.
+  // First step along the course, as a share of the tool's radius.
+  constexpr double kFirstStep = 0.01;
+  // Greatest step along the course, as a share of the tool's radius.
+  constexpr double kGreatestStep = 0.1;
   constexpr double kGrowth = 1.5;
   constexpr int kHalvings = 24;
   double good = from;

@@ -16,15 +16,14 @@ using cnc::pocket::EntryKind;
 using cnc::pocket::ToolCircle;
 using cnc::pocket::Use;
 
-/// A helix on a circle of more than this share of the tool's radius would leave a core.
+/// Greatest radius of a helix, as a share of the tool's radius. A wider helix would leave a core.
 constexpr double kGreatestHelix = 0.9;
-/// A helix on a circle of less than this share of the tool's radius is nearly a plunge; a ramp is
-/// better.
+/// Least radius of a helix, as a share of the tool's radius. A narrower helix is nearly a plunge; a
+/// ramp is better.
 constexpr double kMinHelix = 0.1;
 
-/// Returns the number of revolutions, or of trips forth and back, in which an entry reaches the
-/// floor.
-/// Throws NoPocketPath if that number is too great.
+/// Returns the number of rounds in which an entry reaches the floor. A round is half a turn of a
+/// helix, or a trip forth and back. Throws NoPocketPath if that number is too great.
 double rounds_of(double round_mm, const WideVec2& place, const AdaptiveOptions& options) {
   return legs_of_ramp({.depth_mm = options.depth_mm, .slope = options.slope}, round_mm, place);
 }
@@ -43,7 +42,7 @@ void sink_by_helix(const WideVec2& centre,
   writer.circle(Use::kEntry, centre);
 }
 
-/// Descends evenly along the path, forth and back.
+/// Descends evenly along the path `way`, forth and back.
 void sink_by_ramp(const std::vector<WideVec2>& way,
                   const AdaptiveOptions& options,
                   DepthWriter& writer) {
@@ -63,8 +62,9 @@ void sink_by_ramp(const std::vector<WideVec2>& way,
   writer.settle();
 }
 
-/// Goes around the centre, at which the tool is, so that a spiral can begin. Out of a hole as wide
-/// as the tool, no spiral begins with less than a quarter of the circumference engaged.
+/// Goes around the centre, which is the tool's position, so that a spiral can begin. A spiral
+/// cannot begin in a hole as wide as the tool: at least a quarter of the circumference would be
+/// engaged.
 void widen(const ToolCircle& circle, const AdaptiveOptions& options, DepthWriter& writer) {
   const double radius_mm = std::min(circle.radius, kMinHelix * options.tool_radius_mm);
   if (radius_mm <= 0.0) return;
@@ -78,7 +78,7 @@ bool fits_in_line(const WideVec2& from,
                   const WideVec2& to,
                   const cnc::pocket::AreaDistance& area,
                   double tool_radius_mm) {
-  // The tool may reach across the boundary by this much, which is rounding.
+  // Greatest distance by which rounding may move the tool across the boundary.
   constexpr double kExcessMm = 1.0e-7;
   return excess_of({from, to, tool_radius_mm, tool_radius_mm}, area) <= kExcessMm;
 }

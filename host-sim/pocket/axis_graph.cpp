@@ -14,7 +14,7 @@ namespace {
 
 using Diagram = boost::polygon::voronoi_diagram<double>;
 
-/// Builds the diagram in place, as a diagram cannot be moved.
+/// Builds the diagram into `diagram`, because a diagram cannot be moved.
 void construct(const ChordRows& rows, Diagram& diagram) {
   boost::polygon::voronoi_builder<std::int32_t> builder;
   for (const Chord& chord : rows.chords) {
@@ -23,7 +23,7 @@ void construct(const ChordRows& rows, Diagram& diagram) {
   builder.construct(&diagram);
 }
 
-/// Copies the vertices and edges of a diagram that lie in the area.
+/// Copies those vertices and edges of a diagram that lie in the area.
 class GraphReader {
  public:
   GraphReader(const OwnedArea& area,
@@ -48,8 +48,8 @@ class GraphReader {
   void read_vertex(const Diagram::vertex_type& vertex) {
     const cnc::WideVec2 place = rows_.place(vertex.x(), vertex.y());
     const cnc::pocket::BoundaryPoint nearest = area_->nearest(place);
-    // Corners of the area are vertices of the diagram, with a small error by the grid; so are the
-    // corners between tangents.
+    // Corners of the area, and corners between tangents, are vertices of the diagram, with a small
+    // error by the grid.
     const bool is_corner = nearest.distance <= (nearest.inside ? 4.0 * rows_.unit_mm : touch_mm_);
     const double depth = nearest.inside ? nearest.distance : -nearest.distance;
     graph_.nodes.push_back(is_corner ? AxisPoint{nearest.point, 0.0} : AxisPoint{place, depth});
@@ -67,8 +67,8 @@ class GraphReader {
     BoundarySite left = site_of(*edge.cell());
     BoundarySite right = site_of(*edge.twin()->cell());
     const bool is_real = smooth_.may_share_disc(left, right);
-    // Distances from two elements are compared. At a corner, use the element that the other site
-    // does not have.
+    // The graph compares distances from two elements. At a corner, use the element that the other
+    // site does not have.
     if (right.has(left.element)) std::swap(left.element, left.other);
     if (left.has(right.element)) std::swap(right.element, right.other);
     graph_.edges.push_back({from, to, left.element, right.element, is_real});
@@ -93,7 +93,7 @@ class GraphReader {
   const OwnedArea& area_;
   const ChordRows& rows_;
   const Diagram& diagram_;
-  /// Greatest distance outside of the area at which a corner of the area may seem to lie, mm.
+  /// Greatest distance of a computed corner of the area from the area, mm.
   double touch_mm_;
   SmoothRows smooth_;
   AxisGraph graph_;

@@ -8,7 +8,7 @@ namespace {
 using cnc::WideVec2;
 using Curve = cnc::contour::Curve<double>;
 
-/// mm: a shorter element is a rounding error.
+/// Length below which an element is a rounding error, mm.
 constexpr double kShortestMm = 1.0e-9;
 
 /// Builds a path along a boundary, element by element.
@@ -17,7 +17,7 @@ class WayMaker {
   WayMaker(const OwnedArea& area, const WideVec2& start, bool is_backwards)
       : area_{area}, at_{start}, is_backwards_{is_backwards} {}
 
-  /// Continues along an element to a point of it.
+  /// Continues along an element to the point `to` of the element.
   void go(std::uint32_t element, const WideVec2& to) {
     if ((to - at_).norm() < kShortestMm) return;
     const Curve& curve = area_->element(element);
@@ -44,7 +44,7 @@ class WayMaker {
   std::vector<WayElement> way_;
 };
 
-/// Returns whether `to` is not before `from` on an element, in the direction of driving.
+/// Returns whether `to` is at or after `from` on an element, in the direction of driving.
 bool is_ahead(const Curve& curve, const WideVec2& from, const WideVec2& to, bool is_backwards) {
   const double step = curve.order_of(to) - curve.order_of(from);
   return is_backwards ? step <= 0.0 : step >= 0.0;
@@ -66,7 +66,7 @@ std::optional<std::vector<WayElement>> way_along(const OwnedArea& area,
       maker.go_to_end(element);
       element = is_backwards ? area->previous(element) : area->next(element);
       if (maker.length_mm() > limit_mm) return std::nullopt;
-      // The whole loop is shorter than the limit, and `to` is not on it.
+      // The tour around the loop is shorter than the limit, and `to` is not on the loop.
       if (element == from.element && element != to.element) return std::nullopt;
     } while (element != to.element);
   }

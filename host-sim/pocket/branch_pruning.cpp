@@ -40,13 +40,13 @@ class BranchPruner {
     const auto is_wider = [this](std::uint32_t a, std::uint32_t b) {
       return graph_.nodes[a].radius > graph_.nodes[b].radius;
     };
-    // The narrowest leaf comes first, so that of each part the widest node is the one that may be
-    // left alone.
+    // The narrowest leaf comes first. Therefore the last node of a part that shrinks to a point is
+    // its widest node.
     std::priority_queue<std::uint32_t, std::vector<std::uint32_t>, decltype(is_wider)> leaves{
         is_wider};
     for (std::uint32_t i = 0; i < degrees_.size(); ++i) {
       if (degrees_[i] == 1) leaves.push(i);
-      if (degrees_[i] == 0) dropped_[i] = true;  // The node never had an edge in the area.
+      if (degrees_[i] == 0) dropped_[i] = true;  // This node never had an edge in the area.
     }
     while (!leaves.empty()) {
       const std::uint32_t leaf = leaves.top();
@@ -63,7 +63,7 @@ class BranchPruner {
     return here.from == node ? here.to : here.from;
   }
 
-  /// Returns an edge that is left at a node, other than `except`.
+  /// Returns a remaining edge at a node, except the edge `except`.
   [[nodiscard]] std::uint32_t edge_at(std::uint32_t node, std::uint32_t except) const {
     for (std::uint32_t i = firsts_[node]; i < firsts_[node + 1]; ++i) {
       if (!gone_[ends_[i]] && ends_[i] != except) return ends_[i];
@@ -71,12 +71,13 @@ class BranchPruner {
     return kNoNode;
   }
 
-  /// Removes the branch that ends at a node, as far as that loses nothing. Returns the node to
-  /// which the removed part led.
+  /// Removes the branch that ends at `leaf`, as long as the removed discs reach at most the slack
+  /// beyond the rest. Returns the node at which the removed part ended.
   std::uint32_t prune_from(std::uint32_t leaf) {
     if (degrees_[leaf] != 1) return kNoNode;
     path_.clear();
-    std::size_t false_edges = 0;  // Number of edges at the beginning of the path that are not real.
+    // Number of false edges (edges that are not real) at the beginning of the path.
+    std::size_t false_edges = 0;
     std::uint32_t real_from = leaf;
     double excess = excess_[leaf];
     double widest = graph_.nodes[leaf].radius;
@@ -89,7 +90,7 @@ class BranchPruner {
       if (is_real) excess += reach_beyond(node, to);
       excess = std::max(excess, excess_[to]);
       widest = std::max(widest, graph_.nodes[to].radius);
-      // Past the middle of a circle, the path would follow the branch to another joint.
+      // Beyond the middle of a circle, the path would follow the branch to another joint.
       const bool narrows = graph_.nodes[to].radius < widest - slack_mm_;
       if (excess > slack_mm_ || (!is_real && narrows)) {
         path_.resize(false_edges);
@@ -109,7 +110,7 @@ class BranchPruner {
     return node;
   }
 
-  /// Returns how far the disc of `node` reaches beyond the disc of `to`, mm.
+  /// Returns the distance by which the disc of `node` reaches beyond the disc of `to`, mm.
   [[nodiscard]] double reach_beyond(std::uint32_t node, std::uint32_t to) const {
     const AxisPoint& a = graph_.nodes[node];
     const AxisPoint& b = graph_.nodes[to];
@@ -152,7 +153,7 @@ class BranchPruner {
   std::vector<std::uint32_t> degrees_;
   std::vector<std::uint32_t> firsts_;  ///< For each node, the index of its first edge in `ends_`.
   std::vector<std::uint32_t> ends_;
-  /// For each node, how far the removed branches reach beyond its disc.
+  /// For each node, the distance by which the removed branches reach beyond its disc, mm.
   std::vector<double> excess_;
   std::vector<bool> gone_;
   std::vector<bool> dropped_;

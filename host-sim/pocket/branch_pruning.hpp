@@ -4,10 +4,10 @@
 
 namespace sim::pocket {
 
-/// Removes edges that are not real from all free ends. Then it removes whole branches with a free
-/// end whose discs reach less than `slack_mm` beyond the disc at their other end; nearly straight
-/// corners have such branches. Where a part of the graph shrinks to one point, as in a circle, its
-/// widest node is kept without edges.
+/// Removes edges that are not real (AxisEdge::is_real), from each free end inwards. Then removes
+/// short branches with a free end. A branch is short if its discs reach less than `slack_mm` beyond
+/// the disc at the branch's other end; nearly straight corners have such branches. If a part of the
+/// graph shrinks to one point, as in a circle, its widest node is kept without edges.
 void prune_branches(AxisGraph& graph, double slack_mm);
 
 }  // namespace sim::pocket

@@ -12,14 +12,14 @@ namespace {
 
 using cnc::WideVec2;
 
-/// Share of the tolerance that each of three errors may use: the distance from the axis, the
-/// difference from the radii of the axis, and the amount by which radii are reduced.
+/// Share of the tolerance for each of three errors: the distance from the axis, the difference from
+/// the radii of the axis, and the reduction of radii.
 constexpr double kShare = 1.0 / 3.0;
 
-/// The part of the axis that is kept.
+/// The part of the axis that is kept, by its radius.
 enum class KeptPart : std::uint8_t { kNarrow, kWide };
 
-/// Divides chains where their radius crosses a limit.
+/// Splits chains at the points where their radius crosses a limit.
 class AxisClipper {
  public:
   AxisClipper(const MedialAxis& axis, const OwnedArea& area, double limit_mm, KeptPart part)
@@ -70,7 +70,7 @@ class AxisClipper {
   }
 
   /// Returns the point between two points where the radius crosses the limit.
-  /// @pre one of them is kept
+  /// @pre one of the two points is kept
   [[nodiscard]] AxisPoint crossing_between(AxisPoint kept, AxisPoint dropped) const {
     if (!is_kept(kept)) std::swap(kept, dropped);
     constexpr int kHalvings = 40;
@@ -89,7 +89,7 @@ class AxisClipper {
   CarveGraph graph_;
 };
 
-/// Finds the fewest lines for one piece.
+/// Replaces the points of one piece by as few lines as possible.
 class LineFitter {
  public:
   LineFitter(const OwnedArea& area, double tolerance_mm)
@@ -97,7 +97,8 @@ class LineFitter {
 
   void fit(std::vector<AxisPoint>& points) {
     std::vector<AxisPoint> kept{points.front()};
-    std::vector<double> excesses;  // Excess of each line.
+    // For each line, the distance by which the tool would cut into the wall, mm.
+    std::vector<double> excesses;
     for (std::size_t i = 0; i + 1 < points.size();) {
       const std::size_t end = farthest(points, i);
       excesses.push_back(excess_between(points[i], points[end]));
@@ -113,8 +114,8 @@ class LineFitter {
   }
 
  private:
-  /// Returns the last point up to which a line from `from` stays within the tolerance. It searches
-  /// by doubling, then by halving.
+  /// Returns the last point to which a straight line from `from` stays within the tolerance.
+  /// Searches by doubling, then by halving.
   [[nodiscard]] std::size_t farthest(const std::vector<AxisPoint>& points, std::size_t from) const {
     const std::size_t last = points.size() - 1;
     std::size_t good = from + 1;
@@ -145,7 +146,7 @@ class LineFitter {
     for (std::size_t i = from + 1; i < end; ++i) {
       const WideVec2 q = points[i].place - a.place;
       const double share = square > 0.0 ? chord.dot(q) / square : 0.0;
-      // The axis turns back here: the points would go backwards along the line.
+      // The axis turns back here: along the line, the points would go backwards.
       if (share < min_share || share > 1.0) return false;
       min_share = share;
       const double radius = a.radius + share * (b.radius - a.radius);
@@ -163,7 +164,7 @@ class LineFitter {
   double share_mm_;
 };
 
-/// Gives all pieces that meet at a node the same radius there: the least of theirs.
+/// Gives all pieces that meet at a node the same radius there: the least of their radii.
 void share_nodes(CarveGraph& graph) {
   for (CarvePiece& piece : graph.pieces) {
     for (const auto& [node, end] : {std::pair{piece.from, &piece.points.front()},

@@ -65,8 +65,8 @@ class CarveWalker {
     node_ = is_reversed ? here.from : here.to;
   }
 
-  /// Returns the best piece to cut from the current node: short dead ends first, then longer paths,
-  /// then long dead ends.
+  /// Returns the best piece to cut from the current node: short dead ends first, then pieces that
+  /// continue, then long dead ends.
   [[nodiscard]] std::size_t next_piece() const {
     std::optional<std::size_t> best;
     std::tuple<int, double> least{};
@@ -84,12 +84,12 @@ class CarveWalker {
     return *best;
   }
 
-  /// Drives along cut pieces to the nearest node with pieces left. Returns false if no such node is
-  /// near.
+  /// Drives along cut pieces to the nearest node with uncut pieces. Returns false if no such node
+  /// is within the limit of returns.
   bool return_to_work() {
     using Reached = std::pair<double, std::uint32_t>;
     std::priority_queue<Reached, std::vector<Reached>, std::greater<>> reached;
-    // Length of the path to each node, and its last piece.
+    // For each reached node, the length of the path to it, and the last piece of this path.
     std::unordered_map<std::uint32_t, std::pair<double, std::size_t>> ways;
     reached.push({0.0, node_});
     ways[node_] = {0.0, 0};
@@ -146,7 +146,7 @@ class CarveWalker {
   const CarveGraph& graph_;
   double return_limit_mm_;
   std::vector<std::vector<std::size_t>> at_node_;
-  /// For each node, the number of ends of pieces there that are not cut.
+  /// For each node, the number of ends of uncut pieces at the node.
   std::vector<std::uint32_t> left_;
   std::vector<bool> is_cut_;
   std::vector<double> lengths_;

@@ -8,19 +8,20 @@
 
 namespace sim::pocket {
 
-/// A piece as it is driven.
+/// One piece in the order of driving.
 struct WalkStep {
   std::size_t piece = 0;
-  bool is_reversed = false;  ///< Whether it is driven from `to` to `from`.
-  bool is_return = false;    ///< Whether it was driven before, so that its stock is gone.
-  bool begins_row = false;   ///< Whether the tool is lifted before it.
+  bool is_reversed = false;  ///< Whether the piece is driven from `to` to `from`.
+  bool is_return = false;    ///< Whether the piece was driven before, so that it has no stock.
+  bool begins_row = false;   ///< Whether the tool is lifted before the piece.
 };
 
 /// Returns an order in which every piece is cut once. The tool continues at the node where it is.
-/// Otherwise it returns along pieces that it has cut, up to `return_limit_mm`, to a node with
-/// pieces left. Otherwise it is lifted and continues at another node: at one with an odd number of
-/// pieces left if possible, and where distance plus radius is least. Dead ends are cut before
-/// longer paths.
+/// If all pieces of that node are cut, the tool returns along cut pieces to a node with uncut
+/// pieces. The return is at most `return_limit_mm` long. If no such node is in reach, the tool is
+/// lifted and continues at another node: if possible at a node with an odd number of uncut pieces,
+/// and where distance plus radius is least. At each node, dead ends of at most `return_limit_mm`
+/// come first, then pieces that continue, then longer dead ends.
 ///
 /// Source: an Euler trail where the graph has one. Time: number of pieces times number of rows.
 [[nodiscard]] std::vector<WalkStep> walk_along(const CarveGraph& graph, double return_limit_mm);

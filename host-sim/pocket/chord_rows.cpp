@@ -32,12 +32,12 @@ class ArcParts {
 
   [[nodiscard]] int count() const { return count_; }
 
-  /// Returns the point of the arc after a number of parts.
+  /// Returns the point of the arc at the end of the first `parts` parts.
   [[nodiscard]] WideVec2 joint(int parts) const {
     return point_at(static_cast<double>(parts) / count_);
   }
 
-  /// Returns the point where the tangents at both ends of a part meet.
+  /// Returns the point where the tangents at both ends of a part intersect.
   [[nodiscard]] WideVec2 tangents_meet(int part) const {
     const double share = (static_cast<double>(part) + 0.5) / count_;
     const double angle = share * sweep_;
@@ -48,8 +48,8 @@ class ArcParts {
   }
 
  private:
-  /// Computes a point by the chord from the start, which is turned from the tangent by half of the
-  /// sweep up to the point.
+  /// Returns the point at a share of the sweep. The point is the end of a chord from the start. The
+  /// angle between this chord and the start tangent is half of the sweep up to the point.
   [[nodiscard]] WideVec2 point_at(double share) const {
     const double half = 0.5 * share * sweep_;
     const double length = 2.0 * std::sin(half) / curve_.curvature;
@@ -84,7 +84,8 @@ class ChordMaker {
     const Curve& curve = area_.element(index);
     const ArcParts parts{curve, sagitta_mm};
     here_ = grid_point(curve.start);
-    // All tangents have the same distance from the centre, so bisectors of neighbours meet there.
+    // All tangents are equally far from the centre, so the bisectors of neighbouring tangents meet
+    // there.
     const bool by_tangents = curve.curvature > 0.0;
     for (int k = 0; k < parts.count(); ++k) {
       if (by_tangents) {
@@ -114,7 +115,7 @@ class ChordMaker {
   GridPoint here_;
 };
 
-/// Returns the side of a chord on which a point lies, as the sign of an exact cross product.
+/// Returns the side of a chord on which a point is, as the sign of an exact cross product.
 int side_of(const Chord& chord, const GridPoint& point) {
   const auto wide = [](std::int32_t to, std::int32_t from) { return std::int64_t{to} - from; };
   const std::int64_t side = wide(chord.to.x, chord.from.x) * wide(point.y, chord.from.y) -
@@ -129,7 +130,7 @@ FlatBox<double> box_of(const Chord& chord) {
           static_cast<double>(std::max(chord.from.y, chord.to.y))};
 }
 
-/// Returns whether two chords have a common point that is not an end of both.
+/// Returns whether two chords have a common point that is not an end of both chords.
 bool cross_each_other(const Chord& a, const Chord& b) {
   const auto is_end = [](const GridPoint& point, const Chord& of) {
     return point == of.from || point == of.to;
@@ -178,11 +179,11 @@ ChordRows chords_of(const cnc::pocket::AreaDistance& area, double sagitta_mm) {
     sagitta_mm /= kFiner;
   }
   const WideVec2 place = area.element(crossed->element).start;
-  throw std::runtime_error{
-      fmt::format("at {:.3f} {:.3f}: the contour crosses or touches another, or itself, in the "
-                  "element that begins here; take them apart",
-                  place.x(),
-                  place.y())};
+  throw std::runtime_error{fmt::format(
+      "at {:.3f} {:.3f}: the element that begins here crosses or touches another element; "
+      "take them apart",
+      place.x(),
+      place.y())};
 }
 
 }  // namespace sim::pocket

@@ -20,22 +20,22 @@ using cnc::pocket::ToolCircle;
 using cnc::pocket::Use;
 
 constexpr double kDegree = std::numbers::pi / 180.0;
-/// mm: a smaller circle gets no crescent. In corners that are not too sharp, the stock before their
-/// tips is thin at this size.
+/// Least radius of a circle that gets a crescent, mm. In corners that are not too sharp, only thin
+/// stock is left before the tip at this radius.
 constexpr double kMinCircleMm = 4.0e-5;
-/// mm: crescents end before a corner where the stock between their disc and the disc in the corner
-/// is no thicker than this. The pass along the wall removes this stock.
+/// Greatest thickness of the stock that crescents leave before a corner, mm, measured between their
+/// disc and the disc in the corner. The pass along the wall removes this stock.
 constexpr double kThinStockMm = 5.0e-4;
-/// mm: less than this counts as no progress along a course.
+/// Least progress along a course, mm. A smaller step counts as none.
 constexpr double kMinProgressMm = 1.0e-7;
-/// Tool radii: a narrow dead end up to this length is a corner, not a slot.
+/// Greatest length of a narrow dead end that is a corner, not a slot, in tool radii.
 constexpr double kCornerLength = 3.0;
-/// Greatest length of a narrow corner divided by the radius of its widest circle. A longer corner,
-/// with walls at less than about 4 degrees, is left to the pass along the wall: it would take
-/// hundreds of crescents for each halving of its width.
+/// Greatest length of a narrow corner divided by the radius of its widest circle. In a longer
+/// corner, the angle between the walls is less than about 4 degrees. Such a corner is left to the
+/// pass along the wall: it would require hundreds of crescents for each halving of its width.
 constexpr double kCornerSharpness = 30.0;
 
-/// Returns the radius of circles below which a pocket counts as narrow.
+/// Returns the radius of circles below which a pocket is narrow, mm.
 double narrow_circle(double tool_radius_mm) { return (kNarrowDiameters - 1.0) * tool_radius_mm; }
 
 /// Returns the thickness of the stock between a circle and the circle at the end of its course, mm.
@@ -75,7 +75,7 @@ CourseDrive CrescentDriver::drive(const AxisCourse& course,
       next = next_crescent(course, s, circle, limits_);
       if (next < s + kMinProgressMm) break;
       if (is_free(course.circle_at(next))) {
-        // The next crescent begins on the disc at `next`. The tool is not in this disc.
+        // The next crescent begins on the disc at `next`. The tool is not in this disc, but up.
         done.way_back.push_back(course.circle_at(next));
         take_free_disc(course.circle_at(next));
       } else {
@@ -91,8 +91,8 @@ CourseDrive CrescentDriver::drive(const AxisCourse& course,
   return done;
 }
 
-/// Returns whether the wall pass takes the rest of a dead end after a circle: only thin stock is
-/// left, or the dead end is a corner that is too sharp for crescents.
+/// Returns whether the pass along the wall must cut the rest of a dead end after `circle`. It must
+/// if only thin stock is left, or if the dead end is a corner that is too sharp for crescents.
 bool CrescentDriver::is_left_to_wall(const AxisCourse& course,
                                      double from,
                                      const ToolCircle& circle) const {
@@ -101,8 +101,8 @@ bool CrescentDriver::is_left_to_wall(const AxisCourse& course,
   return is_narrow && course.length() - from > kCornerSharpness * circle.radius;
 }
 
-/// Lists the tip of a dead end from `from` on as narrow, if its stock is thicker than thin stock.
-/// Where the tip is sharp, the pass along the wall cuts it as a slot.
+/// Adds the tip of a dead end, from `from` on, to the narrow stretches if its stock is thicker than
+/// kThinStockMm. Where the tip is sharp, the pass along the wall cuts it as a slot.
 void CrescentDriver::list_tip(const AxisCourse& course, double from) {
   const ToolCircle begin = course.circle_at(from);
   const ToolCircle end = course.circle_at(course.length());
@@ -115,7 +115,8 @@ void CrescentDriver::list_tip(const AxisCourse& course, double from) {
   out_.narrow.push_back(tip);
 }
 
-/// Returns the length up to which the discs from `from` on are free of stock. The tool stays up.
+/// Returns the length up to which the discs from `from` on are free of stock. The tool stays up
+/// there.
 double CrescentDriver::end_of_free(const AxisCourse& course, double from, CourseDrive& done) {
   const double step = 0.05 * limits_.tool_radius_mm;
   double end = from;
@@ -129,8 +130,8 @@ double CrescentDriver::end_of_free(const AxisCourse& course, double from, Course
   return end;
 }
 
-/// Returns the end of the narrow stretch that begins at `from`; `from` if no such stretch begins
-/// there.
+/// Returns the end of the narrow stretch that begins at `from`, or `from` if no narrow stretch
+/// begins there.
 double CrescentDriver::end_of_slot(const AxisCourse& course,
                                    double from,
                                    const ToolCircle& circle,
@@ -156,8 +157,8 @@ double CrescentDriver::end_of_slot(const AxisCourse& course,
   return high;
 }
 
-/// Drives along the axis and clears the disc at the end. Returns false if the slot bends and is as
-/// wide as the tool, so that no line fits into it.
+/// Drives along the axis and clears the disc at the end. Returns false if the slot is curved and as
+/// wide as the tool, because then no line fits into it.
 bool CrescentDriver::drive_slot(const AxisCourse& course,
                                 double from,
                                 double to,
@@ -206,7 +207,7 @@ void CrescentDriver::drive_crescent(const ToolCircle& from,
     writer_.light_pass(crescent.middle, crescent.bulge);
     writer_.light_pass(crescent.end, crescent.bulge);
   } else {
-    // The whole disc is cleared already: its centre is in both circles.
+    // The disc is cleared already. Its centre is in both circles.
     writer_.go_back(to.centre);
   }
   done.way_back.push_back(to);
@@ -222,8 +223,8 @@ void CrescentDriver::take_free_disc(const ToolCircle& circle) {
   is_up_ = true;
 }
 
-/// Allows for the skin of the stock: a disc that just touches a wall that must stay reaches into
-/// the skin. A disc that reaches farther is not free.
+/// Tolerates the skin of the stock: a disc that just touches a wall of a part reaches into the
+/// skin. A disc that reaches farther is not free.
 bool CrescentDriver::is_free(const ToolCircle& circle) const {
   constexpr double kSkins = 1.5;
   if (!options_.stock) return false;
@@ -240,7 +241,7 @@ void CrescentDriver::open_disc(const ToolCircle& circle, const std::vector<WideV
   enter_stock(circle, way, options_, writer_);
   open_by_spiral(circle, limits_, writer_);
   circles_.push_back(circle);
-  // The whole part is hardly wider than the tool.
+  // The entire part is hardly wider than the tool.
   if (circle.radius < narrow_circle(limits_.tool_radius_mm)) {
     out_.narrow.push_back({{circle.centre}, 2.0 * (circle.radius + limits_.tool_radius_mm), 0.0});
   }

@@ -8,50 +8,52 @@
 
 namespace sim::pocket {
 
-/// Result of driving along a course.
+/// Result of drive().
 struct CourseDrive {
-  /// Cleared discs through whose centres the tool can return to the beginning of the course. The
-  /// line from each centre to the next lies in the union of both discs.
+  /// Cleared discs that lead back to the beginning of the course. The tool returns along the lines
+  /// from centre to centre. Each line lies in the union of the two discs.
   std::vector<cnc::pocket::ToolCircle> way_back;
   bool is_complete = false;  ///< Whether the tool reached the end of the course.
 };
 
-/// Clears along the axis: by crescents, or in slots where the area is too narrow for crescents.
+/// Clears an area along its medial axis: by crescents, or by slots where the area is too narrow for
+/// crescents.
 class CrescentDriver {
  public:
   CrescentDriver(const OwnedArea& area, const AdaptiveOptions& options, AdaptivePath& out);
 
-  /// Clears along a course.
-  /// @param start the circle at the beginning of the course; the tool is on it or in it, and its
-  /// disc is cleared
+  /// Clears the area along a course.
+  /// @param start circle at the beginning of the course; the tool's centre is on it or in it, and
+  /// the disc around it is cleared
   /// @param is_dead_end whether no other piece continues at the end of the course
   CourseDrive drive(const AxisCourse& course,
                     const cnc::pocket::ToolCircle& start,
                     bool is_dead_end);
 
-  /// Opens a disc in full stock: by an entry, and by a spiral outwards within the engagement.
-  /// Leaves the tool on the circle.
-  /// @param way  points from the centre on, for a ramp; see enter_stock()
+  /// Opens a disc in full stock: by an entry, then by a spiral outwards within the engagement.
+  /// Leaves the tool on `circle`.
+  /// @param way  points from the centre of the circle on, for a ramp; see enter_stock()
   void open_disc(const cnc::pocket::ToolCircle& circle, const std::vector<cnc::WideVec2>& way);
 
-  /// Adds a disc that touches no stock; the tool stays up until it is needed there.
+  /// Records a disc that touches no stock as cleared. The tool stays up until a cut at the disc
+  /// begins.
   void take_free_disc(const cnc::pocket::ToolCircle& circle);
 
-  /// Returns whether the disc that a tool clears on a circle touches no stock.
+  /// Returns whether the disc that a tool clears on `circle` touches no stock.
   [[nodiscard]] bool is_free(const cnc::pocket::ToolCircle& circle) const;
 
-  /// Returns whether the tool is up. It descends next to the stock when it is needed.
+  /// Returns whether the tool is up. It descends next to the stock before the next cut.
   [[nodiscard]] bool is_up() const { return is_up_; }
 
   /// Lowers the tool at the centre of a cleared disc.
   void come_down(const cnc::pocket::ToolCircle& circle);
 
-  /// Returns all circles whose discs are cleared.
+  /// Returns the circles of all cleared discs.
   [[nodiscard]] const std::vector<cnc::pocket::ToolCircle>& circles() const { return circles_; }
   [[nodiscard]] DepthWriter& writer() { return writer_; }
 
-  /// Moves the tool back through cleared discs to the centre of the last disc, without corners
-  /// where the discs are large enough.
+  /// Moves the tool back through cleared discs to the centre of the last disc. The path has no
+  /// corners where the discs are large enough.
   /// @pre the tool is in the first disc
   void drive_back(const std::vector<cnc::pocket::ToolCircle>& way);
 
@@ -79,7 +81,7 @@ class CrescentDriver {
   AdaptivePath& out_;
   DepthWriter writer_;
   std::vector<cnc::pocket::ToolCircle> circles_;
-  bool is_up_ = false;  ///< True only if a stock is given.
+  bool is_up_ = false;  ///< Whether the tool is up; true only if a stock is given.
 };
 
 }  // namespace sim::pocket

@@ -11,15 +11,16 @@ using cnc::WideVec2;
 using cnc::pocket::ToolCircle;
 using cnc::pocket::Use;
 
-/// Returns a half circle to the left. It leads from a point offset from a centre in X to the other
-/// side of the centre.
+/// Returns a half circle to the left. It begins at `from`, which is offset from `centre` along X,
+/// and ends on the other side of the centre at the distance `radius_mm`.
 ToolCircle half_circle(const WideVec2& from, const WideVec2& centre, double radius_mm) {
   const double side = from.x() >= centre.x() ? 1.0 : -1.0;
   const WideVec2 to = centre - WideVec2{side * radius_mm, 0.0};
   return {0.5 * (from + to), 0.5 * (from - to).norm()};
 }
 
-/// Returns whether a tool on a half circle stays within the engagement if only a disc is cleared.
+/// Returns whether a tool on the half circle `half` stays within the engagement if only the disc
+/// `cleared` is free of stock.
 bool is_allowed(const ToolCircle& cleared,
                 const ToolCircle& half,
                 const WideVec2& from,
@@ -38,15 +39,16 @@ bool is_allowed(const ToolCircle& cleared,
   return true;
 }
 
-/// Returns the greatest radius at the end of the next half circle, from `min_mm` to the radius of
-/// `circle`.
+/// Returns the greatest radius at the end of the next half circle that keeps the engagement. The
+/// result is between `min_mm` and the radius of `circle`.
 double widest_half(const ToolCircle& cleared,
                    const WideVec2& from,
                    const ToolCircle& circle,
                    double min_mm,
                    const StepLimits& limits) {
   constexpr int kHalvings = 24;
-  // Each half circle grows by at least this share of the tool's radius, so that the spiral ends.
+  // Least growth of each half circle, as a share of the tool's radius. It ensures that the spiral
+  // ends.
   constexpr double kMinGrowth = 1.0e-3;
   const auto allows = [&](double radius_mm) {
     return is_allowed(cleared, half_circle(from, circle.centre, radius_mm), from, limits);
@@ -66,7 +68,7 @@ double widest_half(const ToolCircle& cleared,
 void open_by_spiral(const ToolCircle& circle, const StepLimits& limits, DepthWriter& writer) {
   double radius = (writer.place() - circle.centre).norm();
   if (radius >= circle.radius) return;
-  // The half circle before the last is on the same side as the next half circle.
+  // The half circle before the last one is on the same side as the next one.
   ToolCircle before_last{circle.centre, radius};
   ToolCircle last = before_last;
   while (radius < circle.radius) {

@@ -5,10 +5,10 @@
 
 namespace sim::pocket {
 
-/// Widens a cleared disc by half circles; each is as much wider than the previous one as the
-/// engagement allows. Then goes once around on the last circle.
-/// @param circle  the last circle. The tool has cleared a disc around its centre, and is on the
-/// circle of that disc, offset from the centre in X.
+/// Widens a cleared disc by half circles. Each half circle is as much wider than the previous one
+/// as the engagement allows. Then goes once around on the last circle.
+/// @param circle  the last circle. The tool has cleared a disc by going around the centre of this
+/// circle. It is at a point of that motion, offset from the centre along X.
 void open_by_spiral(const cnc::pocket::ToolCircle& circle,
                     const StepLimits& limits,
                     DepthWriter& writer);

@@ -13,7 +13,7 @@ namespace {
 
 using cnc::pocket::Use;
 using Point = cnc::pocket::PathPoint<double>;
-/// Depth of the hole at each point, mm below the top, above 0.
+/// For each point, the depth of its hole below the top of the stock, mm, above 0.
 using Holes = std::map<std::pair<double, double>, double>;
 
 void find_holes(cnc::contour::Slice<const Point> row, Holes& holes) {

@@ -28,7 +28,7 @@ std::vector<cut::Stroke> strokes_of(const cnc::contour::ContourView<double>& con
   return milling == cnc::pocket::Milling::kClimb ? strokes : reversed(std::move(strokes));
 }
 
-/// Returns the share of a stroke up to its point nearest to `place`.
+/// Returns the share of a stroke's length up to the point nearest to `place`.
 double share_at(const cut::Stroke& stroke, const cnc::WideVec2& place) {
   cnc::contour::Curve<double> curve;
   if (!cnc::pocket::make_curve<double>({stroke.from, stroke.to, stroke.bulge}, curve)) return 0.0;
@@ -39,7 +39,7 @@ double share_at(const cut::Stroke& stroke, const cnc::WideVec2& place) {
     return std::clamp(
         curve.start_tangent.dot(place - curve.start) / cut::length_of(stroke), 0.0, 1.0);
   }
-  // Where the point is the start within rounding, the direction of the chord to it is arbitrary.
+  // If `place` is the start within rounding, the direction of the chord to it is arbitrary.
   constexpr double kAtStartMm = 1.0e-9;
   if ((place - curve.start).norm() <= kAtStartMm) return 0.0;
   const double part = std::atan(curve.bulge_between(curve.start, place));

@@ -8,11 +8,11 @@ namespace {
 
 using cnc::WideVec2;
 
-/// The tool descends at this distance from the stock, as a share of its radius.
+/// Distance from the stock at which the tool's centre descends, as a share of the tool's radius.
 constexpr double kGap = 1.25;
-/// Greatest distance between the points that are tried, as a share of the tool's radius.
+/// Greatest distance between neighbouring candidate points, as a share of the tool's radius.
 constexpr double kApart = 1.0;
-/// Greatest number of paths that are tried, the shortest first, and limits of the number of points
+/// Greatest number of candidate paths (the shortest are tried), and limits of the number of points
 /// on a loop.
 constexpr std::size_t kMaxWays = 1000;
 constexpr double kFewestOnLoop = 16.0;
@@ -25,7 +25,7 @@ struct Candidate {
   double square = 0.0;  ///< Square of the line's length, mm².
 };
 
-/// Returns points along the edge of a box, at most `apart_mm` apart.
+/// Returns points along the edge of a box. Neighbouring points are at most `apart_mm` apart.
 std::vector<WideVec2> places_along(const StockBox& box, double apart_mm) {
   const std::vector<WideVec2> corners{
       {box.x0, box.y0}, {box.x1, box.y0}, {box.x1, box.y1}, {box.x0, box.y1}};

@@ -8,24 +8,27 @@
 
 namespace sim::pocket {
 
-/// A path to a loop from a point at which the tool is next to the stock.
+/// A path that leads to a loop from a point where the tool is next to the stock.
 struct EntryBeside {
   cnc::WideVec2 from{0.0, 0.0};
-  Approach approach;  ///< Exists unless `from` is on the loop.
-  /// Distance from the loop's start to the point of arrival, in the direction of driving.
+  /// Line and arc from `from` to the loop; exists unless `from` is on the loop.
+  Approach approach;
+  /// Distance from the loop's start to the point where the path reaches the loop, mm, in the
+  /// direction of driving.
   double way_mm = 0.0;
-  double length_mm = 0.0;  ///< Length of the line.
+  double length_mm = 0.0;  ///< Length of the line, mm.
 };
 
-/// Searches for paths into the surroundings of a stock.
+/// Searches for paths from the surroundings of a stock to a loop.
 class EntryBesideSearch {
  public:
-  /// @param area contains the tool's margin around the stock; must outlive the search
+  /// @param area area that includes the margin for the tool around the stock; must outlive the
+  /// search
   EntryBesideSearch(const OwnedArea& area, const StockBox& stock, double tool_radius_mm);
 
-  /// Returns the shortest of several paths to a loop. A path begins at a point of the loop itself
-  /// that is next to the stock, or it is a line through the stock and an arc. Returns none where no
-  /// path fits.
+  /// Returns the shortest of several candidate paths to a loop. A candidate either begins at a
+  /// point of the loop that is next to the stock, or consists of a line through the stock and an
+  /// arc. Returns none where no candidate fits.
   [[nodiscard]] std::optional<EntryBeside> find(const DrivenLoop& loop) const;
 
  private:

@@ -22,10 +22,10 @@ using cnc::pocket::LoopPlace;
 using cnc::pocket::Milling;
 using cnc::pocket::Use;
 
-/// Share of the tool's radius: greatest radius of an arc by which the tool reaches a wall.
+/// Greatest radius of an arc that leads to a wall, as a share of the tool's radius.
 constexpr double kLeadShare = 1.0;
 
-/// A pass along a wall, with a quarter of a circle before and after it.
+/// A pass along a wall, with a quarter of a circle before it and another after it.
 struct Lead {
   LoopPlace<double> place;
   WideVec2 begin{0.0, 0.0};
@@ -36,8 +36,8 @@ struct Lead {
   double line_mm = 0.0;
 };
 
-/// Returns the arcs on which the tool reaches a loop from a cleared point and leaves it to a
-/// cleared point.
+/// Returns the arcs of a pass along one loop. The first arc leads from a cleared point to the loop,
+/// the last arc from the loop to a cleared point. Returns none where no arcs fit.
 std::optional<Lead> lead_to(const OwnedBoundary& walls,
                             std::size_t loop,
                             const FinishOptions& options) {
@@ -66,8 +66,8 @@ std::optional<Lead> lead_to(const OwnedBoundary& walls,
   return lead;
 }
 
-/// Returns the greatest length of the lines at both ends of a lead, within the area that roughing
-/// has cleared; 0 where no line fits.
+/// Returns the greatest length of the lines at both ends of a lead that fits into the area that
+/// roughing has cleared, mm; 0 where no line fits.
 double line_length(const Lead& lead, const OwnedArea& area, const FinishOptions& options) {
   constexpr int kHalvings = 3;
   const double cleared = options.tool_radius_mm + options.allowance_mm;
@@ -82,18 +82,18 @@ double line_length(const Lead& lead, const OwnedArea& area, const FinishOptions&
   return 0.0;
 }
 
-/// Adds lines to a lead. Throws NoPocketPath where there is no lead or no line fits.
+/// Adds lines to a lead. Throws NoPocketPath if there is no lead, or if no line fits.
 Lead with_lines(std::optional<Lead> lead,
                 const WideVec2& place,
                 const OwnedArea& area,
                 const FinishOptions& options) {
   if (lead) lead->line_mm = line_length(*lead, area, options);
   if (lead && lead->line_mm > 0.0) return *lead;
-  throw NoPocketPath{
-      fmt::format("at {:.3f} {:.3f} there is no room for the lead that G41 and G42 need; leave out "
-                  "--wear or choose a smaller tool",
-                  place.x(),
-                  place.y())};
+  throw NoPocketPath{fmt::format(
+      "at {:.3f} {:.3f} there is no space for the lead that G41 and G42 require; leave out "
+      "--wear or choose a smaller tool",
+      place.x(),
+      place.y())};
 }
 
 void drive(const OwnedBoundary& walls,
@@ -104,7 +104,8 @@ void drive(const OwnedBoundary& walls,
   writer.begin_row_in_cleared(lead.begin + lead.line_mm * lead.inwards);
   if (lead.line_mm > 0.0) writer.go(Use::kLeadIn, lead.begin, 0.0, writer.floor_z());
   writer.pass(lead.place.pose.point, lead.bulge);
-  out.points.pop_back();  // Removes the point at which the revolution begins.
+  // Removes the point at which the revolution begins, because revolve() appends it again.
+  out.points.pop_back();
   const double floor = writer.floor_z();
   revolve(walls.view(), lead.place, options.milling, {floor, floor, Use::kPass}, out);
   const WideVec2& touch = lead.place.pose.point;

@@ -11,7 +11,7 @@ using cnc::WideVec2;
 using cnc::pocket::MovingDisc;
 using Curve = cnc::contour::Curve<double>;
 
-/// Returns whether a line between two points in an area leaves the area.
+/// Returns whether a line between two points of an area leaves the area.
 bool leaves(const WideVec2& from, const WideVec2& to, const OwnedArea& area) {
   Curve line;
   if (!cnc::pocket::make_curve<double>({from, to, 0.0}, line)) return false;
@@ -24,7 +24,8 @@ bool leaves(const WideVec2& from, const WideVec2& to, const OwnedArea& area) {
   return meets;
 }
 
-/// Returns whether the tool stays in the area on the line to an approach and on the approach's arc.
+/// Returns whether the tool stays in the area on the line from `from` and on the arc of an
+/// approach.
 bool fits(const Approach& approach,
           const WideVec2& from,
           const OwnedArea& area,

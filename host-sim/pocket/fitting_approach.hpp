@@ -5,9 +5,10 @@
 
 namespace sim::pocket {
 
-/// Returns an approach: a line from a point, and an arc from this line into a cut, on which the
-/// tool stays in the area. The arc is the widest that fits of kTurnOfTool, half of it, a quarter
-/// and so on. Returns none where no arc fits.
+/// Returns an approach: a line from the point `from`, then an arc from the end of this line into
+/// the cut `cut`. On both, the tool stays in the area. The radius of the arc is the first that fits
+/// of kTurnOfTool times the tool's radius, half of it, a quarter and so on. Returns none where no
+/// arc fits.
 [[nodiscard]] Approach fitting_approach(const cnc::WideVec2& from,
                                         const Pose& cut,
                                         const OwnedArea& area,

@@ -7,7 +7,8 @@
 namespace sim::pocket {
 namespace {
 
-/// Returns the length of the boundary of the tool's locus, mm; 0 where the tool fits nowhere.
+/// Returns the length of the boundary of the locus of the tool's centre, mm; 0 where the tool fits
+/// nowhere.
 double locus_length(const cnc::contour::ContourView<double>& pocket,
                     double radius_mm,
                     ContourOffset& offsetter) {
@@ -21,9 +22,9 @@ double locus_length(const cnc::contour::ContourView<double>& pocket,
 
 }  // namespace
 
-/// Compares two tools. The centre of a slightly smaller tool gets into a slot as wide as the tool,
-/// and back; the centre of a slightly larger tool does not. With the tool's own radius, rounding
-/// would decide.
+/// Compares a slightly smaller and a slightly larger tool. In a slot as wide as the tool, the locus
+/// of the smaller tool leads into the slot and back; that of the larger tool does not. With the
+/// tool's own radius, rounding would decide.
 double fitting_radius(const cnc::contour::ContourView<double>& pocket,
                       double tool_radius_mm,
                       ContourOffset& offsetter) {

@@ -14,8 +14,8 @@ bool is_outline(const cnc::contour::ContourView<double>& area, std::size_t loop)
   return cnc::pocket::signed_area(area, loop) > 0.0;
 }
 
-/// Returns the only loop of the area around that matches a loop within it: an outline around an
-/// outline, or a hole within a hole.
+/// Returns the only loop of the area `around` that matches a loop of the area `inner`: an outline
+/// around an outline, or a hole within a hole.
 std::optional<std::size_t> match_of(const cnc::contour::ContourView<double>& inner,
                                     std::size_t loop,
                                     const cnc::contour::ContourView<double>& around) {
@@ -69,7 +69,7 @@ std::optional<PassLoop> PassTree::around(const PassLoop& inner) const {
   const auto within = passes_[inner.pass].view();
   const auto around = passes_[pass].view();
   if (within.loop_ends.size() != around.loop_ends.size()) return std::nullopt;
-  // Nothing else is between the passes only if each loop has a match of its own.
+  // Only if every loop has its own match, nothing except rings is between the passes.
   std::optional<std::size_t> match;
   for (std::size_t i = 0; i < within.loop_ends.size(); ++i) {
     const std::optional<std::size_t> of_this = match_of(within, i, around);

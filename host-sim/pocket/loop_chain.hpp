@@ -8,32 +8,32 @@
 
 namespace sim::pocket {
 
-/// A loop of a pass.
+/// One loop of one pass.
 struct PassLoop {
   std::uint32_t pass = 0;
   std::size_t loop = 0;
 };
 
-/// Tree of the passes of a pocket: each pass lies within its parent.
+/// Tree of the passes of a pocket. Each pass lies within its parent.
 class PassTree {
  public:
-  /// @param parents for each pass, the pass around it, which has a smaller number; contour::kNone
-  /// at walls
+  /// @param parents for each pass, the number of the pass around it, which is smaller than its own;
+  /// contour::kNone for passes at walls
   /// Both arguments must outlive the tree.
   PassTree(const std::vector<Contour>& passes, const std::vector<std::uint32_t>& parents);
 
   [[nodiscard]] std::uint32_t parent(std::uint32_t pass) const { return parents_[pass]; }
-  /// Returns all passes. Each comes directly after all passes within it.
+  /// Returns the numbers of all passes. Each pass comes directly after all passes within it.
   [[nodiscard]] const std::vector<std::uint32_t>& inner_first() const { return inner_first_; }
 
-  /// Returns the pass within another pass, if there is exactly one.
+  /// Returns the pass directly within `pass`, if there is exactly one.
   [[nodiscard]] std::optional<std::uint32_t> only_child(std::uint32_t pass) const;
-  /// Returns a pass and all passes within it.
+  /// Returns `pass` and all passes within it.
   [[nodiscard]] std::vector<std::uint32_t> within(std::uint32_t pass) const;
 
-  /// Returns the loop around another loop if nothing but a ring is between them. For that, the pass
-  /// around must have exactly one pass within it, with the same number of loops. Returns none for
-  /// the pass at the wall, which is driven as a whole.
+  /// Returns the loop around `inner` if only a ring is between the two loops. For that, the pass
+  /// around must have exactly one pass within it, and both passes must have the same number of
+  /// loops. Returns none if that pass is at the wall, because wall passes are driven as full loops.
   [[nodiscard]] std::optional<PassLoop> around(const PassLoop& inner) const;
 
  private:

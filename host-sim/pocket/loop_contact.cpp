@@ -18,14 +18,15 @@ using Curve = cnc::contour::Curve<double>;
 using Element = cnc::pocket::LoopElement<double>;
 using View = cnc::contour::ContourView<double>;
 
-/// Returns an element as a curve. An element without length becomes a point.
+/// Returns an element as a curve. An element of length 0 becomes a point.
 Curve curve_of(const Element& element) {
   Curve curve{.start = element.start, .end = element.start};
   static_cast<void>(cnc::pocket::make_curve(element, curve));
   return curve;
 }
 
-/// Calls `visit(curve)` for an element, or for both halves of an element of more than half a turn.
+/// Calls `visit(curve)` for an element. If the element turns by more than half a turn, calls it for
+/// both halves.
 template <typename Visit>
 void for_each_curve(const Element& element, const Visit& visit) {
   if (std::abs(element.bulge) <= 1.0) return visit(curve_of(element));
@@ -42,9 +43,9 @@ WideVec2 centre_of(const Curve& arc) {
   return arc.start + cnc::left_normal(arc.start_tangent) / arc.curvature;
 }
 
-/// Returns the point of an arc that is nearest to the whole circle or line of another curve, if it
-/// touches that curve itself. For circles that just miss each other, the computed meetings lie next
-/// to this point.
+/// Returns the point of an arc that is nearest to another curve, extended to a full circle or an
+/// infinite line. Returns none if this point does not touch the other curve itself. For circles
+/// that just miss each other, the computed intersections are next to this point.
 std::optional<WideVec2> nearest_touch(const Curve& arc, const Curve& other) {
   if (arc.curvature == 0.0) return std::nullopt;
   const WideVec2 centre = centre_of(arc);
@@ -52,7 +53,7 @@ std::optional<WideVec2> nearest_touch(const Curve& arc, const Curve& other) {
   const WideVec2 towards = is_line ? WideVec2{cnc::left_normal(other.start_tangent)}
                                    : WideVec2{centre_of(other) - centre};
   const double away = towards.norm();
-  // The circles have the same centre: their ends decide.
+  // The circles are concentric. The ends of the curves decide.
   if (away <= kTouchMm) return std::nullopt;
   for (const double side : {1.0, -1.0}) {
     const WideVec2 place = centre + side / (std::abs(arc.curvature) * away) * towards;
@@ -67,7 +68,8 @@ std::optional<WideVec2> contact_of(const Curve& a, const Curve& b) {
   if (meetings.count > 0) return meetings.places[0];
   if (const auto place = nearest_touch(a, b)) return *place;
   if (const auto place = nearest_touch(b, a)) return *place;
-  // Curves that run on top of each other have no meetings, but an end of one lies on the other.
+  // Curves that overlap along a stretch have no computed intersection. But an end of one curve is
+  // on the other curve.
   for (const WideVec2& end : {a.start, a.end}) {
     if (b.distance(end) <= kTouchMm) return end;
   }
@@ -77,7 +79,7 @@ std::optional<WideVec2> contact_of(const Curve& a, const Curve& b) {
   return std::nullopt;
 }
 
-/// The curves of all loops, with the loop of each curve.
+/// The curves of all loops. For each curve, also its loop.
 class LoopCurves {
  public:
   explicit LoopCurves(const View& contour) {

@@ -13,17 +13,18 @@ namespace {
 using cnc::WideVec2;
 using Curve = cnc::contour::Curve<double>;
 
-/// mm: crossings closer to each other than this are one.
+/// Distance below which two crossings count as one, mm.
 constexpr double kSameCrossingMm = 1.0e-9;
 
-/// A stretch of a loop, from one distance from the first vertex to another, mm. `to` may be beyond
-/// the last vertex.
+/// A stretch of a loop. `from` and `to` are distances from the first vertex, mm; `to` may exceed
+/// the length of the loop.
 struct LoopStretch {
   double from = 0.0;
   double to = 0.0;
 };
 
-/// Returns the points that divide a curve: its ends, and its crossings with an area's boundary.
+/// Returns the points that divide a curve: its two ends, and its intersections with the boundary of
+/// an area.
 std::vector<WideVec2> divisions(const Curve& curve, const OwnedArea& area) {
   std::vector<WideVec2> places{curve.start, curve.end};
   area->search(curve.box(), [&](const Curve& other) {
@@ -35,7 +36,8 @@ std::vector<WideVec2> divisions(const Curve& curve, const OwnedArea& area) {
   return places;
 }
 
-/// Returns the stretches of a row outside of an area, in order. Stretches that meet become one.
+/// Returns the stretches of a row that are outside of an area, in order. Adjacent stretches become
+/// one.
 std::vector<LoopStretch> stretches_outside(const cut::MeasuredRow& row, const OwnedArea& area) {
   std::vector<LoopStretch> stretches;
   for (std::size_t i = 0; i < row.strokes().size(); ++i) {
@@ -63,8 +65,8 @@ std::vector<LoopStretch> stretches_outside(const cut::MeasuredRow& row, const Ow
   return stretches;
 }
 
-/// Extends stretches and joins those that meet, also across the end of the loop. One stretch from 0
-/// to `length` is the whole loop.
+/// Extends stretches by `overlap` at both ends. Joins stretches that then meet, also across the end
+/// of the loop. A single stretch from 0 to `length` is the full loop.
 std::vector<LoopStretch> lengthened(std::vector<LoopStretch> stretches,
                                     double overlap,
                                     double length) {

@@ -14,17 +14,20 @@ namespace {
 using cnc::WideVec2;
 using cnc::pocket::nearest_point_of;
 
-constexpr double kSagittaShare = 0.1;  ///< Share of the tolerance.
+constexpr double kSagittaShare = 0.1;  ///< Sagitta of chords, as a share of the tolerance.
 
-/// Adds points between neighbours of a chain until they are within tolerance.
+/// Inserts points between neighbouring points of a chain until straight lines between them are
+/// within the tolerance.
 class ChainRefiner {
  public:
   ChainRefiner(const OwnedArea& area, double tolerance_mm)
       : area_{area}, tolerance_mm_{tolerance_mm} {}
 
-  /// Appends `to`, and the points that are necessary between the last point and `to`.
+  /// Appends `to`, and before it the points that the tolerance requires between the last point and
+  /// `to`.
   void append(std::vector<AxisPoint>& points, const AxisPoint& to, const AxisEdge& edge) {
-    // Points in reverse order. `depth` counts the halvings of the stretch before the point.
+    // Points that are still to be appended, in reverse order. `depth` counts the halvings of the
+    // stretch before `point`.
     struct Pending {
       AxisPoint point;
       int depth;
@@ -55,7 +58,8 @@ class ChainRefiner {
            std::abs(middle.radius - 0.5 * (from.radius + to.radius)) > tolerance_mm_;
   }
 
-  /// Returns the point near the middle that has equal distances from both elements.
+  /// Returns the point near the middle of two points that is equally far from both elements of an
+  /// edge.
   [[nodiscard]] AxisPoint middle_of(const AxisPoint& from,
                                     const AxisPoint& to,
                                     const AxisEdge& edge) const {
@@ -76,14 +80,15 @@ class ChainRefiner {
     return {place, std::max(0.0, area_->depth(place))};
   }
 
-  /// Least square of the difference between two unit vectors; below it they have one direction.
+  /// Least square of the difference between two unit vectors. Below it, the vectors count as
+  /// parallel.
   static constexpr double kMinSquare = 1.0e-8;
 
   const OwnedArea& area_;
   double tolerance_mm_;
 };
 
-/// Joins edges to chains.
+/// Joins the edges of a graph to chains.
 class ChainMaker {
  public:
   ChainMaker(const OwnedArea& area, const AxisGraph& graph, double tolerance_mm)
@@ -102,7 +107,8 @@ class ChainMaker {
     for (std::uint32_t i = 0; i < at_node_.size(); ++i) {
       if (at_node_[i].size() != 2) begin_at(i);
     }
-    // The edges left are loops, which have no node of their own.
+    // The remaining edges form loops without a branch or an end. Any of their nodes becomes a node
+    // of the axis.
     for (std::uint32_t i = 0; i < at_node_.size(); ++i) {
       if (at_node_[i].size() == 2 && !used_[at_node_[i].front()]) begin_at(i);
     }

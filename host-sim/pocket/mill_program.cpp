@@ -44,7 +44,7 @@ class RowWriter {
     return static_cast<std::uint32_t>(std::lround(1000.0 * value));
   }
 
-  /// Returns the feed at which an element descends no faster than a plunge.
+  /// Returns the feed of an element, limited so that the element descends no faster than a plunge.
   [[nodiscard]] double feed_of(const cut::Stroke& stroke, double rise_mm, Use use) const {
     const bool is_raised = use == Use::kLight && mill_.light_feed_mm_min > 0.0;
     const double feed = is_raised ? mill_.light_feed_mm_min : mill_.feed_mm_min;
@@ -53,8 +53,8 @@ class RowWriter {
     return std::min(feed, mill_.plunge_mm_min * length_mm / -rise_mm);
   }
 
-  /// Writes a rapid at depth that begins and ends `near_mm` away from the cuts. The rest of the
-  /// return is driven at the feed.
+  /// Writes a return at depth. Its middle part, at least `near_mm` away from the cuts, is a rapid.
+  /// The rest is driven at the feed.
   void write_return(const Point& from, const Point& to) {
     const cnc::WideVec2 way = to.point() - from.point();
     const double share = mill_.near_mm / way.norm();
@@ -67,7 +67,7 @@ class RowWriter {
     take(writer_.cut(end, to.point(), 0.0), to);
   }
 
-  /// Begins or ends the compensation of the tool's wear.
+  /// Begins or ends the compensation for the tool's wear.
   void write_compensation(Use use) {
     if (mill_.wear_tool == 0) return;
     if (use == Use::kLeadIn) {
@@ -95,8 +95,8 @@ class RowWriter {
     write_flat(stroke, from, to);
   }
 
-  /// Writes an arc that is so flat that its centre is out of range, as lines within half a last
-  /// digit of it.
+  /// Writes an arc as lines that are within half of the last digit of it. Used for an arc so flat
+  /// that its centre is out of range.
   void write_flat(const cut::Stroke& stroke, const Point& from, const Point& to) {
     const double height = 0.5 * std::abs(stroke.bulge) * drawing::distance(stroke.from, stroke.to);
     const double lines = std::ceil(std::sqrt(2.0 * height / digit_mm_));
@@ -122,12 +122,12 @@ class RowWriter {
   }
 
   [[noreturn]] static void refuse(const Point& point) {
-    throw std::invalid_argument(
-        fmt::format("X{:g} Y{:g} Z{:g} mm is too far from zero for a program; is the unit of the "
-                    "drawing right?",
-                    point.x,
-                    point.y,
-                    point.z));
+    throw std::invalid_argument(fmt::format(
+        "X{:g} Y{:g} Z{:g} mm is too far from zero for a program; check the unit of the "
+        "drawing",
+        point.x,
+        point.y,
+        point.z));
   }
 
   MillSettings mill_;
@@ -139,7 +139,7 @@ class RowWriter {
 }  // namespace
 
 std::string opening_of(const MillSettings& mill) {
-  // The tool leaves the stock before the spindle starts.
+  // The tool must leave the stock before the spindle starts.
   std::string text = fmt::format("G21 G90 G17 G94 G54\nG0 Z{:g}\n", mill.safe_mm);
   if (mill.spindle_rpm > 0.0) {
     text += fmt::format("S{:g} {}\n", mill.spindle_rpm, mill.turns_left ? "M4" : "M3");

@@ -46,21 +46,22 @@ void set(MillTool& tool, const std::string& key, const std::string& text) {
   }
   std::vector<std::string> names{"diameter"};
   for (const ToolKey& known : kKeys) names.emplace_back(known.name);
-  throw std::invalid_argument(fmt::format("{}: tools have no such value; there are {}{}",
+  throw std::invalid_argument(fmt::format("{}: tools have no such value; the known values are {}{}",
                                           key,
                                           fmt::join(names, ", "),
                                           did_you_mean(key, names)));
 }
 
-/// Checks a tool. Throws std::invalid_argument for values that are missing or exclude each other.
+/// Checks a tool. Throws std::invalid_argument for missing values and for values that exclude each
+/// other.
 void check(const MillTool& tool) {
   if (tool.name.empty()) throw std::invalid_argument("a tool without a name");
   if (tool.diameter_mm == 0.0) throw std::invalid_argument("a tool without diameter=MM");
   if (tool.flutes && *tool.flutes != std::floor(*tool.flutes)) {
-    throw std::invalid_argument(fmt::format("flutes={}: wants a whole number", *tool.flutes));
+    throw std::invalid_argument(fmt::format("flutes={}: requires an integer", *tool.flutes));
   }
   if (!tool.feed_per_tooth_mm) return;
-  if (!tool.flutes) throw std::invalid_argument("feed-per-tooth: needs flutes, too");
+  if (!tool.flutes) throw std::invalid_argument("feed-per-tooth: requires flutes, too");
   if (tool.feed_mm_min) throw std::invalid_argument("feed-per-tooth and feed: give one of them");
 }
 

@@ -2,7 +2,8 @@
 
 namespace sim::pocket {
 
-/// Reads each loop backwards, from its last vertex on, so the sign of each bulge changes twice.
+/// Reverses each loop, so that its material stays on the left. Mirroring and reversing each change
+/// the sign of a bulge, so bulges keep their signs.
 Contour mirrored(const Contour& contour) {
   const auto view = contour.view();
   Contour other;

@@ -17,10 +17,10 @@ namespace {
 
 using cnc::WideVec2;
 
-/// Ends of rows closer together than this, mm, are one point.
+/// Distance below which two ends of rows are one point, mm.
 constexpr double kOnePlaceMm = 1.0e-5;
 
-/// Returns the edge of a box, counter-clockwise.
+/// Returns the edge of a box as a counter-clockwise contour.
 Contour edge_of(const StockBox& box) {
   Contour contour;
   contour.vertices = {
@@ -36,7 +36,8 @@ void append_loop(const std::vector<cut::Stroke>& strokes, Contour& to) {
   to.end_loop();
 }
 
-/// Appends the loops of a contour in reverse: the area on their left is then on their right.
+/// Appends the loops of a contour in reverse direction. The area on their left is then on their
+/// right.
 void append_reversed(const Contour& contour, Contour& to) {
   for (std::size_t loop = 0; loop < contour.loop_ends.size(); ++loop) {
     const DrivenLoop back{contour.view(), loop, cnc::pocket::Milling::kConventional};
@@ -44,14 +45,14 @@ void append_reversed(const Contour& contour, Contour& to) {
   }
 }
 
-/// Returns a box without the area that a contour encloses.
+/// Returns the area of a box without the area that a contour encloses.
 Contour box_without(const StockBox& box, const Contour& hole) {
   Contour area = edge_of(box);
   append_reversed(hole, area);
   return area;
 }
 
-/// Returns a box far around the stock.
+/// Returns a box with a wide margin around the stock.
 StockBox far_around(const StockBox& stock, double tool_radius_mm) {
   return widened(stock, 2.0 * margin_around(stock, tool_radius_mm));
 }
@@ -59,7 +60,7 @@ StockBox far_around(const StockBox& stock, double tool_radius_mm) {
 /// Returns the area in which the tool's centre is while the tool touches no stock.
 Contour idle_area(const StockBox& stock, double tool_radius_mm) {
   ContourOffset offsetter;
-  // Prevents passes around the whole stock, which would remove only the skin.
+  // The smaller distance prevents passes around the entire stock, which would remove only the skin.
   const double reach_mm = tool_radius_mm - 2.0 * kStockSkinMm;
   const Contour near_stock = copy_of(offsetter.offset(edge_of(stock).view(), reach_mm));
   return box_without(far_around(stock, tool_radius_mm), near_stock);
@@ -75,7 +76,7 @@ std::vector<LoopPiece> pieces_of(const cnc::contour::ContourView<double>& loops,
   return pieces_outside(one.view(), idle, kPartOverlap * tool_radius_mm);
 }
 
-/// Joins rows that begin where another row ends into loops, and appends the loops.
+/// Joins rows to loops: each row continues with the row that begins at its end. Appends the loops.
 void append_joined(std::vector<std::vector<cut::Stroke>> rows, Contour& to) {
   while (!rows.empty()) {
     std::vector<cut::Stroke> loop = std::move(rows.back());
@@ -101,8 +102,8 @@ void append_joined(std::vector<std::vector<cut::Stroke>> rows, Contour& to) {
 
 }  // namespace
 
-/// Builds the boundary of the material that must stay: the stock's edge outside of the pockets, and
-/// the pockets' walls within the stock.
+/// Builds the boundary of the material that must stay: the edge of the stock outside of the
+/// pockets, and the walls of the pockets inside of the stock.
 Contour with_surroundings(const Contour& pockets, const StockBox& stock, double margin_mm) {
   const StockBox around = widened(stock, margin_mm);
   const Contour edge = edge_of(widened(stock, -kStockSkinMm));

@@ -21,7 +21,8 @@ OwnedArea::OwnedArea(const cnc::contour::ContourView<double>& area)
                  {boxes_.data(), boxes_.size()},
                  {loop_ends_.data(), loop_ends_.size()}}} {
   if (!distance_.read(area)) {
-    throw std::invalid_argument{"a coordinate or a bulge of the pocket is not finite"};
+    throw std::invalid_argument{
+        "a coordinate or a bulge of the pocket is not finite; correct the drawing"};
   }
 }
 

@@ -8,13 +8,14 @@
 
 namespace sim::pocket {
 
-/// Distances from the boundary of an area, with their storage.
+/// Distances from the boundary of an area, with the storage for the boundary.
 class OwnedArea {
  public:
-  /// Throws std::invalid_argument for numbers that are not finite.
+  /// Reads the area. Throws std::invalid_argument for coordinates or bulges that are not finite.
   explicit OwnedArea(const cnc::contour::ContourView<double>& area);
 
-  OwnedArea(const OwnedArea&) = delete;  // `distance_` points into the storage.
+  // Not copyable, because `distance_` points into the storage.
+  OwnedArea(const OwnedArea&) = delete;
   OwnedArea& operator=(const OwnedArea&) = delete;
   ~OwnedArea() = default;
 

@@ -15,25 +15,25 @@ using cnc::pocket::PaperFault;
 [[noreturn]] void refuse(PaperFault fault) {
   switch (fault) {
     case PaperFault::kNotANumber:
-      throw NoPocketPath{"a coordinate of it is not finite; draw it anew"};
+      throw NoPocketPath{"a coordinate of the pocket is not finite; correct the drawing"};
     case PaperFault::kNotOneLoop:
       throw NoPocketPath{
-          "the paper's method takes no islands; leave --strategy paper out, or draw one contour"};
+          "the paper's method supports no islands; leave --strategy paper out or draw one contour"};
     case PaperFault::kToolTooLarge:
       throw NoPocketPath{
-          "the paper's method finds no loop in it: the tool is too large, or a wall too short; "
+          "the paper's method finds no loop: the tool is too large, or a wall is too short; "
           "choose a smaller --tool, or leave --strategy paper out"};
     case PaperFault::kTooManyElements:
     case PaperFault::kTooManyPasses:
     case PaperFault::kPathTooLong:
       break;
   }
-  throw NoPocketPath{"its path is too long; choose a larger tool"};
+  throw NoPocketPath{"the path is too long; choose a larger tool"};
 }
 
-/// Returns an upper bound of the number of loops. Each loop is inside of the previous loop by at
-/// least one radius on both sides. Arcs may reach beyond the vertices, but not twice as far in a
-/// pocket that the method accepts.
+/// Returns an upper bound of the number of loops. Each loop is at least one tool radius inside of
+/// the previous loop on both sides. Arcs may reach beyond the vertices, but not twice as far in a
+/// pocket that the method supports.
 std::size_t max_loops_of(const cnc::contour::ContourView<double>& pocket, double tool_radius_mm) {
   double left = std::numeric_limits<double>::infinity();
   double right = -left;

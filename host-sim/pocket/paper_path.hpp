@@ -7,14 +7,14 @@
 
 namespace sim::pocket {
 
-/// The path of one level by the method of paper 5.
+/// Path of one level by the method of paper 5.
 struct PaperPath : PathRows {
   std::uint32_t loops = 0;
 };
 
-/// Makes the path of cnc::pocket::write_paper_path down to one depth, with storage that is large
-/// enough. The tool plunges at the beginning of the innermost loop.
-/// Throws NoPocketPath for a pocket that the paper's method does not accept.
+/// Makes the path of cnc::pocket::write_paper_path() down to one depth, with storage that is large
+/// enough. The tool plunges at the beginning of the innermost loop. Throws NoPocketPath if the
+/// paper's method does not support the pocket.
 [[nodiscard]] PaperPath paper_path(const cnc::contour::ContourView<double>& pocket,
                                    double tool_radius_mm,
                                    double depth_mm);

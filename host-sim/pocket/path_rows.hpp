@@ -7,16 +7,16 @@
 
 namespace sim::pocket {
 
-/// Rows of a tool path with their storage, in the form of ToolPathView.
+/// Rows of a tool path with their storage. path() returns them as a ToolPathView.
 struct PathRows {
   std::vector<cnc::pocket::PathPoint<double>> points;
-  std::vector<std::uint32_t> row_ends;  ///< One past the last point of each row.
+  std::vector<std::uint32_t> row_ends;  ///< For each row, one past the index of its last point.
 
   [[nodiscard]] cnc::pocket::ToolPathView<double> path() const {
     return {{points.data(), points.size()}, {row_ends.data(), row_ends.size()}};
   }
 
-  /// Ends the row that is being written. Does nothing if the row has no point.
+  /// Ends the row that is being written. Does nothing if that row has no point.
   void end_row();
 
   /// Appends the rows of another path, moved up by `up_mm`.

@@ -29,13 +29,14 @@ bool is_full(const ClearingError& error) {
 [[noreturn]] void refuse_clearing(const ClearingError& error, const ContourVertex& begin) {
   switch (error.fault) {
     case ClearingFault::kOptionOutOfRange:
-      throw std::invalid_argument{"radius, stepover or corners of the passes are out of range"};
+      throw std::invalid_argument{
+          "radius, stepover or corner radius of the passes is out of range"};
     case ClearingFault::kLoopsCross:
       refuse(begin, "its contours cross each other", "take them apart");
     default:
       refuse(begin,
              "it has no offset",
-             "do contours cross each other, or is a coordinate not finite?");
+             "check for contours that cross and for coordinates that are not finite");
   }
 }
 
@@ -108,7 +109,7 @@ void PocketPlanner::grow_or_refuse(const cnc::pocket::PocketError& error,
     case PocketFault::kPathTooLong:
       return grow_path(2 * points_.size());
     case PocketFault::kOptionOutOfRange:
-      throw std::invalid_argument{"depth, step of depth, slope or helix are out of range"};
+      throw std::invalid_argument{"depth, depth step, slope or helix radius is out of range"};
     case PocketFault::kToolTooLarge:
       refuse(begin, "the tool fits nowhere into it", "choose a smaller one with --tool");
     case PocketFault::kNoEntry:
@@ -122,14 +123,15 @@ void PocketPlanner::grow_or_refuse(const cnc::pocket::PocketError& error,
       break;
   }
   if (elements_ >= kMaxElements) {
-    refuse(begin, "its passes have too many elements", "simplify it, or raise --tolerance");
+    refuse(
+        begin, "its passes have too many elements", "simplify the drawing, or raise --tolerance");
   }
   grow(std::min(2 * elements_, kMaxElements));
 }
 
 PocketPlan PocketPlanner::plan(const cnc::contour::ContourView<double>& pocket,
                                const cnc::pocket::PocketOptions<double>& options) {
-  if (pocket.vertices.size() == 0) throw NoPocketPath{"no contour in it; draw one"};
+  if (pocket.vertices.size() == 0) throw NoPocketPath{"the pocket has no contour; draw one"};
   const std::size_t at_first = std::min(2 * pocket.vertices.size() + 128, kMaxElements);
   if (elements_ < at_first) grow(at_first);
   if (pass_notes_.empty()) grow_passes(4 * at_first);

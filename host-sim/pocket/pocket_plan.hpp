@@ -13,26 +13,27 @@
 
 namespace sim::pocket {
 
-/// Thrown where a pocket has no path: the options do not fit it, or its contours cross.
+/// Thrown if a pocket has no path: the options do not fit the pocket, or its contours cross.
 class NoPocketPath : public std::runtime_error {
  public:
-  using std::runtime_error::runtime_error;  ///< `reason; remedy`.
+  using std::runtime_error::runtime_error;  ///< The text has the form `reason; remedy`.
 };
 
-/// The path that clears a pocket, and its passes. Each pass is a contour.
+/// A path that clears a pocket, with its passes. Each pass is a contour.
 struct PocketPlan : PathRows {
   std::vector<Contour> passes;
-  std::vector<std::uint32_t> parents;  ///< The pass around each pass; kNone at the wall.
+  /// For each pass, the number of the pass around it; kNone at the wall.
+  std::vector<std::uint32_t> parents;
   cnc::pocket::PocketReport report;
 };
 
-/// Makes the planner's pocket paths. Its storage grows until it is large enough, and is reused for
-/// the next pocket.
+/// Makes the planner's pocket paths. Its storage grows until it is large enough. The next pocket
+/// reuses the storage.
 class PocketPlanner {
  public:
-  /// Greatest number of elements in the storage for one pass; about 3 KiB each.
+  /// Greatest number of elements in the storage for one pass. An element requires about 3 KiB.
   static constexpr std::size_t kMaxElements = 1'000'000;
-  /// Greatest number of points of a path, and of vertices of all passes; 44 bytes each.
+  /// Greatest number of points of a path, and of vertices of all passes. Each requires 44 bytes.
   static constexpr std::size_t kMaxPoints = 20'000'000;
 
   PocketPlanner() = default;
@@ -65,7 +66,7 @@ class PocketPlanner {
   void grow(std::size_t elements);
   void grow_passes(std::size_t elements);
   void grow_path(std::size_t points);
-  /// Grows the storage that was too small. Throws for every other fault.
+  /// Grows the storage that `error` reports as too small. Throws for every other error.
   void grow_or_refuse(const cnc::pocket::PocketError& error, const ContourVertex& begin);
   [[nodiscard]] cnc::pocket::PocketPathSpace<double> space();
 
@@ -80,7 +81,7 @@ class PocketPlanner {
   Areas passes_;
   std::vector<cnc::pocket::PassNote<double>> pass_notes_;
   std::vector<cnc::pocket::PassState> states_;
-  // std::vector<bool> does not store its items as bool.
+  // An array, because std::vector<bool> does not store its items as bool.
   std::unique_ptr<bool[]> driven_loops_;  // NOLINT(modernize-avoid-c-arrays)
   std::vector<cnc::contour::Curve<double>> locus_;
   std::vector<cnc::contour::FlatBox<double>> locus_boxes_;

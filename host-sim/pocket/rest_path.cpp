@@ -6,8 +6,8 @@ StockParts rest_path(const cnc::contour::ContourView<double>& pocket,
                      double former_radius_mm,
                      const std::vector<Contour>& passes,
                      const PartOptions& options) {
-  // The cleared area counts as smaller by this, mm, well below kThinRestMm. If it were grown by the
-  // whole radius, the arcs of the former tool's centre about corners would become points.
+  // Distance by which the cleared area is reduced, mm, far below kThinRestMm. With growth by
+  // exactly the former tool's radius, the arcs of its centre around corners would become points.
   constexpr double kLessMm = 1.0e-4;
   ContourOffset offsetter;
   const Contour locus = copy_of(offsetter.offset(pocket, -options.tool_radius_mm));

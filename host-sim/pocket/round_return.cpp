@@ -14,11 +14,12 @@ using cnc::WideVec2;
 using cnc::pocket::ToolCircle;
 using cnc::pocket::Use;
 
-/// Radians: corners with a greater turn, at which the path nearly turns back, stay corners.
+/// Greatest turn of a corner that is rounded, radians. With a greater turn, the path nearly
+/// reverses, and the corner stays.
 constexpr double kNearlyBack = 0.95 * std::numbers::pi;
 
-/// Returns the discs through whose centres the tool moves: it skips the discs whose centres lie in
-/// the disc that it is in.
+/// Returns the discs through whose centres the tool moves. Skips the discs whose centres are in the
+/// disc in which the tool is.
 std::vector<ToolCircle> shortened(const std::vector<ToolCircle>& way) {
   std::vector<ToolCircle> short_way;
   std::size_t disc = 0;
@@ -36,10 +37,11 @@ std::vector<ToolCircle> shortened(const std::vector<ToolCircle>& way) {
   return short_way;
 }
 
-/// Returns the discs without those in between whose centre is that of a neighbour: no arc would fit
-/// between the two. The first and the last disc are kept.
+/// Returns the discs without those inner discs whose centre coincides with the centre of a
+/// neighbour, because no arc fits between such discs. The first and the last disc are kept.
 std::vector<ToolCircle> without_repeats(const std::vector<ToolCircle>& discs) {
-  constexpr double kSameCentreMm = 1.0e-5;  // Far below the tolerance of the axis.
+  // Greatest distance between coinciding centres; far below the tolerance of the axis.
+  constexpr double kSameCentreMm = 1.0e-5;
   const auto is_same = [](const ToolCircle& a, const ToolCircle& b) {
     return (a.centre - b.centre).norm() <= kSameCentreMm;
   };
@@ -53,8 +55,8 @@ std::vector<ToolCircle> without_repeats(const std::vector<ToolCircle>& discs) {
   return kept;
 }
 
-/// Returns the arc to one side, out of the direction of travel, after which a line leads to
-/// `target`. Returns none if the arc goes around `target`, or leaves the disc.
+/// Returns an arc that turns to one side out of the direction of travel, so that a line leads from
+/// its end to `target`. Returns none if the arc goes around `target`, or leaves the disc.
 std::optional<RoundTurn> turn_by_side(
     const Pose& here, const ToolCircle& disc, const WideVec2& target, double turn_mm, double side) {
   const WideVec2 centre = here.place + side * turn_mm * left_normal(here.direction);
@@ -67,7 +69,8 @@ std::optional<RoundTurn> turn_by_side(
   return arc;
 }
 
-/// Turns by an arc out of the direction of travel, as the first element of a path within a disc.
+/// Turns by an arc out of the direction of travel towards `target`. The arc is the first element of
+/// a path within a disc.
 void turn_towards(DepthWriter& writer,
                   const ToolCircle& disc,
                   const WideVec2& target,
@@ -84,7 +87,7 @@ void turn_towards(DepthWriter& writer,
   if (arc) arc->write(writer, arc->place_at(1.0));
 }
 
-/// Adds a line towards the centre of a disc, and there an arc into the direction of the next line.
+/// Adds a line towards the centre of a disc, and an arc there into the direction of the next line.
 void round_corner(DepthWriter& writer,
                   const ToolCircle& corner,
                   const WideVec2& next,
@@ -138,7 +141,7 @@ WideVec2 Approach::place_at(double share) const {
 
 void go_back_round(DepthWriter& writer, const ToolCircle& disc, const Pose& next, double turn_mm) {
   Pose here{writer.place(), writer.heading()};
-  // The tool is at rest and may start in any direction.
+  // Here the tool is at rest and may start in any direction.
   if (here.direction == WideVec2{0.0, 0.0}) {
     const WideVec2 ahead = next.place - here.place;
     if (ahead.norm() <= kSamePlaceMm) return;

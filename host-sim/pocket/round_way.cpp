@@ -12,18 +12,19 @@ using cnc::pocket::ToolCircle;
 using cnc::pocket::Use;
 
 constexpr double kHalfTurn = std::numbers::pi;
-/// Radians: a greater turn, almost a loop, would be longer than the line that it smooths.
+/// Greatest sweep of an arc, radians. A greater sweep, almost a loop, would be longer than the line
+/// that it smooths.
 constexpr double kNearlyALoop = 1.5 * kHalfTurn;
 
-/// Returns the path whose arcs turn to the given sides. Returns none where the circles overlap too
-/// far for a common tangent, or where an arc is nearly a loop.
+/// Returns the path whose arcs turn to the given sides. Returns none if the circles overlap too
+/// much for a common tangent, or if an arc is nearly a loop.
 std::optional<RoundWay> way_by_sides(
     const Pose& from, const Pose& to, double radius_mm, double first_side, double last_side) {
   const WideVec2 first_centre = from.place + first_side * radius_mm * left_normal(from.direction);
   const WideVec2 last_centre = to.place + last_side * radius_mm * left_normal(to.direction);
   const WideVec2 between = last_centre - first_centre;
   const double away = between.norm();
-  // 0 if both arcs turn to the same side.
+  // The distance is 0 if both arcs turn to the same side.
   const double crossing_mm = (first_side - last_side) * radius_mm;
   if (away <= std::abs(crossing_mm) || away == 0.0) return std::nullopt;
   const WideVec2 along = turned(between / away, std::asin(crossing_mm / away));
@@ -94,8 +95,9 @@ WideVec2 RoundTurn::place_at(double share) const {
   return centre + turned(start - centre, side * share * turn);
 }
 
-/// Returns whether the arc stays in a disc. An arc is farthest from the disc's centre at an end, or
-/// at its point that is farthest in the direction away from this centre.
+/// Returns whether the arc stays in a disc. The point of an arc that is farthest from the disc's
+/// centre is one of two: an end of the arc, or the arc's point in the direction away from the
+/// disc's centre.
 bool RoundTurn::stays_in(const ToolCircle& disc) const {
   if (!is_in(start, disc) || !is_in(place_at(1.0), disc)) return false;
   const WideVec2 outwards = centre - disc.centre;

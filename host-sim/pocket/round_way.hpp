@@ -13,25 +13,25 @@ struct Pose {
   cnc::WideVec2 direction{1.0, 0.0};
 };
 
-/// mm: a turn with a smaller radius is a corner.
+/// Least radius of a turn, mm. A turn with a smaller radius counts as a corner.
 inline constexpr double kMinTurnMm = 1.0e-6;
-/// Radians: an arc with a smaller sweep is a line.
+/// Least sweep of an arc, radians. An arc with a smaller sweep counts as a line.
 inline constexpr double kMinArc = 1.0e-6;
 
 /// Returns whether a point is within or on a circle.
 [[nodiscard]] bool is_in(const cnc::WideVec2& place, const cnc::pocket::ToolCircle& circle);
 
-/// Returns a vector turned to the left by `angle` radians.
+/// Returns `vector` rotated to the left by `angle` radians.
 [[nodiscard]] cnc::WideVec2 turned(const cnc::WideVec2& vector, double angle);
 
-/// Returns the turn to the left from one direction to another, 0 to 2 π.
+/// Returns the angle of the left turn from one direction to another, 0 to 2 π.
 [[nodiscard]] double turn_between(const cnc::WideVec2& from, const cnc::WideVec2& to);
 
-/// Returns the turn from one direction to another, 0 to 2 π: to the left if `side` is above 0, to
-/// the right if it is below 0.
+/// Returns the angle of the turn from one direction to another, 0 to 2 π. The turn is to the left
+/// if `side` is positive, and to the right if it is negative.
 [[nodiscard]] double turn_to(double side, const cnc::WideVec2& from, const cnc::WideVec2& to);
 
-/// An arc in place of the corner between two lines.
+/// An arc that replaces the corner between two lines.
 struct Rounding {
   cnc::WideVec2 start{0.0, 0.0};
   cnc::WideVec2 end{0.0, 0.0};
@@ -41,7 +41,7 @@ struct Rounding {
 };
 
 /// Returns the arc that rounds a corner.
-/// @param trim_mm distance from the corner at which the arc begins before it and ends after it
+/// @param trim_mm distance from the corner to the start and to the end of the arc
 /// @pre the corner is neither `before` nor `after`
 [[nodiscard]] Rounding rounding_of(const cnc::WideVec2& before,
                                    const cnc::WideVec2& corner,
@@ -52,21 +52,21 @@ struct Rounding {
 struct RoundTurn {
   cnc::WideVec2 centre{0.0, 0.0};
   cnc::WideVec2 start{0.0, 0.0};
-  double side = 1.0;  ///< +1 to the left, −1 to the right.
-  double turn = 0.0;  ///< Radians, 0 to 2 π.
+  double side = 1.0;  ///< +1 for a left turn, −1 for a right turn.
+  double turn = 0.0;  ///< Sweep of the arc, radians, 0 to 2 π.
 
   /// Returns a point of the arc. @param share of the arc, 0…1
   [[nodiscard]] cnc::WideVec2 place_at(double share) const;
-  /// Returns whether no point of the arc is outside of a circle.
+  /// Returns whether the arc is completely within or on the circle `disc`.
   [[nodiscard]] bool stays_in(const cnc::pocket::ToolCircle& disc) const;
-  /// Writes the arc up to `end`, which is the arc's own end within rounding. An arc of more than
-  /// half a turn is written in two halves.
+  /// Writes the arc. Its end is replaced by `end`, which may differ from it by rounding. An arc of
+  /// more than half a turn is written in two halves.
   void write(DepthWriter& writer, const cnc::WideVec2& end) const;
 };
 
-/// An arc, a line and an arc of the same radius, joined with one tangent. This is the shortest path
-/// from one pose to another with a least radius of turn (Dubins, 1957), unless the poses are near
-/// to each other.
+/// An arc, a line and an arc of the same radius, joined with one tangent. Unless the poses are near
+/// to each other, this is the shortest path between two poses with a least turn radius (Dubins,
+/// 1957).
 struct RoundWay {
   RoundTurn first;
   cnc::WideVec2 line_start{0.0, 0.0};
@@ -77,8 +77,8 @@ struct RoundWay {
   void write(DepthWriter& writer) const;
 };
 
-/// Returns the shortest round path within a circle, with turns of `radius_mm` or, where that does
-/// not fit, of half of it, a quarter and so on. Returns none if no radius down to kMinTurnMm
+/// Returns the shortest round path within a circle. Its turns have the radius `radius_mm` or, if
+/// that does not fit, half of it, a quarter and so on. Returns none if no radius down to kMinTurnMm
 /// fits.
 [[nodiscard]] std::optional<RoundWay> round_way(const Pose& from,
                                                 const Pose& to,

@@ -12,7 +12,7 @@ using cnc::WideVec2;
 using Curve = cnc::contour::Curve<double>;
 using cnc::contour::FlatBox;
 
-/// mm: crossings closer to each other than this are one.
+/// Distance below which two crossings count as one, mm.
 constexpr double kOneCrossingMm = 1.0e-9;
 
 Curve line_through(const FlatBox<double>& box, double y) {

@@ -6,21 +6,21 @@
 
 namespace sim::pocket {
 
-/// A stretch of a line along X.
+/// A stretch of a line that is parallel to X.
 struct Stretch {
   double from_x = 0.0;
   double to_x = 0.0;  ///< Greater than `from_x`.
 };
 
-/// A side of a stretch, or of an area seen along X.
+/// One side of a stretch, or of an area, along X.
 enum class Side : std::uint8_t { kLeft, kRight };
 
 [[nodiscard]] inline double end_of(const Stretch& stretch, Side side) {
   return side == Side::kLeft ? stretch.from_x : stretch.to_x;
 }
 
-/// Returns the stretches of a line along X at the height `y` that lie in an area, from left to
-/// right. Where the line only touches the boundary, the stretch is not divided.
+/// Returns those stretches of the line along X at the height `y` that lie in an area, from left to
+/// right. A point where the line only touches the boundary does not divide a stretch.
 [[nodiscard]] std::vector<Stretch> stretches_at(const OwnedArea& area, double y);
 
 /// Returns a box around an area. @pre the area has an element

@@ -13,16 +13,16 @@ using cnc::WideVec2;
 using cnc::pocket::AreaDistance;
 using cnc::pocket::Use;
 
-/// Returns the arc at a corner with the longest trim that fits. It tries half of the shorter line,
-/// a quarter and so on. The arc fits if its middle is as far from the walls as the tool needs. It
-/// has no length where the trim has become negligibly short, or where the corner is too flat.
+/// Returns the arc at a corner with the longest trim that fits. Tries half of the shorter line, a
+/// quarter and so on. An arc fits if its middle keeps the tool's radius from the walls. Returns an
+/// arc without length if the trim becomes negligibly short, or if the corner is too flat.
 Rounding fitting_rounding(const WideVec2& before,
                           const WideVec2& corner,
                           const WideVec2& after,
                           const AreaDistance& area,
                           double tool_radius_mm) {
-  constexpr double kExcessMm = 1.0e-7;   // The same value as in fits_in_line().
-  constexpr double kFlatBulge = 2.5e-5;  // A turn of 0.006°.
+  constexpr double kExcessMm = 1.0e-7;   // The same limit as in fits_in_line().
+  constexpr double kFlatBulge = 2.5e-5;  // Bulge of a turn of 0.006°.
   double trim_mm = 0.5 * std::min((corner - before).norm(), (after - corner).norm());
   for (; trim_mm >= kMinTurnMm; trim_mm *= 0.5) {
     Rounding arc = rounding_of(before, corner, after, trim_mm);

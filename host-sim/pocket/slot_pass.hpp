@@ -8,8 +8,9 @@
 
 namespace sim::pocket {
 
-/// Cuts along lines from the tool's position. From each line into the next it turns by an arc, if
-/// the arc fits into the area. The lines follow the axis of the area, so their corners are flat.
+/// Cuts along lines from the tool's position. The tool turns from each line into the next by an
+/// arc, if the arc fits into the area. The lines follow the medial axis of the area, so their
+/// corners are flat.
 /// @param way  the tool's position, then the corners; neighbouring points differ; the tool fits
 /// along all lines
 void pass_lines(DepthWriter& writer,
@@ -17,8 +18,8 @@ void pass_lines(DepthWriter& writer,
                 const cnc::pocket::AreaDistance& area,
                 double tool_radius_mm);
 
-/// Cuts a disc from its centre, at which the tool has just arrived: by a half circle out to the
-/// disc's circle, then around this circle. Both turn left and join with one tangent.
+/// Cuts a disc from its centre, which is the tool's position: by a half circle out to the disc's
+/// circle, then around this circle. Both turn left and join with one tangent.
 void pass_disc(DepthWriter& writer, const cnc::pocket::ToolCircle& disc);
 
 }  // namespace sim::pocket

@@ -6,9 +6,11 @@
 namespace sim::pocket {
 namespace {
 
-/// Radians: a corner of this angle leaves 1e-4 mm next to a disc of 1 m.
+/// Greatest angle of a smooth joint, radians. A corner of this angle leaves 1e-4 mm next to a disc
+/// with a radius of 1 m.
 constexpr double kSmoothCorner = 1.0e-3;
-/// Share of a curvature by which rounding may make arcs of one circle differ.
+/// Greatest difference between the curvatures of two arcs of one circle, as a share of the
+/// curvature. The difference comes from rounding.
 constexpr double kSameCurvature = 1.0e-6;
 
 bool joins_smoothly(const cnc::contour::Curve<double>& from,
@@ -18,7 +20,7 @@ bool joins_smoothly(const cnc::contour::Curve<double>& from,
 }
 
 /// Returns whether a row continues from one element to the next.
-/// @param sign 1 if curvature grows, else −1
+/// @param sign 1 for rows of growing curvature, −1 for rows of falling curvature
 bool goes_on(const cnc::contour::Curve<double>& from,
              const cnc::contour::Curve<double>& to,
              double sign) {
@@ -47,7 +49,8 @@ std::vector<std::uint32_t> SmoothRows::numbered(const cnc::pocket::AreaDistance&
   std::vector<std::uint32_t> rows(area.element_count());
   std::uint32_t row = 0;
   for (std::uint32_t first = 0; first < rows.size();) {
-    // Goes around the loop from the start of a row, or from the first element if no row starts.
+    // Goes around the loop, beginning at the start of a row, or at the first element if no row
+    // starts.
     std::uint32_t begin = first;
     std::uint32_t end = first;
     do {

@@ -24,7 +24,7 @@ using cnc::contour::kNone;
 using cnc::pocket::LoopPlace;
 using cnc::pocket::Use;
 
-/// A pass, and a point on one of its loops.
+/// A point on one loop of a pass, with the pass.
 struct LoopStart {
   std::uint32_t pass = 0;
   LoopPlace<double> place;
@@ -47,10 +47,10 @@ class SpiralDriver {
     for (const Contour& pass : plan.passes) is_driven_.emplace_back(pass.loop_ends.size());
   }
 
-  /// Marks a loop as not to be driven.
+  /// Marks a loop as omitted.
   void leave_out(const PassLoop& loop) { is_driven_[loop.pass][loop.loop] = true; }
 
-  /// Drives spirals around islands instead of the passes that they replace.
+  /// Selects spirals around islands, and marks the passes that they replace as driven.
   void take_island_spirals() {
     island_spirals_ = search_.around_islands();
     for (const IslandSpiral& spiral : island_spirals_) {
@@ -78,7 +78,8 @@ class SpiralDriver {
     return search_.driven(loop, options_.milling);
   }
 
-  /// Drives the loops of a pass that no spiral has driven. Each follows a link or an entry.
+  /// Drives all loops of a pass that no spiral has driven. Each loop begins with a link or an
+  /// entry.
   void drive_loops(std::uint32_t pass) {
     std::vector<bool>& is_driven = is_driven_[pass];
     for (auto left = std::ranges::count(is_driven, false); left > 0; --left) {
@@ -88,7 +89,7 @@ class SpiralDriver {
     }
   }
 
-  /// Drives the whole loop on which the tool is.
+  /// Drives once around the loop on which the tool is.
   void drive_loop(std::uint32_t pass,
                   const LoopPlace<double>& start,
                   cnc::pocket::Milling milling) {
@@ -122,8 +123,8 @@ class SpiralDriver {
     return link.landing;
   }
 
-  /// Begins a row on the first loop of a spiral around an island. A link leads from there to the
-  /// wall of this island.
+  /// Begins a row on the first loop of a spiral around an island, and follows a link from there to
+  /// the wall of the same island. Returns none where no link fits.
   std::optional<LoopPlace<double>> link_from_island(std::uint32_t pass) {
     for (const LoopStart& start : beside_islands_) {
       if (tree_.parent(start.pass) != pass) continue;
@@ -145,14 +146,14 @@ class SpiralDriver {
     const bool has_space = search.enter(area.view());
     CNC_ASSERT(has_space);
     const std::size_t loops = area.loop_ends.size();
-    // std::vector<bool> does not store its items as bool.
+    // An array, because std::vector<bool> does not store its items as bool.
     const auto left_out = std::make_unique<bool[]>(loops);  // NOLINT(modernize-avoid-c-arrays)
     for (std::size_t i = 0; i < loops; ++i) left_out[i] = is_driven_[pass][i];
     return search.find(from, {left_out.get(), loops}, options_.milling, options_.tool_radius_mm);
   }
 
-  /// Begins a row next to the stock, by the shortest path to one of the loops of a pass that are
-  /// left.
+  /// Begins a row next to the stock, on the shortest path to one of the undriven loops of a pass.
+  /// Returns none if there is no such path.
   std::optional<LoopPlace<double>> enter_from_beside(std::uint32_t pass) {
     std::optional<EntryBeside> best;
     std::size_t best_loop = 0;
@@ -174,7 +175,7 @@ class SpiralDriver {
     return LoopPlace<double>{best_loop, 0, {place, loop.row().leaving(best->way_mm)}};
   }
 
-  /// Begins a row by an entry to a loop.
+  /// Begins a row with an entry to a loop.
   LoopPlace<double> enter(const PassLoop& loop, cnc::pocket::Milling milling) {
     std::uint32_t root = loop.pass;
     while (tree_.parent(root) != kNone) root = tree_.parent(root);
@@ -205,7 +206,7 @@ class SpiralDriver {
     return plan.place;
   }
 
-  /// Drives a spiral from each loop of a pass from which a spiral leads outwards, first from the
+  /// Drives a spiral from each loop of a pass from which a spiral leads outwards. Begins with the
   /// loop on which the tool is.
   void drive_spirals(std::uint32_t pass) {
     const std::size_t loops = is_driven_[pass].size();
@@ -217,20 +218,20 @@ class SpiralDriver {
     }
   }
 
-  /// Drives a spiral around an island, and its first loop as a whole.
+  /// Drives the first loop of a spiral around an island, then the spiral.
   void drive_around_island(const std::vector<SpiralLoop>& spiral) {
     const SpiralLoop& first = spiral.front();
     writer_.end_row();
     const LoopPlace<double> start = enter(first.loop, first.milling);
     drive_loop(first.loop.pass, start, first.milling);
-    // The wall of the island is driven in the opposite direction.
+    // The wall of the island is driven in the direction opposite to the spiral's first loop.
     LoopPlace<double> back = start;
     back.pose.tangent = -back.pose.tangent;
     beside_islands_.push_back({first.loop.pass, back});
     drive(spiral);
   }
 
-  /// Drives the turns of a spiral after its first loop, and then the last loop as a whole.
+  /// Drives the turns of a spiral after its first loop, then the last loop as a full loop.
   void drive(const std::vector<SpiralLoop>& spiral) {
     const PassLoop& first = spiral.front().loop;
     const DrivenLoop begin = search_.driven(first, spiral.front().milling);
@@ -276,8 +277,8 @@ class SpiralDriver {
   std::vector<IslandSpiral> island_spirals_;
   std::vector<LoopStart> beside_islands_;
   LoopPlace<double> at_;                  ///< Position of the tool.
-  std::uint32_t at_pass_ = kNone;         ///< The last pass that was driven.
-  std::unique_ptr<OwnedBoundary> walls_;  ///< Loops of the wall pass that is around the last entry.
+  std::uint32_t at_pass_ = kNone;         ///< Number of the last pass that was driven.
+  std::unique_ptr<OwnedBoundary> walls_;  ///< Loops of the outermost pass around the last entry.
   std::uint32_t wall_pass_ = kNone;
 };
 

@@ -14,13 +14,14 @@ namespace {
 using cnc::contour::kNone;
 using cnc::pocket::Milling;
 
-/// Greatest distance between loops with a turn between them, also in corners, in tool radii.
+/// Greatest distance between two loops with a turn between them, also in corners, in tool radii.
 constexpr double kWidest = 1.9;
-/// Tolerance of turns as a share of the tool's radius.
+/// Tolerance of turns, as a share of the tool's radius.
 constexpr double kTolerance = 2.5e-4;
-/// A spiral with fewer turns takes longer than its loops.
+/// Least number of turns of a spiral. A spiral with fewer turns takes longer than its loops.
 constexpr std::size_t kFewestTurns = 2;
-/// Greatest length of a spiral around an island, divided by that of the passes that it replaces.
+/// Greatest length of a spiral around an island, as a multiple of the length of the passes that it
+/// replaces.
 constexpr double kLongest = 1.5;
 
 Milling opposite(Milling milling) {
@@ -45,8 +46,8 @@ std::vector<SpiralLoop> SpiralSearch::outwards(const PassLoop& first,
   return {};
 }
 
-/// Adds to each loop the turns from the previous loop. Returns the number of loops that the turns
-/// reach.
+/// Adds to each loop the turns that lead to it from the previous loop. Returns the number of loops
+/// that the turns reach.
 std::size_t SpiralSearch::add_turns(std::vector<SpiralLoop>& spiral) const {
   spiral.back().start_mm = driven(spiral.back().loop, spiral.back().milling).longest_middle();
   for (std::size_t i = spiral.size() - 1; i > 0; --i) {
@@ -91,8 +92,8 @@ std::vector<IslandSpiral> SpiralSearch::around_islands() const {
   return spirals;
 }
 
-/// Returns the rings from a pass with a single hole inwards, as long as nothing but rings is
-/// between the passes. Returns none if the first pass is not a ring.
+/// Returns the rings from a pass with a single hole inwards, as long as only rings are between the
+/// passes. Returns none if the first pass is not a ring.
 std::vector<SpiralSearch::Ring> SpiralSearch::rings_from(std::uint32_t pass) const {
   std::vector<Ring> rings;
   for (std::optional<std::uint32_t> next = pass; next; next = tree_.only_child(*next)) {
@@ -105,8 +106,8 @@ std::vector<SpiralSearch::Ring> SpiralSearch::rings_from(std::uint32_t pass) con
   return rings;
 }
 
-/// Returns the number of turns between two loops with which the turns are no farther apart than
-/// passes may be.
+/// Returns the least number of turns between the two loops of a ring for which neighbouring turns
+/// are at most the stepover apart.
 std::uint32_t SpiralSearch::turns_between(const Ring& ring) const {
   const OwnedBoundary island{only(ring.island)};
   const cut::MeasuredRow outline = driven(ring.outline, options_.milling).row();

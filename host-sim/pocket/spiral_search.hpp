@@ -12,29 +12,29 @@
 
 namespace sim::pocket {
 
-/// A loop of a spiral, and the turns that lead to it.
+/// A loop of a spiral, with the turns that lead to it.
 struct SpiralLoop {
   PassLoop loop;
   cnc::pocket::Milling milling = cnc::pocket::Milling::kClimb;
   std::uint32_t turn_count = 1;  ///< Number of turns from the previous loop, if there is one.
-  double start_mm = 0.0;         ///< Distance along the driven loop at which turns end and begin.
+  double start_mm = 0.0;  ///< Distance along the driven loop at which turns end and begin, mm.
   std::vector<WayElement> turns{};
 };
 
-/// A spiral around an island: from the pass at the island to the pass at the outer wall.
+/// A spiral around an island, from the pass at the island to the pass at the outer wall.
 struct IslandSpiral {
-  /// The pass whose two loops are the first and the last loop of the spiral.
+  /// Number of the pass whose two loops are the first and the last loop of the spiral.
   std::uint32_t pass = 0;
   std::vector<SpiralLoop> loops;
-  /// All passes that the spiral makes unnecessary, with `pass`.
+  /// Numbers of all passes that the spiral replaces, including `pass`.
   std::vector<std::uint32_t> replaced;
 };
 
-/// For each loop of each pass, whether it is driven or left out.
+/// For each loop of each pass, whether the loop is finished: driven already, or omitted.
 using DrivenMarks = std::vector<std::vector<bool>>;
 
-/// Searches for rows of loops that turns of a spiral can join. Each loop is around the previous
-/// one.
+/// Searches for rows of loops that turns of a spiral can join. Each loop of a row is around the
+/// previous loop.
 class SpiralSearch {
  public:
   /// All three arguments must outlive the search.
@@ -46,13 +46,14 @@ class SpiralSearch {
   }
 
   /// Returns the loops of the longest spiral outwards, from `first` up to the loops that are driven
-  /// already. Empty if the spiral has fewer than two turns.
+  /// already. The result is empty if the spiral has fewer than two turns.
   [[nodiscard]] std::vector<SpiralLoop> outwards(const PassLoop& first,
                                                  const DrivenMarks& is_driven) const;
 
   /// Returns spirals around islands. Each outermost pass with a single hole has one, if the spiral
-  /// is at most 1.5 times as long as the passes that it replaces. Its stock is always on the outer
-  /// side, so its first loop, at the island, is driven against the direction of loops at islands.
+  /// is at most 1.5 times as long as the passes that it replaces. The stock is always on the outer
+  /// side of the spiral. Therefore its first loop, at the island, is driven against the usual
+  /// direction of loops at islands.
   [[nodiscard]] std::vector<IslandSpiral> around_islands() const;
 
  private:

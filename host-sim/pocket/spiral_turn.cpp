@@ -11,21 +11,21 @@ namespace {
 
 using cnc::WideVec2;
 
-/// Greatest speed of the nearest point relative to that of the point on the outer loop; a faster
-/// point jumps.
+/// Greatest speed of the nearest point, divided by the speed of the point on the outer loop. A
+/// faster point counts as a jump.
 constexpr double kFastest = 8.0;
-/// mm: shorter parts of the outer loop are not divided further.
+/// Length below which parts of the outer loop are not divided further, mm.
 constexpr double kShortestPartMm = 1.0e-5;
-/// mm: half the length of a chord that stands for a tangent.
+/// Half the length of a chord that approximates a tangent, mm.
 constexpr double kHalfChordMm = 1.0e-6;
-/// mm: loops nearer to each other meet, within rounding.
+/// Distance below which two loops touch, within rounding, mm.
 constexpr double kLoopsMeetMm = 1.0e-9;
-/// rad: greatest turn of a part, so that the samples are dense enough.
+/// Greatest turn of a part, radians, so that the samples are dense enough.
 constexpr double kMaxTurn = 0.8;
 
-/// A point of a turn, with the direction of the turn there.
+/// A point of a turn, with the direction of the turn at this point.
 struct Sample {
-  double way_mm = 0.0;  ///< Distance along the outer loop, from the start.
+  double way_mm = 0.0;  ///< Distance along the outer loop from the start of the turn, mm.
   WideVec2 place{0.0, 0.0};
   WideVec2 tangent{1.0, 0.0};
 };
@@ -81,8 +81,9 @@ class TurnMaker {
     return sample;
   }
 
-  /// Returns the tangent at the start. On a loop it is the tangent of the loop. Between the loops
-  /// it is the direction of a chord of the curve at a constant share of the distance between them.
+  /// Returns the tangent at the start of the outer loop. On one of the two loops, it is the tangent
+  /// of that loop. Between the loops, it is the direction of a chord of a curve: the points at the
+  /// constant share `share` of the distance between the loops.
   [[nodiscard]] WideVec2 tangent_at_start(double share) {
     const double length = outer_.length();
     if (share >= 1.0) return outer_.arriving(length);
@@ -94,9 +95,11 @@ class TurnMaker {
     return tangent.dot(outer_.leaving(0.0)) < 0.0 ? WideVec2{-tangent} : tangent;
   }
 
-  /// Appends arcs between two samples, halving the parts until the arcs are within the tolerance.
+  /// Appends arcs between two samples. Halves the parts until the arcs are within the tolerance.
+  /// Returns false if the turn is impossible there.
   [[nodiscard]] bool add(const Sample& first, const Sample& last) {
-    std::vector<Sample> ends{last};  // Ends of the parts that are left, the next part at the back.
+    // Ends of the parts that are still to be done. The end of the next part is the last item.
+    std::vector<Sample> ends{last};
     Sample from = first;
     while (!ends.empty()) {
       const Sample& to = ends.back();
@@ -119,15 +122,15 @@ class TurnMaker {
     return true;
   }
 
-  /// Returns whether the turn moves so far between two samples that the nearest point must have
-  /// jumped.
+  /// Returns whether two samples are so far apart that the nearest point must have jumped between
+  /// them.
   [[nodiscard]] bool jumps(const Sample& from, const Sample& to) const {
     const double length = to.way_mm - from.way_mm;
     return (to.place - from.place).norm() > kFastest * length + options_.tolerance_mm;
   }
 
-  /// Appends two arcs if they can follow the turn within the tolerance. At a jump all samples are
-  /// at its ends, where the ends of any arcs are, too.
+  /// Appends two arcs if they follow the turn within the tolerance. Does not try arcs at a jump:
+  /// there, all samples are at the ends of the jump, and so are the ends of any arcs.
   [[nodiscard]] bool try_arcs(const Sample& from, const Sample& to) {
     if (jumps(from, to)) return false;
     if (from.tangent.dot(to.tangent) < std::cos(kMaxTurn)) return false;
@@ -160,8 +163,8 @@ class TurnMaker {
   const OwnedBoundary& inner_;
   cut::MeasuredRow outer_;
   TurnOptions options_;
-  double widest_mm_ = 0.0;  ///< Greatest distance between turns so far.
-  /// Whether all lines to nearest points leave the outer loop towards its inside.
+  double widest_mm_ = 0.0;  ///< Greatest distance between turns up to now, mm.
+  /// Whether all lines to nearest points lead from the outer loop to its inside.
   bool is_all_seen_ = true;
   std::vector<WayElement> way_;
 };

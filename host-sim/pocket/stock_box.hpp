@@ -5,18 +5,18 @@
 
 namespace sim::pocket {
 
-/// The outline of the stock in plan, a rectangle along the axes, mm.
+/// The outline of the stock as seen from above, a rectangle along the axes, mm.
 using StockBox = cnc::contour::FlatBox<double>;
 
-/// The stock counts as smaller by this on all sides, mm, so that walls that are drawn on its edge
-/// end outside of it.
+/// Thickness of the skin that does not count as stock on all sides, mm. Therefore walls that are
+/// drawn on the edge of the stock end outside of it.
 inline constexpr double kStockSkinMm = 1.0e-3;
 
 [[nodiscard]] inline StockBox widened(const StockBox& box, double by_mm) {
   return {box.x0 - by_mm, box.y0 - by_mm, box.x1 + by_mm, box.y1 + by_mm};
 }
 
-/// Returns the distance from a point to the stock, mm; 0 in the stock.
+/// Returns the distance from a point to the stock, mm; 0 inside the stock.
 [[nodiscard]] double gap_to(const StockBox& stock, const cnc::WideVec2& place);
 
 /// Returns whether a disc is next to the stock and touches neither the stock nor its skin.

@@ -19,12 +19,11 @@ using cnc::pocket::Milling;
 using cnc::pocket::Use;
 using Box = cnc::contour::FlatBox<double>;
 
-/// Shares of the tool's radius that are tried for the arc by which the tool reaches a part, the
-/// best first.
+/// Candidate radii of the arc that leads to a part, as shares of the tool's radius, the best first.
 constexpr std::array kLeadShares{1.0, 0.5, 0.25, 0.125};
 constexpr double kFreeSlackMm = 1.0e-9;
 
-/// A part of a pass, in the direction in which it is driven.
+/// A part of a pass with its pass and its group.
 struct Piece {
   LoopPiece part;
   std::size_t pass = 0;
@@ -45,8 +44,8 @@ Box box_of(const Piece& piece) {
   return box;
 }
 
-/// Puts pieces that are near each other into one group: their boxes, widened by a radius, overlap.
-/// The number of a group is that of one of its pieces.
+/// Puts pieces near each other into one group. Two pieces are near if their boxes, widened by a
+/// radius, overlap. The number of a group is the index of one of its pieces.
 void group(std::vector<Piece>& pieces, double radius_mm) {
   std::vector<Box> boxes;
   for (const Piece& piece : pieces) {
@@ -101,13 +100,14 @@ class PieceDriver {
   }
 
  private:
-  /// Returns the side of the path on which the pocket is: 1 on the left, −1 on the right.
+  /// Returns the side of the path on which the pocket is: 1 for left, −1 for right.
   [[nodiscard]] double side() const {
     return options_.drive.milling == Milling::kClimb ? 1.0 : -1.0;
   }
 
-  /// Returns the other end of a quarter turn that touches the path at a point, before or after this
-  /// point. Returns none where the tool would touch stock there, or would gouge on the quarter
+  /// Returns the far end of a quarter turn that touches the path at the point `touch`. The quarter
+  /// turn is before this point if `forwards` is −1, and after it if `forwards` is 1. Returns none
+  /// if at every radius the tool would touch stock at the far end, or would gouge on the quarter
   /// turn.
   [[nodiscard]] std::optional<WideVec2> lead_at(const WideVec2& touch,
                                                 const WideVec2& tangent,
@@ -122,7 +122,7 @@ class PieceDriver {
     return std::nullopt;
   }
 
-  /// Descends forth and back along a part.
+  /// Descends forth and back along a part, or plunges at its start.
   void sink(const std::vector<cut::Stroke>& strokes, DepthWriter& writer) const {
     const WideVec2& start = strokes.front().from;
     writer.begin_row(start);

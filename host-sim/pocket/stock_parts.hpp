@@ -10,7 +10,8 @@
 
 namespace sim::pocket {
 
-/// Areas in which the tool may be, and in which it touches stock. Each area has an element.
+/// Areas in which the tool may be, and in which it touches stock. Each area has at least one
+/// element.
 struct StockAreas {
   const OwnedArea& locus;    ///< Area in which the tool's centre may be.
   const OwnedArea& cleared;  ///< Area without stock.
@@ -18,7 +19,7 @@ struct StockAreas {
   const OwnedArea& idle;
 };
 
-/// A part begins this share of the tool's radius earlier, and ends as much later.
+/// Length by which a part is extended at both ends, as a share of the tool's radius.
 inline constexpr double kPartOverlap = 0.25;
 
 /// Options for driving parts of passes.
@@ -29,15 +30,14 @@ struct PartOptions {
 
 /// Parts of passes that touch stock, at one depth.
 struct StockParts : PathRows {
-  std::uint32_t parts = 0;  ///< Number of parts; each is a row.
+  std::uint32_t parts = 0;  ///< Number of parts. Each part is one row.
 };
 
-/// Returns the parts of passes at which the tool touches stock. Each part is extended a little, so
-/// that it begins and ends where no stock is, on an arc that touches it. Where no arc fits, a ramp
-/// forth and back along the part leads down to it. Parts near each other form a group. In each
-/// group, the parts farther from the wall come first.
-/// Throws NoPocketPath where a part is too short for a ramp.
-/// @param passes passes that clear the pocket, each after the pass around it
+/// Returns the parts of passes on which the tool touches stock. Each part is extended at both ends,
+/// so that it begins and ends on an arc where no stock is. Where no arc fits, a ramp forth and back
+/// along the part leads down to it. Parts near each other form a group. In each group, the parts
+/// farther from the wall come first. Throws NoPocketPath where a part is too short for a ramp.
+/// @param passes passes that clear the pocket; each follows the pass around it
 [[nodiscard]] StockParts parts_in_stock(const std::vector<Contour>& passes,
                                         const StockAreas& areas,
                                         const PartOptions& options);

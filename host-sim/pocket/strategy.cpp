@@ -13,8 +13,8 @@
 namespace sim::pocket {
 
 double margin_of(const StrategyOptions& options) {
-  // Tool radii. The tool moves beyond the edge by slightly more than its diameter; crescents begin
-  // in discs that are twice as wide.
+  // Margins in tool radii. The tool moves beyond the edge by slightly more than its diameter.
+  // Crescents begin in discs that are twice as wide.
   constexpr double kOfLoops = 2.5;
   constexpr double kOfCrescents = 4.0;
   const double radius_mm = options.pocket.clearing.tool_radius;
@@ -52,13 +52,13 @@ MilledPocket StrategyPlanner::mill_levels(const cnc::contour::ContourView<double
   ContourOffset offsetter;
   if (options_.former_radius_mm > 0.0) {
     const double former_mm = fitting_radius(pocket, options_.former_radius_mm, offsetter);
-    // Where the former tool did not fit, all stock is left.
+    // Where the former tool does not fit, all stock is left, as without a former tool.
     if (former_mm > 0.0) return mill_rest(pocket, former_mm);
   }
   if (options_.finish_mm == 0.0) return rough(pocket);
   const Contour within = copy_of(offsetter.offset(pocket, -options_.finish_mm));
   MilledPocket milled;
-  // If only the passes along the walls fit, they are the whole path.
+  // If only the passes along the walls fit, the path consists of these passes.
   if (offsetter.offset(within.view(), -tool_radius_mm).loop_ends.size() > 0) {
     milled = rough(within.view());
   }
@@ -123,7 +123,7 @@ PocketPlan StrategyPlanner::passes_of(const cnc::contour::ContourView<double>& p
                                       double stepover_mm) {
   cnc::pocket::PocketOptions<double> wanted = options_.pocket;
   wanted.clearing.stepover = stepover_mm;
-  // Only the passes are used: one level of the path is enough, and no entries are needed.
+  // Only the passes are used. Therefore one level of the path is enough, and entries may plunge.
   wanted.depth = step_mm();
   wanted.entry.kind = cnc::pocket::EntryKind::kPlunge;
   return planner_.plan(pocket, wanted);
@@ -209,7 +209,8 @@ MilledPocket StrategyPlanner::mill_lines(const cnc::contour::ContourView<double>
                                          const std::optional<StockBox>& stock) const {
   const bool plunges = options_.pocket.entry.kind == cnc::pocket::EntryKind::kPlunge;
   const double radius_mm = options_.pocket.clearing.tool_radius;
-  // In a slot, the tool counts as slightly smaller than it is.
+  // In a slot, the tool's radius is reduced slightly (see fitting_radius()), so the stepover may
+  // exceed the tool's diameter.
   const double stepover_mm = std::min(options_.pocket.clearing.stepover, 2.0 * radius_mm);
   const Zigzag path = zigzag_path(pocket,
                                   {.tool_radius_mm = radius_mm,

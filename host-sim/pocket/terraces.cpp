@@ -17,12 +17,12 @@ constexpr std::size_t kNoLoop = std::numeric_limits<std::size_t>::max();
 /// A loop with its position among other loops.
 struct NestedLoop {
   double area_mm2 = 0.0;
-  std::size_t parent = kNoLoop;  ///< The smallest loop around this loop.
+  std::size_t parent = kNoLoop;  ///< Number of the smallest loop around this loop.
   std::size_t nesting = 0;       ///< Number of loops around this loop.
-  double floor_mm = 0.0;         ///< Depth of the floor between this loop and the loops in it.
+  double floor_mm = 0.0;         ///< Depth of the floor between this loop and the loops in it, mm.
 };
 
-/// Finds the parent of each loop and the number of loops around it. Loops may touch.
+/// Finds the parent of each loop and the number of loops around it. Loops may touch each other.
 std::vector<NestedLoop> nested(const Contour& contours) {
   const auto view = contours.view();
   std::vector<NestedLoop> loops(view.loop_ends.size());
@@ -47,8 +47,8 @@ std::vector<NestedLoop> nested(const Contour& contours) {
   return loops;
 }
 
-/// Returns the areas in which the floor is at least `depth_mm` deep, bounded by the loops at which
-/// that changes.
+/// Returns the areas in which the floor is at least `depth_mm` deep. Their boundaries are the loops
+/// at which this changes.
 Contour deeper_than(double depth_mm,
                     const Contour& contours,
                     const std::vector<NestedLoop>& loops,

@@ -17,7 +17,8 @@ namespace {
 using cnc::pocket::Use;
 using PathPoint = cnc::pocket::PathPoint<double>;
 
-constexpr double kAxisShare = 0.2;  ///< Share of the tolerance for the points of the axis.
+/// Tolerance of the axis's points, as a share of the tolerance of carving.
+constexpr double kAxisShare = 0.2;
 
 void check_range(std::string_view name, double value, double least, double greatest) {
   if (value >= least && value <= greatest) return;
@@ -34,7 +35,7 @@ void check(const VCarveOptions& options) {
   check_range("tolerance of carving", options.tolerance_mm, 1.0e-4, 1.0);
   if (!(options.return_limit_mm >= 0.0)) {
     throw std::invalid_argument{
-        fmt::format("way to return {:g} mm is below 0", options.return_limit_mm)};
+        fmt::format("length of returns {:g} mm is below 0", options.return_limit_mm)};
   }
 }
 
@@ -83,7 +84,7 @@ void write_pieces(const CarveGraph& graph, double return_limit_mm, CarveWriter& 
   }
 }
 
-/// Writes a descent and a retraction at each node without chains.
+/// Writes a row with a plunge at each node without chains.
 void write_lone_nodes(const MedialAxis& axis, double greatest_radius_mm, CarveWriter& writer) {
   std::vector<bool> has_chain(axis.nodes.size());
   for (const AxisChain& chain : axis.chains) has_chain[chain.from] = has_chain[chain.to] = true;
@@ -121,7 +122,7 @@ VCarving v_carve(const cnc::contour::ContourView<double>& area, const VCarveOpti
   check(options);
   const OwnedArea owned{area};
   const double slope = std::tan(0.5 * options.included_angle_deg * std::numbers::pi / 180.0);
-  // With a steep tool, a small error of the radius is a large error of the depth.
+  // For a narrow tip, a small error of the radius causes a large error of the depth.
   const double tolerance_mm = options.tolerance_mm * std::min(1.0, slope);
   const double axis_mm = kAxisShare * tolerance_mm;
   const MedialAxis axis = medial_axis(owned, {.tolerance_mm = axis_mm, .slack_mm = axis_mm});

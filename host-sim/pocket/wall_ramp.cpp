@@ -14,7 +14,7 @@ namespace {
 using cnc::WideVec2;
 using cnc::pocket::Use;
 
-/// Ramps with more legs forth, back or around are refused.
+/// Greatest number of legs of a ramp, forth, back or around.
 constexpr double kMaxLegs = 1000.0;
 
 /// Returns the middle of the longest element of a loop.
@@ -37,11 +37,12 @@ cnc::pocket::LoopPlace<double> longest_middle(const cnc::contour::ContourView<do
 double legs_of_ramp(const WallDrive& drive, double length_mm, const WideVec2& place) {
   const double legs = std::max(1.0, std::ceil(drive.depth_mm / (drive.slope * length_mm)));
   if (legs <= kMaxLegs) return legs;
-  throw NoPocketPath{fmt::format(
-      "at {:.3f} {:.3f} a ramp would be {:.3g} mm long; choose --entry plunge or a smaller tool",
-      place.x(),
-      place.y(),
-      length_mm)};
+  throw NoPocketPath{
+      fmt::format("at {:.3f} {:.3f} a ramp would be only {:.3g} mm long; choose --entry plunge or "
+                  "a smaller tool",
+                  place.x(),
+                  place.y(),
+                  length_mm)};
 }
 
 void revolve(const cnc::contour::ContourView<double>& locus,
@@ -50,7 +51,7 @@ void revolve(const cnc::contour::ContourView<double>& locus,
              const cnc::pocket::LoopDrive<double>& drive,
              PathRows& out) {
   const std::size_t first = out.points.size();
-  // The element of the starting point is divided in two, so there is one element more.
+  // The element that contains the starting point is divided in two, so there is one more element.
   out.points.resize(first + locus.loop_ends[place.loop] - locus.loop_begin(place.loop) + 1);
   cnc::pocket::ToolPathWriter<double> writer{{out.points.data() + first, out.points.size() - first},
                                              {}};

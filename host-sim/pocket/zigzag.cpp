@@ -26,7 +26,7 @@ void check(const ZigzagOptions& options) {
   const double radius = options.tool_radius_mm;
   require(radius > 0.0 && std::isfinite(radius), "radius of the tool in mm", radius);
   require(options.stepover_mm > 0.0 && options.stepover_mm <= 2.0 * radius,
-          "distance of lines in mm",
+          "distance between lines in mm",
           options.stepover_mm);
   require(options.turn_radius_mm >= 0.0 && std::isfinite(options.turn_radius_mm),
           "radius of turns in mm",
@@ -36,8 +36,8 @@ void check(const ZigzagOptions& options) {
   require(options.slope > 0.0 && options.slope <= 1.0, "slope", options.slope);
 }
 
-/// Returns the radius of turns. A line may end up to twice this radius before the wall, and the
-/// pass along the wall clears what the line leaves on both sides of its end.
+/// Returns the radius of turns. It is limited because a line may end up to twice this radius before
+/// the wall. The pass along the wall clears the stock on both sides of such an end.
 double turn_radius(const ZigzagOptions& options) {
   const double reach = options.tool_radius_mm - 0.5 * options.stepover_mm;
   const double most = std::min(kWidestTurn * options.stepover_mm, 0.5 * reach);
@@ -49,7 +49,7 @@ WallDrive wall_drive_of(const ZigzagOptions& options) {
   return {.depth_mm = options.depth_mm, .slope = options.slope, .plunges = options.plunges};
 }
 
-/// Areas in which lines turn, with their storage.
+/// The areas of TurnSpace, with their storage.
 struct TurnAreas {
   Contour rounded;
   Contour centres;
@@ -59,7 +59,8 @@ struct TurnAreas {
 TurnAreas turn_areas(const Contour& locus, double radius_mm) {
   ContourOffset offsetter;
   TurnAreas areas{{}, copy_of(offsetter.offset(locus.view(), -radius_mm)), radius_mm};
-  // Parts that merge have corners between them, which are filled.
+  // Where parts of the area merge, there are corners between them. The last offset fills these
+  // corners.
   const Contour wide = copy_of(offsetter.offset(areas.centres.view(), 2.0 * radius_mm));
   areas.rounded = copy_of(offsetter.offset(wide.view(), -radius_mm));
   return areas;
@@ -87,8 +88,8 @@ double length_of(const PathRows& rows) {
   return length;
 }
 
-/// Drives lines from the lowest upwards or from the highest downwards, and returns the shorter
-/// path: its entries into the stock are shorter.
+/// Drives lines both from the lowest upwards and from the highest downwards. Returns the shorter
+/// path, because its entries into the stock are shorter.
 Zigzag open_lines_of(const TurnAreas& areas, const ZigzagOptions& options) {
   Zigzag upwards = lines_of(areas, options);
   ZigzagOptions other = options;
@@ -108,7 +109,7 @@ Zigzag zigzag_path(const cnc::contour::ContourView<double>& area, const ZigzagOp
   ContourOffset offsetter;
   const Contour locus = copy_of(offsetter.offset(area, -options.tool_radius_mm));
   if (locus.loop_ends.empty()) {
-    throw NoPocketPath{"the tool fits nowhere into it; choose a smaller one with --tool"};
+    throw NoPocketPath{"the tool fits nowhere into the pocket; choose a smaller one with --tool"};
   }
   const TurnAreas areas = turn_areas(locus, turn_radius(options));
   if (options.stock) {

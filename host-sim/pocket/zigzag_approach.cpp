@@ -14,29 +14,29 @@ namespace {
 using cnc::WideVec2;
 using Curve = cnc::contour::Curve<double>;
 
-/// Greatest distance between points of the wall that are tried, as a share of the tool's radius.
+/// Greatest distance between candidate points on the wall, as a share of the tool's radius.
 constexpr double kPlaceDistance = 0.25;
-/// Radii of arcs to the wall that are tried, as shares of the tool's radius, the best first.
+/// Candidate radii of arcs to the wall, as shares of the tool's radius, the best first.
 constexpr std::array kArcShares{0.25, 0.125};
 
-/// An arc by which the tool reaches the wall.
+/// An arc from a point next to the stock to the wall.
 struct WallEntry {
   WideVec2 from{0.0, 0.0};
   BoundaryPlace on_wall;
   double bulge = 0.0;
 };
 
-/// Searches along the wall for a point that the tool can reach from next to the stock.
+/// Searches along the wall for a point that the tool can reach from a point next to the stock.
 class WallEntrySearch {
  public:
-  /// @param is_backwards whether the wall is followed with the area on the right
+  /// @param is_backwards whether the search follows the wall with the area on the right
   WallEntrySearch(const OwnedArea& area,
                   const StockBox& stock,
                   double tool_radius_mm,
                   bool is_backwards)
       : area_{area}, stock_{stock}, radius_mm_{tool_radius_mm}, is_backwards_{is_backwards} {}
 
-  /// Returns the last entry before a point, in the direction in which the wall is followed.
+  /// Returns the last entry before a point, in the direction in which the search follows the wall.
   [[nodiscard]] std::optional<WallEntry> before(const BoundaryPlace& end) const {
     std::uint32_t element = end.element;
     do {
@@ -56,7 +56,7 @@ class WallEntrySearch {
     return is_backwards_ ? curve.start : curve.end;
   }
 
-  /// Returns the last entry on an element up to a point of it.
+  /// Returns the last entry on an element before the point `end` of the element.
   [[nodiscard]] std::optional<WallEntry> last_on(std::uint32_t element, const WideVec2& end) const {
     const Curve& curve = area_->element(element);
     const WideVec2 begin = begin_of(curve);
@@ -74,7 +74,8 @@ class WallEntrySearch {
   }
 
   [[nodiscard]] std::optional<WallEntry> entry_at(const BoundaryPlace& on_wall) const {
-    const double side = is_backwards_ ? -1.0 : 1.0;  // The side on which the area is.
+    // Side of the path on which the area is: 1 for left, −1 for right.
+    const double side = is_backwards_ ? -1.0 : 1.0;
     const WideVec2 forwards = side * area_->element(on_wall.element).tangent_at(on_wall.place);
     for (const double share : kArcShares) {
       const double radius = share * radius_mm_;

@@ -12,13 +12,13 @@ namespace sim::pocket {
 struct ZigzagApproach {
   cnc::WideVec2 from{0.0, 0.0};
   std::vector<WayElement> way;
-  double meets_at_x = 0.0;  ///< X at which the row meets its first line, mm.
+  double meets_at_x = 0.0;  ///< X at which the path reaches the line, mm.
   double length_mm = 0.0;
 };
 
-/// Returns a path upwards along the wall on one side of the area to a line. It begins at the
-/// nearest point next to the stock from which an arc leads to the wall. Returns none where there is
-/// no such point, or where the path has corners.
+/// Returns a path to a line that leads upwards along the wall on one side of the area. The path
+/// begins at the nearest point next to the stock from which an arc leads to the wall. Returns none
+/// if there is no such point, or if the path has corners.
 /// @param space areas that include the surroundings of the stock
 [[nodiscard]] std::optional<ZigzagApproach> approach_along_wall(const TurnSpace& space,
                                                                 const StockBox& stock,

@@ -15,9 +15,10 @@ namespace {
 using cnc::WideVec2;
 using cnc::pocket::Use;
 
-/// Greatest length of a path along a wall from one line to the next, in distances between lines.
+/// Greatest length of a path along a wall from one line to the next, as a multiple of the distance
+/// between lines.
 constexpr double kLongestWay = 10.0;
-/// mm: a shorter stretch is cleared by its neighbours.
+/// Length below which a stretch is not driven, mm, because the neighbouring lines clear it.
 constexpr double kMinStretchMm = 1.0e-6;
 
 Side opposite(Side side) { return side == Side::kRight ? Side::kLeft : Side::kRight; }
@@ -57,20 +58,20 @@ class LineDriver {
     double y = 0.0;
     std::vector<Line> lines;
   };
-  /// The turn to a line of the next level above.
+  /// A line of the next level, with the turn that leads to it.
   struct Next {
     Line* line = nullptr;
     ZigzagTurn turn;
   };
   /// Beginning of a row.
   struct RowStart {
-    Side side = Side::kRight;  ///< The side towards which the first line of the row is driven.
+    Side side = Side::kRight;  ///< Side towards which the tool drives the first line of the row.
     double from_x = 0.0;
     bool is_beside = false;  ///< Whether the row begins next to the stock.
     std::optional<ZigzagApproach> approach{};
   };
 
-  /// Returns whether a stretch is long enough, and touches stock.
+  /// Returns whether a stretch is long enough and touches stock.
   [[nodiscard]] bool is_worth_a_line(const Stretch& stretch, double y) const {
     if (stretch.to_x - stretch.from_x <= kMinStretchMm) return false;
     if (!options_.stock) return true;
@@ -80,8 +81,8 @@ class LineDriver {
     return !is_idle(stock, {nearest_x, y}, options_.tool_radius_mm);
   }
 
-  /// Returns the line of a level whose left end is nearest to the tool in X, of the lines that are
-  /// not driven yet.
+  /// Returns the undriven line of a level whose left end is nearest to the tool in X; null if all
+  /// lines of the level are driven.
   [[nodiscard]] Line* nearest_left(std::size_t level) {
     Line* best = nullptr;
     double least = std::numeric_limits<double>::infinity();
@@ -94,7 +95,8 @@ class LineDriver {
     return best;
   }
 
-  /// Returns the turn to the line above that begins nearest to the end of this line.
+  /// Returns the undriven line above to which the shortest turn leads, with this turn. Its line is
+  /// null if no turn fits.
   [[nodiscard]] Next next_of(std::size_t level, const Line& line, double from_x, Side side) {
     Next next;
     if (level + 1 == lines_.size()) return next;
@@ -114,8 +116,8 @@ class LineDriver {
     return next;
   }
 
-  /// Finds a beginning of a row next to the stock if possible: at an end of its first line, or
-  /// along the wall.
+  /// Finds the beginning of a row, if possible next to the stock: at an end of the row's first
+  /// line, or with an approach along the wall.
   [[nodiscard]] RowStart start_of(const Stretch& line, double y) const {
     RowStart best{Side::kRight, line.from_x};
     if (!options_.stock) return best;
@@ -141,7 +143,7 @@ class LineDriver {
   void drive_row(std::size_t level, Line& first) {
     Line* line = &first;
     const RowStart start = start_of(first.stretch, lines_[level].y);
-    Side side = start.side;  // The side towards which the line is driven.
+    Side side = start.side;  // Side towards which the tool drives the line.
     double from_x = start.from_x;
     for (bool is_first = true; line != nullptr; is_first = false, ++level) {
       line->is_driven = true;
@@ -169,7 +171,7 @@ class LineDriver {
     }
   }
 
-  /// Descends at the beginning of a row: forth and back along its first line.
+  /// Descends at the beginning of a row forth and back along the row's first line, or plunges.
   void sink(const WideVec2& from, const WideVec2& to) {
     writer_.begin_row(from);
     if (options_.plunges) return writer_.go(Use::kEntry, from, 0.0, writer_.floor_z());

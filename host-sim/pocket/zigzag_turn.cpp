@@ -9,15 +9,16 @@ namespace {
 
 using cnc::WideVec2;
 
-/// mm: precision with which a turn meets the wall.
+/// Greatest distance between the end of a turn and the wall, mm, by rounding.
 constexpr double kMeetsMm = 1.0e-7;
-/// Sine of the greatest angle between tangents that count as one.
+/// Sine of the greatest angle between two tangents that count as one.
 constexpr double kOneTangent = 1.0e-4;
-/// rad: an arc with a smaller sweep is omitted.
+/// Sweep below which an arc is omitted, radians.
 constexpr double kNoSweep = 1.0e-6;
 
-/// Returns the end of the stretches that is nearest to x, if no stretch begins between this end and
-/// x. Up to this end, the wall is within twice the radius of the rest that a line leaves.
+/// Returns the end of one of the stretches, on the given side, that is nearest to `x`. Returns none
+/// if a stretch begins between this end and `x`. Up to this end, the rest that a line leaves is
+/// within twice the radius of turns from the wall.
 std::optional<double> end_nearest_to(const std::vector<Stretch>& stretches, double x, Side side) {
   std::optional<double> best;
   for (const Stretch& stretch : stretches) {
@@ -31,7 +32,7 @@ std::optional<double> end_nearest_to(const std::vector<Stretch>& stretches, doub
   return best;
 }
 
-/// Directions of a line or an arc at its beginning and its end.
+/// Directions of a line or an arc at its beginning and at its end.
 struct Directions {
   WideVec2 begin{1.0, 0.0};
   WideVec2 end{1.0, 0.0};
@@ -46,7 +47,7 @@ Directions directions_of(const WideVec2& from, const WayElement& element) {
           cosine * chord + sine * cnc::left_normal(chord)};
 }
 
-/// Returns the direction that leads out of the area through one of its sides.
+/// Returns the direction that leads out of the area on one side.
 WideVec2 outwards(Side side) {
   return side == Side::kRight ? WideVec2{1.0, 0.0} : WideVec2{-1.0, 0.0};
 }
@@ -57,7 +58,7 @@ bool lies_on(const Stretch& stretch, double x) {
 
 }  // namespace
 
-/// On the right side both arcs turn left; on the left side both turn right.
+/// On the right side, both arcs turn left; on the left side, both arcs turn right.
 std::optional<WallFillet> fillet_at(
     const TurnSpace& space, const Stretch& line, double y_mm, Side side, bool leaves_line) {
   const double centre_y = leaves_line ? y_mm + space.radius_mm : y_mm - space.radius_mm;
@@ -71,7 +72,7 @@ std::optional<WallFillet> fillet_at(
   if (space.radius_mm == 0.0) return fillet;
   const WideVec2 line_way = fillet.on_line - centre;
   const WideVec2 wall_way = wall.point - centre;
-  // At a corner of the wall, the arc would not have a common tangent with it.
+  // At a corner of the wall, the arc and the wall would have no common tangent.
   const WideVec2 along = space.rounded->element(wall.element).tangent_at(wall.point);
   if (std::abs(along.dot(wall_way)) > kOneTangent * space.radius_mm) return std::nullopt;
   const WideVec2& from = leaves_line ? line_way : wall_way;

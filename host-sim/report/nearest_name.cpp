@@ -6,8 +6,7 @@
 namespace sim {
 namespace {
 
-/// Returns the text in lower case, to compare words without regard to case. Of two near names, the
-/// name in the same case is nearer.
+/// Returns the text in lower case, for comparisons that ignore the case.
 std::string lower(std::string text) {
   for (char& letter : text) {
     letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
@@ -15,7 +14,7 @@ std::string lower(std::string text) {
   return text;
 }
 
-/// Returns the optimal string alignment distance.
+/// Returns the number of slips between two texts: their optimal string alignment distance.
 std::size_t slips_between(const std::string& a, const std::string& b) {
   std::vector<std::size_t> before(b.size() + 1);
   std::vector<std::size_t> last(b.size() + 1);

@@ -7,9 +7,9 @@
 namespace sim {
 
 /// Returns the name that the user may have meant by `word`. If exactly one name begins with `word`,
-/// it is that name. Otherwise it is the name with the fewest slips: letters that are wrong,
-/// missing, surplus or exchanged with their neighbour. At most a third of the letters may be slips;
-/// a word in the other case counts as one slip. Returns an empty value if no name is near.
+/// the result is this name. Otherwise it is the name with the fewest slips. A slip is a letter that
+/// is wrong, missing, surplus or swapped with its neighbour. At most a third of the letters may be
+/// slips. A difference in case counts as one slip in total. Returns none if no name is near.
 [[nodiscard]] std::optional<std::string> nearest_name(const std::string& word,
                                                       const std::vector<std::string>& names);
 

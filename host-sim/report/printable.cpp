@@ -9,9 +9,9 @@
 namespace sim {
 namespace {
 
-/// Returns whether a terminal obeys the character: C0, DEL, C1, line and paragraph separators, and
-/// marks that change the direction of writing. With such marks a name can seem to end in letters in
-/// which it does not end.
+/// Returns whether a terminal interprets the character as a command: C0, DEL, C1, line and
+/// paragraph separators, and marks that change the direction of writing. With such marks, the
+/// displayed end of a name can differ from its real end.
 bool terminal_obeys(char32_t code_point) {
   const bool is_control = code_point < 0x20 || (code_point >= 0x7F && code_point < 0xA0);
   const bool is_direction = code_point == 0x61C || code_point == 0x200E || code_point == 0x200F ||

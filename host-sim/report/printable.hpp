@@ -5,13 +5,13 @@
 
 namespace sim {
 
-/// Returns a text that is safe to print on a terminal. Bytes that a terminal would obey become
-/// `\x1B` and the like; the name of a file or an answer of a controller may contain them. Line
-/// ends, tabs and letters in UTF-8 are unchanged.
+/// Returns a text that is safe to print on a terminal. Bytes that a terminal would interpret as
+/// commands become escapes such as `\x1B`. A file name or an answer of a controller may contain
+/// such bytes. Line ends, tabs and letters in UTF-8 are unchanged.
 [[nodiscard]] std::string printable(std::string_view text);
 
-/// Returns a text that is safe to print within a line. Line ends and tabs are escaped as well, so
-/// that no name of a file looks like a line of its own.
+/// Returns a text that is safe to print within a line. Line ends and tabs are also escaped, so that
+/// no file name can look like a separate line.
 [[nodiscard]] std::string printable_line(std::string_view text);
 
 }  // namespace sim

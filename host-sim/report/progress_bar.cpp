@@ -16,7 +16,8 @@
 namespace sim {
 namespace {
 
-/// Returns the columns of the terminal; the greatest number if the stream is no terminal.
+/// Returns the number of columns of the terminal. If the stream is not a terminal, returns the
+/// greatest number.
 std::size_t columns_of(std::FILE* stream) {
   winsize size{};
   // NOLINTNEXTLINE(cppcoreguidelines-pro-type-vararg): that is how ioctl is declared.
@@ -24,7 +25,8 @@ std::size_t columns_of(std::FILE* stream) {
   return is_known ? size.ws_col : std::numeric_limits<std::size_t>::max();
 }
 
-/// Returns the longest beginning of the text that fits, with a mark where it is cut off.
+/// Returns the longest beginning of the text that fits into `columns`, with an ellipsis where it is
+/// cut off.
 std::string shortened(std::string_view text, std::size_t columns) {
   if (display_width(text) <= columns) return std::string{text};
   std::string start;
@@ -37,8 +39,8 @@ std::string shortened(std::string_view text, std::size_t columns) {
   return columns == 0 ? "" : start + "\u2026";
 }
 
-/// Returns the line of bar, percent and label. It leaves out the last column of the terminal, which
-/// may wrap.
+/// Returns the line of bar, percentage and label. The line does not use the last column of the
+/// terminal, which may wrap.
 std::string line_of(double done, std::string_view label, std::size_t columns) {
   constexpr std::size_t kMaxCells = 30;
   constexpr std::size_t kFewestCells = 10;

@@ -6,8 +6,8 @@
 
 namespace sim {
 
-/// Prints the progress of a long job where no terminal shows a ProgressBar: one line every five
-/// seconds, and none for a job that ends earlier.
+/// Prints the progress of a long job if no terminal shows a ProgressBar. It prints one line every
+/// five seconds, and none for a job that ends earlier.
 class ProgressLines {
  public:
   using Time = std::chrono::steady_clock::time_point;
@@ -18,12 +18,13 @@ class ProgressLines {
   ProgressLines(std::FILE* stream, bool is_shown, Time start)
       : stream_{stream}, is_shown_{is_shown}, start_{start}, next_{start + kPeriod} {}
 
-  /// Prints `label`, the share done in percent, and the time since the start.
-  /// @param fraction share done, 0…1 (clamped)
+  /// Prints `label`, the share that is done in percent, and the time since the start.
+  /// @param fraction share of the job that is done, 0…1 (clamped)
   void update(double fraction, std::string_view label, Time now);
 
  private:
-  static constexpr std::chrono::seconds kPeriod{5};  ///< Long enough to keep a log short.
+  /// Time between two lines; long enough to keep a log short.
+  static constexpr std::chrono::seconds kPeriod{5};
 
   std::FILE* stream_;
   bool is_shown_;

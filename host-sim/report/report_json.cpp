@@ -17,7 +17,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Returns an object with one value for each axis from `first` on.
+/// Returns an object with one value for each axis from the axis `first` on.
 template <typename Value>
 Json per_axis(const Report& report, Value value_of, std::size_t first = 0) {
   Json object = Json::object();
@@ -68,11 +68,11 @@ void add_axes(Json& json, const Report& report) {
       {"bounds", per_axis(report, [](auto& axis) { return axis.bounds_error_mm; })}};
 }
 
-/// Rounds all numbers to six decimals: a nanometre and a microsecond, far below any figure's error.
-/// A report is nested a few levels deep. NOLINTNEXTLINE(misc-no-recursion)
+/// Rounds all numbers to six decimals: to a nanometre and a microsecond, far below the error of any
+/// figure. A report has only a few nested levels. NOLINTNEXTLINE(misc-no-recursion)
 void round_numbers(Json& json) {
   constexpr double kPerUnit = 1.0e6;
-  constexpr double kMaxRounded = 1.0e9;  // Above this a double has no further decimals to round.
+  constexpr double kMaxRounded = 1.0e9;  // Greater doubles have no decimals to round.
   if (json.is_number_float()) {
     const double value = json.get<double>();
     if (std::abs(value) < kMaxRounded) json = std::round(value * kPerUnit) / kPerUnit;
@@ -81,8 +81,8 @@ void round_numbers(Json& json) {
   }
 }
 
-/// Returns JSON without bytes that a terminal obeys. JSON escapes bytes below a blank but leaves
-/// DEL and C1 unescaped.
+/// Returns JSON without bytes that a terminal interprets as commands. The JSON library escapes
+/// bytes below a blank, but not DEL and C1.
 std::string without_controls(std::string_view json) {
   std::string text;
   while (!json.empty()) {

@@ -23,8 +23,8 @@ std::string styled(std::string_view text, std::string_view style, bool colour) {
   return colour ? fmt::format("{}{}\033[0m", style, text) : std::string{text};
 }
 
-/// Returns jerk or acceleration as text. They span decades, so that values from 100 on are whole
-/// numbers and smaller ones have one decimal.
+/// Returns a jerk or an acceleration as text. Their values span decades. Therefore values from 100
+/// on have no decimals, and smaller values have one.
 std::string rate_text(double value) { return fmt::format("{:.{}f}", value, value < 100.0 ? 1 : 0); }
 
 void add_fact(std::string& out, std::string_view name, std::string_view value) {
@@ -60,7 +60,7 @@ std::string facts_text(const Report& report) {
     add_fact(
         out,
         "tip",
-        fmt::format("X {:.3f} to {:.3f}, Y {:.3f} to {:.3f}, Z {:.3f} to {:.3f} mm, leans up to "
+        fmt::format("X {:.3f} to {:.3f}, Y {:.3f} to {:.3f}, Z {:.3f} to {:.3f} mm, tilted up to "
                     "{:.2f} deg",
                     tip.min_mm[0],
                     tip.greatest_mm[0],
@@ -89,8 +89,8 @@ void add_axis_row(TextTable& table, char letter, const AxisReport& axis) {
 
 bool is_rotary(std::size_t axis) { return axis >= cnc::kLinearAxisCount; }
 
-/// Returns the errors that reading from steps may add to the figures of a table: the greatest of
-/// all its axes.
+/// Returns a line with the possible measuring errors of the figures in a table. Each error is the
+/// greatest of all axes in the table.
 std::string errors_text(const Report& report, bool rotary, const char* unit) {
   AxisReport most;
   for (std::size_t i = 0; i < cnc::kAxisCount; ++i) {
@@ -104,8 +104,8 @@ std::string errors_text(const Report& report, bool rotary, const char* unit) {
   }
   if (most.speed_error_mm_s == 0.0) return "";
   return fmt::format(
-      "  read from steps: up to {:.2f} {}/s, {} {}/s² and {} {}/s³ may come from their times, "
-      "places are within {:.4f} {}\n",
+      "  read from steps: up to {:.2f} {}/s, {} {}/s² and {} {}/s³ may be measuring errors, "
+      "positions are within {:.4f} {}\n",
       most.speed_error_mm_s,
       unit,
       rate_text(most.acceleration_error_mm_s2),

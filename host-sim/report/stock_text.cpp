@@ -96,22 +96,24 @@ StockJson surface_json(const stock::SurfaceFigures& figures) {
           {"worst_rests", worst_json(figures.worst_rests)}};
 }
 
-/// Returns a text such as `+0.0120 mm at X1.000 Y2.000, where the tool leaves 0.0100`.
+/// Returns a text with the deviation at a point and its position. It also contains the height that
+/// the tool cannot reach there, if there is one.
 std::string worst_text(const stock::WorstPlace& place) {
   std::string text =
       fmt::format("{:+.4f} mm at X{:.3f} Y{:.3f}", place.off_mm, place.x_mm, place.y_mm);
   if (place.unreachable_mm > 0.0) {
-    text += fmt::format(", where the tool leaves {:.4f}", place.unreachable_mm);
+    text += fmt::format(", of which the tool cannot reach {:.4f} mm", place.unreachable_mm);
   }
   return text;
 }
 
-/// Returns a text such as `1.2 to 3.4 mm³, surely 0.500 mm at X1.000 Y2.000`; the point is given
-/// only if a difference is certain.
+/// Returns a text with the range of a volume. It also contains the greatest certain difference and
+/// its position, if a difference is certain.
 std::string difference_text(const stock::VolumeBounds& volume, const stock::HeightPeak& peak) {
   std::string text = fmt::format("{:.2f} to {:.2f} mm³", volume.min_mm3, volume.max_mm3);
   if (peak.min_mm > 0.0) {
-    text += fmt::format(", surely {:.4f} mm at X{:.3f} Y{:.3f}", peak.min_mm, peak.x_mm, peak.y_mm);
+    text +=
+        fmt::format(", at least {:.4f} mm at X{:.3f} Y{:.3f}", peak.min_mm, peak.x_mm, peak.y_mm);
   }
   return text;
 }
@@ -188,7 +190,7 @@ std::vector<std::pair<std::string, std::string>> stock_facts(const stock::StockR
                                  std::max(report.cell_x_mm, report.cell_y_mm)));
   if (figures.engagement) {
     facts.emplace_back("engagement",
-                       fmt::format("{:.1f} to {:.1f} degrees at most, at line {}",
+                       fmt::format("greatest between {:.1f} and {:.1f} degrees, at line {}",
                                    figures.engagement->engagement.min_deg,
                                    figures.engagement->engagement.max_deg,
                                    figures.engagement->line));
@@ -238,7 +240,7 @@ std::vector<std::string> warnings_of(const stock::StockReport& report, const std
   }
   if (rapids.count > warnings.size()) {
     warnings.push_back(
-        fmt::format("{}: rapids cut stock {} times more", file, rapids.count - warnings.size()));
+        fmt::format("{}: rapids cut stock {} more times", file, rapids.count - warnings.size()));
   }
   if (report.pocket && report.pocket->gouge.min_mm3 > 0.0) {
     warnings.push_back(

@@ -10,20 +10,20 @@
 
 #include "host-sim/report/printable.hpp"
 
-/// Writes standard output and standard error for people.
+/// Functions that write to standard output and standard error for the user.
 ///
-/// All output goes through these functions; `tests/static/terminal.py` keeps other output out of
-/// `host-sim`. Thus no byte that a terminal obeys reaches it from the name of a file, a program, a
-/// drawing, a data base or a controller. Each function throws std::system_error if the stream
-/// refuses the text.
+/// All output goes through these functions; `tests/static/terminal.py` allows no other output in
+/// `host-sim`. Thus no byte that a terminal interprets as a command reaches it from a file name, a
+/// program, a drawing, a database or a controller. Each function throws std::system_error if the
+/// stream refuses the text.
 namespace sim::terminal {
 
 /// A type whose values are text within a line.
 template <typename Value>
 concept Text = std::convertible_to<const Value&, std::string_view>;
 
-/// The printed form of a value: text is escaped, its line ends too; all other values are printed
-/// unchanged.
+/// Type of the printed form of a value. Text is escaped, including its line ends; all other values
+/// are printed unchanged.
 template <typename Value>
 using Shown = std::conditional_t<Text<Value>, std::string, const Value&>;
 
@@ -36,11 +36,11 @@ template <typename Value>
   }
 }
 
-/// Prints whole lines that are composed of texts. Line ends are unchanged; all other bytes that a
-/// terminal obeys are escaped.
+/// Prints complete lines that are composed of texts. Line ends are unchanged. All other bytes that
+/// a terminal interprets as commands are escaped.
 void print_lines(std::FILE* stream, std::string_view lines);
 
-/// Prints `values` by `format`. Each text among `values` stays on one line.
+/// Prints `values` in the format `format`. Each text among `values` stays on one line.
 template <typename... Values>
 void print(std::FILE* stream,
            fmt::format_string<std::type_identity_t<Shown<Values>>...> format,
@@ -54,11 +54,11 @@ void print(fmt::format_string<std::type_identity_t<Shown<Values>>...> format,
   print_lines(stdout, fmt::format(format, shown(values)...));
 }
 
-/// Prints lines whose parts are escaped already, with colours between the parts.
+/// Prints lines whose parts are already escaped, with colours between the parts.
 void print_styled(std::FILE* stream, std::string_view lines);
 
 /// Writes a program, JSON or another file to standard output, byte for byte. If standard output is
-/// a terminal, writes it as print_lines() does.
+/// a terminal, writes it in the same way as print_lines().
 void write_data(std::string_view data);
 
 }  // namespace sim::terminal

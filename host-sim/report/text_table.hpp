@@ -7,7 +7,7 @@
 
 namespace sim {
 
-/// Columns of text that are aligned on a terminal, in any script.
+/// A table whose columns are aligned on a terminal, in any script.
 class TextTable {
  public:
   enum class Align { kLeft, kRight };
@@ -23,10 +23,11 @@ class TextTable {
   /// @pre cells.size() == number of columns
   void add_row(std::vector<std::string> cells);
 
-  /// Returns heading and rows, with two spaces between columns and none at the end of a line.
+  /// Returns the heading and the rows, with two spaces between columns and none at the end of a
+  /// line.
   /// @param indent number of spaces before each line
   /// @param heading_style a terminal sequence such as "\033[1m", reset at the end of the heading;
-  ///   empty for plain text
+  /// empty for plain text
   [[nodiscard]] std::string text(std::size_t indent = 0, std::string_view heading_style = "") const;
 
  private:

@@ -12,7 +12,8 @@ struct Range {
   char32_t last;
 };
 
-// Ranges of whole blocks, not single characters: file names and messages need no finer ones.
+// The ranges are complete blocks, not single characters. This is sufficient for file names and
+// messages.
 constexpr std::array<Range, 4> kCombining{
     {{0x0300, 0x036F}, {0x200B, 0x200F}, {0x20D0, 0x20FF}, {0xFE00, 0xFE0F}}};
 constexpr std::array<Range, 8> kWide{{{0x1100, 0x115F},

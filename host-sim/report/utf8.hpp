@@ -6,10 +6,11 @@
 
 namespace sim {
 
-/// The first character of a text.
+/// The first character of a text, with its size.
 struct Utf8Character {
-  std::size_t bytes;    ///< Number of its bytes, at least 1, so that a loop over the text ends.
-  char32_t code_point;  ///< U+FFFD if the bytes are not valid.
+  /// Number of bytes of the character; at least 1, so that a loop over the text ends.
+  std::size_t bytes;
+  char32_t code_point;  ///< Code point; U+FFFD if the bytes are not valid.
   bool is_valid;  ///< Whether the bytes are well-formed UTF-8 (no overlong form, no surrogate).
 };
 
@@ -17,12 +18,12 @@ struct Utf8Character {
 /// @pre !text.empty()
 [[nodiscard]] Utf8Character first_character(std::string_view text);
 
-/// Returns the number of columns that a terminal needs for the text: 0 for combining marks, 2 for
+/// Returns the number of columns that the text fills on a terminal: 0 for combining marks, 2 for
 /// East Asian wide characters and emoji, 1 for all other characters.
 [[nodiscard]] std::size_t display_width(std::string_view text);
 
-/// Return the text filled with spaces up to `width` columns: pad_right() adds them at its end,
-/// pad_left() at its front.
+/// Return the text padded with spaces to `width` columns. pad_right() adds the spaces at the end,
+/// pad_left() at the beginning.
 [[nodiscard]] std::string pad_right(std::string_view text, std::size_t width);
 [[nodiscard]] std::string pad_left(std::string_view text, std::size_t width);
 

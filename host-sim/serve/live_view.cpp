@@ -119,7 +119,7 @@ std::string LiveView::state_text(std::string_view sender_kind) const {
   const cnc::Machine& machine = controller_.machine();
   const cnc::MachineStatus status = machine.status();
   const cnc::OverridePercent& percent = machine.overrides();
-  const cnc::Position position = machine.position();
+  const cnc::Position position = machine.motion().tool_place();
   ordered_json mpos;
   ordered_json wco;
   ordered_json motors;
@@ -136,11 +136,11 @@ std::string LiveView::state_text(std::string_view sender_kind) const {
       {"mpos", mpos},
       {"wco", wco},
       {"motors", motors},
-      {"feed", std::round(machine.feed_now_mm_min())},
+      {"feed", std::round(machine.motion().speed_mm_min())},
       {"power", rounded(controller_.port().power / double{cnc::motion::kFullOutput})},
       {"spindle", std::round(machine.spindle_now())},
       {"overrides", {percent.feed, percent.rapid, percent.power}},
-      {"line", machine.line_number()},
+      {"line", machine.motion().line_in_execution()},
       {"homed", machine.homed()},
       {"sender", sender_kind},
       {"travel", travel_of(machine.settings())},

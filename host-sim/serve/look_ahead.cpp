@@ -89,7 +89,7 @@ bool LookAhead::keep_in_order(cnc::RealtimeByte command, Session& session) {
   if (ahead == 0) marks_.clear();
   if (command == cnc::RealtimeByte::kToolAcknowledge) {
     if (ahead + kChunk > firmware.text_room()) return false;
-  } else if (marks_.empty() && !firmware.machine().changes_tool()) {
+  } else if (marks_.empty() && !firmware.machine().tool_change().open()) {
     return false;
   }
   marks_.push_back(command);

@@ -27,7 +27,7 @@ std::string awaited_by_run(const ServedJob& job,
                            const cnc::Machine& machine) {
   if (std::string reason = awaited_by_both(job, sender_kind); !reason.empty()) return reason;
   const ServedProgram& program = *job.program();
-  if (program.has_slashes && program.block_delete != machine.block_delete()) {
+  if (program.has_slashes && program.block_delete != machine.interpreter().options().block_delete) {
     return "the program to be opened again: block delete ($890, $B) was switched after it was "
            "opened";
   }

@@ -16,7 +16,7 @@ namespace sim::stock {
 /// Indices of a triangle's points, counter-clockwise as seen from outside.
 using MeshTriangle = std::array<std::uint32_t, 3>;
 
-/// Writes little-endian bytes to a file, whatever the machine's byte order is.
+/// Writes little-endian bytes to a file, on computers of any byte order.
 class BinaryFile {
  public:
   explicit BinaryFile(const std::string& name) : file_{name} {}

@@ -9,18 +9,19 @@ namespace {
 
 constexpr std::int32_t kUncut = std::numeric_limits<std::int32_t>::max();
 
-/// mm: exceeds the rounding error of doubles at coordinates of up to kFarthestStockMm. Every tool
-/// counts as larger, or as smaller, by this much.
+/// Margin in mm for rounding errors of doubles at coordinates of up to kFarthestStockMm. The tool
+/// is widened by it for lower bounds and narrowed by it for upper bounds.
 constexpr double kRoundingMm = 1.0e-9;
 
-/// Returns the greatest whole number that is at most `value`. std::floor would be a call for each
-/// cell.
+/// Returns the greatest whole number that is at most `value`. It avoids std::floor, which would be
+/// a library call for each cell.
 std::int32_t whole_below(double value) {
   const auto whole = static_cast<std::int32_t>(value);
   return static_cast<double>(whole) > value ? whole - 1 : whole;
 }
 
-/// Returns an index from `first` to `last`, even if the number is far outside of this range.
+/// Returns `index`, limited to the range `first` to `last`. The limits apply before the conversion
+/// to int, so `index` may exceed the range of int.
 int clamped(double index, int first, int last) {
   return static_cast<int>(std::clamp(index, static_cast<double>(first), static_cast<double>(last)));
 }
@@ -29,7 +30,7 @@ bool is_same(const Pose& a, const Pose& b) {
   return a.x_mm == b.x_mm && a.y_mm == b.y_mm && a.z_mm == b.z_mm;
 }
 
-/// Returns whether a stretch has at least as much slack as another stretch.
+/// Returns whether both slacks of `stretch` are at least those of `other`.
 bool has_slack_of(const Stretch& stretch, const Stretch& other) {
   return stretch.side_slack_mm >= other.side_slack_mm && stretch.up_slack_mm >= other.up_slack_mm;
 }
@@ -45,8 +46,8 @@ Carver::Carver(Stock& stock, const Cutter& cutter)
   above_ = below_;
 }
 
-// Nanometres above the top; upper_nm() adds one and lower_nm() subtracts one for the rounding of
-// the sum.
+// upper_nm() and lower_nm() return a height in nanometres above the stock's top. upper_nm() adds
+// one nanometre and lower_nm() subtracts one, because the conversion rounds.
 std::int32_t Carver::upper_nm(double height_mm) const {
   const double depth_nm = (stock_.box().top - height_mm) * kNmPerMm;
   if (depth_nm <= 0.0) return kUncut;
@@ -96,8 +97,8 @@ Carver::Range Carver::upper_range_of(int row) const {
   return rows_[static_cast<std::size_t>(index)].upper;
 }
 
-/// Fills the corners on the line below row `line`, as far as the cells above and below this line
-/// need them.
+/// Computes the upper bounds at the corners on the line below row `line`. Only corners of cells
+/// whose upper bounds may change, above or below this line, are filled.
 void Carver::fill_corners(Corners& corners, const SweptSurface& surface, int line) {
   for (int i = corners.filled.first; i <= corners.filled.last; ++i) {
     corners.nm[static_cast<std::size_t>(i)] = kUncut;
@@ -127,7 +128,7 @@ void Carver::fill_corners(Corners& corners, const SweptSurface& surface, int lin
   }
 }
 
-/// Calls a function for each column of a range with its cell.
+/// Calls `function(column, cell)` for each column of a range.
 template <typename Function>
 void Carver::for_each_cell(int row, Range range, Function function) {
   for (int first = range.first; first <= range.last;) {
@@ -162,7 +163,7 @@ void Carver::sink_lower_bounds(const SweptSurface& possible, int row, Range rang
   for_each_cell(row, range, [&](int column, Cell& cell) {
     if (cell.lower_nm <= lowest_nm_) return;
     const double x = stock_.box().x_min + (2 * column + 1) * half_x_mm_;
-    // A height of at least this value is rounded to a bound that is at least the cell's bound.
+    // A height of at least `enough_mm` cannot lower the cell's bound, even after rounding.
     const double enough_mm = stock_.box().top + (cell.lower_nm + 2) / kNmPerMm;
     const std::int32_t lower = lower_nm(possible.min_over(x, y, half_x_mm_, half_y_mm_, enough_mm));
     if (lower >= cell.lower_nm) return;

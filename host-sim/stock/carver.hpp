@@ -10,10 +10,10 @@
 
 namespace sim::stock {
 
-/// A straight piece of the tool's path.
+/// A straight piece of the tool's path, with bounds of the tool's deviation from it.
 ///
-/// The tool may deviate from the stretch: at each of its poses, the tip passes within a cylinder of
-/// radius `side_slack_mm` and half height `up_slack_mm`, and it is nowhere else.
+/// The tip stays within an upright cylinder of radius `side_slack_mm` and half height `up_slack_mm`
+/// around the poses of the stretch. It passes through the cylinder around each pose.
 struct Stretch {
   Pose from;
   Pose to;
@@ -23,40 +23,41 @@ struct Stretch {
 
 /// Removes the volume that a tool sweeps from a stock.
 ///
-/// The upper bound of a cell is lowered only where the whole cell is surely swept. Its four corners
-/// show that, as the swept surface is convex between them. The lower bound is lowered as soon as
-/// any point of the cell may have been touched. The swept surface is that of a whole stretch at
-/// once. So the cost of a stretch grows with the area that it covers in plan, and not with a number
-/// of poses. Parts of the tool above the stock's top cost nothing.
+/// The upper bound of a cell is lowered only where the complete cell is surely swept. The heights
+/// at its four corners prove this, because the swept surface is convex. The lower bound is lowered
+/// where the tool may have touched any point of the cell. One swept surface represents the complete
+/// stretch. So the computing time is proportional to the stretch's area in plan and does not depend
+/// on a number of poses. Parts of the tool above the stock's top take no time.
 ///
-/// A stretch that begins at the end of the last stretch changes no cell behind its start, or, if it
-/// falls, no cell slightly farther behind: the last stretch covered these cells. Slack makes upper
-/// bounds greater and lower bounds less. So the upper bounds behind the start are skipped only if
-/// the last slack was at most the present slack, and the lower bounds only if it was at least the
-/// present slack.
+/// If a stretch begins at the end of the previous stretch, cells behind its start are skipped,
+/// because the previous stretch covered them. If the path falls, the skipped area begins slightly
+/// farther behind the start. More slack gives higher upper bounds and lower lower bounds. So upper
+/// bounds are skipped only if the previous slack was at most the present slack. Lower bounds are
+/// skipped only if the previous slack was at least the present slack.
 class Carver {
  public:
-  /// Stock and profile of the cutter. @pre fault_of(cutter) is empty; `stock` outlives this object
+  /// Prepares to carve `stock` with `cutter`. @pre fault_of(cutter) is empty; `stock` outlives this
+  /// object
   Carver(Stock& stock, const Cutter& cutter);
 
-  /// Sweeps one stretch.
+  /// Removes the volume that the tool sweeps along one stretch.
   /// Throws the exceptions of Stock::row_of_tile().
-  /// @param skin_mm material that is at most this thick is not counted in the result
+  /// @param skin_mm thickness up to which removed material is not counted in the result
   /// @return a lower bound of the removed volume, mm³
   double sweep(const Stretch& stretch, double skin_mm = 0.0);
 
  private:
-  /// The first and the last of several cells or corners in a row; none where last < first.
+  /// Indices of the first and the last cell or corner in a row; empty if last < first.
   struct Range {
     int first = 0;
     int last = -1;
   };
-  /// The cells of a row whose bounds the current stretch may lower.
+  /// Cells of a row whose upper or lower bounds the current stretch may lower.
   struct Row {
     Range upper;
     Range lower;
   };
-  /// Upper bounds at corners of cells, along the line between two rows.
+  /// Upper bounds at the corners of cells, along the line between two rows.
   struct Corners {
     std::vector<std::int32_t> nm;
     Range filled;
@@ -78,10 +79,11 @@ class Carver {
   double half_x_mm_;
   double half_y_mm_;
   int first_row_ = 0;
-  std::vector<Row> rows_;  ///< Rows from first_row_ on.
+  std::vector<Row> rows_;  ///< Rows that the stretch may change, beginning with row first_row_.
   Corners below_;
   Corners above_;
-  std::int32_t lowest_nm_ = 0;  ///< The least lower bound that the current stretch can cause.
+  /// Lowest value that the current stretch can give to a lower bound.
+  std::int32_t lowest_nm_ = 0;
   std::int32_t skin_nm_ = 0;
   std::int64_t surely_removed_nm_ = 0;
   std::optional<Stretch> last_;

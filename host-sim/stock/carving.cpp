@@ -5,7 +5,8 @@
 namespace sim::stock {
 namespace {
 
-/// Returns whether the tool descends more steeply than 45 degrees, and by more than a few steps.
+/// Returns whether a stretch descends more steeply than 45 degrees. The descent must also exceed
+/// the distance in plan by more than `trail_mm`, so that a few steps are not a plunge.
 bool is_plunge(const Stretch& stretch, double trail_mm) {
   const double level =
       std::hypot(stretch.to.x_mm - stretch.from.x_mm, stretch.to.y_mm - stretch.from.y_mm);

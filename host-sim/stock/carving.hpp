@@ -11,18 +11,20 @@
 
 namespace sim::stock {
 
-/// Stock that the motions of one line of the program removed.
+/// Volume of stock that the motions of one program line removed.
 struct LineCut {
   int line = 0;
-  double min_mm3 = 0.0;  ///< The volume that these motions surely removed.
-  double at_s = 0.0;     ///< End of the first stretch that removed stock…
-  Pose at;               ///< …and the tool's position there.
+  double min_mm3 = 0.0;  ///< Lower bound of the removed volume.
+  double at_s = 0.0;     ///< Time at the end of the first stretch that removed stock.
+  Pose at;               ///< Position of the tool at that time.
 };
 
 struct LineCuts {
   static constexpr std::size_t kMaxListed = 100;
-  std::vector<LineCut> lines;  ///< The first lines with cuts, in the order of driving.
-  /// Number of all lines with cuts; a line that is driven a second time counts again.
+  /// The first kMaxListed lines that removed stock, in the order of driving.
+  std::vector<LineCut> lines;
+  /// Number of all lines that removed stock. A line that is driven several times counts several
+  /// times.
   std::size_t count = 0;
   int last_line = 0;
 
@@ -44,29 +46,31 @@ struct PeakEngagement {
 /// Results of carving a program.
 struct CarvingFigures {
   VolumeBounds removed;
-  /// Removed volume at equal intervals of time or slightly longer ones, at most kMaxTimes entries;
-  /// the last entry is the end.
+  /// Removed volume over time, at intervals of at least a fixed length. It has at most kMaxTimes
+  /// entries; the last entry is at the end of the job.
   static constexpr std::size_t kMaxTimes = 256;
   std::vector<RemovedAt> over_time;
-  LineCuts rapids;   ///< Rapids that cut stock.
-  LineCuts plunges;  ///< Feeds that cut stock and descend more steeply than 45 degrees.
-  /// Peak engagement of a flat tool over all feeds that are not plunges: that with the greatest
-  /// middle of its bounds.
+  LineCuts rapids;  ///< Program lines whose rapids cut stock.
+  /// Program lines whose feeds cut stock and descend more steeply than 45 degrees.
+  LineCuts plunges;
+  /// Greatest engagement of a flat tool over all feeds that are not plunges. Engagements are
+  /// compared by the mean of their bounds.
   std::optional<PeakEngagement> engagement;
 };
 
-/// Carves a stock along a driven path and collects figures.
+/// Carves a stock along a driven path and measures the cuts.
 class Carving {
  public:
   /// @param stock must outlive this object
-  /// @param trail_mm greatest distance of the program's line behind the tool; thinner skins are not
-  /// reported as cut by a rapid or a plunge
+  /// @param trail_mm greatest distance by which the program line that is assigned to the tool's
+  /// position lags behind the tool. Material up to this thickness is not reported as cut by a rapid
+  /// or a plunge
   /// @pre fault_of(cutter) is empty
   Carving(Stock& stock, const Cutter& cutter, double trail_mm);
 
   /// Carves one stretch. Throws the exceptions of Carver::sweep().
   void take(const DrivenStretch& driven);
-  /// Ends the carving: no further stretch comes, and the job ended at `time_s`.
+  /// Completes the figures. The job ended at `time_s`; no stretch may follow.
   void end(double time_s);
 
   [[nodiscard]] const CarvingFigures& figures() const { return figures_; }

@@ -9,11 +9,12 @@
 namespace sim::stock {
 namespace {
 
-/// Computes how low the tool can cut over each cell within a pocket while its tip is on the floor.
+/// Computes the lowest height that the tool can cut over each cell of a pocket while its tip is on
+/// the floor.
 ///
-/// The tool's axis may be wherever the walls, up to the top of the stock, are at least the tool's
-/// radius away. The lowest height over a point is the profile's height at the distance to the
-/// nearest such position, because the profile never falls outwards.
+/// The tool's axis must stay at least the tool's radius away from all walls. The lowest height over
+/// a point is the profile's height at the distance from the point to the nearest permitted axis
+/// position, because the profile never falls outwards.
 class ToolRoom {
  public:
   ToolRoom(const PlanRegion& region, const Cutter& cutter, double depth_mm)
@@ -23,7 +24,7 @@ class ToolRoom {
     const std::vector<RegionPart>& parts = region.parts();
     std::vector<bool> walls(parts.size());
     for (std::size_t i = 0; i < parts.size(); ++i) walls[i] = parts[i] != RegionPart::kInside;
-    // Each point of a wall is within half a diagonal of the centre of its cell.
+    // Each point of a wall is at most half a diagonal away from the centre of its cell.
     const std::vector<double> to_wall = distances_to(walls, region.grid());
     std::vector<bool> sure(parts.size());
     std::vector<bool> possible(parts.size());
@@ -35,14 +36,14 @@ class ToolRoom {
     to_possible_ = distances_to(possible, region.grid());
   }
 
-  /// Returns the height above the floor to which the tool can surely cut the whole cell; infinite
-  /// where a part of the cell may be out of the tool's reach.
+  /// Returns the height above the floor to which the tool can surely cut the complete cell;
+  /// infinite if a part of the cell may be out of reach.
   [[nodiscard]] double max_left(std::size_t cell) const {
     const double distance = to_sure_[cell] + half_mm_;
     return distance <= profile_.radius_mm ? height_at(profile_, distance) : kOutOfReach;
   }
-  /// Returns the least height to which the tool may be able to cut some point of the cell; infinite
-  /// where the cell is out of reach.
+  /// Returns a lower bound, above the floor, of the height to which the tool can cut any point of
+  /// the cell; infinite if the cell is out of reach.
   [[nodiscard]] double min_left(std::size_t cell) const {
     const double distance = std::max(0.0, to_possible_[cell] - 2.0 * half_mm_);
     return distance <= profile_.radius_mm ? height_at(profile_, distance) : kOutOfReach;
@@ -57,7 +58,7 @@ class ToolRoom {
   std::vector<double> to_possible_;
 };
 
-/// Adds up the differences of a stock from a pocket.
+/// Sums the differences between a stock and a pocket over all cells.
 class Comparer {
  public:
   Comparer(const Stock& stock, const Cutter& cutter, const PocketTarget& target)
@@ -86,7 +87,8 @@ class Comparer {
     }
   }
 
-  /// Adds a cell. All heights here are above the top.
+  /// Adds the differences of a cell. Heights are relative to the stock's top, so they are negative
+  /// below it.
   void take(const Cell& cell, RegionPart part, int column, int row) {
     const double lower = cell.lower_nm / kNmPerMm;
     const double upper = cell.upper_nm / kNmPerMm;
@@ -125,7 +127,7 @@ class Comparer {
   const Stock& stock_;
   PlanRegion region_;
   ToolRoom room_;
-  double floor_mm_;  ///< Height above the top, below 0.
+  double floor_mm_;  ///< Height of the floor relative to the stock's top, < 0.
   PocketFigures figures_;
 };
 
@@ -134,14 +136,15 @@ struct Extent {
   std::array<double, 2> high{-kFarthestStockMm, -kFarthestStockMm};
 };
 
-/// Widens the extent to include a ring. Returns the reason for refusal where a point is too far
-/// away.
+/// Extends `extent` to include a ring. Returns the reason for a refusal if a point is too far from
+/// the origin, else an empty text.
 std::string include(const Ring& ring, Extent& extent) {
   for (const auto& point : ring) {
     for (std::size_t axis = 0; axis < 2; ++axis) {
       if (!(std::abs(point[axis]) <= kFarthestStockMm)) {
-        return fmt::format(
-            "the pocket reaches to {} mm; it takes up to {} mm", point[axis], kFarthestStockMm);
+        return fmt::format("the pocket reaches to {} mm; it takes up to {} mm from the origin",
+                           point[axis],
+                           kFarthestStockMm);
       }
       extent.low[axis] = std::min(extent.low[axis], point[axis]);
       extent.high[axis] = std::max(extent.high[axis], point[axis]);
@@ -168,7 +171,7 @@ std::string fault_of(const PocketTarget& target, double cell_mm) {
       (high[0] - low[0] + 4.0 * cell_mm) * (high[1] - low[1] + 4.0 * cell_mm) / (cell_mm * cell_mm);
   if (cells <= kMaxTargetCells) return {};
   return fmt::format(
-      "the pocket has {:.3g} cells of {} mm; it takes up to {:.3g}, so choose larger",
+      "the pocket has {:.3g} cells of {} mm; it takes up to {:.3g}, so choose larger cells",
       cells,
       cell_mm,
       kMaxTargetCells);

@@ -9,7 +9,7 @@
 namespace sim::stock {
 namespace {
 
-/// Returns whether a number is between `least` and `most`; false for NaN.
+/// Returns whether `value` is from `least` to `most`; false for NaN.
 bool is_within(double value, double least, double most) { return value >= least && value <= most; }
 
 }  // namespace
@@ -40,7 +40,9 @@ std::string fault_of(const Cutter& cutter) {
   const double tip = cutter.tip_diameter_mm;
   if (!(tip >= 0.0 && tip < diameter)) {
     return fmt::format(
-        "the tip's diameter is {} mm; it takes 0 to less than {} mm, the tool's", tip, diameter);
+        "the tip's diameter is {} mm; it takes 0 to less than {} mm, the tool's diameter",
+        tip,
+        diameter);
   }
   return {};
 }

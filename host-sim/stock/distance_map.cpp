@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kNoDistance = std::numeric_limits<double>::infinity();
 
-/// Transforms one line of a grid of squared distances.
+/// Applies the distance transform to one line of a grid of squared distances.
 class ParabolaLine {
  public:
   ParabolaLine(std::size_t max_cells, double spacing_mm)
@@ -17,8 +17,9 @@ class ParabolaLine {
     from_.resize(max_cells + 1);
   }
 
-  /// Replaces `count` values, `stride` apart. The new value is the least, over all cells of the
-  /// line, of the old value there plus the square of the distance to that cell.
+  /// Replaces `count` values whose indices are `stride` apart. The new value of a cell is the
+  /// minimum, over all cells of the line, of the other cell's old value plus the squared distance
+  /// to that cell.
   void spread(double* values, std::size_t count, std::size_t stride) {
     std::size_t parabolas = 0;
     for (std::size_t i = 0; i < count; ++i) {
@@ -36,8 +37,8 @@ class ParabolaLine {
   }
 
  private:
-  /// Returns the position, in cells, from which the parabola over `right` is lower than that over
-  /// `left`.
+  /// Returns the position, in cells, beyond which the parabola over `right` is below the parabola
+  /// over `left`.
   [[nodiscard]] double crossing(std::size_t left, std::size_t right) const {
     const auto a = static_cast<double>(left);
     const auto b = static_cast<double>(right);
@@ -45,7 +46,8 @@ class ParabolaLine {
     return (rise + b * b - a * a) / (2.0 * (b - a));
   }
 
-  /// Adds the parabola over a cell to the lower envelope. Returns the number of parabolas in it.
+  /// Adds the parabola over cell `place` to the lower envelope of `parabolas` parabolas. Returns
+  /// the new number of parabolas in the envelope.
   std::size_t add(std::size_t parabolas, std::size_t place) {
     double from = -kNoDistance;
     while (parabolas > 0) {
@@ -61,8 +63,9 @@ class ParabolaLine {
 
   double square_mm2_;
   std::vector<double> values_;
-  std::vector<std::size_t> foot_;  ///< Cells of the envelope's parabolas.
-  std::vector<double> from_;       ///< Position from which each parabola is the lowest.
+  std::vector<std::size_t> foot_;  ///< Cell of each parabola in the envelope.
+  /// Position, in cells, at which each parabola begins to be the lowest.
+  std::vector<double> from_;
 };
 
 }  // namespace

@@ -5,7 +5,7 @@
 
 namespace sim::stock {
 
-/// A grid of equal rectangles, stored row by row.
+/// Size of a grid of equal rectangles, stored row by row.
 struct DistanceGrid {
   int columns = 0;
   int rows = 0;
@@ -22,8 +22,8 @@ struct DistanceGrid {
 };
 
 /// Returns for each cell the distance from its centre to the nearest centre of a marked cell, mm.
-/// The distance is 0 for marked cells, and infinite if no cell is marked. Time is proportional to
-/// the number of cells; each cell takes 8 bytes.
+/// The distance is 0 for marked cells, and infinite if no cell is marked. The computing time is
+/// proportional to the number of cells. Each cell takes 8 bytes.
 ///
 /// Source: P. Felzenszwalb, D. Huttenlocher, "Distance Transforms of Sampled Functions", Theory of
 /// Computing 8 (2012): the lower envelope of parabolas, first along columns, then along rows.

@@ -10,10 +10,11 @@ namespace {
 
 constexpr double kFloorSkinMm = 0.002;
 constexpr double kPosesPerRadius = 8.0;
-constexpr int kMinSamples = 180;     ///< Least number of samples of the half circle.
-constexpr int kMaxSamples = 20'000;  ///< Greatest number of samples, however small the cells are.
+constexpr int kMinSamples = 180;  ///< Minimum number of samples on the leading half circle.
+/// Maximum number of samples, which limits the time for small cells.
+constexpr int kMaxSamples = 20'000;
 
-/// A flat tool on its path, and the stock before it.
+/// A flat tool on a stretch, and the stock ahead of it.
 class Front {
  public:
   Front(const Stock& stock, double radius_mm, const Stretch& stretch)
@@ -24,7 +25,7 @@ class Front {
     if (length_mm_ == 0.0) return;
     along_x_ = dx / length_mm_;
     along_y_ = dy / length_mm_;
-    // Radius beyond the cells that the tool has cut in part at its position.
+    // Radius of a circle beyond all cells that the tool has partly cut at its position.
     ring_mm_ = radius_mm + stretch.side_slack_mm + std::hypot(stock.cell_x_mm(), stock.cell_y_mm());
     const double spacing = 0.5 * std::min(stock.cell_x_mm(), stock.cell_y_mm());
     const double wanted = std::ceil(std::numbers::pi * radius_mm / spacing);
@@ -33,7 +34,7 @@ class Front {
 
   [[nodiscard]] double length_mm() const { return length_mm_; }
 
-  /// Returns the bounds of the engagement at a share of the stretch.
+  /// Returns the bounds of the engagement at the fraction `share` of the stretch.
   [[nodiscard]] Engagement at(double share) const {
     const double z = std::lerp(stretch_.from.z_mm, stretch_.to.z_mm, share);
     const double skin = kFloorSkinMm + 2.0 * stretch_.up_slack_mm;
@@ -51,9 +52,10 @@ class Front {
   }
 
  private:
-  /// Returns the first cell that a point of the circumference, `side` mm to the left of the path,
-  /// meets after the ring of cells that are cut in part. The point moves straight ahead, which
-  /// keeps its distance from walls along the path. Returns null outside of the stock.
+  /// Returns the first cell ahead of a point of the circumference that is `side` mm to the left of
+  /// the path. Cells within `ring_mm_`, which may be partly cut, are skipped. The search goes
+  /// parallel to the path, because this keeps the distance from walls along the path. Returns null
+  /// outside of the stock.
   [[nodiscard]] const Cell* cell_ahead(double share, double side) const {
     const double ahead = share * length_mm_ + std::sqrt((ring_mm_ - side) * (ring_mm_ + side));
     const double x = stretch_.from.x_mm + ahead * along_x_ - side * along_y_;

@@ -6,7 +6,7 @@
 namespace sim::stock {
 
 /// Bounds of the angle, in degrees, over which the circumference of a flat tool touches stock at
-/// the depth of its tip. Cells that are cut in part make the difference between the bounds.
+/// the depth of its tip. The bounds differ where cells are partly cut.
 struct Engagement {
   double min_deg = 0.0;
   double max_deg = 0.0;
@@ -15,10 +15,10 @@ struct Engagement {
 };
 
 /// Returns the greatest engagement of a flat tool along a stretch, measured on the stock before the
-/// stretch is cut. Only the leading half of the circumference counts, because the other half
-/// follows in the tool's own cut. Poses are an eighth of the radius apart, the first at the start.
-/// Stock that rises above the tip by less than 2 µm plus twice the stretch's slack in height counts
-/// as floor, not as engaged. A stretch that leads straight up or down has no engagement.
+/// stretch is cut. Only the leading half of the circumference is considered, because the other half
+/// is in the tool's own cut. Checks poses at most an eighth of the radius apart, the first one at
+/// the start. Stock that rises above the tip by less than 2 µm plus twice the stretch's slack in
+/// height counts as floor, not as engaged. A vertical stretch has no engagement.
 [[nodiscard]] Engagement greatest_engagement(const Stock& stock,
                                              double radius_mm,
                                              const Stretch& stretch);

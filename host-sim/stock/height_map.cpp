@@ -8,8 +8,8 @@ namespace {
 
 int blocks_of(int cells, int block_cells) { return (cells + block_cells - 1) / block_cells; }
 
-/// Returns the least number of cells along a block with which there are at most `max_blocks`
-/// blocks.
+/// Returns the smallest number of cells along a block's side for which there are at most
+/// `max_blocks` blocks.
 int block_for(const Stock& stock, std::size_t max_blocks) {
   const auto blocks = [&stock](int block_cells) {
     return static_cast<std::size_t>(blocks_of(stock.columns(), block_cells)) *
@@ -44,7 +44,8 @@ int HeightMap::cells_in(int block, int cells) const {
   return std::min(block_cells_, cells - block * block_cells_);
 }
 
-/// Adds the middles of a row of cells, nm above the top, to the sums of their blocks.
+/// Adds the mean heights of a row of cells, in nanometres above the top, to the sums of their
+/// blocks.
 void HeightMap::add_row(int row) {
   double* const sums = &heights_mm_[static_cast<std::size_t>(row / block_cells_) *
                                     static_cast<std::size_t>(columns_)];

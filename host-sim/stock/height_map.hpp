@@ -7,16 +7,18 @@
 
 namespace sim::stock {
 
-/// Heights of a stock for display, over equal blocks of cells. Each height is the mean over a block
-/// of the middles of the cells' bounds. Blocks at the upper ends of X and Y may have fewer cells.
+/// Heights of a stock for display, over equal blocks of cells. Each height is the mean over the
+/// cells of a block. A cell's height is the mean of its two bounds. Blocks at the upper ends of X
+/// and Y may have fewer cells.
 class HeightMap {
  public:
-  /// @param max_blocks greatest number of blocks, > 0; it sets the number of cells along a block
+  /// @param max_blocks greatest number of blocks, > 0. It determines the number of cells along a
+  ///     block's side
   HeightMap(const Stock& stock, std::size_t max_blocks);
 
   [[nodiscard]] int columns() const { return columns_; }
   [[nodiscard]] int rows() const { return rows_; }
-  /// Number of cells along each side of a block.
+  /// Returns the number of cells along each side of a block.
   [[nodiscard]] int block_cells() const { return block_cells_; }
   /// Returns the height of a block, mm, machine coordinates.
   [[nodiscard]] double height(int column, int row) const {

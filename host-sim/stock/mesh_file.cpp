@@ -13,9 +13,9 @@ namespace {
 
 constexpr const char* kMeshTitle = "kerfline sim: carved stock, mm";
 
-/// The rest of a stock, as points and triangles. The upper points form rows from the first side
-/// of the box to the last. Each point of the rim has a point below it at the bottom, in the order
-/// of rim_. One more point is in the middle of the bottom.
+/// The material that is left of a stock, as points and triangles. The upper points form rows that
+/// extend to the sides of the box. Each point of the rim has a point below it at the bottom, in the
+/// order of rim_. One more point is in the middle of the bottom.
 class BodyMesh {
  public:
   explicit BodyMesh(const Stock& stock) : map_{stock, kMaxMeshPoints} { list_rim(); }
@@ -61,8 +61,8 @@ class BodyMesh {
   }
 
  private:
-  /// Returns the number of the map's columns of blocks plus one point at each side of the box.
-  /// rows() counts in the same way.
+  /// Returns the number of upper points in a row: one for each of the map's columns, and one at
+  /// each side of the box. rows() counts in the same way.
   [[nodiscard]] std::uint32_t columns() const {
     return static_cast<std::uint32_t>(map_.columns()) + 2;
   }
@@ -79,7 +79,8 @@ class BodyMesh {
     return point;
   }
 
-  /// Lists the rim counter-clockwise as seen from above, from the corner of least X and Y.
+  /// Lists the points of the rim counter-clockwise as seen from above, beginning at the corner with
+  /// the lowest X and Y.
   void list_rim() {
     const std::uint32_t last_column = columns() - 1;
     const std::uint32_t last_row = rows() - 1;

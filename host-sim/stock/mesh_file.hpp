@@ -7,13 +7,14 @@
 
 namespace sim::stock {
 
-/// Greatest number of points of the upper surface in a file; a finer stock is reduced to blocks of
-/// cells.
+/// Greatest number of points of the upper surface in a file. If a stock has more cells, blocks of
+/// cells share a point.
 inline constexpr std::size_t kMaxMeshPoints = 500'000;
 
-/// Writes what is left of a stock as a closed body. The heights at the middles of cells or blocks
-/// are extended to the stock's sides; the sides and the bottom of the box close the body below.
-/// Where the stock is cut through, the surface lies on the bottom.
+/// Writes the material that is left of a stock as a closed body. The upper surface has a point at
+/// the middle of each cell or block and is extended to the sides of the box. The sides and the
+/// bottom of the box close the body. Where the stock is cut through, the upper surface is at the
+/// bottom of the box.
 ///
 /// write_stl() writes binary STL, with 50 bytes for each triangle. write_ply() writes binary PLY
 /// (little-endian), with 13 bytes for each triangle and 12 for each point. Both throw

@@ -7,7 +7,7 @@
 namespace sim::stock {
 namespace {
 
-/// Calls `take` with both ends of each piece of a ring.
+/// Calls `take(from, to)` with the ends of each straight piece of a ring.
 template <typename Take>
 void each_piece(const Ring& ring, Take take) {
   for (std::size_t i = 0; i < ring.size(); ++i) take(ring[i], ring[(i + 1) % ring.size()]);
@@ -24,7 +24,7 @@ PlanRegion::PlanRegion(const std::vector<Ring>& rings, const Stock& stock) : sto
   }
 }
 
-/// Sets the grid to the box of the rings and one more cell on each side.
+/// Sets the grid to the bounding box of the rings, extended by one cell on each side.
 void PlanRegion::fit_to(const std::vector<Ring>& rings) {
   constexpr double kFar = std::numeric_limits<double>::infinity();
   std::array<double, 2> low{kFar, kFar};
@@ -49,8 +49,8 @@ void PlanRegion::fit_to(const std::vector<Ring>& rings) {
   grid_.rows = cell(high[1], box.y_min, grid_.cell_y_mm) + 2 - first_row_;
 }
 
-/// Marks the cells whose centres are inside: between the first and the second crossing of the row,
-/// between the third and the fourth, and so on.
+/// Marks the cells of a row whose centres are inside. These are between the first and the second
+/// crossing of the row with the rings, between the third and the fourth, and so on.
 void PlanRegion::fill_row(const std::vector<Ring>& rings, int row) {
   const double y = stock_.box().y_min + (first_row_ + row + 0.5) * grid_.cell_y_mm;
   std::vector<double> crossings;
@@ -71,8 +71,8 @@ void PlanRegion::fill_row(const std::vector<Ring>& rings, int row) {
   }
 }
 
-/// Marks every cell that a piece of a ring touches: in each row, the cells between the piece's ends
-/// in this row.
+/// Marks every cell that a piece of a ring touches. In each row, these are the cells from the
+/// lowest to the highest X of the piece within the row.
 void PlanRegion::mark_edge(const std::array<double, 2>& from, const std::array<double, 2>& to) {
   const double bottom = stock_.box().y_min + first_row_ * grid_.cell_y_mm;
   const double left = stock_.box().x_min + first_column_ * grid_.cell_x_mm;
@@ -84,7 +84,8 @@ void PlanRegion::mark_edge(const std::array<double, 2>& from, const std::array<d
     if (y >= high[1]) return high[0];
     return low[0] + (y - low[1]) / (high[1] - low[1]) * (high[0] - low[0]);
   };
-  // Share of a cell by which a piece is widened, as a point on a line between cells is rounded.
+  // Fraction of a cell by which a piece is extended, because rounding may put a point on a cell's
+  // border on either side.
   constexpr double kMore = 1.0e-6;
   const auto cell_of = [](double place) { return static_cast<int>(std::floor(place)); };
   const int first_row = cell_of((low[1] - bottom) / grid_.cell_y_mm - kMore);

@@ -15,11 +15,12 @@ using Ring = std::vector<std::array<double, 2>>;
 
 enum class RegionPart : std::uint8_t { kOutside, kEdge, kInside };
 
-/// Classifies the cells of a stock as inside of rings, outside of rings, or cut by a ring. A point
-/// is inside where an odd number of rings is around it, so a ring in another ring is an island.
+/// Classifies the cells of a stock as inside of rings, outside of rings, or crossed by a ring. A
+/// point is inside if an odd number of rings encloses it. So a ring within another ring is an
+/// island.
 ///
-/// The grid is that of the stock's cells. It covers the box of the rings and one more cell on each
-/// side, even beyond the stock's sides.
+/// The grid has the same cells as the stock. It covers the bounding box of the rings and one more
+/// cell on each side, even beyond the stock's sides.
 class PlanRegion {
  public:
   PlanRegion(const std::vector<Ring>& rings, const Stock& stock);
@@ -28,8 +29,8 @@ class PlanRegion {
   [[nodiscard]] const std::vector<RegionPart>& parts() const { return parts_; }
   /// Returns the part to which a cell of the stock belongs; a cell beyond the grid is outside.
   [[nodiscard]] RegionPart part_of(int column, int row) const;
-  /// Returns whether the grid contains a cell of the stock. index_of() returns the index of this
-  /// cell.
+  /// has() returns whether the grid contains a cell of the stock. index_of() returns the index of a
+  /// contained cell.
   [[nodiscard]] bool has(int column, int row) const;
   [[nodiscard]] std::size_t index_of(int column, int row) const {
     return grid_.index(column - first_column_, row - first_row_);
@@ -42,7 +43,7 @@ class PlanRegion {
 
   const Stock& stock_;
   DistanceGrid grid_;
-  int first_column_ = 0;  ///< First column of the grid, in cells of the stock; may be negative.
+  int first_column_ = 0;  ///< Column of the stock at which the grid begins; may be negative.
   int first_row_ = 0;
   std::vector<RegionPart> parts_;
 };

@@ -21,8 +21,8 @@ void StepStretches::go_to(const Pose& pose, const StretchOrigin& origin, double 
 
 void StepStretches::finish() { settle(true); }
 
-/// Returns the deviation of the first `count` steps from the straight line to the last of them;
-/// nothing if a step is beyond the tolerance.
+/// Returns the greatest deviation of the first `count` steps from the straight line between the
+/// start and step `count`; nothing if a step exceeds the tolerance.
 std::optional<StepStretches::Offset> StepStretches::fit(std::size_t count) const {
   const Pose& to = steps_[count - 1].pose;
   const double dx = to.x_mm - start_->x_mm;
@@ -65,8 +65,8 @@ void StepStretches::hand_out(std::size_t count) {
   to_check_ = 2;
 }
 
-/// Passes on the greatest number of steps that fit. `fitting` steps fit, and `too_many` steps do
-/// not.
+/// Passes the longest fitting stretch to the sink. Finds its number of steps by bisection:
+/// `fitting` steps fit, and `too_many` steps do not.
 void StepStretches::hand_out_longest(std::size_t fitting, std::size_t too_many) {
   while (too_many - fitting > 1) {
     const std::size_t middle = fitting + (too_many - fitting) / 2;
@@ -75,8 +75,9 @@ void StepStretches::hand_out_longest(std::size_t fitting, std::size_t too_many) 
   hand_out(fitting);
 }
 
-/// Checks twice as many steps each time, so that each step is checked only a few times. The first
-/// half of them is known to fit, or it is a single step, which is straight.
+/// Passes waiting steps on as stretches; if `all`, until no step is left. The number of checked
+/// steps doubles each time, so that each step is checked only a few times. The first half of the
+/// checked steps is known to fit.
 void StepStretches::settle(bool all) {
   while (!steps_.empty() && (all || steps_.size() >= to_check_)) {
     const std::size_t count = std::min(to_check_, steps_.size());

@@ -13,12 +13,12 @@ namespace sim::stock {
 enum class Drive : std::uint8_t {
   kFeed,
   kRapid,
-  kJoint,  ///< The end of a rapid next to a feed, where either may be meant.
+  kJoint,  ///< Position at the joint between a rapid and a feed, which may belong to either.
 };
 
-/// The motion of the program that drives a stretch.
+/// Program line and kind of the motion to which a stretch belongs.
 struct StretchOrigin {
-  int line = 0;  ///< 0 before the first line.
+  int line = 0;  ///< Number of the program line; 0 before the first line.
   Drive drive = Drive::kFeed;
 
   bool operator==(const StretchOrigin&) const = default;
@@ -31,19 +31,21 @@ struct DrivenStretch {
   double end_s = 0.0;
 };
 
-/// Joins the steps of a tool to straight stretches, as long as all positions are within a tolerance
-/// of the stretch in space. Between two positions the tool moves straight. Stretches begin and end
-/// at positions of the tool, and state the tool's deviation from them. The slack to the side is
-/// rounded up to quarters of the tolerance; the slack in height is exact.
+/// Joins the steps of a tool to straight stretches while all positions are within a tolerance of
+/// the stretch in space. Between two positions the tool moves straight. Stretches begin and end at
+/// positions of the tool. Each stretch states the tool's greatest deviation from it. The slack to
+/// the side is rounded up to quarters of the tolerance; the slack in height is exact.
 class StepStretches {
  public:
   using Sink = std::function<void(const DrivenStretch&)>;
 
-  /// @param tolerance_mm > 0; at least a few steps long, or else stretches are as short as steps
+  /// @param tolerance_mm greatest distance of a step from its stretch, > 0. It should be a few
+  ///     steps long; with a smaller tolerance, each step becomes a stretch
   StepStretches(double tolerance_mm, Sink sink)
       : tolerance_mm_{tolerance_mm}, sink_{std::move(sink)} {}
 
-  /// Moves the tool to a position, or starts it there. All steps of a stretch have one origin.
+  /// Adds a step to a position; the first call sets the start. All steps of a stretch have the same
+  /// origin.
   void go_to(const Pose& pose, const StretchOrigin& origin, double time_s);
   /// Passes the remaining steps to the sink.
   void finish();
@@ -57,7 +59,7 @@ class StepStretches {
     double side_mm = 0.0;
     double up_mm = 0.0;
   };
-  /// Greatest number of positions in a stretch, so that long lines are carved while they are
+  /// Greatest number of positions in a stretch. The limit lets long lines be carved while they are
   /// driven.
   static constexpr std::size_t kMaxSteps = 1 << 15;
 
@@ -71,7 +73,7 @@ class StepStretches {
   std::optional<Pose> start_;
   StretchOrigin origin_;
   std::vector<Step> steps_;   ///< Steps since the start of the stretch.
-  std::size_t to_check_ = 2;  ///< Number of waiting steps at which the steps are checked.
+  std::size_t to_check_ = 2;  ///< Number of waiting steps at which settle() checks them next.
 };
 
 }  // namespace sim::stock

@@ -10,7 +10,7 @@ namespace sim::stock {
 namespace {
 
 std::string fault_of_side(char axis, double low, double high) {
-  // The condition is written so that it also refuses NaN.
+  // The negated condition also refuses NaN.
   if (!(std::abs(low) <= kFarthestStockMm && std::abs(high) <= kFarthestStockMm)) {
     return fmt::format("{} of the stock is {} to {} mm; it takes {} to {} mm",
                        axis,
@@ -21,11 +21,12 @@ std::string fault_of_side(char axis, double low, double high) {
   }
   if (low < high) return {};
   return fmt::format(
-      "{} of the stock is {} to {} mm; the second has to be greater", axis, low, high);
+      "{} of the stock is {} to {} mm; the second number must be greater", axis, low, high);
 }
 
 double cells_along(double length_mm, double cell_mm) {
-  // Keeps a side of 10 mm at 200 cells of 0.05 mm, however the quotient is rounded.
+  // Tolerance of the quotient, so that rounding does not add a cell: 10 mm are 200 cells of 0.05
+  // mm.
   constexpr double kRounding = 1.0e-9;
   return std::max(1.0, std::ceil(length_mm / cell_mm - kRounding));
 }
@@ -49,10 +50,11 @@ std::string fault_of(const StockBox& box, double cell_mm) {
   const double cells =
       cells_along(box.x_max - box.x_min, cell_mm) * cells_along(box.y_max - box.y_min, cell_mm);
   if (cells <= kMaxCells) return {};
-  return fmt::format("the stock has {:.3g} cells of {} mm; it takes up to {:.3g}, so choose larger",
-                     cells,
-                     cell_mm,
-                     kMaxCells);
+  return fmt::format(
+      "the stock has {:.3g} cells of {} mm; it takes up to {:.3g}, so choose larger cells",
+      cells,
+      cell_mm,
+      kMaxCells);
 }
 
 Stock::Stock(const StockBox& box, double cell_mm)

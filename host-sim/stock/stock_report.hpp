@@ -11,17 +11,19 @@
 
 namespace sim::stock {
 
-/// The part of a report on the stock that a program carved.
+/// The part of a report that describes the stock after a program has carved it.
 struct StockReport {
   StockBox box;
-  bool has_bottom = true;  ///< False if the stock ends below every cut.
+  /// Whether the bottom of the stock is known; false if the stock ends below every cut.
+  bool has_bottom = true;
   double cell_x_mm = 0.0;
   double cell_y_mm = 0.0;
   Cutter cutter;
-  std::size_t carved_bytes = 0;  ///< Memory of the cells that were touched.
+  std::size_t carved_bytes = 0;  ///< Memory of the touched cells, bytes.
   CarvingFigures figures;
-  std::optional<PocketFigures> pocket{};    ///< Set if the stock was to become a pocket.
-  std::optional<SurfaceFigures> surface{};  ///< Set if the stock was to become a surface.
+  std::optional<PocketFigures> pocket{};  ///< Comparison with a pocket, if the report requires one.
+  /// Comparison with a surface, if the report requires one.
+  std::optional<SurfaceFigures> surface{};
 };
 
 }  // namespace sim::stock

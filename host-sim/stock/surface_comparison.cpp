@@ -16,19 +16,20 @@ namespace {
 
 using surface::DropCutter;
 
-/// Radius of a ball that is so small that it hardly widens an upright wall.
+/// Radius of the ball that stands for a point. It is so small that it hardly widens an upright
+/// wall.
 constexpr double kPointMm = 1.0e-5;
 
 Profile point_profile() { return {.radius_mm = kPointMm, .corner_mm = kPointMm}; }
 Profile disc_profile(double radius_mm) { return {.radius_mm = radius_mm, .flat_mm = radius_mm}; }
 
-/// The height of a surface over a cell.
+/// Heights of a surface over a cell, mm.
 struct CellSurface {
   double centre_mm = 0.0;
   double max_mm = 0.0;  ///< Height that no point of the surface in the cell exceeds.
 };
 
-/// Returns points in a disc of radius 1, with its centre.
+/// Returns points that are distributed over a disc of radius 1, including its centre.
 std::vector<Eigen::Vector2d> ways_in_disc() {
   constexpr int kRadii = 12;
   constexpr int kAngles = 24;
@@ -43,8 +44,9 @@ std::vector<Eigen::Vector2d> ways_in_disc() {
   return ways;
 }
 
-/// Returns how low the tool can cut over a point if it may descend at any position around, until it
-/// touches the surface. Infinitely low where the tool can descend next to the surface.
+/// Returns the lowest height that the tool can cut over a point. The tool may descend at any
+/// position whose distance from the point is at most its radius, until it touches the surface.
+/// Returns minus infinity if the tool can descend next to the surface.
 double lowest_cut(const DropCutter& tool, const Eigen::Vector2d& place) {
   constexpr int kRounds = 6;
   static const std::vector<Eigen::Vector2d> kWays = ways_in_disc();
@@ -71,10 +73,10 @@ double lowest_cut(const DropCutter& tool, const Eigen::Vector2d& place) {
   return lowest;
 }
 
-/// Keeps the worst deviation of one sign in each part of the plan.
+/// Keeps the greatest deviation in each part of the plan, either of gouges or of rests.
 class WorstOfParts {
  public:
-  static constexpr int kParts = 24;  ///< Number of parts along each side.
+  static constexpr int kParts = 24;  ///< Number of parts along each side of the plan.
 
   explicit WorstOfParts(const StockBox& box) : box_{box}, worst_(std::size_t{kParts} * kParts) {}
 
@@ -89,7 +91,7 @@ class WorstOfParts {
     if (std::abs(place.off_mm) > std::abs(worst.off_mm)) worst = place;
   }
 
-  /// Returns the worst deviations, each farther than `apart_mm` from those before it.
+  /// Returns the greatest deviations in descending order. They are at least `apart_mm` apart.
   [[nodiscard]] std::vector<WorstPlace> worst(double apart_mm) const {
     std::vector<WorstPlace> sorted = worst_;
     std::ranges::sort(sorted, std::ranges::greater{}, [](const WorstPlace& place) {
@@ -143,7 +145,8 @@ class SurfaceComparer {
   }
 
  private:
-  /// Returns the steepest slope from a cell's centre to the surface around it, up or down.
+  /// Returns the greatest slope, up or down, from the surface at a cell's centre to eight points of
+  /// the surface at the distance `reach`.
   [[nodiscard]] double rise_around(const CellSurface& surface,
                                    const Eigen::Vector2d& place,
                                    double reach) {
@@ -158,8 +161,9 @@ class SurfaceComparer {
     return rise;
   }
 
-  /// Converts a height above the surface to a distance at right angles to it. For a great height,
-  /// it also checks the surroundings: a wall next to the cell is near, however high it is.
+  /// Converts a height above the surface to a distance perpendicular to the surface. For a great
+  /// height, it also checks the surroundings, because the nearest point may be on a wall next to
+  /// the cell.
   [[nodiscard]] double square_off(double height_mm,
                                   const CellSurface& surface,
                                   const Eigen::Vector2d& place) {
@@ -251,7 +255,8 @@ std::string fault_of_comparison(const StockBox& box, double cell_mm) {
   const double cells = (box.x_max - box.x_min) * (box.y_max - box.y_min) / (cell_mm * cell_mm);
   if (cells <= kMaxComparedCells) return {};
   return fmt::format(
-      "the stock has {:.3g} cells of {} mm; a comparison takes up to {:.3g}, so choose larger",
+      "the stock has {:.3g} cells of {} mm; a comparison takes up to {:.3g}, so choose larger "
+      "cells",
       cells,
       cell_mm,
       kMaxComparedCells);

@@ -10,43 +10,44 @@
 
 namespace sim::stock {
 
-/// A point at which a stock differs much from a surface.
+/// A point with a great deviation of a stock from a surface.
 struct WorstPlace {
   double x_mm = 0.0;
   double y_mm = 0.0;
-  /// Distance at right angles to the surface; above 0 where stock is left. Stock next to a wall may
-  /// be reported up to twice as thick as it is.
+  /// Distance of the stock perpendicular to the surface; > 0 where stock is left. The distance may
+  /// be up to twice the real one next to a wall.
   double off_mm = 0.0;
-  /// The part of the rest that is left because the tool does not fit there; 0 for a gouge.
+  /// The part of `off_mm` that is left because the tool does not fit there; 0 for a gouge.
   double unreachable_mm = 0.0;
 };
 
-/// Differences of a carved stock from the surface that it was to become. Only cells with a surface
-/// over their centre count.
+/// Differences between a carved stock and the intended surface. Only cells with a surface over or
+/// below their centre count.
 struct SurfaceFigures {
   std::size_t cells = 0;  ///< Number of compared cells.
   double cell_mm = 0.0;   ///< Longer side of a cell.
-  /// Material that was removed below the surface over a cell's centre: surely `least`, and at most
-  /// `most` anywhere in the cell. Heights are along Z.
+  /// Material that was removed below the surface, measured along Z. The minimum applies to the
+  /// cell's centre; the maximum applies to all points of the cell.
   VolumeBounds gouge;
   HeightPeak deepest_gouge;
-  /// Material that is left above the surface: surely `least` over a cell's centre. For `most`, the
-  /// surface counts as if it fell from the centre to the cell's rim by as much as it rises.
+  /// Material that is left above the surface, measured along Z. The minimum applies to the cell's
+  /// centre. For the maximum, the surface is assumed to fall from the centre to the cell's rim by
+  /// the same height by which it rises elsewhere in the cell.
   VolumeBounds rest;
   HeightPeak tallest_rest;
-  /// Sure gouges, the deepest first, with a distance between each other.
+  /// Greatest sure gouges, the deepest first. They are a minimum distance apart.
   std::vector<WorstPlace> worst_gouges;
-  std::vector<WorstPlace> worst_rests;  ///< The tallest rests first.
+  std::vector<WorstPlace> worst_rests;  ///< Greatest rests, the tallest first.
 };
 
-/// Distances of a stock from a surface, at right angles to the surface, at the centres of cells.
-/// Only sure gouges count: the distance is 0 where the bounds of a cell leave it open whether there
-/// is one.
+/// Distances of a stock from a surface at the centres of cells, perpendicular to the surface. Only
+/// sure gouges count: the distance is 0 where the bounds of a cell allow a gouge but do not prove
+/// it.
 struct DeviationMap {
   int columns = 0;
   int rows = 0;
   StockBox box;
-  std::vector<float> off_mm;  ///< Row by row; NaN where there is no surface.
+  std::vector<float> off_mm;  ///< Distances row by row, mm; NaN where there is no surface.
 
   [[nodiscard]] float at(int column, int row) const {
     return off_mm[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) +
@@ -59,18 +60,18 @@ struct SurfaceComparison {
   DeviationMap map;
 };
 
-/// Greatest number of worst points of either sign.
+/// Greatest number of reported gouges, and of reported rests.
 inline constexpr std::size_t kMaxWorstPlaces = 5;
-/// Greatest number of cells of a stock that is compared with a surface: each needs two heights of
-/// the surface.
+/// Greatest number of cells of a stock that is compared with a surface. It limits the time: each
+/// cell needs two heights of the surface.
 inline constexpr double kMaxComparedCells = 2.0e7;
 
-/// Returns the reason, with a remedy, why a stock cannot be compared with a surface; empty where it
-/// can.
+/// Returns the reason, with a remedy, why a stock cannot be compared with a surface; empty if the
+/// comparison is possible.
 [[nodiscard]] std::string fault_of_comparison(const StockBox& box, double cell_mm);
 
-/// Compares a stock with a surface in machine coordinates. In the map, rests use the middle of a
-/// cell's bounds, so they are accurate to half a cell on slopes.
+/// Compares a stock with a surface in machine coordinates. In the map, a rest is measured from the
+/// mean of a cell's bounds, which is accurate to half a cell on slopes.
 /// @pre the mesh has a facet; fault_of(cutter) and fault_of_comparison() are empty
 [[nodiscard]] SurfaceComparison compared(const Stock& stock,
                                          const Cutter& cutter,

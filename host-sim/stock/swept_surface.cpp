@@ -3,7 +3,8 @@
 namespace sim::stock {
 namespace {
 
-/// mm: a distance that is nearer than this to a kink or to the rim counts as being on it.
+/// Tolerance, mm, within which a distance from the axis counts as exactly at a kink or the rim of
+/// the profile.
 constexpr double kOnIt = 1.0e-9;
 
 }  // namespace
@@ -46,7 +47,7 @@ SweptSurface::Lead SweptSurface::kind_of_lead() const {
 }
 
 void SweptSurface::fill_table() {
-  // At the rim itself, reach and lead are 0; their ratio has a limit there.
+  // At the rim, reach and lead are both 0, so their ratio is computed just inside the rim.
   constexpr double kRim = 1.0 - 1.0e-6;
   for (std::size_t i = 0; i < kNodes; ++i) {
     const double share = static_cast<double>(i) / static_cast<double>(kNodes - 1);
@@ -56,9 +57,9 @@ void SweptSurface::fill_table() {
 }
 
 /// Computes an upper bound of the lead from h'(r) u / r = |climb|. With u = q r, 0 < q <= 1, the
-/// profile rises at r by |climb| / q. In a corner that is at r = flat + corner |climb| / sqrt(q² +
-/// climb²), so u <= flat + corner |climb| / sqrt(1 + climb²). In a cone that is only for q =
-/// |climb| / rise, and at the cone's kink.
+/// profile rises at r by |climb| / q. In a rounded corner, this holds at r = flat + corner |climb|
+/// / sqrt(q² + climb²), so u <= flat + corner |climb| / sqrt(1 + climb²). In a cone, it holds only
+/// for q = |climb| / rise and at the cone's kink.
 double SweptSurface::bound_of_lead() const {
   if (is_level_) return 0.0;
   const double steepness = std::abs(climb_);
@@ -69,13 +70,13 @@ double SweptSurface::bound_of_lead() const {
   } else if (steepness < profile_.rise) {
     most = std::max(flat, radius_ * steepness / profile_.rise);
   }
-  // The lead is never greater, however the formulas are rounded.
+  // kOnIt covers the rounding of the formulas, so that the bound always holds.
   return std::min(radius_, most) + kOnIt;
 }
 
-/// Returns the lead u >= 0 at which the profile rises outwards by as much as the path climbs: h'(r)
-/// u / r = |climb| with r² = side² + u². Finds it by bisection; returns the reach if there is no
-/// such lead.
+/// Returns the lead u >= 0 at which the profile's rise along the path equals the path's climb:
+/// h'(r) u / r = |climb| with r² = side² + u². Finds it by bisection. Returns the reach if there is
+/// no solution.
 double SweptSurface::solved_lead(double side) const {
   constexpr int kHalvings = 40;
   const double steepness = std::abs(climb_);
@@ -143,14 +144,14 @@ double SweptSurface::height_of_path(double x, double y) const {
   const double ahead = along - pose;
   const double height =
       z_ + climb_ * pose + height_at(profile_, std::sqrt(ahead * ahead + across * across));
-  // The next stretch omits the points that its first pose sweeps lowest. This pose is the present
-  // end.
+  // The next stretch omits the points that its first pose sweeps lowest. This first pose is the end
+  // of the present stretch, so that its height is included here.
   const Pose& end = falls() ? low_ : high_;
   return std::min(height, height_of_pose(end, x - end.x_mm, y - end.y_mm));
 }
 
-/// Returns the outward rise that balances the climb, if the profile has it at this distance. At a
-/// kink and at the rim, the profile has a range of rises.
+/// Returns the outward rise of the profile at `distance` that is nearest to the rise that balances
+/// the climb. At a kink and at the rim, the profile has a range of rises; elsewhere it has one.
 double SweptSurface::slope_for(double distance, double ahead) const {
   const double least = rise_at(profile_, distance);
   double most = least;
@@ -160,9 +161,9 @@ double SweptSurface::slope_for(double distance, double ahead) const {
   return std::max(least, std::min(balanced, most));
 }
 
-/// Returns a lower bound: the height at the best known pose for a point, minus the fall of the
-/// tangent plane there. The tangent plane is that over point and pose together, within the
-/// rectangle and the poses from `first` to `last`.
+/// Returns a lower bound of the height over a rectangle around `place`. It is the height at `place`
+/// for the best known pose, minus the greatest fall of the tangent plane. The tangent plane is
+/// taken over point and pose together, within the rectangle and the poses from `first` to `last`.
 double SweptSurface::tangent_bound(
     const Place& place, double half_x, double half_y, double first, double last) const {
   const double side = std::abs(place.across);
@@ -225,7 +226,8 @@ std::optional<Interval> SweptSurface::extent_at(double y, double extra_mm) const
     include(from_x_ + pose * along_x_ + half);
   }
   for (const double side : {-radius, radius}) {
-    // The side of the sweep crosses `y` here. A path along X has no such crossing and needs none.
+    // Includes the crossing of the sweep's straight side with the line at `y`. A path along X has
+    // no crossing and needs none.
     const double rise = y - (from_y_ + side * along_x_);
     if (rise * along_y_ < 0.0 || std::abs(rise) > length_ * std::abs(along_y_)) continue;
     if (along_y_ == 0.0) continue;
@@ -237,7 +239,7 @@ std::optional<Interval> SweptSurface::extent_at(double y, double extra_mm) const
 
 Interval SweptSurface::ahead_of_start(Interval extent, double y, double extra_mm) const {
   const double rear = extra_mm + (falls() ? max_lead_ : 0.0);
-  const double needed = -rear - (y - from_y_) * along_y_;  // (x − from_x) along_x ≥ this.
+  const double needed = -rear - (y - from_y_) * along_y_;  // Least value of (x − from_x) along_x.
   if (along_x_ > 0.0) extent.low = std::max(extent.low, from_x_ + needed / along_x_);
   if (along_x_ < 0.0) extent.high = std::min(extent.high, from_x_ + needed / along_x_);
   if (along_x_ == 0.0 && needed > 0.0) extent.high = -kNowhere;

@@ -5,10 +5,10 @@
 
 namespace sim::surface {
 
-/// Returns the rotation of a surface after which a tool that approaches along `direction` comes
-/// down along Z. The rotation is the smallest one; for a tool from below it is half a turn about X.
-/// Rotations for directions along the axes have no rounding errors.
-/// @param direction direction of the tool's motion, with any length above 0
+/// Returns the smallest rotation of a surface that turns `direction` to -Z, so that a tool that
+/// approaches along `direction` comes down along Z. For an approach from below, the rotation is
+/// half a turn about X. Rotations for directions along the axes have no rounding errors.
+/// @param direction direction of the tool's motion, of any length > 0
 [[nodiscard]] Eigen::Matrix3d turn_for_approach(const Eigen::Vector3d& direction);
 
 }  // namespace sim::surface

@@ -20,11 +20,13 @@ struct AscHeader {
   double rows = 0.0;
   Eigen::Vector2d corner{0.0, 0.0};
   Eigen::Vector2d cell{0.0, 0.0};
-  /// 0.5 if the file gives the corner of a cell, 0 if it gives the cell's middle.
+  /// Offset in cells from the file's point to the middle of its cell, for X and Y: 0.5 if the file
+  /// gives the corner of the cell, 0 if it gives the middle.
   Eigen::Vector2d to_middle{0.0, 0.0};
   double no_data = -9999.0;
 
-  /// Stores the value of a key, in capital or small letters. Returns whether the key is known.
+  /// Stores the value of a key. The key may have capital or small letters. Returns whether the key
+  /// is known.
   bool take(std::string_view key, double value) {
     const auto is = [&](std::string_view small) { return equals_in_small_letters(key, small); };
     if (is("ncols")) return columns = value, true;
@@ -64,15 +66,16 @@ class AscReader {
     while (!word_.empty() && ((word_.front() >= 'a' && word_.front() <= 'z') ||
                               (word_.front() >= 'A' && word_.front() <= 'Z'))) {
       const auto as_number = parsed_number(word_);
-      if (as_number && std::isnan(*as_number)) return;  // NaN is a missing first height, not a key.
+      // `nan` is the first height, which is missing; it is not a key.
+      if (as_number && std::isnan(*as_number)) return;
       const std::size_t line = words_.line();
       const std::string_view value = words_.next();
       const auto number = parsed_number(value);
       if (!number || !header_.take(word_, *number)) {
         refuse(name_,
                line,
-               fmt::format("`{} {}` is no line of a header", shown(word_), shown(value)),
-               "write ncols, nrows, xllcorner, yllcorner, cellsize and NODATA_value");
+               fmt::format("`{} {}` is not a line of a header", shown(word_), shown(value)),
+               "use the keys ncols, nrows, xllcorner, yllcorner, cellsize and NODATA_value");
       }
       word_ = words_.next();
     }
@@ -83,22 +86,23 @@ class AscReader {
       return value >= 0.0 && value <= 1.0e9 && value == std::floor(value);
     };
     if (!is_count(header_.rows) || !is_count(header_.columns)) {
-      refuse(name_, 0, "ncols or nrows is no whole number", "mend the header");
+      refuse(name_, 0, "ncols or nrows is not a whole number", "correct the header");
     }
     require_raster_size(static_cast<std::uint64_t>(header_.rows),
                         static_cast<std::uint64_t>(header_.columns),
                         name_);
     const bool has_cells = header_.cell.minCoeff() > 0.0 && header_.cell.allFinite();
     if (!has_cells && options_.pitch_mm <= 0.0) {
-      refuse(name_, 0, "has no cellsize above 0", "mend the header, or give --pitch");
+      refuse(name_, 0, "the header has no cellsize above 0", "correct the header, or give --pitch");
     }
     if (!header_.corner.allFinite())
-      refuse(name_, 0, "its corner is not finite", "mend the header");
-    // Each height takes at least a digit and a blank.
+      refuse(name_, 0, "xllcorner or yllcorner is not finite", "correct the header");
+    // A height takes at least two bytes: a digit and a blank.
     if (header_.rows * header_.columns > static_cast<double>(words_.rest().size()) / 2.0 + 2.0) {
       refuse(name_,
              0,
-             fmt::format("promises {} heights and is too short", header_.rows * header_.columns),
+             fmt::format("the header announces {} heights, but the file is too short",
+                         header_.rows * header_.columns),
              "the file is cut off; export it again");
     }
   }
@@ -119,7 +123,10 @@ class AscReader {
     raster_.lines.reserve(count);
     for (; !word_.empty(); word_ = words_.next()) {
       if (raster_.heights.size() == count) {
-        refuse(name_, words_.line(), fmt::format("more than {} heights", count), "mend the header");
+        refuse(name_,
+               words_.line(),
+               fmt::format("has more than {} heights", count),
+               "correct the header");
       }
       raster_.heights.push_back(height());
       raster_.lines.push_back(static_cast<std::uint32_t>(words_.line()));
@@ -131,7 +138,7 @@ class AscReader {
                        raster_.heights.size() / raster_.columns + 1,
                        raster_.heights.size(),
                        count),
-           "export it again, or mend the header");
+           "export it again, or correct the header");
   }
 
   /// Returns the current word as a height in mm; NaN if the height was not measured.
@@ -140,11 +147,11 @@ class AscReader {
     if (!value || std::isinf(*value)) {
       refuse(name_,
              words_.line(),
-             fmt::format("`{}` in row {}, column {} is no finite number",
+             fmt::format("`{}` in row {}, column {} is not a finite number",
                          shown(word_),
                          raster_.heights.size() / raster_.columns + 1,
                          raster_.heights.size() % raster_.columns + 1),
-             "write NODATA_value for a height that is missing");
+             "write the NODATA_value for a missing height");
     }
     if (*value == header_.no_data) return std::numeric_limits<double>::quiet_NaN();
     return *value * options_.unit_mm;

@@ -12,7 +12,7 @@
 namespace sim::surface {
 namespace {
 
-/// Reads an STL text line by line. A facet counts when its loop ends.
+/// Reads an STL text line by line. A facet is added at the end of its loop.
 class StlText {
  public:
   StlText(std::string_view text, const std::string& name) : name_{name}, lines_{text} {}
@@ -31,7 +31,7 @@ class StlText {
       } else if (is("solid") || is("endsolid")) {
         inside_ = is("solid");
       } else if (!word.empty() && !is("outer") && !is("endfacet")) {
-        refuse_line(fmt::format("`{}` is no word of STL", shown(word)));
+        refuse_line(fmt::format("`{}` is not a word of STL", shown(word)));
       }
     }
     if (inside_) refuse_line("ends without endsolid", "the file is cut off; export it again");
@@ -56,7 +56,7 @@ class StlText {
       const std::string_view word = words.next();
       const auto number = parsed_number(word);
       if (!number || !std::isfinite(*number)) {
-        refuse_line(fmt::format("`{}` is no finite number", shown(word)));
+        refuse_line(fmt::format("`{}` is not a finite number", shown(word)));
       }
       value = *number;
     }
@@ -64,7 +64,7 @@ class StlText {
   }
 
   void end_loop() {
-    if (corners_ != 3) refuse_line(fmt::format("has {} corners", corners_));
+    if (corners_ != 3) refuse_line(fmt::format("has {} corners in place of 3", corners_));
     if (draft_.mesh.facets.size() >= 2 * kMaxPoints) refuse_line("too many", "thin the mesh out");
     draft_.mesh.facets.push_back(facet_);
     corners_ = 0;

@@ -33,7 +33,7 @@ MeshDraft read_binary_stl(std::string_view bytes, const std::string& name) {
   if (reader.left() != kStlFacetBytes * count) {
     refuse(name,
            0,
-           fmt::format("promises {} facets of binary STL, and has bytes for {}",
+           fmt::format("announces {} facets of binary STL, but has bytes for {}",
                        count,
                        reader.left() / kStlFacetBytes),
            "it is cut off or of another format; export the mesh again");

@@ -10,7 +10,7 @@ using Box = Eigen::AlignedBox3d;
 
 constexpr std::uint32_t kMaxInALeaf = 2;
 
-/// A range of items that becomes a node.
+/// A range of items, and the number of the node that will contain it.
 struct Run {
   std::uint32_t node = 0;
   std::uint32_t first = 0;

@@ -9,18 +9,19 @@
 
 namespace sim::surface {
 
-/// A tree of boxes that finds the items nearest to a point, or those below a bound.
+/// A tree of bounding boxes. It finds the items near a point, or the items whose value is below a
+/// bound.
 class BoxTree {
  public:
-  /// Maximum depth of the tree: this number of halvings leaves one item of 2^32.
+  /// Maximum depth of the tree: 2^32 items are halved 32 times until one item is left.
   static constexpr std::size_t kMaxDepth = 33;
 
   BoxTree() = default;
   explicit BoxTree(const std::vector<Eigen::AlignedBox3d>& boxes);
 
-  /// Calls `visit(item)` for all items whose box is nearer to the point than `bound()`. The bound
-  /// may shrink during the search, and a negative bound ends the search. Near parts of the tree
-  /// come first.
+  /// Calls `visit(item)` for all items whose box is at most `bound()` away from the point. The
+  /// bound may shrink during the search, and a negative bound ends the search. The nearer part of
+  /// the tree is searched first.
   template <typename Bound, typename Visit>
   void visit_near(const Eigen::Vector3d& point, const Bound& bound, const Visit& visit) const {
     visit_least(
@@ -32,8 +33,8 @@ class BoxTree {
         visit);
   }
 
-  /// Calls `visit(item)` for all items whose box has a `value(box)` of at most `most()`. That limit
-  /// may shrink during the search. Parts of the tree with a small value come first.
+  /// Calls `visit(item)` for all items with `value(box)` <= `most()`. The limit `most()` may shrink
+  /// during the search. The part of the tree with the smaller value is searched first.
   template <typename Value, typename Most, typename Visit>
   void visit_least(const Value& value, const Most& most, const Visit& visit) const {
     if (nodes_.empty()) return;
@@ -63,7 +64,8 @@ class BoxTree {
  private:
   struct Node {
     Eigen::AlignedBox3d box;
-    /// Index of the first of two child nodes; in a leaf, index in items_.
+    /// Index of the first of two successive child nodes; in a leaf, index of its first item in
+    /// items_.
     std::uint32_t first = 0;
     std::uint32_t item_count = 0;  ///< Number of items in a leaf; 0 for other nodes.
   };

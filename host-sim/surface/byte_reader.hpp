@@ -10,7 +10,7 @@ namespace sim::surface {
 
 enum class ByteOrder : std::uint8_t { kLittleEndian, kBigEndian };
 
-/// Reads numbers from the bytes of a file. The caller checks left() before each take().
+/// Reads numbers from the bytes of a file. The caller must check left() before each take().
 class ByteReader {
  public:
   ByteReader(std::string_view bytes, ByteOrder order) : bytes_{bytes}, order_{order} {}
@@ -20,7 +20,7 @@ class ByteReader {
 
   void skip(std::size_t count) { at_ += count; }
 
-  /// Returns the next sizeof(Whole) bytes as a number.
+  /// Returns the next sizeof(Whole) bytes as a number in the reader's byte order.
   /// @pre left() >= sizeof(Whole)
   template <std::unsigned_integral Whole>
   Whole take() {

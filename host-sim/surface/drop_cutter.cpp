@@ -11,20 +11,21 @@ namespace {
 
 using cnc::surface::kNoContact;
 
-/// A node that is still to be searched, and an upper bound of the tool's height on it.
+/// A node that is still to be searched, and an upper bound of the tip's height at which the tool
+/// touches a facet of the node.
 struct OpenPart {
   std::uint32_t node = 0;
   float most = 0.0F;
 };
 
-/// Nodes to search on the path down a tree: last in, first out.
+/// Stack of the nodes that are still to be searched on the way down a tree.
 class OpenParts {
  public:
   [[nodiscard]] bool empty() const { return count_ == 0; }
   [[nodiscard]] std::size_t size() const { return count_; }
   OpenPart take() { return parts_[--count_]; }
-  /// Adds a node. Of the entries added after the first `before` ones, the one with the highest
-  /// bound is taken next: its contact may make the others unnecessary.
+  /// Adds a node. Of the entries above the first `before` entries, the entry with the highest bound
+  /// is taken next, because its contact may make the other entries unnecessary.
   void add(const OpenPart& part, std::size_t before) {
     parts_[count_++] = part;
     const bool is_lower = count_ - before > 1 && parts_[count_ - 2].most > part.most;
@@ -32,8 +33,8 @@ class OpenParts {
   }
 
  private:
-  /// Waiting parts. Each level of the tree has eight parts, down to the last of 2^32 facets. All
-  /// parts of a level except one wait here.
+  /// Waiting nodes. A node has eight parts, so 2^32 facets need 11 levels. On each level, all parts
+  /// except the searched part wait here.
   std::array<OpenPart, 12 * PartTree::kParts> parts_{};
   std::size_t count_ = 0;
 };

@@ -10,13 +10,13 @@
 
 namespace sim::surface {
 
-/// Finds the height at which a tool that comes down along Z first touches any facet of a mesh, or
-/// an edge or corner of a facet. A tree of parts skips all facets that cannot be higher than the
-/// contact found so far, so that a point costs about as much over a million facets as over a few
-/// thousand. Lengths are mm. All threads may call the const functions at once.
+/// Finds the height at which a tool that comes down along Z first touches a mesh: a facet, an edge
+/// or a corner. A tree skips all facets that cannot be higher than the contact found so far. So the
+/// time of a search hardly depends on the number of facets. Lengths are mm. Several threads may
+/// call the const functions at the same time.
 class DropCutter {
  public:
-  /// The facet that was touched last. The search at a point near by begins with this facet.
+  /// Facet of the last contact. The search at a nearby point begins with this facet.
   struct Hint {
     std::uint32_t facet = 0;
   };
@@ -24,14 +24,15 @@ class DropCutter {
   /// @pre the mesh has at least one facet, and all its indices are valid
   DropCutter(const Mesh& mesh, const cnc::surface::Profile& profile);
 
-  /// Returns the height of the tool's tip with the tool's axis at this X and Y;
+  /// Returns the height of the tool's tip with the tool's axis at `place` (X, Y);
   /// cnc::surface::kNoContact if nothing is under the tool.
   [[nodiscard]] double tip_height(const Eigen::Vector2d& place) const;
-  /// Returns the same height. The search is faster if the hint comes from a point near by.
+  /// Returns the height of the tool's tip, as above. The search is faster if `hint` comes from a
+  /// nearby point. Updates `hint`.
   [[nodiscard]] double tip_height(const Eigen::Vector2d& place, Hint& hint) const;
 
-  /// Returns whether anything is under the tool. The search is fastest if the hint's facet still
-  /// is.
+  /// Returns whether anything is under the tool. The search is fastest if the hint's facet is still
+  /// under the tool. Updates `hint`.
   [[nodiscard]] bool has_contact(const Eigen::Vector2d& place, Hint& hint) const;
 
   [[nodiscard]] const cnc::surface::Profile& profile() const { return profile_; }
@@ -41,14 +42,14 @@ class DropCutter {
     cnc::surface::FacetContact contact;
     std::array<Eigen::Vector3d, 3> corners;
     double top = 0.0;
-    std::uint8_t edges = 0;  ///< Bit i: this facet tests the edge that starts at its corner i.
+    /// Edges that are tested with this facet. Bit i is the edge that starts at corner i.
+    std::uint8_t edges = 0;
   };
   struct Search;
 
   void try_facet(std::uint32_t number, Search& search) const;
-  /// Searches for facets that the tool touches at a greater height than the greatest one found so
-  /// far.
-  /// @param is_enough whether the first such facet ends the search
+  /// Updates `search` with all contacts that are higher than its highest contact so far.
+  /// @param is_enough whether the first contact ends the search
   void search_tree(Search& search, bool is_enough = false) const;
 
   cnc::surface::Profile profile_;

@@ -13,10 +13,10 @@
 namespace sim::surface {
 namespace {
 
-/// A step longer than this number of median steps is a gap.
+/// A step between points is a gap if it exceeds the median step by this factor.
 constexpr double kGapFactor = 4.0;
-/// Reversed area of a triangle that rounding may cause, as a share of the square of its longest
-/// edge.
+/// Greatest reversed area of a triangle that rounding may cause, relative to the square of its
+/// longer edge.
 constexpr double kFoldTolerance = 1.0e-9;
 
 double cross_in_plan(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
@@ -44,10 +44,10 @@ void refuse_equal_neighbours(const GridDraft& grid) {
   refuse_points(grid,
                 equal,
                 fmt::format("{} points equal their neighbour", equal.count()),
-                "leave each point there once");
+                "keep only one of equal points");
 }
 
-/// Returns whether the step to a point runs against the previous step of its row.
+/// Returns whether the row reverses its direction at the point after `column`.
 bool runs_back(const GridDraft& grid, std::size_t row, std::size_t column) {
   if (column + 2 >= grid.columns) return false;
   const Eigen::Vector3d step = grid.at(row, column + 1) - grid.at(row, column);
@@ -58,7 +58,7 @@ bool runs_back(const GridDraft& grid, std::size_t row, std::size_t column) {
 void refuse_folds(const GridDraft& grid) {
   const double area = projected_area(grid);
   if (area == 0.0) {
-    refuse(grid.name, 0, "has no area seen from above", "give X, Y and height in this order");
+    refuse(grid.name, 0, "has no area as seen from above", "give X, Y and height in this order");
   }
   const double sense = area > 0.0 ? 1.0 : -1.0;
   FaultyPoints folds;
@@ -77,14 +77,13 @@ void refuse_folds(const GridDraft& grid) {
   if (folds.count() == 0) return;
   refuse_points(grid,
                 folds,
-                fmt::format("{} quadrilaterals turn over seen from above{}, the first",
+                fmt::format("{} quadrilaterals are flipped as seen from above{}, the first",
                             folds.count(),
                             back ? " because a row runs back" : ""),
-                "sort the points into rows, and the rows by their place");
+                "sort the points into rows, and the rows by their position");
 }
 
-/// Returns the length in projection of the step to a point from the point that is `back` indices
-/// before it.
+/// Returns the distance in plan between point `index` and point `index - back`.
 double step_to(const GridDraft& grid, std::size_t index, std::size_t back) {
   return (grid.points[index] - grid.points[index - back]).head<2>().norm();
 }
@@ -107,7 +106,7 @@ void require_sound_grid(const GridDraft& grid) {
     refuse(grid.name,
            0,
            fmt::format("has {} rows of {} points", grid.rows, grid.columns),
-           "a surface has two rows of two points at least; separate rows by blank lines");
+           "a surface has at least two rows of two points; separate rows by blank lines");
   }
   refuse_equal_neighbours(grid);
   refuse_folds(grid);

@@ -10,19 +10,19 @@
 
 namespace sim::surface {
 
-/// A grid as its file gives it, before checks. The height of a missing point is NaN; its X and Y
-/// are always known.
+/// A grid as read from a file, before checks. The height of a missing point is NaN; its X and Y are
+/// always known.
 struct GridDraft {
   std::string name;  ///< Name of the file, for messages.
   std::size_t rows = 0;
   std::size_t columns = 0;
   std::vector<Eigen::Vector3d> points{};  ///< Points row by row, mm.
-  /// Line of each point in the file, from 1, or 0 if the file has no line for it. Empty for
-  /// pictures.
+  /// Line of each point in the file, counted from 1; 0 for a point that the file does not contain.
+  /// Empty for pictures.
   std::vector<std::uint32_t> lines{};
   std::vector<std::string> notes{};
-  /// Height of the highest point above the lowest that the operator requests; 0: heights as in the
-  /// file.
+  /// Height of the highest point above the lowest point, as the operator requests; 0: heights as in
+  /// the file.
   double height_span_mm = 0.0;
   /// Whether the grid is a drawn picture, in which a single high point is intended.
   bool is_picture = false;
@@ -36,7 +36,7 @@ struct GridDraft {
   [[nodiscard]] bool is_missing(std::size_t index) const { return std::isnan(points[index].z()); }
 };
 
-/// Points of a grid that share a fault: their number, and the first of them.
+/// Points of a grid with the same fault: their number, and the first few of these points.
 class FaultyPoints {
  public:
   void add(std::size_t index) {
@@ -48,7 +48,7 @@ class FaultyPoints {
   /// @pre count() > 0
   [[nodiscard]] std::size_t first() const { return first_[0]; }
   /// Returns `row 2, column 3; row 4, column 5 and 7 more`, counted from 1 in the order of the
-  /// file. A point without a line in a text file is listed with its X and Y.
+  /// file. A point without a line in a text file is listed with its X and Y as well.
   [[nodiscard]] std::string places(const GridDraft& grid) const;
 
  private:
@@ -56,8 +56,8 @@ class FaultyPoints {
   std::array<std::size_t, 3> first_{};
 };
 
-/// Refuses the grid for its `faults`: throws std::invalid_argument with `name:line: reason at
-/// places; remedy`.
+/// Refuses a grid with `faults`: throws std::invalid_argument with `name:line: reason at places;
+/// remedy`.
 /// @pre faults.count() > 0
 [[noreturn]] void refuse_points(const GridDraft& grid,
                                 const FaultyPoints& faults,

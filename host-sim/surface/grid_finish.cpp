@@ -13,10 +13,11 @@
 namespace sim::surface {
 namespace {
 
-/// Heights beyond this limit cannot be measured heights. Their squares are still finite.
+/// Greatest height, mm, that is accepted before scaling. Heights up to this limit have finite
+/// squares.
 constexpr double kFarthestTerrainMm = 1.0e12;
 
-/// Shifts and scales the heights to a range from 0 to the operator's height span, if there is one.
+/// Shifts and scales the heights to the range from 0 to the requested height span, if there is one.
 void take_height_span(GridDraft& grid) {
   if (grid.height_span_mm == 0.0) return;
   double least = std::numeric_limits<double>::infinity();
@@ -29,7 +30,7 @@ void take_height_span(GridDraft& grid) {
   for (Eigen::Vector3d& point : grid.points) point.z() = (point.z() - least) * scale;
 }
 
-/// Refuses missing points, or notes that they will be filled.
+/// Refuses missing points or, if `repair`, notes that they will be filled.
 void judge_missing(GridDraft& grid, bool repair) {
   FaultyPoints missing;
   for (std::size_t i = 0; i < grid.points.size(); ++i) {
@@ -48,7 +49,7 @@ void judge_missing(GridDraft& grid, bool repair) {
                                    missing.places(grid)));
 }
 
-/// Refuses outliers, or notes them and turns them into missing points.
+/// Refuses outliers or, if `repair`, notes them and marks them as missing points.
 void judge_outliers(GridDraft& grid, bool repair) {
   if (grid.is_picture) return;
   FaultyPoints faults;
@@ -60,31 +61,32 @@ void judge_outliers(GridDraft& grid, bool repair) {
   if (!repair) {
     refuse_points(grid,
                   faults,
-                  fmt::format("{} heights are far off their neighbours", faults.count()),
+                  fmt::format("{} heights differ too much from their neighbours", faults.count()),
                   "measure them again, or replace them with --repair");
   }
-  grid.notes.push_back(fmt::format("{}: {} outliers are replaced from their neighbours, at {}",
-                                   grid.name,
-                                   faults.count(),
-                                   faults.places(grid)));
+  grid.notes.push_back(
+      fmt::format("{}: {} outliers are replaced by heights from their neighbours, at {}",
+                  grid.name,
+                  faults.count(),
+                  faults.places(grid)));
 }
 
 void judge_gaps(GridDraft& grid, bool repair) {
   const FaultyPoints gaps = gaps_of(grid);
   if (gaps.count() == 0) return;
   if (!repair) {
-    refuse_points(
-        grid,
-        gaps,
-        fmt::format("{} gaps of several times the usual spacing, before the points", gaps.count()),
-        "measure there, or bridge them with --repair");
+    refuse_points(grid,
+                  gaps,
+                  fmt::format("has {} gaps of several times the usual spacing, before the points",
+                              gaps.count()),
+                  "measure there, or bridge them with --repair");
   }
   grid.notes.push_back(fmt::format(
       "{}: {} gaps are bridged, before {}", grid.name, gaps.count(), gaps.places(grid)));
 }
 
 /// Reverses the order of rows unless, seen from +Z, the direction of rising row numbers is
-/// counter-clockwise from that of rising column numbers.
+/// counter-clockwise from the direction of rising column numbers.
 void make_right_handed(GridDraft& grid) {
   if (projected_area(grid) > 0.0) return;
   for (std::size_t row = 0; row < grid.rows / 2; ++row) {
@@ -97,7 +99,8 @@ void make_right_handed(GridDraft& grid) {
 }  // namespace
 
 SurfaceInput finished_grid(GridDraft draft, const ReadOptions& options) {
-  // Terrain in metres is scaled before its heights are checked.
+  // The limit is higher if the heights will be scaled, because terrain may have great heights in
+  // the file.
   require_near_points(draft, draft.height_span_mm > 0.0 ? kFarthestTerrainMm : kFarthestMm);
   require_sound_grid(draft);
   judge_gaps(draft, options.repair);

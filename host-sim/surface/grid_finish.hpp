@@ -5,8 +5,10 @@
 
 namespace sim::surface {
 
-/// Checks a grid, repairs it if the options say so, and returns it with its triangles as a surface.
-/// Throws std::invalid_argument for a fault that cannot be repaired, or that the options leave.
+/// Checks a grid and repairs it if the options require this. Returns the grid and its triangles as
+/// a surface.
+/// Throws std::invalid_argument for a fault that cannot be repaired, or that the options do not
+/// allow to repair.
 [[nodiscard]] SurfaceInput finished_grid(GridDraft draft, const ReadOptions& options);
 
 }  // namespace sim::surface

@@ -12,14 +12,14 @@ namespace sim::surface {
 namespace {
 
 constexpr int kMaxSweeps = 1'000;
-/// Factor of over-relaxation. On large holes it reduces the number of sweeps to about the square
-/// root of the number with plain averages.
+/// Factor of over-relaxation. For large holes, the number of sweeps is about the square root of the
+/// number that plain averages need.
 constexpr double kRelaxation = 1.7;
-/// Share of the range of heights by which a sweep may still change a height at the end.
+/// Change of a height at which the sweeps end, relative to the range of heights.
 constexpr double kAgreement = 1.0e-6;
 
-/// Returns the mean of the known heights to the left and right, below and above a point; NaN if
-/// there are none.
+/// Returns the mean of the known heights of the four neighbours of a point in its row and column;
+/// NaN if no neighbour is known.
 double mean_around(const GridDraft& grid, std::size_t index) {
   double sum = 0.0;
   int count = 0;
@@ -36,7 +36,8 @@ double mean_around(const GridDraft& grid, std::size_t index) {
   return count == 0 ? std::numeric_limits<double>::quiet_NaN() : sum / count;
 }
 
-/// Gives the missing points a first height, layer by layer from their known neighbours.
+/// Gives the missing points a first height: layer by layer, the mean of the neighbours that are
+/// already known.
 void fill_by_layers(GridDraft& grid, std::vector<std::size_t> missing) {
   std::vector<double> heights;
   while (!missing.empty()) {
@@ -52,8 +53,8 @@ void fill_by_layers(GridDraft& grid, std::vector<std::size_t> missing) {
   }
 }
 
-/// Moves the heights of filled points towards the means around them in one sweep. Returns the
-/// greatest change.
+/// Does one sweep: moves the height of each filled point towards the mean of its neighbours.
+/// Returns the greatest change.
 double relax(GridDraft& grid, const std::vector<std::size_t>& filled) {
   double greatest = 0.0;
   for (const std::size_t index : filled) {

@@ -32,7 +32,7 @@ json parsed_heights(std::string_view text, const std::string& name) {
     const auto line = static_cast<std::size_t>(std::ranges::count(before, '\n')) + 1;
     refuse(name, line, fmt::format("broken JSON at byte {}", at), "export it again");
   } catch (const json::exception&) {
-    refuse(name, 0, "a number that is too great", "mend it");
+    refuse(name, 0, "has a number that is too great", "correct the number");
   } catch (const std::length_error& error) {
     refuse(name, 0, error.what(), "give width, height and values");
   }
@@ -44,7 +44,7 @@ std::uint64_t count_of(const json& document, const char* key, const std::string&
   refuse(name, 0, fmt::format("has no whole number `{}`", key), "give width, height and values");
 }
 
-/// Returns the next height of the raster; NaN for null.
+/// Converts a JSON value to the next height of the raster, mm; NaN for null.
 double value_of(const json& value, const Raster& raster, const std::string& name) {
   if (value.is_null()) return std::numeric_limits<double>::quiet_NaN();
   if (value.is_number()) return value.get<double>();
@@ -55,7 +55,7 @@ double value_of(const json& value, const Raster& raster, const std::string& name
                      index,
                      index / raster.columns + 1,
                      index % raster.columns + 1),
-         "mend it");
+         "give a number, or null for a missing height");
 }
 
 }  // namespace
@@ -77,7 +77,7 @@ GridDraft read_json_heights(std::string_view text,
         name,
         0,
         fmt::format("has {} values for {} rows of {}", values->size(), raster.rows, raster.columns),
-        "give as many as width times height");
+        "give width times height values");
   }
   require_pitch(options, name);
   raster.pitch = {options.pitch_mm, options.pitch_mm};

@@ -9,7 +9,7 @@
 namespace sim::surface {
 namespace {
 
-/// Maximum distance of a point from its grid point, as a share of the pitch.
+/// Maximum distance of a point from its grid point, relative to the pitch.
 constexpr double kLatticeTolerance = 0.1;
 
 /// A regular grid, whose points are origin + column · along + row · across.
@@ -29,14 +29,14 @@ struct Lattice {
 };
 
 /// Returns the length nearest to `step` that divides `length` into equal parts; 0 if there is none.
-/// Rounded coordinates falsify each step, but not the sum of the steps.
+/// Rounded coordinates distort single steps, but not their sum.
 double whole_part(double length, double step) {
   const double count = std::round(length / step);
   return std::isfinite(count) && count != 0.0 ? length / count : 0.0;
 }
 
-/// Returns the lattice in the direction of the longest row, with the median steps along and across
-/// that row; its origin is the first point. Returns nothing if the points do not show a lattice.
+/// Returns a lattice along the longest row. Its pitches are the median steps along and across this
+/// row, and its origin is the first point. Returns nothing if the points do not form a lattice.
 std::optional<Lattice> fitted_lattice(const XyzTable& table, const std::vector<ScanRow>& rows) {
   const auto longest = std::ranges::max_element(rows, {}, &ScanRow::size);
   if (longest->size() < 2 || rows.size() < 2) return {};
@@ -65,20 +65,20 @@ std::optional<Lattice> fitted_lattice(const XyzTable& table, const std::vector<S
   return Lattice{plan(0), pitch * along, distance * across};
 }
 
-/// Least and greatest row and column of the points.
+/// Lowest and highest column and row of the points.
 struct LatticeBounds {
   Eigen::Vector2d least{0.0, 0.0};
   Eigen::Vector2d greatest{0.0, 0.0};
 };
 
-/// Returns the bounds of the points in rows and columns; nothing if a point is too far from its
-/// grid point.
+/// Returns the range of columns and rows that the points occupy; nothing if a point is too far from
+/// its grid point.
 std::optional<LatticeBounds> bounds_on(const Lattice& lattice, const XyzTable& table) {
   LatticeBounds bounds;
   for (const Eigen::Vector3d& point : table.points) {
     const Eigen::Vector2d at = lattice.coordinates(point.head<2>());
     const Eigen::Vector2d whole = at.array().round();
-    // The condition is written so that NaN is too far, too.
+    // The negated condition also refuses NaN.
     if (!((at - whole).cwiseAbs().maxCoeff() <= kLatticeTolerance)) return {};
     bounds.least = bounds.least.cwiseMin(whole);
     bounds.greatest = bounds.greatest.cwiseMax(whole);

@@ -8,10 +8,10 @@
 
 namespace sim::surface {
 
-/// Returns the regular grid whose points the table's points match within a tenth of its pitch. The
-/// grid may be rotated in its plane. Points that the table lacks become missing points. Returns
-/// nothing if the points do not match such a grid, if two of them match the same grid point, or if
-/// most points of the grid are missing.
+/// Fits a regular grid to the points of a table. Each point must be within a tenth of the pitch of
+/// a grid point. The grid may be rotated in plan. Grid points without a point of the table become
+/// missing points. Returns nothing if the points do not match a grid, if two points match the same
+/// grid point, or if more than half of the grid points are missing.
 [[nodiscard]] std::optional<GridDraft> lattice_of(const XyzTable& table,
                                                   const std::vector<ScanRow>& rows,
                                                   const std::string& name);

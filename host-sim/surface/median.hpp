@@ -6,8 +6,8 @@
 
 namespace sim::surface {
 
-/// Returns the median of `values`, the upper one of two middle values; 0 for no values. Reorders
-/// the values.
+/// Returns the median of `values`; of two middle values, the upper one; 0 if `values` is empty.
+/// Reorders `values`.
 /// @pre no value is NaN
 [[nodiscard]] inline double median_of(std::span<double> values) {
   if (values.empty()) return 0.0;

@@ -11,8 +11,8 @@ namespace sim::surface {
 /// Triangles over shared points; lengths in mm.
 struct Mesh {
   std::vector<Eigen::Vector3d> points;
-  /// Indices of points, three for each facet. They are counter-clockwise seen from +Z if the reader
-  /// can determine that.
+  /// Indices of the three points of each facet. Seen from outside or above, the points are
+  /// counter-clockwise, if the reader can determine the outside.
   std::vector<std::array<std::uint32_t, 3>> facets;
 };
 

@@ -10,12 +10,12 @@
 
 namespace sim::surface {
 
-/// A mesh as its file gives it, in the file's unit, before checks.
+/// A mesh as read from a file, in the file's unit, before checks.
 struct MeshDraft {
   std::string name;  ///< Name of the file, for messages.
   Mesh mesh{};
-  /// Number of each facet in the file, from 1. Empty if these numbers equal those of the mesh's
-  /// facets. A polygon of the file becomes several facets with one number.
+  /// Number of each facet in the file, counted from 1. The facets of a polygon share its number.
+  /// Empty if the file's facets are the mesh's facets.
   std::vector<std::uint32_t> numbers{};
   std::vector<std::string> notes{};
 

@@ -13,8 +13,8 @@ namespace sim::surface {
 namespace {
 
 constexpr auto kUnusedPoint = std::numeric_limits<std::uint32_t>::max();
-/// A facet is degenerate if twice its area is at most this share of the square of an edge. A facet
-/// without area stays below this share when its coordinates are rounded.
+/// A facet is degenerate if twice its area, divided by the square of an edge, is at most this
+/// ratio. If a facet has no area, the rounding of its coordinates keeps the ratio below this limit.
 constexpr double kDegenerateShare = 1.0e-12;
 
 void require_indices(const MeshDraft& draft) {
@@ -23,7 +23,7 @@ void require_indices(const MeshDraft& draft) {
       if (corner < draft.mesh.points.size()) continue;
       refuse(draft.name,
              0,
-             fmt::format("facet {} has point {}, and the last point is {}",
+             fmt::format("facet {} has point {}, but the last point is {}",
                          draft.number(i),
                          corner,
                          static_cast<std::int64_t>(draft.mesh.points.size()) - 1),
@@ -86,7 +86,7 @@ void drop_degenerate(MeshDraft& draft) {
                   first));
 }
 
-/// Removes points that belong to no facet; the others keep their order.
+/// Removes points that belong to no facet. The remaining points keep their order.
 void drop_unused(MeshDraft& draft) {
   Mesh& mesh = draft.mesh;
   std::vector<std::uint32_t> number(mesh.points.size(), kUnusedPoint);
@@ -106,7 +106,7 @@ void drop_unused(MeshDraft& draft) {
     for (std::uint32_t& corner : facet) corner = number[corner];
   }
   draft.notes.push_back(
-      fmt::format("{}: {} points that no facet has are left out", draft.name, dropped));
+      fmt::format("{}: {} points that belong to no facet are left out", draft.name, dropped));
 }
 
 }  // namespace
@@ -118,7 +118,7 @@ SurfaceInput finished_mesh(MeshDraft draft, const ReadOptions& options) {
   drop_unused(draft);
   if (is_inside_out(draft.mesh)) {
     for (auto& facet : draft.mesh.facets) std::swap(facet[1], facet[2]);
-    draft.notes.push_back(draft.name + ": the mesh was inside out and is turned over");
+    draft.notes.push_back(draft.name + ": the mesh was inside out, so its facets are flipped");
   }
   return {.grid = {}, .mesh = std::move(draft.mesh), .notes = std::move(draft.notes)};
 }

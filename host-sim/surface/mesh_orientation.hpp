@@ -4,9 +4,9 @@
 
 namespace sim::surface {
 
-/// Returns whether a mesh is inside out. It is inside out if no facet faces +Z and some face -Z, or
-/// if it is closed and its volume is negative. It counts as closed if, along every axis, its
-/// projected areas to both sides agree to a billionth.
+/// Returns whether a mesh is inside out. An open mesh is inside out if facets face -Z and none
+/// faces +Z. A closed mesh is inside out if its volume is negative. A mesh counts as closed if,
+/// along each axis, the projected areas of both directions agree to a billionth.
 [[nodiscard]] bool is_inside_out(const Mesh& mesh);
 
 }  // namespace sim::surface

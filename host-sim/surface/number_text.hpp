@@ -9,7 +9,7 @@
 
 namespace sim::surface {
 
-/// Returns the number that the whole of `word` represents: `-1`, `+.5`, `1e-3`, `nan` or `inf`.
+/// Converts the complete `word` to a number, for example `-1`, `+.5`, `1e-3`, `nan` or `inf`.
 /// Returns nothing for other words and for numbers outside the range of a double.
 [[nodiscard]] inline std::optional<double> parsed_number(std::string_view word) {
   if (word.size() > 1 && word.front() == '+' && word[1] != '-') word.remove_prefix(1);
@@ -19,8 +19,7 @@ namespace sim::surface {
   return value;
 }
 
-/// Returns the number that the whole of `word` represents. The decimal mark may be a comma or a
-/// point.
+/// Converts the complete `word` to a number. The decimal mark may be a comma or a point.
 [[nodiscard]] inline std::optional<double> parsed_comma_number(std::string_view word) {
   std::array<char, 64> buffer{};
   const std::size_t comma = word.find(',');
@@ -31,8 +30,8 @@ namespace sim::surface {
   return parsed_number({buffer.data(), word.size()});
 }
 
-/// Returns the whole number that the whole of `word` represents. Returns nothing for a sign, a
-/// fraction or a number that 64 bits do not hold.
+/// Converts the complete `word` to a whole number. Returns nothing for a sign, a fraction or a
+/// number of more than 64 bits.
 [[nodiscard]] inline std::optional<std::uint64_t> parsed_count(std::string_view word) {
   std::uint64_t value = 0;
   const auto [stop, error] = std::from_chars(word.data(), word.data() + word.size(), value);

@@ -9,16 +9,17 @@
 namespace sim::surface {
 namespace {
 
-/// An outlier differs by this many times the spread. Noise of a normal distribution reaches 6.
+/// Minimum difference of an outlier from its neighbours' median, relative to the spread. Normally
+/// distributed noise reaches a factor of 6.
 constexpr double kOutlierFactor = 8.0;
-/// In a normal distribution nine of ten distances are below this many standard deviations.
+/// Number of standard deviations below which nine of ten distances are in a normal distribution.
 constexpr double kSigmasOfNineTenths = 1.645;
-/// Lower limit of the spread, as a share of the distance between points.
+/// Lower limit of the spread, relative to the distance between points.
 constexpr double kMinSpread = 0.02;
-/// With fewer known neighbours a point is not checked.
+/// Minimum number of known neighbours for the check of a point.
 constexpr std::size_t kMinNeighbours = 3;
 
-/// Known heights around a point, sorted.
+/// Known heights of the up to eight neighbours of a point, sorted.
 struct Neighbours {
   std::array<double, 8> heights{};
   std::size_t count = 0;
@@ -52,7 +53,7 @@ Neighbours neighbours_of(const GridDraft& grid, std::size_t row, std::size_t col
   return around;
 }
 
-/// Returns the median distance in projection between neighbours in a row.
+/// Returns the median distance in plan between neighbours in a row.
 double median_step(const GridDraft& grid) {
   std::vector<double> steps;
   for (std::size_t i = 1; i < grid.points.size(); ++i) {
@@ -62,7 +63,8 @@ double median_step(const GridDraft& grid) {
   return median_of(steps);
 }
 
-/// Returns the spread of all heights about the medians of their neighbours.
+/// Returns the spread, mm: the standard deviation of all heights from the medians of their
+/// neighbours.
 double spread_of(const GridDraft& grid) {
   std::vector<double> distances;
   for (std::size_t i = 0; i < grid.points.size(); ++i) {

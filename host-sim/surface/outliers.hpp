@@ -6,16 +6,16 @@
 
 namespace sim::surface {
 
-/// Returns the indices of outliers. A point inside the grid is an outlier if its height differs
-/// from the median of its eight neighbours by many times the spread. The spread is the greater one
-/// of
-/// - the difference from that median that nine of ten points of the grid stay within, converted to
+/// Returns the indices of outliers. A point is an outlier if its height differs from the median of
+/// its known neighbours, of which there are up to eight, by many times the spread. The spread is
+/// the greater of
+/// - the difference from the median that nine of ten points of the grid do not exceed, converted to
 ///   a standard deviation, and
-/// - the range of the neighbours' heights; of eight neighbours the greatest and the least are left
+/// - the range of the neighbours' heights. Of eight neighbours, the highest and the lowest are left
 ///   out.
 ///
-/// A point with two neighbours near its height is not an outlier: it belongs to an edge. Missing
-/// points are neither outliers nor neighbours. Clusters of bad points are not found.
+/// A point with two neighbours near its height belongs to an edge and is not an outlier. A point
+/// with fewer than three known neighbours is not checked. Clusters of bad points are not found.
 [[nodiscard]] std::vector<std::size_t> outliers_of(const GridDraft& grid);
 
 }  // namespace sim::surface

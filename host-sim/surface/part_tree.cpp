@@ -11,18 +11,20 @@ namespace {
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
-/// A part whose facets are steeper than this on average is bounded by its highest point alone.
+/// Mean slope of a part's facets above which only the part's highest point bounds the part.
 constexpr double kSteepest = 20.0;
-/// Share of a ball's radius beyond which its tangent is almost vertical.
+/// Distance from a ball's axis, relative to its radius, beyond which its tangent is almost
+/// vertical.
 constexpr double kAlmost = 0.99;
-/// Slope of a ball's tangent at that share of the radius.
+/// Slope of a ball's tangent at kAlmost.
 constexpr double kSteepestOfABall = 7.1;
-/// In single precision, differences and products of a few coordinates have a smaller relative error
-/// than this.
+/// Upper bound of the relative error of differences and products of a few coordinates in single
+/// precision.
 constexpr double kRounding = 1.0e-6;
-/// Added to a square before its root is taken, so that the root, a divisor, is not zero.
+/// Added to a square before its root is computed, because the root is a divisor and must not be
+/// zero.
 constexpr float kTiny = 1.0e-20F;
-/// Share of a corner's radius that is surely inside the corner in single precision.
+/// Distance, relative to a corner's radius, that is surely inside the corner in single precision.
 constexpr float kInside = 0.999F;
 
 using Four = PartTree::Four;
@@ -35,8 +37,8 @@ Four root(const Four& square) {
       std::sqrt(square[0]), std::sqrt(square[1]), std::sqrt(square[2]), std::sqrt(square[3])};
 }
 
-/// A plane that is nowhere above the tool's lower surface, for a distance from the axis: its height
-/// at that distance, and its slope divided by that distance.
+/// A plane that is nowhere above the tool's lower surface and belongs to a distance from the axis.
+/// `height` is its height at this distance; `share` is its slope divided by this distance.
 struct Tangent {
   Four height;
   Four share;
@@ -55,10 +57,11 @@ Tangent tangent_at(const PartTree::Shape& tool, const Four& distance) {
   return {inner * inner / (tool.corner + across) + rise * beyond, rise / distance};
 }
 
-/// Returns an upper bound of the tip's height for four parts. The tool is convex and thus nowhere
-/// below its tangent at any of its own points. The part's plane minus that tangent is linear, so
-/// that its maximum over the rectangle is a bound. The point of the tangent is the one that touches
-/// the plane, or the point of the part nearest to it.
+/// Returns an upper bound of the tip's height for each of four parts. The tool is convex, so it is
+/// nowhere below a tangent plane. The difference between the part's plane and the tangent plane is
+/// linear. Its maximum over the part's rectangle is thus a bound. The tangent is at the point of
+/// the tool that touches the part's plane or, if this is outside the rectangle, at the nearest
+/// point of the rectangle.
 Four bounds_of(const PartTree::Shape& tool,
                const PartTree::Node& node,
                std::size_t four,
@@ -120,7 +123,7 @@ class PartTree::Builder {
   }
 
  private:
-  /// A node that exists but has no parts yet.
+  /// A node whose parts are not built yet, and its facets.
   struct Open {
     std::uint32_t node;
     Run run;
@@ -162,7 +165,8 @@ class PartTree::Builder {
     }
   }
 
-  /// Sorts the facets on one side of the median of the longer side before the others.
+  /// Halves a run at the median of its longer side in plan: sorts the facets below the median
+  /// before the facets above it.
   std::array<Run, 2> halves_of(const Run& run) {
     Eigen::Array2d least = Eigen::Array2d::Constant(std::numeric_limits<double>::infinity());
     Eigen::Array2d most = -least;
@@ -184,7 +188,8 @@ class PartTree::Builder {
     return std::span{tree_.order_}.subspan(run.first, run.count);
   }
 
-  /// Sets the bounds of a part. Its plane has the mean normal of its facets, weighted by area.
+  /// Sets the bounds of a part. The normal of the part's plane is the mean normal of its facets,
+  /// weighted by area.
   void bound(Node& node, std::size_t lane, const Run& run) const {
     Eigen::Vector3d normal = Eigen::Vector3d::Zero();
     Eigen::Vector3d least = Eigen::Vector3d::Constant(std::numeric_limits<double>::infinity());
@@ -207,7 +212,7 @@ class PartTree::Builder {
         level = std::max(level, corner.z() - gradient.dot(corner.head<2>() - middle));
       }
     }
-    // Single precision loses more if the part or the tool is steeper.
+    // The error of single precision grows with the slopes of the part and of the tool.
     const double steepness = slope + std::max(profile_.rise, kSteepestOfABall);
     set(node, lane, least, most, lost_mm_);
     node.top.set(lane, static_cast<float>(most.z() + lost_mm_));
@@ -233,7 +238,8 @@ class PartTree::Builder {
   const cnc::surface::Profile& profile_;
   PartTree& tree_;
   double lost_mm_ = 0.0;
-  std::vector<Eigen::Vector3d> normals_;  ///< Normals of the facets, twice as long as the areas.
+  /// Normals of the facets; the length of a normal is twice the facet's area.
+  std::vector<Eigen::Vector3d> normals_;
   std::vector<Eigen::Vector2d> middles_;  ///< Three times the centre of each facet.
 };
 

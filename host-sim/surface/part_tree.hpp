@@ -11,16 +11,16 @@
 
 namespace sim::surface {
 
-/// Facets in a tree whose nodes have eight parts each. A part bounds how high a tool that touches
-/// it can be: its facets lie within a rectangle in plan, and not above a plane.
+/// A tree of facets whose nodes have eight parts each. The facets of a part are within a rectangle
+/// in plan and nowhere above a plane. Both bound the height of a tool that touches the part.
 ///
-/// Bounds are computed in single precision for eight parts at once. They are rounded up by more
-/// than their error. All lengths are mm.
+/// Bounds are computed in single precision for eight parts in parallel. They are increased by more
+/// than their rounding error. All lengths are mm.
 class PartTree {
  public:
   static constexpr std::size_t kParts = 8;
   static constexpr std::size_t kMaxInALeaf = 4;
-  /// Numbers of four parts, which one vector instruction computes.
+  /// A value for each of four parts, in one vector register.
   using Four = float __attribute__((vector_size(16)));
   struct Lanes {
     std::array<Four, kParts / 4> fours;
@@ -31,20 +31,22 @@ class PartTree {
   struct Node {
     Lanes min_x, min_y, max_x, max_y;
     Lanes top;               ///< Height of the highest point of the part.
-    Lanes slope_x, slope_y;  ///< Slope of the plane along X and along Y.
-    Lanes level;             ///< Height of the plane in the middle of the rectangle.
-    /// Offset from the tool's axis to the point of the tool that touches such a plane.
+    Lanes slope_x, slope_y;  ///< Slopes of the part's plane along X and along Y.
+    Lanes level;             ///< Height of the plane at the middle of the rectangle.
+    /// Offset from the tool's axis to the point of the tool that touches the plane.
     Lanes point_x, point_y;
-    /// Index in order() if the part is a leaf, else the number of a node.
+    /// Index of the part's first facet in order() if the part is a leaf, else the number of its
+    /// node.
     std::array<std::uint32_t, kParts> first;
-    /// Number of facets from that index on; 0 if `first` is a node.
+    /// Number of facets of a leaf; 0 if `first` is a node.
     std::array<std::uint32_t, kParts> count;
   };
 
   /// The tool in single precision.
   struct Shape {
     float reach_square = 0.0F;
-    /// Distance from the axis up to which tangents of the tool's own shape are used.
+    /// Distance from the axis up to which tangents follow the tool's shape. Beyond it, the last
+    /// tangent continues, because the tool is almost vertical there.
     float almost = 0.0F;
     float flat = 0.0F;
     float corner = 0.0F;
@@ -54,11 +56,12 @@ class PartTree {
   /// @pre the mesh has at least one facet, and all its indices are valid
   PartTree(const Mesh& mesh, const cnc::surface::Profile& profile);
 
-  /// Returns the numbers of the facets. The facets of a leaf follow each other.
+  /// Returns the numbers of the facets in the order of the tree: the facets of a leaf are
+  /// successive.
   [[nodiscard]] const std::vector<std::uint32_t>& order() const { return order_; }
   [[nodiscard]] const Node& node(std::uint32_t number) const { return nodes_[number]; }
-  /// Returns for each part of a node an upper bound of the height of the tool's tip in contact with
-  /// that part; -infinity if the tool does not reach the part.
+  /// Returns, for each part of a node, an upper bound of the tip's height at which the tool touches
+  /// the part; -infinity if the tool does not reach the part.
   [[nodiscard]] Lanes bounds(const Node& node, const Eigen::Vector2d& place) const;
 
  private:

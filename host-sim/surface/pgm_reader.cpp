@@ -25,7 +25,7 @@ std::uint64_t next_count(TextWords& words, const std::string& name) {
   if (const auto count = parsed_count(word)) return *count;
   refuse(name,
          words.line(),
-         word.empty() ? "ends too early" : fmt::format("`{}` is no whole number", shown(word)),
+         word.empty() ? "ends too early" : fmt::format("`{}` is not a whole number", shown(word)),
          "export the picture again");
 }
 
@@ -58,12 +58,12 @@ GridDraft read_pgm(std::string_view bytes, const std::string& name, const ReadOp
   const std::uint64_t white = next_count(words, name);
   require_raster_size(rows, columns, name);
   if (white == 0 || white > kGreatestWhite) {
-    refuse(name, 0, fmt::format("its white is {}", white), "export it with 8 or 16 bit");
+    refuse(name, 0, fmt::format("its value of white is {}", white), "export it with 8 or 16 bit");
   }
   grey.rows = rows;
   grey.columns = columns;
   const std::size_t pixel_bytes = white > 255 ? 2 : 1;
-  // One blank ends the header. In a text file a blank stands between pixels.
+  // One blank ends the header. In a text file, a blank separates two pixels.
   require_length(
       words.rest().size(), rows * columns * (is_text ? 2 : pixel_bytes) + 1 - is_text, name);
   ByteReader pixels{words.rest().substr(is_text ? 0 : 1), ByteOrder::kBigEndian};

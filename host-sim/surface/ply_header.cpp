@@ -47,7 +47,7 @@ class PlyHeaderReader {
   PlyHeaderReader(std::string_view bytes, const std::string& name) : name_{name}, lines_{bytes} {}
 
   PlyHeader read() {
-    static_cast<void>(lines_.next());  // The line `ply`.
+    static_cast<void>(lines_.next());  // Skips the line `ply`.
     while (const auto line = lines_.next()) {
       TextWords words{*line, lines_.number()};
       const std::string_view word = words.next();
@@ -59,7 +59,7 @@ class PlyHeaderReader {
       } else if (word == "property") {
         take_property(words);
       } else if (!word.empty() && word != "comment" && word != "obj_info") {
-        refuse_line(fmt::format("`{}` is no word of a PLY header", shown(word)));
+        refuse_line(fmt::format("`{}` is not a word of a PLY header", shown(word)));
       }
     }
     refuse_line("ends without end_header");
@@ -76,7 +76,7 @@ class PlyHeaderReader {
         "ascii", "binary_little_endian", "binary_big_endian"};
     const auto* const found = std::ranges::find(kFormats, word);
     if (found == kFormats.end()) {
-      refuse_line(fmt::format("`{}` is no format of PLY", shown(word)));
+      refuse_line(fmt::format("`{}` is not a format of PLY", shown(word)));
     }
     header_.format = static_cast<PlyFormat>(found - kFormats.begin());
     has_format_ = true;
@@ -91,7 +91,7 @@ class PlyHeaderReader {
     PlyElement element{.name = std::string{words.next()}, .count = 0, .properties = {}};
     const std::string_view word = words.next();
     const auto count = parsed_count(word);
-    if (!count) refuse_line(fmt::format("`{}` is no count of elements", shown(word)));
+    if (!count) refuse_line(fmt::format("`{}` is not a number of elements", shown(word)));
     element.count = *count;
     header_.elements.push_back(std::move(element));
   }
@@ -99,20 +99,20 @@ class PlyHeaderReader {
   PlyScalar take_scalar(TextWords& words) const {
     const std::string_view word = words.next();
     const auto scalar = scalar_of(word);
-    if (!scalar) refuse_line(fmt::format("`{}` is no type of PLY", shown(word)));
+    if (!scalar) refuse_line(fmt::format("`{}` is not a type of PLY", shown(word)));
     return *scalar;
   }
 
   void take_property(TextWords& words) {
     count_name();
-    if (header_.elements.empty()) refuse_line("a property before the first element");
+    if (header_.elements.empty()) refuse_line("has a property before the first element");
     PlyProperty property;
     TextWords ahead = words;
     if (ahead.next() == "list") {
       words = ahead;
       property.list_count = take_scalar(words);
       if (*property.list_count == PlyScalar::kFloat || *property.list_count == PlyScalar::kDouble) {
-        refuse_line("the length of a list is no whole number");
+        refuse_line("the length of a list is not a whole number");
       }
     }
     property.scalar = take_scalar(words);
@@ -120,7 +120,8 @@ class PlyHeaderReader {
     header_.elements.back().properties.push_back(std::move(property));
   }
 
-  /// Returns the minimum number of bytes that an element takes; in a text two for each number.
+  /// Returns the minimum number of bytes of an element. In a text, each number takes at least two
+  /// bytes: a digit and a blank.
   [[nodiscard]] std::uint64_t min_bytes(const PlyElement& element) const {
     std::uint64_t bytes = 0;
     for (const PlyProperty& property : element.properties) {
@@ -134,17 +135,17 @@ class PlyHeaderReader {
     if (!has_format_) refuse_line("has no line `format`");
     header_.lines = lines_.number();
     header_.body = lines_.rest();
-    // The last number of a text needs no blank after it.
+    // Adds one byte, because the last number of a text needs no blank after it.
     std::uint64_t left = header_.body.size() + 1;
     for (const PlyElement& element : header_.elements) {
       const std::uint64_t bytes = min_bytes(element);
       if (bytes == 0 && element.count > 0) {
-        refuse(name_, 0, "an element without properties", "export the mesh again");
+        refuse(name_, 0, "has an element without properties", "export the mesh again");
       }
       if (bytes > 0 && element.count > left / bytes) {
         refuse(name_,
                0,
-               fmt::format("promises {} of `{}`, and has bytes for {}",
+               fmt::format("announces {} of `{}`, but has bytes for {}",
                            element.count,
                            shown(element.name),
                            left / bytes),

@@ -25,7 +25,7 @@ enum class PlyScalar : std::uint8_t {
 struct PlyProperty {
   std::string name;
   PlyScalar scalar = PlyScalar::kFloat;
-  /// Type of a list's length; nothing if the property is a single value.
+  /// Type of a list's length; empty if the property is a single value.
   std::optional<PlyScalar> list_count;
 };
 
@@ -34,7 +34,8 @@ struct PlyElement {
   std::uint64_t count = 0;
   std::vector<PlyProperty> properties;
 
-  /// Returns the index of a property; the number of properties if the element lacks it.
+  /// Returns the index of a property; the number of properties if the element does not have the
+  /// property.
   [[nodiscard]] std::size_t index(std::string_view property) const;
 };
 
@@ -47,7 +48,7 @@ struct PlyHeader {
   std::string_view body;  ///< Bytes after the header.
 };
 
-/// Reads a header and compares the sizes that it announces with the number of bytes after it.
+/// Reads a header and checks that the file has enough bytes for the announced elements.
 /// Throws std::invalid_argument with the line.
 [[nodiscard]] PlyHeader read_ply_header(std::string_view bytes, const std::string& name);
 

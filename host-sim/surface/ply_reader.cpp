@@ -40,7 +40,7 @@ class PlyElements {
   MeshDraft take() { return std::move(draft_); }
 
  private:
-  /// Returns the length of a list. Checks that the file has bytes for all its numbers.
+  /// Reads the length of a list and checks that the file has enough bytes for the list.
   std::size_t take_length(const PlyProperty& property) {
     if (!property.list_count) return 1;
     const double length = source_.take(*property.list_count);
@@ -50,7 +50,7 @@ class PlyElements {
     }
     refuse(name_,
            source_.line(),
-           fmt::format("a list of {} numbers", length),
+           fmt::format("has a list of {} numbers", length),
            "the file is damaged; export it again");
   }
 
@@ -64,7 +64,7 @@ class PlyElements {
         element.index("x"), element.index("y"), element.index("z")};
     for (const std::size_t axis : axes) {
       if (axis < element.properties.size() && !element.properties[axis].list_count) continue;
-      refuse(name_, 0, "its vertices lack x, y or z", "export the mesh again");
+      refuse(name_, 0, "its vertices have no x, y or z", "export the mesh again");
     }
     if (element.count > kMaxPoints) refuse(name_, 0, "too many points", "thin the mesh out");
     draft_.mesh.points.reserve(draft_.mesh.points.size() + element.count);
@@ -82,8 +82,8 @@ class PlyElements {
     }
   }
 
-  /// Reads the list of corners of each facet by `read_list`, which receives the number of the
-  /// facet, from 1.
+  /// Reads all facets. Calls `read_list(property, number)` for the list of corners of each facet;
+  /// `number` counts from 1.
   template <typename ReadList>
   void read_facets(const PlyElement& element, const ReadList& read_list) {
     std::size_t corners = element.index("vertex_indices");
@@ -114,9 +114,9 @@ class PlyElements {
            "export the mesh again");
   }
 
-  /// Adds the triangles of strips, which are separated by -1. Each corner from the third on makes a
-  /// triangle with the two corners before it; every other triangle has the opposite order of
-  /// corners. Triangles with equal corners, which join strips, are left out.
+  /// Adds the triangles of strips, which are separated by -1. Each corner from the third on forms a
+  /// triangle with the two corners before it. The order of corners is reversed in every second
+  /// triangle. Triangles with equal corners, which only join strips, are left out.
   void read_strips(const PlyProperty& property) {
     const std::size_t length = take_length(property);
     std::array<std::uint32_t, 3> last{};

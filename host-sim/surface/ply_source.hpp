@@ -12,8 +12,8 @@
 
 namespace sim::surface {
 
-/// Reads the numbers of a PLY text. Throws std::invalid_argument for other words and at the end of
-/// the text.
+/// Reads the numbers of a PLY text. Throws std::invalid_argument for a word that is not a number,
+/// and at the end of the text.
 class PlyText {
  public:
   PlyText(const PlyHeader& header, const std::string& name)
@@ -24,10 +24,10 @@ class PlyText {
     if (const auto value = parsed_number(word)) return *value;
     refuse(name_,
            words_.line(),
-           word.empty() ? "ends too early" : fmt::format("`{}` is no number", shown(word)),
+           word.empty() ? "ends too early" : fmt::format("`{}` is not a number", shown(word)),
            "export the mesh again");
   }
-  /// Returns the line of the last number; 0 in a binary file.
+  /// Returns the line of the last number, counted from 1.
   [[nodiscard]] std::size_t line() const { return words_.line(); }
   [[nodiscard]] std::size_t left() const { return words_.rest().size(); }
 

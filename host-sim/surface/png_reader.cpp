@@ -15,8 +15,8 @@
 namespace sim::surface {
 namespace {
 
-/// The bytes that libpng reads, and its last complaint. libpng passes a pointer to this object to C
-/// functions.
+/// The bytes that libpng reads, and its last error message. libpng passes a pointer to this object
+/// to the callbacks.
 struct PngSource {
   std::string_view rest;
   std::array<char, 100> complaint{};
@@ -37,8 +37,8 @@ void give_bytes(png_structp png, png_bytep into, png_size_t count) {
 
 void pass_over_warning(png_structp, png_const_charp) {}
 
-/// A reader that uses libpng. On errors libpng leaves its functions by longjmp, so that no object
-/// with a destructor may be created between a call of these functions and its return.
+/// Reads a PNG picture with libpng. On errors libpng returns by longjmp. So no object with a
+/// destructor may be created between setjmp() and the last call of libpng.
 class PngReader {
  public:
   explicit PngReader(std::string_view bytes) : source_{bytes} {
@@ -47,8 +47,8 @@ class PngReader {
     info_ = png_create_info_struct(png_);
     png_set_read_fn(png_, &source_, give_bytes);
     png_set_user_limits(png_, PNG_UINT_31_MAX, PNG_UINT_31_MAX);
-    // Faults that libpng would repair or ignore count as damage here: heights must be those that
-    // were written.
+    // Faults that libpng would repair or ignore are errors here, because the heights must be
+    // exactly the written ones.
     png_set_benign_errors(png_, 0);
     png_set_crc_action(png_, PNG_CRC_ERROR_QUIT, PNG_CRC_ERROR_QUIT);
   }
@@ -62,7 +62,7 @@ class PngReader {
     png_read_info(png_, info_);
     return true;
   }
-  /// Reads all rows. Returns whether libpng reported no error.
+  /// Reads all rows. Returns false if libpng reported an error.
   /// @param rows pointers to buffers of bytes_of_row() bytes each
   [[nodiscard]] bool read_pixels(png_bytep* rows) {
     // NOLINTNEXTLINE(cert-err52-cpp): libpng has no other way out of an error.
@@ -90,7 +90,7 @@ class PngReader {
 
 void require_grey(const PngReader& png, const std::string& name) {
   if (png.kind() != PNG_COLOR_TYPE_GRAY && png.kind() != PNG_COLOR_TYPE_GRAY_ALPHA) {
-    refuse(name, 0, "a picture of colours", "export it as grey of 8 or 16 bit");
+    refuse(name, 0, "is a colour picture", "export it as grey of 8 or 16 bit");
   }
   if ((png.depth() != 8 && png.depth() != 16) || png.is_interlaced()) {
     refuse(name,
@@ -108,8 +108,8 @@ GridDraft read_png(std::string_view bytes, const std::string& name, const ReadOp
   if (!png.read_header()) refuse(name, 0, "its header is damaged: " + png.complaint(), kAgain);
   require_grey(png, name);
   require_raster_size(png.rows(), png.columns(), name);
-  // Rows of pixels are compressed at most about a thousandfold. If the file is too short for the
-  // picture, no memory is allocated.
+  // The compression ratio of pixels is at most about 1,000. A file that is too short for its
+  // picture is refused before memory is allocated.
   constexpr std::size_t kMaxInflation = 1'100;
   const std::size_t size = png.rows() * png.bytes_of_row();
   if (size / kMaxInflation > bytes.size()) {
@@ -130,7 +130,7 @@ GridDraft read_png(std::string_view bytes, const std::string& name, const ReadOp
     grey.heights.push_back(sample == 1 ? pixels[i] : pixels[i] * 256 + pixels[i + 1]);
   }
   GridDraft draft = picture_draft(std::move(grey), sample == 1 ? 255.0 : 65'535.0, name, options);
-  if (has_opacity) draft.notes.push_back(name + ": its opacity is passed over");
+  if (has_opacity) draft.notes.push_back(name + ": its opacity is ignored");
   return draft;
 }
 

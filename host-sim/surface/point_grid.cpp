@@ -6,8 +6,8 @@ namespace sim::surface {
 namespace {
 
 /// Returns the sum of the projected areas of all quadrilaterals, in mm². The sum is positive if,
-/// seen from +Z, the direction of rising row numbers is counter-clockwise from that of rising
-/// column numbers.
+/// seen from +Z, the direction of rising row numbers is counter-clockwise from the direction of
+/// rising column numbers.
 double projected_area(const PointGrid& grid) {
   double twice = 0.0;
   for (std::size_t row = 0; row + 1 < grid.rows; ++row) {

@@ -8,7 +8,8 @@
 
 namespace sim::surface {
 
-/// A grid of quadrilaterals with rows of equal length. It need not be regular. Lengths are mm.
+/// A grid of points that form quadrilaterals, with rows of equal length. The points need not be
+/// regular. Lengths are mm.
 struct PointGrid {
   std::size_t rows = 0;
   std::size_t columns = 0;
@@ -20,8 +21,8 @@ struct PointGrid {
 };
 
 /// Returns two triangles for each quadrilateral, divided by the diagonal from (row, column) to (row
-/// + 1, column + 1). The triangles are counter-clockwise seen from that side along Z from which
-/// most of the grid's area is so. Points keep their order.
+/// + 1, column + 1). All triangles have the same order of corners. Seen from +Z, most of the area
+/// of the triangles is counter-clockwise. Points keep their order.
 [[nodiscard]] Mesh triangulated(const PointGrid& grid);
 
 }  // namespace sim::surface

@@ -9,13 +9,13 @@
 
 namespace sim::surface {
 
-/// Numbers points so that equal points share one number. It is a hash table with open addressing
-/// that holds point numbers and is at most half full.
+/// Numbers points so that equal points share a number. It is a hash table of point numbers with
+/// open addressing that is at most half full.
 class PointMerger {
  public:
   PointMerger() : slots_(kFirstSlots, kFree) {}
 
-  /// Returns the number of a point; adds the point if it is new.
+  /// Returns the number of a point. Adds the point if it is new.
   std::uint32_t number(Eigen::Vector3d point) {
     point.array() += 0.0;  // Gives -0 and 0 the same bits.
     if (2 * points_.size() >= slots_.size()) grow();

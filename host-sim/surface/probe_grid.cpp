@@ -11,9 +11,10 @@
 namespace sim::surface {
 namespace {
 
-/// Share of a pitch by which a span may exceed whole pitches, for rounded decimals.
+/// Tolerance, relative to the pitch, by which a span may exceed a whole number of pitches. It
+/// allows for rounded decimals.
 constexpr double kPitchSlack = 1.0e-6;
-/// Minimum pitch; a step of most machines is longer.
+/// Minimum pitch, mm. Most machines have longer steps.
 constexpr double kMinPitchMm = 0.001;
 
 void require_span(const ProbeSpan& span, char axis, const char* count_name) {
@@ -26,20 +27,21 @@ void require_span(const ProbeSpan& span, char axis, const char* count_name) {
   }
   if (!(span.from_mm < span.to_mm)) {
     throw std::invalid_argument(
-        fmt::format("{}: {:g} to {:g} does not rise; write the lesser coordinate first",
+        fmt::format("{}: {:g} to {:g} does not rise; write the smaller coordinate first",
                     axis,
                     span.from_mm,
                     span.to_mm));
   }
   if (span.count < 2) {
     throw std::invalid_argument(
-        fmt::format("{}: a grid has 2 {} at least, not {}", axis, count_name, span.count));
+        fmt::format("{}: a grid has at least 2 {}, not {}", axis, count_name, span.count));
   }
   if (span.count <= kMaxProbePoints && span.pitch_mm() < kMinPitchMm) {
-    throw std::invalid_argument(fmt::format("{}: the points are {:g} mm apart; the least is {} mm",
-                                            axis,
-                                            span.pitch_mm(),
-                                            kMinPitchMm));
+    throw std::invalid_argument(
+        fmt::format("{}: the points are {:g} mm apart; the minimum is {} mm",
+                    axis,
+                    span.pitch_mm(),
+                    kMinPitchMm));
   }
 }
 
@@ -79,7 +81,7 @@ std::string ProbeGrid::name(std::size_t index) const {
 ProbeSpan span_of_pitch(double from_mm, double to_mm, double pitch_mm) {
   if (!(pitch_mm >= kMinPitchMm)) {
     throw std::invalid_argument(fmt::format(
-        "--pitch: {:g} mm is no distance of points; the least is {} mm", pitch_mm, kMinPitchMm));
+        "--pitch: {:g} mm is too small a distance; the minimum is {} mm", pitch_mm, kMinPitchMm));
   }
   const double pitches = std::ceil((to_mm - from_mm) / pitch_mm - kPitchSlack);
   const double most = static_cast<double>(kMaxProbePoints);

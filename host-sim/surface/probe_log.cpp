@@ -15,8 +15,8 @@ constexpr std::size_t kMaxAxes = 8;
 constexpr std::string_view kAnswer = "[PRB:";
 constexpr std::string_view kWorkOffset = "WCO:";
 
-/// Returns the first three of three to kMaxAxes finite numbers that are separated by commas;
-/// nothing if the text is not such a list.
+/// Returns the first three numbers of a list of finite numbers that are separated by commas.
+/// Returns nothing if the text is not such a list or does not have three to kMaxAxes numbers.
 std::optional<Eigen::Vector3d> parsed_place(std::string_view text) {
   Eigen::Vector3d place = Eigen::Vector3d::Zero();
   std::size_t count = 0;
@@ -95,8 +95,8 @@ class LogReader {
     }
   }
 
-  /// Stores `[G54:x,y,z]` and the other offsets of a `$#` listing, and the system that `[GC:…]`
-  /// names.
+  /// Stores the offsets of a `$#` listing, for example `[G54:x,y,z]`, and the active coordinate
+  /// system of a `[GC:…]` line.
   void take_listing(std::string_view line, std::size_t number) {
     const std::size_t open = line.find('[');
     if (open == std::string_view::npos) return;
@@ -123,7 +123,7 @@ class LogReader {
     }
   }
 
-  /// Stores the tool length. Grbl lists the length along Z, grblHAL one length for each axis.
+  /// Stores the tool length. Grbl lists one length, along Z; grblHAL lists a length for each axis.
   void take_tool_length(std::string_view value) {
     Eigen::Vector3d length = Eigen::Vector3d::Zero();
     if (const auto place = parsed_place(value)) {
@@ -144,8 +144,8 @@ class LogReader {
     }
   }
 
-  /// Takes the offset that applied at the first answer, and searches the later answers for another
-  /// one.
+  /// Sets the log's offset to the offset at the first answer. Also finds the first line between the
+  /// first and the last answer at which the offset changes.
   void choose_work_offset() {
     const std::size_t begin = log_.answers.empty() ? 0 : log_.answers.front().line;
     const std::size_t end = log_.answers.empty() ? 0 : log_.answers.back().line;
@@ -159,7 +159,7 @@ class LogReader {
 
   double unit_mm_;
   ProbeLog log_{};
-  /// Offsets of status reports, one entry for each change.
+  /// Offsets in status reports, with an entry for each change.
   std::vector<KnownOffset> work_offsets_;
   std::map<std::string, Eigen::Vector3d, std::less<>> listed_;
   std::string system_ = "G54";

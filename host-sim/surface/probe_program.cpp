@@ -21,8 +21,8 @@ namespace {
 constexpr std::string_view kFirstLine = "(kerfline probe-grid 1)";
 constexpr std::string_view kFirstWords = "(kerfline probe-grid ";
 
-/// Time in which a tip stops after a contact. Half of it is for braking from 12 mm/s with 250
-/// mm/s², and half for motion that a controller has planned already.
+/// Assumed time in which a tip stops after a contact. Half of the time is for braking from 12 mm/s
+/// with 250 mm/s². The other half is for motion that the controller has already planned.
 constexpr double kStopS = 0.05;
 
 struct NamedValue {
@@ -33,11 +33,11 @@ struct NamedValue {
 void require_above_0(std::initializer_list<NamedValue> values, const char* unit) {
   for (const auto& [name, value] : values) {
     if (value > 0.0 && std::isfinite(value)) continue;
-    throw std::invalid_argument(fmt::format("{} {:g}: has to be above 0 {}", name, value, unit));
+    throw std::invalid_argument(fmt::format("{} {:g}: must be above 0 {}", name, value, unit));
   }
 }
 
-/// Returns a coordinate or a feed with at most four decimals.
+/// Returns the text of a coordinate or a feed, with at most four decimals.
 std::string number(double value) {
   std::string text = fmt::format("{:.4f}", value);
   text.erase(text.find_last_not_of('0') + 1);
@@ -117,7 +117,7 @@ class ProbeText {
   fmt::memory_buffer buffer_;
 };
 
-/// Words `name=value` of the comments after the first line.
+/// Words `name=value` in the comments after the first line, by name.
 using Words = std::map<std::string, std::string, std::less<>>;
 
 void add_words(std::string_view comment, Words& words) {
@@ -137,7 +137,10 @@ Words heading_words(std::string_view text, const std::string& name) {
     refuse(name, 0, "has no heading of a probing program", "name the file that probe-grid wrote");
   }
   if (*line != kFirstLine) {
-    refuse(name, lines.number(), "the heading is of another version", "use that version");
+    refuse(name,
+           lines.number(),
+           "the heading is from another version of kerfline",
+           "use this version");
   }
   Words words;
   for (line = lines.next(); line && line->starts_with('(') && line->ends_with(')');
@@ -175,7 +178,7 @@ class HeadingReader {
   [[noreturn]] void damaged(const char* key) const {
     refuse(name_,
            0,
-           fmt::format("`{}=` of the heading lacks or is damaged", key),
+           fmt::format("`{}=` is missing in the heading, or is damaged", key),
            "name the file that probe-grid wrote");
   }
 
@@ -204,8 +207,7 @@ void require_probe_program(const ProbeProgram& program) {
   }
   if (!(program.safe_mm > program.depth_mm)) {
     throw std::invalid_argument(
-        fmt::format("--safe {:g}: is not above --depth {:g}; the tool probes from the one down to "
-                    "the other",
+        fmt::format("--safe {:g}: must be above --depth {:g}, because the tool probes downwards",
                     program.safe_mm,
                     program.depth_mm));
   }
@@ -214,7 +216,7 @@ void require_probe_program(const ProbeProgram& program) {
     require_above_0({{"--retract", program.retract_mm}}, "mm");
     if (program.fast_feed <= program.feed) {
       throw std::invalid_argument(fmt::format(
-          "--fast-feed {:g}: is not above --feed {:g}", program.fast_feed, program.feed));
+          "--fast-feed {:g}: must be above --feed {:g}", program.fast_feed, program.feed));
     }
   }
   if (program.hop_mm != 0.0) {
@@ -233,8 +235,8 @@ std::vector<std::string> warnings_of(const ProbeProgram& program) {
     const double way_mm = feed / 60.0 * kStopS;
     if (rise_mm >= way_mm) return;
     warnings.push_back(fmt::format(
-        "{} {:g}: the tip may go on for {:g} mm at {:g} mm/min before it stands, and the "
-        "program would end with alarm 4; rise by more, or probe slower",
+        "{} {:g}: the tip may need {:g} mm at {:g} mm/min to stop after a contact, and the program "
+        "would end with alarm 4; rise by more, or probe more slowly",
         option,
         rise_mm,
         way_mm,

@@ -8,7 +8,7 @@
 
 namespace sim::surface {
 
-/// Returns the points as XYZ text that read_surface() reads. Each row of the grid is a paragraph,
+/// Returns the points as XYZ text for read_surface(). A blank line separates the rows of the grid,
 /// and NaN is written as `nan`. Each entry of `heading` becomes a comment line.
 /// @param points points row by row
 [[nodiscard]] std::string text_of_probe_rows(const ProbeGrid& grid,

@@ -8,18 +8,18 @@
 namespace sim::surface {
 namespace {
 
-/// Minimum area of a triangle with moved corners, as a share of the area of a triangle of the
+/// Minimum area of a triangle with shifted corners, relative to the area of a triangle of the
 /// regular grid.
 constexpr double kMinShare = 0.1;
-/// Number of halvings of a shift, after which the shift becomes 0.
+/// Number of halvings of a shift after which the shift is set to 0.
 constexpr int kMaxStepHalvings = 20;
 
-/// Heights along a row or a column about one point.
+/// Access to the heights around one point, along its row or its column.
 struct TipNeighbours {
   const std::vector<Eigen::Vector3d>& tips;
   std::size_t index;   ///< Index of the point.
-  std::size_t stride;  ///< Difference of the indices of neighbours.
-  std::size_t before;  ///< Number of points before it in its row or column.
+  std::size_t stride;  ///< Difference between the indices of neighbours.
+  std::size_t before;  ///< Number of points before the point in its row or column.
   std::size_t behind;
   Eigen::Index axis;
 
@@ -31,12 +31,12 @@ struct TipNeighbours {
     return tips[static_cast<std::size_t>(static_cast<std::ptrdiff_t>(index) +
                                          step * static_cast<std::ptrdiff_t>(stride))];
   }
-  /// Returns the slope between two neighbours.
+  /// Returns the slope between two neighbours, given as steps from the point.
   /// @pre both neighbours have a height
   [[nodiscard]] double chord(std::ptrdiff_t from, std::ptrdiff_t to) const {
     return (point(to).z() - point(from).z()) / (point(to)[axis] - point(from)[axis]);
   }
-  /// Returns the slope at the point. It is of second order if three points are known.
+  /// Returns the slope at the point. The slope has second-order accuracy if three points are known.
   [[nodiscard]] double slope() const {
     if (has(-1) && has(1)) return chord(-1, 1);
     for (const std::ptrdiff_t side : {1, -1}) {
@@ -57,7 +57,8 @@ Eigen::Vector2d gradient_at(const ProbeGrid& grid,
   return {along_x.slope(), along_y.slope()};
 }
 
-/// Moves each point along its ball, by a shorter distance where the grid would fold.
+/// Shifts each point from the ball's lowest point to the point of contact. Shortens shifts where
+/// the grid would fold.
 class TipShifter {
  public:
   TipShifter(const ProbeGrid& grid, const std::vector<Eigen::Vector3d>& tips, double radius_mm)
@@ -103,8 +104,8 @@ class TipShifter {
     return tips_[index].head<2>() + shifts_[index];
   }
 
-  /// Marks the corners of each quadrilateral that has a triangle of three of its corners that is
-  /// flipped or too small. Returns whether there is such a quadrilateral.
+  /// Marks the corners of each folded quadrilateral. A quadrilateral is folded if three of its
+  /// corners form a triangle that is flipped or too small. Returns whether any is folded.
   bool mark_folded(std::vector<bool>& folded) const {
     bool any = false;
     for (std::size_t row = 0; row + 1 < grid_.y.count; ++row) {
@@ -132,7 +133,7 @@ class TipShifter {
   const ProbeGrid& grid_;
   const std::vector<Eigen::Vector3d>& tips_;
   double radius_mm_;
-  double min_;  ///< Minimum of twice the area of a triangle, mm².
+  double min_;  ///< Lower limit of twice the area of a triangle, mm².
   std::vector<Eigen::Vector2d> shifts_;
 };
 

@@ -14,8 +14,8 @@
 namespace sim::surface {
 namespace {
 
-/// Distance above the depth up to which a failed answer counts as at the depth: reports have three
-/// decimals of a mm, or of an inch.
+/// Distance above the depth within which a failed answer counts as at the depth. Reports are
+/// rounded to three decimals of a mm or an inch.
 constexpr double kDepthToleranceMm = 0.03;
 
 enum class PointState : std::uint8_t { kMissing, kMissed, kIncomplete, kMeasured };
@@ -37,7 +37,7 @@ class AnswerMatcher {
 
   void take(const ProbeLog& log) {
     for (const std::size_t line : log.damaged_lines) {
-      note(line, "an answer is damaged and passed over");
+      note(line, "an answer is damaged and ignored");
     }
     std::vector<ProbeAnswer> run;
     std::size_t point = 0;
@@ -76,24 +76,26 @@ class AnswerMatcher {
   }
 
  private:
-  /// Returns whether an answer is a touch, or a touch that missed.
+  /// Returns whether an answer belongs to a touch: it has a contact, or it missed and ended at the
+  /// depth.
   [[nodiscard]] bool counts(const ProbeAnswer& answer) const {
     return answer.is_touch || !plan_.depth_mm ||
            answer.place.z() <= *plan_.depth_mm + kDepthToleranceMm;
   }
 
-  /// Returns whether an answer is at a point; notes an answer that is not.
+  /// Returns whether an answer is at the grid point `index`. Adds a note if it is not.
   bool is_at(const ProbeAnswer& answer, std::size_t index) {
     const double off = (answer.place.head<2>() - plan_.grid.place(index)).norm();
     if (off <= tolerance_mm_) return true;
-    note(answer.line,
-         fmt::format("{} at X {:.3f}, Y {:.3f}, Z {:.3f}, {:.3f} mm beside the nearest point, {}",
-                     answer.is_touch ? "the tip touched" : "a probe missed",
-                     answer.place.x(),
-                     answer.place.y(),
-                     answer.place.z(),
-                     off,
-                     plan_.grid.name(index)));
+    note(
+        answer.line,
+        fmt::format("{} at X {:.3f}, Y {:.3f}, Z {:.3f}, {:.3f} mm away from the nearest point, {}",
+                    answer.is_touch ? "the tip touched" : "a probe missed",
+                    answer.place.x(),
+                    answer.place.y(),
+                    answer.place.z(),
+                    off,
+                    plan_.grid.name(index)));
     return false;
   }
 
@@ -112,8 +114,9 @@ class AnswerMatcher {
     record = {.place = run.back().place, .state = state, .line = run.back().line};
   }
 
-  /// Notes answers beyond the expected ones of a visit. `$#` lists the last answer once more, and a
-  /// guarded path may end with a contact exactly at the point; such answers are not noted.
+  /// Adds a note if a visit of a point has more answers than expected. Repetitions of the last
+  /// answer by `$#` are not noted, and neither is the contact of a guarded motion exactly at the
+  /// point.
   void note_more_touches(std::size_t index, std::span<const ProbeAnswer> run) {
     const std::size_t expected = plan_.touches + (plan_.has_guards ? 1 : 0);
     if (run.size() <= expected) return;
@@ -123,7 +126,7 @@ class AnswerMatcher {
     };
     if (std::ranges::none_of(extra, is_other)) return;
     note(run.back().line,
-         fmt::format("{} has {} answers in place of {}; the last counts",
+         fmt::format("{} has {} answers in place of {}; the last answer is used",
                      plan_.grid.name(index),
                      run.size(),
                      plan_.touches));
@@ -151,7 +154,7 @@ class AnswerMatcher {
                            record.place.z());
       case PointState::kIncomplete:
         return fmt::format(
-            "{}:{}: {} has its fast touch only; probe it again", name_, record.line, point);
+            "{}:{}: {} has only its fast touch; probe it again", name_, record.line, point);
       default:
         return fmt::format("{}: {} has no answer; probe it again", name_, point);
     }

@@ -28,7 +28,7 @@ void require_raster_size(std::uint64_t rows, std::uint64_t columns, const std::s
     refuse(name,
            0,
            fmt::format("has {} rows of {} heights", rows, columns),
-           "a surface has two rows of two at least");
+           "a surface has at least two rows of two heights");
   }
   if (rows > kMaxPoints || columns > kMaxPoints / rows) {
     refuse(name,
@@ -40,7 +40,7 @@ void require_raster_size(std::uint64_t rows, std::uint64_t columns, const std::s
 
 void require_pitch(const ReadOptions& options, const std::string& name) {
   if (options.pitch_mm > 0.0) return;
-  refuse(name, 0, "its heights have no distance", "give it in mm with --pitch");
+  refuse(name, 0, "the distance between its heights is unknown", "give it in mm with --pitch");
 }
 
 GridDraft picture_draft(Raster grey,
@@ -49,7 +49,7 @@ GridDraft picture_draft(Raster grey,
                         const ReadOptions& options) {
   require_pitch(options, name);
   if (options.height_mm <= 0.0) {
-    refuse(name, 0, "its white has no height", "give it in mm with --height");
+    refuse(name, 0, "the height of its white is unknown", "give it in mm with --height");
   }
   grey.pitch = {options.pitch_mm, options.pitch_mm};
   for (double& height : grey.heights) height *= options.height_mm / white;

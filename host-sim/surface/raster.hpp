@@ -10,27 +10,27 @@
 
 namespace sim::surface {
 
-/// Heights over a regular grid in the order of a file: the first row has the greatest Y.
+/// Heights over a regular grid in the order of a file. The first row has the highest Y.
 struct Raster {
   std::size_t rows = 0;
   std::size_t columns = 0;
-  Eigen::Vector2d origin{0.0, 0.0};  ///< First point of the last row, mm.
+  Eigen::Vector2d origin{0.0, 0.0};  ///< X and Y of the first point of the last row, mm.
   Eigen::Vector2d pitch{0.0, 0.0};   ///< Distance between columns and between rows, mm.
   std::vector<double> heights{};     ///< Heights row by row, mm; NaN if a height is missing.
   std::vector<std::uint32_t> lines{};
 };
 
-/// Returns the points of a raster in its order of rows.
+/// Returns the points of a raster, row by row in the raster's order.
 [[nodiscard]] GridDraft draft_of(Raster raster, const std::string& name);
 
 /// Throws std::invalid_argument for fewer than two rows or columns, or more than kMaxPoints points.
 void require_raster_size(std::uint64_t rows, std::uint64_t columns, const std::string& name);
 
-/// Throws std::invalid_argument if the options give no pitch. For formats that do not contain a
-/// pitch.
+/// Throws std::invalid_argument if the options give no pitch. Called for formats that do not
+/// contain a pitch.
 void require_pitch(const ReadOptions& options, const std::string& name);
 
-/// Returns the raster of a picture's grey values. `white` is the greatest possible value. Throws
+/// Converts the grey values of a picture to heights. `white` is the grey value of white. Throws
 /// std::invalid_argument if the options give no pitch or no height.
 [[nodiscard]] GridDraft picture_draft(Raster grey,
                                       double white,

@@ -21,7 +21,7 @@
 namespace sim::surface {
 namespace {
 
-/// Number of bytes by which a text is recognized.
+/// Number of bytes at the beginning of a file by which a text is recognized.
 constexpr std::size_t kProbeBytes = 1'000;
 
 void require_options(const std::string& name, const ReadOptions& options) {
@@ -32,11 +32,11 @@ void require_options(const std::string& name, const ReadOptions& options) {
   }
   refuse(name,
          0,
-         "the unit, the pitch or the height of the options is no length",
-         fmt::format("give a length up to {:g} mm", kFarthestMm));
+         "the unit, the pitch or the height in the options is not a valid length",
+         fmt::format("give a length of up to {:g} mm", kFarthestMm));
 }
 
-/// Refuses unsupported formats, recognized by their first bytes.
+/// Refuses known but unsupported formats, which are recognized by their first bytes.
 void refuse_other_formats(std::string_view bytes, const std::string& name) {
   struct OtherFormat {
     std::string_view start;
@@ -48,18 +48,18 @@ void refuse_other_formats(std::string_view bytes, const std::string& name) {
   constexpr std::string_view kMesh = "export it as STL or PLY";
   constexpr std::string_view kText = "save it as text in UTF-8";
   constexpr auto kOthers = std::to_array<OtherFormat>({
-      {"PK\x03\x04"sv, "a packed file, as of spreadsheets and 3MF", "export it as CSV or STL"},
-      {"\xFF\xD8\xFF"sv, "a JPEG picture", kGrey},
-      {"GIF8"sv, "a GIF picture", kGrey},
-      {"P1\n"sv, "a PBM picture", kGrey},
-      {"P3\n"sv, "a PPM picture", kGrey},
-      {"P4\n"sv, "a PBM picture", kGrey},
-      {"P6\n"sv, "a PPM picture", kGrey},
-      {"OFF\n"sv, "an OFF mesh", kMesh},
-      {"v "sv, "an OBJ mesh", kMesh},
-      {"ISO-10303"sv, "a STEP file", kMesh},
-      {"\xFF\xFE"sv, "a text in UTF-16", kText},
-      {"\xFE\xFF"sv, "a text in UTF-16", kText},
+      {"PK\x03\x04"sv, "is a packed file, such as a spreadsheet or 3MF", "export it as CSV or STL"},
+      {"\xFF\xD8\xFF"sv, "is a JPEG picture", kGrey},
+      {"GIF8"sv, "is a GIF picture", kGrey},
+      {"P1\n"sv, "is a PBM picture", kGrey},
+      {"P3\n"sv, "is a PPM picture", kGrey},
+      {"P4\n"sv, "is a PBM picture", kGrey},
+      {"P6\n"sv, "is a PPM picture", kGrey},
+      {"OFF\n"sv, "is an OFF mesh", kMesh},
+      {"v "sv, "is an OBJ mesh", kMesh},
+      {"ISO-10303"sv, "is a STEP file", kMesh},
+      {"\xFF\xFE"sv, "is a text in UTF-16", kText},
+      {"\xFE\xFF"sv, "is a text in UTF-16", kText},
   });
   for (const OtherFormat& other : kOthers) {
     if (bytes.starts_with(other.start)) refuse(name, 0, other.reason, other.remedy);
@@ -130,7 +130,8 @@ SurfaceInput read_surface(std::string_view bytes,
   const bool is_picture =
       bytes.starts_with(kPngSignature) || is_tiff(bytes) || has_word(bytes, "P5");
   if (!is_text && !is_picture) {
-    // A binary STL file is recognized by its length alone, and the length of this file is wrong.
+    // A binary STL file is recognized only by its length. If the length is wrong, read_binary_stl()
+    // throws the message.
     static_cast<void>(read_binary_stl(bytes, name));
   }
   return finished_grid(read_grid(bytes, first_word, name, options), options);

@@ -9,7 +9,8 @@ Eigen::Vector2d plan_point(const XyzTable& table, std::size_t index) {
   return table.points[index].head<2>();
 }
 
-/// Returns the direction of the first step that has a length; zero if there is none.
+/// Returns the direction in plan of the first step that is not zero; a zero vector if there is no
+/// such step.
 Eigen::Vector2d first_direction(const XyzTable& table) {
   for (std::size_t i = 1; i < table.points.size(); ++i) {
     const Eigen::Vector2d step = plan_point(table, i) - plan_point(table, i - 1);
@@ -19,10 +20,12 @@ Eigen::Vector2d first_direction(const XyzTable& table) {
   return Eigen::Vector2d::Zero();
 }
 
-/// Returns the index of the first point of each row except the first, for rows along `direction`.
+/// Returns the index of the first point of each row except the first row, for rows along
+/// `direction`.
 std::vector<std::size_t> turns_along(const XyzTable& table, const Eigen::Vector2d& direction) {
   std::vector<std::size_t> turns;
-  double sense = 0.0;  // 1 along the direction, -1 against it, 0 before the first step of a row.
+  // Sense of the row: 1 along `direction`, -1 against it, 0 before the first step.
+  double sense = 0.0;
   for (std::size_t i = 1; i < table.points.size(); ++i) {
     const Eigen::Vector2d step = plan_point(table, i) - plan_point(table, i - 1);
     const double along = step.dot(direction);
@@ -50,7 +53,8 @@ Eigen::Vector2d longest_direction(const XyzTable& table, const std::vector<std::
 }
 
 std::vector<std::size_t> turns_of(const XyzTable& table) {
-  // Measured points are off the exact grid, so that the first step alone gives a poor direction.
+  // The direction is refined, because measured points deviate from the grid and a single step is
+  // inaccurate.
   constexpr int kRounds = 3;
   std::vector<std::size_t> turns = turns_along(table, first_direction(table));
   for (int round = 0; round < kRounds; ++round) {
@@ -59,8 +63,8 @@ std::vector<std::size_t> turns_of(const XyzTable& table) {
   return turns;
 }
 
-/// Returns whether `row` runs against `before`: its ends are nearer to the opposite ends of
-/// `before` than to the corresponding ones.
+/// Returns whether `row` runs against `before`. This is true if its ends are nearer to the opposite
+/// ends of `before` than to the corresponding ends.
 bool runs_against(const XyzTable& table, const ScanRow& row, const ScanRow& before) {
   const auto distance = [&](std::size_t a, std::size_t b) {
     return (plan_point(table, a) - plan_point(table, b)).norm();

@@ -7,7 +7,7 @@
 
 namespace sim::surface {
 
-/// Points of a table that form one row of the scan.
+/// Range of the points of a table that form a row of the scan.
 struct ScanRow {
   std::size_t begin = 0;
   std::size_t end = 0;  ///< Index after the last point.
@@ -21,12 +21,13 @@ struct ScanRow {
   }
 };
 
-/// Divides the points into rows: at blank lines if there are any, else where the scan turns.
+/// Divides the points into rows: at blank lines if there are any, else where a new row of the scan
+/// begins.
 ///
-/// A scan turns where its step runs against its row, or more sideways than along the direction of
-/// all rows. That direction is first the one of the first step, then the one of the longest row
-/// found with it. This finds rows that all run forward, and rows of a serpentine, in which every
-/// other row is marked as turned. Curved rows need blank lines.
+/// A new row begins where a step reverses the row's sense, or goes more across than along the
+/// direction of the rows. The direction of the rows is first estimated by the first step, then by
+/// the longest row. So rows are found that all run forward, and rows of a serpentine, in which
+/// every second row is marked as turned. Curved rows need blank lines.
 [[nodiscard]] std::vector<ScanRow> rows_of(const XyzTable& table);
 
 }  // namespace sim::surface

@@ -18,14 +18,14 @@ namespace sim::surface {
   return text;
 }
 
-/// Returns whether `text`, converted to small ASCII letters, equals `small`.
+/// Returns whether `text`, converted to lower case ASCII, equals `small`.
 [[nodiscard]] inline bool equals_in_small_letters(std::string_view text, std::string_view small) {
   return std::equal(text.begin(), text.end(), small.begin(), small.end(), [](char a, char b) {
     return (a >= 'A' && a <= 'Z' ? static_cast<char>(a - 'A' + 'a') : a) == b;
   });
 }
 
-/// Lines of a text that end in LF, in CR LF, or in CR alone if the text has no LF.
+/// Divides a text into lines. A line ends in LF or CR LF, or in CR alone if the text has no LF.
 class TextLines {
  public:
   explicit TextLines(std::string_view text)
@@ -51,7 +51,7 @@ class TextLines {
   std::size_t number_ = 0;
 };
 
-/// Words of a text, separated by blanks and ends of lines.
+/// Divides a text into words, which are separated by blanks and ends of lines.
 class TextWords {
  public:
   TextWords(std::string_view text, std::size_t first_line) : rest_{text}, line_{first_line} {}

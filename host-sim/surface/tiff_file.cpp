@@ -8,7 +8,8 @@
 namespace sim::surface {
 namespace {
 
-/// Maximum number of bytes that libtiff may request at once; a larger request means damage.
+/// Maximum number of bytes of a single allocation by libtiff. A larger one indicates a damaged
+/// file.
 constexpr tmsize_t kMaxAtOnce = tmsize_t{1} << 30;
 
 std::uint16_t short_of(TIFF* tiff, std::uint32_t tag) {

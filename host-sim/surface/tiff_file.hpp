@@ -12,14 +12,14 @@
 
 namespace sim::surface {
 
-/// Format of the pixels' numbers in a TIFF file.
+/// Number format and order of the pixels of a TIFF file.
 struct TiffSamples {
   std::uint32_t rows = 0;
   std::uint32_t columns = 0;
-  int bits = 0;    ///< Bits of a sample.
-  int format = 0;  ///< One of the SAMPLEFORMAT_… values.
+  int bits = 0;    ///< Number of bits of a sample.
+  int format = 0;  ///< Number format, one of the SAMPLEFORMAT_… values.
   int per_pixel = 1;
-  bool is_upright = true;  ///< Whether the first row is the top one and begins on the left.
+  bool is_upright = true;  ///< Whether the first row is the top row and begins on the left.
 
   [[nodiscard]] bool are_real() const { return format == SAMPLEFORMAT_IEEEFP; }
   [[nodiscard]] std::size_t bytes() const { return static_cast<std::size_t>(bits) / 8; }
@@ -39,8 +39,8 @@ class TiffFile {
   [[nodiscard]] const std::string& complaint() const { return source_.complaint; }
 
   [[nodiscard]] TiffSamples samples() const;
-  /// Returns the numbers of a tag that libtiff does not know. Returns an empty vector if the file
-  /// lacks the tag or stores numbers of another type there.
+  /// Returns the numbers of a tag that is unknown to libtiff. Returns an empty vector if the file
+  /// does not have the tag or its numbers have another type.
   template <typename Number>
   [[nodiscard]] std::vector<Number> numbers(std::uint32_t tag) const {
     const TIFFField* const field = TIFFFindField(tiff_.get(), tag, TIFF_ANY);
@@ -51,10 +51,10 @@ class TiffFile {
     if (TIFFGetField(tiff_.get(), tag, &count, &first) != 1 || first == nullptr) return {};
     return {first, first + count};
   }
-  /// Returns the text of a tag; an empty text if the file lacks the tag.
+  /// Returns the text of a tag; an empty text if the file does not have the tag.
   [[nodiscard]] std::string text(std::uint32_t tag) const;
 
-  /// Reads the pixels row by row, in this machine's byte order.
+  /// Reads the pixels row by row, in this computer's byte order.
   /// @param bytes receives the bytes of all samples
   /// @return whether all rows could be read
   [[nodiscard]] bool read(const TiffSamples& samples, std::vector<std::uint8_t>& bytes);

@@ -17,13 +17,13 @@
 namespace sim::surface {
 namespace {
 
-// Tags of GeoTIFF (OGC 19-008r4) and of GDAL.
+// Numbers of tags of GeoTIFF (OGC 19-008r4) and GDAL.
 constexpr std::uint32_t kPixelScaleTag = 33'550;
 constexpr std::uint32_t kGeoKeysTag = 34'735;
 constexpr std::uint32_t kNoDataTag = 42'113;
 
-/// Returns the value of a short key of a GeoTIFF, 0 if the file lacks the key. The first four
-/// numbers are a header, and each key has four numbers.
+/// Returns the value of a GeoTIFF key of type short; 0 if the file does not have the key. In the
+/// tag, the first four numbers are a header, and each key takes four numbers.
 int geo_key(const TiffFile& file, std::uint16_t wanted) {
   const std::vector<std::uint16_t> numbers = file.numbers<std::uint16_t>(kGeoKeysTag);
   for (std::size_t i = 4; i + 3 < numbers.size(); i += 4) {
@@ -72,28 +72,28 @@ void require_samples(const TiffSamples& samples, const std::string& name, std::s
   if (samples.per_pixel != 1) {
     refuse(name,
            0,
-           fmt::format("has {} samples a pixel", samples.per_pixel),
-           "export its heights alone, as one band");
+           fmt::format("has {} samples in each pixel", samples.per_pixel),
+           "export only its heights, as one band");
   }
   if (!samples.is_upright) {
-    refuse(name, 0, "its first row is not the top one, from the left", kAgain);
+    refuse(name, 0, "its first pixel is not at the top left", kAgain);
   }
   if (samples.bits == 0 || samples.bits % 8 != 0 || !heights_of(samples, {})) {
     refuse(name,
            0,
-           fmt::format("its heights have {} bits of an unknown kind", samples.bits),
-           "export whole numbers of 8, 16 or 32 bits, or real ones of 32 or 64");
+           fmt::format("its heights have {} bits in an unknown format", samples.bits),
+           "export whole numbers of 8, 16 or 32 bits, or real numbers of 32 or 64 bits");
   }
   require_raster_size(samples.rows, samples.columns, name);
-  // Rows are compressed at most about a thousandfold. If the file is too short for the image, no
-  // memory is allocated.
+  // The compression ratio of rows is at most about 1,000. A file that is too short for its image is
+  // refused before memory is allocated.
   constexpr std::size_t kMaxInflation = 1'100;
   if (samples.bytes() * samples.rows * samples.columns / kMaxInflation > file_bytes) {
     refuse(name, 0, "most of its heights are missing", kAgain);
   }
 }
 
-/// Sets the distance between points, mm.
+/// Sets the pitch of the raster, mm, from the options or the file.
 void place(const TiffFile& file,
            const std::string& name,
            const ReadOptions& options,
@@ -105,11 +105,11 @@ void place(const TiffFile& file,
     return;
   }
   if (are_degrees(file)) {
-    refuse(name, 0, "the distance of its heights is in degrees", "give it in mm with --pitch");
+    refuse(name, 0, "the distance between its heights is in degrees", "give it in mm with --pitch");
   }
   raster.pitch = Eigen::Vector2d{scale[0], scale[1]} * options.unit_mm;
   if (raster.pitch.minCoeff() > 0.0 && raster.pitch.allFinite()) return;
-  refuse(name, 0, "the distance of its heights is not above 0", "give it in mm with --pitch");
+  refuse(name, 0, "the distance between its heights is not above 0", "give it in mm with --pitch");
 }
 
 /// Converts heights to mm, and the file's value for a missing height to NaN.

@@ -8,14 +8,14 @@
 
 namespace sim::surface {
 
-/// Returns whether the bytes begin like a TIFF or a BigTIFF file in either byte order.
+/// Returns whether the bytes begin as those of a TIFF or BigTIFF file, in either byte order.
 [[nodiscard]] bool is_tiff(std::string_view bytes);
 
 /// Reads the first image of a TIFF file with one sample for each pixel. Heights of a GeoTIFF and
-/// real numbers are in the unit of the file; its GDAL_NODATA value and NaN are missing points.
-/// Whole numbers without a scale are the grey values of a picture. The pitch comes from the options
-/// or the GeoTIFF. The first point of the last row is at 0, 0, because the coordinates of a map are
-/// far from any machine. Throws std::invalid_argument.
+/// real numbers have the unit in the options. The file's GDAL_NODATA value and NaN are missing
+/// points. Whole numbers without a scale are the grey values of a picture. The pitch comes from the
+/// options or the GeoTIFF. The first point of the last row is at 0, 0, because the coordinates of a
+/// map are far beyond a machine's travel. Throws std::invalid_argument.
 /// @pre is_tiff(bytes)
 [[nodiscard]] GridDraft read_tiff(std::string_view bytes,
                                   const std::string& name,

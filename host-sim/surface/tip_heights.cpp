@@ -14,7 +14,7 @@
 namespace sim::surface {
 namespace {
 
-/// Returns the two numbers of a line; nothing if the line is not exactly two numbers.
+/// Returns the two numbers of a line; nothing if the line does not contain exactly two numbers.
 std::optional<Eigen::Vector2d> place_of(std::string_view line) {
   std::string words{line};
   for (char& c : words) {
@@ -43,7 +43,7 @@ std::string tip_heights(const Mesh& mesh,
     if (!place) {
       refuse(name,
              lines.number(),
-             fmt::format("`{}` is no place", shown(*line)),
+             fmt::format("`{}` is not a position", shown(*line)),
              "give X and Y in mm on each line");
     }
     double height = cutter.tip_height(*place, hint);
@@ -51,7 +51,7 @@ std::string tip_heights(const Mesh& mesh,
     fmt::format_to(
         std::back_inserter(text), "{:.17g} {:.17g} {:.17g}\n", place->x(), place->y(), height);
   }
-  if (text.empty()) refuse(name, 0, "has no place", "give X and Y in mm on each line");
+  if (text.empty()) refuse(name, 0, "has no position", "give X and Y in mm on each line");
   return text;
 }
 

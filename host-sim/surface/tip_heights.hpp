@@ -8,12 +8,12 @@
 
 namespace sim::surface {
 
-/// Returns `X Y Z` in mm with 17 digits for each place of a text. Z is the height of the tip of a
-/// tool that touches the mesh there, `nan` if nothing is under the tool.
+/// Returns a line `X Y Z` in mm with 17 digits for each position of a text. Z is the height of the
+/// tool's tip in contact with the mesh at X, Y; `nan` if nothing is under the tool.
 /// @param places `X Y` on each line, separated by blanks or a comma; blank lines and lines that
 /// begin with # are ignored
-/// @param name name of the text of places, for messages
-/// Throws std::invalid_argument for a line that is not a place.
+/// @param name name of the text `places`, for messages
+/// Throws std::invalid_argument for a line that is not a position.
 /// @pre the mesh has facets
 [[nodiscard]] std::string tip_heights(const Mesh& mesh,
                                       const cnc::surface::Profile& tool,

@@ -7,7 +7,8 @@
 namespace sim::surface {
 namespace {
 
-/// An edge of a facet, and the number of facets that have this edge.
+/// An edge, given by its first facet and the edge's number there, and the number of facets that
+/// share it.
 struct Side {
   std::uint32_t facet;
   std::uint8_t edge;
@@ -24,7 +25,7 @@ const Eigen::Vector3d& corner(const Mesh& mesh, const Side& side, std::size_t nu
   return mesh.points[mesh.facets[side.facet][(side.edge + number) % 3]];
 }
 
-/// Returns whether two facets lie on different sides of their edge in plan, and neither facet is
+/// Returns whether two facets are on different sides of their edge in plan, and neither facet is
 /// below the plane of the other.
 bool is_valley(const Mesh& mesh, const Side& one, const Side& other) {
   const Eigen::Vector3d& from = corner(mesh, one, 0);
@@ -58,7 +59,7 @@ std::vector<std::uint8_t> tried_edges(const Mesh& mesh, bool tool_is_smooth) {
         const bool drops = tool_is_smooth && is_valley(mesh, first, here);
         if (drops) tried[first.facet] &= static_cast<std::uint8_t>(~bit(first.edge));
       } else {
-        tried[first.facet] |= bit(first.edge);  // An edge of three facets is not a valley.
+        tried[first.facet] |= bit(first.edge);  // An edge that three facets share is always tested.
       }
     }
   }

@@ -17,15 +17,15 @@ std::string_view without_quotes(std::string_view field) {
   return field;
 }
 
-/// Returns whether blanks separate at least three numbers of `line`. Its commas are then decimal
-/// marks.
+/// Returns whether blanks separate at least three numbers of `line`. Commas in the line are then
+/// decimal marks.
 bool has_decimal_commas(std::string_view line) {
   const XyzFields words = XyzDialect{' ', true}.split(line);
   if (words.count < 3) return false;
   const auto is_number = [](std::string_view word) {
     return word.back() != ',' && word.front() != ',' && parsed_comma_number(word).has_value();
   };
-  // The first field may be a name, so that the second and third decide.
+  // The first field may be a name, so only the second and the third field are checked.
   return std::all_of(words.fields.begin() + 1, words.fields.begin() + 3, is_number);
 }
 

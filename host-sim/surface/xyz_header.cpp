@@ -3,7 +3,7 @@
 namespace sim::surface {
 namespace {
 
-/// Returns 0, 1 or 2 for the name of X, Y or Z; 3 for another name.
+/// Returns 0, 1 or 2 if `name` is the name of X, Y or Z, else 3.
 std::size_t axis_of_name(std::string_view name) {
   if (name.empty()) return 3;
   const char letter = name.front() >= 'X' && name.front() <= 'Z'

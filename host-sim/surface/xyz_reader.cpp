@@ -15,8 +15,7 @@
 namespace sim::surface {
 namespace {
 
-/// Refuses points whose X or Y is not finite or whose height is infinite. Scales the other points
-/// to mm.
+/// Scales the points to mm. Refuses a point whose X or Y is not finite or whose height is infinite.
 void take_unit(XyzTable& table, const std::string& name, double unit_mm) {
   for (std::size_t i = 0; i < table.points.size(); ++i) {
     Eigen::Vector3d& point = table.points[i];
@@ -30,7 +29,7 @@ void take_unit(XyzTable& table, const std::string& name, double unit_mm) {
   }
 }
 
-/// Joins the rows, each in the direction of the first row.
+/// Joins the rows to a grid. Each row gets the direction of the first row.
 GridDraft joined_rows(XyzTable& table, const std::vector<ScanRow>& rows, const std::string& name) {
   GridDraft grid{.name = name, .rows = rows.size(), .columns = rows.front().size()};
   grid.points.reserve(table.points.size());
@@ -52,11 +51,11 @@ GridDraft joined_rows(XyzTable& table, const std::vector<ScanRow>& rows, const s
       rows, [&](const ScanRow& row) { return row.size() != rows.front().size(); });
   refuse(name,
          table.lines[other->begin],
-         fmt::format("row {} has {} points where row 1 has {}",
+         fmt::format("row {} has {} points, but row 1 has {}",
                      other - rows.begin() + 1,
                      other->size(),
                      rows.front().size()),
-         "give each row as many, with blank lines between rows");
+         "give each row the same number of points, with blank lines between rows");
 }
 
 }  // namespace
@@ -75,7 +74,7 @@ GridDraft read_xyz(std::string_view text, const std::string& name, const ReadOpt
   }
   GridDraft grid = joined_rows(table, rows, name);
   if (options.repair && gaps_of(grid).count() > 0) {
-    // Rows that are completely absent are missing points, too, if the grid shows their places.
+    // If the points match a regular grid, points of absent rows become missing points, too.
     if (auto lattice = lattice_of(table, rows, name)) grid = *std::move(lattice);
   }
   grid.notes = std::move(table.notes);

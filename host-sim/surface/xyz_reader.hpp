@@ -8,8 +8,9 @@
 
 namespace sim::surface {
 
-/// Reads the rows of an XYZ text or CSV file. Missing points of a regular grid become missing
-/// points of the draft. Other rows of unequal length throw std::invalid_argument.
+/// Reads the rows of an XYZ text or CSV file. Points that are absent from a regular grid become
+/// missing points of the draft. Throws std::invalid_argument for rows of unequal length that do not
+/// match a regular grid.
 [[nodiscard]] GridDraft read_xyz(std::string_view text,
                                  const std::string& name,
                                  const ReadOptions& options);

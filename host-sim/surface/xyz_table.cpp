@@ -14,7 +14,7 @@
 namespace sim::surface {
 namespace {
 
-/// Maximum number of lines of words before the first point.
+/// Maximum number of lines before the first point that are not points.
 constexpr std::size_t kMaxHeaderLines = 20;
 
 class XyzTableReader {
@@ -29,7 +29,7 @@ class XyzTableReader {
       if (fields.count > 0) {
         take(fields);
       } else if (next->empty() || !line.empty()) {
-        blank_ = true;  // A line that holds only a comment separates nothing.
+        blank_ = true;  // A blank line separates rows; a line with only a comment does not.
       }
     }
     if (table_.points.empty()) {
@@ -55,7 +55,8 @@ class XyzTableReader {
     add(values);
   }
 
-  /// Returns whether at least three fields are numbers; a name may stand before these.
+  /// Returns whether a line is the first point: at least three fields are numbers, and a name may
+  /// precede them.
   [[nodiscard]] bool begins_points(const XyzFields& fields) const {
     std::size_t numbers = 0;
     for (std::size_t i = 0; i < fields.listed(); ++i) {
@@ -71,7 +72,7 @@ class XyzTableReader {
     if (dialect_.number(fields.fields[0]) && !fields.fields[0].empty()) {
       refuse(name_,
              lines_.number(),
-             fmt::format("`{}` begins a line that is no point", shown(fields.fields[0])),
+             fmt::format("`{}` begins a line that is not a point", shown(fields.fields[0])),
              "give three numbers on each line, or mark comments with #");
     }
     if (++header_lines_ > kMaxHeaderLines) {
@@ -84,7 +85,7 @@ class XyzTableReader {
   void choose_columns(const XyzFields& fields) {
     width_ = fields.count;
     labelled_ = !dialect_.number(fields.fields[0]).has_value();
-    // A header whose number of fields differs from that of the points does not name their fields.
+    // A header with another number of fields than the points does not name the points' fields.
     if (header_ && header_fields_ != width_) header_.reset();
     if (header_) {
       columns_ = *header_;
@@ -95,14 +96,14 @@ class XyzTableReader {
   }
 
   void require_width(const XyzFields& fields) const {
-    // A spreadsheet leaves out empty fields at the end of a line: here a height that was not
-    // measured.
+    // A spreadsheet leaves out empty fields at the end of a line. Here, the empty field is a height
+    // that was not measured.
     const bool short_of_height = dialect_.separator != ' ' && fields.count + 1 == width_;
     if (fields.count == width_ || short_of_height) return;
     refuse(name_,
            lines_.number(),
-           fmt::format("has {} numbers where the first point has {}", fields.count, width_),
-           "give as many on each line");
+           fmt::format("has {} numbers, but the first point has {}", fields.count, width_),
+           "give the same number on each line");
   }
 
   [[nodiscard]] double value_of(const XyzFields& fields, std::size_t column) const {
@@ -111,8 +112,8 @@ class XyzTableReader {
     if (const auto value = dialect_.number(field)) return *value;
     refuse(name_,
            lines_.number(),
-           fmt::format("`{}` is no number", shown(field)),
-           "mend it, or mark comments with #");
+           fmt::format("`{}` is not a number", shown(field)),
+           "correct it, or mark comments with #");
   }
 
   void add(const std::array<double, 4>& values) {
@@ -126,7 +127,8 @@ class XyzTableReader {
     if (may_count_) fourth_.push_back(values[3]);
   }
 
-  /// Returns whether the first of four or more columns increases by one from point to point.
+  /// Returns whether the first column numbers the points: there are four or more columns, and it
+  /// increases by one from point to point.
   [[nodiscard]] bool counts_points() const {
     if (!may_count_ || table_.points.size() < 2) return false;
     for (std::size_t i = 1; i < table_.points.size(); ++i) {
@@ -149,12 +151,12 @@ class XyzTableReader {
   bool blank_ = false;
   std::size_t header_lines_ = 0;
   std::size_t header_fields_ = 0;
-  std::optional<XyzColumns> header_;  ///< Columns that the last header line names.
+  std::optional<XyzColumns> header_;  ///< Columns of X, Y and Z according to the last header line.
   std::size_t width_ = 0;             ///< Number of fields of each line; 0 before the first point.
   bool labelled_ = false;             ///< Whether the first field holds names of points.
   bool may_count_ = false;            ///< Whether the first field may hold numbers of points.
   XyzColumns columns_{0, 1, 2};
-  std::vector<double> fourth_;  ///< Fourth field of each line if may_count_.
+  std::vector<double> fourth_;  ///< Fourth field of each line; used only if may_count_.
 };
 
 }  // namespace

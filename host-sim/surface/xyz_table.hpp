@@ -9,7 +9,7 @@
 
 namespace sim::surface {
 
-/// Points of a text in the order of its lines.
+/// Points of a text, in the order of the lines.
 struct XyzTable {
   std::vector<Eigen::Vector3d> points;  ///< Points in the file's unit.
   std::vector<std::uint32_t> lines;     ///< Line of each point, counted from 1.
@@ -18,9 +18,9 @@ struct XyzTable {
   std::vector<std::string> notes;
 };
 
-/// Reads the lines of an XYZ text or CSV file. A line has three numbers, or more numbers if a
-/// header names three of them or if the first one numbers the points. Throws std::invalid_argument
-/// for other lines.
+/// Reads the lines of an XYZ text or CSV file. A line has three numbers. It may have more numbers
+/// if a header names X, Y and Z, or if the first number counts the points. Throws
+/// std::invalid_argument for other lines.
 [[nodiscard]] XyzTable read_xyz_table(std::string_view text, const std::string& name);
 
 }  // namespace sim::surface

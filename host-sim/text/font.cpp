@@ -34,7 +34,7 @@ using HbFace = std::unique_ptr<hb_face_t, Destroy<hb_face_destroy>>;
 using HbBlob = std::unique_ptr<hb_blob_t, Destroy<hb_blob_destroy>>;
 using HbBuffer = std::unique_ptr<hb_buffer_t, Destroy<hb_buffer_destroy>>;
 
-/// Converts an outline of FreeType to curves in em.
+/// Converts an outline of FreeType to rows of curves, in em.
 class OutlinePen {
  public:
   explicit OutlinePen(double em) : em_{em} {}

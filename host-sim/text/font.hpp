@@ -12,12 +12,12 @@
 
 namespace sim::text {
 
-/// Rows of curves, closed or open.
+/// Rows of connected curves, each closed or open.
 using Strokes = std::vector<std::vector<drawing::Shape>>;
 
-/// The font that a drawing requests.
+/// The properties of the font that a drawing requests.
 struct FontWish {
-  std::string family{};   ///< Names separated by commas, as in CSS; may be empty.
+  std::string family{};   ///< Names of font families, separated by commas as in CSS; may be empty.
   unsigned weight = 400;  ///< Weight of the font, 100 to 900.
   bool is_slanted = false;
   auto operator<=>(const FontWish&) const = default;
@@ -25,40 +25,41 @@ struct FontWish {
 
 /// A glyph with its position in a line that begins at the origin, in em.
 struct PlacedGlyph {
-  /// Number of the glyph in the font; 0: the font does not have the letter.
+  /// Number of the glyph in the font; 0 if the font does not have the letter.
   std::uint32_t glyph = 0;
-  std::size_t byte = 0;  ///< Position in the text of the first letter that the glyph shows.
+  std::size_t byte = 0;  ///< Index, in the text, of the first byte that the glyph represents.
   drawing::Place offset{0.0, 0.0};
   double advance = 0.0;
 };
 
-/// Heights above the base line, in em.
+/// Dimensions of a font: heights above the base line, in em.
 struct FontFigures {
   double ascent = 0.8;
-  double descent = 0.2;  ///< Depth below the base line.
+  double descent = 0.2;  ///< Depth of letters below the base line, in em.
   double capital = 0.7;
-  double small = 0.5;  ///< Height of the letter x.
+  double small = 0.5;  ///< Height of the letter x, in em.
 };
 
-/// A scalable font of the system. Outlines are exactly those of its file.
+/// A scalable font of the system. Its outlines are exactly those of the font file.
 class Font {
  public:
-  /// Opens a font of a file. Returns nothing if the file contains no scalable font.
+  /// Opens font number `index` of a font file. Returns null if the file contains no such scalable
+  /// font.
   [[nodiscard]] static std::unique_ptr<Font> open(const std::string& file, int index);
   virtual ~Font() = default;
 
-  /// Returns the family and style, such as `DejaVu Sans Bold`.
+  /// Returns the name of family and style, such as `DejaVu Sans Bold`.
   [[nodiscard]] virtual const std::string& name() const = 0;
   [[nodiscard]] virtual const FontFigures& figures() const = 0;
   [[nodiscard]] virtual bool has(char32_t letter) const = 0;
-  /// Returns the glyphs of a line of one direction and script, with the kerning and ligatures of
-  /// the font.
+  /// Returns the glyphs of a line, with the kerning and ligatures of the font. All letters of the
+  /// line must have the same direction and script.
   [[nodiscard]] virtual std::vector<PlacedGlyph> shape(std::string_view words) = 0;
-  /// Returns the closed outlines of a glyph in em, y upwards.
+  /// Returns the closed outlines of a glyph, in em, with y upwards.
   [[nodiscard]] virtual const Strokes& outline(std::uint32_t glyph) = 0;
 };
 
-/// The fonts of the system.
+/// The fonts that the system provides, which are opened when they are needed.
 class FontBook {
  public:
   FontBook();
@@ -66,8 +67,7 @@ class FontBook {
   FontBook(const FontBook&) = delete;
   FontBook& operator=(const FontBook&) = delete;
 
-  /// Returns the font that is most similar to a wish and has the letter; null if the system has
-  /// none.
+  /// Returns the font that is most similar to a wish and has the letter; null if no font has it.
   [[nodiscard]] Font* find(const FontWish& wish, char32_t letter = U' ');
 
  private:

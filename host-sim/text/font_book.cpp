@@ -20,7 +20,7 @@ const FcChar8* bytes_of(const std::string& text) {
   return reinterpret_cast<const FcChar8*>(text.c_str());
 }
 
-/// Adds the names of a CSS list of font families, without quotes.
+/// Adds the names of a CSS list of font families to a pattern, without their quotes.
 void add_families(FcPattern* pattern, std::string_view list) {
   constexpr std::string_view kAround = " \t\r\n'\"";
   while (!list.empty()) {
@@ -50,7 +50,8 @@ Pattern pattern_of(const FontWish& wish, char32_t letter) {
 
 }  // namespace
 
-/// The configuration of fontconfig, which loads its own files.
+/// The configuration of fontconfig with the fonts of the system. fontconfig loads its configuration
+/// files by itself.
 struct FontBook::Library {
   FcConfig* config = FcInitLoadConfigAndFonts();
   Library() = default;

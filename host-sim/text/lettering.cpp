@@ -26,7 +26,7 @@ bool is_blank(char32_t letter) {
          letter == 0xFEFF || letter == 0x00AD || letter < U' ';
 }
 
-/// Returns the strokes of a letter of our own font in em.
+/// Returns the strokes of a letter of the built-in stroke font, in em.
 Strokes stroked(const StrokeGlyph& glyph) {
   drawing::SvgPen pen;
   static_cast<void>(drawing::draw_path(glyph.path, pen));

@@ -11,17 +11,19 @@
 
 namespace sim::text {
 
-/// A glyph of a line, in em, y upwards. Its origin is the position of the pen before the glyph.
+/// A glyph of a line, in em, with y upwards. Its origin is the position of the pen before the
+/// glyph.
 struct Letter {
-  std::size_t byte = 0;  ///< Position in the text of the first letter that the glyph shows.
-  double advance = 0.0;  ///< Distance by which the pen moves on.
+  std::size_t byte = 0;  ///< Index, in the text, of the first byte that the glyph represents.
+  double advance = 0.0;  ///< Distance by which the pen moves to the next glyph.
   Strokes strokes{};
 };
 
-/// Draws lines of letters: as outlines of the system's fonts, or as single strokes of our own.
+/// Draws lines of letters as outlines of fonts of the system, or as single strokes of a built-in
+/// font.
 class Lettering {
  public:
-  /// @param is_stroked true: single strokes; false: outlines
+  /// @param is_stroked true for single strokes; false for outlines
   explicit Lettering(bool is_stroked) : is_stroked_{is_stroked} {}
 
   /// Returns the glyphs of a line in UTF-8. Letters that no font has are left out, and missing()
@@ -29,7 +31,7 @@ class Lettering {
   [[nodiscard]] std::vector<Letter> line(std::string_view words, const FontWish& wish);
   [[nodiscard]] FontFigures figures(const FontWish& wish);
 
-  /// Returns the name of the font that was used last; empty if there is none.
+  /// Returns the name of the font of the last line; empty if no font was used.
   [[nodiscard]] const std::string& font_name() const { return font_name_; }
   /// Returns the letters that were left out of the last line.
   [[nodiscard]] const std::string& missing() const { return missing_; }

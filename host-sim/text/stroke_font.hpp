@@ -5,7 +5,7 @@
 
 namespace sim::text {
 
-/// A letter of single strokes.
+/// A letter that consists of single strokes.
 struct StrokeGlyph {
   double width = 0.0;  ///< Width of the ink, in units.
   /// Strokes as the `d` of an SVG path, in units, y upwards from the base line.
@@ -20,8 +20,9 @@ inline constexpr double kStrokeDescent = 3.0;
 /// Free distance on each side of a letter, in units.
 inline constexpr double kStrokeBearing = 1.3;
 
-/// Returns a letter of our own font: ASCII 32 to 126 and a few signs of units. Dashes and quotes
-/// are returned as their ASCII forms. Returns nothing for other letters.
+/// Returns a letter of the built-in stroke font. It has ASCII 32 to 126 and a few signs of units.
+/// Dashes and quotes of other forms are returned as their ASCII forms. Returns nothing for other
+/// letters.
 [[nodiscard]] std::optional<StrokeGlyph> stroke_glyph(char32_t letter);
 
 }  // namespace sim::text

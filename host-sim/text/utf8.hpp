@@ -5,16 +5,16 @@
 
 namespace sim::text {
 
-/// A letter of a text in UTF-8.
+/// A code point of a text in UTF-8.
 struct CodePoint {
   char32_t value = 0;
-  std::size_t size = 1;  ///< Length in bytes.
+  std::size_t size = 1;  ///< Length of its encoding, in bytes.
 };
 
 inline constexpr char32_t kReplacement = 0xFFFD;
 
-/// Returns the code point at the beginning of a text. Returns kReplacement, with a length of one
-/// byte, if the text does not begin with UTF-8.
+/// Returns the code point at the beginning of a text. Returns kReplacement with a length of one
+/// byte if the text does not begin with valid UTF-8.
 /// @pre the text is not empty
 [[nodiscard]] constexpr CodePoint code_point(std::string_view text) {
   const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };

@@ -16,7 +16,7 @@
 namespace sim {
 namespace {
 
-/// An input that is closed at the end of its scope if it is a file; standard input stays open.
+/// An open input. A file is closed at the end of the scope; standard input stays open.
 class OpenInput {
  public:
   explicit OpenInput(const std::string& file)
@@ -52,9 +52,9 @@ class OpenInput {
   int descriptor_;
 };
 
-/// Returns whether a text is binary data. The reader of the text judges a few stray control bytes;
-/// a picture, an archive or text of two bytes per letter has one in every few bytes from its start
-/// on.
+/// Returns whether a text is binary data. A few control bytes are accepted here; the reader of the
+/// text handles them. In a picture, an archive or UTF-16 text, one in every few bytes is a control
+/// byte.
 bool is_binary(std::string_view text) {
   constexpr std::size_t kLookedAt = 4096;
   constexpr std::ptrdiff_t kFewest = 8;
@@ -75,7 +75,7 @@ std::string name_of_input(const std::string& file) { return file == "-" ? "stand
 std::string read_bytes(const std::string& file) {
   std::string bytes = OpenInput{file}.read();
   if (bytes.empty() && file == "-") {
-    throw std::invalid_argument("standard input: is empty; give it the text, or name a file");
+    throw std::invalid_argument("standard input: is empty; send the text to it, or name a file");
   }
   return bytes;
 }
@@ -88,7 +88,7 @@ std::string read_text(const std::string& file, bool may_be_packed) {
                           (may_be_packed && text.starts_with(kGzip));
   if (is_binary(text) && !is_drawing) {
     throw std::invalid_argument(fmt::format(
-        "{}: is a binary file, not text; is it the right file, saved as plain text or UTF-8?",
+        "{}: is a binary file, not text; choose a file that is saved as plain text or UTF-8",
         name_of_input(file)));
   }
   return text;

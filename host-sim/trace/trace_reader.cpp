@@ -13,15 +13,15 @@ namespace {
 
 constexpr std::string_view kScaleName = "steps_per_mm";
 
-/// Takes `text` off the front of `rest`. Returns false if `rest` does not begin with it.
+/// Removes `text` from the beginning of `rest`. Returns false if `rest` does not begin with `text`.
 bool take_text(std::string_view& rest, std::string_view text) {
   if (rest.substr(0, text.size()) != text) return false;
   rest.remove_prefix(text.size());
   return true;
 }
 
-/// Takes a number off the front of `rest`. Returns false if `rest` does not begin with a number
-/// that fits the type.
+/// Reads a number at the beginning of `rest` and removes it from `rest`. Returns false if `rest`
+/// does not begin with a number that fits the type.
 template <typename Number>
 bool take_number(std::string_view& rest, Number& number) {
   const auto [end, error] = std::from_chars(rest.data(), rest.data() + rest.size(), number);
@@ -53,7 +53,7 @@ bool TraceReader::next(TraceRow& row) {
   TraceRow parsed;
   if (!parse_row(line_, parsed)) fail("expected a time, six positions and a duty");
   if (line_number_ > first_row_line_ && parsed.time_ns <= last_time_ns_) {
-    fail("time does not increase");
+    fail("time does not increase; rows must be in order of time");
   }
   last_time_ns_ = parsed.time_ns;
   row = parsed;
@@ -81,7 +81,7 @@ void TraceReader::read_scale(std::string_view items) {
   for (std::size_t axis = 0; axis < cnc::kAxisCount; ++axis) {
     const std::string name{' ', cnc::kAxisLetters[axis], '='};
     const bool is_read = take_text(items, name) && take_number(items, steps_per_mm_[axis]);
-    if (!is_read) fail("unreadable steps_per_mm");
+    if (!is_read) fail("unreadable steps_per_mm; expected numbers for all six axes");
   }
 }
 

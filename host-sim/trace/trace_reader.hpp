@@ -11,20 +11,20 @@
 
 namespace sim {
 
-/// Reads a step trace row by row and returns exactly the rows that TraceWriter was given.
+/// Reads a step trace row by row. Returns exactly the rows that TraceWriter received.
 ///
-/// A file that cannot be opened or that breaks the format (a missing scale, a wrong column, a time
-/// that does not increase) throws std::runtime_error with `file:line: message`.
+/// Throws std::runtime_error with `file:line: message` for a file that cannot be opened or violates
+/// the format (a missing scale, a wrong column, a time that does not increase).
 class TraceReader {
  public:
   explicit TraceReader(const std::string& path);
 
-  /// Returns the comment lines, except the scale, without their leading `# `.
+  /// Returns the comment lines without their leading `# `, except the line of the scale.
   [[nodiscard]] const std::vector<std::string>& comments() const { return comments_; }
   /// Returns the scale: steps per mm for X, Y and Z; steps per degree for A, B and C.
   [[nodiscard]] const cnc::AxisArray<float>& steps_per_mm() const { return steps_per_mm_; }
 
-  /// Reads the next row. Returns false at the end of the file, and leaves `row` unchanged there.
+  /// Reads the next row. At the end of the file, returns false and leaves `row` unchanged.
   [[nodiscard]] bool next(TraceRow& row);
 
  private:
@@ -43,7 +43,7 @@ class TraceReader {
   cnc::AxisArray<float> steps_per_mm_{};
 };
 
-/// Returns all rows of a trace, for tests and short jobs. Throws as TraceReader does.
+/// Returns all rows of a trace; for tests and short jobs. Throws the exceptions of TraceReader.
 [[nodiscard]] std::vector<TraceRow> read_trace_rows(const std::string& path);
 
 }  // namespace sim

@@ -10,7 +10,7 @@
 
 namespace sim {
 
-/// The line of column names that separates the comments from the rows.
+/// The line of column names, which separates the comments from the rows.
 inline constexpr std::string_view kTraceColumns = "time_ns,x,y,z,a,b,c,s";
 
 /// Writes the step trace (`--trace FILE`), one line of text for each row.
@@ -20,15 +20,15 @@ inline constexpr std::string_view kTraceColumns = "time_ns,x,y,z,a,b,c,s";
 ///     time_ns,x,y,z,a,b,c,s
 ///     1000,1,0,0,0,0,0,0.5
 ///
-/// Times are in ns, positions in motor steps, duties 0…1. Floats have the fewest digits that read
-/// back to the same float, so that equal runs give equal bytes. File-system errors throw
-/// std::system_error naming the file, from the constructor, `on_row` or `on_end`. The file is
-/// complete after `on_end`.
+/// Times are in ns, positions in motor steps, duties 0…1. A float has the fewest digits from which
+/// the same float can be read. Thus equal runs give equal bytes. File-system errors throw
+/// std::system_error with the name of the file, from the constructor, on_row() or on_end(). The
+/// file is complete after on_end().
 class TraceWriter final : public TraceSink {
  public:
   /// Creates the file and writes its heading.
-  /// @param steps_per_mm steps per degree for A, B and C
-  /// @param comments a line break inside a comment is written as a space
+  /// @param steps_per_mm steps per mm; steps per degree for A, B and C
+  /// @param comments a line break inside a comment becomes a space
   TraceWriter(const std::string& path,
               const cnc::AxisArray<float>& steps_per_mm,
               std::span<const std::string> comments = {});
@@ -38,8 +38,9 @@ class TraceWriter final : public TraceSink {
 
  private:
   OutputFile file_;
-  float duty_ = 0.0F;           ///< Value whose text is duty_text_; the output changes
-  std::string duty_text_{"0"};  ///< far more rarely than the motors step.
+  /// Last duty. Its text is kept because the output changes far less often than the motors step.
+  float duty_ = 0.0F;
+  std::string duty_text_{"0"};  ///< Text of duty_.
 };
 
 }  // namespace sim

@@ -7,7 +7,8 @@
 namespace sim {
 namespace {
 
-// Returns an identifier code. Codes are printable characters from `!` on, three for each axis.
+// Return identifier codes for the step, the direction and the position of an axis. Codes are
+// printable characters from `!` on, three for each axis.
 constexpr char step_code(std::size_t axis) { return static_cast<char>('!' + 3 * axis); }
 constexpr char dir_code(std::size_t axis) { return static_cast<char>('!' + 3 * axis + 1); }
 constexpr char position_code(std::size_t axis) { return static_cast<char>('!' + 3 * axis + 2); }
@@ -124,7 +125,7 @@ void VcdWriter::write_duty(float duty) {
   fmt::format_to(fmt::appender(file_.buffer()), FMT_COMPILE("r{} {}\n"), duty, kDutyCode);
 }
 
-// Writes the position in two's complement; a viewer fills missing digits of a vector with 0.
+// Writes the position in two's complement. Leading zeros are omitted, because a viewer adds them.
 void VcdWriter::write_position(std::size_t axis) {
   const auto bits = static_cast<std::uint32_t>(axes_[axis].position);
   fmt::format_to(

@@ -13,15 +13,15 @@
 namespace sim {
 
 struct VcdOptions {
-  /// Time for which a step pulse stays high. The rows do not contain it. Common drivers require 2
-  /// µs, and such a pulse still falls before the next one at 200 kHz.
+  /// Duration for which a step pulse stays high, ns. A trace does not contain it. Common drivers
+  /// require 2 µs. At 200 kHz, such a pulse still falls before the next pulse.
   std::uint64_t pulse_width_ns = 2'000;
-  /// Motor positions before the first row, in steps.
+  /// Motor positions before the first row, steps.
   cnc::AxisArray<std::int32_t> start_position{};
 };
 
-/// Writes the edges of the trace as a Value Change Dump (IEEE 1364-2001, 18.2)
-/// for logic-analyser viewers, 1 ns per tick (`--vcd FILE`).
+/// Writes the edges of a trace as a Value Change Dump (IEEE 1364-2001, 18.2) for viewers of logic
+/// analysers, with 1 ns per tick (`--vcd FILE`).
 ///
 /// | variable        | kind        | meaning                                     |
 /// |-----------------|-------------|---------------------------------------------|
@@ -30,9 +30,9 @@ struct VcdOptions {
 /// | `X.position` …  | integer, 32 | motor position in steps                     |
 /// | `duty`          | real        | beam or spindle output, 0…1                 |
 ///
-/// If a pulse would still be high at the next step of its axis, it falls half way between that
-/// step and the last time written before it. A change of direction is written with the step to
-/// which it belongs, without its set-up time. Throws as TraceWriter does.
+/// If a pulse would still be high at the next step of its axis, it falls earlier: in the middle
+/// between the last written time and that step. A change of direction is written together with its
+/// step, without a set-up time. Throws the exceptions of TraceWriter.
 class VcdWriter final : public TraceSink {
  public:
   explicit VcdWriter(const std::string& path, const VcdOptions& options = {});
@@ -44,7 +44,7 @@ class VcdWriter final : public TraceSink {
   struct AxisState {
     std::int32_t position = 0;
     bool negative = false;
-    /// Time at which `step` falls; empty while `step` is low.
+    /// Time at which `step` falls, ns; empty while `step` is low.
     std::optional<std::uint64_t> falls_at_ns;
   };
 
@@ -53,7 +53,7 @@ class VcdWriter final : public TraceSink {
   /// Lowers every pulse that ends at or before this time, in order of time.
   void lower_pulses_until(std::uint64_t time_ns);
   void lower(std::size_t axis, std::uint64_t time_ns);
-  /// Lowers the pulses that are still high at the time of this row and whose axis steps in it.
+  /// Lowers the pulses that are still high at the time of the row if their axis steps in the row.
   void shorten_pulses_of(const TraceRow& row);
   void write_step(std::size_t axis, std::int32_t position);
   void write_duty(float duty);
@@ -63,7 +63,7 @@ class VcdWriter final : public TraceSink {
 
   VcdOptions options_;
   OutputFile file_;
-  std::uint64_t written_ns_ = 0;  ///< The last `#time` in the file.
+  std::uint64_t written_ns_ = 0;  ///< The last `#time` in the file, ns.
   std::array<AxisState, cnc::kAxisCount> axes_{};
   float duty_ = 0.0F;
 };

@@ -6,7 +6,7 @@
 
 namespace sim::wall {
 
-/// Returns the angle between two unit vectors in radians, from 0 to half a turn.
+/// Returns the angle between two unit vectors, 0 to π radians.
 [[nodiscard]] inline double angle_between(const Eigen::Vector3d& one,
                                           const Eigen::Vector3d& other) {
   return cnc::wide_atan2(one.cross(other).norm(), one.dot(other));

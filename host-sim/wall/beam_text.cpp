@@ -18,7 +18,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Returns the numbers of a line; nothing if the line does not have exactly kCount numbers.
+/// Returns the kCount numbers of a line; nothing if the line contains anything else.
 template <std::size_t kCount>
 std::optional<std::array<double, kCount>> numbers_of(std::string_view line) {
   surface::TextWords words{line, 1};
@@ -32,8 +32,8 @@ std::optional<std::array<double, kCount>> numbers_of(std::string_view line) {
   return numbers;
 }
 
-/// Calls `take(numbers)` for each line that is not blank and not a comment. `take` returns whether
-/// it accepts the numbers.
+/// Calls `take(numbers)` for each line except blank lines and comments. `take` returns whether it
+/// accepts the numbers.
 template <std::size_t kCount, typename Take>
 void for_lines(std::string_view text,
                const std::string& name,
@@ -47,7 +47,7 @@ void for_lines(std::string_view text,
     if (!numbers || !take(*numbers)) {
       surface::refuse(name,
                       lines.number(),
-                      fmt::format("`{}` is none", surface::shown(*line)),
+                      fmt::format("`{}` is not a valid line", surface::shown(*line)),
                       fmt::format("give {}, up to 10 m", form));
     }
     has_any = true;

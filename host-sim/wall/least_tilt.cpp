@@ -12,12 +12,13 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Length of beams, mm. It is so long that every facet in the beam's direction is an obstacle.
+/// Length of beams, mm. The length is so great that every facet in the beam's direction is an
+/// obstacle.
 constexpr double kEndless = 1.0e4;
-/// Tolerance in mm, at the facet, within which a point counts as on a circle.
+/// Tolerance of the clearance, mm. Up to this depth in the beam, a facet counts as clear.
 constexpr double kRounding = 1.0e-10;
-/// Sine of the least angle at which two directions define a plane; also the least length of a
-/// direction.
+/// Sine of the smallest angle between two directions that define a plane; also the minimum length
+/// of a vector that defines a direction.
 constexpr double kMinSine = 1.0e-9;
 
 }  // namespace

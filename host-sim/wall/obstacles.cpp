@@ -10,14 +10,14 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Rounding error of the clearance at a touch, mm.
+/// Greatest rounding error of the clearance when a beam touches a facet, mm.
 constexpr double kTouchRounding = 1.0e-9;
 
 Eigen::AlignedBox3d box_of(const Triangle& facet, double touch_mm) {
   Eigen::AlignedBox3d box{facet.a};
   box.extend(facet.b);
   box.extend(facet.c);
-  // A facet is moved by at most this distance if the tip is on its plane.
+  // as_obstacle() may move a facet by up to `touch_mm`.
   box.min().array() -= touch_mm;
   box.max().array() += touch_mm;
   return box;
@@ -37,7 +37,8 @@ double min_clearance(const Beam& beam, const Eigen::AlignedBox3d& box) {
   if (along + reach < -cnc::wall::kBeamMarginMm || along - reach > beam.length_mm) {
     return std::numeric_limits<double>::infinity();
   }
-  // A point is at least as far from the beam's side as from a plane that touches the side.
+  // The distance of a point from the beam's side is at least its distance from a plane that touches
+  // the side.
   const Vector3d out = middle - along * beam.axis;
   const double distance = out.norm();
   if (distance == 0.0) return -std::numeric_limits<double>::infinity();

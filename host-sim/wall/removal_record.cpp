@@ -14,10 +14,10 @@ namespace {
 
 constexpr const char* kForm =
     R"(give {"passes": [{"power_w": 10, "feed_mm_min": 600, "depth_mm": 0.01}, …]})";
-/// Seconds in a minute: feeds are per minute, and watts are joules per second.
+/// Number of seconds in a minute, to convert W / (mm/min) to J/mm.
 constexpr double kMinute = 60.0;
 
-/// Returns a value of a pass. Throws std::invalid_argument unless it is a number above 0.
+/// Returns the value of `key` in a pass. Throws std::invalid_argument unless it is a number > 0.
 double value_of(const nlohmann::json& pass, const char* key, const std::string& name) {
   const auto found = pass.is_object() ? pass.find(key) : pass.end();
   if (!pass.is_object() || found == pass.end() || !found->is_number() ||
@@ -32,7 +32,7 @@ double value_of(const nlohmann::json& pass, const char* key, const std::string& 
 RemovalRecord::RemovalRecord(std::string_view json, const std::string& name) : name_{name} {
   const nlohmann::json record = nlohmann::json::parse(json, nullptr, false);
   if (!record.is_object() || !record.contains("passes") || !record["passes"].is_array()) {
-    surface::refuse(name, 0, "is no record of passes", kForm);
+    surface::refuse(name, 0, "is not a record of passes", kForm);
   }
   std::map<double, std::pair<double, int>> sums;
   for (const nlohmann::json& pass : record["passes"]) {
@@ -43,7 +43,7 @@ RemovalRecord::RemovalRecord(std::string_view json, const std::string& name) : n
     ++count;
   }
   if (sums.size() < 2) {
-    surface::refuse(name, 0, "has passes of fewer than two energies", "measure one more");
+    surface::refuse(name, 0, "has passes of fewer than two energies", "measure another energy");
   }
   for (const auto& [energy, sum] : sums) depths_.emplace_back(energy, sum.first / sum.second);
 }
@@ -54,8 +54,8 @@ double RemovalRecord::depth_of_pass(double power_w, double feed_mm_min) const {
   const double most = depths_.back().first;
   if (!(energy >= least && energy <= most)) {
     throw std::invalid_argument(
-        fmt::format("{}: {:g} W at {:g} mm/min are {:g} J/mm, and {:g} to {:g} were measured; "
-                    "change --power or --feed, or measure more",
+        fmt::format("{}: {:g} W at {:g} mm/min are {:g} J/mm, but only {:g} to {:g} were measured; "
+                    "change --power or --feed, or measure more energies",
                     name_,
                     power_w,
                     feed_mm_min,

@@ -7,12 +7,12 @@
 
 namespace sim::wall {
 
-/// Measured depth that a pass of a laser removes from a material, as a function of the energy per
-/// millimetre of the line.
+/// Measured depths that a pass of a laser removes from a material, as a function of the energy per
+/// mm of the path.
 class RemovalRecord {
  public:
   /// Reads `{"passes": [{"power_w": P, "feed_mm_min": V, "depth_mm": D}, …]}` with at least two
-  /// different energies P/V. Passes of one energy are replaced by their mean.
+  /// different energies P/V. Several passes with the same energy are replaced by their mean.
   /// @param name name of the file, for messages
   /// Throws std::invalid_argument for any other text.
   RemovalRecord(std::string_view json, const std::string& name);

@@ -14,11 +14,11 @@
 namespace sim::wall {
 namespace {
 
-/// An edge of a facet, from its point with the smaller number to the other.
+/// An edge of a facet, from the point with the smaller number to the point with the greater number.
 struct EdgeUse {
   std::uint32_t low = 0;
   std::uint32_t high = 0;
-  int direction = 0;  ///< 1, or -1 if the facet has the edge in the other direction.
+  int direction = 0;  ///< 1, or -1 if the facet's border passes the edge in the other direction.
 
   [[nodiscard]] bool is_same_edge(const EdgeUse& other) const {
     return low == other.low && high == other.high;
@@ -55,7 +55,7 @@ void require_inside(const surface::Mesh& mesh, const std::string& name) {
     six_volumes += part;
     size += std::abs(part);
   }
-  // A relative volume that may come from rounding counts as no volume.
+  // Relative volume up to which the volume may be only rounding and counts as 0.
   constexpr double kNoVolume = 1.0e-12;
   if (std::abs(six_volumes) <= kNoVolume * size) {
     surface::refuse(name, 0, "encloses no volume", "give a part that has a thickness");
@@ -86,7 +86,7 @@ void require_solid(const surface::Mesh& mesh, const std::string& name) {
   if (open == 0) return require_inside(mesh, name);
   surface::refuse(name,
                   0,
-                  fmt::format("encloses no solid: {} has a facet on one side only{}",
+                  fmt::format("does not enclose a solid: {} has a facet on only one side{}",
                               first,
                               open == 1 ? "" : fmt::format(", and {} more", open - 1)),
                   "close the holes of the mesh and turn its facets outwards");

@@ -152,12 +152,12 @@ TEST_F(MachineDoorTest, IsTakenUpWhereTheLightEndedAfterAReset) {
   machine.reset();
   link.outgoing.clear();
   run(20);
-  EXPECT_EQ(machine.progress().line.number, 7U);
-  EXPECT_NEAR(machine.progress().steps[0], dark_from, 25);
+  EXPECT_EQ(machine.progress().noted().line.number, 7U);
+  EXPECT_NEAR(machine.progress().noted().steps[0], dark_from, 25);
   const std::size_t message = link.outgoing.find("[MSG:") + 5;
   ASSERT_LT(message, link.outgoing.size());
   EXPECT_NEAR(std::stod(link.outgoing.substr(message)), 0.004 * (stood - dark_from), 0.1);
-  const std::string from = std::to_string(0.004 * machine.progress().steps[0]).substr(0, 6);
+  const std::string from = std::to_string(0.004 * machine.progress().noted().steps[0]).substr(0, 6);
   EXPECT_NE(link.outgoing.find(" mm are uncut from " + from + ",0.000,0.000 on]"),
             std::string::npos)
       << link.outgoing;
@@ -269,7 +269,7 @@ TEST_F(MachineDoorTest, EndsAJog) {
   run(5);
   EXPECT_EQ(machine.state(), MachineState::kIdle);
   EXPECT_LT(port.position[0], 5000);
-  EXPECT_EQ(machine.interpreter().position(), machine.position());
+  EXPECT_EQ(machine.interpreter().position(), machine.motion().tool_place());
 }
 
 TEST_F(MachineDoorTest, OpenAtResetIsNotForgotten) {

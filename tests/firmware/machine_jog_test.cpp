@@ -77,7 +77,7 @@ TEST_F(MachineJogTest, IsOnlyForIdle) {
 TEST_F(MachineJogTest, FasterThanTheAxisIsAsFastAsTheAxis) {
   EXPECT_EQ(jog("X200 F100000"), 0);
   run(700);
-  EXPECT_NEAR(machine.feed_now_mm_min(), 12'000.0F, 1.0F);
+  EXPECT_NEAR(machine.motion().speed_mm_min(), 12'000.0F, 1.0F);
 }
 
 TEST_F(MachineJogTest, IsCancelledExactlyAndDropsTheRest) {
@@ -91,7 +91,7 @@ TEST_F(MachineJogTest, IsCancelledExactlyAndDropsTheRest) {
   EXPECT_TRUE(machine.idle());
   EXPECT_EQ(machine.alarm(), Alarm::kNone);
   EXPECT_LT(port.position[0], 5000);
-  EXPECT_EQ(machine.interpreter().position(), machine.position());
+  EXPECT_EQ(machine.interpreter().position(), machine.motion().tool_place());
   EXPECT_EQ(jog("X1 Y1 F3000"), 0);
   run_until_idle();
   EXPECT_EQ(port.position[0], 250);
@@ -132,15 +132,15 @@ TEST_F(MachineJogTest, IsNotTouchedByOverrides) {
   machine.set_overrides({.feed = 50, .rapid = 25});
   EXPECT_EQ(jog("X20 F3000"), 0);
   run(200);
-  EXPECT_NEAR(machine.feed_now_mm_min(), 3000.0F, 1.0F);
+  EXPECT_NEAR(machine.motion().speed_mm_min(), 3000.0F, 1.0F);
 }
 
 TEST_F(MachineJogTest, CarriesItsLineNumber) {
   EXPECT_EQ(jog("N77 X5 F3000"), 0);
   run(20);
-  EXPECT_EQ(machine.line_number(), 77U);
+  EXPECT_EQ(machine.motion().line_in_execution(), 77U);
   run_until_idle();
-  EXPECT_EQ(machine.line_number(), 0U);
+  EXPECT_EQ(machine.motion().line_in_execution(), 0U);
 }
 
 }  // namespace

@@ -148,9 +148,9 @@ TEST(MotionControl, DrivesNoWayThatBeginsElsewhere) {
 
 TEST_F(MachineMemoryTest, ABeamRestsDarkAndASpindleDoesNot) {
   EXPECT_EQ(send("$32=1"), "ok");
-  EXPECT_TRUE(machine.rests_dark());
+  EXPECT_TRUE(machine.tool().is_dark_at_rest());
   EXPECT_EQ(send("$32=0"), "ok");
-  EXPECT_FALSE(machine.rests_dark());
+  EXPECT_FALSE(machine.tool().is_dark_at_rest());
 }
 
 }  // namespace

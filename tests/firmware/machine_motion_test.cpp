@@ -68,16 +68,16 @@ TEST_F(MachineMotionTest, TakesNothingNewWhileTheMainLoopCatchesUp) {
     ASSERT_TRUE(application.take_turn());
     application.run_turn({});
   }
-  const std::size_t free = machine.blocks_free();
+  const std::size_t free = machine.motion().blocks_free();
   stream("G0 X0.1\nG0 X0.2\nG0 X0.3\nG0 X0.4\nG0 X0.5\nG0 X0.6\n");
   for (int late = 0; late < 2; ++late) {
     ASSERT_TRUE(application.take_turn());
     application.run_turn({});
-    EXPECT_EQ(machine.blocks_free(), free);
+    EXPECT_EQ(machine.motion().blocks_free(), free);
   }
   EXPECT_FALSE(application.take_turn());
   application.poll({});
-  EXPECT_LT(machine.blocks_free(), free);
+  EXPECT_LT(machine.motion().blocks_free(), free);
 }
 
 // What speeding up takes is next to nothing here, and must not be lost in it.

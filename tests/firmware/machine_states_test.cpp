@@ -85,7 +85,7 @@ TEST_F(MachineStatesTest, WaitsForAToolWithAllOff) {
   stream("T7 M6\nG1 X10\n");
   run(1000);
   EXPECT_EQ(status(), "Tool:0");
-  EXPECT_EQ(machine.pending_tool(), 7U);
+  EXPECT_EQ(machine.tool_change().wanted(), 7U);
   EXPECT_FALSE(port.spindle_enabled);
   EXPECT_EQ(port.power, 0);
   EXPECT_EQ(port.position[0], 1250);
@@ -95,7 +95,7 @@ TEST_F(MachineStatesTest, WaitsForAToolWithAllOff) {
   EXPECT_EQ(port.position[0], 1250) << "the spindle has not its time";
   run_until_idle();
   EXPECT_EQ(port.position[0], 2500);
-  EXPECT_EQ(machine.pending_tool(), std::nullopt);
+  EXPECT_EQ(machine.tool_change().wanted(), std::nullopt);
 }
 
 TEST_F(MachineStatesTest, MayIgnoreToolChanges) {
@@ -157,7 +157,8 @@ TEST_F(MachineStatesTest, BlockDeleteIsASettingAndASwitch) {
   EXPECT_EQ(send("$b"), "ok");
   EXPECT_EQ(printed().front(), "[MSG:Disabled]");
   send_all({"$B", "$890=0"});
-  EXPECT_FALSE(machine.block_delete()) << "the setting counts from when it is written";
+  EXPECT_FALSE(machine.interpreter().options().block_delete)
+      << "the setting counts from when it is written";
   run_until_idle();
   EXPECT_EQ(port.position[0], 500);
   EXPECT_EQ(send("G1 X9 F60"), "ok");
@@ -171,7 +172,7 @@ TEST_F(MachineStatesTest, StopsTheSpindleOnlyInAHoldAndBringsItBack) {
   machine.feed_hold();
   machine.toggle_spindle_stop();
   EXPECT_FALSE(port.spindle_enabled);
-  EXPECT_EQ(machine.spindle(), gcode::SpindleMode::kOff);
+  EXPECT_EQ(machine.tool().mode_now(), gcode::SpindleMode::kOff);
   machine.toggle_spindle_stop();
   EXPECT_TRUE(port.spindle_enabled);
   machine.toggle_spindle_stop();
@@ -192,11 +193,11 @@ TEST_F(MachineStatesTest, GivesTheSpindleItsTime) {
 }
 
 TEST_F(MachineStatesTest, SwitchesCoolantByHandAndTellsTheProgram) {
-  machine.toggle_flood();
+  machine.toggle_coolant({.flood = true});
   EXPECT_TRUE(port.flood);
   EXPECT_TRUE(machine.interpreter().state().coolant.flood);
-  machine.toggle_mist();
-  machine.toggle_flood();
+  machine.toggle_coolant({.mist = true});
+  machine.toggle_coolant({.flood = true});
   EXPECT_TRUE(port.mist);
   EXPECT_FALSE(port.flood);
 }
@@ -276,11 +277,11 @@ TEST_F(MachineStatesTest, StopsAtOnceOnAHardLimit) {
 TEST_F(MachineStatesTest, CarriesLineNumbersToTheBlockInExecution) {
   send_all({"N10 G1 X5 F3000", "N20 G1 Y5"});
   run(20);
-  EXPECT_EQ(machine.line_number(), 10U);
+  EXPECT_EQ(machine.motion().line_in_execution(), 10U);
   run(220);
-  EXPECT_EQ(machine.line_number(), 20U);
+  EXPECT_EQ(machine.motion().line_in_execution(), 20U);
   run_until_idle();
-  EXPECT_EQ(machine.line_number(), 0U);
+  EXPECT_EQ(machine.motion().line_in_execution(), 0U);
 }
 
 TEST_F(MachineStatesTest, TellsOfEachProbeOnce) {

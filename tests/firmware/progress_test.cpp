@@ -70,15 +70,16 @@ TEST_F(ProgressTest, OutlivesPowerOnceTheMachineStands) {
   EXPECT_EQ(store.saves, before + 1);
   MemoryLink other;
   Application<hal::host::RecordingPort> again{port, port, port, store, other};
-  EXPECT_EQ(again.machine().progress(), machine.progress());
-  EXPECT_EQ(again.machine().progress().line.number, 12U);
-  EXPECT_FALSE(again.machine().can_reenter()) << "nobody knows where the motors are";
+  EXPECT_EQ(again.machine().progress().noted(), machine.progress().noted());
+  EXPECT_EQ(again.machine().progress().noted().line.number, 12U);
+  EXPECT_FALSE(again.machine().progress().can_reenter(again.machine().homed()))
+      << "nobody knows where the motors are";
   stream("~");
   run_until_idle();
   send_all({"N14 M30"});
   run(5);
   Application<hal::host::RecordingPort> later{port, port, port, store, other};
-  EXPECT_FALSE(later.machine().progress().any());
+  EXPECT_FALSE(later.machine().progress().noted().any());
 }
 
 TEST_F(ProgressTest, OutlivesARestartInMemoryThatIsNotCleared) {
@@ -88,11 +89,11 @@ TEST_F(ProgressTest, OutlivesARestartInMemoryThatIsNotCleared) {
   EXPECT_EQ(kept.progress(), progress);
   MemoryLink other;
   Application<hal::host::RecordingPort> again{port, port, port, store, other, nullptr, &kept};
-  EXPECT_EQ(again.machine().progress(), progress);
+  EXPECT_EQ(again.machine().progress().noted(), progress);
   // The supply that failed may go on failing: it is stored in the first turn.
   again.poll(hal::TickCount{0});
-  const Application<hal::host::RecordingPort> later{port, port, port, store, other};
-  EXPECT_EQ(later.machine().progress(), progress);
+  Application<hal::host::RecordingPort> later{port, port, port, store, other};
+  EXPECT_EQ(later.machine().progress().noted(), progress);
   auto bytes = std::as_writable_bytes(std::span{&kept, 1});
   for (std::byte& byte : bytes) {
     byte ^= std::byte{0x10};
@@ -110,7 +111,7 @@ TEST_F(ProgressTest, OutlivesTheSettingsThatAreLoadedWithIt) {
   MemoryLink other;
   Application<hal::host::RecordingPort> again{port, port, port, store, other, nullptr, &kept};
   EXPECT_EQ(again.machine().settings().get(setting::kStepsPerMm), 1600.0F);
-  EXPECT_EQ(again.machine().progress(), progress);
+  EXPECT_EQ(again.machine().progress().noted(), progress);
   EXPECT_EQ(kept.progress(), progress);
 }
 
@@ -121,9 +122,9 @@ TEST_F(ProgressTest, IsTakenUpOnlyWhereItIs) {
   EXPECT_EQ(send("$RESUME=x"), "error:2");
   EXPECT_EQ(send("$RESUME="), "error:2");
   EXPECT_EQ(send("$RESUME=12"), "ok");
-  EXPECT_TRUE(machine.reenters());
+  EXPECT_TRUE(machine.progress().reentry().active());
   EXPECT_EQ(send("$RESUME=0"), "ok");
-  EXPECT_FALSE(machine.reenters());
+  EXPECT_FALSE(machine.progress().reentry().active());
 }
 
 TEST_F(ProgressTest, IsDarkUntilThePlaceAndLitFromThereOn) {
@@ -148,7 +149,7 @@ TEST_F(ProgressTest, AlarmsWhereAnotherProgramDoesNotPassThePlace) {
   stream("N13 M2\n");
   run(3000);
   EXPECT_EQ(machine.alarm(), Alarm::kPlaceNotMet);
-  EXPECT_EQ(at(Axis::kY), machine.position()[1]);
+  EXPECT_EQ(at(Axis::kY), machine.motion().tool_place()[1]);
 }
 
 TEST_F(ProgressTest, AlarmsWhereNumbersLeaveThePlaceBehind) {

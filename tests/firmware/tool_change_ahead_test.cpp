@@ -95,7 +95,7 @@ TEST_F(ToolChangeAheadTest, NothingOfTheProgramIsDoneBeforeItGoesOn) {
     run_to_tool(count);
     stream(realtime('\xA3'));
     run(20);
-    const bool open = machine.changes_tool();
+    const bool open = machine.tool_change().open();
     taken += open ? 1 : 0;
     EXPECT_NE(open, refused()) << link.outgoing;
     if (open) {
@@ -171,7 +171,7 @@ TEST_F(ToolChangeAheadTest, NumberedLinesOfTheChangeComeInTheirOrder) {
     run_to_tool(0);
     stream(realtime('\xA3'));
     run(20);
-    ASSERT_TRUE(machine.changes_tool()) << link.outgoing;
+    ASSERT_TRUE(machine.tool_change().open()) << link.outgoing;
     stream(line("G0 Z5"));
     run(1000);
     EXPECT_EQ(port.position[2], 1250);

@@ -257,11 +257,11 @@ TEST_F(ToolChangeTest, RefusesWhatLeavesTheTravelWithoutAnAlarm) {
   EXPECT_EQ(state(), "Tool");
   EXPECT_EQ(lines_of("G91 G0 X-4").back(), "ok") << "from where it stands";
   run(1000);
-  EXPECT_EQ(machine.position()[0].mm(), -14.0F);
+  EXPECT_EQ(machine.motion().tool_place()[0].mm(), -14.0F);
   EXPECT_EQ(machine.alarm(), Alarm::kNone);
   stream("~");
   run_until_idle();
-  EXPECT_EQ(machine.position()[0].mm(), -20.0F);
+  EXPECT_EQ(machine.motion().tool_place()[0].mm(), -20.0F);
 }
 
 TEST_F(ToolChangeTest, AResetEndsItWithTheOffsets) {
@@ -304,6 +304,28 @@ TEST_F(ToolChangeTest, ALaserStaysDarkUntilItGoesOn) {
   bool cut = false;
   for (const Sight& sight : sights) cut = cut || (sight.power > 50'000 && sight.position[0] > 5500);
   EXPECT_TRUE(cut);
+}
+
+TEST(ToolChangeStages, KnowTheToolUntilTheProgramGoesOn) {
+  ToolChange change;
+  EXPECT_FALSE(change.wanted());
+  change.want(7);
+  EXPECT_EQ(change.wanted(), 7U);
+  EXPECT_FALSE(change.open()) << "the sender does not take part";
+  change.forget_wanted();
+  EXPECT_FALSE(change.wanted());
+}
+
+TEST(ToolChangeStages, EndOnlyWhereLinesAreAccepted) {
+  ToolChange change;
+  change.end();
+  EXPECT_EQ(change.stage(), ToolChange::Stage::kClosed);
+  change.go_to(ToolChange::Stage::kOpen);
+  EXPECT_TRUE(change.open());
+  EXPECT_FALSE(change.busy());
+  change.end();
+  EXPECT_EQ(change.stage(), ToolChange::Stage::kEnding);
+  EXPECT_TRUE(change.busy());
 }
 
 }  // namespace

@@ -358,7 +358,7 @@ class Bench {
     const cnc::AxisTravel travel = cnc::travel_of(machine.settings(), axis);
     const float steps_per_mm = settings.get(cnc::setting::kStepsPerMm, axis);
     const cnc::Coordinate step{static_cast<std::int64_t>(1.0e6F / steps_per_mm) + 1};
-    const cnc::Coordinate place = machine.position()[axis];
+    const cnc::Coordinate place = machine.motion().tool_place()[axis];
     require(place >= travel.least - step && place <= travel.most + step, "soft limits");
   }
 

@@ -87,7 +87,8 @@ void disturb_job(std::uint64_t seed) {
     // In whole nanometres half a step is exactly that.
     const double end_nm = std::round(1.0e6 * job.end[axis]);
     EXPECT_EQ(simulator.axes()[axis], std::lround(end_nm * kScale / 1.0e6)) << axis;
-    const double shown = static_cast<double>(machine.position()[axis].nanometres()) * 1.0e-6;
+    const double shown =
+        static_cast<double>(machine.motion().tool_place()[axis].nanometres()) * 1.0e-6;
     EXPECT_NEAR(shown, job.end[axis], 0.5001 / kScale) << axis;
   }
 }
@@ -163,7 +164,8 @@ TEST(ShapersAndBacklash, ProbeWhereTheToolTouches) {
     const cnc::Probe probe = bench.machine().last_probe();
     EXPECT_TRUE(probe.success);
     EXPECT_EQ(probe.place[2].nanometres(), -4'000'000);
-    EXPECT_EQ(bench.machine().position()[2], bench.machine().interpreter().position()[2]);
+    EXPECT_EQ(bench.machine().motion().tool_place()[2],
+              bench.machine().interpreter().position()[2]);
     bench.send("G0 Z0");
     bench.finish();
     EXPECT_EQ(bench.controller.axes()[2], 0);

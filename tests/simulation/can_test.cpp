@@ -24,8 +24,8 @@ TEST_F(CanTest, AJobIsDrivenAsOverAnyLink) {
   sender().lines = {"$32=1", "G91 G1 X10 F6000", "G1 Y5", "G2 X4 I2", "bad"};
   finish();
   EXPECT_EQ(sender().errors.size(), 1U);
-  EXPECT_EQ(station().machine().position()[0].nanometres(), 14'000'000);
-  EXPECT_EQ(station().machine().position()[1].nanometres(), 5'000'000);
+  EXPECT_EQ(station().machine().motion().tool_place()[0].nanometres(), 14'000'000);
+  EXPECT_EQ(station().machine().motion().tool_place()[1].nanometres(), 5'000'000);
   turns(600);
   EXPECT_EQ(sender().host.state(), cnc::can::NodeState::kOperational);
 }
@@ -101,7 +101,7 @@ TEST_F(CanTest, TwoControllersOnABusDriveTwoJobsAtOnce) {
   }
   finish();
   const auto nm = [this](std::size_t n, std::size_t axis) {
-    return station(n).machine().position()[axis].nanometres();
+    return station(n).machine().motion().tool_place()[axis].nanometres();
   };
   EXPECT_EQ(nm(0, 0), 60'000'000);
   EXPECT_EQ(nm(0, 1), 30'000'000);

@@ -126,7 +126,7 @@ void judge_travel(Random& random, int kind, TravelTally& tally) {
   const ToolCentre centre{cnc::rotary_machine_from(settings), {}};
   const FiveAxisModel model{settings, 0.0};
   cnc::Travel travel;
-  travel.configure(settings, 0x07);
+  travel.set_homed(0x07, settings);
   cnc::gcode::Action action{.kind = cnc::gcode::ActionKind::kLine};
   Position from;
   for (std::size_t axis = 0; axis < from.size(); ++axis) {

@@ -31,7 +31,7 @@ TEST(Homing, FindsAllSwitchesAndStandsAPullOffInside) {
   EXPECT_EQ(bench.motor(0), 250 * 10);
   EXPECT_EQ(bench.motor(1), 250 * 5);
   EXPECT_EQ(bench.motor(2), 250 * 1);
-  EXPECT_EQ(bench.machine().interpreter().position(), bench.machine().position());
+  EXPECT_EQ(bench.machine().interpreter().position(), bench.machine().motion().tool_place());
 }
 
 TEST(Homing, CountsFromTheLowerEndAlongTheWholeTravel) {

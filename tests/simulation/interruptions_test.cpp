@@ -28,7 +28,7 @@ TEST(JogCancel, AtEveryHundredthOfASecondLosesNoStep) {
       bench.run(1);
     }
     ASSERT_EQ(bench.machine().state(), MachineState::kIdle);
-    EXPECT_EQ(bench.machine().interpreter().position(), bench.machine().position());
+    EXPECT_EQ(bench.machine().interpreter().position(), bench.machine().motion().tool_place());
     bench.send("G0 X0 Y0");
     bench.finish();
     EXPECT_EQ(bench.motor(0), 0);
@@ -198,7 +198,7 @@ class Chaos {
       case 15:
         return machine.switches().toggle_single_block();
       default:
-        return machine.toggle_flood();
+        return machine.toggle_coolant({.flood = true});
     }
   }
 
@@ -221,7 +221,7 @@ class Chaos {
     EXPECT_NE(machine.alarm(), Alarm::kStarved);
     EXPECT_NE(machine.alarm(), Alarm::kHomingNoSwitch);
     if (machine.homed() == 7) {
-      EXPECT_LE(machine.position()[0].nanometres(), 4000);
+      EXPECT_LE(machine.motion().tool_place()[0].nanometres(), 4000);
     }
   }
 

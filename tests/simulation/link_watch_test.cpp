@@ -136,7 +136,7 @@ TEST_F(LinkWatch, EndsAJobWhoseSenderFallsSilentAtEveryHundredthOfASecond) {
       wait(10);
     }
     ASSERT_EQ(machine.alarm(), Alarm::kNone);
-    EXPECT_EQ(machine.interpreter().position(), machine.position());
+    EXPECT_EQ(machine.interpreter().position(), machine.motion().tool_place());
     say("G90 G0 X0 Y0\n");
     wait_until_idle();
     EXPECT_EQ(controller.port().position[0], 0);
@@ -216,7 +216,7 @@ TEST(LostSender, LeavesTheBeamDarkAndThePlaceKnown) {
     }
     const cnc::Machine& machine = session.controller().machine();
     ASSERT_EQ(machine.alarm(), Alarm::kNone);
-    EXPECT_EQ(machine.interpreter().position(), machine.position());
+    EXPECT_EQ(machine.interpreter().position(), machine.motion().tool_place());
     session.welcome_sender();
     run(kWelcomeMs);
     session.link().receive(bytes("G90 G0 X0 Y0\n"));

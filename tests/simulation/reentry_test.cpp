@@ -180,7 +180,7 @@ TEST_F(Reentry, CompletesAPartWhoseSenderWasLostAtEveryHundredthOfASecond) {
     const std::uint64_t lost_ns =
         job.bench().controller.now_ticks() * sim::VirtualController::kNanosecondsPerTick;
     job.bench().controller.firmware().lose_sender();
-    for (int left = 3000; !machine.at_rest() && left > 0; --left) job.bench().run(1);
+    for (int left = 3000; !machine.motion().at_rest() && left > 0; --left) job.bench().run(1);
     job.bench().run(50);
     const std::size_t burnt = before.places.size();
     if (before.last_light_ns > lost_ns) {
@@ -190,20 +190,21 @@ TEST_F(Reentry, CompletesAPartWhoseSenderWasLostAtEveryHundredthOfASecond) {
     machine.reset();
     job.bench().run(20);
     ASSERT_EQ(machine.state(), MachineState::kIdle);
-    EXPECT_EQ(machine.interpreter().position(), machine.position());
-    if (!machine.progress().any()) {
+    EXPECT_EQ(machine.interpreter().position(), machine.motion().tool_place());
+    if (!machine.progress().noted().any()) {
       EXPECT_EQ(burnt, 0U);
       continue;
     }
-    ASSERT_TRUE(machine.can_reenter());
+    ASSERT_TRUE(machine.progress().can_reenter(machine.homed()));
     machine.reenter();
-    const std::size_t line = machine.progress().line.number;
-    const Place place{1.0e-6 * static_cast<double>(machine.progress_place()[0].nanometres()),
-                      1.0e-6 * static_cast<double>(machine.progress_place()[1].nanometres())};
+    const std::size_t line = machine.progress().noted().line.number;
+    const cnc::Position noted = machine.motion().place_of(machine.progress().noted().steps);
+    const Place place{1.0e-6 * static_cast<double>(noted[0].nanometres()),
+                      1.0e-6 * static_cast<double>(noted[1].nanometres())};
     job.begin(line - 1);
     job.run_to_end();
     EXPECT_EQ(machine.alarm(), Alarm::kNone);
-    EXPECT_FALSE(machine.reenters());
+    EXPECT_FALSE(machine.progress().reentry().active());
     EXPECT_EQ(machine.state(), MachineState::kIdle);
     ++taken_up;
     if (burnt == 0 || burnt >= whole.size()) continue;

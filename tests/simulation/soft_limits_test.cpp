@@ -86,7 +86,7 @@ TEST(SoftLimits, RefuseJogsOrShortenThem) {
   EXPECT_FALSE(bench.machine().jog("X5 F6000").has_value());
   bench.finish();
   EXPECT_DOUBLE_EQ(bench.mm(0), 0.0);
-  EXPECT_EQ(bench.machine().interpreter().position(), bench.machine().position());
+  EXPECT_EQ(bench.machine().interpreter().position(), bench.machine().motion().tool_place());
 }
 
 TEST(SoftLimits, RaiseTheirAlarmInCheckModeToo) {

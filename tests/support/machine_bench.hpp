@@ -53,7 +53,7 @@ class MachineBench {
 
   [[nodiscard]] cnc::Machine& machine() { return controller.machine(); }
   [[nodiscard]] double mm(std::size_t axis) {
-    return static_cast<double>(machine().position()[axis].nanometres()) * 1.0e-6;
+    return static_cast<double>(machine().motion().tool_place()[axis].nanometres()) * 1.0e-6;
   }
   [[nodiscard]] std::int32_t motor(std::size_t axis) const {
     return controller.port().position[axis];

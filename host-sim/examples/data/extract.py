@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Makes the small JSON files in this folder from their sources (see README.md here).
+"""Makes the small JSON files in this folder from their sources; see README.md in this folder.
 
     extract.py glyphs DejaVuSans-Bold.ttf > dejavu_sans_bold.json
     extract.py sheet  8877_01.DBS.JSON    > sheet_8877.json
@@ -14,7 +14,7 @@ WANTED = string.ascii_uppercase + string.digits + " -.°"
 
 
 class TrueType:
-    """As much of a TrueType font as outlines need: cmap format 4 and simple glyphs."""
+    """Reader for the parts of a TrueType font that outlines require: cmap format 4 and simple glyphs."""
 
     def __init__(self, path):
         with open(path, "rb") as file:
@@ -58,7 +58,7 @@ class TrueType:
         return self.read("hmtx", 4 * min(index, self.metrics - 1), "H")[0]
 
     def contours(self, index):
-        """Closed contours as lists of [x, y, on_curve] in font units."""
+        """Returns the closed contours of a glyph as lists of [x, y, on_curve], in font units."""
         if self.long_loca:
             begin, end = self.read("loca", 4 * index, "LL")
         else:
@@ -118,7 +118,8 @@ def extract_glyphs(path):
 
 
 def extract_sheet(path):
-    """The parts without the sheet itself; coordinates to 0.1 um, vertices as [x, y, bulge]."""
+    """Returns the parts of a sheet, without the outline of the sheet. Coordinates are rounded to 0.1 um; vertices are
+    [x, y, bulge]."""
     with open(path, encoding="utf-8") as file:
         parts = json.load(file)[1:]
     return {

@@ -1,1 +1,1 @@
-"""Writes the example programs of host-sim/examples; run ../make_examples.py."""
+"""Package that writes the example programs of host-sim/examples. Run ../make_examples.py."""

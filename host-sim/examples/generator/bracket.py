@@ -1,4 +1,4 @@
-"""bracket.nc and its drawing: a belt tensioner plate for a NEMA 17 motor and a 608 bearing, 120 x 80 mm."""
+"""Writes bracket.nc and its drawing: a belt tensioner plate for a NEMA 17 motor and a 608 bearing, 120 x 80 mm."""
 import cmath
 import math
 
@@ -8,10 +8,10 @@ from .geometry import Segment, circle, curved_slot, moved, rounded_polygon, slot
 from .lettering import Font
 from .writer import Writer
 
-PLACE = 20 + 20j            # of the part's lower left corner on the table
+PLACE = 20 + 20j            # position of the part's lower left corner on the table
 MOTOR = 29 + 45j
-PIVOT = 80 + 40j            # centre of the bearing, of the cam slot and of the round end
-ROUND_END = 40.0            # radius
+PIVOT = 80 + 40j            # centre of the bearing, the cam slot and the round end
+ROUND_END = 40.0            # radius of the round end
 CAM_RADIUS, CAM_WIDTH = 30.0, 5.2
 CAM_HALF_SWEEP = math.radians(60)
 SCREWS = (7 + 7j, 7 + 73j, 75 + 7j, 75 + 73j)
@@ -38,7 +38,7 @@ def program(data_folder):
 
 
 def drawing(data_folder):
-    """The same part, for `kerfline cut`."""
+    """Returns the drawing of the part for `kerfline cut`."""
     font = Font(data_folder / "dejavu_sans_bold.json")
     cuts = [outline()] + [hole for hole, _ in holes()]
     operations = (("engrave", "blue", engraving(font)), ("cut", "black", cuts))
@@ -47,7 +47,7 @@ def drawing(data_folder):
 
 
 def burn(writer, paths, words, position):
-    """Follows paths given in part coordinates, each after a rapid move; returns where it ends."""
+    """Follows paths in part coordinates, each after a rapid. Returns the end of the last path."""
     for path in nearest_order([moved(path, 1, PLACE) for path in paths], position):
         writer.rapid(path[0].start)
         writer.follow(path, **words)
@@ -59,11 +59,11 @@ def around(centre, offsets):
     return [centre + offset for offset in offsets]
 
 
-# -- what is cut -------------------------------------------------------------------------------------------------------
+# -- contours that are cut ---------------------------------------------------------------------------------------------
 
 
 def outline():
-    """A rounded plate whose right end is half a disc about the pivot, with a waist on both sides."""
+    """Returns the outline: a rounded plate with a waist on both sides. Its right end is half a disc about the pivot."""
     corners = [(0j, 8), (46, 4), (50 + 5j, 6), (60 + 5j, 6), (64, 4), (80, 0),
                (80 + 80j, 0), (64 + 80j, 4), (60 + 75j, 6), (50 + 75j, 6), (46 + 80j, 4), (80j, 8)]
     path = rounded_polygon(corners)
@@ -73,12 +73,13 @@ def outline():
 
 
 def holes():
-    """(contour, lead-in radius) of everything that falls out."""
+    """Returns all parts that fall out, as pairs (contour, lead-in radius)."""
     return motor_holes() + bearing_holes() + cam_slots() + mounting_holes() + ventilation()
 
 
 def motor_holes():
-    """Boss and four screw slots, long enough to move the motor by 5 mm and tension the belt."""
+    """Returns the boss and four screw slots. They are long enough to move the motor by 5 mm, which tensions the belt.
+    """
     travel = 2.5
     half = NEMA17_PITCH / 2
     screws = around(MOTOR, [complex(x, y) for x in (-half, half) for y in (-half, half)])
@@ -87,7 +88,7 @@ def motor_holes():
 
 
 def bearing_holes():
-    """Seat of a 608 bearing in a ring of ventilation slots."""
+    """Returns the seat of a 608 bearing in a ring of ventilation slots."""
     count = 9
     turns = [2 * math.pi * i / count for i in range(count)]
     sweep = math.radians(17)
@@ -104,7 +105,7 @@ def mounting_holes():
 
 
 def ventilation():
-    """Honeycomb of round holes wherever motor, bearing ring, cam slot, screws and edges leave room for it."""
+    """Returns a honeycomb of round holes in the space between motor, bearing ring, cam slot, screws and edges."""
     pitch, radius, rows = 4.4, 1.5, 8
     grid = [56.5 + 40j + pitch * complex(column + 0.5 * (row % 2), row * math.sqrt(0.75))
             for row in range(-rows, rows + 1) for column in range(-3, 6)]
@@ -116,7 +117,7 @@ def has_room(centre):
             and min(abs(centre - screw) for screw in SCREWS) > 6.2)
 
 
-# -- what is engraved --------------------------------------------------------------------------------------------------
+# -- paths that are engraved -------------------------------------------------------------------------------------------
 
 
 def engraving(font):
@@ -129,7 +130,7 @@ def lettering(font):
 
 
 def cam_scale(font):
-    """A degree scale along the cam slot with its numbers on the inside."""
+    """Returns a degree scale along the cam slot, with its numbers on the inside."""
     marks = []
     for degrees in range(-60, 61, 5):
         direction = cmath.rect(1, math.radians(degrees))
@@ -141,7 +142,7 @@ def cam_scale(font):
 
 
 def motor_marks():
-    """Outline of the motor's body in the middle of its travel."""
+    """Returns the outline of the motor's body in the middle of its travel."""
     half, radius = 21.15, 4.0
     corners = [(MOTOR + complex(x, y) * half, radius) for x, y in ((-1, -1), (1, -1), (1, 1), (-1, 1))]
     return [rounded_polygon(corners)]

@@ -1,4 +1,4 @@
-"""Reads programs back with an interpreter of its own and lists what is wrong with them."""
+"""Reads programs with a separate interpreter and lists their faults."""
 import math
 import re
 from dataclasses import dataclass
@@ -9,21 +9,22 @@ LONGEST_LINE = 200
 KNOWN_G = {0, 1, 2, 3, 4, 17, 18, 19, 20, 21, 28, 28.1, 40, 54, 90, 91, 94}
 KNOWN_M = {2, 3, 4, 5, 8, 9, 30}
 WORD = re.compile(r"([A-Z])([-+]?(?:\d+\.?\d*|\.\d+))")
-PLANES = {17: "XYZ", 18: "ZXY", 19: "YZX"}          # first, second axis of arcs, axis of helices
+PLANES = {17: "XYZ", 18: "ZXY", 19: "YZX"}          # first and second axis of arcs, axis of helices
 OFFSETS = {"X": "I", "Y": "J", "Z": "K"}
-# A chopped arc: this many lines in a row of one length that turn by one angle, each shorter than CHORD_MM.
+# Definition of a chopped arc: this number of successive lines of equal length, each shorter than CHORD_MM, that turn by
+# equal angles.
 CHOPPED_RUN, CHORD_MM = 6, 3.0
 
 
 @dataclass(frozen=True)
 class Expected:
     settings: str
-    arcs: int = 0                   # at least
+    arcs: int = 0                   # least number of arcs
     chords_allowed: bool = False
 
 
 class Reader:
-    """Modal state of one program and what was found in it. Positions in mm by axis letter."""
+    """Modal state of one program, with its measured values and faults. Positions are in mm, by axis letter."""
 
     def __init__(self, travel):
         self.travel = travel
@@ -34,7 +35,7 @@ class Reader:
         self.lines = self.arcs = 0
         self.feed = self.ended = False
         self.worst_radius = 0.0
-        self.steps = []             # (dx, dy) of the lines in a row, None where a row breaks
+        self.steps = []             # (dx, dy) of successive lines; None where a row ends
         self.faults = []
 
     def read(self, number, line):
@@ -61,7 +62,7 @@ class Reader:
             self.move(values)
 
     def modal(self, words):
-        """Applies modal words; returns the values of the others."""
+        """Applies the modal words of a line. Returns the values of all other words."""
         values, self.special = {}, None
         for letter, value in words:
             if letter == "G":
@@ -120,7 +121,7 @@ class Reader:
         self.reach(target)
 
     def arc(self, values, target):
-        """Checks one arc and visits the points of its circle that lie on it."""
+        """Checks one arc and visits the points of its circle that are on the arc."""
         self.arcs += 1
         a, b, _ = PLANES[self.plane]
         if OFFSETS[a] not in values and OFFSETS[b] not in values:
@@ -154,7 +155,7 @@ class Reader:
                 raise ValueError(f"{axis}{target[axis]:.3f} is outside the machine")
 
     def chopped_arcs(self):
-        """How many runs of lines look like an arc that somebody chopped."""
+        """Returns the number of runs of lines that look like a chopped arc."""
         found, run, turn_before = 0, 0, None
         for one, other in zip(self.steps, self.steps[1:]):
             turn = turn_between(one, other)
@@ -166,7 +167,7 @@ class Reader:
 
 
 def turn_between(one, other):
-    """Angle between two short lines of about one length, None if it is not that of a chopped arc."""
+    """Returns the angle between two short lines of about equal length; None if a chopped arc cannot have this angle."""
     if one is None or other is None:
         return None
     a, b = math.hypot(*one), math.hypot(*other)
@@ -177,14 +178,14 @@ def turn_between(one, other):
 
 
 def travel(path):
-    """$130, $131, $132 of a settings file."""
+    """Returns the travel of each axis, mm: $130, $131 and $132 of a settings file."""
     with open(path, encoding="utf-8") as file:
         found = dict(re.findall(r"^\$(13[012])=([\d.]+)", file.read(), re.MULTILINE))
     return {axis: float(found[str(130 + i)]) for i, axis in enumerate("XYZ")}
 
 
 def check(text, folder, expected):
-    """(one-line summary, list of faults) of a program."""
+    """Returns a one-line summary of a program and a list of its faults."""
     reader = Reader(travel(folder / expected.settings))
     lines = text.splitlines()
     for number, line in enumerate(lines, 1):

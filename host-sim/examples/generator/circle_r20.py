@@ -1,4 +1,4 @@
-"""circle_r20.nc: one circle of radius 20 mm, as one arc and as two."""
+"""Writes circle_r20.nc: a circle of radius 20 mm, as one arc and as two."""
 from math import pi
 
 from .geometry import arc

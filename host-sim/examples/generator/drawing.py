@@ -1,9 +1,11 @@
-"""SVG drawings of paths, for `kerfline cut`: lines and arcs as they are, in mm, one colour for each operation."""
+"""SVG drawings of paths for `kerfline cut`. Lines and arcs are kept, in mm, with one colour for each operation."""
 import math
 
 
 def svg(size, operations):
-    """size is that of the sheet, complex mm; operations are (name, colour, paths), Y upwards."""
+    """Returns the drawing. `size` is the size of the sheet, complex, mm. `operations` are (name, colour, paths), with Y
+    upwards.
+    """
     width, height = number(size.real), number(size.imag)
     lines = [f'<svg xmlns="http://www.w3.org/2000/svg" width="{width}mm" height="{height}mm" '
              f'viewBox="0 0 {width} {height}" fill="none" stroke-width="0.2">']
@@ -23,7 +25,7 @@ def commands(path, height):
 
 
 def arc(segment, height):
-    # SVG has no arc of a whole turn: it is written in halves.
+    # SVG has no arc of a full turn. Therefore a full turn is written as two halves.
     whole = abs(segment.sweep) > math.radians(359)
     parts = [segment.part(0, 0.5), segment.part(0.5, 1)] if whole else [segment]
     text = ""
@@ -39,5 +41,5 @@ def point(z, height):
 
 
 def number(value):
-    """Six decimals at most: arcs are as exact as their ends."""
+    """Returns a number with at most six decimals. Thus an arc is as exact as its ends."""
     return f"{value + 0.0:.6f}".rstrip("0").rstrip(".")

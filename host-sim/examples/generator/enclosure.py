@@ -1,6 +1,6 @@
-"""enclosure_lightburn.nc: a finger-jointed box for a controller board, written as LightBurn writes for Grbl.
+"""Writes enclosure_lightburn.nc: a finger-jointed box for a controller board, in the style of LightBurn for Grbl.
 
-LightBurn (1.x, "GRBL" device) chops every curve into short G1 lines; so does this program.
+LightBurn (1.x, "GRBL" device) chops every curve into short G1 lines. This program does the same.
 """
 import math
 
@@ -12,9 +12,9 @@ from .writer import Dialect, Writer
 LIGHTBURN = Dialect(separator="", comment="; {}")
 CHORD_TOLERANCE_MM = 0.01
 
-WIDTH, DEPTH, HEIGHT = 110.0, 75.0, 40.0        # outside of the box
+WIDTH, DEPTH, HEIGHT = 110.0, 75.0, 40.0        # outer size of the box
 THICKNESS = 3.0
-FINGERS = {WIDTH: 9, DEPTH: 7, HEIGHT: 3}       # pieces per edge, odd
+FINGERS = {WIDTH: 9, DEPTH: 7, HEIGHT: 3}       # number of fingers and gaps per edge, odd
 ORIGIN, GAP = 10 + 10j, 5.0
 
 
@@ -41,7 +41,7 @@ def program(data_folder):
 
 
 def layer(writer, names, paths, power, speed):
-    """One cut of LightBurn's plan; each shape is cut once per name, as its passes."""
+    """Writes one cut of LightBurn's plan. Each shape is cut once for each of `names`, which name the passes."""
     writer.comment(f"Cut @ {speed} mm/min, {power}% power")
     writer.raw("M8")
     for path in paths:
@@ -54,7 +54,7 @@ def layer(writer, names, paths, power, speed):
 
 
 def chopped(path):
-    """Ends of the lines that stand for a path."""
+    """Yields the ends of the lines that approximate a path."""
     for segment in path:
         count = 1
         if segment.centre is not None:
@@ -64,11 +64,11 @@ def chopped(path):
             yield segment.point(i / count)
 
 
-# -- the box -----------------------------------------------------------------------------------------------------------
+# -- panels of the box -------------------------------------------------------------------------------------------------
 
 
 def place_panels(font):
-    """(name, contours with the outline last, engraving) of the six panels, laid out on the sheet."""
+    """Returns (name, contours with the outline last, engraving) of the six panels, placed on the sheet."""
     rows = [[bottom(font), top(font)], [front(font), back(font)], [side(font, "LEFT"), side(font, "RIGHT")]]
     placed, y = [], ORIGIN.imag
     for row in rows:
@@ -125,7 +125,9 @@ def side(font, name):
 
 
 def panel(size, kinds):
-    """Outline of a panel; the kind of each edge (bottom, right, top, left): A has fingers at its corners, B gaps."""
+    """Returns the outline of a panel. `kinds` has one letter per edge (bottom, right, top, left): A has fingers at its
+    corners, B has gaps.
+    """
     width, height = size.real, size.imag
     corners = [0j, complex(width, 0), size, complex(0, height)]
     points = []
@@ -138,7 +140,7 @@ def panel(size, kinds):
 
 
 def edge(start, along, length, kind):
-    """The steps between fingers and gaps, without the two corners."""
+    """Returns the points of the steps between fingers and gaps, without the two corners."""
     count = FINGERS[length]
     points = []
     for k in range(1, count):

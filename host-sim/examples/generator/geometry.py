@@ -1,20 +1,21 @@
 """Lines and arcs in the plane. Points are complex numbers, in mm; angles are in radians.
 
-A path is a list of segments, each beginning where the one before ends. It is closed if the last ends where the first
-begins. Counter-clockwise is positive.
+A path is a list of segments. Each segment begins at the end of the previous one. A path is closed if its last segment
+ends at the start of its first. Counter-clockwise is positive.
 """
 import cmath
 import math
 from dataclasses import dataclass
 from typing import Optional
 
-# A segment that deviates less than this from its chord is written as a line: half of the last digit of the output.
+# Greatest deviation of a segment from its chord at which the segment is written as a line: half of the last digit of
+# the output.
 STRAIGHT_MM = 0.0005
 
 
 @dataclass(frozen=True)
 class Segment:
-    """A line (centre is None) or an arc of up to one whole turn."""
+    """A line (`centre` is None) or an arc of at most one full turn."""
     start: complex
     end: complex
     centre: Optional[complex] = None
@@ -34,7 +35,7 @@ class Segment:
         return self.centre + (self.start - self.centre) * cmath.rect(1, t * self.sweep)
 
     def tangent(self, t):
-        """Unit vector of travel at parameter t."""
+        """Returns the unit vector of travel at the parameter `t`."""
         if self.centre is None:
             return unit(self.end - self.start)
         return unit(self.point(t) - self.centre) * (1j if self.sweep > 0 else -1j)
@@ -43,7 +44,7 @@ class Segment:
         return Segment(self.point(t0), self.point(t1), self.centre, self.sweep * (t1 - t0))
 
     def moved(self, factor, shift):
-        """Every point z becomes factor * z + shift: a scaling and rotation, then a translation."""
+        """Returns the segment with each point z moved to factor * z + shift: scaling and rotation, then translation."""
         centre = None if self.centre is None else factor * self.centre + shift
         return Segment(factor * self.start + shift, factor * self.end + shift, centre, self.sweep)
 
@@ -70,7 +71,7 @@ def arc(centre, radius, angle, sweep):
 
 
 def bulge_segment(start, end, bulge):
-    """The segment between two points of bulge = tan(sweep / 4), as drawings and sheet files give it."""
+    """Returns the segment between two points with bulge = tan(sweep / 4), the form of drawings and sheet files."""
     if bulge == 0:
         return Segment(start, end)
     centre = (start + end) / 2 + 1j * (end - start) * (1 - bulge * bulge) / (4 * bulge)
@@ -78,7 +79,7 @@ def bulge_segment(start, end, bulge):
 
 
 def tangent_arc(start, tangent, end):
-    """The arc (or line) that leaves `start` along `tangent` and reaches `end`."""
+    """Returns the arc (or line) that leaves `start` along `tangent` and reaches `end`."""
     chord = end - start
     half_sweep = cmath.phase(chord / tangent)
     if abs(chord) / 4 * abs(half_sweep) < STRAIGHT_MM:
@@ -96,21 +97,22 @@ def circle(centre, radius, angle=0.0):
 
 
 def slot(a, b, width):
-    """Two lines and two half circles around the line from a to b, counter-clockwise."""
+    """Returns two lines and two half circles around the line from a to b, counter-clockwise."""
     side = unit(b - a) * 1j * width / 2
     return [Segment(a - side, b - side), bulge_segment(b - side, b + side, 1),
             Segment(b + side, a + side), bulge_segment(a + side, a - side, 1)]
 
 
 def curved_slot(centre, radius, width, angle, sweep):
-    """A slot bent around `centre`: two concentric arcs and two half circles, counter-clockwise."""
+    """Returns a slot that is bent around `centre`: two concentric arcs and two half circles, counter-clockwise."""
     outer = arc(centre, radius + width / 2, angle, sweep)
     inner = arc(centre, radius - width / 2, angle + sweep, -sweep)
     return [outer, bulge_segment(outer.end, inner.start, 1), inner, bulge_segment(inner.end, outer.start, 1)]
 
 
 def rounded_polygon(corners):
-    """A polygon of (point, radius) corners, each rounded by a tangent arc; radius 0 leaves the corner."""
+    """Returns the polygon of (point, radius) corners. A tangent arc rounds each corner; a corner with radius 0 stays.
+    """
     bends = [bend(corners[i - 1][0], corners[i][0], corners[(i + 1) % len(corners)][0], corners[i][1])
              for i in range(len(corners))]
     path = []
@@ -124,7 +126,7 @@ def rounded_polygon(corners):
 
 
 def bend(before, corner, after, radius):
-    """Entry, exit, centre and sweep of the arc that rounds one corner."""
+    """Returns entry, exit, centre and sweep of the arc that rounds one corner."""
     incoming, outgoing = unit(corner - before), unit(after - corner)
     turn = cmath.phase(outgoing / incoming)
     if radius == 0 or abs(turn) < 1e-9:
@@ -136,7 +138,7 @@ def bend(before, corner, after, radius):
 
 
 def signed_area(path):
-    """Exact area of a closed path, positive if it runs counter-clockwise."""
+    """Returns the exact area of a closed path, positive if the path runs counter-clockwise."""
     area = 0.0
     for s in path:
         area += cross(s.start, s.end) / 2
@@ -150,7 +152,8 @@ def oriented(path, counter_clockwise):
 
 
 def begin_on_longest(path):
-    """The same closed path, begun in the middle of its longest segment, where a lead-in harms no corner."""
+    """Returns the same closed path, beginning in the middle of its longest segment, where a lead-in damages no corner.
+    """
     if len(path) == 1:
         return path
     i = max(range(len(path)), key=lambda k: path[k].length)
@@ -158,7 +161,8 @@ def begin_on_longest(path):
 
 
 def join_arcs(path):
-    """Neighbouring arcs of one circle become one arc, so that a circle given as two halves is one block."""
+    """Joins neighbouring arcs of one circle to one arc. Thus a circle that was drawn as two halves becomes one block.
+    """
     joined = [path[0]]
     for s in path[1:]:
         last = joined[-1]
@@ -172,7 +176,7 @@ def join_arcs(path):
 
 
 def box(paths, samples=64):
-    """(lower left, upper right) of paths, arcs sampled."""
+    """Returns the lower left and the upper right corner of the box around paths. Arcs are sampled."""
     points = [s.point(i / samples) for path in paths for s in path for i in range(samples + 1)]
     xs, ys = [p.real for p in points], [p.imag for p in points]
     return complex(min(xs), min(ys)), complex(max(xs), max(ys))

@@ -1,10 +1,10 @@
-"""Outline lettering: the quadratic splines of a TrueType font as tangent pairs of arcs (biarcs)."""
+"""Outline lettering: converts the quadratic splines of a TrueType font to pairs of tangent arcs (biarcs)."""
 import cmath
 import json
 
 from .geometry import Segment, cross, moved, tangent_arc, unit
 
-# Greatest distance between a spline and the arcs written for it.
+# Greatest distance between a spline and the arcs that replace it.
 TOLERANCE_MM = 0.005
 SAMPLES = 16
 
@@ -17,7 +17,7 @@ class Font:
         self.glyphs = data["glyphs"]
 
     def outlines(self, text, cap_height):
-        """Closed paths of a line of text that begins at the origin, and its width."""
+        """Returns the closed paths of a line of text that begins at the origin, and the width of the line."""
         scale = cap_height / self.cap_height
         paths, x = [], 0.0
         for character in text:
@@ -29,19 +29,23 @@ class Font:
         return paths, x
 
     def along_line(self, text, cap_height, centre):
-        """Text centred (both ways) on a point."""
+        """Returns the paths of a text that is centred on a point, horizontally and vertically."""
         paths, width = self.outlines(text, cap_height)
         return [moved(path, 1, centre - complex(width, cap_height) / 2) for path in paths]
 
     def along_circle(self, text, cap_height, centre, radius, angle):
-        """Text centred on a point of a circle, read from outside, its baseline at `radius`."""
+        """Returns the paths of a text along a circle, centred at an angle. It is read from outside; its baseline is at
+        `radius`.
+        """
         paths, width = self.outlines(text, cap_height)
         outward = cmath.rect(1, angle)
         return [moved(moved(path, 1, complex(-width / 2, radius)), outward / 1j, centre) for path in paths]
 
 
 def contour_path(points):
-    """A TrueType contour (on-curve points and controls, middles between controls implied) as lines and arcs."""
+    """Returns a TrueType contour as lines and arcs. Points are on the curve or controls; middles between controls are
+    implied.
+    """
     first = next(i for i, (_, on) in enumerate(points) if on)
     points = points[first:] + points[:first + 1]
     path, start, control = [], points[0][0], None
@@ -59,7 +63,7 @@ def contour_path(points):
 
 
 def quadratic_arcs(start, control, end):
-    """A quadratic Bezier curve as biarcs within TOLERANCE_MM, halved until they fit."""
+    """Returns a quadratic Bezier curve as biarcs within TOLERANCE_MM. The curve is halved until the biarcs fit."""
     if abs(cross(control - start, end - start)) < 1e-9:
         return [Segment(start, end)]
     pair = biarc(start, control, end)
@@ -73,9 +77,11 @@ def quadratic_arcs(start, control, end):
 
 
 def biarc(start, control, end):
-    """Two arcs, tangent to the sides of the triangle at its ends and to each other where they meet.
+    """Returns two arcs that are tangent to the sides of the triangle at its ends, and tangent to each other at their
+    joint.
 
-    Every such pair joins on one circle; the incentre of the triangle lies on it and divides the bend evenly.
+    The joints of all such pairs are on one circle. The incentre of the triangle is on this circle and divides the bend
+    evenly.
     """
     a, b, c = abs(end - control), abs(end - start), abs(control - start)
     joint = (a * start + b * control + c * end) / (a + b + c)
@@ -85,7 +91,7 @@ def biarc(start, control, end):
 
 
 def distance(point, segment):
-    """Distance of a point to the line or circle that carries a segment."""
+    """Returns the distance from a point to the infinite line or the full circle of a segment."""
     if segment.centre is None:
         return abs(cross(unit(segment.end - segment.start), point - segment.start))
     return abs(abs(point - segment.centre) - segment.radius)

@@ -1,7 +1,7 @@
-"""pocket_fusion.nc: a 2.5-D milling job, a gearbox cover, written as Autodesk Fusion's Grbl post processor does.
+"""Writes pocket_fusion.nc: a 2.5-D milling job, a gearbox cover, in the style of Autodesk Fusion's Grbl post processor.
 
-Operations: adaptive pocket, pocket wall, bore, four screw holes, outline with tabs. Climb milling throughout: inside
-counter-clockwise, outside clockwise. Z0 is the machine's table, so that all coordinates are positive.
+Operations: adaptive pocket, pocket wall, bore, four screw holes, outline with tabs. All of them are climb milling:
+inside counter-clockwise, outside clockwise. Z0 is the machine's table, so that all coordinates are positive.
 """
 import math
 
@@ -36,7 +36,7 @@ def program(_data_folder):
 
 
 class Mill:
-    """A writer that knows planes, leads and helices, and splits arcs at half a turn as the post does."""
+    """Writer with planes, leads and helices. It splits arcs into half turns, as the post processor does."""
 
     def __init__(self):
         self.writer = Writer(FUSION)
@@ -69,7 +69,7 @@ class Mill:
         self.writer.raw("", "M9", "M5", "G28 G91 Z0", "G90", "G28 G91 X0 Y0", "G90", "M30")
 
     def approach(self, point):
-        """Over the point at clearance height, then down to just above the stock."""
+        """Moves over the point at clearance height, then down to just above the stock."""
         self.writer.rapid(point)
         self.writer.rapid(z=CLEARANCE)
         self.line(z=RETRACT, feed=CUT)
@@ -79,7 +79,7 @@ class Mill:
         self.writer.line(point, z, F=feed)
 
     def arc(self, segment, z=None, feed=CUT):
-        """An arc or a helix to height z."""
+        """Writes an arc, or a helix to the height z."""
         self.in_plane(17)
         start_z = self.writer.position[2]
         count = math.ceil(abs(segment.sweep) / math.pi - 1e-9)
@@ -95,14 +95,16 @@ class Mill:
                 self.arc(segment, feed=feed)
 
     def in_plane(self, plane):
-        """The plane word goes before the next motion word, on the same line."""
+        """Sets the plane. The plane word is written before the next motion word, on the same line."""
         if plane != self.plane:
             self.plane = plane
             self.writer.prefix = f"G{plane} "
             self.writer.motion = None
 
     def vertical_arc(self, point, z, direction, downward):
-        """Quarter turn of radius LEAD in the XZ or YZ plane, from down to along `direction` or from along it to up."""
+        """Writes a quarter turn with radius LEAD in the XZ or YZ plane. It turns from down to along `direction`, or
+        from along it to up.
+        """
         in_xz = direction.imag == 0
         forward = direction.real + direction.imag > 0
         clockwise = forward == in_xz        # both ways down and both ways up
@@ -116,7 +118,9 @@ class Mill:
         w.block("G2" if clockwise else "G3", words + w.other_words(F=CUT))
 
     def lead_in(self, segment, z):
-        """Down on a vertical arc, towards the wall on a line and a quarter turn to the left, onto the segment."""
+        """Leads to the segment: down on a vertical arc, towards the wall on a line, and onto the segment by a left
+        quarter turn.
+        """
         along = segment.tangent(0)
         towards = along / 1j
         corner = segment.start - LEAD * along - LEAD * towards
@@ -126,7 +130,7 @@ class Mill:
         self.arc(Segment(corner, segment.start, corner + LEAD * along, math.pi / 2))
 
     def lead_out(self, segment):
-        """A quarter turn to the left, a line and a vertical arc up."""
+        """Leads away from the segment: by a left quarter turn, a line and a vertical arc upwards."""
         along = segment.tangent(1)
         away = along * 1j
         corner = segment.end + LEAD * along + LEAD * away
@@ -136,7 +140,7 @@ class Mill:
         self.vertical_arc(corner + 2 * LEAD * away, z + LEAD, away, downward=False)
 
     def lead_clear(self, segment, z):
-        """Where lead_in begins, in the plane."""
+        """Returns the position in the plane at which lead_in() begins."""
         along = segment.tangent(0)
         towards = along / 1j
         return segment.start - LEAD * along - 3 * LEAD * towards
@@ -146,7 +150,9 @@ class Mill:
 
 
 def adaptive_pocket(mill):
-    """Per level: helix down, spiral of half turns, then crescents along the slot with links lifted by 0.2 mm."""
+    """Writes for each level a helix down, a spiral of half turns, and crescents along the slot. Links are lifted by 0.2
+    mm.
+    """
     radius = POCKET_RADIUS - TOOL / 2 - STOCK_TO_LEAVE
     left = CENTRE - HALF_TRAVEL
     for i, level in enumerate(LEVELS):
@@ -163,7 +169,9 @@ def adaptive_pocket(mill):
 
 
 def spiral(mill, centre, inner, outer):
-    """Half turns whose radius grows by half the step each, about two centres in turn; ends with a whole turn."""
+    """Writes half turns about two centres in turn, then one full turn. The radius grows by half the step in each half
+    turn.
+    """
     growth = STEP_OVER / 2
     place, side = centre - inner, -1
     while True:
@@ -181,7 +189,7 @@ def spiral(mill, centre, inner, outer):
 
 
 def crescents(mill, centre, radius, level):
-    """Half circles one step further each time, joined behind the cutter."""
+    """Writes half circles, each one step farther along the slot. Links behind the cutter join them."""
     turn = 3.0                  # radius of the link's corners
     mill.arc(arc(centre, radius, 0, math.pi / 2))
     for _ in range(round(2 * HALF_TRAVEL / STEP_OVER)):
@@ -207,7 +215,7 @@ def pocket_wall(mill):
 
 
 def main_bore(mill):
-    """Helix through the floor of the pocket, one millimetre per turn."""
+    """Writes a helix through the floor of the pocket, with one millimetre per turn."""
     bore(mill, CENTRE - HALF_TRAVEL, BORE_RADIUS - TOOL / 2, FLOOR + 0.5, 1.0)
 
 
@@ -228,7 +236,7 @@ def bore(mill, centre, radius, top, pitch):
 
 
 def outline_with_tabs(mill):
-    """Three depths; the last one climbs over four tabs."""
+    """Writes the outline at three depths. At the last depth, it climbs over four tabs."""
     half, offset = 62 + 37j, TOOL / 2
     corner = half + complex(offset, offset)
     corners = [(CENTRE + complex(x * corner.real, y * corner.imag), 12 + offset)
@@ -251,7 +259,8 @@ def outline_with_tabs(mill):
 
 
 def over_tabs(mill, segment, depth):
-    """Ramps up to the tab, along it, and down again, at one and two thirds of the segment."""
+    """Writes a segment with two tabs, at one third and two thirds: up a ramp to the tab, along the tab, and down again.
+    """
     along = segment.tangent(0)
     for share in (1 / 3, 2 / 3):
         middle = segment.point(share)

@@ -1,6 +1,7 @@
-"""relief_inkscape.nc: contour lines of a volcano as thousands of short lines, written as Inkscape's gcodetools does.
+"""Writes relief_inkscape.nc: contour lines of a volcano as thousands of short lines, in the style of Inkscape's
+gcodetools.
 
-The height map is interpolated (Catmull-Rom), traced by marching squares and resampled to nearly equal steps.
+The height map is interpolated (Catmull-Rom), traced by marching squares, and resampled to nearly equal steps.
 """
 import json
 
@@ -11,9 +12,9 @@ from .writer import Dialect, Writer
 INKSCAPE = Dialect(lower_case=True, leading_zero=False, two_digits=True, modal_motion=True, line_end="\r\n")
 WIDTH_MM = 150.0
 PLACE = 20 + 20j
-REFINE = 6                      # cells of the traced grid per cell of the map
-STEP_MM = 0.2                   # between points: what surface CAM writes at a tolerance of some micrometres
-SHORTEST_MM = 3.0               # contours below this are specks
+REFINE = 6                      # number of cells of the traced grid per cell of the map
+STEP_MM = 0.2                   # distance between points, as surface CAM writes them at a tolerance of some micrometres
+SHORTEST_MM = 3.0               # length below which contours are dropped
 LEVELS_M = range(98, 194, 8)
 FEED = 2400
 
@@ -48,7 +49,7 @@ def span(points):
 
 
 def resampled(points):
-    """The polyline at equal steps of its length, about STEP_MM."""
+    """Returns the polyline divided into equal steps of its length, about STEP_MM."""
     count = round(span(points) / STEP_MM)
     step = span(points) / count
     result, travelled, target = [points[0]], 0.0, step
@@ -61,16 +62,16 @@ def resampled(points):
     return result + [points[-1]]
 
 
-# -- the height map ----------------------------------------------------------------------------------------------------
+# -- height map --------------------------------------------------------------------------------------------------------
 
 
 def refined_map(path):
-    """Rows of heights from the bottom up, and the size of a cell in mm."""
+    """Returns the rows of heights from the bottom up, and the size of a cell in mm."""
     with open(path, encoding="utf-8") as file:
         data = json.load(file)
     width = data["width"]
     rows = [data["values"][i * width:(i + 1) * width] for i in reversed(range(data["height"]))]
-    for _ in range(2):          # the map is rounded to whole metres: smooth its terraces along both axes
+    for _ in range(2):          # the map is rounded to full metres: smooth its terraces along both axes
         rows = transposed([smoothed(row) for row in rows])
     for _ in range(2):
         rows = transposed([interpolated(row) for row in rows])
@@ -82,14 +83,14 @@ def transposed(rows):
 
 
 def smoothed(row):
-    """Binomial filter 1 4 6 4 1, ends repeated."""
+    """Returns a row after the binomial filter 1 4 6 4 1. Beyond the ends, the end values are repeated."""
     padded = [row[0]] * 2 + row + [row[-1]] * 2
     weights = (1, 4, 6, 4, 1)
     return [sum(w * padded[i + k] for k, w in enumerate(weights)) / 16 for i in range(len(row))]
 
 
 def interpolated(row):
-    """REFINE values per step by Catmull-Rom splines, ends repeated."""
+    """Returns REFINE values per step by Catmull-Rom splines. Beyond the ends, the end values are repeated."""
     padded = [row[0]] + row + [row[-1]]
     fine = []
     for a, b, c, d in zip(padded, padded[1:], padded[2:], padded[3:]):
@@ -102,7 +103,7 @@ def interpolated(row):
 
 
 def trace(heights, cell_mm, level):
-    """Polylines at a height, as lists of points on the table, in a fixed order."""
+    """Returns the polylines at the height `level`, as lists of points on the table, in a fixed order."""
     links, points = {}, {}
     for y in range(len(heights) - 1):
         low, high = heights[y], heights[y + 1]
@@ -116,11 +117,13 @@ def trace(heights, cell_mm, level):
 
 
 def crossings(x, y, corners, level):
-    """Pairs of crossed edges of one cell; an edge is (x, y, 0) to the right or (x, y, 1) upward of a grid point."""
+    """Returns pairs of crossed edges of a cell. An edge leads from a grid point to the right (x, y, 0) or upward (x, y,
+    1).
+    """
     edges = ((x, y, 0), (x + 1, y, 1), (x, y + 1, 0), (x, y, 1))
     above = [corner >= level for corner in corners]
     crossed = [edge for i, edge in enumerate(edges) if above[i] != above[(i + 1) % 4]]
-    if len(crossed) == 4 and (sum(corners) / 4 >= level) != above[0]:      # saddle: the middle decides
+    if len(crossed) == 4 and (sum(corners) / 4 >= level) != above[0]:      # saddle: the mean height decides
         return [(crossed[3], crossed[0]), (crossed[1], crossed[2])]
     return [tuple(crossed[i:i + 2]) for i in range(0, len(crossed), 2)]
 
@@ -139,7 +142,8 @@ def link(links, a, b):
 
 
 def chains(links):
-    """Open chains first (from the border), then rings; each edge of the grid is used once."""
+    """Yields chains of linked edges of the grid: first open chains from the border, then rings. Each edge is used once.
+    """
     used = set()
     for start in sorted(links, key=lambda key: (len(links[key]), key)):
         if start in used:

@@ -1,4 +1,4 @@
-"""sheet_8877.nc and its drawing: nested parts of a real flame-cutting sheet, 9.5 % of their size, as drawn."""
+"""Writes sheet_8877.nc and its drawing: the nested parts of a real flame-cutting sheet, scaled to 9.5 %."""
 import json
 
 from .cutting import with_leads
@@ -15,14 +15,14 @@ PIERCE_S = 0.2
 
 
 def contours_of(data_folder):
-    """(path, whether it is a hole) of every contour."""
+    """Returns a pair (path, whether it is a hole) for every contour."""
     with open(data_folder / "sheet_8877.json", encoding="utf-8") as file:
         parts = json.load(file)["parts"]
     return [(contour_path(contour), i > 0) for part in parts for i, contour in enumerate(part)]
 
 
 def drawing(data_folder):
-    """The same sheet, for `kerfline cut`."""
+    """Returns the drawing of the same sheet for `kerfline cut`."""
     return svg(260 + 200j, [("cut", "black", [path for path, _ in contours_of(data_folder)])])
 
 
@@ -44,7 +44,7 @@ def contour_path(contour):
 
 
 def inside_first(contours):
-    """Paths with leads: always the nearest of those inside whose box no contour is left to cut."""
+    """Yields paths with leads. The next path is the nearest one whose box contains no uncut contour."""
     remaining = [(box([path]), with_leads(path, is_hole, LEAD_MM)) for path, is_hole in contours]
     position = 0
     while remaining:
@@ -61,7 +61,7 @@ def lies_inside(inner, outer):
 
 
 def cut(writer, number, path):
-    """Rapid, pierce, contour, beam off. G1 stands before M3 because a Grbl laser stays dark in G0."""
+    """Writes rapid, pierce, contour and beam off. G1 is written before M3, because a Grbl laser stays off in G0."""
     writer.comment(f"CONTOUR {number}")
     writer.rapid(path[0].start)
     writer.raw(f"G1 F{FEED} M3 S{POWER}", f"G4 P{PIERCE_S}")

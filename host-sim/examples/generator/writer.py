@@ -1,19 +1,19 @@
-"""Turns lines and arcs into G-code text in the dialect of a given CAM program."""
+"""Converts lines and arcs to G-code text in the dialect of a CAM program."""
 from dataclasses import dataclass
 
 
 @dataclass(frozen=True)
 class Dialect:
     decimals: int = 3
-    separator: str = " "            # between words
-    g_separator: str = " "          # after the G word
+    separator: str = " "            # text between words
+    g_separator: str = " "          # text after the G word
     lower_case: bool = False
-    leading_zero: bool = True       # 0.5 rather than .5
-    modal_motion: bool = False      # G1, G2, G3 are left out when they repeat
-    zero_offsets: bool = True       # I0 and J0 are written
+    leading_zero: bool = True       # whether 0.5 is written, not .5
+    modal_motion: bool = False      # whether a repeated G1, G2 or G3 is omitted
+    zero_offsets: bool = True       # whether I0 and J0 are written
     comment: str = "({})"
-    two_digits: bool = False        # G01 rather than G1
-    line_numbers: int = 0           # step of the N words, 0 for none
+    two_digits: bool = False        # whether G01 is written, not G1
+    line_numbers: int = 0           # step of the N words; 0: no N words
     line_end: str = "\n"
 
 
@@ -21,7 +21,7 @@ PLAIN = Dialect(decimals=4)
 
 
 class Writer:
-    """Collects the lines of one program; tracks the position as the machine will read it, that is, rounded."""
+    """Collects the lines of one program. Tracks the position as the machine reads it: rounded."""
 
     def __init__(self, dialect=PLAIN):
         self.dialect = dialect
@@ -29,7 +29,7 @@ class Writer:
         self.position = [None, None, None]
         self.motion = None
         self.modal = {}
-        self.prefix = ""            # goes before the next block, once
+        self.prefix = ""            # text before the next block; used once
 
     # -- text ------------------------------------------------------------------------------------------------------
 
@@ -57,7 +57,7 @@ class Writer:
         return text
 
     def block(self, motion, words):
-        """One line; `words` are (letter, value) pairs, already chosen."""
+        """Writes one line. `words` are the (letter, value) pairs of the line."""
         parts = [letter + self.number(value) for letter, value in words]
         line = self.dialect.separator.join(parts)
         if not (self.dialect.modal_motion and motion == self.motion):
@@ -73,7 +73,7 @@ class Writer:
         return round(value, self.dialect.decimals) + 0.0
 
     def axis_words(self, x=None, y=None, z=None):
-        """Words for the axes that change; the position moves on."""
+        """Returns words for the axes that change, and updates the position."""
         words = []
         for i, (letter, value) in enumerate(zip("XYZ", (x, y, z))):
             if value is None:
@@ -85,7 +85,7 @@ class Writer:
         return words
 
     def other_words(self, **values):
-        """S and F words, only when they change."""
+        """Returns the words S and F if their values change."""
         words = []
         for letter in ("S", "F"):
             value = values.get(letter)
@@ -107,9 +107,9 @@ class Writer:
             self.block("G1", axes + self.other_words(**words))
 
     def arc(self, segment, z=None, **words):
-        """An arc or, with z, a helix. The centre is given from the rounded start, so that start and end radius agree.
+        """Writes an arc or, with `z`, a helix. The centre is relative to the rounded start, so that both radii agree.
 
-        Grbl wants at least one axis of the plane on the line, so a whole turn repeats its start.
+        Grbl requires at least one axis of the plane in the line. Therefore a full turn repeats its start.
         """
         start = complex(self.position[0], self.position[1])
         centre = segment.centre - start

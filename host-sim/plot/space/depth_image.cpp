@@ -15,7 +15,7 @@ std::uint8_t byte_of(float share) {
   return static_cast<std::uint8_t>(std::lround(255.0F * std::clamp(share, 0.0F, 1.0F)));
 }
 
-/// Returns twice the signed area of a triangle.
+/// Returns twice the signed area of the triangle from `a` to `b` to (x, y).
 double twice_area(const SeenPoint& a, const SeenPoint& b, double x, double y) {
   return (b.x_px - a.x_px) * (y - a.y_px) - (b.y_px - a.y_px) * (x - a.x_px);
 }
@@ -45,7 +45,9 @@ void DepthImage::draw(const std::array<ShadedCorner, 3>& corners) {
   const int last_row = std::min(image_.height() - 1, static_cast<int>(std::ceil(bottom)));
   const int first_column = std::max(0, static_cast<int>(std::floor(left)));
   const int last_column = std::min(image_.width() - 1, static_cast<int>(std::ceil(right)));
-  constexpr double kSeam = -1.0e-9;  // Neighbouring triangles leave no pixel uncovered.
+  // Least share of a corner in a pixel that belongs to a triangle. It is slightly below 0, so that
+  // no pixel between neighbouring triangles is left out.
+  constexpr double kSeam = -1.0e-9;
   for (int row = first_row; row <= last_row; ++row) {
     for (int column = first_column; column <= last_column; ++column) {
       const double x = column + 0.5;

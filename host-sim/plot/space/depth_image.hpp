@@ -9,25 +9,26 @@
 
 namespace sim {
 
-/// A corner of a triangle of a picture: its point and its colour, as red, green and blue from 0 to
-/// 1.
+/// A corner of a triangle in a picture: its point and its colour, whose red, green and blue are
+/// from 0 to 1.
 struct ShadedCorner {
   SeenPoint place;
   Eigen::Vector3f colour = Eigen::Vector3f::Zero();
 };
 
-/// An image of triangles with a depth buffer: each pixel shows the nearest triangle.
+/// An image of triangles with a depth buffer. Each pixel shows the triangle that is nearest to the
+/// viewer.
 class DepthImage {
  public:
-  /// @param box the part of the picture that the image covers
-  /// @param scale pixels of the image per pixel of the picture
+  /// @param box part of the picture that the image covers
+  /// @param scale number of pixels of the image per pixel of the picture
   DepthImage(const Box& box, double scale);
 
-  /// Draws a triangle, except where a nearer one has been drawn.
+  /// Draws a triangle, except where a nearer triangle was drawn.
   void draw(const std::array<ShadedCorner, 3>& corners);
-  /// Returns whether a point is visible: no triangle lies more than `slack_px` nearer to the
-  /// viewer. Edges lie between pixels, so it is enough if one of the pixels at and around the point
-  /// shows the point or no triangle. A point outside the image is visible.
+  /// Returns whether a point is visible: no triangle is nearer to the viewer by more than
+  /// `slack_px`. Because edges are between pixels, one pixel at or around the point that shows no
+  /// such triangle is sufficient. A point outside of the image is visible.
   [[nodiscard]] bool shows(const SeenPoint& point, double slack_px) const;
 
   [[nodiscard]] const PixelImage& image() const { return image_; }

@@ -11,10 +11,10 @@ namespace {
 
 constexpr double kVisibilityPx = 2.0;
 constexpr double kThinPx = 0.1;
-/// Depth by which a surface may lie in front of a line: lines lie in surfaces, or slightly next to
-/// them.
+/// Depth by which a surface may be in front of a line that is visible, because lines are in
+/// surfaces or slightly off them.
 constexpr double kSlackPx = 4.0;
-/// Greatest number of points of a part that one chord may replace; bounds the time.
+/// Greatest number of points of a part that one chord may replace. It bounds the time.
 constexpr std::size_t kMaxReplaced = 64;
 
 double distance_px(const SeenPoint& point, const SeenPoint& from, const SeenPoint& to) {
@@ -25,7 +25,8 @@ double distance_px(const SeenPoint& point, const SeenPoint& from, const SeenPoin
   return std::abs(x * (point.y_px - from.y_px) - y * (point.x_px - from.x_px)) / length;
 }
 
-/// Collects the visible points of each part in turn, and writes the part as path data.
+/// Collects the points of each visible part, one part after the other, and writes the part as path
+/// data.
 class VisibleParts {
  public:
   explicit VisibleParts(const DepthImage& image) : image_{image} {}
@@ -52,8 +53,8 @@ class VisibleParts {
   [[nodiscard]] const std::string& data() const { return data_; }
 
  private:
-  /// Returns the last point of the part to which a chord from point `from` stays within kThinPx of
-  /// the part.
+  /// Returns the index of the last point of the part for which the chord from point `from` to it is
+  /// within kThinPx of the part.
   [[nodiscard]] std::size_t farthest_from(std::size_t from) const {
     const std::size_t end = std::min(part_.size(), from + kMaxReplaced);
     std::size_t to = from + 1;

@@ -10,9 +10,9 @@ namespace sim {
 
 using SpaceLine = std::vector<Eigen::Vector3d>;
 
-/// Returns the parts of lines that no triangle of the image hides, as the data of an SVG path. The
-/// ends of hidden parts are exact to two pixels. The points of a part are thinned as long as the
-/// part stays within a tenth of a pixel.
+/// Returns the parts of lines that no triangle of the image hides, as data of an SVG path. The ends
+/// of these parts are exact to two pixels. The points of a part are thinned with a tolerance of a
+/// tenth of a pixel.
 [[nodiscard]] std::string visible_path(const std::vector<SpaceLine>& lines,
                                        const Axonometry& axonometry,
                                        const DepthImage& image);

@@ -33,8 +33,8 @@ void add_line(std::string& out,
   svg::add_line(out, a.x_px, a.y_px, b.x_px, b.y_px, style);
 }
 
-/// Returns round numbers between the ends of an axis of the box, at most `wanted` + 1 of them, and
-/// sets `step` to their distance.
+/// Returns at most `wanted` + 1 round numbers between the ends of an axis of the box. Sets `step`
+/// to the difference between consecutive numbers.
 std::vector<double> ticks_of(const SpaceBox& box, Index axis, double wanted, double& step) {
   const double least = box.least[axis];
   const double most = box.most[axis];
@@ -62,7 +62,7 @@ unsigned near_corner(const Axonometry& axonometry, const SpaceBox& box) {
 }
 
 /// Appends the grid of one side of the box.
-/// @param normal the axis at right angles to the side
+/// @param normal axis at right angles to the side
 /// @param value position of the side on that axis
 void add_side(std::string& out,
               const Axonometry& axonometry,
@@ -89,11 +89,11 @@ void add_side(std::string& out,
   }
 }
 
-/// An edge of the box with its numbers, and the direction in the picture from the edge to the
-/// numbers.
+/// An edge of the box that has a scale, and the direction in the picture from the edge to the
+/// numbers of the scale.
 struct ScaledEdge {
   Index axis;
-  Vector3d corner;  ///< A point of the edge.
+  Vector3d corner;  ///< A point on the edge, mm.
   double out_x;
   double out_y;
   const char* name;
@@ -149,7 +149,7 @@ void add_space_axes(std::string& out, const Axonometry& axonometry, const SpaceB
   const unsigned near = near_corner(axonometry, box);
   const Vector3d corner = box.corner(near);
   const SeenPoint middle = axonometry.seen(0.5 * (box.corner(0) + box.corner(3)));
-  // The numbers of X and Y lie outside the floor, in the direction of the other axis.
+  // The numbers of X and Y are outside of the floor, in the direction of the other of these axes.
   for (const auto& [axis, name] : {std::pair{Index{0}, "X, mm"}, std::pair{Index{1}, "Y, mm"}}) {
     Vector3d inner = corner;
     inner[1 - axis] = 0.5 * (box.least[1 - axis] + box.most[1 - axis]);

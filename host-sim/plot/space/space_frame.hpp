@@ -6,8 +6,8 @@
 
 namespace sim {
 
-/// Appends the sides of a box that are behind all content, with light grid lines: the floor and the
-/// two walls far from the viewer.
+/// Appends, with light grid lines, the sides of a box that are behind all content: the floor and
+/// the two walls that are far from the viewer.
 void add_back_sides(std::string& out, const Axonometry& axonometry, const SpaceBox& box);
 
 /// Appends the scales of X, Y and Z in mm along outer edges of a box.

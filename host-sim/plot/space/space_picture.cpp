@@ -23,15 +23,18 @@ constexpr double kSpaceTopPx = 140.0;
 constexpr double kSpaceKeyPx = 300.0;
 constexpr double kSpaceBottomPx = 110.0;
 constexpr double kSpaceWidthPx = kPictureWidthPx - kSpaceLeftPx - kSpaceKeyPx - 80.0;
-constexpr double kMinSpacePx = 560.0;  ///< Smallest height: fits a scale and five samples.
+/// Least height of the picture. It has enough space for a scale and five samples.
+constexpr double kMinSpacePx = 560.0;
 constexpr double kMaxSpacePx = 1000.0;
 constexpr double kImageScale = 2.0;
 constexpr Colour kPlainSurface{0xd4, 0xd8, 0xde};
-/// A corner of a facet is shaded smoothly if the cosine of the angle between the facet's normal and
-/// the mean normal at the corner is above this. Otherwise the edges there look sharp.
+/// Least cosine of the angle between the normal vector of a facet and the mean normal vector at its
+/// corner for which the corner is shaded smoothly. At a greater angle the edges at the corner look
+/// sharp.
 constexpr double kSharp = 0.8;
 
-/// Returns the factor by which heights are stretched: 1 if they are visible without stretching.
+/// Returns the factor by which heights are multiplied. It is 1 if heights are visible without
+/// stretching.
 double stretch_for(const SpaceBox& box) {
   constexpr double kMinHeightShare = 0.08;
   const Vector3d size = box.most - box.least;
@@ -42,7 +45,7 @@ double stretch_for(const SpaceBox& box) {
   return size.z() > 0.0 ? 100.0 : 1.0;
 }
 
-/// Returns the box of all points, with some height if all of them are level.
+/// Returns the box around all points. It has some height even if all points are level.
 SpaceBox box_of(const SpaceScene& scene) {
   SpaceBox box;
   for (const Vector3d& point : scene.mesh.points) box.include(point);
@@ -61,7 +64,7 @@ SpaceBox box_of(const SpaceScene& scene) {
   return box;
 }
 
-/// Shades a mesh under a light from the upper left.
+/// Shades the facets of a mesh, under a light from the upper left.
 class Shader {
  public:
   Shader(const SpaceScene& scene, const Axonometry& axonometry)
@@ -113,7 +116,7 @@ class Shader {
 
   const SpaceScene& scene_;
   const Axonometry& axonometry_;
-  std::vector<Vector3d> normals_;  ///< One for each point.
+  std::vector<Vector3d> normals_;  ///< Mean normal vector at each point of the mesh.
 };
 
 void add_lines(std::string& out,
@@ -142,8 +145,8 @@ Box inside(const Extent& extent) {
           extent.height_mm() + 2.0 * kRimPx};
 }
 
-/// Returns the part of the picture that a box in space takes at the greatest width for which there
-/// is space.
+/// Returns the part of the picture that a box in space covers if it is drawn at the greatest
+/// possible width.
 Box plot_for(const Viewpoint& viewpoint, const SpaceBox& box, double stretch) {
   constexpr double kSquarePx = 1000.0;
   const Extent seen =
@@ -195,7 +198,8 @@ std::vector<Colour> height_colours(const surface::Mesh& mesh, PictureKey& key) {
   }
   const double span = std::max(most - least, 1.0e-9);
   const auto colour_at = [](double share) {
-    constexpr double kWhite = 0.38;  // Share of white: lines over the surface stay visible.
+    // Share of white that is mixed into the colours, so that lines over the surface stay visible.
+    constexpr double kWhite = 0.38;
     const Colour full = speed_colour(share);
     const auto lighter = [](std::uint8_t part) {
       return static_cast<std::uint8_t>(std::lround(part + kWhite * (255 - part)));

@@ -6,8 +6,8 @@ namespace {
 using Eigen::Vector3d;
 using Four = std::array<Vector3d, 4>;
 
-/// Returns the blossom of a cubic: de Casteljau's algorithm with a separate parameter for each
-/// step.
+/// Returns the blossom (polar form) of a cubic, by de Casteljau's algorithm with a separate
+/// parameter for each step.
 Vector3d blossom(const Four& controls, double first, double second, double third) {
   const auto between = [](const Vector3d& a, const Vector3d& b, double t) -> Vector3d {
     return (1.0 - t) * a + t * b;
@@ -26,13 +26,13 @@ Four part_of(const Four& controls, Interval interval) {
           blossom(controls, b, b, b)};
 }
 
-/// Bernstein polynomials of degree 3.
+/// Returns the values of the Bernstein polynomials of degree 3 at `t`.
 std::array<double, 4> weights(double t) {
   const double s = 1.0 - t;
   return {s * s * s, 3.0 * s * s * t, 3.0 * s * t * t, t * t * t};
 }
 
-/// Derivatives of the Bernstein polynomials of degree 3.
+/// Returns the derivatives of the Bernstein polynomials of degree 3 at `t`.
 std::array<double, 4> slope_weights(double t) {
   const double s = 1.0 - t;
   return {-3.0 * s * s, 3.0 * s * (s - 2.0 * t), 3.0 * t * (2.0 * s - t), 3.0 * t * t};

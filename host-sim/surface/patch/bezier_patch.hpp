@@ -6,7 +6,7 @@
 
 namespace sim::surface::patch {
 
-/// A part of the interval of a parameter.
+/// An interval of a parameter; by default the complete range from 0 to 1.
 struct Interval {
   double from = 0.0;
   double to = 1.0;
@@ -20,12 +20,12 @@ struct BezierCurve {
                                           Eigen::Vector3d::Zero()};
 
   [[nodiscard]] Eigen::Vector3d at(double t) const;
-  /// Returns the same curve over a part of its parameter, by de Casteljau. If two intervals share
-  /// an end, their curves share the point there to the last bit.
+  /// Returns the part of the curve over `interval`, by de Casteljau's algorithm. If two intervals
+  /// have a common end, both parts have the same point there to the last bit.
   [[nodiscard]] BezierCurve part(Interval interval) const;
 };
 
-/// The point of a patch with its derivatives with respect to the patch's own parameters.
+/// A point of a patch, with the derivatives by the patch's parameters u and v.
 struct PatchJet {
   Eigen::Vector3d point = Eigen::Vector3d::Zero();
   Eigen::Vector3d along_u = Eigen::Vector3d::Zero();
@@ -34,8 +34,8 @@ struct PatchJet {
   Eigen::Vector3d twist = Eigen::Vector3d::Zero();
 };
 
-/// A bicubic Bézier patch; both parameters run from 0 to 1. Its 16 control points are four rows:
-/// the outer index belongs to u, the inner to v.
+/// A bicubic Bézier patch; both parameters run from 0 to 1. The 16 control points form four rows.
+/// The index of a row belongs to u, the index within a row belongs to v.
 struct BezierPatch {
   std::array<BezierCurve, 4> rows{};
 
@@ -49,10 +49,10 @@ struct BezierPatch {
   /// Returns the curve along u at a fixed v.
   [[nodiscard]] BezierCurve curve_at_v(double v) const;
 
-  /// Returns the same surface over a part of the parameters, by de Casteljau. Parts that share a
-  /// border with the same ends share its control points to the last bit.
+  /// Returns the part of the patch over the intervals `u` and `v`, by de Casteljau's algorithm. If
+  /// two parts have a border with the same ends, its control points are equal to the last bit.
   [[nodiscard]] BezierPatch part(Interval u, Interval v) const;
-  /// Returns the same surface with u and v exchanged.
+  /// Returns the patch with exchanged parameters u and v.
   [[nodiscard]] BezierPatch transposed() const;
 };
 

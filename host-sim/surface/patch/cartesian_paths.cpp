@@ -13,7 +13,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Returns planes at a spacing, centred between the extremes of the points along the normal.
+/// Returns the distances of planes at `spacing` from the origin. The planes are centred between the
+/// extremes of the points along the normal.
 std::vector<double> planes_across(const PointGrid& grid, const Vector3d& normal, double spacing) {
   Range range{.lowest = std::numeric_limits<double>::infinity(),
               .highest = -std::numeric_limits<double>::infinity()};
@@ -21,7 +22,8 @@ std::vector<double> planes_across(const PointGrid& grid, const Vector3d& normal,
     range.lowest = std::min(range.lowest, normal.dot(point));
     range.highest = std::max(range.highest, normal.dot(point));
   }
-  // A width of whole spacings, apart from rounding, has a plane in the middle of each spacing.
+  // If the width is a whole number of spacings, each spacing has a plane in its middle. The small
+  // number allows for rounding.
   const double count = std::max(1.0, std::ceil(range.width() / spacing - 1.0e-9));
   const double first = 0.5 * (range.lowest + range.highest - (count - 1.0) * spacing);
   std::vector<double> planes;

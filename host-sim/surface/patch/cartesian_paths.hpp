@@ -11,19 +11,23 @@
 
 namespace sim::surface::patch {
 
-/// Numbers of flat pieces that result from the tests and splits that paper 4 compares, and from
-/// ours.
+/// Numbers of flat pieces for different flatness tests and splits: those of paper 4, and those of
+/// this program.
 struct PieceCounts {
-  std::size_t control_hull = 0;     ///< Pieces by splits in four until the control points are flat.
-  std::size_t fat_plane = 0;        ///< Pieces by splits in four with the paper's fat plane.
-  std::size_t both_orders = 0;      ///< Pieces by splits in four with the fat plane in both orders.
-  std::size_t fewest_halvings = 0;  ///< Pieces by splits in two with the fat plane in both orders.
+  /// Number of pieces by splits in four until the control points are flat.
+  std::size_t control_hull = 0;
+  std::size_t fat_plane = 0;  ///< Number of pieces by splits in four with the fat plane of paper 4.
+  /// Number of pieces by splits in four with the fat planes in both orders.
+  std::size_t both_orders = 0;
+  /// Number of pieces by splits in two with the fat planes in both orders.
+  std::size_t fewest_halvings = 0;
 };
 
 [[nodiscard]] PieceCounts piece_counts(const PatchSurface& surface, double flatness_mm);
 
-/// Tolerances and layout of paths in parallel vertical planes. The first tolerance is between the
-/// points and the surface, the second between the surface and the chords.
+/// Tolerances and layout of paths in parallel vertical planes. The fit tolerance limits the
+/// distance between points and surface. The chord tolerance limits the distance between surface and
+/// chords.
 struct PathOptions {
   double fit_tolerance_mm = 0.005;  ///< Largest distance of a point from the surface.
   /// Largest distance of a chord from the surface, in the chord's plane.
@@ -38,14 +42,14 @@ struct CartesianPaths {
   FitReport report;
   std::size_t pieces = 0;
   Eigen::Vector3d plane_normal = Eigen::Vector3d::UnitY();
-  /// Distances of the planes from the origin, ascending.
+  /// Distances of the planes from the origin along `plane_normal`, ascending.
   std::vector<double> plane_distances_mm;
-  std::vector<std::vector<SlicePath>> paths;  ///< Paths of each plane.
+  std::vector<std::vector<SlicePath>> paths;  ///< Paths in each plane, in the order of the planes.
 };
 
-/// Fits a surface to points, such as positions of a tool, and slices it (paper 4). The planes are
-/// centred over the surface's width, so that the outer planes are at most half a spacing from its
-/// ends.
+/// Fits a surface to points, for example tool positions, and cuts the surface with parallel
+/// vertical planes (paper 4). The planes are centred over the surface's width. The outer planes are
+/// thus at most half a spacing from the surface's ends.
 /// @pre the grid has at least two rows and columns, and its coordinates are finite; tolerances and
 /// spacing are above 0
 [[nodiscard]] CartesianPaths cartesian_paths(const PointGrid& grid, const PathOptions& options);

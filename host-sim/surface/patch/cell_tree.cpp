@@ -22,8 +22,8 @@ std::vector<std::uint32_t> CellTree::cells_around(std::uint32_t row, std::uint32
 
 void CellTree::split(std::uint32_t number) {
   std::vector<std::uint32_t> wanted{number};
-  // Each step divides a cell or adds a coarser cell to the list. Cells cannot become coarser
-  // without end.
+  // Each step divides a cell, or adds a coarser neighbour that must be divided before. The loop
+  // ends, because the depth of added cells decreases.
   while (!wanted.empty()) {
     const std::uint32_t next = wanted.back();
     const std::vector<std::uint32_t> before = coarser_neighbours(cells_[next]);
@@ -66,8 +66,8 @@ void CellTree::add(const Cell& cell, std::uint32_t number) {
 
 std::vector<std::uint32_t> CellTree::coarser_neighbours(const Cell& cell) const {
   std::vector<std::uint32_t> found;
-  // A coarser neighbour is at least as long as the border, so that any quadrilateral there finds
-  // this neighbour.
+  // A coarser neighbour is at least as long as the common border. So the check of one quadrilateral
+  // at the border is enough.
   const auto note = [&](std::uint32_t row, std::uint32_t column) {
     const std::uint32_t number = cell_at(row, column);
     if (cells_[number].depth < cell.depth && cells_[number].can_be_split()) found.push_back(number);

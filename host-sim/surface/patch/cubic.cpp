@@ -7,8 +7,8 @@
 namespace sim::surface::patch {
 namespace {
 
-/// Maximum number of steps that improve a root. Halvings alone reach the last bit in this number of
-/// steps.
+/// Maximum number of steps that improve a root. Even by halvings alone, the last bit is reached in
+/// this number of steps.
 constexpr int kMaxRootSteps = 64;
 
 double slope_at(const Cubic& cubic, double t) {
@@ -18,7 +18,7 @@ double slope_at(const Cubic& cubic, double t) {
 }
 
 /// Returns the roots of t³ + 3 b t² + c t + d by the formulas of Cardano and Viète. The roots are
-/// infinite or NaN if the division by the leading coefficient overflowed.
+/// infinite or NaN if the caller's division by the leading coefficient overflowed.
 Parameters roots_of_normal_form(double b, double c, double d) {
   const double p = c / 3.0 - b * b;
   const double q = b * b * b + 0.5 * (d - b * c);
@@ -38,8 +38,8 @@ Parameters roots_of_normal_form(double b, double c, double d) {
   return roots;
 }
 
-/// Returns the roots of A t³ + B t² + C t + D inside and outside 0 to 1, with the error of the
-/// formulas.
+/// Returns all real roots of a cubic, also outside 0 to 1, from the formulas of its power form A t³
+/// + B t² + C t + D. The roots have the rounding error of the formulas.
 Parameters closed_roots(const Cubic& d) {
   const double a = -d[0] + 3.0 * d[1] - 3.0 * d[2] + d[3];
   const double b = 3.0 * d[0] - 6.0 * d[1] + 3.0 * d[2];
@@ -47,7 +47,8 @@ Parameters closed_roots(const Cubic& d) {
   return roots_of_normal_form(b / (3.0 * a), c / a, d[0] / a);
 }
 
-/// Returns the place of the sign change in an interval that contains exactly one.
+/// Returns the parameter of the sign change in an interval that contains exactly one sign change.
+/// The search begins at `guess`.
 double refined(const Cubic& cubic, double low, double high, double guess) {
   const bool low_is_positive = value_at(cubic, low) >= 0.0;
   double t = guess > low && guess < high ? guess : 0.5 * (low + high);
@@ -56,7 +57,7 @@ double refined(const Cubic& cubic, double low, double high, double guess) {
     if (value == 0.0) return t;
     ((value > 0.0) == low_is_positive ? low : high) = t;
     double next = t - value / slope_at(cubic, t);
-    // Every third step is a halving, so that a flat part cannot delay the search.
+    // Every third step is a halving, so that a flat part of the curve cannot delay the search.
     if (!(next > low && next < high) || step % 3 == 2) next = 0.5 * (low + high);
     if (std::abs(next - t) <= 0x1.0p-53 || next == low || next == high) return t;
     t = next;
@@ -80,7 +81,7 @@ Parameters turning_points(const Cubic& cubic) {
   const double square = q * q - p * r;
   Parameters found;
   if (square < 0.0) return found;
-  // Both roots without cancellation: t = w / (p − 2 q + r) and t = p / w.
+  // Computes both roots without cancellation: t = w / (p − 2 q + r) and t = p / w.
   const double half = q - p;
   const double w = -(half + std::copysign(std::sqrt(square), half));
   const auto add = [&found](double t) {

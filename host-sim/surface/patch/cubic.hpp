@@ -9,7 +9,7 @@ namespace sim::surface::patch {
 /// Bézier curve's control points from a plane.
 using Cubic = std::array<double, 4>;
 
-/// Lowest and highest value.
+/// Range from the lowest to the highest value.
 struct Range {
   double lowest = 0.0;
   double highest = 0.0;
@@ -30,17 +30,17 @@ struct Parameters {
 /// Returns the parameters strictly between 0 and 1 at which the derivative is 0.
 [[nodiscard]] Parameters turning_points(const Cubic& cubic);
 
-/// Returns the extremes over 0 to 1; they are at the ends or where the derivative is 0 (paper 4,
-/// 4.1).
+/// Returns the lowest and the highest value over 0 to 1. They are at the ends or where the
+/// derivative is 0 (paper 4, 4.1).
 [[nodiscard]] Range range_of(const Cubic& cubic);
 
-/// Returns the parameters at which the sign changes; 0 counts as positive. Their number is odd if
-/// and only if the signs of the first and the last coefficient differ. A double root, at which the
-/// sign does not change, counts as no root or as two close roots.
+/// Returns the parameters at which the sign changes. The value 0 counts as positive. Their number
+/// is odd if and only if the signs of the first and the last coefficient differ. A double root, at
+/// which the sign does not change, gives no parameter or two close parameters.
 ///
 /// The roots come from the closed formula for A t³ + B t² + C t + D (paper 4, 4.2). Rounding makes
-/// the formula inexact near double roots. Therefore each root is kept between the turning points
-/// that enclose it, and is improved there until its error is a few units in the last place of the
+/// the formula inexact near double roots. Therefore each root is limited to the range between two
+/// turning points and is improved there. The final error is a few units in the last place of the
 /// coefficients.
 [[nodiscard]] Parameters sign_changes(const Cubic& cubic);
 

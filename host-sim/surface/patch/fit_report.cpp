@@ -15,8 +15,8 @@ double share_of(Interval interval, double value) {
   return (value - interval.from) / (interval.to - interval.from);
 }
 
-/// The whole numbers of an interval without its end; the end belongs to it if it is the last of all
-/// `count` numbers. `behind` is the number after the last one.
+/// The rows or columns in an interval, from `first` up to but not including `behind`. The end of
+/// the interval is excluded, unless it is the last of all `count` rows or columns.
 struct WholeNumbers {
   std::size_t first;
   std::size_t behind;
@@ -28,8 +28,8 @@ struct WholeNumbers {
   }
 };
 
-/// Calls visit(row, column, point) for each point of the grid once. `point` is the point of the
-/// surface at the same row and column.
+/// Calls visit(row, column, point) once for each point of the grid. `point` is the point of the
+/// surface with the same row and column as parameters.
 template <typename Visit>
 void for_each_point(const PatchSurface& surface, const PointGrid& grid, const Visit& visit) {
   for (std::uint32_t number = 0; number < surface.patches.size(); ++number) {
@@ -61,7 +61,8 @@ void measure_points(const SurfaceDistance& distance,
   });
 }
 
-/// Measures the distances of samples of one patch from the grid's triangles.
+/// Measures the distances of samples of one patch from the grid's triangles and adds them to
+/// `report`.
 void measure_patch(const GridDistance& distance,
                    const PointGrid& grid,
                    const GridPatch& patch,

@@ -7,8 +7,8 @@
 
 namespace sim::surface::patch {
 
-/// Number of samples of the surface that fit_report() takes for each row and each column of the
-/// grid; this gives four samples for a quadrilateral.
+/// Number of samples of the surface that fit_report() takes for each row and for each column of the
+/// grid. A quadrilateral thus has four samples.
 inline constexpr double kSamplesPerRow = 2.0;
 
 /// A distance, and the row and column at which it was measured.
@@ -18,7 +18,8 @@ struct PlacedError {
   double column = 0.0;
 };
 
-/// The errors of a fit in both directions.
+/// Errors of a fit: distances of the points from the surface, and of the surface from the points'
+/// triangles.
 struct FitReport {
   std::size_t points = 0;
   /// Number of points that are farther from the surface than the tolerance.
@@ -31,15 +32,16 @@ struct FitReport {
 
 /// Returns the number of points that are farther from the surface than the tolerance.
 ///
-/// Rows and columns of the grid are parameters of the surface. For most points the distance from
-/// the surface at the same row and column decides; for the others SurfaceDistance decides.
+/// Rows and columns of the grid are the parameters of the surface. For most points, the surface's
+/// point with the same row and column is within tolerance. For the remaining points,
+/// SurfaceDistance searches for a nearer point.
 [[nodiscard]] std::size_t points_beyond(const PatchSurface& surface,
                                         const PointGrid& grid,
                                         double tolerance_mm);
 
-/// Returns the greatest distances in both directions: from the surface to the points, and from the
-/// grid's triangles to samples of the surface. There are two samples for each row and column, and
-/// samples at both ends.
+/// Measures the greatest distances in both directions: of the points from the surface, and of
+/// samples of the surface from the grid's triangles. There are kSamplesPerRow samples for each row
+/// and column, and samples at both ends.
 [[nodiscard]] FitReport fit_report(const PatchSurface& surface,
                                    const PointGrid& grid,
                                    double tolerance_mm);

@@ -8,10 +8,11 @@ namespace sim::surface::patch {
 namespace {
 
 using Eigen::Vector3d;
-/// Distances of the control points; the outer index belongs to u.
+/// Distances of the 16 control points from a plane. The outer index belongs to u, the inner index
+/// to v.
 using Distances = std::array<Cubic, 4>;
 
-/// Sine of the angle between the diagonals below which their normal is mostly rounding error.
+/// Sine of the angle between two vectors below which their normal is mostly rounding error.
 constexpr double kMinSine = 1.0e-9;
 
 Distances transposed(const Distances& distances) {
@@ -33,8 +34,8 @@ Range hull_range(const Distances& distances) {
 }
 
 /// Returns Dminₘᵢₙ and Dmaxₘₐₓ of paper 4. The extremes along the inner parameter are the
-/// coefficients of two curves along the outer parameter. The result is the lowest and highest value
-/// of these curves.
+/// coefficients of two curves along the outer parameter. The result is the lowest value of one
+/// curve and the highest value of the other.
 Range nested_range(const Distances& distances) {
   Cubic lowest{};
   Cubic highest{};

@@ -15,26 +15,27 @@ using Triangle = std::array<Eigen::Vector3d, 3>;
 /// area.
 [[nodiscard]] double square_distance(const Eigen::Vector3d& point, const Triangle& triangle);
 
-/// Returns the square of the distance between `point` and a quadrilateral's two triangles, mm². The
-/// quadrilateral lies between `row` and `column` and the next row and column.
+/// Returns the square of the distance between `point` and the nearer of a quadrilateral's two
+/// triangles, mm². The quadrilateral is between `row` and `column` and the next row and column.
 [[nodiscard]] double square_distance_from(const PointGrid& grid,
                                           std::uint32_t row,
                                           std::uint32_t column,
                                           const Eigen::Vector3d& point);
 
-/// Distances of points from the triangles of a grid (triangulated() states the diagonal).
+/// Computes distances of points from the triangles of a grid. triangulated() describes the
+/// triangles.
 class GridDistance {
  public:
-  /// @pre the grid has at least two rows and columns; it lives as long as this object
+  /// @pre the grid has at least two rows and columns, and outlives this object
   explicit GridDistance(const PointGrid& grid);
 
-  /// Returns the square of the distance from the whole grid, mm².
-  /// @param known the square of the distance from some quadrilateral
+  /// Returns the square of the distance between `point` and the nearest triangle of the grid, mm².
+  /// @param known an upper bound: the square of the distance from any quadrilateral
   [[nodiscard]] double square_distance_from_all(const Eigen::Vector3d& point, double known) const;
 
  private:
   const PointGrid* grid_;
-  BoxTree tree_;  ///< Boxes of the quadrilaterals, row by row.
+  BoxTree tree_;  ///< Bounding boxes of the quadrilaterals, row by row.
 };
 
 }  // namespace sim::surface::patch

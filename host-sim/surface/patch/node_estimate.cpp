@@ -9,25 +9,26 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Weights of the points in a row or column. The weighted sums of the points are value and
-/// derivative of the fitted polynomial.
+/// Weights of the points in a row or column, beginning at index `first`. The sums of the weighted
+/// points are the value and the derivative of the fitted polynomial.
 struct Filter {
   std::size_t first = 0;
   std::vector<double> value;
   std::vector<double> slope;
 };
 
+/// Computes the weights for a node.
 /// @param place index of the node among `count` points
-/// @param reach number of points of the window on each side
+/// @param reach number of points of the window on each side of the node
 Filter filter_at(std::size_t place, std::size_t reach, std::size_t count) {
   const std::size_t length = std::min(2 * reach + 1, count);
   const std::size_t behind = std::min(reach, place);
   Filter filter{.first = std::min(place - behind, count - length), .value = {}, .slope = {}};
-  // Distances from the node are divided by the reach, so that all powers have a similar size.
+  // Dividing distances from the node by the reach gives all powers a similar size.
   const double scale = 1.0 / static_cast<double>(reach);
   const auto powers_at = [&](std::size_t i) {
     const double x = scale * (static_cast<double>(filter.first + i) - static_cast<double>(place));
-    // A window of few points determines only the lower powers.
+    // With few points in the window, only the lower powers can be determined.
     return Eigen::Vector4d{1.0, x, length > 2 ? x * x : 0.0, length > 3 ? x * x * x : 0.0};
   };
   Eigen::Matrix4d normal = Eigen::Matrix4d::Zero();

@@ -10,7 +10,7 @@ std::string patch_text(const PatchSurface& surface) {
   std::string text;
   std::size_t number = 0;
   for (const GridPatch& patch : surface.patches) {
-    // The shortest text that is read back as the same number is exact for binary fractions, too.
+    // Without a precision, fmt writes the shortest text that is read back as the same number.
     fmt::format_to(std::back_inserter(text),
                    "patch {} {} {} {} {}\n",
                    number++,

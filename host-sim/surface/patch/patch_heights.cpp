@@ -15,7 +15,7 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-/// Returns for each quadrilateral the number of the patch that covers it.
+/// Returns, for each quadrilateral of the grid, the number of the patch that covers it.
 std::vector<std::uint32_t> numbers_of(const PatchSurface& surface) {
   const std::size_t width = surface.columns - 1;
   std::vector<std::uint32_t> numbers((surface.rows - 1) * width, 0);
@@ -32,7 +32,7 @@ std::vector<std::uint32_t> numbers_of(const PatchSurface& surface) {
   return numbers;
 }
 
-/// Returns the boxes of the patches in plan.
+/// Returns the bounding boxes of the patches in plan; Z is 0.
 std::vector<Eigen::AlignedBox3d> boxes_of(const PatchSurface& surface) {
   std::vector<Eigen::AlignedBox3d> boxes;
   boxes.reserve(surface.patches.size());
@@ -86,8 +86,8 @@ void PatchHeights::require_no_fold() const {
                       patch.v.from + (patch.v.to - patch.v.from) * j / kLooks};
         if (sign * jet_at(at).area() > 0.0) continue;
         throw std::invalid_argument{fmt::format(
-            "the smooth patches fold near row {:.0f} column {:.0f}, where points lie too unevenly "
-            "for them; take a smaller --fit-tolerance, or measure again there",
+            "the smooth patches fold near row {:.0f} column {:.0f}, where the points are too "
+            "uneven; choose a smaller --fit-tolerance, or measure these points again",
             std::floor(at.row) + 1.0,
             std::floor(at.column) + 1.0)};
       }
@@ -95,8 +95,8 @@ void PatchHeights::require_no_fold() const {
   }
 }
 
-/// Returns the point and derivatives at a row and column. Beyond the last row and column the
-/// surface continues straight, in the direction of its derivative.
+/// Returns the point and derivatives at a row and column. Beyond the rim, the surface continues
+/// straight in the direction of its derivatives there.
 PatchHeights::Jet PatchHeights::jet_at(const Hint& at) const {
   const double on_row = std::clamp(at.row, 0.0, last_.row);
   const double on_column = std::clamp(at.column, 0.0, last_.column);
@@ -122,8 +122,8 @@ std::optional<double> PatchHeights::height_from(const Vector2d& place,
                                                 const Hint& most,
                                                 Hint& at) const {
   constexpr int kMaxSteps = 24;
-  // Length of the last step, in rows or columns. The error of the height is of the order of the
-  // square of this step.
+  // Step, in rows or columns, at which the search ends. The error of the height is of the order of
+  // the square of the last step.
   constexpr double kLastStep = 1.0e-7;
   for (int i = 0; i < kMaxSteps; ++i) {
     const Jet jet = jet_at(at);
@@ -145,7 +145,8 @@ bool PatchHeights::is_on(const Hint& at) const {
   return at.row >= 0.0 && at.row <= last_.row && at.column >= 0.0 && at.column <= last_.column;
 }
 
-/// Searches for the point in all patches whose box in plan contains it.
+/// Searches for the height in all patches whose bounding box in plan contains `place`. Sets `at` if
+/// it finds the height.
 std::optional<double> PatchHeights::height_within(const Vector2d& place, Hint& at) const {
   constexpr std::array<double, 3> kStarts{0.5, 0.1, 0.9};
   std::optional<double> found;
@@ -189,8 +190,8 @@ std::optional<double> PatchHeights::height(const Vector2d& place, Hint& hint) co
   std::optional<double> found = height_from(place, last_, at);
   if (!found || !is_on(at)) found = height_within(place, at);
   if (!found) {
-    // Outside a curved rim there are several solutions. The start depends on the point alone, so
-    // that the result does, too.
+    // Outside a curved rim there may be several solutions. The search starts at a point that
+    // depends only on `place`, so that the result does not depend on the hint.
     at = nearest_of_rim(place);
     found = height_from(place, last_, at);
   }

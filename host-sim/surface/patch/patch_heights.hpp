@@ -11,25 +11,25 @@
 
 namespace sim::surface::patch {
 
-/// The heights of a composite surface over points in plan, mm. All threads may call the const
-/// functions at once.
+/// Computes the heights of a composite surface over points in plan, mm. Several threads may call
+/// the const functions at the same time.
 class PatchHeights {
  public:
-  /// Row and column of the surface at which the search for a height starts, taken from a point near
-  /// by. They change the result by rounding alone.
+  /// Row and column of the surface at which the search for a height starts, usually the result at a
+  /// nearby point. The hint affects the result only by rounding.
   struct Hint {
     double row = 0.0;
     double column = 0.0;
   };
 
   /// Throws std::invalid_argument, with row and column, for a surface that folds in plan.
-  /// @pre the ends of all patches are whole rows and columns, as those of fitted_surface()
+  /// @pre the ends of all patches are whole rows and columns, as fitted_surface() makes them
   explicit PatchHeights(PatchSurface surface);
 
   [[nodiscard]] const PatchSurface& surface() const { return surface_; }
 
-  /// Returns the height of the surface over a point in plan. Beyond its rim the surface continues
-  /// straight, so that heights have no step there. Returns nothing if no search converges, for
+  /// Returns the height of the surface over a point in plan. Beyond the rim the surface continues
+  /// straight, so that the heights are continuous. Returns nothing if no search converges, for
   /// example far outside a curved rim.
   [[nodiscard]] std::optional<double> height(const Eigen::Vector2d& place, Hint& hint) const;
 
@@ -40,7 +40,7 @@ class PatchHeights {
     Eigen::Vector3d by_row;
     Eigen::Vector3d by_column;
 
-    /// Returns the signed area in plan that the two derivatives span.
+    /// Returns the signed area in plan of the parallelogram of the two derivatives.
     [[nodiscard]] double area() const {
       return by_row.x() * by_column.y() - by_row.y() * by_column.x();
     }
@@ -58,10 +58,10 @@ class PatchHeights {
 
   PatchSurface surface_;
   std::vector<std::uint32_t> numbers_;  ///< Patch number of each quadrilateral, row by row.
-  Hint last_;                           ///< The last row and column.
-  BoxTree tree_;                        ///< Boxes of the patches in plan.
+  Hint last_;                           ///< Greatest row and column of the grid.
+  BoxTree tree_;                        ///< Bounding boxes of the patches in plan.
   std::vector<Hint> rim_;               ///< Rows and columns of the points of the grid's rim.
-  BoxTree rim_tree_;                    ///< Boxes of the points of the rim in plan.
+  BoxTree rim_tree_;                    ///< Positions of the rim's points in plan.
 };
 
 }  // namespace sim::surface::patch

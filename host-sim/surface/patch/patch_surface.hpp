@@ -7,15 +7,15 @@
 
 namespace sim::surface::patch {
 
-/// A patch over a rectangle of a grid's rows (u) and columns (v). The ends are whole numbers,
-/// halves, quarters and so on, so that patches that meet have equal ends.
+/// A patch over a rectangle of a grid's rows (u) and columns (v). The ends of the intervals are
+/// multiples of a power of 1/2, so that the ends of adjacent patches are exactly equal.
 struct GridPatch {
   Interval u;
   Interval v;
   BezierPatch shape;
 };
 
-/// A composite surface over a grid of points; mm.
+/// A surface of patches over a grid of points; lengths are mm.
 struct PatchSurface {
   std::size_t rows = 0;
   std::size_t columns = 0;

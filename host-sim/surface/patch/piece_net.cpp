@@ -29,7 +29,7 @@ BezierCurve curve_of(const BezierPatch& shape, std::size_t side) {
 
 }  // namespace
 
-/// Divides all sides at all corners that lie on them.
+/// Builds the edges of a net: divides each side of a piece at all corners of pieces on this side.
 class PieceNet::Builder {
  public:
   explicit Builder(PieceNet& net) : net_{net} {
@@ -57,28 +57,28 @@ class PieceNet::Builder {
   }
 
  private:
-  /// A corner of a piece as a point of the line of fixed u or fixed v through it.
+  /// A corner of a piece, as a point on a line of constant u or constant v through the corner.
   struct Stop {
-    bool is_at_u = false;  ///< Whether u is fixed on the line; otherwise v is.
+    bool is_at_u = false;  ///< Whether u is constant on the line; otherwise v is constant.
     double line = 0.0;
     double along = 0.0;
 
     auto operator<=>(const Stop&) const = default;
   };
 
-  /// A side of a piece.
+  /// A side of a piece, as a part of a line of constant u or constant v.
   struct Side {
     bool is_at_u = false;
     double line = 0.0;
     Interval along;
-    /// Whether the border of the piece runs along the side from its end to its start.
+    /// Whether the piece's border passes the side from the end to the start of `along`.
     bool is_reversed = false;
 
     [[nodiscard]] Stop from() const { return {is_at_u, line, along.from}; }
     [[nodiscard]] Stop to() const { return {is_at_u, line, along.to}; }
   };
 
-  /// Returns the sides of a piece in their order around it.
+  /// Returns the sides of a piece in the order of its border.
   static std::array<Side, 4> sides_of(const GridPatch& piece) {
     return {Side{true, piece.u.from, piece.v, false},
             Side{false, piece.v.to, piece.u, false},
@@ -114,7 +114,8 @@ class PieceNet::Builder {
     return static_cast<std::uint32_t>(net_.edges_.size() - 1);
   }
 
-  /// Returns the corner at a stop as it was first computed; `point` if the stop is new.
+  /// Returns the stored point of a corner. If none is stored, stores and returns `point`. So all
+  /// edges at a corner have the same point.
   const Vector3d& corner(const Stop& stop, const Vector3d& point) {
     const std::pair place{stop.is_at_u ? stop.line : stop.along,
                           stop.is_at_u ? stop.along : stop.line};
@@ -123,7 +124,7 @@ class PieceNet::Builder {
 
   PieceNet& net_;
   std::vector<Stop> stops_;  ///< All stops, sorted, without duplicates.
-  /// Number of the edge from each stop to the next stop of its line.
+  /// Number of the edge from each stop to the next stop on the same line.
   std::vector<std::uint32_t> edge_from_;
   std::map<std::pair<double, double>, Vector3d> corners_;
 };

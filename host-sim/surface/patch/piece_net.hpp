@@ -9,20 +9,20 @@
 
 namespace sim::surface::patch {
 
-/// An edge as a part of the border of a piece.
+/// An edge in the border of a piece.
 struct BorderEdge {
   std::uint32_t edge = 0;
-  bool is_reversed = false;  ///< Whether the border runs along the edge from its end to its start.
+  bool is_reversed = false;  ///< Whether the border passes the edge from its end to its start.
 };
 
 /// Pieces of a surface and the edges between them. If a large piece shares a border with several
-/// small ones, the border is divided where these meet. An edge thus has one piece at each side, and
-/// both sides see the same control points to the last bit. All edges that meet in a point have the
-/// same end there. A result that is computed from an edge alone is therefore the same for both of
-/// its pieces.
+/// small pieces, the border is divided at the corners of the small pieces. An edge thus has at most
+/// one piece on each side, and both pieces use the same control points. All edges at a corner end
+/// in exactly the same point. So a result that is computed only from an edge is the same for both
+/// pieces.
 class PieceNet {
  public:
-  /// @pre pieces do not overlap, and pieces that meet have equal parameters there
+  /// @pre pieces do not overlap, and adjacent pieces have equal parameters at their common border
   explicit PieceNet(std::vector<GridPatch> pieces);
 
   [[nodiscard]] const std::vector<GridPatch>& pieces() const { return pieces_; }
@@ -38,8 +38,8 @@ class PieceNet {
 
   std::vector<GridPatch> pieces_;
   std::vector<BezierCurve> edges_;
-  std::vector<BorderEdge> borders_;  ///< Edges around the pieces, piece by piece.
-  /// For each piece the index of its first edge in borders_, and the number of edges at the end.
+  std::vector<BorderEdge> borders_;  ///< Edges around all pieces, piece by piece.
+  /// Index in borders_ of the first edge of each piece. The last entry is the size of borders_.
   std::vector<std::size_t> first_edge_;
 };
 

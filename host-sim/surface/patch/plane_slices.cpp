@@ -15,33 +15,34 @@ using Eigen::Vector3d;
 
 constexpr std::uint32_t kNoChord = std::numeric_limits<std::uint32_t>::max();
 
-/// The line between two hits of one piece.
+/// The line between two hits on the border of a piece.
 struct Chord {
   std::array<std::uint32_t, 2> hits{};
   double error_bound = 0.0;
 };
 
-/// A point at which the plane cuts an edge. A chord ends there on each side of the edge; at the rim
-/// of the surface there is only one side.
+/// A point at which the plane cuts an edge. A chord ends there on each side of the edge. At the rim
+/// of the surface, there is only one chord.
 struct Hit {
   Vector3d point = Vector3d::Zero();
   std::array<std::uint32_t, 2> chords{kNoChord, kNoChord};
 };
 
-/// The hits of one edge, in the order along the edge.
+/// Range of the hits of one edge, in the order along the edge.
 struct HitRun {
   std::uint32_t first = 0;
   std::uint32_t count = 0;
-  /// Number of the plane that these hits belong to.
+  /// Number of the plane to which these hits belong.
   std::size_t of_plane = std::numeric_limits<std::size_t>::max();
 };
 
-/// Cuts a net with one plane after another.
+/// Cuts a net with several planes, one after another.
 class Slicer {
  public:
   Slicer(const PieceNet& net, const Vector3d& normal)
       : net_{net}, normal_{normal}, runs_(net.edges().size()) {}
 
+  /// Returns the paths in the plane at `distance`.
   /// @param pieces the pieces that the plane may cut
   std::vector<SlicePath> paths(double distance, const std::vector<std::uint32_t>& pieces) {
     ++plane_;
@@ -64,8 +65,8 @@ class Slicer {
     if (around.empty()) return;
     const BezierPatch& shape = net_.pieces()[piece].shape;
     const double bound = chord_error_bound(shape, {.slicing_normal = normal_, .min_sine = 0.0});
-    // The hits divide the border into parts with alternating signs. The border's start lies in the
-    // last part.
+    // The hits divide the border into parts on alternating sides of the plane. The start of the
+    // border is in the last part.
     const BorderEdge start = net_.border(piece).front();
     const BezierCurve& curve = net_.edges()[start.edge];
     const bool starts_above = is_above(curve.controls[start.is_reversed ? 3 : 0]);
@@ -105,7 +106,7 @@ class Slicer {
     }
   }
 
-  /// Joins the chords: first the chains that begin at the rim, then the closed chains.
+  /// Joins the chords to paths: first the paths that begin at the rim, then the closed paths.
   std::vector<SlicePath> chained() {
     std::vector<SlicePath> paths;
     done_.assign(hits_.size(), 0);
@@ -118,7 +119,7 @@ class Slicer {
     return paths;
   }
 
-  /// Follows the chords from a hit to the rim, or around a closed chain back to the hit.
+  /// Returns the path from a hit to the rim, or the closed path through the hit.
   SlicePath path_from(std::uint32_t hit) {
     SlicePath path;
     path.is_closed = true;
@@ -143,14 +144,14 @@ class Slicer {
   Vector3d normal_;
   double distance_ = 0.0;
   std::size_t plane_ = 0;
-  /// Hits of each edge; each entry is valid for the plane that it names.
+  /// Hits of each edge. An entry is valid only if its `of_plane` is the current plane.
   std::vector<HitRun> runs_;
   std::vector<Hit> hits_;
   std::vector<Chord> chords_;
   std::vector<std::uint8_t> done_;
 };
 
-/// Returns the range of a piece along the normal: the extremes of its control points.
+/// Returns the range of a piece's control points along the normal.
 Range reach_of(const BezierPatch& shape, const Vector3d& normal) {
   Range range{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
   for (const BezierCurve& row : shape.rows) {
@@ -174,8 +175,8 @@ std::vector<std::vector<SlicePath>> plane_slices(const PieceNet& net,
     return distances_mm[a] < distances_mm[b];
   });
   for (std::uint32_t piece = 0; piece < net.pieces().size(); ++piece) {
-    // The end of an edge may come from a neighbour and differ by rounding, so that the edges widen
-    // the range.
+    // The range is widened by `slack`, because the end of an edge may come from a neighbour and
+    // differ by rounding.
     Range reach = reach_of(net.pieces()[piece].shape, normal);
     const double slack =
         1.0e-12 * (1.0 + std::max(std::abs(reach.lowest), std::abs(reach.highest)));

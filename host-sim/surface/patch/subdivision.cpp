@@ -14,13 +14,13 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// A direction of a split helps if its halves have at most this share of the whole's flatness. The
-/// worse direction is tried if it helps, too, or if neither direction helps. Halving the curved
-/// parameter of a ruled patch leaves a quarter of the flatness; halving the straight parameter
-/// leaves all of it.
+/// Ratio of the halves' error to the error before the split up to which a direction of a split
+/// helps. The worse direction is tried only if both directions help or neither does. For a ruled
+/// patch, halving the curved parameter leaves a quarter of the error; halving the straight
+/// parameter leaves all of it.
 constexpr double kHelpfulShare = 0.9;
 
-/// Part number `index` of the 2^halvings equal parts of an interval.
+/// Part number `index`, counted from 0, of the 2^halvings equal parts of an interval.
 struct Fraction {
   std::uint32_t halvings = 0;
   std::uint32_t index = 0;
@@ -38,7 +38,7 @@ struct Fraction {
 
 enum class Split : std::uint8_t { kNone, kAlongU, kAlongV, kInFour };
 
-/// A rectangle within a patch.
+/// A rectangle within the parameters of a patch.
 struct Rectangle {
   Fraction u;
   Fraction v;
@@ -69,8 +69,8 @@ double diameter(const BezierPatch& patch) {
   return box.diagonal().norm();
 }
 
-/// Finds the fewest pieces by dynamic programming over the rectangles that result from halvings.
-/// Counting stops once the count exceeds the number of pieces of another split.
+/// Finds a division into few flat pieces, by dynamic programming over the rectangles that result
+/// from halvings. A count stops when it exceeds the number of pieces of another split.
 class FewestPieces {
  public:
   FewestPieces(const GridPatch& patch, const FlatnessLimit& limit) : patch_{patch}, limit_{limit} {}
@@ -99,12 +99,12 @@ class FewestPieces {
   struct Choice {
     double error = 0.0;
     std::uint32_t pieces = 0;  ///< Number of pieces; 0 until it is known.
-    /// Number that the count is known to exceed, from a stopped count.
+    /// Lower limit from a stopped count: the number of pieces exceeds it.
     std::uint32_t more_than = 0;
     Split split = Split::kNone;
   };
 
-  /// Returns the entry of a rectangle; the error of the rectangle is computed.
+  /// Returns the entry of a rectangle. Computes the rectangle's error if the entry is new.
   Choice& choice_of(const Rectangle& part) {
     const auto [place, is_new] = choices_.try_emplace(part.key());
     if (is_new) place->second.error = chord_error_bound(part.of(patch_).shape, limit_);
@@ -123,8 +123,8 @@ class FewestPieces {
     choice.pieces = pieces;
   }
 
-  /// Returns the number of pieces of a rectangle; kMore if it exceeds `most`. The recursion is at
-  /// most 2 kMaxHalvings deep, because each level adds a halving.
+  /// Returns the number of pieces of a rectangle; kMore if the number exceeds `most`. The recursion
+  /// is at most 2 kMaxHalvings deep, because each level adds at least one halving.
   std::uint32_t count(const Rectangle& part,  // NOLINT(misc-no-recursion): bounded by the halvings.
                       std::uint32_t most) {
     Choice& choice = choice_of(part);

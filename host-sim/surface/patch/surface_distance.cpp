@@ -10,11 +10,11 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Maximum number of Gauss-Newton steps. They converge at a rate of distance divided by radius of
-/// curvature. If a foot converges more slowly, divisions of the patch find it.
+/// Maximum number of Gauss-Newton steps. Each step reduces the error by about the distance divided
+/// by the radius of curvature. If the steps do not converge, divisions of the patch find the foot.
 constexpr int kMaxFootSteps = 12;
-/// Maximum number of divisions of a patch in four. The parts are then as small as the rounding
-/// error of their points.
+/// Maximum number of successive divisions of a patch in four. The parts are then as small as the
+/// rounding error of their points.
 constexpr int kMaxDivisions = 24;
 
 Eigen::AlignedBox3d box_of(const BezierPatch& patch) {
@@ -25,9 +25,9 @@ Eigen::AlignedBox3d box_of(const BezierPatch& patch) {
   return box;
 }
 
-/// Returns a step of u and v towards the foot. The step does not change a parameter that is at its
-/// limit if the step would leave the patch there. If both parameters lead in the same direction,
-/// only the stronger one changes.
+/// Returns a step of u and v towards the foot. A parameter at its limit is not changed if the step
+/// would leave the patch. If both derivatives have the same direction, only the parameter with the
+/// greater derivative is changed.
 Eigen::Vector2d step_to_foot(const PatchJet& jet, const Vector3d& away, double u, double v) {
   const double uu = jet.along_u.squaredNorm();
   const double uv = jet.along_u.dot(jet.along_v);
@@ -44,8 +44,9 @@ Eigen::Vector2d step_to_foot(const PatchJet& jet, const Vector3d& away, double u
   return {(du * vv - dv * uv) / determinant, (dv * uu - du * uv) / determinant};
 }
 
-/// Returns a lower bound of the distance between the point and the patch: the least distance of its
-/// control points from the plane through the point that is perpendicular to the line from the foot.
+/// Returns a lower bound of the distance between the point and the patch. It is the least distance
+/// of the patch's control points from the plane through `point` that is perpendicular to the line
+/// from `foot` to `point`.
 double min_distance(const BezierPatch& patch, const Vector3d& point, const Vector3d& foot) {
   const Vector3d away = point - foot;
   const double length = away.norm();
@@ -80,7 +81,7 @@ double move_to_foot(const BezierPatch& patch, const Vector3d& point, double& u, 
   return distance;
 }
 
-/// A part of a patch in a search.
+/// A part of a patch that is still to be searched.
 struct SurfaceDistance::Part {
   BezierPatch shape;
   Interval u;
@@ -106,17 +107,19 @@ struct SurfaceDistance::Part {
 struct SurfaceDistance::Search {
   Vector3d point = Vector3d::Zero();
   SurfacePoint best;
-  double enough = 0.0;       ///< Distance at which the search stops: a nearer point is not needed.
-  double too_far = 0.0;      ///< Distance above which points are of no interest.
-  std::vector<Part> open{};  ///< A heap of parts of the current patch.
+  /// Distance at which the search stops, because a nearer point is not needed.
+  double enough = 0.0;
+  double too_far = 0.0;  ///< Distance above which points are ignored.
+  /// Heap of the parts of the current patch that are still to be searched.
+  std::vector<Part> open{};
 
   [[nodiscard]] bool is_over() const { return best.distance_mm <= enough; }
   [[nodiscard]] double bound() const {
     return is_over() ? -1.0 : std::min(too_far, best.distance_mm - kDistanceErrorMm);
   }
 
-  /// Moves a point of a part, given by the part's parameters `u` and `v`, to its foot. Stores the
-  /// foot if it is the nearest one so far. Returns the foot.
+  /// Searches for the foot of the perpendicular on a part, beginning at the part's parameters `u`
+  /// and `v`. Stores the foot in `best` if it is the nearest foot so far. Returns the foot.
   Vector3d try_foot(std::uint32_t patch, const Part& part, double u, double v) {
     const double distance = move_to_foot(part.shape, point, u, v);
     if (distance < best.distance_mm) {
@@ -128,7 +131,7 @@ struct SurfaceDistance::Search {
     return part.shape.at(u, v);
   }
 
-  /// Adds a part unless it is too far away to matter.
+  /// Adds a part to the heap unless it cannot contain a nearer point.
   void add(std::uint32_t patch, Part part) {
     part.least = std::max(part.least, std::sqrt(box_of(part.shape).squaredExteriorDistance(point)));
     if (part.least > bound()) return;
@@ -154,7 +157,7 @@ void SurfaceDistance::search_patch(std::uint32_t number, Search& search) const {
     std::pop_heap(search.open.begin(), search.open.end());
     const Part part = search.open.back();
     search.open.pop_back();
-    if (part.least > search.bound()) return;  // All other parts are at least as far.
+    if (part.least > search.bound()) return;  // All remaining parts are at least as far away.
     for (const bool far_u : {false, true}) {
       for (const bool far_v : {false, true}) search.add(number, part.quarter(far_u, far_v));
     }
@@ -163,7 +166,8 @@ void SurfaceDistance::search_patch(std::uint32_t number, Search& search) const {
 
 void SurfaceDistance::search(Search& search) const {
   const auto bound = [&search] { return search.bound(); };
-  // A good first distance saves the proofs of least distance for patches that are farther.
+  // A good first distance excludes patches that are farther away, so that they need no exact
+  // search.
   tree_.visit_near(search.point, bound, [&](std::uint32_t number) {
     const Part whole{surface_->patches[number].shape, {}, {}, 0, 0.0};
     for (const double u : {0.1, 0.5, 0.9}) {

@@ -8,11 +8,11 @@
 
 namespace sim::surface::patch {
 
-/// Largest error of a distance, mm, apart from rounding.
+/// Greatest error of a distance, mm, without rounding errors.
 inline constexpr double kDistanceErrorMm = 1.0e-7;
 
-/// A point of a surface, given by a patch and its parameters from 0 to 1, and its distance from
-/// another point.
+/// A point of a surface, given by the number of a patch and parameters from 0 to 1, and its
+/// distance from the point of the search.
 struct SurfacePoint {
   std::uint32_t patch = 0;
   double u = 0.5;
@@ -20,16 +20,16 @@ struct SurfacePoint {
   double distance_mm = 0.0;
 };
 
-/// Distances of points from a composite surface.
+/// Computes distances of points from a composite surface.
 ///
-/// A search starts at a known point of the surface, usually the one with the same row and column,
-/// and moves it to the foot of the perpendicular. If that does not decide, a tree of boxes leaves
-/// few patches. These are divided in four while a part could be nearer than the nearest foot so
-/// far. A part cannot be nearer if all its control points lie beyond a plane at that distance,
-/// perpendicular to the line from the point to the part's foot.
+/// A search starts at a known point of the surface, usually the point with the same row and column,
+/// and moves it to the foot of the perpendicular. If this foot is not near enough, a tree of boxes
+/// selects few patches. These are divided in four while a part could be nearer than the nearest
+/// foot so far. A part cannot be nearer if all its control points are beyond a plane at that
+/// distance. This plane is perpendicular to the line from the point to the part's foot.
 class SurfaceDistance {
  public:
-  /// @pre the surface has a patch; it lives as long as this object
+  /// @pre the surface has a patch and outlives this object
   explicit SurfaceDistance(const PatchSurface& surface);
 
   /// Returns a nearest point of the surface.
@@ -37,8 +37,8 @@ class SurfaceDistance {
   [[nodiscard]] SurfacePoint nearest(const Eigen::Vector3d& point, const SurfacePoint& near) const;
   /// Returns a nearest point of the surface. The search needs no starting point.
   [[nodiscard]] SurfacePoint nearest(const Eigen::Vector3d& point) const;
-  /// Returns whether the surface is within the tolerance of the point. The answer is exact unless
-  /// the distance differs from the tolerance by less than kDistanceErrorMm.
+  /// Returns whether the distance between point and surface is at most the tolerance. The answer
+  /// may be wrong if the distance differs from the tolerance by less than kDistanceErrorMm.
   [[nodiscard]] bool is_within(const Eigen::Vector3d& point,
                                double tolerance_mm,
                                const SurfacePoint& near) const;
@@ -54,8 +54,8 @@ class SurfaceDistance {
   BoxTree tree_;
 };
 
-/// Moves a point of a patch, u and v within 0 to 1, by Gauss-Newton steps until no step makes the
-/// distance smaller. Returns the distance.
+/// Changes the parameters `u` and `v` of a patch, from 0 to 1, by Gauss-Newton steps until the
+/// distance from `point` no longer decreases. Returns the distance.
 double move_to_foot(const BezierPatch& patch, const Eigen::Vector3d& point, double& u, double& v);
 
 }  // namespace sim::surface::patch

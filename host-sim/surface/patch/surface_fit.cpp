@@ -17,8 +17,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Returns the patch of a cell from its corners in the order (row, column), (row, end column), (end
-/// row, column), (end row, end column).
+/// Returns the patch of a cell from the nodes at its corners. Their order is (row, column), (row,
+/// end column), (end row, column), (end row, end column).
 BezierPatch hermite_patch(const Cell& cell, const std::array<const Node*, 4>& corners) {
   BezierPatch patch;
   for (std::size_t corner = 0; corner < 4; ++corner) {
@@ -51,7 +51,7 @@ class PatchBuilder {
     const std::vector<Cell>& cells = tree_.cells();
     std::vector<std::uint32_t> order(cells.size());
     for (std::uint32_t i = 0; i < order.size(); ++i) order[i] = i;
-    // Coarse cells come first, so that the border in which a corner hangs is known.
+    // Builds coarse cells first, because a hanging corner needs the border of the coarser patch.
     std::stable_sort(order.begin(), order.end(), [&cells](std::uint32_t a, std::uint32_t b) {
       return cells[a].depth < cells[b].depth;
     });
@@ -93,7 +93,7 @@ class PatchBuilder {
     return estimated_node(grid_, {row, column, height, width});
   }
 
-  /// Returns the node of a hanging corner from the border of the coarser cell `number`.
+  /// Computes the node of a hanging corner from the patch of the coarser cell `number`.
   Node hanging_node(std::uint32_t number, std::uint32_t row, std::uint32_t column) const {
     const Cell& cell = tree_.cells()[number];
     const double height = cell.height();
@@ -110,15 +110,15 @@ class PatchBuilder {
   std::vector<BezierPatch> patches_;
 };
 
-/// A point of the grid whose distance from the patch, at the same row and column, exceeds the
-/// tolerance.
+/// A point of the grid whose distance from the patch's point with the same row and column exceeds
+/// the tolerance. The nearest point of the surface may still be within tolerance.
 struct Suspect {
   std::uint32_t row = 0;
   std::uint32_t column = 0;
   double distance = 0.0;
 };
 
-/// Divides cells until the surface is within tolerance of all points.
+/// Fits a surface: splits cells until the surface is within tolerance of all points.
 class AdaptiveFit {
  public:
   AdaptiveFit(const PointGrid& grid, double tolerance)
@@ -126,7 +126,8 @@ class AdaptiveFit {
 
   PatchSurface surface() {
     build();
-    // Each pass splits at least one cell, and no cell is smaller than a quadrilateral.
+    // The loop ends, because each pass splits at least one cell and no cell is smaller than a
+    // quadrilateral.
     while (split_failing_cells()) build();
     return std::move(surface_);
   }
@@ -165,7 +166,8 @@ class AdaptiveFit {
     return has_split;
   }
 
-  /// Returns a point of a cell that is farther from the whole surface than the tolerance.
+  /// Returns a point of a cell whose distance from the complete surface exceeds the tolerance, or
+  /// at which the surface is not near the grid.
   std::optional<Suspect> failing_point(std::uint32_t number) {
     std::vector<Suspect> suspects = suspects_of(number);
     std::sort(suspects.begin(), suspects.end(), [](const Suspect& a, const Suspect& b) {
@@ -186,9 +188,9 @@ class AdaptiveFit {
     return std::nullopt;
   }
 
-  /// Returns whether the surface at a row and column is within tolerance of the quadrilaterals
-  /// around that place. Without this check a surface could bulge beyond the points and still pass
-  /// near them.
+  /// Returns whether the surface at a row and column is within tolerance of the nearest
+  /// quadrilaterals of the grid. Without this check, the surface could bulge between the points and
+  /// still pass near them.
   bool is_near_grid(const SurfacePoint& place, std::uint32_t row, std::uint32_t column) const {
     const Vector3d point = surface_.patches[place.patch].shape.at(place.u, place.v);
     const auto last_row = static_cast<std::uint32_t>(grid_.rows - 2);
@@ -211,8 +213,8 @@ class AdaptiveFit {
       for (std::uint32_t column = cell.column; column <= cell.end_column; ++column) {
         const Vector3d off = grid_.at(row, column) -
                              curve.at((column - cell.column) / static_cast<double>(cell.width()));
-        // NaN and infinity, from a surface beyond the range of numbers, count as beyond the
-        // tolerance.
+        // The negated condition also finds NaN, which results if the surface exceeds the range of
+        // doubles.
         if (!(off.squaredNorm() <= tolerance_ * tolerance_)) {
           suspects.push_back({row, column, off.norm()});
         }
@@ -225,7 +227,8 @@ class AdaptiveFit {
   double tolerance_;
   CellTree tree_;
   PatchSurface surface_;
-  std::optional<SurfaceDistance> distance_;  ///< Created for the current surface when first needed.
+  /// Distances from the current surface; created when first needed.
+  std::optional<SurfaceDistance> distance_;
 };
 
 }  // namespace

@@ -11,22 +11,23 @@ namespace {
 using Place = cnc::WideVec2;
 using cnc::cross;
 
-/// Directions from `right` counter-clockwise to `left`, less than half a turn apart.
+/// The directions from `right` counter-clockwise to `left`. The angle between both is less than
+/// half a turn.
 struct Cone {
   Place right;
   Place left;
 };
 
-/// Returns places of the curve. They are so close to each other that a line that passes two
-/// neighbours within a tolerance also passes the curve between them within the tolerance.
+/// Returns points of the curve. They are so close to each other that a line within the tolerance of
+/// two neighbours is also within the tolerance of the curve between them.
 std::vector<Place> places_of(const cnc::contour::PlaneCurve& curve,
                              const SpanRange& spans,
                              double tolerance_mm) {
   constexpr double kShareOfTolerance = 0.02;
   std::vector<Place> places{curve.at(spans.from, 0.0).place};
   for (std::size_t span = spans.from; span < spans.to; ++span) {
-    // The distance of a cubic from the chord over 1 / n of it is at most its second derivative / 8
-    // n².
+    // If a cubic is divided into n parts, its distance from the chord of a part is at most its
+    // second derivative / 8 n².
     const double bend =
         std::max(curve.at(span, 0.0).second.norm(), curve.at(span, 1.0).second.norm());
     const double parts = std::ceil(std::sqrt(bend / (8.0 * kShareOfTolerance * tolerance_mm)));
@@ -38,7 +39,7 @@ std::vector<Place> places_of(const cnc::contour::PlaneCurve& curve,
   return places;
 }
 
-/// Finds lines that pass places, in order, within a tolerance.
+/// Finds lines that pass all given points, in order, within a tolerance.
 class ChordFinder {
  public:
   ChordFinder(std::vector<Place> places, double tolerance_mm)
@@ -56,7 +57,7 @@ class ChordFinder {
   }
 
  private:
-  /// A line that passes the places from `begin` up to but not including `end`.
+  /// A line within the tolerance of the points from index `begin` up to but not including `end`.
   struct Line {
     Place from;
     Place direction;  ///< Unit vector of the line's direction.
@@ -68,12 +69,12 @@ class ChordFinder {
     out.push_back({.x = place.x(), .y = place.y(), .bulge = 0.0});
   }
 
-  /// Returns the line from `from` that passes the greatest number of places from `begin` on. If
-  /// possible, the line passes exactly through the curve's end.
+  /// Returns the line from `from` that passes the greatest number of points, beginning with point
+  /// `begin`. A line to the curve's end passes exactly through the end.
   [[nodiscard]] Line farthest(const Place& from, std::size_t begin) const {
     Line line{.from = from, .direction = Place::UnitX(), .begin = begin, .end = begin};
     Cone cone{};
-    bool open = true;  // All directions are possible so far.
+    bool open = true;  // Whether all directions are still possible.
     Place reached = from;
     for (std::size_t i = begin; i < places_.size(); ++i) {
       const Place seen = places_[i] - from;
@@ -88,8 +89,8 @@ class ChordFinder {
     return line;
   }
 
-  /// Restricts the cone to the directions that pass a place within `most`. Returns false and
-  /// changes nothing if no direction is left.
+  /// Restricts the cone to the directions that pass the point `seen` within the distance `most`.
+  /// Returns false and leaves the cone unchanged if no direction remains.
   static bool narrow(const Place& seen, double distance, double most, bool open, Cone& cone) {
     const double sine = most / distance;
     const double cosine = std::sqrt(1.0 - sine * sine);
@@ -100,7 +101,7 @@ class ChordFinder {
       cone = now;
       return true;
     }
-    // One line never continues past a place where the curve turns back.
+    // A line must not continue past a point where the curve reverses.
     if (unit.dot(cone.right + cone.left) <= 0.0) return false;
     const Cone both{cross(cone.right, now.right) > 0.0 ? now.right : cone.right,
                     cross(cone.left, now.left) < 0.0 ? now.left : cone.left};
@@ -109,8 +110,7 @@ class ChordFinder {
     return true;
   }
 
-  /// Returns the direction towards the last place if the cone contains it, else the nearest side of
-  /// the cone.
+  /// Returns the direction of `towards` if the cone contains it, else the nearest side of the cone.
   static Place direction_in(const Cone& cone, const Place& towards) {
     Place unit = towards.normalized();
     if (cross(cone.right, unit) < 0.0) return cone.right;
@@ -120,7 +120,8 @@ class ChordFinder {
 
   [[nodiscard]] Line best_from_start() const { return farthest(places_.front(), 1); }
 
-  /// Returns the best of the lines that begin on a line, next to one of its last places.
+  /// Returns the line with the greatest `end` among lines that begin on `line`, next to one of its
+  /// last points.
   [[nodiscard]] Line best_after(const Line& line) const {
     constexpr std::size_t kTried = 12;
     const std::size_t last = line.end - 1;
@@ -132,7 +133,8 @@ class ChordFinder {
       if (other.end > best.end) best = other;
     }
     if (best.end > line.end) return best;
-    // No such line reaches the next place: the path goes through the last place itself.
+    // None of these lines reaches the next point. The path then goes exactly through the last
+    // point.
     return farthest(places_[last], line.end);
   }
 

@@ -7,10 +7,10 @@
 
 namespace sim::surface {
 
-/// Appends lines within a tolerance of some spans of a curve, from start to end, and tries to use
-/// few of them. Each line begins on the previous one, at a point still within the tolerance from
-/// which the new line gets farthest. The joints thus lie next to the curve: on a bend the lines are
-/// 1.5 times as long as chords with both ends on the curve.
+/// Appends few lines that follow some spans of a curve within a tolerance, from the start of the
+/// spans to their end. Each line begins on the previous line, at the point from which the new line
+/// reaches farthest. The joints may thus be offset from the curve. On a bend, the lines are 1.5
+/// times as long as chords with both ends on the curve.
 /// @param tolerance_mm tolerance, above 0
 void fit_chords(const cnc::contour::PlaneCurve& curve,
                 const SpanRange& spans,

@@ -10,14 +10,15 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-/// Width to which a crease is narrowed down, mm. Rises are differences over shorter distances.
+/// Distance, mm, within which the search locates a crease. Rises are computed over shorter
+/// distances.
 constexpr double kCreaseWidth = 5.0e-5;
-/// Rise above which the heights may jump, mm per mm, and rise above which they count as jumping
-/// over kCreaseWidth.
+/// Rise, mm per mm, above which a jump of the heights is searched for, and rise over kCreaseWidth
+/// above which there is a jump.
 constexpr double kMaybeWall = 3.0;
 constexpr double kSurelyWall = 1.0e3;
 
-/// Returns the angle between the normals of two rises, radians.
+/// Returns the angle between the normals of surfaces with two rises, radians.
 double angle_between(const Vector2d& one, const Vector2d& other) {
   const Vector3d a{-one.x(), -one.y(), 1.0};
   const Vector3d b{-other.x(), -other.y(), 1.0};
@@ -45,8 +46,9 @@ std::optional<CreasePlace> CreaseFinder::between(const ToolPose& from, const Too
   return bottom_between(from, to);
 }
 
-/// Searches for the foot of a wall by halving towards the greatest step of the heights. The wall's
-/// own normal is horizontal.
+/// Searches for the foot of a wall by bisection: keeps the half with the greater step of the
+/// heights. The angle of the crease is measured between the surface at the foot and a vertical
+/// wall.
 std::optional<CreasePlace> CreaseFinder::foot_between(ToolPose low, ToolPose high) const {
   while (width_of(low, high) > kCreaseWidth) {
     const ToolPose middle = pose_at(0.5 * (low.place + high.place));
@@ -61,8 +63,8 @@ std::optional<CreasePlace> CreaseFinder::foot_between(ToolPose low, ToolPose hig
   return CreasePlace{low.place, true};
 }
 
-/// Searches for the bottom of a valley by halving towards the greatest change of the normal. In a
-/// valley the rise is greater after the crease than before it.
+/// Searches for the bottom of a valley by bisection: keeps the half with the greater change of the
+/// normal. In a valley, the rise is greater after the crease than before the crease.
 std::optional<CreasePlace> CreaseFinder::bottom_between(ToolPose from, ToolPose to) const {
   while (width_of(from, to) > kCreaseWidth) {
     const ToolPose middle = pose_at(0.5 * (from.place + to.place));

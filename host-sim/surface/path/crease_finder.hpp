@@ -7,13 +7,14 @@
 
 namespace sim::surface {
 
-/// A place at which a tool touches a surface on both sides of a valley.
+/// A point of a crease: there, a tool touches the surface on both sides of a valley.
 struct CreasePlace {
   Eigen::Vector2d place = Eigen::Vector2d::Zero();
-  bool is_wall = false;  ///< Whether the heights jump there, at the foot of a vertical wall.
+  /// Whether the point is at the foot of a vertical wall, where the heights jump.
+  bool is_wall = false;
 };
 
-/// A place, and the height and rise of the tool's tip there.
+/// A point in plan, and the height and rise of the tool's tip there.
 struct ToolPose {
   Eigen::Vector2d place = Eigen::Vector2d::Zero();
   double height = cnc::surface::kNoContact;
@@ -22,20 +23,22 @@ struct ToolPose {
   [[nodiscard]] bool is_over() const { return height != cnc::surface::kNoContact; }
 };
 
-/// Finds where a line in plan crosses a valley that a tool does not fit into. The heights of the
-/// tip have a crease there, because the point of contact jumps from one side to the other.
+/// Finds the point where a line in plan crosses a valley that is too narrow for a tool. The heights
+/// of the tip have a crease there, because the contact jumps from one side of the valley to the
+/// other.
 class CreaseFinder {
  public:
   /// @param heights heights of the tip; they outlive this object
-  /// @param angle_rad minimum angle between the normals of both sides
+  /// @param angle_rad minimum angle between the normals of the two sides
   CreaseFinder(const ToolHeights& heights, double angle_rad)
       : heights_{&heights}, angle_rad_{angle_rad} {}
 
   [[nodiscard]] ToolPose pose_at(const Eigen::Vector2d& place) const;
 
-  /// Returns where the line between two poses crosses a crease, within 1e-4 mm. At a wall the
-  /// result lies on the low side. Returns one crossing if there are several; nothing if the normals
-  /// at both ends differ by less than half the angle and the heights do not jump.
+  /// Returns the point where the line between two poses crosses a crease, within 1e-4 mm. At a
+  /// wall, the point is on the low side. Of several crossings, one is returned. Returns nothing if
+  /// the heights do not jump and the normals at the ends differ by less than half of the minimum
+  /// angle.
   [[nodiscard]] std::optional<CreasePlace> between(const ToolPose& from, const ToolPose& to) const;
 
  private:

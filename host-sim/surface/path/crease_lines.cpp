@@ -10,10 +10,10 @@ namespace {
 
 using Eigen::Vector2d;
 
-/// Maximum length of a gap that is bridged, in cells.
+/// Maximum length of a bridged gap between two ends, in cells.
 constexpr double kBridgedCells = 2.0;
 
-/// Places on creases that are linked to their neighbours.
+/// A graph of points on creases, with links between neighbours.
 class CreaseGraph {
  public:
   std::size_t add(const CreasePlace& place) {
@@ -31,7 +31,7 @@ class CreaseGraph {
     return (places_[one].place - places_[other].place).norm();
   }
 
-  /// Links each end to the nearest end that is at most `max_mm` away and not already linked to it.
+  /// Links each end of a line to the nearest unlinked end within `max_mm`.
   void bridge(double max_mm) {
     std::vector<std::size_t> ends;
     for (std::size_t i = 0; i < links_.size(); ++i) {
@@ -50,8 +50,8 @@ class CreaseGraph {
     }
   }
 
-  /// Removes lines from the graph and returns them: first the lines between ends and branches, then
-  /// closed lines.
+  /// Removes all lines from the graph and returns them: first the lines between ends and branches,
+  /// then the closed lines.
   std::vector<CreaseLine> take_lines() {
     std::vector<CreaseLine> lines;
     for (const bool is_closed : {false, true}) {
@@ -65,8 +65,8 @@ class CreaseGraph {
   }
 
  private:
-  /// Follows links from a place to the next place that is an end or a branch, or around a closed
-  /// line back to the first place.
+  /// Removes and returns the line from a point to the next end or branch, or around a closed line
+  /// back to the point.
   CreaseLine take_line(std::size_t first) {
     CreaseLine line{places_[first]};
     std::size_t at = first;
@@ -85,7 +85,7 @@ class CreaseGraph {
   std::vector<std::vector<std::size_t>> links_;
 };
 
-/// Searches for creases on the edges of a grid, row by row.
+/// Searches for crossings of creases with the edges of a grid, row by row.
 class CreaseGrid {
  public:
   CreaseGrid(const Mesh& mesh, const CreaseFinder& finder, double pitch_mm)
@@ -96,7 +96,7 @@ class CreaseGrid {
       min_ = min_.cwiseMin(point.head<2>());
       max_ = max_.cwiseMax(point.head<2>());
     }
-    // With this offset a valley along an axis does not run along the edges of the grid.
+    // The offset makes it unlikely that a valley along an axis coincides with edges of the grid.
     first_ = min_ - 0.37 * pitch_mm_ * Vector2d{1.0, 0.9};
     columns_ = 2 + static_cast<std::size_t>(std::ceil((max_.x() - first_.x()) / pitch_mm_));
     rows_ = 2 + static_cast<std::size_t>(std::ceil((max_.y() - first_.y()) / pitch_mm_));
@@ -120,7 +120,7 @@ class CreaseGrid {
   }
 
  private:
-  /// For each edge the index in the graph of its crossing, if it has one.
+  /// Index in the graph of each edge's crossing; empty if the edge has no crossing.
   using Crossings = std::vector<std::optional<std::size_t>>;
 
   std::vector<ToolPose> row_of(std::size_t row) const {
@@ -151,7 +151,8 @@ class CreaseGrid {
     return found;
   }
 
-  /// Links the crossings of a cell: opposite ones first, and a third one to the nearer of both.
+  /// Links the crossings of a cell: first crossings on opposite edges, then a third crossing to the
+  /// nearer of the two.
   void link_cell(const std::array<std::optional<std::size_t>, 4>& edges) {
     std::vector<std::size_t> found;
     for (const auto& edge : edges) {
@@ -173,7 +174,8 @@ class CreaseGrid {
 
   const CreaseFinder& finder_;
   double pitch_mm_;
-  /// Corner of the mesh's box; the borders of the box are edges, too.
+  /// Lower corner of the mesh's bounding box. Points of the grid beyond the box are moved to its
+  /// border.
   Vector2d min_ = Vector2d::Zero();
   Vector2d max_ = Vector2d::Zero();
   Vector2d first_ = Vector2d::Zero();

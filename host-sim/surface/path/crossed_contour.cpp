@@ -16,10 +16,10 @@ namespace {
 using Curve = cnc::contour::Curve<double>;
 
 constexpr double kTouchMm = 1.0e-9;
-/// Uncertainty of a joint at which neighbours meet at a sharp angle, mm.
+/// Uncertainty of the position of a joint between neighbours at a sharp angle, mm.
 constexpr double kJointMm = 1.0e-6;
 
-/// Returns whether two elements meet at a place that is not their common joint.
+/// Returns whether two elements intersect or touch at a point other than their common joint.
 bool meet(const Curve& a, const Curve& b) {
   const auto is_joint = [&](const cnc::WideVec2& place) {
     const bool ends_there =
@@ -39,12 +39,12 @@ double length_between(const ContourVertex& from, const ContourVertex& to) {
   return (to.point() - from.point()).norm();
 }
 
-/// Cuts off the detours of one loop.
+/// Removes the short detours of one loop.
 class LoopUntangler {
  public:
   explicit LoopUntangler(std::vector<ContourVertex> loop) : loop_{std::move(loop)} {}
 
-  /// Cuts off all short detours, except those that include the loop's first vertex.
+  /// Removes all short detours, except detours that include the loop's first vertex.
   void cut(double reach_mm) {
     for (std::size_t i = 0; i + 2 < loop_.size(); ++i) {
       while (cut_after(i, reach_mm)) {
@@ -63,8 +63,8 @@ class LoopUntangler {
     return cnc::pocket::make_curve({loop_[i].point(), end.point(), loop_[i].bulge}, curve);
   }
 
-  /// Cuts from an element to the farthest element within reach that it meets. Returns false if it
-  /// meets none.
+  /// Joins element `i` directly to the farthest following element within `reach_mm` that it
+  /// intersects, and removes the elements between. Returns false if there is no such element.
   bool cut_after(std::size_t i, double reach_mm) {
     Curve first;
     if (!make(i, first)) return false;

@@ -14,7 +14,7 @@ namespace {
 
 using Eigen::Vector2d;
 
-/// The connected parts of an area that are farther from its border than a value.
+/// The connected parts of an area whose distance from the border exceeds a value.
 class InnerParts {
  public:
   InnerParts(const DistanceMap& distances, double value_mm)
@@ -24,7 +24,7 @@ class InnerParts {
     }
   }
 
-  /// Returns the greatest distance in the part that contains a node.
+  /// Returns the greatest distance from the border in the part that contains `node`.
   [[nodiscard]] double greatest_around(std::size_t node) const { return greatest_[part_of_[node]]; }
 
  private:
@@ -97,7 +97,7 @@ LevelLoop loop_of(const DistanceMap& distances, const IsoLine& line, double valu
   return loop;
 }
 
-/// Collects lines, and the distances of the nodes next to them.
+/// Collects lines, and the distances of adjacent nodes from the lines.
 class LoopLayer {
  public:
   explicit LoopLayer(const TipGrid& tips) : tips_{tips} {}
@@ -116,13 +116,14 @@ class LoopLayer {
     }
   }
 
-  /// Distances above `from_mm` and up to `to_mm`.
+  /// A range of distances, above `from_mm` and up to `to_mm`.
   struct Range {
     double from_mm = 0.0;
     double to_mm = 0.0;
   };
 
-  /// Adds the lines of a value around those parts whose greatest distance is in a range.
+  /// Adds the lines at the distance `value_mm` around the parts whose greatest distance is in
+  /// `range`.
   void add_round(const DistanceMap& distances, double value_mm, Range range, std::size_t level) {
     const InnerParts parts{distances, value_mm};
     for (const IsoLine& line : lines_at(distances, value_mm)) {
@@ -132,12 +133,12 @@ class LoopLayer {
     }
   }
 
-  /// Returns the nodes next to the lines, with their distances from the lines.
+  /// Returns the nodes that are adjacent to lines, with their distances from the lines.
   [[nodiscard]] std::vector<DistanceSource> beside() const {
     std::vector<DistanceSource> sources;
     for (const auto& [node, ways] : beside_) {
-      // A line that crosses edges of a node along X and along Y is nearer to the node than both
-      // crossings.
+      // If a line crosses a node's edges along X and along Y, it is nearer to the node than either
+      // crossing.
       const double least = std::min(ways[0], ways[1]);
       const double ratio = least > 0.0 ? least / std::max(ways[0], ways[1]) : 0.0;
       sources.push_back({node, least / std::sqrt(1.0 + ratio * ratio)});
@@ -147,7 +148,7 @@ class LoopLayer {
   [[nodiscard]] std::vector<LevelLoop> take() { return std::move(loops_); }
 
  private:
-  /// Notes the distance of a line from a node along one of the node's edges.
+  /// Stores the distance between a node and a line, measured along one of the node's edges.
   void note(std::size_t node, const CrossedEdge& edge, double way_mm) {
     constexpr double kInfinite = std::numeric_limits<double>::infinity();
     const bool is_along_x = std::max(edge.low, edge.high) - std::min(edge.low, edge.high) == 1;
@@ -158,7 +159,7 @@ class LoopLayer {
 
   const TipGrid& tips_;
   std::vector<LevelLoop> loops_;
-  /// For each node the distances along X and along Y.
+  /// Distances of each adjacent node from the nearest line, along X and along Y, mm.
   std::map<std::size_t, std::array<double, 2>> beside_;
 };
 
@@ -168,19 +169,20 @@ std::vector<LevelLoop> distance_loops(const SurfaceTracer& tracer,
                                       const TipGrid& tips,
                                       double step_mm,
                                       double max_mm) {
-  constexpr double kFirst = 0.25;  // Distance of the first line from the border, in steps.
+  constexpr double kFirst = 0.25;  // Distance between the border and the first line, in steps.
   LoopLayer layer{tips};
   const DistanceMap distances{tips, border_sources(tracer, tips)};
   const double greatest = distances.greatest();
   for (std::size_t level = 0; static_cast<double>(level) * step_mm < greatest; ++level) {
     const double value = (static_cast<double>(level) + kFirst) * step_mm;
     for (const IsoLine& line : lines_at(distances, value)) layer.add(distances, line, value, level);
-    // Adds lines half a step inside the previous line, in parts that this line does not reach.
+    // Adds lines half a step inside the previous line, in the parts that are too narrow for the
+    // line at `value`.
     if (level == 0) continue;
     layer.add_round(distances, value - 0.5 * step_mm, {0.0, value}, level);
   }
-  // Between straight lines a place is at most half a step from a line. At corners of lines places
-  // may be farther. Further lines surround those that are too far.
+  // Between straight lines, a point is at most half a step from a line. At corners of lines, the
+  // distance may be greater. Additional lines surround the points that are too far from all lines.
   const double middle = 0.5 * (0.5 * step_mm + max_mm);
   const DistanceMap left{tips, layer.beside()};
   const auto last = static_cast<std::size_t>(std::ceil(greatest / step_mm));

@@ -16,9 +16,9 @@ using Eigen::Vector3d;
 
 constexpr double kNowhere = std::numeric_limits<double>::infinity();
 
-/// Returns the least distance at the origin of a front that crosses a straight side. The front has
-/// two values at the ends of the side and varies linearly between them. A straight ray leads from
-/// the side to the origin.
+/// Returns the least distance value at the origin that reaches it over a straight side. The values
+/// at the ends of the side, `first` and `second`, are given; they vary linearly along the side. A
+/// straight path leads from the side to the origin.
 double distance_from_side(const Vector3d& first,
                           double first_value,
                           const Vector3d& second,
@@ -35,8 +35,8 @@ double distance_from_side(const Vector3d& first,
   return first_value + rise * along + std::hypot(across, along - foot);
 }
 
-/// Returns the distance from a node to the border between it and a neighbour without contact;
-/// infinity if all neighbours have contact.
+/// Returns the distance from a node with contact to the nearest border of the contact area, along
+/// the edges to its neighbours; infinity if all four neighbours have contact.
 double beside_border(const SurfaceTracer& tracer, const TipGrid& tips, std::size_t node) {
   constexpr double kNear = 1.0e-6;
   const PlanGrid& grid = tips.grid();
@@ -59,8 +59,8 @@ double beside_border(const SurfaceTracer& tracer, const TipGrid& tips, std::size
 
 }  // namespace
 
-/// Moves a front over the nodes, the nearest node first. A node that turns out to be nearer than
-/// first found is processed again.
+/// Propagates distances over the nodes, the nearest node first. If a shorter distance of a node is
+/// found later, the node is processed again.
 class DistanceMap::March {
  public:
   explicit March(DistanceMap& map) : map_{map} {}
@@ -71,7 +71,7 @@ class DistanceMap::March {
     while (!front_.empty()) {
       const auto [distance, node] = front_.top();
       front_.pop();
-      // A shorter distance of the node was found after this entry.
+      // Skips an outdated entry: a shorter distance of the node was found later.
       if (distance > map_.distances_[node]) continue;
       for (std::size_t i = 0; i < 8; ++i) update(node, i);
     }
@@ -80,8 +80,8 @@ class DistanceMap::March {
  private:
   using Open = std::pair<double, std::size_t>;
 
-  /// Returns neighbour `number` of a node, counted counter-clockwise from the one in +X. Returns
-  /// the node itself if the grid ends there.
+  /// Returns neighbour `number` of a node, counted counter-clockwise from the neighbour in +X.
+  /// Returns the node itself if the grid ends there.
   [[nodiscard]] std::size_t neighbour(std::size_t node, std::size_t number) const {
     constexpr std::array<std::array<int, 2>, 8> kSteps{
         {{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}}};
@@ -96,7 +96,8 @@ class DistanceMap::March {
                                     y * static_cast<std::ptrdiff_t>(columns));
   }
 
-  /// Moves the front from a node to one of its neighbours, over the triangles that contain both.
+  /// Updates the distance of neighbour `number` from the distance of node `from`, over the
+  /// triangles that contain both nodes.
   void update(std::size_t from, std::size_t number) {
     const std::size_t to = neighbour(from, number);
     if (to == from || !map_.tips_->has_contact(to)) return;
@@ -105,8 +106,8 @@ class DistanceMap::March {
     const Vector3d here = map_.tips_->tip(to);
     const Vector3d first = map_.tips_->tip(from) - here;
     double least = distance + first.norm();
-    // Seen from `to`, the triangle's third corner is next to `from` on either side, among its
-    // neighbours.
+    // The third corner of each of the two triangles is the neighbour of `to` before or after
+    // `from`.
     for (const std::size_t beside : {std::size_t{3}, std::size_t{5}}) {
       const std::size_t other = neighbour(to, number + beside);
       if (other == to || map_.distances_[other] == kNowhere) continue;

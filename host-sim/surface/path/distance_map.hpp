@@ -7,25 +7,25 @@
 
 namespace sim::surface {
 
-/// A node from which distances are measured, and the distance in mm with which this node starts.
+/// A node from which distances are measured, and the node's initial distance, mm.
 struct DistanceSource {
   std::size_t node = 0;
   double distance_mm = 0.0;
 };
 
-/// For each node of a grid the length in mm of the shortest path, over the heights of the tip, to
-/// one of some sources. Paths are straight over the triangles of neighbouring nodes. A distance is
-/// thus too long by a share that falls with the pitch; the share is larger where the surface is
-/// steeper than 65 degrees.
+/// Distances of the nodes of a grid from the nearest source, mm: the length of the shortest path
+/// over the surface of the tip. Paths are straight within the triangles of neighbouring nodes, so
+/// that distances are slightly too great. The relative error decreases with the pitch. It is
+/// greater where the surface is steeper than 65 degrees.
 class DistanceMap {
  public:
   /// @param tips heights of the tip; they outlive this object
-  /// @param sources source nodes; each has contact
+  /// @param sources source nodes, all with contact
   DistanceMap(const TipGrid& tips, const std::vector<DistanceSource>& sources);
 
   [[nodiscard]] const PlanGrid& grid() const { return tips_->grid(); }
-  /// Returns the distance of a node; infinity if nothing is under the tool there or no path leads
-  /// to the node.
+  /// Returns the distance of a node from the nearest source; infinity if nothing is under the tool
+  /// at the node or no path leads to it.
   [[nodiscard]] double at(std::size_t node) const { return distances_[node]; }
   /// Returns the greatest finite distance, at least 0.
   [[nodiscard]] double greatest() const;
@@ -37,8 +37,8 @@ class DistanceMap {
   std::vector<double> distances_;
 };
 
-/// Returns the nodes at the border of the area in which something is under the tool, with their
-/// distances from that border.
+/// Returns the nodes along the border of the area in which something is under the tool, with their
+/// distances from the border.
 [[nodiscard]] std::vector<DistanceSource> border_sources(const SurfaceTracer& tracer,
                                                          const TipGrid& tips);
 

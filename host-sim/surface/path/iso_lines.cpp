@@ -8,10 +8,11 @@
 namespace sim::surface {
 namespace {
 
-/// An edge as twice the number of its first node, plus 1 if it goes along Y.
+/// Number of an edge of the grid: twice the number of its first node, plus 1 if the edge is along
+/// Y.
 using Edge = std::size_t;
 
-/// Collects the steps of lines from edge to edge, and joins them.
+/// Collects the steps of lines from edge to edge, and joins the steps to lines.
 class LineFinder {
  public:
   LineFinder(const PlanGrid& grid,
@@ -34,7 +35,7 @@ class LineFinder {
   }
 
  private:
-  /// Corners or edges of a cell, counter-clockwise: edge i leads from corner i to the next.
+  /// Corners or edges of a cell, counter-clockwise. Edge i connects corner i to the next corner.
   using Corners = std::array<std::size_t, 4>;
 
   [[nodiscard]] Corners corners_of(std::size_t node) const {
@@ -47,8 +48,9 @@ class LineFinder {
     return edges[number];
   }
 
-  /// Adds the steps of lines within a cell. A line enters where the corners, counter-clockwise,
-  /// change from low to high, so that the high corners are on its right.
+  /// Adds the steps of lines within the cell of `node`. A line enters the cell at an edge whose
+  /// corners, in counter-clockwise order, change from low to high. The high corners are thus on the
+  /// right.
   void step_through(std::size_t node) {
     const Corners corners = corners_of(node);
     const auto side = [&](std::size_t i) { return sides_[corners[i % 4]]; };
@@ -62,8 +64,8 @@ class LineFinder {
     const bool joins_highs = alternates && has_high_middle_(node);
     for (std::size_t i = 0; i < 4; ++i) {
       if (side(i) != NodeSide::kHigh || side(i + 3) != NodeSide::kLow) continue;
-      // The line goes around the high corners from corner i on. If high corners are connected
-      // through the middle, it goes around the low corner instead.
+      // The line goes around the successive high corners from corner i on. If the cell is high in
+      // its middle, the line goes around the low corner instead.
       std::size_t last = i;
       while (side(last + 1) == NodeSide::kHigh) ++last;
       if (joins_highs) last = i + 2;
@@ -76,7 +78,7 @@ class LineFinder {
     order_.push_back(from);
   }
 
-  /// Returns the edges at which lines begin that are not closed, in the order of the grid.
+  /// Returns the edges at which open lines begin, in the order of the grid.
   [[nodiscard]] std::vector<Edge> open_starts() const {
     std::unordered_set<Edge> reached;
     for (const auto& [from, to] : next_) reached.insert(to);
@@ -87,7 +89,7 @@ class LineFinder {
     return starts;
   }
 
-  /// Returns the first edge in the order of the grid that still has a step.
+  /// Returns the first edge, in the order of the grid, whose step is not yet part of a line.
   Edge first_left() {
     while (!next_.contains(order_[taken_])) ++taken_;
     return order_[taken_];

@@ -14,12 +14,13 @@ namespace {
 
 using Eigen::Vector2d;
 
-/// Distance below which ends of lines are one place.
+/// Distance, mm, up to which two ends of lines count as one point.
 constexpr double kOnePlaceMm = 1.0e-6;
 
 Vector2d place_of(const ContourVertex& vertex) { return {vertex.x, vertex.y}; }
 
-/// Returns the area inside the closed line through `places`; negative if they run clockwise.
+/// Returns the area inside the closed line through `places`, mm²; negative if the line is
+/// clockwise.
 double area_of(const std::vector<Vector2d>& places) {
   double twice = 0.0;
   for (std::size_t i = 0; i < places.size(); ++i) {
@@ -30,7 +31,7 @@ double area_of(const std::vector<Vector2d>& places) {
   return 0.5 * twice;
 }
 
-/// A circle around places.
+/// A circle that encloses some points.
 struct Circle {
   Vector2d centre = Vector2d::Zero();
   double radius = 0.0;
@@ -79,7 +80,8 @@ std::optional<std::vector<Contour>> LevelAreas::areas_at(double level_mm) {
   return pocket::areas_of(*contour);
 }
 
-/// Returns the lines of a level; nothing if a line is not closed or has no contour.
+/// Returns the contour of a level; nothing if a line is not closed or cannot be approximated within
+/// the band.
 std::optional<Contour> LevelAreas::contour_at(double level_mm) {
   const LevelSet set{*tracer_, level_mm, border_};
   const auto side_of = [&](std::size_t node) {
@@ -90,13 +92,14 @@ std::optional<Contour> LevelAreas::contour_at(double level_mm) {
     if (!loop.is_closed) return std::nullopt;
     if (append_loop(loop, set, contour)) continue;
     if (!is_tiny(loop)) return std::nullopt;
-    // An area as small as a cell may be left out; an island may not.
+    // A tiny area may be left out. A tiny island must not be left out.
     if (area_of(loop.places) < 0.0 && !append_circle(loop, set, contour)) return std::nullopt;
   }
   return contour;
 }
 
-/// Appends a closed loop as arcs and lines. Returns false if it has no contour within the band.
+/// Appends a closed loop to a contour as arcs and lines. Returns false if no arcs and lines are
+/// within the band.
 bool LevelAreas::append_loop(LevelLoop& loop, const LevelSet& set, Contour& to) {
   open_near(loop.places.front(), loop);
   std::vector<ContourVertex> vertices;
@@ -120,9 +123,8 @@ std::vector<ContourVertex> LevelAreas::fitted_to(const LevelCurve& curve) {
   return arcs.empty() || lines.size() < arcs.size() ? lines : arcs;
 }
 
-/// Returns whether a line may continue at a place. The line may continue if it already ends at the
-/// place; its last vertex is then removed. The line may also continue if the tip may go straight to
-/// the place.
+/// Returns whether `line` may continue with vertex `next`. It may if the line ends there; its last
+/// vertex is then removed. It also may if the tip may go straight to `next`.
 bool LevelAreas::joins(std::vector<ContourVertex>& line,
                        const ContourVertex& next,
                        const LevelSet& set) const {
@@ -136,8 +138,8 @@ bool LevelAreas::is_tiny(const LevelLoop& loop) const {
   return circle_around(loop.places).radius < 1.5 * tips_->grid().diagonal();
 }
 
-/// Appends a circle around a tiny island in place of its line. Returns false if the tip may not go
-/// around the island.
+/// Appends a circle around a tiny island instead of its line. Returns false if the tip may not go
+/// along any of the tried circles.
 bool LevelAreas::append_circle(const LevelLoop& loop, const LevelSet& set, Contour& to) const {
   constexpr int kTries = 8;
   constexpr double kGrowth = 1.3;
@@ -160,8 +162,8 @@ bool LevelAreas::append_circle(const LevelLoop& loop, const LevelSet& set, Conto
   return false;
 }
 
-/// Returns whether the tip may go straight from one place to another: nowhere on that path is it
-/// above the level by more than the band.
+/// Returns whether the tip may go straight from `from` to `to`: its height exceeds the level
+/// nowhere by more than the band.
 bool LevelAreas::is_free(const LevelSet& set, const Vector2d& from, const Vector2d& to) const {
   const double looks = std::ceil((to - from).norm() / tracer_->density().pitch_mm) + 1.0;
   for (double i = 1.0; i < looks; i += 1.0) {

@@ -14,26 +14,26 @@
 
 namespace sim::surface {
 
-/// Finds for each level the areas within a border in which the grown tool's tip is nowhere above
-/// the level, so that the tool may be there. Lengths are mm.
+/// Finds, for each level, the areas within a border in which the tool may be at this level. In
+/// these areas, the grown tool's tip in contact is nowhere above the level. Lengths are mm.
 class LevelAreas {
  public:
-  /// @param band_mm distance by which the lines of an area may leave the level set
-  /// @pre tracer, tips and border outlive this object; the border's box is at least two cells
+  /// @param band_mm greatest deviation of an area's lines from the level set
+  /// @pre tracer, tips and border outlive this object. The border's box is at least two cells
   /// inside the grid
   LevelAreas(const SurfaceTracer& tracer,
              const TipGrid& tips,
              const LevelBorder& border,
              double band_mm);
 
-  /// Returns the lowest height of the grown tool's tip within the border, at the nodes of the grid;
-  /// nothing if the surface is under none of these nodes.
+  /// Returns the lowest height of the grown tool's tip at the nodes within the border; nothing if
+  /// the tool has no contact at these nodes.
   [[nodiscard]] std::optional<double> lowest_mm() const;
 
-  /// Returns the areas of a level as contours of arcs and lines, each an outline and its islands;
-  /// an empty vector if there are none. Returns nothing if a line has no closed contour within the
-  /// band, for example where a gap is narrower than the cells of the grid. Areas about as small as
-  /// a cell may be left out. An island as small as that may be replaced by a circle around it.
+  /// Returns the areas of a level as contours of arcs and lines; an empty vector if there are none.
+  /// Each contour is an outline with its islands. Returns nothing if a line has no closed contour
+  /// within the band, for example where a gap is narrower than a cell of the grid. An area of about
+  /// a cell's size may be left out. An island of this size may be replaced by a circle around it.
   [[nodiscard]] std::optional<std::vector<Contour>> areas_at(double level_mm);
 
  private:
@@ -53,7 +53,7 @@ class LevelAreas {
   const TipGrid* tips_;
   const LevelBorder* border_;
   double band_mm_;
-  std::vector<bool> is_beyond_;  ///< Whether each node is beyond the border.
+  std::vector<bool> is_beyond_;  ///< Whether a node is beyond the border, for each node.
   SliceFitter fitter_;
 };
 

@@ -10,16 +10,16 @@
 
 namespace sim::surface {
 
-/// Limits in plan for the tool's tip: a rectangle, and drawn areas within it.
+/// Limits in plan for the tool's tip: a rectangle and, within it, drawn areas.
 class LevelBorder {
  public:
   /// @param box the rectangle, mm
-  /// @param drawn contours with their area on the left; the tip must be in at least one of them.
-  /// With no contours the rectangle alone limits the tip.
-  /// @param inset_mm distance by which the tip stays inside all limits, at least 0
+  /// @param drawn contours with their area on the left. The tip must be in at least one of the
+  /// areas. Without contours, only the rectangle limits the tip.
+  /// @param inset_mm minimum distance of the tip from all limits, at least 0
   LevelBorder(const pocket::StockBox& box, const std::vector<Contour>& drawn, double inset_mm);
 
-  /// Returns the distance in mm by which a place is beyond the limits; negative inside.
+  /// Returns the distance in mm by which `place` is beyond the limits; negative inside the limits.
   [[nodiscard]] double beyond(const Eigen::Vector2d& place) const;
   [[nodiscard]] const pocket::StockBox& box() const { return box_; }
 

@@ -13,7 +13,8 @@ using Eigen::Vector2d;
 
 Vector2d left_of(const Vector2d& way) { return {-way.y(), way.x()}; }
 
-/// Returns a place of the cubic between two nodes, with derivatives with respect to the share.
+/// Returns a point of the cubic between two nodes at the parameter `share`, from 0 to 1, with its
+/// derivatives by the parameter.
 CurveJet cubic_at(const LevelNode& from, const LevelNode& to, double share) {
   const Vector2d way = to.place - from.place;
   const double length = way.norm();
@@ -26,7 +27,7 @@ CurveJet cubic_at(const LevelNode& from, const LevelNode& to, double share) {
           2.0 * square + 6.0 * share * cube};
 }
 
-/// Follows a level set along given places of it.
+/// Builds curves that follow a level set along given points of the set.
 class CurveFollower {
  public:
   CurveFollower(const LevelSet& set,
@@ -37,7 +38,8 @@ class CurveFollower {
 
   std::vector<LevelCurve> run() {
     constexpr std::size_t kMaxPlacesAtOnce = 12;
-    // A short loop that ends where it begins is divided into at least two steps.
+    // A short closed loop is divided into at least two steps, because the ends of a step must
+    // differ.
     const std::size_t at_once =
         std::clamp((places_.size() - 1) / 2, std::size_t{1}, kMaxPlacesAtOnce);
     nodes_.push_back({places_.front(), tangent_after(0), tangent_after(0)});
@@ -51,7 +53,8 @@ class CurveFollower {
   }
 
  private:
-  /// A node ahead, and the index of the last given place that is not after it.
+  /// A node that is still to be reached, and the index of the last given point that is not after
+  /// the node.
   struct Pending {
     LevelNode node;
     std::size_t place = 0;
@@ -69,9 +72,10 @@ class CurveFollower {
     return tangent(places_[place], places_[place] - places_[place - 1], -1.0);
   }
 
-  /// Returns the tangent at a place of the set, from a second place at a very short distance.
+  /// Returns the tangent at a point of the set, computed from a second point at a very short
+  /// distance.
   /// @param way approximate direction of the tangent
-  /// @param sense 1 if the second place is ahead of the place, -1 if it is behind
+  /// @param sense 1 if the second point is ahead of `place`, -1 if it is behind `place`
   [[nodiscard]] Vector2d tangent(const Vector2d& place, const Vector2d& way, double sense) const {
     const double ahead = 0.1 * density_.error_mm;
     const Vector2d unit = way.normalized();
@@ -79,7 +83,8 @@ class CurveFollower {
     return seen && *seen != place ? Vector2d{sense * (*seen - place).normalized()} : unit;
   }
 
-  /// Accepts the nearest pending node if one cubic leads to it. Otherwise inserts a node before it.
+  /// Accepts the nearest pending node if one cubic follows the set up to this node. Otherwise
+  /// inserts a node before it or, if there is none, ends the curve.
   void settle() {
     const Pending next = pending_.back();
     const LevelNode& last = nodes_.back();
@@ -89,7 +94,8 @@ class CurveFollower {
       pending_.push_back(node_at((place_ + next.place) / 2));
       return;
     }
-    constexpr double kReach = 4.0;  // Reach in lengths, which is enough for a narrow notch.
+    // Reach of the search relative to the length; enough for a narrow notch.
+    constexpr double kReach = 4.0;
     const Vector2d way = (next.node.place - last.place) / length;
     const auto middle =
         set_.near(0.5 * (last.place + next.node.place), left_ * left_of(way), kReach * length);
@@ -137,9 +143,9 @@ class CurveFollower {
     return above >= -error && leaves_little(jet.place, to_low);
   }
 
-  /// Returns whether a place on the low side is near enough: at most the error is left of what a
-  /// tool on the line would remove. The height alone does not show this, because a flat bottom is
-  /// at the level at any distance from a wall.
+  /// Returns whether a point on the low side is near enough to the line. It is if a tool at the
+  /// point leaves at most the error of the material that a tool on the line would remove. The
+  /// height is not sufficient, because a flat bottom is at the level at any distance from a wall.
   [[nodiscard]] bool leaves_little(const Vector2d& place, const Vector2d& to_low) const {
     constexpr double kReach = 32.0;
     const double error = 0.5 * density_.error_mm;
@@ -155,8 +161,8 @@ class CurveFollower {
   SliceDensity density_;
   std::vector<LevelCurve> curves_;
   std::vector<LevelNode> nodes_;
-  std::vector<Pending> pending_;  ///< Nodes still to be reached; the nearest is last.
-  /// Index of the last given place that is not after the last node.
+  std::vector<Pending> pending_;  ///< Nodes that are still to be reached; the nearest node is last.
+  /// Index of the last given point that is not after the last accepted node.
   std::size_t place_ = 0;
 };
 

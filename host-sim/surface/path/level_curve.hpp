@@ -11,7 +11,8 @@
 
 namespace sim::surface {
 
-/// A place of a level set, with the unit tangents before and after it, which differ at a corner.
+/// A point of a level set, with the unit tangents before and after it. The tangents differ at a
+/// corner.
 struct LevelNode {
   Eigen::Vector2d place = Eigen::Vector2d::Zero();
   Eigen::Vector2d before = Eigen::Vector2d::UnitX();
@@ -19,10 +20,10 @@ struct LevelNode {
 };
 
 /// A part of a level set as a smooth curve in plan. The curve consists of cubics whose ends have
-/// the places and tangents of the set.
+/// the positions and tangents of the set.
 class LevelCurve final : public cnc::contour::PlaneCurve {
  public:
-  /// @param nodes nodes in order, at least two, all different
+  /// @param nodes nodes of the curve in order, at least two, all different
   /// @param min_mm length below which spans are straight
   LevelCurve(std::vector<LevelNode> nodes, double min_mm)
       : nodes_{std::move(nodes)}, min_mm_{min_mm} {}
@@ -38,12 +39,12 @@ class LevelCurve final : public cnc::contour::PlaneCurve {
   double min_mm_;
 };
 
-/// Returns the curves along a row of places of a level set, in order. The curve is checked at
-/// places as close as `density` requires. At each of them the set is within the error of the curve,
-/// or the tip's height is within the error of the level. If no such curve can be found, for example
-/// in a gap that is narrower than the distance between places, one curve ends and the next begins.
-/// @param places places in order, at least two
-/// @param is_low_left whether the low side is on their left
+/// Returns the curves along successive points of a level set, in order. Each curve is checked at
+/// points as close to each other as `density` requires. There, the set is within the error of the
+/// curve, or the tip's height is within the error of the level. If there is no such curve between
+/// two points, for example in a very narrow gap, one curve ends and the next curve begins.
+/// @param places points of the set in order, at least two
+/// @param is_low_left whether the low side is on the left of the points
 [[nodiscard]] std::vector<LevelCurve> level_curves(const LevelSet& set,
                                                    const std::vector<Eigen::Vector2d>& places,
                                                    bool is_low_left,

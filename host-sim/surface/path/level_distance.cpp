@@ -10,16 +10,16 @@
 namespace sim::surface {
 namespace {
 
-/// Returns the height of a tool's lower surface at a distance from its axis. The tool's side is
-/// vertical at its radius.
+/// Returns the height of a tool's lower surface at a distance from its axis; infinity beyond the
+/// radius, where the tool's side is vertical.
 double height_beside(const cnc::surface::Profile& tool, double distance_mm) {
   const double out = std::abs(distance_mm);
   if (out > tool.radius_mm) return std::numeric_limits<double>::infinity();
   return cnc::surface::height_at(tool, out);
 }
 
-/// Returns the greatest height of the stock that two poses leave between their points of contact on
-/// a plane, perpendicular to the plane.
+/// Returns the greatest height, perpendicular to an inclined plane, of the stock that two poses
+/// leave between their points of contact.
 /// @param slope slope of the plane, mm per mm, above 0
 double left_on_plane(const cnc::surface::Profile& tool, double slope, double distance_mm) {
   constexpr int kLooks = 1'000;
@@ -27,7 +27,8 @@ double left_on_plane(const cnc::surface::Profile& tool, double slope, double dis
   const double across = distance_mm / slope;
   double greatest = 0.0;
   for (int i = 0; i < kLooks; ++i) {
-    // From the contact of the lower pose, whose axis is at 0, to the contact of the higher pose.
+    // Distance from the axis of the lower pose: from this pose's contact to the contact of the
+    // higher pose.
     const double beside = contact.out + across * (i + 0.5) / kLooks;
     const double left =
         std::min(height_beside(tool, beside), distance_mm + height_beside(tool, beside - across));

@@ -6,9 +6,9 @@
 namespace sim::surface {
 namespace {
 
-/// Distance below which a place is the same as the previous one.
+/// Distance, mm, below which successive points count as the same point.
 constexpr double kSameCrossing = 1.0e-6;
-/// Shorter loops are left out.
+/// Length, mm, up to which loops are left out.
 constexpr double kMinLoop = 1.0e-3;
 
 double length_of(const std::vector<Eigen::Vector2d>& places) {
@@ -17,7 +17,7 @@ double length_of(const std::vector<Eigen::Vector2d>& places) {
   return length;
 }
 
-/// Returns whether the whole straight line between two places is in all regions.
+/// Returns whether the complete straight line between two points is in all regions.
 bool is_within(const MilledRegions& regions,
                const Eigen::Vector2d& from,
                const Eigen::Vector2d& to) {
@@ -38,8 +38,8 @@ void open_near(const Eigen::Vector2d& here, LevelLoop& loop) {
   loop.is_closed = false;
 }
 
-/// A point of the surface keeps the tip above a level within a disc. Any disc as wide as a cell's
-/// diagonal contains a node.
+/// A point of the surface above a level keeps the tip above the level within a disc. A disc that is
+/// as wide as a cell's diagonal contains a node, so that the grid finds the point.
 double level_pitch(const SurfaceTracer& tracer) {
   constexpr double kShareOfRadius = 0.125;
   const cnc::surface::Profile& tool = tracer.grown_tool();
@@ -104,7 +104,7 @@ std::vector<LevelLoop> parts_within(const MilledRegions& regions, LevelLoop loop
     parts.push_back(std::move(loop));
     return parts;
   }
-  // A closed loop is traversed from a section outside the regions, so that no part is cut in two.
+  // The search in a closed loop begins outside the regions, so that it cuts no part in two.
   const auto first = static_cast<std::size_t>(first_out - is_in.begin());
   const std::size_t begin = loop.is_closed ? first : 0;
   bool goes_on = false;

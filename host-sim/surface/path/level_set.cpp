@@ -7,8 +7,8 @@ namespace sim::surface {
 
 using Eigen::Vector2d;
 
-/// Divides the path by both heights, or halves it if the heights give little information: next to
-/// jumps, and whenever two samples have not halved the path.
+/// Divides the path by linear interpolation of the heights. Halves the path where the heights give
+/// little information: next to jumps, or if two samples did not halve the path.
 Vector2d LevelSet::crossing(Vector2d low, Vector2d high) const {
   constexpr int kMaxLooks = 200;
   double below = above(low);

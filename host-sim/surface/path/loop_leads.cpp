@@ -47,7 +47,8 @@ std::optional<SurfaceStretch> LoopLeads::lead_out(const LoopEnd& end) const {
 std::optional<SurfaceStretch> LoopLeads::lead(const LoopEnd& end, double sense) const {
   constexpr double kRightAngle = 0.5 * std::numbers::pi;
   const Vector2d to_low = left_ * Vector2d{-end.tangent.y(), end.tangent.x()};
-  // A place of the lead is accepted if the place offset by half the band to the low side is free.
+  // Points of the lead are checked at an offset of half the band to the low side, because the line
+  // may leave the level set by the band.
   const Vector2d beside = 0.5 * tracer_->band_mm() * to_low;
   for (const double share : {0.25, 0.125, 0.0625}) {
     const double radius = share * tracer_->grown_tool().radius_mm;
@@ -65,7 +66,8 @@ std::optional<SurfaceStretch> LoopLeads::lead(const LoopEnd& end, double sense) 
       is_clear = is_free(place_after(share_of_way) + beside, end.level_mm);
     }
     const Vector2d away = place_after(1.0);
-    // The corner of the quarter turn is the farthest point from its chord.
+    // The lead is inside the triangle of its ends and this corner. So the region check uses the two
+    // sides at the corner.
     const Vector2d corner = end.place + sense * radius * end.tangent;
     if (!is_clear || !is_in_regions(end.place, corner) || !is_in_regions(corner, away)) continue;
     const double bulge = lines_only_ ? 0.0 : left_ * std::tan(0.25 * kRightAngle);

@@ -11,19 +11,19 @@
 
 namespace sim::surface {
 
-/// The end of a line in a level, and the direction of the line there.
+/// An end of a line at a level, and the direction of the line there.
 struct LoopEnd {
   Eigen::Vector2d place = Eigen::Vector2d::Zero();
   Eigen::Vector2d tangent = Eigen::Vector2d::UnitX();  ///< Unit tangent in the direction of motion.
-  double level_mm = 0.0;                               ///< Height of the grown tool's tip.
+  double level_mm = 0.0;  ///< Height of the grown tool's tip at the level, mm.
 };
 
-/// Makes quarter-turn or straight leads on the free side of a wall, and the paths between leads.
-/// All are checked against the exact heights of the grown tool's tip, so that they never cut into
-/// the surface.
+/// Makes leads on the free side of a wall, as quarter turns or straight lines, and the paths
+/// between leads. Leads and paths are checked with the exact heights of the grown tool's tip, so
+/// that they never cut into the surface.
 class LoopLeads {
  public:
-  /// @param options the side of the surface, regions that bar links, and whether leads are lines
+  /// @param options milling direction, regions that bar links, and whether to use lines only
   /// @param lift_mm height of a tip above the level to which it belongs
   /// @pre tracer, grid and options outlive this object
   LoopLeads(const SurfaceTracer& tracer,
@@ -31,19 +31,19 @@ class LoopLeads {
             const RowOptions& options,
             double lift_mm);
 
-  /// lead_in() returns the lead to the start of a line, lead_out() the lead from its end. Both
-  /// return nothing if there is no space.
+  /// lead_in() returns the lead to the start of a line; lead_out() returns the lead from the end of
+  /// a line. Both return nothing if there is no free space for a lead.
   [[nodiscard]] std::optional<SurfaceStretch> lead_in(const LoopEnd& start) const;
   [[nodiscard]] std::optional<SurfaceStretch> lead_out(const LoopEnd& end) const;
 
-  /// Returns the straight path between two places of the tip in space. Returns nothing if the path
-  /// is longer in plan than 1.5 radii (stock may stand next to lines), or if it rises, would cut
-  /// into the surface or would leave a region that bars links.
+  /// Returns the straight path between two positions of the tip in space. Returns nothing if the
+  /// path is longer in plan than 1.5 radii, because stock may be left between lines. Also returns
+  /// nothing if the path rises, would cut into the surface or would leave a region that bars links.
   [[nodiscard]] std::optional<SurfaceStretch> way_between(const Eigen::Vector3d& from,
                                                           const Eigen::Vector3d& to) const;
 
  private:
-  /// Returns the lead between a line and a place next to the line.
+  /// Returns the lead between the end of a line and a point next to the line.
   /// @param sense 1 for a lead out, -1 for a lead in
   [[nodiscard]] std::optional<SurfaceStretch> lead(const LoopEnd& end, double sense) const;
   [[nodiscard]] bool is_in_regions(const Eigen::Vector2d& from, const Eigen::Vector2d& to) const;
@@ -56,7 +56,8 @@ class LoopLeads {
   bool lines_only_;
   double lift_mm_;
   const MilledRegions* regions_;
-  mutable PathHeights::Hint hint_{};  ///< Changes the speed of a search, but no result.
+  /// Start of the next search; it affects the speed, but no result.
+  mutable PathHeights::Hint hint_{};
 };
 
 }  // namespace sim::surface

@@ -13,7 +13,7 @@ namespace {
 
 using Eigen::Vector2d;
 
-/// The places of some loops, sorted into squares of the plan, to find near places.
+/// Points of loops, sorted into squares of the plan to find near points quickly.
 class PlaceIndex {
  public:
   explicit PlaceIndex(double near_mm) : near_mm_{near_mm} {}
@@ -50,7 +50,7 @@ double distance_to(const LevelLoop& loop, const Vector2d& here) {
   double least = std::numeric_limits<double>::infinity();
   for (const Vector2d& place : loop.places) {
     least = std::min(least, (place - here).norm());
-    if (!loop.is_closed) break;  // An open loop begins at its first place.
+    if (!loop.is_closed) break;  // An open loop can only begin at its first point.
   }
   return least;
 }
@@ -62,7 +62,7 @@ LoopOrder::LoopOrder(const std::vector<LevelLoop>& loops, double near_mm)
       lower_(loops.size()),
       waits_for_(loops.size(), 0),
       is_taken_(loops.size(), false) {
-  std::size_t above = 0;  // Index of the first loop of the level above.
+  std::size_t above = 0;  // Index of the first loop of the previous level.
   for (std::size_t begin = 0; begin < loops.size();) {
     std::size_t end = begin;
     while (end < loops.size() && loops[end].level == loops[begin].level) ++end;
@@ -122,7 +122,7 @@ std::optional<std::size_t> LoopOrder::nearest_of(const std::vector<std::size_t>&
   return *nearest;
 }
 
-/// Returns the loops of the highest level that still has some.
+/// Returns the remaining loops of the highest level that has remaining loops.
 std::vector<std::size_t> LoopOrder::highest_left() {
   while (first_left_ < is_taken_.size() && is_taken_[first_left_]) ++first_left_;
   std::vector<std::size_t> left;

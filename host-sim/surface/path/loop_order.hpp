@@ -9,20 +9,20 @@
 
 namespace sim::surface {
 
-/// The order in which the loops of levels are milled: down along one wall, then along the next. A
-/// loop comes after all near loops of the level above. A loop without near loops there comes after
-/// all higher levels.
+/// Finds the order in which the loops of all levels are milled: down along one wall, then down
+/// along the next wall. A loop comes after all near loops of the level above. A loop without near
+/// loops on the level above comes after all higher levels.
 class LoopOrder {
  public:
-  /// @param loops loops by level, from the top; they outlive this object
+  /// @param loops loops sorted by level, the top level first; they outlive this object
   /// @param near_mm distance in plan up to which two loops count as near, above 0
   LoopOrder(const std::vector<LevelLoop>& loops, double near_mm);
   /// Uses a known order instead of deriving one from near loops.
-  /// @param lower for each loop the loops that come after it
+  /// @param lower for each loop, the loops that must come after it
   LoopOrder(const std::vector<LevelLoop>& loops, std::vector<std::vector<std::size_t>> lower);
 
-  /// Returns the number of the next loop and marks it as taken; nothing if all are taken. Of
-  /// several possible loops it takes the one nearest to a place.
+  /// Returns the number of the next loop and marks the loop as taken; nothing if all loops are
+  /// taken. Of several possible loops, the loop nearest to `here` is taken.
   [[nodiscard]] std::optional<std::size_t> take_next(const Eigen::Vector2d& here);
 
  private:
@@ -32,11 +32,13 @@ class LoopOrder {
   [[nodiscard]] std::vector<std::size_t> highest_left();
 
   const std::vector<LevelLoop>* loops_;
-  std::vector<std::vector<std::size_t>> lower_;  ///< For each loop the loops that wait for it.
-  /// For each loop the number of loops to be milled before it.
+  std::vector<std::vector<std::size_t>> lower_;  ///< Loops that wait for a loop, for each loop.
+  /// Number of loops that must be milled before a loop, for each loop.
   std::vector<std::size_t> waits_for_;
   std::vector<bool> is_taken_;
-  std::vector<std::vector<std::size_t>> ready_;  ///< Groups of loops that waited for one loop.
+  /// Groups of loops that may be milled. Each group waited for the same loop; the last group is
+  /// milled first.
+  std::vector<std::vector<std::size_t>> ready_;
   std::size_t first_left_ = 0;
 };
 

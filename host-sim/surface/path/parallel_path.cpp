@@ -18,20 +18,21 @@ namespace {
 
 using Eigen::Vector2d;
 
-/// Maximum length of a link over the surface, in steps; a farther line begins with a lift.
+/// Maximum length of a link over the surface, in steps. The path to a line that is farther away
+/// begins with a lift.
 constexpr double kLinkSteps = 4.0;
-/// Share of a step by which the straight path between two places may leave a line.
+/// Greatest deviation of a straight path from a line, in steps.
 constexpr double kStraightShare = 0.01;
-/// Number of nodes of the grid for each step.
+/// Number of distances between nodes of the grid in a step.
 constexpr double kNodesPerStep = 7.0;
-/// Distance between lines, in steps. If two lines have a right angle, a place between them is 0.59
-/// of their distance from both.
+/// Distance between lines, in steps. It is below 1, because a point between right-angled corners of
+/// two lines is 0.59 of their distance away from both lines.
 constexpr double kNearer = 0.9;
-/// Maximum distance of a place from a line, in steps. It is greater than the distance between two
-/// right angles, because additional lines for those places would be many.
+/// Maximum distance of a point from a line, in steps. It allows the distance between right-angled
+/// corners, kNearer · 0.59, because additional lines at all these corners would be many.
 constexpr double kFarthest = 0.53;
 
-/// Drives the lines of equal distance one after another.
+/// Plans the path along the lines of equal distance, one line after another.
 class ParallelPlanner {
  public:
   ParallelPlanner(const Mesh& mesh, const RowOptions& options)
@@ -60,8 +61,8 @@ class ParallelPlanner {
     }
     if (path_.stretches.empty()) {
       throw std::invalid_argument{
-          "no line half a step from the border has the surface under the tool; take a smaller "
-          "--step"};
+          "no line is over the surface, because the surface is narrower than about half a step; "
+          "choose a smaller --step"};
     }
     end_run();
     path_.without_arcs = tracer_.without_arcs();
@@ -69,7 +70,7 @@ class ParallelPlanner {
   }
 
  private:
-  /// Adds a line. A closed line begins at its place that is nearest to `here`.
+  /// Adds a line to the path. A closed line begins at its point nearest to `here`.
   void add_loop(LevelLoop& loop, const Vector2d& here) {
     if (loop.is_closed) open_near(here, loop);
     const std::vector<Vector2d> corners = straightened(loop.places, kStraightShare * step_mm_);
@@ -77,7 +78,7 @@ class ParallelPlanner {
     for (std::size_t i = 1; i < corners.size(); ++i) add_way(corners[i - 1], corners[i]);
   }
 
-  /// Adds those parts of a straight path that are over the surface.
+  /// Adds the parts of a straight path that are over the surface and in all regions.
   void add_way(const Vector2d& from, const Vector2d& to) {
     const Slice slice = slice_between(from, to);
     for (const auto& [begin, end] :
@@ -86,7 +87,8 @@ class ParallelPlanner {
     }
   }
 
-  /// Leads to a place over the surface if the place is near and the surface continues up to it.
+  /// Adds a link over the surface to `place` if it is near, the surface continues up to it and no
+  /// region bars the link.
   void lead_to(const Vector2d& place) {
     if (path_.stretches.empty()) return;
     const Vector2d here = path_.stretches.back().end().head<2>();
@@ -99,7 +101,8 @@ class ParallelPlanner {
     add_stretch(tracer_.trace(slice, 0.0, slice.length, StretchUse::kLink));
   }
 
-  /// Adds a stretch, after a lift if it does not begin at the position of the tip.
+  /// Adds a stretch. Ends the run first, which causes a lift, if the stretch does not begin at the
+  /// tip's present position.
   void add_stretch(SurfaceStretch stretch) {
     constexpr double kSameTip = 1.0e-6;
     if (!path_.stretches.empty() &&

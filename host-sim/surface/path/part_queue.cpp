@@ -9,7 +9,7 @@
 namespace sim::surface {
 namespace {
 
-/// Follows links to the index that links to itself, and shortens the links for the next search.
+/// Follows links to an index that links to itself. Shortens the links to accelerate later searches.
 std::size_t followed(std::vector<std::size_t>& links, std::size_t index) {
   while (links[index] != index) {
     links[index] = links[links[index]];
@@ -32,10 +32,11 @@ PartQueue::PartQueue(std::vector<RowPart> parts)
   std::iota(below_.begin(), below_.end(), std::size_t{0});
 }
 
-/// Returns the first waiting part from an index on; the number of parts if there is none.
+/// Returns the index of the first waiting part at or after `index`; the number of parts if there is
+/// none.
 std::size_t PartQueue::waiting_from(std::size_t index) { return followed(above_, index); }
 
-/// Returns one more than the index of the last waiting part before an index; 0 if there is none.
+/// Returns the index of the last waiting part before `index`, plus one; 0 if there is none.
 std::size_t PartQueue::waiting_before(std::size_t index) { return followed(below_, index); }
 
 void PartQueue::consider(std::size_t index,

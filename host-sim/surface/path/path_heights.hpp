@@ -9,24 +9,24 @@
 
 namespace sim::surface {
 
-/// The heights that paths over a surface follow: those of a tool's tip, or those of a smooth
-/// surface in their place.
+/// Computes the heights that paths over a surface follow: the heights of a tool's tip or, instead,
+/// the heights of a smooth surface.
 class PathHeights {
  public:
-  /// The result of the last search. The search at a place near by begins with this result.
+  /// Results of the last search, from which the search at a nearby point begins.
   struct Hint {
     DropCutter::Hint exact{};
     SmoothTips::Hint smooth{};
   };
 
-  /// @param smooth smooth surface of the same mesh and tool; if empty, the tip's own heights are
+  /// @param smooth smooth surface of the same mesh and tool; if empty, the heights of the tip are
   /// used
   PathHeights(const Mesh& mesh,
               const cnc::surface::Profile& tool,
               std::shared_ptr<const SmoothTips> smooth)
       : cutter_{mesh, tool}, smooth_{std::move(smooth)} {}
 
-  /// Returns the height over a place; cnc::surface::kNoContact if nothing is under the tool.
+  /// Returns the height over `place`; cnc::surface::kNoContact if nothing is under the tool.
   [[nodiscard]] double operator()(const Eigen::Vector2d& place, Hint& hint) const {
     const double exact = cutter_.tip_height(place, hint.exact);
     return smooth_ ? smooth_->height(place, exact, hint.smooth) : exact;

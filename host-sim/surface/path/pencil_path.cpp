@@ -15,7 +15,7 @@ namespace {
 using Eigen::Vector2d;
 using PlanLine = std::vector<Vector2d>;
 
-/// Pitch of the grid as a share of the tool's radius.
+/// Pitch of the grid, relative to the tool's radius.
 constexpr double kGridShare = 0.125;
 
 double length_of(const CreaseLine& line) {
@@ -26,8 +26,8 @@ double length_of(const CreaseLine& line) {
   return length;
 }
 
-/// Joins lines whose ends are within a distance of each other: a branch that was left out has
-/// divided them.
+/// Joins lines whose ends are at most `max_mm` apart. A short branch that was left out has divided
+/// such lines.
 void join_lines(std::vector<CreaseLine>& lines, double max_mm) {
   const auto is_near = [max_mm](const CreasePlace& one, const CreasePlace& other) {
     return (one.place - other.place).norm() <= max_mm;
@@ -58,7 +58,8 @@ double distance_to(const Vector2d& place, const Vector2d& from, const Vector2d& 
   return (place - from - share * way).norm();
 }
 
-/// Appends the places between two places of a line that the line needs to stay within a distance.
+/// Appends the points between indices `from` and `to` that a polyline needs to stay within `max_mm`
+/// of all points of `line`.
 void add_needed(
     const PlanLine& line, std::size_t from, std::size_t to, double max_mm, PlanLine& out) {
   std::vector<std::pair<std::size_t, std::size_t>> pending{{from, to}};
@@ -82,18 +83,18 @@ void add_needed(
   }
 }
 
-/// Returns a line with fewer places that stays within a distance of all places.
+/// Returns a line with fewer points that stays within `max_mm` of all points of `line`.
 PlanLine simplified(const PlanLine& line, double max_mm) {
   PlanLine out{line.front()};
-  // A closed line has no chord between its ends, so that it is divided in the middle.
+  // The line is divided in the middle, because a closed line has no chord between its ends.
   const std::size_t middle = line.size() / 2;
   if (middle > 0) add_needed(line, 0, middle, max_mm, out);
   add_needed(line, middle, line.size() - 1, max_mm, out);
   return out;
 }
 
-/// Converts creases to plan lines: within a share of the tolerance, and next to walls on their low
-/// side.
+/// Converts creases to lines in plan. The lines follow the creases within a part of the tolerance;
+/// next to walls they are on the low side.
 class CreaseDrawer {
  public:
   CreaseDrawer(const ToolHeights& heights, const CreaseFinder& finder, double tolerance_mm)
@@ -109,7 +110,7 @@ class CreaseDrawer {
   }
 
  private:
-  /// Returns the line with an additional place in each piece that leaves the crease.
+  /// Returns the line with an additional point in each piece that deviates from the crease.
   [[nodiscard]] CreaseLine refined(const CreaseLine& line, double reach_mm) const {
     CreaseLine fine{line.front()};
     for (std::size_t i = 1; i < line.size(); ++i) {
@@ -126,8 +127,8 @@ class CreaseDrawer {
     return fine;
   }
 
-  /// Returns a place at a wall, moved by half the tolerance to the low side, so that chords stay on
-  /// that side.
+  /// Returns a point of the line. At a wall, it is moved by half the tolerance to the low side, so
+  /// that chords stay on the low side.
   [[nodiscard]] Vector2d shifted(const CreaseLine& line, std::size_t index) const {
     const Vector2d& place = line[index].place;
     if (!line[index].is_wall) return place;
@@ -145,7 +146,7 @@ class CreaseDrawer {
   double tolerance_mm_;
 };
 
-/// Drives along lines, always to the nearest line next.
+/// Plans the path along lines. The nearest line is always the next one.
 class PencilDriver {
  public:
   PencilDriver(const Mesh& mesh, const RowOptions& options)
@@ -221,8 +222,8 @@ PencilPath pencil_path(const Mesh& mesh, const RowOptions& options, const Pencil
   result.path = driver.drive(std::move(lines));
   if (result.path.stretches.empty()) {
     throw std::invalid_argument{
-        "no valley of it is so sharp that the tool touches both sides: check --pencil-angle, or "
-        "take a larger tool"};
+        "the surface has no valley in which the tool touches both sides: check --pencil-angle, "
+        "or choose a larger tool"};
   }
   return result;
 }

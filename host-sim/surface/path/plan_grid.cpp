@@ -20,9 +20,9 @@ PlanGrid::PlanGrid(const Mesh& mesh, double margin_mm, double max_pitch_mm) {
   const double nodes = (cells.x() + 1.0) * (cells.y() + 1.0);
   if (!(nodes <= kMaxNodes)) {
     throw std::invalid_argument{
-        fmt::format("paths along contours look at the surface every {:g} mm for this tool and "
-                    "step, which are {:.3g} points on {:g} x {:g} mm and {:g} at most; mill it in "
-                    "parts or in rows",
+        fmt::format("paths along contours need a grid of {:g} mm for this tool and step, which "
+                    "has {:.3g} points on {:g} x {:g} mm; the maximum is {:g}, so mill the surface "
+                    "in parts or in rows",
                     max_pitch_mm,
                     nodes,
                     size.x(),

@@ -7,15 +7,15 @@
 
 namespace sim::surface {
 
-/// A regular grid of nodes over a rectangle in plan, along X and Y. The border nodes lie on the
+/// A regular grid of nodes over a rectangle in plan, along X and Y. The outer nodes are on the
 /// border of the rectangle. Lengths are mm.
 class PlanGrid {
  public:
-  /// Maximum number of nodes, for the memory of a common computer.
+  /// Maximum number of nodes. The limit keeps the memory within the capacity of a common computer.
   static constexpr double kMaxNodes = 4.0e7;
 
   /// Lays the grid over the box of a surface in plan.
-  /// @param margin_mm distance by which the grid is larger on all sides
+  /// @param margin_mm distance by which the grid is larger than the box on all sides
   /// @param max_pitch_mm greatest distance between two nodes along X and along Y, above 0
   /// Throws std::invalid_argument for more than kMaxNodes nodes.
   PlanGrid(const Mesh& mesh, double margin_mm, double max_pitch_mm);
@@ -37,13 +37,13 @@ class PlanGrid {
     const Eigen::Vector2d cells{static_cast<double>(column), static_cast<double>(row)};
     return min_ + cells.cwiseProduct(pitch_);
   }
-  /// Returns whether a place is inside the rectangle or on its border.
+  /// Returns whether `place` is inside the rectangle or on its border.
   [[nodiscard]] bool holds(const Eigen::Vector2d& place) const {
     const Eigen::Array2d inside = place - min_;
     const Eigen::Array2d rest = at(columns_ - 1, rows_ - 1) - place;
     return inside.minCoeff() >= 0.0 && rest.minCoeff() >= 0.0;
   }
-  /// Returns whether a node lies on the border of the rectangle.
+  /// Returns whether a node is on the border of the rectangle.
   [[nodiscard]] bool is_on_border(std::size_t node) const {
     const std::size_t column = node % columns_;
     const std::size_t row = node / columns_;

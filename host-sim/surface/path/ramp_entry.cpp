@@ -11,19 +11,20 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Height of the ramp above the run, mm. Lines of the ramp leave arcs by less than this.
+/// Height of the ramp above the run, mm. It exceeds the deviation of the ramp's lines from the
+/// run's arcs, so that the ramp is nowhere below the run.
 constexpr double kAboveMm = 0.02;
-/// Minimum length in plan of a run for a ramp, mm.
+/// Minimum length in plan, mm, of a run above which a ramp is possible.
 constexpr double kMinLengthMm = 0.2;
 
-/// A place of the run, and its distance in plan along the run.
+/// A position of the tip on the run, and its distance in plan along the run, mm.
 struct RampPlace {
   Vector3d tip = Vector3d::Zero();
   double way = 0.0;
 };
 
-/// Adds places of a stretch up to a distance in plan. Lines between the places leave the stretch's
-/// arcs by at most half of kAboveMm.
+/// Adds positions of a stretch up to the distance `max_way` in plan. Lines between the positions
+/// deviate from the stretch's arcs by at most half of kAboveMm.
 void add_places(const SurfaceStretch& stretch, double max_way, std::vector<RampPlace>& places) {
   for (std::size_t i = 0; i + 1 < stretch.vertices.size(); ++i) {
     const ContourVertex& from = stretch.vertices[i];
@@ -46,7 +47,8 @@ void add_places(const SurfaceStretch& stretch, double max_way, std::vector<RampP
   }
 }
 
-/// Returns places of a run up to a distance in plan, or of the whole run.
+/// Returns positions of a run up to the distance `max_way` in plan, or of the complete run if it is
+/// shorter.
 std::vector<RampPlace> places_up_to(std::span<const SurfaceStretch> run, double max_way) {
   std::vector<RampPlace> places{{run.front().start(), 0.0}};
   for (const SurfaceStretch& stretch : run) {

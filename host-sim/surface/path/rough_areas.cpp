@@ -10,14 +10,15 @@
 namespace sim::surface {
 namespace {
 
-/// Returns whether any place of an area's border or rows is inside another area, or near it.
+/// Returns whether any point of the border or the rows of `lower` is inside `upper`, or at most
+/// `near_mm` outside.
 bool meets(const RoughArea& lower, const pocket::OwnedArea& upper, double near_mm) {
   const auto is_in = [&](const auto& vertex) { return upper->depth(vertex.point()) >= -near_mm; };
   return std::ranges::any_of(lower.locus.vertices, is_in) ||
          std::ranges::any_of(lower.rows.points, is_in);
 }
 
-/// Returns the places at which the rows of an area begin.
+/// Returns the start of each row of an area.
 std::vector<Eigen::Vector2d> starts_of(const RoughArea& area) {
   std::vector<Eigen::Vector2d> starts;
   std::uint32_t begin = 0;

@@ -11,35 +11,38 @@ namespace sim::surface {
 
 /// An area of a level with the rows that clear it.
 struct RoughArea {
-  std::size_t level = 0;         ///< Number of the level, from the top.
+  std::size_t level = 0;         ///< Number of the level, counted from the top.
   double tip_mm = 0.0;           ///< Height of the tip.
-  Contour locus;                 ///< Area in which the tip may be.
+  Contour locus;                 ///< Area within which the tip may be.
   pocket::PathRows rows;         ///< Rows at a nominal depth of 1 mm.
-  std::vector<double> stock_mm;  ///< Height up to which stock stands over the start of each row.
+  std::vector<double> stock_mm;  ///< Height of the stock's top over the start of each row, mm.
 };
 
-/// Heights that describe a stock before and after a level is milled, mm.
+/// Heights that describe the stock, mm.
 struct RoughStock {
   double top_mm = 0.0;   ///< Top of the stock.
-  double cusp_mm = 0.0;  ///< Height above the tip of the stock that a milled level leaves.
+  double cusp_mm = 0.0;  ///< Greatest height above the tip of the stock that a milled level leaves.
 };
 
-/// Finds the order of areas, some of which must be milled before others.
+/// Finds an order for milling areas: an area must be milled before the areas below it.
 class RoughOrder {
  public:
-  /// Sets the heights of stock over the starts of the rows: the stock that the areas of the level
-  /// above leave there.
-  /// @param areas areas by level, from the top, each with a row; they outlive this object
-  /// @param near_mm distance in plan by which the borders of areas may be inexact
+  /// Sets `stock_mm` of all areas: the height of the stock that the areas of the level above leave
+  /// over the start of each row.
+  /// @param areas areas sorted by level, the top level first, each with at least one row. They
+  ///     outlive this object
+  /// @param near_mm greatest error in plan of the borders of areas
   RoughOrder(std::vector<RoughArea>& areas, const RoughStock& stock, double near_mm);
 
-  /// Returns the order in which areas are milled. An area comes after all areas of the level above
-  /// that it meets. The areas below it come before other areas, the nearest first.
+  /// Returns the indices of the areas in the order of milling. An area comes after all areas of the
+  /// level above that overlap it. After an area, the areas below it come first, beginning with the
+  /// nearest one.
   [[nodiscard]] std::vector<std::size_t> order() const;
 
  private:
   const std::vector<RoughArea>* areas_;
-  std::vector<std::vector<std::size_t>> lower_;  ///< For each area the areas below that meet it.
+  /// Indices of the overlapping areas of the level below, for each area.
+  std::vector<std::vector<std::size_t>> lower_;
 };
 
 }  // namespace sim::surface

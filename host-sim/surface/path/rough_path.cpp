@@ -21,11 +21,13 @@ namespace {
 
 using pocket::StockBox;
 
-/// Nominal depth at which rows of areas are planned.
+/// Nominal depth with which the rows of areas are planned, mm.
 constexpr double kRowDepthMm = 1.0;
-/// Radius of the corners of passes, in clearing radii, except for passes at the border.
+/// Corner radius of passes, relative to the clearing radius. It does not apply to passes at the
+/// border.
 constexpr double kCornerShare = 0.1;
-/// Heights by which a level is raised, in tolerances, if its lines have no closed contour.
+/// Heights, in tolerances, by which a level is raised on successive attempts if its lines have no
+/// closed contour.
 constexpr std::array kLifts{0.0, 0.25, 0.5, 1.0, 2.0, 4.0, 8.0};
 
 StockBox box_of(const Mesh& mesh) {
@@ -37,10 +39,11 @@ StockBox box_of(const Mesh& mesh) {
   return box;
 }
 
-/// The rectangles of a job in plan.
+/// Rectangles of the stock and of the tip in plan.
 struct RoughBoxes {
-  StockBox stock;  ///< The surface's box, widened if the end of the stock is known.
-  StockBox tip;    ///< Rectangle in which the tip may be.
+  /// The surface's box. If the end of the stock is known, the box is widened by the stock's margin.
+  StockBox stock;
+  StockBox tip;  ///< Rectangle in which the tip may be.
 };
 
 RoughBoxes boxes_of(const Mesh& mesh, const RowOptions& options, const RoughOptions& rough) {
@@ -54,10 +57,10 @@ RoughBoxes boxes_of(const Mesh& mesh, const RowOptions& options, const RoughOpti
   return {pocket::widened(tip, radius), tip};
 }
 
-/// Returns only the rows of a path.
+/// Returns the rows of a path without its other data.
 pocket::PathRows rows_of(const pocket::PathRows& path) { return path; }
 
-/// Finds the areas of all levels with their rows, and drives them one after another.
+/// Finds the areas of all levels and their rows, and plans the path through all areas.
 class RoughPlanner {
  public:
   RoughPlanner(const Mesh& mesh, const RowOptions& options, const RoughOptions& rough)
@@ -67,7 +70,7 @@ class RoughPlanner {
         clearing_mm_{clearing_radius(options.tool, options.layer_mm)},
         tracer_{mesh, options},
         flat_mm_{kFlatDigits * options.digit_mm},
-        // Without arcs, the other half of the band is for lines that replace arcs.
+        // Without arcs, half of the band is reserved for the lines that replace arcs.
         band_mm_{(options.lines_only ? 0.5 : 1.0) * (tracer_.band_mm() - flat_mm_)},
         border_{boxes_.tip, rough.boundary, tracer_.band_mm()},
         tips_{tracer_, grid_over(mesh), [this](double share) { report(0.4 * share); }},
@@ -98,12 +101,14 @@ class RoughPlanner {
     const std::optional<double> lowest = areas_.lowest_mm();
     if (!lowest) {
       throw std::invalid_argument{
-          "nothing of it is under the tool within its border; is the tool larger than the stock?"};
+          "no part of the surface is under the tool within its border; check whether the tool is "
+          "larger than the stock"};
     }
     const double depth = stock_top_mm_ - *lowest - tracer_.lift_mm();
     if (depth <= options_.digit_mm) {
       throw std::invalid_argument{
-          "nothing of it is below the top of the stock, with its allowance; check --stock-top"};
+          "no part of the surface with its allowance is below the top of the stock; check "
+          "--stock-top"};
     }
     const double levels = std::ceil(depth / options_.layer_mm - 1.0e-9);
     for (double level = 1.0; level <= levels; level += 1.0) {
@@ -113,16 +118,16 @@ class RoughPlanner {
     }
     if (!found_.empty()) return;
     throw std::invalid_argument{
-        "the tool fits into no level of it within its border; take a smaller one"};
+        "the tool fits into no level within its border; choose a smaller tool"};
   }
 
-  /// Returns the height over a level up to which the tool's own form leaves stock.
+  /// Returns the height above a level up to which the shape of the tool leaves stock.
   [[nodiscard]] double cusp_mm() const {
     return height_at(options_.tool, clearing_mm_) - options_.tool.tip_mm;
   }
 
-  /// Adds the areas of a level. The level is raised by a few tolerances if its own lines have no
-  /// closed contour.
+  /// Adds the areas of a level. Raises the level by a few tolerances if its lines have no closed
+  /// contour.
   void add_level(std::size_t level, double tip_mm) {
     std::string reason = "its lines are not closed";
     for (const double tolerances : kLifts) {
@@ -136,13 +141,13 @@ class RoughPlanner {
       }
     }
     throw std::invalid_argument{fmt::format(
-        "the level at Z{:.3f} has no path: {}; take another --layers, or a larger --tolerance",
+        "the level at Z{:.3f} has no path: {}; change --layers, or increase --tolerance",
         tip_mm,
         reason)};
   }
 
-  /// Adds the areas of a level if all of them have a path. Returns false if the level has no closed
-  /// contours.
+  /// Adds the areas of a level that have rows. Returns false if the level has no closed contours.
+  /// Throws the exceptions of the pocket planner.
   [[nodiscard]] bool add_areas(const RoughArea& level) {
     auto areas = areas_.areas_at(level.tip_mm - tracer_.lift_mm() + flat_mm_);
     if (!areas) return false;
@@ -170,7 +175,8 @@ class RoughPlanner {
                        .depth = kRowDepthMm,
                        .depth_step = kRowDepthMm});
     if (!is_open_ || !pocket::is_around(locus.view(), boxes_.stock)) return rows_of(plan);
-    // Without islands passes go around the middle of the stock and then begin at its edge.
+    // Without islands, the passes are around the middle of the stock. The reversed order begins at
+    // the stock's edge.
     if (locus.loop_ends.size() == 1) std::ranges::reverse(plan.passes);
     return rows_of(pocket::open_path_within(
         locus.view(),
@@ -188,7 +194,7 @@ class RoughPlanner {
     }
   }
 
-  /// Adds the part of a row that is at the row's level.
+  /// Adds the part of a row that is at the level, without entry and exit.
   void add_row(const RoughArea& area, std::size_t row, SlotFinder& slots) {
     constexpr double kMinMm = 1.0e-9;
     const std::size_t first = path_.stretches.size();
@@ -215,7 +221,8 @@ class RoughPlanner {
     path_.runs.push_back({path_.stretches.size(), is_beside ? area.tip_mm : area.stock_mm[row]});
   }
 
-  /// Appends the end of an element. If arcs are not allowed, appends lines in place of an arc.
+  /// Appends the element between two vertices. If arcs are not allowed, an arc is replaced by
+  /// lines.
   void append(const ContourVertex& from,
               const ContourVertex& to,
               std::vector<ContourVertex>& vertices) const {
@@ -223,7 +230,8 @@ class RoughPlanner {
     if (options_.lines_only && from.bulge != 0.0) {
       const cut::Stroke arc{.from = {from.x, from.y}, .to = {to.x, to.y}, .bulge = from.bulge};
       const double sweep = 4.0 * std::atan(std::abs(from.bulge));
-      // A chord leaves its arc by at most an eighth of its length times its sweep.
+      // The deviation of a chord from its arc is at most an eighth of the chord's length times the
+      // arc's sweep.
       const double parts = std::ceil(std::sqrt(cut::length_of(arc) * sweep / (8.0 * band_mm_)));
       for (double part = 1.0; part < parts; part += 1.0) {
         const cut::Place place = cut::place_at(arc, part / parts);
@@ -239,7 +247,7 @@ class RoughPlanner {
   double clearing_mm_;
   SurfaceTracer tracer_;
   double flat_mm_;
-  double band_mm_;  ///< Distance by which the lines of areas may leave their level set.
+  double band_mm_;  ///< Greatest deviation of the lines of areas from the level set.
   LevelBorder border_;
   TipGrid tips_;
   LevelAreas areas_;

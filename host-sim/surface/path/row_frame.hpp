@@ -9,17 +9,18 @@
 
 namespace sim::surface {
 
-/// A part of a row: the position of the row across the rows, and begin and end along the row, mm.
+/// A part of a row, mm. `row` is the row's coordinate across the rows; `begin` and `end` are
+/// coordinates along the row.
 struct RowPart {
   double row = 0.0;
   double begin = 0.0;
   double end = 0.0;
 };
 
-/// The box of a surface in plan, in coordinates along and across its rows.
+/// The bounding box of a surface in plan, in coordinates along and across rows.
 class RowFrame {
  public:
-  /// @param margin_mm distance by which the box is larger on all sides
+  /// @param margin_mm distance by which the box is larger than the surface on all sides
   RowFrame(const Mesh& mesh, double angle_rad, double margin_mm)
       : along_{direction_of(angle_rad)},
         across_{-along_.y(), along_.x()},
@@ -42,13 +43,13 @@ class RowFrame {
     return way * along_ + row * across_;
   }
 
-  /// Returns the coordinates of a place along and across the rows.
+  /// Returns the coordinates of `place` along and across the rows.
   [[nodiscard]] Eigen::Vector2d seen(const Eigen::Vector2d& place) const {
     return {along_.dot(place), across_.dot(place)};
   }
 
-  /// Returns the slice over a part of a row. It goes from begin to end, or from end to begin if
-  /// `goes_back`.
+  /// Returns the slice over a part of a row. The slice goes from the part's begin to its end or, if
+  /// `goes_back`, from its end to its begin.
   [[nodiscard]] Slice slice(const RowPart& part, bool goes_back) const {
     const double length = part.end - part.begin;
     return goes_back ? Slice{at(part.end, part.row), -along_, length}
@@ -56,8 +57,8 @@ class RowFrame {
   }
 
  private:
-  /// Returns the unit vector of an angle. It is exact along the axes, so that rows along the axes
-  /// are exact.
+  /// Returns the unit vector of an angle. The vector is exact for directions along the axes, so
+  /// that rows along the axes are exact.
   static Eigen::Vector2d direction_of(double angle_rad) {
     Eigen::Vector2d direction{std::cos(angle_rad), std::sin(angle_rad)};
     constexpr double kAlongAxis = 1.0e-12;
@@ -70,7 +71,7 @@ class RowFrame {
 
   Eigen::Vector2d along_;
   Eigen::Vector2d across_;
-  Eigen::Vector2d min_;  ///< Least coordinates along and across the rows.
+  Eigen::Vector2d min_;  ///< Lowest coordinates of the box along and across the rows.
   Eigen::Vector2d max_;
 };
 

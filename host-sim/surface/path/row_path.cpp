@@ -17,9 +17,10 @@ namespace {
 
 using Eigen::Vector2d;
 
-/// Maximum length of a link over the surface, in steps; a farther row begins with a lift.
+/// Maximum length of a link over the surface, in steps. The path to a row that is farther away
+/// begins with a lift.
 constexpr double kMaxLinkSteps = 4.0;
-/// Share of the work for finding the parts of rows.
+/// Share of the progress for finding the parts of rows.
 constexpr double kSearchShare = 0.25;
 
 /// Lays rows over a surface and links them.
@@ -32,7 +33,8 @@ class RowPlanner {
         tracer_{mesh, options},
         stock_top_mm_{options.stock_top_mm.value_or(top_of(mesh))} {
     if (options.scallop_mm == 0.0 || options.layer_mm > 0.0) return;
-    // A path is above its exact place by the tolerance, and by at most another tolerance.
+    // The path is between one and two tolerances above its exact position. So the heights of rows
+    // may differ by up to a tolerance, which reduces the scallop limit.
     between_.emplace(tracer_, frame_, options.tool, options.scallop_mm - options.tolerance_mm);
   }
 
@@ -50,14 +52,14 @@ class RowPlanner {
  private:
   [[nodiscard]] const char* reason_for_none() const {
     if (!options_.regions.empty()) {
-      return "no row of it is in the region: check --boundary, --slope and --rest-of, or take a "
+      return "no row is in the region: check --boundary, --slope and --rest-of, or choose a "
              "smaller --step";
     }
-    if (options_.layer_mm > 0.0) return "nothing of it is below the top of the stock";
-    return "nothing of it is under the tool";
+    if (options_.layer_mm > 0.0) return "no part of the surface is below the top of the stock";
+    return "the surface is nowhere under the tool";
   }
 
-  /// Adds layers from the top of the stock downwards, until a layer has nothing to mill.
+  /// Adds layers from the top of the stock downwards until a layer is empty.
   void add_layers() {
     constexpr int kMaxLayers = 10'000;
     for (int layer = 0; layer < kMaxLayers; ++layer) {
@@ -72,8 +74,8 @@ class RowPlanner {
     }
   }
 
-  /// Adds all rows. Rows between other rows come after these, because they mill the stock that
-  /// these have left.
+  /// Adds all rows. Additional rows between two others come last, because they mill the stock that
+  /// the others have left.
   void add_rows() {
     std::vector<RowPart> rows;
     std::vector<RowPart> between;
@@ -97,7 +99,7 @@ class RowPlanner {
     trace_wanted();
   }
 
-  /// Traces all slices whose order and places are known.
+  /// Traces all waiting slices and stores their stretches in the path.
   void trace_wanted() {
     TracedStretches traced = traced_slices(tracer_, wanted_, [this](double share) {
       report(kSearchShare + (1.0 - kSearchShare) * share);
@@ -108,13 +110,13 @@ class RowPlanner {
     wanted_.clear();
   }
 
-  /// Adds the stretch over a slice; the slice is traced later.
+  /// Adds a placeholder for the stretch over a slice, which trace_wanted() replaces.
   void want(const Slice& slice, StretchUse use) {
     wanted_.push_back({slice, use});
     path_.stretches.emplace_back();
   }
 
-  /// Adds those pieces of a part that are over the surface and in all regions.
+  /// Appends the pieces of a part that are over the surface and in all regions.
   void add_parts(const RowPart& part, std::vector<RowPart>& parts) const {
     constexpr double kMinPart = 1.0e-3;
     const Slice slice = frame_.slice(part, false);
@@ -126,13 +128,15 @@ class RowPlanner {
     }
   }
 
-  /// Mills parts of rows from the lowest row on, always the nearest part next. With a milling
-  /// direction, mills row by row.
+  /// Mills parts of rows. Without a milling direction, begins at the lowest row, and the nearest
+  /// part is always next. With a direction, mills row by row: upwards for conventional milling,
+  /// downwards for climb milling.
   void mill(std::vector<RowPart> parts) {
     const bool is_climb = options_.direction == cnc::pocket::Milling::kClimb;
     PartQueue queue{std::move(parts)};
     for (bool is_first = true; !queue.empty(); is_first = false) {
-      // The row below a row is on its right: stock is there until that row is milled.
+      // The next lower row is on the right of a row. The stock is on this side until the lower row
+      // is milled.
       mill(options_.direction || is_first ? queue.take_outermost(is_climb)
                                           : queue.take_nearest(frame_.seen(here_), may_go_back()));
     }
@@ -146,8 +150,8 @@ class RowPlanner {
     here_ = slice.at(slice.length);
   }
 
-  /// Returns a slot if stock stands on both sides of a part, else a row. Stock stands there in a
-  /// layer, if no neighbouring row was milled along at least half of the part.
+  /// Returns kSlot if stock is on both sides of a part, else kRow. In a layer, stock is on both
+  /// sides unless neighbouring rows on one side were milled along at least half of the part.
   [[nodiscard]] StretchUse use_of(const RowPart& part) const {
     if (options_.layer_mm == 0.0) return StretchUse::kRow;
     double below = 0.0;
@@ -162,9 +166,9 @@ class RowPlanner {
     return is_open ? StretchUse::kRow : StretchUse::kSlot;
   }
 
-  /// Leads to the next stretch over the surface, if it is near, the surface continues up to it and
-  /// no region bars the link. The link is straight, or goes along one of both rows and across, for
-  /// example next to an island. Otherwise ends the run.
+  /// Adds a link over the surface to `place` if it is near, the surface continues up to it and no
+  /// region bars the link. Otherwise ends the run. The link is straight, or it goes along one of
+  /// the two rows and then across, for example next to an island.
   void lead_to(const Vector2d& place) {
     if (path_.stretches.empty()) return;
     if (may_go_back() && place != here_) {
@@ -178,8 +182,8 @@ class RowPlanner {
     end_run();
   }
 
-  /// Adds straight links between places if they are short and allowed. Returns whether it added
-  /// them.
+  /// Adds straight links between successive points if the links are short and allowed. Returns
+  /// whether the links were added.
   bool links_over(const std::vector<Vector2d>& places) {
     constexpr double kMinLink = 1.0e-6;
     std::vector<Slice> slices;
@@ -219,10 +223,11 @@ class RowPlanner {
   RowFrame frame_;
   SurfaceTracer tracer_;
   std::optional<ScallopRows> between_;
-  double stock_top_mm_;         ///< Top of the stock that no layer has milled yet.
-  std::vector<RowPart> layer_;  ///< Parts of rows that are milled in this layer.
+  double stock_top_mm_;         ///< Top of the remaining stock: the bottom of the last layer.
+  std::vector<RowPart> layer_;  ///< Parts of rows that were milled in the current layer.
   SurfacePath path_;
-  std::vector<WantedStretch> wanted_;  ///< The last slices of the path, which are not traced yet.
+  /// Slices of the last stretches of the path, which are not traced yet.
+  std::vector<WantedStretch> wanted_;
   Vector2d here_ = Vector2d::Zero();
 };
 

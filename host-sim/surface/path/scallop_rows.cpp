@@ -10,8 +10,8 @@
 namespace sim::surface {
 namespace {
 
-/// Maximum number of halvings of the distance between rows: at vertical walls no number of rows is
-/// enough.
+/// Maximum number of halvings of the distance between rows. The limit is necessary at vertical
+/// walls, where no number of rows is sufficient.
 constexpr int kMaxHalvings = 7;
 
 }  // namespace
@@ -43,12 +43,13 @@ ScallopRows::ScallopRows(const SurfaceTracer& tracer,
       frame_{frame},
       tool_{tool},
       scallop_mm_{scallop_mm},
-      // At this distance between poses, a row leaves little more stock than continuous motion.
+      // At this distance between samples, the computed stock exceeds the stock after continuous
+      // motion only slightly.
       look_mm_{std::min(0.125 * tool.radius_mm, std::sqrt(0.24 * tool.radius_mm * scallop_mm))} {}
 
-/// Two rows and the lines between them, given by the heights of the tip at equal distances along
-/// them. A ball leaves the most stock half way between the rows. A tool with a flat bottom touches
-/// at other points, so that it needs more lines between.
+/// Two rows and checked lines between them, with the heights of the tip at equal distances along
+/// each. A ball leaves the most stock half way between the rows, so that one line is enough. A tool
+/// with a flat bottom needs more lines, because it touches at other points.
 class ScallopRows::Strip {
  public:
   Strip(const ScallopRows& rows, const Gap& gap)
@@ -72,8 +73,8 @@ class ScallopRows::Strip {
   [[nodiscard]] int last() const { return around_ + looks_; }
   [[nodiscard]] double along(int index) const { return begin_ + index * rows_.look_mm_; }
 
-  /// Returns the height of the stock that both rows leave at the points that the tool would touch
-  /// between them.
+  /// Returns the greatest height of the stock that the two rows leave at the points that the tool
+  /// would touch between them.
   [[nodiscard]] double scallop(int index) const {
     double greatest = 0.0;
     for (std::size_t row = 1; row + 1 < heights_.size(); ++row) {
@@ -81,7 +82,8 @@ class ScallopRows::Strip {
           (height(row, index + 1) - height(row, index - 1)) / (2.0 * rows_.look_mm_);
       const double below = (height(row, index) - height(row - 1, index)) / across(1);
       const double above = (height(row + 1, index) - height(row, index)) / across(1);
-      // At the bottom of a valley the tool touches on both sides.
+      // Checks the rises of both sides, because a tool at the bottom of a valley touches both
+      // sides.
       for (const double rise : {below, 0.5 * (below + above), above}) {
         greatest = std::max(greatest, left_beside(row, index, {climb, rise}));
       }
@@ -99,8 +101,8 @@ class ScallopRows::Strip {
     return width_ * static_cast<double>(row) / static_cast<double>(heights_.size() - 1);
   }
 
-  /// Returns the height of the stock that is left above the point of contact, for a given rise of
-  /// the surface there.
+  /// Returns the height, perpendicular to the surface, of the stock that the two rows leave above
+  /// the point of contact. `rise` is the rise of the surface there.
   [[nodiscard]] double left_beside(std::size_t from, int index, const Eigen::Vector2d& rise) const {
     const double slope = rise.norm();
     const cnc::surface::PlaneContact contact = contact_with_plane(rows_.tool_, slope);
@@ -123,7 +125,7 @@ class ScallopRows::Strip {
   int around_;
   double begin_;
   int looks_;
-  /// Heights along both rows and the lines between; the low row is first.
+  /// Heights along both rows and the lines between them, the low row first.
   std::vector<std::vector<double>> heights_;
 };
 

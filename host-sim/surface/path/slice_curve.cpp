@@ -9,13 +9,13 @@ namespace {
 
 using Node = SliceCurve::Node;
 
-/// A cubic, given by its ends.
+/// A cubic over a part of a slice, given by the nodes at its ends.
 struct Cubic {
   Node from;
   Node to;
 
-  /// Reduces slopes that are so steep that the cubic would rise far above both ends. Next to a
-  /// jump, such slopes are those of the jump.
+  /// Limits the slopes at the ends, so that the cubic does not rise far above both ends. Next to a
+  /// jump, the measured slope may be that of the jump.
   Cubic(const Node& begin, const Node& end, double error_mm) : from{begin}, to{end} {
     const double most = (3.0 * std::abs(to.height - from.height) + 6.0 * error_mm) / width();
     from.slope = std::clamp(from.slope, -most, most);
@@ -23,7 +23,7 @@ struct Cubic {
   }
 
   [[nodiscard]] double width() const { return to.along - from.along; }
-  /// Returns the height and its derivatives with respect to the share.
+  /// Returns the height and its first and second derivative by `share`, which is 0 to 1.
   [[nodiscard]] std::array<double, 3> at(double share) const {
     const double begin = width() * from.slope;
     const double rise = to.height - from.height;
@@ -38,7 +38,7 @@ struct Cubic {
   }
 };
 
-/// Divides a slice into cubics, from its start on.
+/// Divides a slice into cubics, from its start to its end.
 class CurveBuilder {
  public:
   CurveBuilder(SliceHeights& heights, const SliceDensity& density, double begin, double end)
@@ -58,8 +58,8 @@ class CurveBuilder {
   }
 
  private:
-  /// Returns the node at a distance along the slice. Its slope is a central difference, one-sided
-  /// at the ends of the slice.
+  /// Returns the node at the distance `along` the slice. The slope is a central difference, or a
+  /// one-sided difference at the ends of the slice.
   [[nodiscard]] Node node_at(double along) {
     constexpr double kBeside = 1.0e-5;
     const double before = std::max(begin_, along - kBeside);
@@ -69,7 +69,8 @@ class CurveBuilder {
     return {along, height, (heights_(after) - low) / (after - before)};
   }
 
-  /// Accepts the nearest pending node if one cubic leads to it. Otherwise inserts a node before it.
+  /// Accepts the nearest pending node if one cubic follows the heights up to this node. Otherwise
+  /// inserts a node half way.
   void settle() {
     const Cubic cubic{nodes_.back(), pending_.back(), density_.error_mm};
     if (cubic.width() <= density_.min_mm || follows(cubic)) {
@@ -81,8 +82,8 @@ class CurveBuilder {
   }
 
   [[nodiscard]] bool follows(const Cubic& cubic) {
-    // The curve bends where the tool passes from facet to facet. Between two of eight samples its
-    // error is at most twice the error at the samples.
+    // Between samples, the heights have kinks where the contact moves from one facet to the next.
+    // With eight samples, the error between them is at most twice the error at the samples.
     constexpr int kMinLooks = 8;
     const int looks =
         std::max(kMinLooks, static_cast<int>(std::ceil(cubic.width() / density_.pitch_mm)));
@@ -90,7 +91,7 @@ class CurveBuilder {
       const double along = cubic.from.along + cubic.width() * i / looks;
       return is_near(along, cubic.height_at(along));
     };
-    // A cubic that leaves the heights usually does so half way.
+    // Checks the middle first, because the error of a cubic is usually greatest there.
     if (!is_near_at(looks / 2)) return false;
     for (int i = 1; i < looks; ++i) {
       if (i != looks / 2 && !is_near_at(i)) return false;
@@ -98,10 +99,9 @@ class CurveBuilder {
     return true;
   }
 
-  /// Returns whether the heights pass within the error of a place of the curve. Where heights are
-  /// steep they may pass next to the place. The distance from a height to the curve would not show
-  /// the error: at a corner between a jump and a plateau the height lies on the plateau, while the
-  /// curve cuts the corner off.
+  /// Returns whether the heights pass a point of the curve within the error, above, below or at the
+  /// side. The reverse check, from a height to the curve, is not sufficient: the curve may cut off
+  /// the corner between a jump and a plateau while the heights on the plateau are near the curve.
   [[nodiscard]] bool is_near(double along, double height) {
     const double error = 0.5 * density_.error_mm;
     const double off = height - heights_(along);
@@ -117,7 +117,7 @@ class CurveBuilder {
   double begin_;
   double end_;
   std::vector<Node> nodes_;
-  std::vector<Node> pending_;  ///< Nodes still to be reached; the nearest is last.
+  std::vector<Node> pending_;  ///< Nodes that are still to be reached; the nearest node is last.
 };
 
 }  // namespace

@@ -8,16 +8,18 @@
 
 namespace sim::surface {
 
-/// Limits on how far a curve may leave the heights from which it is made.
+/// Limits for the deviation of a curve from the heights of a slice.
 struct SliceDensity {
-  double pitch_mm = 0.1;  ///< Maximum distance between the places at which heights are sampled.
-  /// Maximum error of the curve between those places, perpendicular to the curve.
+  double pitch_mm = 0.1;  ///< Maximum distance between sampled heights.
+  /// Maximum error of the curve between samples, perpendicular to the curve.
   double error_mm = 1.0e-3;
-  double min_mm = 1.0e-4;  ///< Length up to which spans are straight: heights jump there.
+  /// Length up to which spans are straight, because the heights jump there.
+  double min_mm = 1.0e-4;
 };
 
-/// Returns the density at which nothing between two places reaches into the tool by more than
-/// `error_mm`. A round tool leaves its chord by the sagitta, a cone by the height of its sides.
+/// Returns the density at which nothing between two samples reaches into the tool by more than
+/// `error_mm`. Between two samples, a round tool deviates from its chord by the sagitta, and a cone
+/// deviates by the height of its sides.
 [[nodiscard]] SliceDensity density_for(const cnc::surface::Profile& profile, double error_mm);
 
 /// Spans of a curve from `from` up to but not including `to`.
@@ -26,18 +28,18 @@ struct SpanRange {
   std::size_t to = 0;
 };
 
-/// The heights of a slice as a smooth curve. It consists of cubics over the distance along the
-/// slice, whose ends have the heights and slopes of the slice. The curve's first coordinate is the
-/// distance along the slice.
+/// The heights of a slice as a smooth curve. The curve consists of cubics over the distance along
+/// the slice. The ends of the cubics have the heights and slopes of the slice. The first coordinate
+/// of the curve is the distance along the slice; the second is the height.
 class SliceCurve final : public cnc::contour::PlaneCurve {
  public:
   struct Node {
     double along = 0.0;
     double height = 0.0;
-    double slope = 0.0;  ///< Slope, mm per mm.
+    double slope = 0.0;  ///< Slope of the heights along the slice, mm per mm.
   };
 
-  /// @pre every place from `begin` to `end` has a height, and begin < end
+  /// @pre begin < end, and all points from `begin` to `end` have a height
   SliceCurve(SliceHeights& heights, double begin, double end, const SliceDensity& density);
 
   [[nodiscard]] std::size_t span_count() const override { return nodes_.size() - 1; }

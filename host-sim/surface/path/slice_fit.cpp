@@ -12,7 +12,8 @@ using cnc::contour::FitMethod;
 
 namespace {
 
-/// A greater change of direction between two spans, in radians, is a corner and is kept.
+/// Change of direction between two spans, in radians, above which their joint is a corner. Corners
+/// are kept.
 constexpr double kMinCorner = 0.1;
 
 cnc::WideVec2 direction_at(const cnc::contour::PlaneCurve& curve, std::size_t span, double share) {
@@ -35,7 +36,8 @@ std::size_t SliceFitter::fit(const cnc::contour::PlaneCurve& curve,
   std::size_t from = 0;
   for (std::size_t to = 1; to <= curve.span_count(); ++to) {
     if (to < curve.span_count() && !has_corner_before(curve, to)) continue;
-    if (from > 0) out.pop_back();  // The end of the last piece is the start of this piece.
+    // Removes the end of the previous piece, because it is also the start of this piece.
+    if (from > 0) out.pop_back();
     const bool wants_arcs = elements == SliceElements::kArcs;
     if (!wants_arcs || !fit_arcs_to(curve, {from, to}, tolerance_mm, out)) {
       fit_chords(curve, {from, to}, tolerance_mm, out);

@@ -11,19 +11,19 @@ namespace sim::surface {
 
 enum class SliceElements : std::uint8_t {
   kArcs,   ///< Tangent-continuous arcs and lines.
-  kLines,  ///< Lines only, for example if the slice lies in no plane that allows arcs.
+  kLines,  ///< Lines only, for example if the slice is not in a plane that allows arcs.
 };
 
-/// Replaces the curves of slices by few arcs or lines. Each element is within a tolerance of its
-/// curve, from the curve's start to its end. Corners keep their places. The object holds the memory
-/// that fits reuse.
+/// Replaces the curves of slices by few arcs or lines, within a tolerance of the curve and from its
+/// start to its end. Corners keep their positions. The object contains working memory that
+/// successive fits share.
 class SliceFitter {
  public:
-  /// Appends the elements. A vertex has the distance along the slice and the height; an arc has its
-  /// bulge.
+  /// Appends the elements for a curve to `out`. A vertex consists of the distance along the slice
+  /// and the height, and the bulge of an arc.
   /// @param tolerance_mm tolerance, above 0
-  /// @return the number of pieces between corners for which no arcs are within the tolerance, so
-  /// that they became lines
+  /// @return the number of pieces between corners that became lines because no arcs are within the
+  /// tolerance
   std::size_t fit(const cnc::contour::PlaneCurve& curve,
                   double tolerance_mm,
                   SliceElements elements,

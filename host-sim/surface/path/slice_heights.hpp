@@ -8,19 +8,20 @@
 
 namespace sim::surface {
 
-/// The heights of a tool's tip over a slice. Heights should be requested from neighbour to
-/// neighbour, because each search begins with the facet that was touched last.
+/// Computes the heights of a tool's tip over a slice. Successive requests should be for nearby
+/// points, because each search begins with the last touched facet.
 class SliceHeights {
  public:
   /// @param floor_mm lowest height of the tip, and its height where nothing is under the tool.
-  /// Without a floor such places have no height.
+  /// Without a floor, such points have no height.
   /// @pre the heights outlive this object
   SliceHeights(const PathHeights& heights, const Slice& slice, std::optional<double> floor_mm)
       : heights_{&heights}, slice_{slice}, floor_mm_{floor_mm.value_or(cnc::surface::kNoContact)} {}
 
   [[nodiscard]] const Slice& slice() const { return slice_; }
 
-  /// Returns the height; cnc::surface::kNoContact if the place has none.
+  /// Returns the height at the distance `along` the slice; cnc::surface::kNoContact if there is no
+  /// height.
   [[nodiscard]] double operator()(double along) {
     return std::max(floor_mm_, (*heights_)(slice_.at(along), hint_));
   }

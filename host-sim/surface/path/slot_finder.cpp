@@ -10,13 +10,14 @@ namespace {
 
 using Eigen::Vector2d;
 
-/// Lengths as shares of the tool's radius.
+/// Lengths relative to the tool's radius: cell, step along the path, and offset of the checked
+/// points to both sides.
 constexpr double kCell = 0.125;
 constexpr double kStep = 0.25;
 constexpr double kBeside = 0.75;
-/// Number of steps whose stock is not removed yet.
+/// Number of steps by which the removal of stock lags behind the tool.
 constexpr std::size_t kStepsBehind = 4;
-/// Maximum number of cells. A larger area has larger cells, to save memory.
+/// Maximum number of cells. It limits the memory: a larger area has larger cells.
 constexpr double kMaxCells = 4.0e7;
 
 double cell_for(const pocket::StockBox& box, double radius_mm) {

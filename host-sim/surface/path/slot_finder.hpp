@@ -10,19 +10,20 @@
 
 namespace sim::surface {
 
-/// Finds where a tool that moves through a level has stock on both sides. It marks the cells of the
-/// plan that the tool has passed over, so that results are exact to an eighth of its radius.
+/// Finds the parts of a path in a level at which a tool has stock on both sides. It marks the cells
+/// of the plan that the tool has passed. A cell, and thus the error, is an eighth of the tool's
+/// radius or larger.
 class SlotFinder {
  public:
-  /// @param box the stock, mm; there is no stock outside it
+  /// @param box rectangle of the stock, mm
   /// @param radius_mm radius of the tool's disc, above 0
   SlotFinder(const pocket::StockBox& box, double radius_mm);
 
-  /// Classifies an element in a level plane, and removes the stock under the tool. Returns a slot
-  /// if stock is on both sides of any place of the element, else a row.
+  /// Classifies an element in a level plane and removes the stock under the tool. Returns kSlot if
+  /// stock is on both sides of any point of the element, else kRow.
   [[nodiscard]] StretchUse use_of(const ContourVertex& from, const ContourVertex& to);
 
-  /// Ends a run: the next element does not begin where the last one ended.
+  /// Ends a run, because the next element does not begin at the end of the last element.
   void end_run();
 
  private:
@@ -35,8 +36,8 @@ class SlotFinder {
   std::size_t columns_;
   std::size_t rows_;
   std::vector<bool> is_taken_;
-  /// The last places of the tool, over a distance of about its radius. Stock is removed there with
-  /// a delay, because the disc around a place also reaches ahead of it.
+  /// Last positions of the tool, over a distance of about its radius. Their stock is not removed
+  /// yet, because the tool's disc also covers the stock ahead of the tool.
   std::deque<Eigen::Vector2d> last_;
 };
 

@@ -9,8 +9,9 @@
 namespace sim::surface {
 namespace {
 
-/// Returns a larger tool. Its raised tip is at most `farthest_mm`, in space, from a place where the
-/// tool itself touches. The rim of a cone moves outwards and downwards at the same time.
+/// Returns a larger tool whose raised tip is at most `farthest_mm`, in space, from a contact
+/// position of the original tool. A cone is grown by less than `farthest_mm`, because its rim moves
+/// outwards and downwards.
 cnc::surface::GrownTool grown_within(const cnc::surface::Profile& tool, double farthest_mm) {
   const cnc::surface::GrownTool whole = cnc::surface::grown(tool, farthest_mm);
   if (tool.rise == 0.0) return whole;
@@ -18,7 +19,8 @@ cnc::surface::GrownTool grown_within(const cnc::surface::Profile& tool, double f
   return cnc::surface::grown(tool, share * farthest_mm);
 }
 
-/// Returns the tip positions over all points. At each point something is under the tool.
+/// Returns the raised tip positions over all points of the grid. The tool has contact at each
+/// point.
 PointGrid tips_over(const PointGrid& grid, const cnc::surface::GrownTool& tool, double lift_mm) {
   const DropCutter cutter{triangulated(grid), tool.profile};
   DropCutter::Hint hint;
@@ -44,7 +46,8 @@ double SmoothTips::height(const Eigen::Vector2d& place, double exact_mm, Hint& h
   const std::optional<double> found = heights_.height(place, hint.patches);
   const double smooth = found ? *found - lift_mm_ : exact_mm;
   if (smooth <= exact_mm) return exact_mm;
-  // The larger tool touches at least as high, so that its exact height is not needed.
+  // The larger tool has contact at least at the exact height. So its height need not be computed
+  // here.
   if (smooth <= exact_mm + ceiling_lift_mm_) return smooth;
   return std::clamp(smooth, exact_mm, ceiling_.tip_height(place, hint.ceiling) + ceiling_lift_mm_);
 }

@@ -9,13 +9,13 @@
 
 namespace sim::surface {
 
-/// A smooth surface that a path follows in place of the heights of a tool's tip: bicubic patches in
-/// the middle of a band above these heights (paper 4). Noise of the points within half of the band
-/// is not milled.
+/// A smooth surface that a path follows instead of the heights of a tool's tip. It consists of
+/// bicubic patches in the middle of a band above these heights (paper 4). Noise of the points of up
+/// to half of the band is not milled.
 ///
-/// Where the patches leave the band, for example between points at a wall, the path follows the
-/// border of the band. The path thus cuts no deeper than without patches, and is higher by at most
-/// the band, in space.
+/// Where the patches are outside the band, for example between points at a wall, the path follows
+/// the border of the band. The path thus cuts no deeper than without patches. It is at most a band
+/// higher, in space.
 class SmoothTips {
  public:
   struct Hint {
@@ -23,22 +23,22 @@ class SmoothTips {
     patch::PatchHeights::Hint patches{};
   };
 
-  /// Fits patches, within half of the band, to the tip positions of a tool that is larger by half
-  /// of the band, over all points of the grid.
+  /// Fits patches to the tip positions over all points of the grid, for a tool that is larger by
+  /// half of the band. The tolerance of the fit is half of the band.
   /// @param tool the tool that the path follows
   /// @param band_mm width of the band perpendicular to the surface of the tips, above 0
   /// Throws std::invalid_argument for patches that fold in plan.
   /// @pre the grid has at least two rows and columns
   SmoothTips(const PointGrid& grid, const cnc::surface::GrownTool& tool, double band_mm);
 
-  /// Returns the height of the tool's tip over a place before the tip is raised. It is at least
-  /// `exact_mm`; if `exact_mm` is cnc::surface::kNoContact, that is returned.
-  /// @param exact_mm height of the tool's tip there
+  /// Returns the smooth height of the tool's tip over `place`, without the tool's lift. The result
+  /// is at least `exact_mm`; it is cnc::surface::kNoContact if `exact_mm` is.
+  /// @param exact_mm exact height of the tool's tip over `place`
   [[nodiscard]] double height(const Eigen::Vector2d& place, double exact_mm, Hint& hint) const;
 
-  /// Returns the patches; they are the surface on which the raised tip moves.
+  /// Returns the patches, which are the surface of the raised tip.
   [[nodiscard]] const patch::PatchSurface& patches() const { return heights_.surface(); }
-  /// tips() returns the raised tip positions to which the patches are fitted, fit_mm() the
+  /// tips() returns the raised tip positions to which the patches are fitted. fit_mm() returns the
   /// tolerance of the fit.
   [[nodiscard]] const PointGrid& tips() const { return tips_; }
   [[nodiscard]] double fit_mm() const { return 0.5 * band_mm_; }
@@ -46,8 +46,8 @@ class SmoothTips {
  private:
   double lift_mm_;
   double band_mm_;
-  DropCutter ceiling_;      ///< The tool that is larger by the band.
-  double ceiling_lift_mm_;  ///< Height by which the tip of that tool is raised.
+  DropCutter ceiling_;      ///< The tool that is larger by the complete band.
+  double ceiling_lift_mm_;  ///< Height by which the tip of the tool of ceiling_ is raised.
   PointGrid tips_;
   patch::PatchHeights heights_;
 };

@@ -19,9 +19,9 @@ double distance_from_way(const Vector2d& place, const Vector2d& from, const Vect
 
 }  // namespace
 
-/// Keeps the place that is farthest from the straight line, and repeats this for both parts until
-/// no place is too far. The line of a closed curve has no length and lies at its start, so that the
-/// farthest place is always kept.
+/// Keeps the point that is farthest from the straight line between the ends, and repeats this for
+/// both parts until no point is too far. The line of a closed curve is only its start, so that the
+/// point farthest from the start is kept.
 std::vector<Vector2d> straightened(const std::vector<Vector2d>& places, double tolerance_mm) {
   std::vector<bool> stays(places.size(), false);
   stays.front() = stays.back() = true;

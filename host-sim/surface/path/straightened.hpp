@@ -5,8 +5,8 @@
 
 namespace sim::surface {
 
-/// Returns some of the places of a line, including its ends. Straight lines between them leave the
-/// line by at most a tolerance.
+/// Returns some of the points of a line, including its ends. The straight lines between the
+/// returned points are within the tolerance of all points of the line.
 [[nodiscard]] std::vector<Eigen::Vector2d> straightened(const std::vector<Eigen::Vector2d>& places,
                                                         double tolerance_mm);
 

@@ -17,22 +17,22 @@ enum class StretchUse : std::uint8_t {
   kLink,  ///< The tool moves over the surface from one row to the next.
 };
 
-/// The level plane in which a tip stays at one height.
+/// A level plane in which the tip moves at a constant height.
 struct LevelPlane {
   double height_mm = 0.0;
 };
 
-/// The plane that contains a stretch: vertical (a slice) or level.
+/// Plane of a stretch: vertical (a slice) or level.
 using StretchPlane = std::variant<Slice, LevelPlane>;
 
-/// Lines and arcs of a tool's tip in one plane. In a slice a vertex has the distance along it as x
-/// and the height as y; in a level plane a vertex has X and Y. The last vertex is the end.
+/// Lines and arcs of a tool's tip in one plane. In a slice, x of a vertex is the distance along the
+/// slice and y is the height. In a level plane, x and y are X and Y. The last vertex is the end.
 struct SurfaceStretch {
   StretchPlane plane;
   StretchUse use = StretchUse::kRow;
   std::vector<ContourVertex> vertices;
 
-  /// Returns the position of the tip at a vertex.
+  /// Returns the position of the tip at `vertex`.
   [[nodiscard]] Eigen::Vector3d place_of(const ContourVertex& vertex) const {
     if (const auto* level = std::get_if<LevelPlane>(&plane)) {
       return {vertex.x, vertex.y, level->height_mm};
@@ -44,17 +44,17 @@ struct SurfaceStretch {
   [[nodiscard]] Eigen::Vector3d end() const { return place_of(vertices.back()); }
 };
 
-/// Stretches that are driven without a lift between them.
+/// Successive stretches that are driven without a lift between them.
 struct SurfaceRun {
   std::size_t end = 0;    ///< Index after the last stretch of the run.
-  double stock_mm = 0.0;  ///< Height up to which stock may stand over the run's start.
+  double stock_mm = 0.0;  ///< Greatest height of the stock's top over the run's start.
 };
 
-/// Stretches in the order in which they are driven, mm.
+/// A path over a surface, mm: stretches in the order of driving, and runs.
 struct SurfacePath {
   std::vector<SurfaceStretch> stretches;
   std::vector<SurfaceRun> runs;
-  /// Number of stretches that are lines because no arcs fit.
+  /// Number of pieces that became lines because no arcs are within the tolerance.
   std::size_t without_arcs = 0;
 };
 

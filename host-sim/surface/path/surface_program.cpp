@@ -23,7 +23,7 @@ using cnc::WideVec2;
 using cnc::gcode::WriterError;
 using Written = cnc::Result<std::string_view, WriterError>;
 
-/// The directions in which an element begins and ends, in radians from the horizontal.
+/// Directions of an element at its start and at its end, in radians from the horizontal.
 struct ElementCourse {
   double begin;
   double end;
@@ -35,7 +35,8 @@ struct ElementCourse {
     end = across + half_turn;
   }
 
-  /// Returns the greatest downward share of a motion's speed; 0 for a motion that climbs.
+  /// Returns the greatest ratio of descending speed to feed along the element; 0 for an element
+  /// that never descends.
   [[nodiscard]] double descent() const { return std::max({0.0, -std::sin(begin), -std::sin(end)}); }
 };
 
@@ -43,7 +44,7 @@ cut::Stroke stroke_of(const ContourVertex& from, const ContourVertex& to) {
   return {.from = {from.x, from.y}, .to = {to.x, to.y}, .bulge = from.bulge};
 }
 
-/// Notes the heights of an element, including those between its ends.
+/// Updates the figures with the heights of an element, also between its ends.
 void note_heights(const SurfaceStretch& stretch,
                   const ContourVertex& from,
                   const ContourVertex& to,
@@ -61,7 +62,7 @@ void note_heights(const SurfaceStretch& stretch,
   note(cut::place_at(stroke_of(from, to), level).y());
 }
 
-/// The coordinates of a stretch's plane in the form that a writer needs.
+/// Converts the coordinates of a stretch's plane to the plane of a program (G17, G18 or G19).
 class WriterPlane {
  public:
   explicit WriterPlane(const StretchPlane& plane) {
@@ -101,7 +102,7 @@ class WriterPlane {
   Plane plane_ = Plane::kXY;
 };
 
-/// Writes the runs of a path one after another.
+/// Writes the runs of a path, one after another.
 class RunWriter {
  public:
   RunWriter(const pocket::MillSettings& mill,
@@ -111,8 +112,8 @@ class RunWriter {
     writer_.leave_power();
   }
 
-  /// Goes down in a rapid to the height where stock may begin, and continues at the plunge feed. It
-  /// uses a ramp if one is requested and the run has space for it.
+  /// Descends to the start of a run: in a rapid down to the height where stock may begin, then at
+  /// the plunge feed. Uses a ramp instead if a slope is set and the run is long enough.
   void begin_run(std::span<const SurfaceStretch> run, double stock_mm) {
     const SurfaceStretch& first = run.front();
     const WideVec2 place = first.start().head<2>();
@@ -157,7 +158,7 @@ class RunWriter {
     return static_cast<std::uint32_t>(std::lround(1000.0 * value));
   }
 
-  /// @param feed feed where the tip does not descend too fast
+  /// @param feed feed if the tip does not descend too fast
   [[nodiscard]] double feed_of(const ContourVertex& from,
                                const ContourVertex& to,
                                double feed) const {
@@ -186,8 +187,8 @@ class RunWriter {
   void write_element(const cut::Stroke& stroke) {
     const Written written = writer_.cut(stroke.from, stroke.to, stroke.bulge);
     if (written.ok() || written.error() != WriterError::kTooFlat) return take(written, stroke.to);
-    // The arc is so flat that its centre is too far away. Lines within half a last digit replace
-    // the arc.
+    // The centre of such a flat arc is too far away. Lines within half a last digit replace the
+    // arc.
     const double height = 0.5 * std::abs(stroke.bulge) * cut::length_of(stroke);
     const double lines = std::ceil(std::sqrt(2.0 * height / digit_mm_));
     for (double i = 0.0; i < lines; i += 1.0) {
@@ -207,7 +208,7 @@ class RunWriter {
 
   [[noreturn]] static void refuse(const WideVec2& place) {
     throw std::invalid_argument(fmt::format(
-        "{:g} {:g} mm is too far from zero for a program; is the unit of the surface right?",
+        "X {:g}, Y {:g} mm is too far from zero for a program; check the unit of the surface",
         place.x(),
         place.y()));
   }

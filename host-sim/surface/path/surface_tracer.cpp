@@ -12,14 +12,16 @@
 namespace sim::surface {
 namespace {
 
-/// Returns a share of the band. It limits the distance by which the surface may reach into the tool
-/// between samples, and the distance by which the curve may leave the sampled heights. A cone needs
-/// samples as close to each other as that distance.
+/// Returns the permitted error of the sampled heights and of the curve through them, relative to
+/// the band. It limits how far the surface may reach into the tool between samples, and the curve's
+/// deviation from the samples. A cone gets a larger error, because it needs samples as close to
+/// each other as the error.
 double error_share_of(const cnc::surface::Profile& profile) {
   return profile.rise > 0.0 ? 0.15 : 0.05;
 }
 
-/// Number of last digits by which an arc moves because its end and its centre are rounded.
+/// Greatest displacement of an arc, in last digits of the program, because its end and its centre
+/// are rounded.
 constexpr double kRoundingDigits = 1.0;
 
 double lowest_of(const Mesh& mesh) {
@@ -34,13 +36,13 @@ double band_within(const cnc::surface::GrownTool& tool, const RowOptions& option
   const double band = share * tool.band_mm - rounding;
   if (band > 0.25 * tool.band_mm) return band;
   throw std::invalid_argument{
-      fmt::format("a tolerance of {:g} mm is too small for steps of {:g} mm in the program; take "
-                  "more --decimals or a larger --tolerance",
+      fmt::format("a tolerance of {:g} mm is too small for steps of {:g} mm in the program; "
+                  "increase --decimals or --tolerance",
                   options.tolerance_mm,
                   options.digit_mm)};
 }
 
-/// Returns whether the arcs of a slice lie in a plane of G18 or G19.
+/// Returns whether a slice is along X or Y, so that its arcs are in a plane of G18 or G19.
 bool lies_along_axis(const Slice& slice) {
   return slice.direction.x() == 0.0 || slice.direction.y() == 0.0;
 }
@@ -52,8 +54,8 @@ cnc::surface::GrownTool traced_tool(const RowOptions& options) {
   double lift_mm = 0.0;
   if (options.allowance_mm > 0.0) {
     const cnc::surface::GrownTool larger = cnc::surface::grown(tool, options.allowance_mm);
-    // A cone that is grown by the allowance leaves less stock than the allowance, so that it is
-    // grown by more.
+    // A cone that is grown by the allowance leaves less stock than the allowance. So it is grown by
+    // more.
     const double share = options.allowance_mm / larger.band_mm;
     const cnc::surface::GrownTool whole = cnc::surface::grown(tool, share * options.allowance_mm);
     tool = whole.profile;
@@ -97,8 +99,8 @@ double SurfaceTracer::touched(const Eigen::Vector2d& place, PathHeights::Hint& h
   return std::max(lowest_mm_, height);
 }
 
-/// Returns the last place with something under the tool, between a place that has contact and a
-/// place without.
+/// Returns the last point of a slice with contact, between `over`, which has contact, and `beside`,
+/// which has none.
 double SurfaceTracer::border(const Slice& slice, double over, double beside) const {
   constexpr double kNear = 1.0e-6;
   PathHeights::Hint hint;

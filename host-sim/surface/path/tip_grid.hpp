@@ -13,7 +13,7 @@ namespace sim::surface {
 /// The exact heights of the grown tool's tip over the nodes of a grid, mm.
 class TipGrid {
  public:
-  /// @param progress called with the share of the nodes that is done; may be empty
+  /// @param progress called with the finished share of the nodes, 0 to 1; may be empty
   TipGrid(const SurfaceTracer& tracer,
           const PlanGrid& grid,
           const std::function<void(double)>& progress);
@@ -34,7 +34,7 @@ class TipGrid {
 
   /// Returns whether any node has a height.
   [[nodiscard]] bool has_any() const { return highest_mm_ >= lowest_mm_; }
-  /// lowest_mm() and highest_mm() return the lowest and the highest height of all nodes.
+  /// lowest_mm() returns the lowest height of all nodes, highest_mm() the highest.
   /// @pre has_any()
   [[nodiscard]] double lowest_mm() const { return lowest_mm_; }
   [[nodiscard]] double highest_mm() const { return highest_mm_; }

@@ -8,7 +8,7 @@
 namespace sim::surface {
 namespace {
 
-/// Slices that several threads take one after another.
+/// A list of slices from which several threads take the next slice to trace.
 class SharedSlices {
  public:
   SharedSlices(const SurfaceTracer& tracer,
@@ -16,8 +16,8 @@ class SharedSlices {
                std::vector<SurfaceStretch>& stretches)
       : tracer_{tracer}, wanted_{wanted}, stretches_{stretches} {}
 
-  /// Traces slices until none is left.
-  /// @return the number of stretches that are lines because no arcs fit
+  /// Traces slices until the list is empty.
+  /// @return the number of pieces that became lines because no arcs are within the tolerance
   std::size_t work(const std::function<void(double)>& progress) {
     TraceRoom room;
     for (std::size_t i = next_++; i < wanted_.size(); i = next_++) {

@@ -20,14 +20,14 @@ namespace {
 
 using Eigen::Vector2d;
 
-/// Returns the distance between levels: the requested step, or the distance for the scallop.
+/// Returns the distance between levels: the step, or the distance that leaves the given scallop.
 double distance_of(const RowOptions& options) {
   if (options.scallop_mm == 0.0) return options.step_mm;
   const double distance = level_distance(options.tool, options.scallop_mm - options.tolerance_mm);
   return options.step_mm > 0.0 ? std::min(options.step_mm, distance) : distance;
 }
 
-/// Finds the lines of all levels, and drives them one after another.
+/// Finds the lines of all levels, and plans the path along all lines.
 class WaterlinePlanner {
  public:
   WaterlinePlanner(const Mesh& mesh, const RowOptions& options)
@@ -67,7 +67,7 @@ class WaterlinePlanner {
 
   void find_loops() {
     const TipGrid tips{tracer_, grid_, [this](double share) { report(0.4 * share); }};
-    if (!tips.has_any()) throw std::invalid_argument{"nothing of it is under the tool"};
+    if (!tips.has_any()) throw std::invalid_argument{"the surface is nowhere under the tool"};
     const double depth = tips.highest_mm() - tips.lowest_mm();
     const double levels = std::ceil(depth / distance_of(options_) - 1.0e-9);
     level_distance_mm_ = levels > 0.0 ? depth / levels : 0.0;
@@ -84,8 +84,8 @@ class WaterlinePlanner {
     }
   }
 
-  /// Adds the curves along a loop. A closed loop begins at its place that is nearest to `here`.
-  /// Sets `here` to the end of the loop.
+  /// Adds the curves along a loop. A closed loop begins at its point nearest to `here`. Sets `here`
+  /// to the end of the loop.
   void add_loop(LevelLoop& loop, Vector2d& here) {
     if (loop.is_closed) open_near(here, loop);
     const LevelSet set{tracer_, loop.level_mm};
@@ -108,13 +108,14 @@ class WaterlinePlanner {
     if (lead_out) path_.stretches.push_back(*lead_out);
   }
 
-  /// Leads to a place from the end of the path so far, or ends the run.
+  /// Adds a link from the end of the path to `tip` if there is one, else ends the run.
   void link_to(const Eigen::Vector3d& tip) {
     constexpr double kSameHeight = 1.0e-6;
     const bool is_first = path_.stretches.empty();
     const Eigen::Vector3d here = is_first ? tip : path_.stretches.back().end();
     if (!is_first && here == tip) return;
-    // More than one level below, stock may stand as high as several levels.
+    // A link may descend by at most one level, because stock as high as several levels may be left
+    // below.
     if (!is_first && here.z() - tip.z() <= level_distance_mm_ + kSameHeight) {
       if (auto way = leads_.way_between(here, tip)) {
         path_.stretches.push_back(std::move(*way));
@@ -149,7 +150,7 @@ class WaterlinePlanner {
   PlanGrid grid_;
   bool is_low_left_;
   double flat_mm_;
-  double lift_mm_;  ///< Height of the tip above the level to which it belongs.
+  double lift_mm_;  ///< Height of the path's tip above its level.
   LoopLeads leads_;
   double stock_top_mm_;
   double level_distance_mm_ = 0.0;

@@ -12,7 +12,7 @@
 namespace sim::surface {
 namespace {
 
-/// Approximate number of cells of a block.
+/// Approximate number of cells of a block if no cell size is given.
 constexpr double kBlockCells = 6.0e5;
 constexpr double kMinBlockCellMm = 0.01;
 
@@ -38,7 +38,7 @@ stock::Stock block_for(const Mesh& mesh, const SurfacePath& path, const BlockOpt
   const double cell = options.cell_mm.value_or(usual);
   std::string fault = fault_of(block, cell);
   if (fault.empty()) fault = fault_of_comparison(block, cell);
-  if (!fault.empty()) throw std::invalid_argument{"the surface has no stock: " + fault};
+  if (!fault.empty()) throw std::invalid_argument{"the surface does not fit a stock: " + fault};
   return stock::Stock{block, cell};
 }
 

@@ -8,8 +8,8 @@
 namespace sim::surface {
 namespace {
 
-/// Returns the number of chords into which an arc is divided, so that the chords leave the arc by
-/// at most `chord_mm`.
+/// Returns the number of chords for an arc. The deviation of the chords from the arc is at most
+/// `chord_mm`.
 double chords_for(const cut::Stroke& stroke, double chord_mm) {
   const double size = std::abs(stroke.bulge);
   if (size == 0.0) return 1.0;

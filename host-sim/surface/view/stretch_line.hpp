@@ -5,8 +5,8 @@
 
 namespace sim::surface {
 
-/// Returns the path of the tip over a stretch as points in space. Chords between the points leave
-/// the stretch's arcs by at most `chord_mm`, above 0.
+/// Returns the path of the tip over a stretch as points in space. The deviation of chords between
+/// the points from the stretch's arcs is at most `chord_mm`, > 0.
 [[nodiscard]] SpaceLine line_of(const SurfaceStretch& stretch, double chord_mm);
 
 }  // namespace sim::surface

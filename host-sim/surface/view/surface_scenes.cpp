@@ -21,7 +21,8 @@ using Eigen::Vector3d;
 constexpr const char* kWireColour = "#30363d";
 constexpr double kWirePx = 0.7;
 
-/// Returns rows and columns as lines; of large grids only every n-th one, with a note in the key.
+/// Returns the rows and columns of a grid as lines. For a large grid, returns only every n-th line
+/// and adds a note to `key`.
 SpaceLines wire_of(const PointGrid& grid, const char* label, PictureKey& key) {
   constexpr std::size_t kMaxLines = 130;
   SpaceLines wire{.sample = {.colour = kWireColour, .width_px = kWirePx, .label = label},
@@ -55,7 +56,7 @@ SpaceLines wire_of(const PointGrid& grid, const char* label, PictureKey& key) {
   return wire;
 }
 
-/// Returns a lattice over the box of a mesh, without heights.
+/// Returns a regular grid over the bounding box of a mesh, without heights.
 PointGrid lattice_over(const Mesh& mesh) {
   constexpr double kAlongLongSide = 160.0;
   SpaceBox box;
@@ -80,14 +81,14 @@ PointGrid lattice_over(const Mesh& mesh) {
   return grid;
 }
 
-/// Returns the mesh of a grid without the facets at points that have no height.
+/// Returns the mesh of a grid. Facets at points without a height are left out.
 Mesh mesh_of(const PointGrid& grid) {
   Mesh mesh = triangulated(grid);
   std::erase_if(mesh.facets, [&](const auto& facet) {
     return std::ranges::any_of(
         facet, [&](std::uint32_t point) { return !std::isfinite(mesh.points[point].z()); });
   });
-  // Boxes and scales include points that belong to no facet.
+  // Moves unused points onto the mesh, because bounding boxes and scales include all points.
   for (Vector3d& point : mesh.points) {
     if (!std::isfinite(point.z())) point = mesh.points[mesh.facets.front().front()];
   }
@@ -110,7 +111,7 @@ double side_of(const patch::GridPatch& patch) {
   return std::max(patch.u.to - patch.u.from, patch.v.to - patch.v.from);
 }
 
-/// Adds a patch as facets. It shares no points with other patches.
+/// Adds a patch as facets. Patches share no points, so that each has a separate colour.
 void add_patch(const patch::GridPatch& patch, const Colour& colour, SpaceScene& scene) {
   const auto steps = static_cast<std::uint32_t>(std::clamp(4.0 * side_of(patch), 6.0, 32.0));
   const auto first = static_cast<std::uint32_t>(scene.mesh.points.size());
@@ -147,8 +148,8 @@ Colour patch_colour(double share) {
   return {between(low.red, high.red), between(low.green, high.green), between(low.blue, high.blue)};
 }
 
-/// Adds the sides of a block below the rim of its upper surface. The upper surface has `columns` ×
-/// `rows` points.
+/// Adds the sides of a block, from the rim of its upper surface down to the bottom. The upper
+/// surface has `columns` × `rows` points.
 void add_sides(Mesh& mesh, std::uint32_t columns, std::uint32_t rows, double bottom_mm) {
   std::vector<std::uint32_t> rim;
   for (std::uint32_t i = 0; i + 1 < columns; ++i) rim.push_back(i);
@@ -192,8 +193,8 @@ SpaceScene offset_scene(const Mesh& mesh,
   DropCutter::Hint hint;
   PointGrid tips = grid ? *grid : lattice_over(mesh);
   for (Vector3d& tip : tips.points) tip.z() = cutter.tip_height(tip.head<2>(), hint);
-  if (!has_level_facet(tips)) throw std::invalid_argument{"nothing of it is under the tool"};
-  SpaceScene scene{.title = "Places of the tool's tip",
+  if (!has_level_facet(tips)) throw std::invalid_argument{"the surface is nowhere under the tool"};
+  SpaceScene scene{.title = "Positions of the tool's tip",
                    .subtitle = fmt::format("{} × {} places", tips.rows, tips.columns),
                    .mesh = mesh_of(tips)};
   scene.colours = height_colours(scene.mesh, scene.key);
@@ -203,7 +204,7 @@ SpaceScene offset_scene(const Mesh& mesh,
 
 SpaceScene patch_scene(const patch::PatchSurface& patches) {
   SpaceScene scene{
-      .title = "Bézier patches over the places of the tip",
+      .title = "Bézier patches over the positions of the tip",
       .subtitle = fmt::format(
           "{} patches fit {} × {} points", patches.patches.size(), patches.rows, patches.columns)};
   double least = std::numeric_limits<double>::infinity();

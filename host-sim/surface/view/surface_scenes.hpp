@@ -12,17 +12,18 @@
 
 namespace sim::surface {
 
-/// Returns the picture of the surface as it was read, with the rows and columns of a grid.
+/// Returns the picture of the surface as read from its file, with rows and columns if it has a
+/// grid.
 [[nodiscard]] SpaceScene data_scene(const Mesh& mesh, const std::optional<PointGrid>& grid);
 
-/// Returns the picture of the positions of a tool's tip over the points of a grid. For a mesh the
-/// points are a lattice over its box, without those where nothing is under the tool. Throws
-/// std::invalid_argument if nothing is under the tool anywhere.
+/// Returns the picture of the positions of a tool's tip over the points of a grid. Without a grid,
+/// the points are a regular grid over the mesh's bounding box, without points at which nothing is
+/// under the tool. Throws std::invalid_argument if nothing is under the tool at all points.
 [[nodiscard]] SpaceScene offset_scene(const Mesh& mesh,
                                       const std::optional<PointGrid>& grid,
                                       const cnc::surface::Profile& tool);
 
-/// Returns the picture of patches, coloured by their size, with their borders.
+/// Returns the picture of patches and their borders. The colour of a patch shows its size.
 [[nodiscard]] SpaceScene patch_scene(const patch::PatchSurface& patches);
 
 /// Returns the picture of a path over a surface.

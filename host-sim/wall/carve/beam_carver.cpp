@@ -12,16 +12,18 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Angle in radians: beams whose sides lean more are divided as if their sides leant by this angle.
+/// Greatest lean of a beam's side, in radians, for which a stroke is divided exactly. Beams that
+/// lean more are divided as if their side had this lean.
 constexpr double kSteepest = 1.4;
 
-/// Returns the number of the first cell whose middle is at or after a place, from 0 to `count`.
+/// Returns the number of the first cell whose middle is at or after the coordinate `place`, from 0
+/// to `count`.
 int first_cell(double place, double start, double cell_mm, int count) {
   return static_cast<int>(
       std::clamp(std::ceil((place - start) / cell_mm - 0.5), 0.0, static_cast<double>(count)));
 }
 
-/// Returns the pose at a share of the motion from one pose to another.
+/// Returns the pose at the fraction `share` of the motion from one pose to another.
 BeamPose between(const BeamPose& from, const BeamPose& to, double share) {
   const double angle = angle_between(from.axis, to.axis);
   BeamPose pose{
@@ -46,11 +48,12 @@ void BeamCarver::move(const BeamPose& from, const BeamPose& to) {
   const double side = beam_.half_angle_rad + beam_.heat_rad;
   const double height =
       std::max(columns_.box().top - std::min(from.tip.z(), to.tip.z()), kSwingErrorMm);
-  // The side moves at `height` by at most kSwingErrorMm.
+  // Limits the turn of the axis within a part, so that the beam's side at `height` moves by at most
+  // kSwingErrorMm.
   const double lean = side + std::acos(std::min({1.0, from.axis.z(), to.axis.z()}));
   const double cosine = std::cos(std::min(lean, kSteepest));
   const double max_turn = kSwingErrorMm / height * cosine * cosine;
-  // A smaller turn comes from rounding of the axes.
+  // A turn below this limit is only rounding of the axes.
   constexpr double kMinTurn = 1.0e-12;
   const auto parts =
       turn < kMinTurn ? std::size_t{1} : static_cast<std::size_t>(turn / max_turn) + 1;

@@ -16,10 +16,10 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Minimum rise of an axis of length 1; with less the axis counts as horizontal.
+/// Minimum Z of a unit vector along the axis. Below it, the axis counts as horizontal.
 constexpr double kMinRise = 1.0e-3;
 
-/// Returns whether a line that is not a beam ends the stroke before it.
+/// Returns whether a line that is not a beam ends the current stroke.
 bool ends_stroke(std::string_view line) {
   return line.empty() || line == "# off" || line.ends_with("is out of reach");
 }
@@ -46,8 +46,8 @@ std::vector<BeamStroke> read_strokes(std::string_view text,
                                      double depth_mm,
                                      const std::string& name) {
   constexpr const char* kRemedy =
-      "give `x y z i j k` in mm, up to 10 m, the tip and the axis upwards to the lens, and a depth "
-      "of at least 0 where one is wanted";
+      "give `x y z i j k`: the tip in mm, up to 10 m, and the axis upwards to the lens; a depth of "
+      "at least 0 may follow";
   std::vector<BeamStroke> strokes;
   bool is_on = false;
   surface::TextLines lines{text};
@@ -59,7 +59,7 @@ std::vector<BeamStroke> read_strokes(std::string_view text,
     const std::optional<BeamPose> pose = pose_of(*line, depth_mm);
     if (!pose) {
       surface::refuse(
-          name, lines.number(), fmt::format("`{}` is no beam", surface::shown(*line)), kRemedy);
+          name, lines.number(), fmt::format("`{}` is not a beam", surface::shown(*line)), kRemedy);
     }
     if (!is_on) strokes.emplace_back();
     strokes.back().push_back(*pose);

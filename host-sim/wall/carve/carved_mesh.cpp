@@ -13,7 +13,7 @@ namespace {
 
 using Ranges = std::vector<HeightRange>;
 
-/// Returns the parts of `solid` that are not in `other`. The ranges of both are sorted from below
+/// Returns the parts of `solid` that are not in `other`. Both lists of ranges are sorted from below
 /// upwards.
 Ranges without(const Ranges& solid, const Ranges& other) {
   Ranges parts;
@@ -28,9 +28,9 @@ Ranges without(const Ranges& solid, const Ranges& other) {
   return parts;
 }
 
-/// The material that is left of the columns, as a closed body of upright bars without the faces
-/// that two bars share. Edges are divided where a neighbour's edges end. Each edge of a facet thus
-/// has one facet on its other side, or three if bars touch only along that edge.
+/// The remaining material of the columns, as a closed body of upright bars. Faces that two bars
+/// share are left out. Edges are divided at the ends of neighbours' edges. So each edge of a facet
+/// has exactly one other facet, or three if bars touch only along this edge.
 class CarvedMesh {
  public:
   /// Uses one column for each square of `step` by `step` columns.
@@ -40,8 +40,8 @@ class CarvedMesh {
   [[nodiscard]] std::uint32_t triangle_count() const { return triangle_count_; }
   [[nodiscard]] Eigen::Vector3d point(std::uint32_t index) const;
 
-  /// Calls `take(triangle)` for each triangle, given as three indices of points, counter-clockwise
-  /// from outside.
+  /// Calls `take(triangle)` for each triangle. A triangle consists of three indices of points,
+  /// counter-clockwise as seen from outside.
   template <typename Take>
   void each_triangle(Take take) const {
     for (int row = -1; row < rows_; ++row) {
@@ -51,7 +51,7 @@ class CarvedMesh {
 
  private:
   [[nodiscard]] Ranges ranges(int column, int row) const;
-  /// Returns the number of the corner at the lower X and Y of a cell.
+  /// Returns the number of a cell's corner with the lowest X and Y.
   [[nodiscard]] std::size_t corner(int column, int row) const {
     return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_ + 1) +
            static_cast<std::size_t>(column);
@@ -71,7 +71,7 @@ class CarvedMesh {
   int step_;
   int columns_;
   int rows_;
-  /// For each corner the index of its first point, and the number of points at the end.
+  /// Index of the first point of each corner. The last entry is the number of points.
   std::vector<std::uint32_t> first_;
   /// Heights of the points, from the lowest point of each corner upwards.
   std::vector<double> heights_;
@@ -95,7 +95,7 @@ CarvedMesh::CarvedMesh(const Columns& columns, int step)
   each_triangle([this](const stock::MeshTriangle&) { ++triangle_count_; });
 }
 
-/// Returns the ends of the ranges of all columns around a corner, sorted, without duplicates.
+/// Returns the ends of the ranges of the four columns around a corner, sorted, without duplicates.
 std::vector<double> CarvedMesh::heights_at(int column, int row) const {
   std::vector<double> heights;
   for (const int x : {column - 1, column}) {
@@ -122,7 +122,8 @@ Eigen::Vector3d CarvedMesh::point(std::uint32_t index) const {
           heights_[index]};
 }
 
-/// Returns the ranges that are left of a column, from below upwards; none outside the block.
+/// Returns the remaining ranges of a column, sorted from below upwards; no ranges outside the
+/// block.
 Ranges CarvedMesh::ranges(int column, int row) const {
   Ranges ranges;
   if (column < 0 || row < 0 || column >= columns_ || row >= rows_) return ranges;
@@ -142,8 +143,8 @@ std::uint32_t CarvedMesh::index_of(std::size_t corner, double z) const {
   return static_cast<std::uint32_t>(std::lower_bound(begin, end, z) - heights_.begin());
 }
 
-/// Passes to `take` the top and bottom faces of a column, and the faces between it and the next
-/// columns along X and Y.
+/// Passes the triangles of a column to `take`: its top and bottom faces, and the faces between it
+/// and the next columns along X and along Y.
 template <typename Take>
 void CarvedMesh::add_cell(int column, int row, Take& take) const {
   const Ranges own = ranges(column, row);
@@ -176,7 +177,7 @@ void CarvedMesh::add_cell(int column, int row, Take& take) const {
   }
 }
 
-/// Passes to `take` the faces of a column at heights where the neighbour has no material.
+/// Passes the side faces of a column to `take`, at the heights where its neighbour has no material.
 /// @param a the corner on the left, seen from the neighbour
 /// @param b the corner on the right, seen from the neighbour
 template <typename Take>

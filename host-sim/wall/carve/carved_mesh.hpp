@@ -7,11 +7,11 @@
 
 namespace sim::wall {
 
-/// Maximum number of columns in the file of a carved body; finer columns are thinned out.
+/// Maximum number of columns in a file. If there are more columns, only some of them are used.
 inline constexpr std::size_t kMaxMeshColumns = 250'000;
 
-/// Writes the material that is left as a closed body of upright bars: binary PLY if the name ends
-/// in `.ply`, else binary STL. Throws std::system_error with the name of the file.
+/// Writes the remaining material as a closed body of upright bars. The file is binary PLY if its
+/// name ends in `.ply`, else binary STL. Throws std::system_error with the name of the file.
 void write_carved(const std::string& file, const Columns& columns);
 
 }  // namespace sim::wall

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kNothing = -std::numeric_limits<double>::infinity();
 
-/// Returns the number of cells that divide a side.
+/// Returns the number of equal cells, no longer than `cell_mm`, into which a side is divided.
 /// @pre both lengths are above 0
 double cells_along(double side_mm, double cell_mm) {
   constexpr double kRounding = 1.0e-9;
@@ -35,8 +35,8 @@ std::string Columns::fault_of(const stock::StockBox& box, double cell_mm) {
   const double bytes = cells_along(width, cell_mm) * cells_along(depth, cell_mm) * sizeof(Span);
   if (bytes <= static_cast<double>(kMaxColumnBytes)) return {};
   return fmt::format(
-      "cells of {:g} mm on {:g} by {:g} mm take {:.0f} MB, and {} are the most; give "
-      "larger ones",
+      "cells of {:g} mm on {:g} by {:g} mm take {:.0f} MB, and the maximum is {}; give "
+      "larger cells",
       cell_mm,
       width,
       depth,
@@ -78,15 +78,15 @@ Columns::Index Columns::add(const Span& span) {
   return static_cast<Index>(spans_.size() - 1);
 }
 
-/// Removes a range that lies inside a span, and keeps the parts of the span above and below it.
+/// Removes a range inside a span. Keeps the parts of the span above and below the range.
 void Columns::split(std::size_t at, const HeightRange& range) {
   const Index below = add({spans_[at].low, range.low, spans_[at].below});
   spans_[at].low = range.high;
   spans_[at].below = below;
 }
 
-/// Removes a span from its column. The next span below is copied into its place; without one, the
-/// span above becomes the column's last.
+/// Removes a span from its column. If there is a span below, it is copied into the removed span's
+/// entry. Otherwise the span above becomes the last span of the column.
 void Columns::erase(std::size_t at, std::size_t above) {
   const Index below = spans_[at].below;
   if (below != kNone) {

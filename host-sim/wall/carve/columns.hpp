@@ -13,16 +13,17 @@ namespace sim::wall {
 /// Maximum number of bytes for the columns of a stock.
 inline constexpr std::size_t kMaxColumnBytes = std::size_t{1} << 30;
 
-/// A block as upright columns through the middles of equal cells. Each column has the ranges of
-/// heights that are left of it, so that hollows below material are possible. A column takes 24
-/// bytes, and each range after its first one takes 24 more.
+/// A block as upright columns at the middles of equal cells. Each column consists of the ranges of
+/// heights with remaining material, so that hollows below material are possible. A column takes 24
+/// bytes, and each range after the first range takes 24 more.
 class Columns {
  public:
-  /// Returns the reason why such columns are not possible, with a remedy; an empty text if they
-  /// are.
+  /// Returns the reason, with a remedy, why columns for a block are not possible; empty if they are
+  /// possible.
   [[nodiscard]] static std::string fault_of(const stock::StockBox& box, double cell_mm);
 
-  /// Divides the sides of the block into equal cells that are no longer than `cell_mm`.
+  /// Creates the columns of an uncut block, whose sides are divided into equal cells no longer than
+  /// `cell_mm`.
   /// @pre fault_of(box, cell_mm) is empty
   Columns(const stock::StockBox& box, double cell_mm);
 
@@ -35,14 +36,14 @@ class Columns {
   [[nodiscard]] double y_of(int row) const { return box_.y_min + (row + 0.5) * cell_y_mm_; }
   [[nodiscard]] std::size_t bytes() const { return spans_.capacity() * sizeof(Span); }
 
-  /// Returns the height of the highest point that is left; minus infinity if nothing is left.
+  /// Returns the height of a column's highest remaining point; minus infinity if nothing remains.
   [[nodiscard]] double top(int column, int row) const { return head(column, row).high; }
 
-  /// Removes all heights of a range. Throws std::length_error if the columns need more than
-  /// kMaxColumnBytes.
+  /// Removes all heights of a range from a column. Throws std::length_error if the columns need
+  /// more than kMaxColumnBytes.
   void remove(int column, int row, const HeightRange& range);
 
-  /// Calls `visit(range)` for each range that is left, from the highest one downwards.
+  /// Calls `visit(range)` for each remaining range of a column, from the highest range downwards.
   template <typename Visit>
   void each_range(int column, int row, Visit visit) const {
     const Span* span = &head(column, row);
@@ -54,14 +55,14 @@ class Columns {
     }
   }
 
-  /// Returns whether the material of a column at a height is left.
+  /// Returns whether a column has material at the height `z`.
   [[nodiscard]] bool has(int column, int row, double z) const;
 
  private:
   using Index = std::uint32_t;
   static constexpr Index kNone = 0xffff'ffff;
 
-  /// A range that is left, and the index of the next range below it. An empty column has one range
+  /// A remaining range, and the index of the next range below it. An empty column has one range
   /// from 0 to minus infinity.
   struct Span {
     double low = 0.0;
@@ -85,7 +86,7 @@ class Columns {
   int rows_;
   double cell_x_mm_;
   double cell_y_mm_;
-  /// All ranges: first the highest range of each column, then the others.
+  /// All ranges: first the highest range of each column, then all other ranges.
   std::vector<Span> spans_;
   std::vector<Index> free_;  ///< Indices of unused entries of spans_.
 };

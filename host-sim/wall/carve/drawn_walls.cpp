@@ -16,7 +16,7 @@ using Eigen::Vector3d;
 constexpr double kRadian = std::numbers::pi / 180.0;
 constexpr double kSteepestSine = 0.7072;  ///< Sine of the greatest angle of a wall, 45 degrees.
 
-/// The facets of one plane.
+/// Extent of all facets in one plane, and data of the largest of these facets.
 struct PlaneFacets {
   Vector3d normal = Vector3d::Zero();
   double low_mm = std::numeric_limits<double>::infinity();
@@ -25,7 +25,7 @@ struct PlaneFacets {
   Vector3d middle = Vector3d::Zero();
 };
 
-/// The normal and the distance of a plane, rounded: equal numbers for all facets of one plane.
+/// The normal and the distance of a plane, rounded, so that all facets of a plane have equal keys.
 using PlaneKey = std::array<long long, 4>;
 
 PlaneKey key_of(const Vector3d& normal, double distance_mm) {
@@ -67,7 +67,7 @@ std::vector<PlaneFacets> planes_of(const surface::Mesh& part) {
 
 std::vector<DrawnWall> drawn_walls(const surface::Mesh& part, const WallSearch& search) {
   constexpr double kMinCells = 5.0;
-  /// Share of the height that is left out at the top and at the bottom.
+  /// Fraction of the height that is left out at the top, and also at the bottom.
   constexpr double kRim = 0.1;
   std::vector<DrawnWall> walls;
   for (const PlaneFacets& plane : planes_of(part)) {

@@ -11,10 +11,10 @@ namespace {
 
 using Eigen::Vector2d;
 
-/// Number of sides of the polygon around a disc, which is 2 % wider than the disc.
+/// Number of sides of the polygon around a disc. The polygon is at most 2 % wider than the disc.
 constexpr int kSides = 16;
 
-/// Returns twice the area of a triangle; above 0 if the triangle turns left.
+/// Returns twice the signed area of a triangle; > 0 if its corners are counter-clockwise.
 double turn(const Vector2d& a, const Vector2d& b, const Vector2d& c) {
   return (b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x());
 }
@@ -39,7 +39,7 @@ Footprint::Footprint(const std::array<SweptCone::Disc, 4>& discs) {
   std::vector<Vector2d> points;
   points.reserve(kSides * discs.size());
   for (const SweptCone::Disc& disc : discs) {
-    // The radius is slightly larger, so that rounding leaves no column out.
+    // The radius is slightly increased, so that no column is missed because of rounding.
     const double radius = disc.radius_mm / std::cos(0.5 * kStep) + 1.0e-9;
     for (int i = 0; i < kSides; ++i) {
       points.emplace_back(disc.middle +

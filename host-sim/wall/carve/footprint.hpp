@@ -8,24 +8,23 @@
 
 namespace sim::wall {
 
-/// A convex area of the plan that encloses some discs: the hull of polygons around the discs.
+/// A convex area in plan that encloses several discs: the hull of polygons around the discs.
 class Footprint {
  public:
   explicit Footprint(const std::array<SweptCone::Disc, 4>& discs);
 
-  /// Ends of the area along X.
+  /// Range of the area along X.
   struct Reach {
     double from = 0.0;
     double until = 0.0;
   };
   [[nodiscard]] double y_min() const { return y_min_; }
   [[nodiscard]] double y_max() const { return y_max_; }
-  /// Returns the ends of the area among all points with this Y; nothing if the area has no such
-  /// points.
+  /// Returns the range of X of the area's points at `y`; nothing if the area has no points there.
   [[nodiscard]] std::optional<Reach> along(double y) const;
 
  private:
-  std::vector<Eigen::Vector2d> corners_;  ///< Corners in counter-clockwise order.
+  std::vector<Eigen::Vector2d> corners_;  ///< Corners of the area in counter-clockwise order.
   double y_min_ = 0.0;
   double y_max_ = 0.0;
 };

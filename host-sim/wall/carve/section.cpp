@@ -9,8 +9,8 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-/// Appends the part of a line between two of its points that is within the section's ends, if there
-/// is such a part.
+/// Appends the part of the line from `a` to `b` that is between the ends of the section, if there
+/// is one.
 void add_within(Vector2d a,
                 Vector2d b,
                 double length,
@@ -36,7 +36,7 @@ std::vector<SectionBar> section_of(const Columns& columns, const SectionLine& li
   std::vector<SectionBar> bars;
   int last_column = -1;
   int last_row = -1;
-  std::size_t first = 0;  // Index of the first bar of the last column.
+  std::size_t first = 0;  // Index of the first bar of the current column.
   for (int i = 0; i < count; ++i) {
     const Vector2d at = line.from + (i + 0.5) / count * (line.until - line.from);
     const auto column = static_cast<int>(std::floor((at.x() - box.x_min) / columns.cell_x_mm()));
@@ -72,7 +72,7 @@ std::vector<std::array<Vector2d, 2>> section_of(const surface::Mesh& mesh,
     for (std::size_t i = 0; i < 3; ++i) {
       const Vector3d a = seen(mesh.points[facet[i]]);
       const Vector3d b = seen(mesh.points[facet[(i + 1) % 3]]);
-      // A point on the section counts as left of the section.
+      // A point exactly on the section counts as left of it.
       if ((a.y() < 0.0) == (b.y() < 0.0) || count == ends.size()) continue;
       const double share = a.y() / (a.y() - b.y());
       const Vector3d on = a + share * (b - a);

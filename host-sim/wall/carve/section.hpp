@@ -9,7 +9,7 @@
 
 namespace sim::wall {
 
-/// A vertical plane between two points of the plan, mm.
+/// A vertical section plane between two points in plan, mm.
 struct SectionLine {
   Eigen::Vector2d from = Eigen::Vector2d::Zero();
   Eigen::Vector2d until = Eigen::Vector2d::UnitX();
@@ -17,20 +17,20 @@ struct SectionLine {
   [[nodiscard]] double length_mm() const { return (until - from).norm(); }
 };
 
-/// A range of heights that is left of the columns between two distances along a section.
+/// A range of heights with remaining material, between two distances along a section.
 struct SectionBar {
   double from_mm = 0.0;
   double until_mm = 0.0;
   HeightRange range;
 };
 
-/// Returns the columns nearest to a section, each from half way to the previous column to half way
-/// to the next. The section may leave the block.
+/// Returns the remaining material along a section, from the columns whose cells the section
+/// crosses. The section may extend beyond the block.
 /// @pre the section has a length
 [[nodiscard]] std::vector<SectionBar> section_of(const Columns& columns, const SectionLine& line);
 
-/// Returns the lines in which a section cuts a mesh. The coordinates are the distance along the
-/// section and the height.
+/// Returns the lines in which a section cuts a mesh. The coordinates of their ends are the distance
+/// along the section and the height.
 [[nodiscard]] std::vector<std::array<Eigen::Vector2d, 2>> section_of(const surface::Mesh& mesh,
                                                                      const SectionLine& line);
 

@@ -21,7 +21,7 @@ constexpr double kFootPx = 80.0;
 constexpr double kTallestPx = 900.0;
 constexpr double kFlattestPx = 120.0;
 
-/// Returns the frame around the contents of the sections, with a margin.
+/// Returns the extent of a picture of the section through a block, with a margin.
 Extent extent_of(const stock::StockBox& box, const SectionLine& line) {
   const double margin = 0.05 * std::max(box.top - box.bottom, 0.1 * line.length_mm());
   return {-margin, line.length_mm() + margin, box.bottom - margin, box.top + margin};

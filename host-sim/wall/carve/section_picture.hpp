@@ -9,15 +9,15 @@
 
 namespace sim::wall {
 
-/// A carved block and the text line below its section.
+/// A carved block and the line of text below its section.
 struct CarvedSection {
   const Columns* columns = nullptr;  ///< Columns of the block; never null.
   std::string caption;
 };
 
-/// Returns sections of carved blocks through one line, one below the other, as an SVG document. The
-/// material that is left is grey and the drawn part red. Scales show distances along the line and
-/// heights in mm.
+/// Returns the sections of carved blocks along one line, one below the other, as an SVG document.
+/// The remaining material is grey, and the drawn part is red. Scales show distances along the line
+/// and heights in mm.
 /// @pre the line has a length
 [[nodiscard]] std::string draw_sections(const std::string& title,
                                         const std::vector<CarvedSection>& sections,

@@ -11,8 +11,8 @@ using Eigen::Vector3d;
 
 constexpr double kEndlessMm = std::numeric_limits<double>::infinity();
 
-/// Returns the lower and the upper root of a x² + 2 b x + c. If a is 0, returns the ends of the
-/// range in which the polynomial is at most 0. Returns nothing if there is no root.
+/// Returns the lower and the upper root of a x² + 2 b x + c. If a is 0, returns the range in which
+/// the polynomial is at most 0. Returns nothing if there is no root or no range.
 std::optional<HeightRange> roots_of(double a, double b, double c) {
   if (a == 0.0) {
     if (b == 0.0 && c > 0.0) return {};
@@ -25,7 +25,8 @@ std::optional<HeightRange> roots_of(double a, double b, double c) {
   }
   const double square = b * b - a * c;
   if (square < 0.0 && a > 0.0) return {};
-  // A line through the apex of a cone has one root, which rounding may lose.
+  // A line through the apex of a cone has a double root. Rounding may make its square negative,
+  // which then counts as 0.
   const double sum = -(b + std::copysign(std::sqrt(std::max(0.0, square)), b));
   const double near = sum == 0.0 ? 0.0 : c / sum;
   return HeightRange{std::min(near, sum / a), std::max(near, sum / a)};
@@ -70,12 +71,14 @@ std::optional<HeightRange> SweptCone::heights(double x, double y) const {
   return HeightRange{range.low + from_.z(), range.high + from_.z()};
 }
 
-/// Extends `range` by the heights within the cone at a share of the tip's path.
+/// Extends `range` by the heights that are within the cone when the tip is at the fraction `share`
+/// of its path.
 void SweptCone::take_share(const Line& line, double share, HeightRange& range) const {
   const auto roots =
       roots_of(a_, b_ * share + line.d, (c_ * share + 2.0 * line.e) * share + line.g);
   if (!roots) return;
-  // A line that is steeper than the side of the cone stays inside the cone above the upper root.
+  // If the vertical line is steeper than the cone's side, it is inside the cone above the upper
+  // root.
   const double first = a_ >= 0.0 ? roots->low : roots->high;
   double last = kEndlessMm;
   if (a_ >= 0.0) last = roots->high;
@@ -87,7 +90,8 @@ void SweptCone::take_share(const Line& line, double share, HeightRange& range) c
   take(high, range);
 }
 
-/// Extends `range` by the heights at which a line of constant height touches the conic.
+/// Extends `range` by the extreme heights of the conic: there, a line of constant height touches
+/// it.
 void SweptCone::take_tangents(const Line& line, HeightRange& range) const {
   if (!(c_ > 0.0)) return;
   const auto roots =
@@ -103,12 +107,14 @@ void SweptCone::take_tangents(const Line& line, HeightRange& range) const {
   }
 }
 
-/// Extends `range` by the heights of the line on the discs that cut off the cone.
+/// Extends `range` by the heights at which the vertical line passes the disc that ends the cone at
+/// `along_mm`, for all positions of the tip.
 void SweptCone::take_end(const Line& line,
                          const Vector2d& out,
                          double along_mm,
                          HeightRange& range) const {
-  // For a share s of the tip's path, the line's point on the plane of the disc is start + s pace.
+  // At the fraction s of the tip's path, the line passes the plane of the disc at start + s pace,
+  // relative to the disc's centre.
   const double start_height = (along_mm - line.along) / cone_.axis.z();
   const double pace_height = climb_ / cone_.axis.z();
   const Vector3d start = Vector3d{out.x(), out.y(), start_height} - along_mm * cone_.axis;
@@ -132,12 +138,13 @@ void SweptCone::take_end(const Line& line,
 std::optional<std::array<SweptCone::Disc, 4>> SweptCone::plan_below(double top) const {
   const double tilt_sine = cone_.axis.head<2>().norm();
   const double lowest = from_.z() + std::min(0.0, way_.z());
-  // A point of the cone is below the axis by at most its distance from the axis.
+  // A point of the cone is lower than its foot on the axis by at most its distance from the axis
+  // times the sine of the tilt.
   const double rise = cone_.axis.z() - cone_.slope * tilt_sine;
   const double room = top - lowest + cone_.radius_mm * tilt_sine;
   double until = rise > 0.0 ? room / rise : kEndlessMm;
   if (until < cone_.from_mm) return {};
-  // No stock is as wide as this.
+  // Upper limit of the distance along the axis; every stock is smaller.
   constexpr double kWidestMm = 1.0e5;
   until = std::min({until, cone_.until_mm, kWidestMm});
   const Vector2d begin = from_.head<2>();

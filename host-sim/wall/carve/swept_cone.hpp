@@ -8,40 +8,43 @@
 
 namespace sim::wall {
 
-/// The heights at which a vertical line is inside a body, mm.
+/// A range of heights, mm, for example those at which a vertical line is inside a body.
 struct HeightRange {
   double low = 0.0;
   double high = 0.0;
 };
 
-/// A cone that is cut off at both ends, about an axis that rises.
+/// A cone around a rising axis, cut off at both ends.
 struct CutCone {
   Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();  ///< Unit vector of the axis, z above 0.
-  double radius_mm = 0.0;                           ///< Radius at the tip, at least 0.
-  double slope = 0.0;  ///< Growth of the radius per length along the axis: tan of the half angle.
-  /// Lower end along the axis, measured from the tip; the radius there is at least 0.
+  double radius_mm = 0.0;                           ///< Radius of the cone at the tip, at least 0.
+  /// Increase of the radius per length along the axis: the tangent of the half angle.
+  double slope = 0.0;
+  /// Lower end of the cone along the axis, measured from the tip. The radius there is at least 0.
   double from_mm = 0.0;
   double until_mm = std::numeric_limits<double>::infinity();
 };
 
-/// The points that a cut cone passes while its tip moves along a line and its axis keeps its
+/// The body that a cut cone sweeps while its tip moves along a line and its axis keeps its
 /// direction.
 ///
-/// The heights on a vertical line are exact apart from rounding. With the share of the tip's path
-/// as a second unknown, they are a convex region of a plane, between lines and a conic. The lowest
-/// and highest points of this region are among few candidates.
+/// The heights on a vertical line are exact except for rounding. The pairs of a height and a
+/// fraction of the tip's path for which the line is inside the cone form a convex region of a
+/// plane. This region is bounded by lines and a conic, so that its lowest and highest points are
+/// among few candidates.
 class SweptCone {
  public:
   /// @param from start of the tip
   /// @param way displacement of the tip, of any length
   SweptCone(const CutCone& cone, const Eigen::Vector3d& from, const Eigen::Vector3d& way);
 
-  /// Returns the heights of the body at X, Y; nothing if the body is not there. The upper height
-  /// may be infinite.
+  /// Returns the range of heights of the body at X, Y; nothing if the body has no point there. The
+  /// upper end may be infinite.
   [[nodiscard]] std::optional<HeightRange> heights(double x, double y) const;
 
-  /// Returns true only if the body has no point at X, Y up to a height. The check is fast: it looks
-  /// for a plane that touches the side of the cone and separates it from these points.
+  /// Returns true only if the body has no point at X, Y up to the height `z`. The check is fast and
+  /// not exact: it tries a plane that touches the side of the cone and separates it from these
+  /// points.
   [[nodiscard]] bool misses_below(double x, double y, double z) const {
     const Eigen::Vector3d point = Eigen::Vector3d{x, y, z} - from_;
     const Eigen::Vector3d middle = point - 0.5 * way_;
@@ -53,20 +56,21 @@ class SweptCone {
     return normal.z() <= 0.0 && nearest > cone_.radius_mm * length;
   }
 
-  /// A circle of the plan.
+  /// A disc in plan.
   struct Disc {
     Eigen::Vector2d middle = Eigen::Vector2d::Zero();
     double radius_mm = 0.0;
   };
-  /// Returns discs whose convex hull encloses the plan of all points of the body below a height;
-  /// nothing if there are no such points.
+  /// Returns discs whose convex hull encloses, in plan, all points of the body below the height
+  /// `top`; nothing if there are no such points.
   [[nodiscard]] std::optional<std::array<Disc, 4>> plan_below(double top) const;
 
  private:
-  /// The terms of the conic that depend on the vertical line. Heights h and shares s of the tip's
-  /// path are within the sides of the cone if a_ h² + 2 b_ h s + c_ s² + 2 d h + 2 e s + g <= 0.
+  /// Terms of the conic that depend on the vertical line. A height h at a fraction s of the tip's
+  /// path is within the side of the cone if a_ h² + 2 b_ h s + c_ s² + 2 d h + 2 e s + g <= 0.
   struct Line {
-    double along = 0.0;  ///< Distance along the axis of the line's point at the height of the tip.
+    /// Distance along the axis to the line's point at the height of the tip's start.
+    double along = 0.0;
     double d = 0.0;
     double e = 0.0;
     double g = 0.0;

@@ -13,15 +13,15 @@
 namespace sim::wall {
 namespace {
 
-/// A measured wall, degrees.
+/// Angles of a measured wall, degrees.
 struct MeasuredCut {
-  double over_deg = 0.0;  ///< Angle by which the beam leant more than its cone needs.
-  double off_deg = 0.0;   ///< Angle by which the wall leans more than drawn.
+  double over_deg = 0.0;  ///< Lean of the beam beyond the lean that its cone requires.
+  double off_deg = 0.0;   ///< Lean of the wall beyond the drawn angle.
 };
 
 constexpr const char* kRemedy =
     "give `drawn carved gain`: two angles from the vertical between -89 and 89 degrees, and a gain "
-    "from 0 to 12, or none";
+    "from 0 to 12, which may be omitted";
 
 /// Returns the drawn angle, the carved angle and the gain of a line; nothing if the line is not a
 /// cut.
@@ -39,7 +39,8 @@ std::optional<std::array<double, 3>> numbers_of_cut(std::string_view line) {
   return numbers;
 }
 
-/// Returns the cuts whose wall depends on the beam's lean, and counts the others.
+/// Returns the cuts for which the beam had to lean. Counts these cuts in `used` and the other cuts
+/// in `passed`.
 std::vector<MeasuredCut> read_cuts(std::string_view text,
                                    double half_angle_deg,
                                    const std::string& name,
@@ -51,7 +52,7 @@ std::vector<MeasuredCut> read_cuts(std::string_view text,
     const auto numbers = numbers_of_cut(*line);
     if (!numbers) {
       surface::refuse(
-          name, lines.number(), fmt::format("`{}` is no cut", surface::shown(*line)), kRemedy);
+          name, lines.number(), fmt::format("`{}` is not a cut", surface::shown(*line)), kRemedy);
     }
     const auto [drawn, carved, gain] = *numbers;
     const double over = gain * half_angle_deg;
@@ -99,13 +100,14 @@ TaperFit fit_taper(std::string_view cuts, double half_angle_deg, const std::stri
   fit.rest_deg = std::sqrt(fit.rest_deg);
   fit.gain = fit.heat_deg / (fit.response * half_angle_deg);
   if (!(fit.response > 0.0) || !(fit.gain >= 0.0 && fit.gain <= kMaxTaperGain)) {
-    surface::refuse(name,
-                    0,
-                    fmt::format("heat leans the walls by {:.3g} degrees, and a lean of the beam "
-                                "takes {:.3g} of itself away, which no gain from 0 to 12 cancels",
-                                fit.heat_deg,
-                                fit.response),
-                    "measure walls of two gains or more that the beam leans away from");
+    surface::refuse(
+        name,
+        0,
+        fmt::format("heat leans the walls by {:.3g} degrees, and the fitted response to "
+                    "a lean of the beam is {:.3g}; no gain from 0 to 12 cancels this",
+                    fit.heat_deg,
+                    fit.response),
+        "measure walls from which the beam leans away, with at least two gains");
   }
   return fit;
 }

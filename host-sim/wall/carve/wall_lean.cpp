@@ -13,13 +13,13 @@ using Eigen::Vector2d;
 
 constexpr double kInDegrees = 180.0 / std::numbers::pi;
 
-/// Distance beyond the reach of a place, in cells, within which the middle of at least one column
-/// lies outside the wall.
+/// Distance beyond the reach, in cells. Within it, the middle of at least one column is outside the
+/// drawn wall.
 constexpr double kSightCells = 1.0;
 
-/// A column near a section.
+/// A column near a section, and its distance from the wall.
 struct NearColumn {
-  double out = 0.0;  ///< Distance outwards from the wall's place.
+  double out = 0.0;  ///< Distance of the column's middle outwards from the wall's point `at`.
   int column = 0;
   int row = 0;
 };
@@ -29,7 +29,7 @@ struct SectionPoint {
   double z = 0.0;
 };
 
-/// Returns the columns near a section through a place, the outermost one first.
+/// Returns the columns near the section through a wall at `place`, the outermost column first.
 std::vector<NearColumn> columns_near(const Columns& columns, const WallPlace& place) {
   const double cell = std::max(columns.cell_x_mm(), columns.cell_y_mm());
   const double outward =
@@ -60,14 +60,14 @@ std::vector<NearColumn> columns_near(const Columns& columns, const WallPlace& pl
   return near;
 }
 
-/// The section of the wall, as derived from the columns.
+/// Section of a carved wall, derived from columns.
 struct Section {
   std::vector<SectionPoint> points;
   double last_free = std::numeric_limits<double>::infinity();
   double first_full = -std::numeric_limits<double>::infinity();
 };
 
-/// Returns the share of a place's upper half that a column fills.
+/// Returns the fraction of the wall's upper half that the material of a column fills.
 double share_of(const Columns& columns, const NearColumn& near, const WallPlace& place) {
   const double middle = place.middle_mm();
   double filled = 0.0;
@@ -97,7 +97,7 @@ void add_points(const Columns& columns,
   });
 }
 
-/// Returns the section through a place.
+/// Returns the section through a carved wall at `place`.
 /// @param near columns near the section, the outermost one first
 Section section_of(const Columns& columns,
                    const std::vector<NearColumn>& near,
@@ -113,7 +113,7 @@ Section section_of(const Columns& columns,
   return section;
 }
 
-/// Returns the lean of the line that fits the points best, by least squares.
+/// Returns the lean of the line that is fitted to the points by least squares.
 /// @pre there are at least two points, of different heights
 WallLean fitted(const std::vector<SectionPoint>& points, double cell_mm) {
   const auto count = static_cast<double>(points.size());
@@ -134,21 +134,21 @@ WallLean fitted(const std::vector<SectionPoint>& points, double cell_mm) {
     const double error = point.out - mean.out - slope * (point.z - mean.z);
     off += error * error;
   }
-  // A line through two points has no deviations, so that half a cell stands for their deviation.
+  // Two points have no deviation from their line. Half a cell is used as their standard deviation.
   const double rest = points.size() > 2 ? off / (count - 2.0) : 0.25 * cell_mm * cell_mm;
   const double deviation = std::sqrt(rest / square);
   return {std::atan(-slope) * kInDegrees, 2.0 * std::atan(deviation) * kInDegrees, points.size()};
 }
 
-/// Returns the middle of the lines that pass between two columns, and through the points of the
-/// section if there are any.
+/// Returns the mean lean of all lines that pass between two columns and, if the section has a
+/// point, through this point.
 std::optional<WallLean> between_columns(const Section& section, const WallPlace& place) {
   const double height = place.high_mm - place.low_mm;
   const double gap = section.last_free - section.first_full;
   if (!std::isfinite(gap)) return {};
   double most = std::atan(gap / height) * kInDegrees;
   if (section.points.empty()) return WallLean{0.0, most, 0};
-  // The line is vertical, or leans within the gaps to both columns next to the point.
+  // The line through the point is at most so inclined that it stays between the two columns.
   const SectionPoint& point = section.points.front();
   const double up = (point.out - section.first_full) / (place.high_mm - point.z);
   const double down = (section.last_free - point.out) / (point.z - place.low_mm);

@@ -21,13 +21,13 @@ using Polygon = bp::polygon_data<int>;
 using Holed = bp::polygon_with_holes_data<int>;
 using PolygonSet = bp::polygon_set_data<int>;
 
-/// A place is left out if its distance from the line between its neighbours is at most this, in
-/// steps of the grid.
+/// Distance of a corner from the line between its neighbours, in steps of the grid, up to which the
+/// corner is left out.
 constexpr double kStraight = 2.0;
-/// A facet counts as upright if its slope from the vertical is less than this. This slope is 1 um
-/// in 200 mm, an error that the single precision of STL files causes.
+/// Slope from the vertical up to which a facet counts as upright. The slope is 1 µm in 200 mm,
+/// which allows for the single precision of STL files.
 constexpr double kUpright = 5.0e-6;
-/// Maximum change of areas by rounding to the grid, as a share of the stock's area.
+/// Maximum change of areas because of rounding to the grid, relative to the stock's area.
 constexpr double kAreaError = 1.0e-6;
 
 double cross(const Point& from, const Point& over, const Point& to) {
@@ -42,7 +42,7 @@ double distance(const Point& from, const Point& to) {
   return std::hypot(static_cast<double>(to.x()) - from.x(), static_cast<double>(to.y()) - from.y());
 }
 
-/// Returns the corners of a loop without those that result from rounding to the grid.
+/// Returns the corners of a loop without corners that only result from rounding to the grid.
 std::vector<Point> corners_of(const auto& polygon) {
   std::vector<Point> all(polygon.begin(), polygon.end());
   if (all.size() > 1 && all.front() == all.back()) all.pop_back();
@@ -94,7 +94,7 @@ std::vector<Contour> areas_of(const WholeGrid& grid, const PolygonSet& set) {
 
 double area_in(const PolygonSet& set) { return static_cast<double>(bp::area(set)); }
 
-/// Returns the union of some sets.
+/// Returns the union of several sets of polygons.
 /// @param is_swapped whether X and Y are swapped during the computation
 PolygonSet sum_of(std::initializer_list<const PolygonSet*> sets, bool is_swapped) {
   const bp::axis_transformation swap{bp::axis_transformation::SWAP_XY};
@@ -106,7 +106,8 @@ PolygonSet sum_of(std::initializer_list<const PolygonSet*> sets, bool is_swapped
   return sum;
 }
 
-/// Returns the part of a set that is not in another set, which must be clean.
+/// Returns the part of `whole` that is not in `taken`.
+/// @pre `taken` is clean
 PolygonSet difference_of(const PolygonSet& whole, const PolygonSet& taken, bool is_swapped) {
   const bp::axis_transformation swap{bp::axis_transformation::SWAP_XY};
   PolygonSet left;
@@ -151,11 +152,11 @@ std::vector<Contour> FallingShadow::lower_to(double height_mm) {
   stock.insert(bp::rectangle_data<int>{
       stock_.first.x(), stock_.first.y(), stock_.second.x(), stock_.second.y()});
   const double stock_area = area_in(stock);
-  // The sweep runs along one axis, and along the other axis if that sweep fails. The areas show a
-  // failure.
+  // The polygon sweep of Boost may fail, which the areas reveal. It is then repeated with X and Y
+  // swapped.
   for (const bool is_swapped : {false, true}) {
     const PolygonSet cleaned = sum_of({&section}, is_swapped);
-    // Without overhangs the whole part above the plane is within the section.
+    // Without overhangs, the part above the plane is completely within the section.
     const PolygonSet shadow =
         passed_ == 0 ? cleaned : sum_of({&cleaned, &hidden_, &crossed}, is_swapped);
     const PolygonSet left = difference_of(stock, shadow, is_swapped);
@@ -171,7 +172,7 @@ std::vector<Contour> FallingShadow::lower_to(double height_mm) {
   }
   throw std::invalid_argument(
       fmt::format("the part has no clean section at Z {:g}; move it up by a micrometre, or repair "
-                  "where it crosses itself",
+                  "the mesh where it crosses itself",
                   height_mm));
 }
 
@@ -195,7 +196,7 @@ double FallingShadow::top_of(std::uint32_t facet) const {
   return std::max({points[a].z(), points[b].z(), points[c].z()});
 }
 
-/// Inserts the inside of a loop that turns left; inserts a loop that turns right as a hole.
+/// Inserts the area inside a counter-clockwise loop into a set; inserts a clockwise loop as a hole.
 void FallingShadow::insert(const SectionLoop& loop, PolygonSet& set) const {
   std::vector<Point> points;
   points.reserve(loop.size());
@@ -204,9 +205,9 @@ void FallingShadow::insert(const SectionLoop& loop, PolygonSet& set) const {
   if (area != 0.0) set.insert(polygon_of(points), area < 0.0);
 }
 
-/// Adds the overhanging facets that reach above a height. Facets that are completely above it hide
-/// the places below them permanently. They share their corners with their neighbours, so that no
-/// gaps remain between them.
+/// Passes the overhanging facets that reach above a height. Facets completely above the height are
+/// added to hidden_, because they hide the area below them from now on. They share their corners
+/// with their neighbours, so that there are no gaps between them.
 void FallingShadow::pass_facets(double height_mm) {
   while (passed_ < overhanging_.size() && top_of(overhanging_[passed_]) > height_mm) {
     open_.push_back(overhanging_[passed_++]);
@@ -221,7 +222,8 @@ void FallingShadow::pass_facets(double height_mm) {
   hidden_.clean();
 }
 
-/// Returns the part of a facet above a height, in plan. Seen from above, the loop turns left.
+/// Returns the part of a facet above a height, in plan, as a loop that is counter-clockwise as seen
+/// from above.
 SectionLoop FallingShadow::part_above(std::uint32_t facet, double height_mm) const {
   SectionLoop loop;
   const auto& corners = part_->facets[facet];

@@ -15,7 +15,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Maximum height above a floor that still counts as on the floor, mm.
+/// Height above a floor, mm, up to which a point of the part counts as on the floor.
 constexpr double kFloorMm = 0.5 * kTouchMm;
 
 }  // namespace

@@ -20,12 +20,13 @@ namespace {
 
 using Eigen::Vector2d;
 
-/// Lines shorter than this are left out, mm.
+/// Minimum length of a line, mm. Shorter lines are left out.
 constexpr double kMinMm = 1.0e-5;
-/// Distance within which places count as on the border of the stock, mm.
+/// Distance, mm, within which points count as on the border of the stock.
 constexpr double kBorderMm = 1.0e-5;
 
-/// Rotates places so that hatch lines are along X; rotations by quarters of a turn are exact.
+/// Rotates points between the plan and a frame in which hatch lines are along X. Rotations by
+/// multiples of 90 degrees are exact.
 class HatchFrame {
  public:
   explicit HatchFrame(double angle_rad) : angle_{cnc::sin_cos(angle_rad)} {
@@ -61,7 +62,8 @@ void add_lines(const pocket::OwnedArea& area,
                double hatch_mm,
                std::vector<surface::RowPart>& lines) {
   const auto box = pocket::box_of(area);
-  // Lines of all areas belong to one raster, and no line lies on the border of a stock around zero.
+  // The lines of all areas are on a common raster. The raster is offset by half a distance, so that
+  // no line is on a border at zero or at a multiple of the distance.
   const double first = std::floor(box.y0 / hatch_mm - 0.5) + 0.5;
   for (double number = first; number * hatch_mm < box.y1; number += 1.0) {
     const double row = number * hatch_mm;
@@ -73,8 +75,8 @@ void add_lines(const pocket::OwnedArea& area,
   }
 }
 
-/// Returns the points of a loop. Arcs become chords that leave them by no more than the touch
-/// distance of a wall.
+/// Returns the points of a loop. Arcs become chords whose deviation from the arc is at most half
+/// the touch distance kTouchMm.
 std::vector<Vector2d> places_of(const Contour& area, std::size_t loop) {
   std::vector<Vector2d> places;
   const std::uint32_t begin = area.view().loop_begin(loop);
@@ -103,12 +105,12 @@ std::vector<Vector2d> places_of(const Contour& area, std::size_t loop) {
   return places;
 }
 
-/// Appends the parts of a closed loop whose sides are walls. If all sides are walls, the stroke
-/// ends where it begins.
+/// Appends the parts of a closed loop whose sides are walls as strokes. If all sides are walls, the
+/// stroke is closed.
 template <typename IsWall>
 void add_walls(const std::vector<Vector2d>& loop, const IsWall& is_wall, std::vector<Stroke>& to) {
   const std::size_t count = loop.size();
-  std::size_t first = 0;  // Index after a side that is not a wall, if there is one.
+  std::size_t first = 0;  // Index of the first point after a side that is not a wall.
   while (first < count && is_wall(loop[(first + count - 1) % count], loop[first])) ++first;
   first %= count;
   Stroke stroke{StrokeUse::kContour, {}};
@@ -125,8 +127,8 @@ void add_walls(const std::vector<Vector2d>& loop, const IsWall& is_wall, std::ve
   if (!stroke.places.empty()) to.push_back(std::move(stroke));
 }
 
-/// Returns the distance and the index of the place at which a stroke begins nearest to `here`. A
-/// closed stroke may begin at any place.
+/// Returns the distance from `here` and the index of the nearest point at which a stroke can begin.
+/// A closed stroke can begin at all points, an open stroke only at its ends.
 std::pair<double, std::size_t> best_begin(const Stroke& stroke, const Vector2d& here) {
   const std::vector<Vector2d>& places = stroke.places;
   const bool is_closed = places.front() == places.back();

@@ -9,28 +9,28 @@
 namespace sim::wall {
 
 enum class StrokeUse : std::uint8_t {
-  kHatch,    ///< A line over the area of a layer.
+  kHatch,    ///< A hatch line over the area of a layer.
   kContour,  ///< A line along the walls of a layer.
 };
 
-/// A line of the beam's tip at one height, mm; the beam is on over its whole length.
+/// A line of the beam's tip at one height, mm. The beam is on over the complete line.
 struct Stroke {
   StrokeUse use = StrokeUse::kHatch;
-  std::vector<Eigen::Vector2d> places;  ///< Places of the line, at least two.
+  std::vector<Eigen::Vector2d> places;  ///< Points of the line, at least two.
 };
 
-/// Options for filling the layers.
+/// Options for the strokes in layers.
 struct StrokeOptions {
   double hatch_mm = 0.0;   ///< Distance between hatch lines; 0: no hatch.
-  double angle_deg = 0.0;  ///< Direction of the first layer's lines from +X.
-  double turn_deg = 0.0;   ///< Rotation of each layer's lines from those of the previous layer.
-  /// Radius of the beam at its tip; all strokes stay this distance off the walls.
+  double angle_deg = 0.0;  ///< Direction of the first layer's hatch lines, measured from +X.
+  double turn_deg = 0.0;   ///< Rotation of the hatch lines from one layer to the next.
+  /// Radius of the beam at its tip. All strokes keep this distance from the walls.
   double waist_mm = 0.0;
   bool has_contour = true;
 };
 
-/// Makes the strokes of layers, one layer after another: first the hatch, always the nearest part
-/// of a line next, then the contours along the walls. The borders of the stock do not count as
+/// Makes the strokes of layers, one layer after another. Hatch lines come first, the nearest part
+/// of a line always next; then come the contours along the walls. The borders of the stock are not
 /// walls.
 class LayerStrokes {
  public:
@@ -38,9 +38,9 @@ class LayerStrokes {
   LayerStrokes(const Eigen::AlignedBox2d& stock, const StrokeOptions& options)
       : stock_{stock}, options_{options} {}
 
-  /// Returns the strokes of a layer in the order in which they are burnt. The first stroke begins
-  /// near the end of the previous layer.
-  /// @param number number of the layer, from 0 at the top
+  /// Returns the strokes of a layer in the order of burning. The first stroke begins near the end
+  /// of the previous layer.
+  /// @param number number of the layer, counted from 0 at the top
   /// Throws NoOffset if the areas cannot be offset.
   [[nodiscard]] std::vector<Stroke> strokes_of(const Layer& layer, std::size_t number);
 

@@ -37,7 +37,8 @@ double SectionSweep::bottom_of(std::uint32_t facet) const {
   return std::min({points[a].z(), points[b].z(), points[c].z()});
 }
 
-/// Adds the facets that reach above a height, and removes the facets that are completely above it.
+/// Updates crossed_ for a height: adds the facets that reach above the height, and removes the
+/// facets that are completely above it.
 void SectionSweep::advance(double height_mm) {
   while (next_ < by_top_.size() && top_of(by_top_[next_]) > height_mm) {
     crossed_.push_back(by_top_[next_++]);
@@ -45,8 +46,9 @@ void SectionSweep::advance(double height_mm) {
   std::erase_if(crossed_, [&](std::uint32_t facet) { return bottom_of(facet) > height_mm; });
 }
 
-/// Returns the segment of a facet that has points above a height and points that are not above it.
-/// The segment begins on the edge at which the facet's border goes down through the plane.
+/// Returns the segment in which a plane cuts a facet. The facet has points above `height_mm` and
+/// points that are not above it. The segment begins on the edge at which the facet's border
+/// descends through the plane.
 SectionSweep::Segment SectionSweep::segment_of(std::uint32_t facet, double height_mm) const {
   const auto& corners = solid_->facets[facet];
   Segment segment;
@@ -79,7 +81,8 @@ std::vector<SectionLoop> SectionSweep::loops_at(double height_mm) {
     for (Segment* segment = &first; !segment->is_taken;) {
       segment->is_taken = true;
       loop.push_back(crossing_of(segment->from, height_mm));
-      // If more than two facets share an edge, as many segments begin on it as end on it.
+      // If more than two facets share an edge, several segments begin on it, and the same number of
+      // segments end on it. Any free segment continues the loop.
       const auto next =
           std::ranges::find_if(std::ranges::lower_bound(segments, segment->to, {}, &Segment::from),
                                segments.end(),

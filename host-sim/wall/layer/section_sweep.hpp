@@ -9,30 +9,32 @@
 
 namespace sim::wall {
 
-/// A closed line around the solid, or around a hole in it, at one height, mm. Seen from above, the
-/// solid is on its left. The last place leads to the first, which is not repeated.
+/// A closed line around a solid, or around a hole in the solid, at one height, mm. Seen from above,
+/// the solid is on the left of the line. The last point is connected to the first point, which is
+/// not repeated.
 using SectionLoop = std::vector<Eigen::Vector2d>;
 
-/// Cuts a solid with level planes, from the top down.
+/// Cuts a solid with horizontal planes, from the top down.
 ///
-/// A point of the mesh at the height of a plane counts as below the plane, and a crossing depends
-/// only on the two points of its edge. Therefore all loops are closed, even if facets lie in a
-/// plane, and two facets always agree about the edge that they share.
+/// A point of the mesh at the height of a plane counts as below the plane. The crossing of an edge
+/// depends only on the two points of the edge, so that it is the same for both facets at the edge.
+/// Therefore all loops are closed, even if facets are in the plane.
 class SectionSweep {
  public:
-  /// @param solid the solid; it outlives this object
+  /// @param solid must outlive this object
   /// @pre require_solid() accepts the solid
   explicit SectionSweep(const surface::Mesh& solid);
 
-  /// Returns the loops at a height. The time is proportional to the number of facets that the plane
-  /// passes or crosses, apart from sorting. Loops touch where the solid touches itself.
-  /// @pre the height is not above that of the previous call
+  /// Returns the loops at a height. Without sorting, the time is proportional to the number of
+  /// facets that the plane crosses or has passed since the previous call. Loops touch where the
+  /// solid touches itself.
+  /// @pre the height is not above the height of the previous call
   [[nodiscard]] std::vector<SectionLoop> loops_at(double height_mm);
 
  private:
-  /// The part of a facet in the plane, between two of its edges.
+  /// The line in which the plane cuts a facet, from one of its edges to another.
   struct Segment {
-    std::uint64_t from = 0;  ///< Edge, given by the numbers of its two points.
+    std::uint64_t from = 0;  ///< Edge at the start, given by the numbers of its two points.
     std::uint64_t to = 0;
     bool is_taken = false;
   };
@@ -46,7 +48,7 @@ class SectionSweep {
   const surface::Mesh* solid_;
   /// Facets sorted by their highest point, the highest first.
   std::vector<std::uint32_t> by_top_;
-  /// Index of the first facet that the planes have not reached.
+  /// Index in by_top_ of the first facet that no plane has reached.
   std::size_t next_ = 0;
   std::vector<std::uint32_t> crossed_;  ///< Facets that the last plane crosses.
 };

@@ -8,7 +8,8 @@ namespace sim::wall {
 
 using WholePoint = boost::polygon::point_data<int>;
 
-/// Converts places around a stock to whole numbers. The stock takes half of the range of 32 bits.
+/// Converts points around a stock to whole numbers. The stock takes half of the range of a 32-bit
+/// number, so that parts may extend beyond the stock.
 class WholeGrid {
  public:
   explicit WholeGrid(const Eigen::AlignedBox2d& stock) : middle_{stock.center()} {

@@ -9,7 +9,7 @@ using Eigen::Vector3d;
 
 /// Tolerance of the search for angles, radians.
 constexpr double kAngleStep = 2.0e-5;
-/// Maximum depth of the waist in the part, mm.
+/// Maximum depth by which the waist may be inside the part, mm.
 constexpr double kWaistDepthMm = 0.25 * kTouchMm;
 
 }  // namespace
@@ -37,8 +37,8 @@ std::optional<TipBeam> BeamFinder::leaning_by(const Vector3d& tip, double half) 
   return TipBeam{.tip = tip, .axis = beam->axis};
 }
 
-/// Returns the beam for the smallest half angle, at least the given one, at which the waist is
-/// clear, too; nothing if there is none.
+/// Increases the half angle of a beam until the waist clears the part, too. Returns the beam for
+/// the smallest such half angle; nothing if there is none.
 std::optional<TipBeam> BeamFinder::clear_of_waist(const TipBeam& beam) const {
   const auto is_clear_of_all = [this](const std::optional<TipBeam>& found) {
     return found && is_clear(*found, kWaistDepthMm);
@@ -73,8 +73,9 @@ std::optional<TipBeam> BeamFinder::nearest_to(const Vector3d& axis, const Vector
   return found;
 }
 
-/// Returns the beam for the greatest half angle that some axis clears, with the difference to the
-/// required half angle. Returns the upright beam if no axis clears any half angle.
+/// Returns the beam of least overlap. Its axis is the clear axis of the greatest half angle that
+/// has one; `left_rad` is the difference from the required half angle. Returns the upright beam if
+/// no half angle has a clear axis.
 TipBeam BeamFinder::min_overlap(const Vector3d& tip) const {
   const double whole = rules_.tilt.half_angle_rad;
   TipBeam best{.tip = tip, .left_rad = whole};

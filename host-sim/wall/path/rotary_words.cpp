@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kDegree = std::numbers::pi / 180.0;
 
-/// Returns an angle, moved by whole turns to the value nearest to `last`.
+/// Returns an angle, changed by a multiple of 360 degrees to the value nearest to `last`.
 double unwrapped(double angle, double last) {
   return angle - 360.0 * std::round((angle - last) / 360.0);
 }

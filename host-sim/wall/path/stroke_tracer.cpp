@@ -32,20 +32,20 @@ StrokeTracer::Sample StrokeTracer::sample_at(const Vector3d& tip, double max_mm)
   return {.tip = tip, .free_mm = 0.0, .beam = finder_.leaning(tip)};
 }
 
-/// Appends the tips of a side except the first. Their spacing is the clearance of the upright beam,
-/// at least the step.
+/// Appends the tips of a stroke's side, except the first tip. The spacing is the clearance of the
+/// upright beam, but at least the step.
 void StrokeTracer::add_side(const Vector3d& from, const Vector3d& to, Samples& samples) const {
   const double length = (to - from).norm();
   const Vector3d way = (to - from) / length;
   double done = 0.0;
   while (done < length) {
     const double step = std::max(rules_.step_mm, samples.back().free_mm);
-    // The last two steps are equal, so that no step is tiny.
+    // Divides the rest of the side equally into the last two steps, so that no step is tiny.
     const double left = length - done;
     const double next = left <= step ? left : std::min(step, std::max(0.5 * left, kGapMm));
     done = next == left ? length : done + next;
-    // At its end the side needs the clearance over its whole length, for the next side to begin
-    // with.
+    // At the end of the side, the clearance is limited by the length of the complete side, because
+    // the next side begins there.
     const bool is_end = done == length;
     samples.push_back(
         sample_at(is_end ? to : Vector3d{from + done * way}, is_end ? length : length - done));
@@ -57,8 +57,8 @@ bool StrokeTracer::turns_slowly(const Sample& from, const Sample& to) const {
   return angle_between(from.beam->axis, to.beam->axis) <= most + kAngleRounding;
 }
 
-/// Returns whether the beam is clear at the quarters of the path between two tips, with rotary axes
-/// that turn linearly.
+/// Returns whether the beam clears the part at the quarters of the path between two tips, while the
+/// rotary axes turn linearly.
 bool StrokeTracer::is_clear_between(const Sample& from, const Sample& to) const {
   const double length = (to.tip - from.tip).norm();
   const bool are_upright = is_upright(*from.beam) && is_upright(*to.beam);
@@ -66,7 +66,7 @@ bool StrokeTracer::is_clear_between(const Sample& from, const Sample& to) const 
   RotaryWords begin = first_words_of(rules_.axes, from.beam->axis);
   if (begin.tilt == 0.0) begin.turn = first_words_of(rules_.axes, to.beam->axis).turn;
   const RotaryWords end = words_of(rules_.axes, to.beam->axis, begin);
-  // For a beam that hardly turns the check half way is enough.
+  // If the beam hardly turns, a check half way is enough.
   constexpr double kStill = 0.01;
   const bool is_still = angle_between(from.beam->axis, to.beam->axis) <= kStill;
   return std::ranges::all_of(std::array{0.5, 0.25, 0.75}, [&](double share) {
@@ -83,9 +83,9 @@ bool StrokeTracer::is_joined(const Sample& from, const Sample& to) const {
   if (!from.beam && !to.beam) return true;
   if (!from.beam || !to.beam) return false;
   if (!finder_.rules().avoids) return true;
-  // Only one axis has the least overlap with the part, so that the beam has to follow that axis.
+  // There is only one axis of least overlap at each tip, so that the beam must follow these axes.
   if (from.beam->left_rad > 0.0 || to.beam->left_rad > 0.0) return true;
-  // If walls leave no space to turn in time, the machine slows down, but the beam does not swing.
+  // If walls leave no space to turn slowly, the beam stays on and the machine slows down.
   const bool is_short = (to.tip - from.tip).norm() <= kGapMm;
   const bool may_turn =
       turns_slowly(from, to) ||
@@ -93,9 +93,9 @@ bool StrokeTracer::is_joined(const Sample& from, const Sample& to) const {
   return may_turn && is_clear_between(from, to);
 }
 
-/// Turns a beam towards another one with at least as much tilt. The new axis is the clear axis
-/// nearest to the one that the rate just allows, or else the clear axis nearest to the other beam's
-/// axis.
+/// Turns the beam of `sample` towards the beam of `other`, whose tilt is at least as great. Tries
+/// two wanted axes: the nearest axis from which the rate allows the turn, and the other beam's
+/// axis. The new axis is the clear axis nearest to a wanted axis.
 void StrokeTracer::lean_towards(const Sample& other, Sample& sample) const {
   if (!sample.beam || !other.beam || turns_slowly(sample, other)) return;
   const Vector3d& axis = sample.beam->axis;
@@ -118,8 +118,8 @@ void StrokeTracer::lean_towards(const Sample& other, Sample& sample) const {
   sample.beam = best;
 }
 
-/// Returns whether the axes of least tilt jump between two samples from one wall to another. Their
-/// tilts are then about the same.
+/// Returns whether the axis of least tilt jumps between two samples because another wall determines
+/// it. The tilts of both axes are then about equal.
 bool StrokeTracer::is_jump(const Sample& from, const Sample& to) const {
   if (!from.beam || !to.beam || (to.tip - from.tip).norm() > kGapMm) return false;
   constexpr double kSameTilt = 0.1;
@@ -142,15 +142,15 @@ StrokeTracer::Samples StrokeTracer::smoothed(const Samples& least) const {
   return samples;
 }
 
-/// Returns for each sample except the last whether the beam may continue to the next sample.
+/// Returns, for each sample except the last, whether the beam may stay on up to the next sample.
 StrokeTracer::Flags StrokeTracer::joints_of(const Samples& samples) const {
   Flags joints(samples.size() - 1);
   for (std::size_t i = 0; i < joints.size(); ++i) joints[i] = is_joined(samples[i], samples[i + 1]);
   return joints;
 }
 
-/// Returns for each sample except the last whether the axis of least tilt does not jump before the
-/// next sample.
+/// Returns, for each sample except the last, whether the axis of least tilt turns by at most
+/// `swing_rad` up to the next sample.
 StrokeTracer::Flags StrokeTracer::small_turns_of(const Samples& least) const {
   Flags are_small(least.size() - 1, true);
   for (std::size_t i = 0; i < are_small.size(); ++i) {
@@ -161,8 +161,8 @@ StrokeTracer::Flags StrokeTracer::small_turns_of(const Samples& least) const {
   return are_small;
 }
 
-/// Inserts tips between neighbours that are not joined and are farther apart than the gap.
-/// @return whether it inserted any
+/// Inserts a tip between neighbours that are not joined and whose distance exceeds kGapMm.
+/// @return whether a tip was inserted
 bool StrokeTracer::refine(const Flags& is_joined, Samples& samples) const {
   Samples finer;
   finer.reserve(samples.size() + 8);
@@ -195,8 +195,8 @@ std::vector<BeamRun> StrokeTracer::runs_of(const Stroke& stroke, double height_m
   return runs_between(samples, joints, stroke.use);
 }
 
-/// Cuts samples into runs. The beam is never on at one tip only: such a tip is lost, too, unless it
-/// lies in the gap next to a run.
+/// Divides samples into runs. A run has at least two beams. A single tip between runs is lost, too,
+/// unless it is in the gap next to a run.
 std::vector<BeamRun> StrokeTracer::runs_between(const Samples& samples,
                                                 const Flags& joints,
                                                 StrokeUse use) {

@@ -11,47 +11,48 @@
 
 namespace sim::wall {
 
-/// Successive beams with the beam on from the first to the last, and the tips before them that are
-/// out of reach.
+/// Successive poses with the beam on from the first to the last, and the tips out of reach before
+/// the first pose.
 struct BeamRun {
   StrokeUse use = StrokeUse::kHatch;
   std::vector<Eigen::Vector3d> lost;
-  std::vector<TipBeam> beams;  ///< At least two beams, or none.
+  std::vector<TipBeam> beams;  ///< Poses of the beam; at least two, or none.
 };
 
-/// Limits for the turning of beams along a stroke.
+/// Limits for the turn of the beam's axis along a stroke.
 struct TurnRules {
   RotaryAxes axes = RotaryAxes::kAC;
   double step_mm = 0.0;  ///< Maximum distance between tips next to a wall, above 0.
-  /// Maximum change of the axis where the part leaves enough space.
+  /// Maximum turn of the axis per mm where the part leaves enough space.
   double turn_rate_rad_per_mm = 0.0;
-  /// If the axis of least tilt jumps by more than this angle, the beam swings while it is off.
+  /// Jump of the axis of least tilt, in radians, above which the axis turns with the beam off.
   double swing_rad = 3.0 * std::numbers::pi / 180.0;
-  double depth_mm = 1.0e-3;  ///< Maximum depth of a beam in the part between tips.
+  /// Maximum depth by which the beam may be inside the part between tips.
+  double depth_mm = 1.0e-3;
 };
 
-/// Gives each tip of a stroke its beam, so that the axis turns no faster than the rules allow.
+/// Finds a beam for each tip of a stroke, so that the axis turns no faster than the rules allow.
 ///
-/// Tips are at the ends of all sides of the stroke, and between them as densely as the axis needs.
-/// If the axis of least tilt turns too fast, the axes before and after that place lean more, as
-/// long as their beams clear the part. If walls leave no space for that, the axis turns faster, as
-/// the part requires. If the axis jumps, the run ends, and the next run begins within two gaps: the
-/// beam swings while it is off.
+/// Tips are at the ends of all sides of the stroke, and between the ends as densely as the turn of
+/// the axis requires. If the axis of least tilt turns too fast at a point, the axes before and
+/// after this point lean more, as long as their beams clear the part. If walls leave no space for
+/// this, the axis turns faster. If the axis jumps, the run ends, and the axis turns with the beam
+/// off. The next run begins within twice kGapMm.
 class StrokeTracer {
  public:
-  /// Maximum distance between neighbouring tips that no run joins, mm.
+  /// Maximum distance between neighbouring tips at which a run ends and the next run begins, mm.
   static constexpr double kGapMm = 2.0e-3;
 
   StrokeTracer(const BeamFinder& finder, const TurnRules& rules) : finder_{finder}, rules_{rules} {}
 
-  /// Returns the runs of a stroke at a height. The last run may have only lost tips.
+  /// Returns the runs of a stroke at a height. The last run may have lost tips but no beams.
   [[nodiscard]] std::vector<BeamRun> runs_of(const Stroke& stroke, double height_mm) const;
 
  private:
-  /// A tip, with its beam of least tilt if there is one.
+  /// A tip with its beam; the beam is empty if the tip is out of reach.
   struct Sample {
     Eigen::Vector3d tip = Eigen::Vector3d::Zero();
-    double free_mm = 0.0;  ///< Distance by which the tip may move with an upright beam.
+    double free_mm = 0.0;  ///< Distance by which the tip may move while the beam stays upright, mm.
     std::optional<TipBeam> beam;
   };
   using Samples = std::vector<Sample>;

@@ -18,11 +18,11 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Digits after the decimal point of angles. Their rounding moves the beam's side by 9e-8 mm at 1
-/// mm above the tip.
+/// Digits after the decimal point of angles. At 1 mm above the tip, their rounding moves the beam's
+/// side by 9e-8 mm.
 constexpr int kAngleDecimals = 5;
 
-/// Returns a number with a fixed number of decimals, without zeros at its end and without -0.
+/// Returns a number with up to `decimals` decimals, without trailing zeros and without -0.
 std::string number_text(double value, int decimals) {
   std::string text = fmt::format("{:.{}f}", value, decimals);
   text.erase(text.find_last_not_of('0') + 1);
@@ -30,14 +30,14 @@ std::string number_text(double value, int decimals) {
   return text == "-0" ? "0" : text;
 }
 
-/// A tip and the rotary words there.
+/// A tip, and the rotary words at this tip.
 struct Knot {
   Vector3d tip;
   RotaryWords words;
 };
 
-/// Returns whether the machine moves in the same way before and after a knot, so that the knot can
-/// be left out.
+/// Returns whether all axes of the machine move on linearly at `here`, so that this knot can be
+/// left out.
 bool goes_straight_on(const Knot& before, const Knot& here, const Knot& after) {
   constexpr double kSameMm = 1.0e-9;
   constexpr double kSameDeg = 1.0e-7;
@@ -68,8 +68,8 @@ WallProgram::WallProgram(const BurnSettings& settings, const std::vector<std::st
                        settings.follows_speed ? "M4" : "M3");
 }
 
-/// Returns the words of each beam of a run. Over an upright stretch C turns to the angle that the
-/// next lean needs.
+/// Returns the rotary words of each beam of a run. Along a stretch with an upright beam, C turns to
+/// the angle that the next leaning beam requires.
 std::vector<RotaryWords> WallProgram::words_of_run(const std::vector<TipBeam>& beams) const {
   std::vector<RotaryWords> words;
   RotaryWords last = last_;
@@ -114,8 +114,8 @@ void WallProgram::write_move(const char* motion, const Vector3d& tip, const Rota
   if (!line.empty()) text_ += motion + line;
 }
 
-/// Turns C of an upright beam to the angle that the next lean needs, while the beam is off. This is
-/// needed if no stretch before was long enough.
+/// Turns C with the beam off and upright to the angle that the next leaning beam requires. This is
+/// necessary if there was no upright stretch on which C could turn.
 void WallProgram::write_swing(const Eigen::Vector3d& tip,
                               const RotaryWords& from,
                               const RotaryWords& to) {
@@ -124,11 +124,12 @@ void WallProgram::write_swing(const Eigen::Vector3d& tip,
   text_ += '\n';
 }
 
-/// Returns the feed at which the axis turns no faster than the rate allows at the full feed.
+/// Returns the feed between two beams, reduced so that the axis turns no faster in time than at the
+/// permitted rate and the full feed.
 double WallProgram::feed_of(const TipBeam& from, const TipBeam& to) const {
   const double most = settings_.turn_rate_rad_per_mm * (to.tip - from.tip).norm();
   const double angle = angle_between(from.axis, to.axis);
-  // Angles above the rate by less than this factor come from rounding.
+  // Ratio of angle to permitted angle up to which an excess is only rounding.
   constexpr double kAlmost = 1.0001;
   if (angle <= kAlmost * most) return settings_.feed_mm_min;
   return settings_.feed_mm_min * most / angle;

@@ -9,37 +9,38 @@
 
 namespace sim::wall {
 
-/// Settings of a machine that burns the runs of a beam.
+/// Settings for a program that burns the runs of a beam.
 struct BurnSettings {
   RotaryAxes axes = RotaryAxes::kAC;
   double feed_mm_min = 0.0;  ///< Speed of the tip over the part, above 0.
   double power_s = 0.0;      ///< S word of the beam.
-  /// Whether power follows the actual speed (M4); otherwise M3.
+  /// Whether the power follows the actual speed (M4); otherwise it is constant (M3).
   bool follows_speed = true;
-  /// Rate of the axis above which the tip is slowed down; above 0.
+  /// Turn of the axis per mm above which the tip is slowed down, > 0.
   double turn_rate_rad_per_mm = 0.0;
-  double safe_mm = 0.0;  ///< Z at the begin and at the end, above the stock.
+  double safe_mm = 0.0;  ///< Z at the start and at the end of the program, above the stock.
   int decimals = 4;      ///< Digits after the decimal point of X, Y and Z.
 };
 
-/// Lengths and angles of a program.
+/// Counts, lengths and angles of a program.
 struct BurnFigures {
   std::size_t runs = 0;
   std::size_t beams = 0;
   std::size_t lost = 0;      ///< Number of tips out of reach.
-  std::size_t overlaps = 0;  ///< Number of beams whose side is in the part.
+  std::size_t overlaps = 0;  ///< Number of beams whose side is inside the part.
   double burnt_mm = 0.0;
-  double dark_mm = 0.0;  ///< Distance driven with the beam off, from run to run.
+  double dark_mm = 0.0;  ///< Total distance between runs, driven with the beam off.
   double max_tilt_rad = 0.0;
-  double tilt_mm = 0.0;  ///< Sum of tilt times the length burnt with it, rad mm.
+  double tilt_mm = 0.0;  ///< Sum of tilt times burnt length, rad mm.
   double max_overlap_rad = 0.0;
   double max_turn_rad_per_mm = 0.0;
-  /// Length on which the axis turns faster than the rate, so that the tip is slowed down.
+  /// Length on which the tip is slowed down, because the axis turns by more than the rate.
   double slowed_mm = 0.0;
 };
 
-/// Writes runs of a beam as G-code under control of the tool's centre (G43.4), and measures them.
-/// X, Y and Z are the tip; A or B, and C, are the axis. Between runs the beam is off.
+/// Writes runs of a beam as G-code with tool centre point control (G43.4), and measures them. X, Y
+/// and Z are the position of the tip; A or B, and C, are the direction of the axis. Between runs,
+/// the beam is off.
 class WallProgram {
  public:
   /// @param heading comment lines at the top
@@ -47,7 +48,8 @@ class WallProgram {
 
   void add(const std::vector<BeamRun>& runs);
 
-  /// Ends the program and returns its text. The text is moved out: call this function only once.
+  /// Ends the program and returns its text. Call this function only once, because it moves the text
+  /// out of the object.
   [[nodiscard]] std::string take_text();
 
   [[nodiscard]] const BurnFigures& figures() const { return figures_; }
@@ -65,12 +67,12 @@ class WallProgram {
   BurnFigures figures_;
   RotaryWords last_;
   Eigen::Vector3d here_ = Eigen::Vector3d::Zero();
-  std::vector<std::string> shown_;  ///< Axis words as last written.
-  std::string feed_;                ///< F word as last written.
+  std::vector<std::string> shown_;  ///< Last written word of each axis.
+  std::string feed_;                ///< Last written F word.
 };
 
-/// Appends `x y z i j k` with 17 digits for each beam of the runs, in order, and `# x y z is out of
-/// reach` for each lost tip.
+/// Appends the runs to a text, in order: `x y z i j k` with 17 digits for each beam, and `# x y z
+/// is out of reach` for each lost tip.
 void append_beam_lines(const std::vector<BeamRun>& runs, std::string& text);
 
 }  // namespace sim::wall

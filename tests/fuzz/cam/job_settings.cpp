@@ -43,7 +43,7 @@ void judge_recipe(const std::string& text) {
   CLI::App command;
   const auto options = std::make_shared<sim::CutCommandOptions>();
   sim::add_cut_options(command, options);
-  options->recipe = file.name();
+  options->recipe.file = file.name();
   sim::apply_recipe(command, *options);
 }
 

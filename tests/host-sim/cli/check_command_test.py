@@ -106,9 +106,9 @@ class Check(unittest.TestCase):
     def test_programs_that_go_on_behind_their_end_are_named(self):
         for text, told in (("%\nG21\nG1 X5 F100\n%\n", None), ("G21\nG1 X1 F100\nM30\n%\n", None),
                            ("%\nO1000\nG21\nG1 X5 F100\n%\n\n(more)\nG1 X9\n",
-                            "-:8: the program goes on behind the % of line 5"),
+                            "-:8: the program continues after the % of line 5"),
                            ("O1000\nG21\nG1 X5 F100\nO2000\nG1 X9\n", "-:4: a second program begins here, after"),
-                           ("%one\nG21\nG1 X5 F100\n%two\nG1 X9\n", "-:5: the program goes on behind the % of line 4"),
+                           ("%one\nG21\nG1 X5 F100\n%two\nG1 X9\n", "-:5: the program continues after the % of line 4"),
                            ("G21\nG1 X1 F100\nM30\nG1 X9\n", "-:4: the program ended in line 3")):
             with self.subTest(text=text):
                 done = run("check", "-", text=text)
@@ -134,8 +134,8 @@ class Check(unittest.TestCase):
 
     def test_feeds_are_named_as_the_program_has_them(self):
         for text, told in (("G21\nG1 X1 F9999999\n", "-:2: F9999999 is above $110="),
-                           ("G20\nG1 X1 F9000\n", "-:2: F9000 asks for 228600 mm/min here, above $110="),
-                           ("G21 G93\nG1 X50 F6000\n", "-:2: F6000 asks for 300000 mm/min here, above $110="),
+                           ("G20\nG1 X1 F9000\n", "-:2: F9000 requires 228600 mm/min here, above $110="),
+                           ("G21 G93\nG1 X50 F6000\n", "-:2: F6000 requires 300000 mm/min here, above $110="),
                            ("G21\nF12345678.5\nG1 X1\n", "-:3: F12345678.5 is above"),
                            ("G21\nG1 A9 F99999\n", "the rate of A: driven"),
                            ("G21\nM4 S1000000\nG1 X1 F100\n", "-:2: S1000000 is above $30=1000 ")):

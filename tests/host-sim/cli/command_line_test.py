@@ -100,7 +100,8 @@ class CommandLine(unittest.TestCase):
         self.assertEqual(done.stderr, f"{part}:2: `nothing` is no number for y\n")
         part.write_text("0 0\n5 0\n5 1e30\n")
         self.assertEqual(run("offset", part, "--distance", "1").stderr,
-                         f"{part}: vertex 3 at 5 1e+30: farther than 10 km from the origin; is its unit mm?\n")
+                         f"{part}: vertex 3 at 5 1e+30: is farther than 10 km from the origin; "
+                         "check that its unit is mm\n")
         for distance in ("nan", "inf", "1e300", "x"):
             done = run("offset", part, "--distance", distance)
             self.assertEqual((done.returncode, done.stdout), (2, ""))

@@ -205,7 +205,7 @@ class Cut(CutBench):
     def test_curves_that_no_arcs_follow_are_told_with_their_place(self):
         odd = self.drawn("odd.svg", CURVES.replace("M10 30C10 5 45 0 80 30C60 60 10 55 10 30Z",
                                                    "M2 2C2 2 2 2 9 8L2 12Z"))
-        self.assertIn('odd.svg:2:1: path "leaf" at 9.000 52.000: a curve that begins here is',
+        self.assertIn('odd.svg:2:1: path "leaf" at 9.000 52.000: a part of the curve that begins here is',
                       self.refused(odd, *STEEL, status=1))
 
     def test_the_controller_finds_the_way_beside_parts(self):

@@ -183,8 +183,8 @@ class Pictures(unittest.TestCase):
         self.cut(drawing, *CUT, "--layer", BURN)
         self.expect_burnt(lambda u, v: (10 + PIXEL * u, 25 - PIXEL * v))
         self.assertRegex(self.program.read_text(), r"digest picture=[0-9a-f]{16} my photo.png")
-        for link, told in (("gone.png", "gone.png"), ("http://a.b/c.png", "is an address, and not fetched"),
-                           ("/etc/passwd", "is a path of another computer"), ("../photo.png", "is not below")):
+        for link, told in (("gone.png", "gone.png"), ("http://a.b/c.png", "is a web address, which is not downloaded"),
+                           ("/etc/passwd", "is a path on another computer"), ("../photo.png", "is not below")):
             drawing = page(PLATE, image('x="10" y="5" width="2" height="1.5"', link=link))
             note = self.cut(drawing, *CUT).stderr
             self.assertRegex(note, f'note: .*drawing.svg:1:[0-9]+: image "photo": .*{told}.*; embed it')

@@ -84,13 +84,13 @@ class Refusals(CutBench):
                 ("end.svg", "<svg", ":1:4: broken XML: "),
                 ("end.json", '[{"a":1', ":1:8: broken JSON; export it again"),
                 ("nan.svg", svg.format('<path id="p" d="M1 1L nan 5Z"/>'),
-                 ':2:1: path "p": L needs 2 numbers at character 7 of d; it is left out; mend it'),
+                 ':2:1: path "p": L needs 2 numbers at character 7 of d; it is left out; correct it'),
                 ("far.svg", svg.format('<path id="p" d="M1 1L1e9 5L3 4Z"/>'),
-                 ':2:1: path "p": a place that is no number, or farther than 10 km'),
+                 ':2:1: path "p": one of its points is not a number, or is farther than 10 km'),
                 ("nan.dxf", dxf.format("LINE\n8\n0\n10\nnan\n20\n0\n11\n5\n21\n5\n"),
-                 ":6: LINE: line 10: `nan` is no number; it is left out; mend it in the drawing"),
+                 ":6: LINE: line 10: `nan` is no number; it is left out; correct it in the drawing"),
                 ("dot.dxf", dxf.format("CIRCLE\n8\n0\n10\n5\n20\n5\n40\n0\n"),
-                 ":6: CIRCLE: its radius is not above 0; it is left out; mend it in the drawing"),
+                 ":6: CIRCLE: its radius is not above 0; it is left out; correct it in the drawing"),
                 ("end.dxf", "0\nSECTION\n2\nENTITIES\n0\nLINE\n8\n0\n",
                  "the file ends without EOF; it was cut off; copy or save it again")):
             with self.subTest(name):
@@ -110,7 +110,7 @@ class Refusals(CutBench):
                               '<ellipse id="e" rx="3" ry="0"/></svg>')
         done = run("cut", self.drawn("dots.svg", plate), *STEEL, *self.marks)
         self.assertEqual(done.returncode, 0, done.stderr)
-        for note in ('rect "r": width or height is 0: it has no area; it is left out; mend it',
+        for note in ('rect "r": width or height is 0: it has no area; it is left out; correct it',
                      'circle "c": r is 0: it has no area', 'ellipse "e": rx or ry is 0'):
             self.assertIn(note, done.stderr)
         self.assertIn("no program is written", self.refused(self.drawn(

@@ -79,7 +79,7 @@ class DrawingText(unittest.TestCase):
         packed.write_bytes(gzip.compress(NOTES.encode())[:-30])
         done = run("drawing", packed)
         self.assertEqual(done.returncode, 1)
-        self.assertIn("its gzip is damaged", done.stdout)
+        self.assertIn("its gzip data are damaged", done.stdout)
 
 
 if __name__ == "__main__":

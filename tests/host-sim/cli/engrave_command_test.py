@@ -161,7 +161,7 @@ class Engrave(unittest.TestCase):
             self.assertIn(told, self.engrave(picture, *wrong, status=2).stderr)
         text = self.folder / "text.txt"
         text.write_text("no picture")
-        self.assertIn("text.txt: is other text or binary data, and no PNG", self.engrave(text, *fine, status=2).stderr)
+        self.assertIn("text.txt: is no PNG, JPEG or BMP picture", self.engrave(text, *fine, status=2).stderr)
         broken = self.folder / "broken.png"
         broken.write_bytes(picture.read_bytes()[:40])
         self.assertIn("broken.png: the PNG is damaged", self.engrave(broken, *fine, status=2).stderr)

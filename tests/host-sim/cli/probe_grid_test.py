@@ -128,8 +128,8 @@ class ProbeGrid(unittest.TestCase):
     def test_warns_of_rises_that_are_shorter_than_the_way_to_stop(self):
         done = run("surface", "probe-grid", *WORDS, "--fast-feed", 900, "--retract", 0.5, "--hop", 0.2)
         self.assertEqual(done.returncode, 0)
-        self.assertIn("--retract 0.5: the tip may go on for 0.75 mm at 900 mm/min", done.stderr)
-        self.assertIn("--hop 0.2: the tip may go on for 0.5 mm at 600 mm/min", done.stderr)
+        self.assertIn("--retract 0.5: the tip may need 0.75 mm at 900 mm/min to stop", done.stderr)
+        self.assertIn("--hop 0.2: the tip may need 0.5 mm at 600 mm/min to stop", done.stderr)
         self.assertNotIn("go on", run("surface", "probe-grid", *WORDS, "--fast-feed", 900).stderr)
 
     def test_names_what_lacks_and_writes_nothing(self):
@@ -174,11 +174,11 @@ class ProbeGrid(unittest.TestCase):
 
     def test_wrong_values_are_named(self):
         for words, told in (
-                (("--safe", -8), "--safe -8: is not above --depth -8"), (("--pitch", 0), "--pitch: 0 mm"),
-                (("--pitch", "x"), "--pitch"), (("--feed", 0), "--feed 0: has to be above 0 mm/min"),
+                (("--safe", -8), "--safe -8: must be above --depth -8"), (("--pitch", 0), "--pitch: 0 mm"),
+                (("--pitch", "x"), "--pitch"), (("--feed", 0), "--feed 0: must be above 0 mm/min"),
                 (("--pitch", 0.01), "choose a greater pitch"), (("--x", "0"), "--x 0: is not FROM:TO"),
                 (("--x", "5:0"), "does not rise"), (("--y", "nan:4"), "check the unit"),
-                (("--fast-feed", 100), "is not above --feed"), (("--hop", -1), "--hop -1"),
+                (("--fast-feed", 100), "must be above --feed"), (("--hop", -1), "--hop -1"),
                 (("--tip", -2), "--tip -2"), (("--offset", "1,2,3"), "require --read"), (("--gaps",), "require --read"),
                 (("--columns", 3), "--columns")):
             options = list(map(str, WORDS))

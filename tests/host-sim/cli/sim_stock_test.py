@@ -206,7 +206,7 @@ class SimStock(unittest.TestCase):
                 (("--stock", "0,0,20,ten,0", *good[2:]), "`ten` is no number"),
                 (("--stock", "0,0,nan,10,0", *good[2:]), "`nan` is no number"),
                 (("--stock", "0,0,1e300,10,0", *good[2:]), "it takes -100000 to 100000 mm"),
-                (("--stock", "20,0,0,10,0", *good[2:]), "X of the stock is 20 to 0 mm; the second has to be greater"),
+                (("--stock", "20,0,0,10,0", *good[2:]), "20 to 0 mm; the second number must be greater"),
                 (("--stock", "0,0,20,10,0,0", *good[2:]), "Z of the stock is 0 to 0 mm"),
                 (("--stock", "0,0,20,10,0,-2000", *good[2:]), "the stock is 2000 mm high; it takes up to 1000 mm"),
                 (("--stock", "0,0,9000,9000,0", *good[2:], "--stock-cell", "0.01"), "cells of 0.01 mm; it takes up to"),

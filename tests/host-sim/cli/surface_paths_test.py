@@ -136,7 +136,7 @@ class SurfacePaths(unittest.TestCase):
 
     def test_levels_leave_no_more_than_a_layer_where_the_tool_may_be(self):
         _, printed = self.roughed()
-        rest = float(re.search(r"rest .* surely ([0-9.]+) mm", printed).group(1))
+        rest = float(re.search(r"rest .* at least ([0-9.]+) mm", printed).group(1))
         self.assertLess(rest, 3.0 + 0.4 + 2 * TOLERANCE + 0.3)
         self.assertGreater(rest, 0.3)
 
@@ -157,8 +157,8 @@ class SurfacePaths(unittest.TestCase):
                 (("--paths", "rough", "--layers", 1, "--stock-top", -90), self.part, "below the top of the stock"),
                 (("--paths", "rough", "--layers", 1, "--margin", 1, "--stock-margin", 1), self.part, "--margin: with"),
                 (("--stock-margin", 1), self.part, "--stock-margin: only --paths rough"),
-                (("--paths", "contour", "--step", 50), self.part, "take a smaller --step"),
-                (("--paths", "contour", "--step", 0.001), self.part, "mill it in parts or in rows")):
+                (("--paths", "contour", "--step", 50), self.part, "choose a smaller --step"),
+                (("--paths", "contour", "--step", 0.001), self.part, "mill the surface in parts or in rows")):
             done = self.surface(*tool, *options, file=file)
             self.assertEqual(done.returncode, 2, (options, done.stderr))
             self.assertIn(told, done.stderr)

@@ -14,7 +14,7 @@ import unittest
 
 from pocket_bench import MACHINE, MILL, run
 
-PICTURES = {"data": "Measured surface", "offset": "Places of the tool", "patches": "patches", "paths": "rapids",
+PICTURES = {"data": "Measured surface", "offset": "Positions of the tool", "patches": "patches", "paths": "rapids",
             "carved": "Carved stock", "map": "Off the surface, mm"}
 
 
@@ -71,7 +71,7 @@ class SurfacePictures(unittest.TestCase):
 
     def test_refuses_pictures_of_unknown_kinds_and_of_no_path(self):
         for options, message in (
-                (("--picture-data", self.folder / "a.jpg"), "a.jpg: is no kind of picture; let its name end in .svg"),
+                (("--picture-data", self.folder / "a.jpg"), "a.jpg: is no format of a picture"),
                 (("--picture-view", "0,90"), "an elevation of 5 to 85"),
                 (("--like-paper", "--picture-map", self.folder / "a.png"),
                  "--picture-map: there is no path to draw with --like-paper")):
@@ -120,7 +120,7 @@ class SurfacePictures(unittest.TestCase):
         for options, message in (
                 ((*stock, "--stock-map", "a.png"), "--stock-map: requires the surface of --stock-surface"),
                 (("--stock-surface", self.scan), "--stock-surface: requires the block of --stock"),
-                ((*stock, "--stock-surface", self.scan, "--stock-map", "a.gif"), "--stock-map a.gif: is no kind"),
+                ((*stock, "--stock-surface", self.scan, "--stock-map", "a.gif"), "--stock-map a.gif: is no format"),
                 ((*stock, "--stock-surface", self.folder / "no.xyz"), "no.xyz"),
                 (("--stock", "0,0,1200,800,-1,-8", "--tool", "ball:3", "--stock-surface", self.scan, "--stock-cell",
                   0.01), "so choose larger")):

@@ -115,7 +115,7 @@ class SurfaceRegions(unittest.TestCase):
         self.assertAlmostEqual(json.loads(report.read_text())["row_length_mm"], 12, 1)
         self.program.unlink()
         self.surface.write_text(grid(lambda x, y: 0.1 * x))
-        for options, told in (((), "no valley of it"), (("--step", 1), "--step: --pencil has no rows"),
+        for options, told in (((), "the surface has no valley"), (("--step", 1), "--step: --pencil has no rows"),
                               (("--layers", 1), "--layers: --pencil has no rows"),
                               (("--pencil-angle", 0), "--pencil-angle")):
             done = run("surface", self.surface, *pencil, *options)
@@ -132,7 +132,7 @@ class SurfaceRegions(unittest.TestCase):
         for options, told in (
                 (("--boundary", open_line), "open.svg:1"),
                 (("--boundary", self.folder / "none.svg"), "none.svg"),
-                (("--boundary", far), "no row of it is in the region"),
+                (("--boundary", far), "no row is in the region"),
                 (("--boundary-side", "inside"), "--boundary-side: requires --boundary"),
                 (("--boundary", self.drawing, "--boundary-side", "inside", "--tool", "ball:16"), "fits nowhere"),
                 (("--slope", "30"), "--slope 30: is not LOW:HIGH"),

@@ -124,7 +124,7 @@ class WallCarving(unittest.TestCase):
         good = self.file("good.txt", "0 0 -0.1 0 0 1\n")
         carve = ("wall", "carve", self.part, "--half-angle", 7, "-o", output, "--beams")
         calls = (
-            ((*carve, self.file("a", "0 0 0 0 0 1\n1 2 3\n")), "a:2: `1 2 3` is no beam; give"),
+            ((*carve, self.file("a", "0 0 0 0 0 1\n1 2 3\n")), "a:2: `1 2 3` is not a beam; give"),
             ((*carve, self.file("b", "0 0 0 1 0 0\n")), "b:1: "),
             ((*carve, self.file("c", "0 0 0 0 0 1 -1\n")), "c:1: "),
             ((*carve, self.file("d", "nan 0 0 0 0 1\n")), "d:1: "),
@@ -133,11 +133,11 @@ class WallCarving(unittest.TestCase):
             ((*carve, good, "--depth", 0.1), "add --waist"),
             (("wall", "carve", self.part, "--beams", good, "--half-angle", 30, "--heat", 60), "exceed 85 degrees"),
             ((*carve, good, "--section", "0,0,1,1"), "--section and --picture-section require each other"),
-            ((*carve, good, "--section", "1,1,1,1", "--picture-section", "a.gif"), "is no kind of picture"),
+            ((*carve, good, "--section", "1,1,1,1", "--picture-section", "a.gif"), "is no format of a picture"),
             ((*carve, good, "--section", "1,1,1,1", "--picture-section", "a.svg"), "both ends are one point"),
-            (("wall", "taper", self.file("f", "0 13\n0 x\n"), "--half-angle", 7), "f:2: `0 x` is no cut"),
+            (("wall", "taper", self.file("f", "0 13\n0 x\n"), "--half-angle", 7), "f:2: `0 x` is not a cut"),
             (("wall", "taper", self.file("g", "30 30\n"), "--half-angle", 7), "only walls that an upright beam"),
-            (("wall", "taper", self.file("h", "0 5 0\n0 9 1\n"), "--half-angle", 7), "which no gain"),
+            (("wall", "taper", self.file("h", "0 5 0\n0 9 1\n"), "--half-angle", 7), "no gain from 0 to 12"),
             (("wall", self.part, "--half-angle", 30, "--taper-gain", 3, "--at", good), "leave no beam"),
         )
         for call, message in calls:

@@ -94,13 +94,13 @@ class WallCommand(unittest.TestCase):
         hole = self.folder / "hole.stl"
         hole.write_bytes(pocket_stl(open_floor=True))
         calls = (
-            ((hole, "--half-angle", 7, "--at", tips), "hole.stl: encloses no solid: the edge from 10 -10 0"),
+            ((hole, "--half-angle", 7, "--at", tips), "hole.stl: does not enclose a solid: the edge from 10 -10 0"),
             ((self.part, "--half-angle", 7), "--at is missing"),
             ((self.part, "--at", tips), "--half-angle is missing"),
             ((self.part, "--half-angle", 90, "--at", tips), "--half-angle"),
             ((self.part, "--half-angle", 80, "--margin-angle", 10, "--at", tips), "leave no beam"),
-            ((self.part, "--half-angle", 7, "--at", self.file("a", "0 0 0\n1 2\n")), "a:2: `1 2` is none; give"),
-            ((self.part, "--half-angle", 7, "--at", self.file("b", "nan 0 0\n")), "b:1: `nan 0 0` is none"),
+            ((self.part, "--half-angle", 7, "--at", self.file("a", "0 0 0\n1 2\n")), "a:2: `1 2` is not a valid line"),
+            ((self.part, "--half-angle", 7, "--at", self.file("b", "nan 0 0\n")), "b:1: `nan 0 0` is not a valid line"),
             ((self.part, "--half-angle", 7, "--at", self.file("c", "#\n")), "is empty"),
             (("--cones", self.file("d", "0 0 0 0 0 0 0.5 1 0 0 1 1 0 1 0 1 1\n")), "d:1:"),
             (("--cones", self.file("e", "0 0 0 0 0 1 1.0 1 0 0 1 1 0 1 0 1 1\n")), "e:1:"),

@@ -36,7 +36,9 @@ TEST(ContourOffset, SaysWhereTooMuchOfItMeets) {
     FAIL() << "more than 8 meetings are none";
   } catch (const NoOffset& failure) {
     EXPECT_THAT(failure.what(), testing::HasSubstr("cross each other more than 8 times"));
-    EXPECT_THAT(failure.what(), testing::HasSubstr("in a square of 1 mm; simplify it there"));
+    EXPECT_THAT(failure.what(),
+                testing::HasSubstr("in a square of 1 mm; simplify the contour "
+                                   "here"));
     EXPECT_GE(failure.place().x(), 50.0);
     EXPECT_LE(failure.place().x(), 54.0);
   }

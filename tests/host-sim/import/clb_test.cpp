@@ -72,8 +72,8 @@ TEST(Clb, AKerfOffsetIsNoted) {
   ASSERT_THAT(library.notes, SizeIs(1));
   EXPECT_THAT(library.notes[0], testing::StartsWith("shop.clb:"));
   EXPECT_THAT(library.notes[0],
-              testing::EndsWith("the kerf offset of 0.07 mm is not taken: --kerf 0.14, the whole "
-                                "width, says the same"));
+              testing::EndsWith("the kerf offset of 0.07 mm is not used: set --kerf 0.14, the full "
+                                "width of the kerf, instead"));
 }
 
 TEST(Clb, WhatIsNoLibraryIsRefusedWithItsPlace) {
@@ -82,7 +82,7 @@ TEST(Clb, WhatIsNoLibraryIsRefusedWithItsPlace) {
             "library again");
   EXPECT_THAT(fault_of_clb("<LightBurnLibrary>\n<Material"), HasSubstr("shop.clb:2:"));
   EXPECT_THAT(fault_of_clb("<svg/>"), HasSubstr("it is no library of materials of LightBurn"));
-  EXPECT_THAT(fault_of_clb(clb_of("")), HasSubstr("has no entry that can be taken"));
+  EXPECT_THAT(fault_of_clb(clb_of("")), HasSubstr("has no entry that can be used"));
 }
 
 TEST(Clb, WhatIsLeftOutIsANote) {

@@ -147,7 +147,7 @@ TEST(DxfHeader, UnitsScaleAndMissingOnesAreTold) {
   EXPECT_NEAR(length("9\n$INSUNITS\n70\n5\n", {.unit_mm = 25.4}), 25.4, 1e-12);
   const Drawing drawn = read(in_header("9\n$MEASUREMENT\n70\n0\n", circle_on("0")));
   ASSERT_THAT(kinds_of(drawn), ElementsAre(FaultKind::kNote));
-  EXPECT_THAT(drawn.faults[0].reason, HasSubstr("taken as mm, though $MEASUREMENT says English"));
+  EXPECT_THAT(drawn.faults[0].reason, HasSubstr("mm is assumed, though $MEASUREMENT says English"));
   EXPECT_FALSE(drawn.has_errors());
   const ImportOptions inches{.unit_mm = 25.4};
   EXPECT_THAT(read_drawing("f", in_header("", circle_on("0")), inches).faults, IsEmpty());
@@ -182,7 +182,7 @@ TEST(DxfLayers, WhatIsHiddenIsNamedAndNotDrawn) {
                     HasSubstr("layer Ice is frozen"),
                     HasSubstr("layer Plan is not plotted"),
                     HasSubstr("invisible entities"),
-                    HasSubstr("entities of the paper")));
+                    HasSubstr("entities in paper space")));
   EXPECT_FALSE(drawn.has_errors());
 }
 
@@ -271,7 +271,7 @@ TEST(DxfClips, InsideIsKeptOutsideIsNotedAcrossIsAFault) {
   EXPECT_NEAR(start_of(drawn.contours[0].shapes[0]).x(), 1.0, 1e-9);
   std::string all;
   for (const Fault& fault : drawn.faults) all += to_string(fault, "f") + "\n";
-  EXPECT_THAT(all, HasSubstr("outside of the boundary of its block (XCLIP) is not seen"));
+  EXPECT_THAT(all, HasSubstr("outside of the boundary of their block (XCLIP) are not visible"));
   EXPECT_THAT(all, HasSubstr("it crosses the boundary of INSERT 10 (XCLIP) and is left out"));
   EXPECT_THAT(clipped_block("70\n2\n10\n0\n20\n0\n10\n10\n20\n10\n71\n0\n").contours, SizeIs(3))
       << "it is off";

@@ -117,7 +117,7 @@ TEST(DxfLetters, CodesOfTwoPercentSignsAreCharacters) {
   EXPECT_THAT(notes_of_dxf(dxf_lettered(text_of("%%uA"))),
               HasSubstr("lines under or over its letters"));
   EXPECT_THAT(notes_of_dxf(dxf_lettered(text_of("A%%233B%%065"))),
-              HasSubstr("letters by numbers (%%nnn) that are none of ASCII: left out"));
+              HasSubstr("characters (%%nnn) that are not in ASCII: they are left out"));
 }
 
 TEST(DxfLetters, BackwardsUpsideDownAndSeenFromBehind) {
@@ -138,7 +138,7 @@ TEST(DxfLetters, StylesGiveWidthFlagsAndTheNameOfTheirFont) {
   const OutlineBox box = box_of(drawn);
   EXPECT_LT(box.most.x(), 100.0) << "backwards";
   EXPECT_NEAR(box.width(), 0.5 * box_of(dxf_lettered(text_of("H"))).width(), 0.5);
-  EXPECT_THAT(notes_of_dxf(drawn), HasSubstr("style old wishes the font txt.shx: "));
+  EXPECT_THAT(notes_of_dxf(drawn), HasSubstr("style old names the font txt.shx: "));
   EXPECT_THAT(notes_of_dxf(dxf_lettered(text, TextMode::kStroke)), Not(HasSubstr("wishes")));
 }
 

@@ -57,8 +57,9 @@ TEST(Filling, AnOutlineThatIsTooDenseIsToldWithPlaceAndLimit) {
   EXPECT_THAT(to_string(drawn.faults[0], "f.svg"),
               testing::MatchesRegex(
                   "f.svg:1:[0-9]+: polygon \"hair\" at 0.000 90.000: too many curves lie close "
-                  "together to look for crossings everywhere: 20000 pairs of them were looked at; "
-                  "simplify the drawing here, or cut it in parts"));
+                  "together to search all of them for crossings: 20000 pairs of curves were "
+                  "compared; "
+                  "simplify the drawing here, or divide it into several files"));
 }
 
 TEST(Filling, ALoopWithinTheShapeIsLeftOutToo) {

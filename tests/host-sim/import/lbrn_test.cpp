@@ -122,7 +122,7 @@ TEST(Lbrn, AKerfOffsetIsNotedOnceForItsLayer) {
   const Drawing drawn = read(project_of(setting + rects));
   ASSERT_THAT(kinds_of(drawn), ElementsAre(FaultKind::kNote));
   EXPECT_THAT(drawn.faults[0].reason,
-              HasSubstr("layer Edge: the kerf offset of -0.1 mm is not taken: --kerf 0.2"));
+              HasSubstr("layer Edge: the kerf offset of -0.1 mm is not used: set --kerf 0.2"));
 }
 
 TEST(Lbrn, WhatIsNotReadIsNamed) {
@@ -131,7 +131,9 @@ TEST(Lbrn, WhatIsNotReadIsNamed) {
   };
   EXPECT_THAT(first(shape("Type=\"Polygon\" N=\"6\" Rx=\"5\" Ry=\"5\"", kAtFive)),
               AllOf(HasSubstr("f:2:"), HasSubstr("Polygon: this kind of shape is not read")));
-  EXPECT_THAT(first(shape("Type=\"Bitmap\" W=\"5\" H=\"5\"", kAtFive)), HasSubstr("no data of it"));
+  EXPECT_THAT(first(shape("Type=\"Bitmap\" W=\"5\" H=\"5\"", kAtFive)),
+              HasSubstr("does not "
+                        "contain its data"));
   EXPECT_THAT(first(shape("Type=\"Rect\" W=\"0\" H=\"5\"", "")), HasSubstr("not above 0"));
   EXPECT_THAT(first(shape("Type=\"Rect\" W=\"5\" H=\"5\" Cr=\"-1\"", "")), HasSubstr("inwards"));
   EXPECT_THAT(first(shape("Type=\"Rect\" W=\"5\" H=\"5\"", "<XForm>1 0 0</XForm>")),

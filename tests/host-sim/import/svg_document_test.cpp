@@ -49,7 +49,7 @@ TEST(SvgEntities, WhatIsNotDeclaredOrHoldsItselfIsAFault) {
   EXPECT_THAT(first_fault(read(svg_of("\n<g>&nope;</g>"))),
               HasSubstr("f:2:4: entity &nope;: it is not declared"));
   EXPECT_THAT(first_fault(read(with_entities("<!ENTITY a '&b;'><!ENTITY b '&a;'>", "&a;"))),
-              HasSubstr("it holds itself"));
+              HasSubstr("it contains itself"));
   EXPECT_THAT(first_fault(read(with_entities("<!ENTITY a SYSTEM 'a.ent'>", ""))),
               HasSubstr("entities of other files"));
 }
@@ -63,7 +63,7 @@ TEST(SvgEntities, ABillionLaughsEnd) {
   }
   const Drawing drawn = read(with_entities(entities, "&e11;"));
   ASSERT_THAT(kinds_of(drawn), ElementsAre(FaultKind::kUnreadable));
-  EXPECT_THAT(first_fault(drawn), HasSubstr("its entities become more than"));
+  EXPECT_THAT(first_fault(drawn), HasSubstr("its entities expand to more than"));
 }
 
 std::string gzip(const std::string& text) {
@@ -84,8 +84,10 @@ std::string gzip(const std::string& text) {
 TEST(SvgPacked, SvgzIsReadAndDamageIsRefused) {
   const std::string packed = gzip(svg_of("<rect width='3' height='3'/>"));
   EXPECT_NEAR(whole_area_of(read(packed)), 9.0, 1e-9);
-  EXPECT_THAT(first_fault(read(packed.substr(0, packed.size() / 2))), HasSubstr("gzip is damaged"));
-  EXPECT_THAT(first_fault(read(gzip("hello"))), HasSubstr("holds no SVG"));
+  EXPECT_THAT(first_fault(read(packed.substr(0, packed.size() / 2))),
+              HasSubstr("gzip data are "
+                        "damaged"));
+  EXPECT_THAT(first_fault(read(gzip("hello"))), HasSubstr("contain no SVG"));
 }
 
 TEST(SvgStructure, OneChildOfASwitchIsDrawn) {

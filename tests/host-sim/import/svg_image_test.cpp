@@ -145,8 +145,8 @@ TEST(SvgImage, IsReadBesideTheDrawingOnly) {
   EXPECT_EQ(fine.pictures.front().file, "my photos/a.bmp");
   EXPECT_EQ(read, std::vector<std::string>{"my photos/a.bmp"});
   for (const auto& [link, told] : std::vector<std::pair<std::string, std::string>>{
-           {"http://a.b/c.png", "is an address"},
-           {"file:///c.png", "is an address"},
+           {"http://a.b/c.png", "is a web address"},
+           {"file:///c.png", "is a web address"},
            {"/etc/c.png", "is a path"},
            {"C:\\c.png", "is a path"},
            {"../c.png", "is not below"},

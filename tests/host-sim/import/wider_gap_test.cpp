@@ -47,7 +47,7 @@ TEST(WiderGap, IsNoneWhereMostEndsAreFartherApart) {
   const std::string squares = loose_square(0, 9, 0.6) + loose_square(20, 9, 0.03);
   const Drawing one_of_two = by_auto(squares);
   EXPECT_THAT(kinds_of(one_of_two), Not(Contains(FaultKind::kNote)));
-  EXPECT_THAT(one_of_two.faults.at(0).remedy, HasSubstr("join wider gaps than 0.01 mm"));
+  EXPECT_THAT(one_of_two.faults.at(0).remedy, HasSubstr("join gaps wider than 0.01 mm"));
   EXPECT_THAT(by_auto(loose_square(0, 9, 0.0)).faults, IsEmpty());
 }
 

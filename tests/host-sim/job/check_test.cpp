@@ -78,7 +78,9 @@ TEST(Check, LeavesRefusedLinesOutOfAllFigures) {
   EXPECT_DOUBLE_EQ(report.cut_length_mm, 6.0);
   EXPECT_DOUBLE_EQ(report.axes[0].greatest_mm, 6.0);
   EXPECT_EQ(report.faults.size(), 3U) << "no travel is exceeded";
-  EXPECT_THAT(report.warnings, Contains("f: bounds, length and time leave out 3 refused lines"));
+  EXPECT_THAT(report.warnings,
+              Contains("f: bounds, length and time do not include 3 refused "
+                       "lines"));
   EXPECT_THAT(checked("G0 X1\n").warnings, IsEmpty());
 }
 
@@ -152,7 +154,7 @@ TEST(Check, ReadsWhatTheControllerTakes) {
   }
   EXPECT_DOUBLE_EQ(checked("/G0 X5\nN10 /G0 X7\n", {"$890=0"}).path_length_mm, 7.0);
   EXPECT_THAT(checked("G2 X10 I5 K2 F100\n").warnings,
-              ElementsAre("f:1: K lies outside the plane of the arc and has no effect"));
+              ElementsAre("f:1: K is not in the plane of the arc and has no effect"));
 }
 
 TEST(Check, WarnsOfPowerAndFeedsBeyondTheMachine) {

@@ -59,9 +59,8 @@ TEST(ProgramText, LeavesOutGoodChecksOfAnyForm) {
                       with_crc("N4 G0 (a) X1") + "\n" + with_sum("G0 X2") + "\n");
   EXPECT_EQ(program.text,
             "N1 G21   \nN2 G1 X5 F500    ; go\nN3 G1 X0    \t\nN4 G0 (a) X1         \nG0 X2   \n");
-  EXPECT_THAT(
-      said(program.notes),
-      ElementsAre("f:1:7: checks of lines, all of them right, are left out; 5 times in all"));
+  EXPECT_THAT(said(program.notes),
+              ElementsAre("f:1:7: correct checks of lines are left out; 5 times in all"));
   EXPECT_THAT(program.faults, IsEmpty());
 }
 
@@ -102,7 +101,7 @@ TEST(ProgramText, LeavesOutMarksControlBytesAndWhatActsAtOnce) {
   EXPECT_THAT(
       said(program.notes),
       ElementsAre("f:1:3: a no-break space (U+00A0) is read as a blank; 2 times in all",
-                  "f:2:6: '!' is a command that acts at once: it is left out of the program; "
+                  "f:2:6: '!' is a command that acts immediately: it is left out of the program; "
                   "2 times in all",
                   "f:3:1: control byte 0x00 is left out; 2 times in all"));
 }

@@ -201,7 +201,7 @@ TEST(JointProgram, RefusesWhatCannotBeCarriedOver) {
   EXPECT_THAT(fault_of("G2 X1 I0.5 F60\nG43.4\n", tables), HasSubstr("job.nc:1: an arc"));
   EXPECT_THAT(fault_of("G43.4\nG1 A10 F600\n",
                        {{cnc::setting::kRotaryAxes, 1}, {cnc::setting::kMaxTilt, 5.0}}),
-              HasSubstr("job.nc:2: A10.000 is beyond the machine's tilt"));
+              HasSubstr("job.nc:2: A10.000 is outside of the machine's range of tilt"));
   EXPECT_THAT(fault_of("G43.4\nG1 X1\nM2\n", tables), HasSubstr("feed"));
 }
 

@@ -104,7 +104,7 @@ TEST(BesidePath, D0IsTheToolThatIsIn) {
   const ProgrammedPath none = beside_path(read_program("F60 G41 D0 G1 X10\nY10\nG40 X0\n"));
   expect_ends(none, {{10.0, 0.0}, {10.0, 10.0}, {0.0, 10.0}});
   ASSERT_EQ(none.notes.size(), 1U);
-  EXPECT_EQ(none.notes[0].text, "D is 0: G41 and G42 drive the path as it is programmed");
+  EXPECT_EQ(none.notes[0].text, "D is 0: G41 and G42 do not offset the programmed path");
 }
 
 TEST(BesidePath, TakesTheWidthFromTheTool) {
@@ -145,7 +145,7 @@ TEST(BesidePath, SaysWhereTheKerfIsNotKnown) {
   const ProgrammedPath path = read_program("F60 S1\nG42 G1 X10\nG40 Y5\n", {.laser_mode = true});
   ASSERT_EQ(path.notes.size(), 1U);
   EXPECT_EQ(path.notes[0].line, 2);
-  EXPECT_EQ(path.notes[0].text, "the kerf is not known here, G41 and G42 are left out");
+  EXPECT_EQ(path.notes[0].text, "the kerf is not known here; G41 and G42 are left out");
 }
 
 TEST(BesidePath, StatementsAreNoWords) {

@@ -92,7 +92,7 @@ TEST_F(LookAheadTest, NothingActsWithinACheckedLine) {
 class ToolChangeBehindLookAhead : public LookAheadTest {
  protected:
   [[nodiscard]] const cnc::Machine& machine() { return session.controller().machine(); }
-  [[nodiscard]] double x_mm() { return machine().position()[0].mm(); }
+  [[nodiscard]] double x_mm() { return machine().motion().tool_place()[0].mm(); }
   void run_to_tool(int lines, const std::string& end) {
     std::string text = "G21 G90 F6000" + end + "M6 T2" + end;
     for (int line = 0; line < lines; ++line) text += "G1 X" + std::to_string(1 + line % 3) + end;
@@ -111,7 +111,7 @@ TEST_F(ToolChangeBehindLookAhead, NothingOfTheProgramIsDoneBeforeItGoesOn) {
       run_to_tool(lines, end);
       hear("\xA3");
       turn(10);
-      const bool open = machine().changes_tool();
+      const bool open = machine().tool_change().open();
       refused += open ? 0 : 1;
       EXPECT_EQ(
           said,
@@ -120,7 +120,7 @@ TEST_F(ToolChangeBehindLookAhead, NothingOfTheProgramIsDoneBeforeItGoesOn) {
       turn(1'000);
       EXPECT_EQ(machine().state(), cnc::MachineState::kTool);
       EXPECT_EQ(x_mm(), 0.0);
-      EXPECT_EQ(machine().position()[1].mm(), open ? 2.0F : 0.0F);
+      EXPECT_EQ(machine().motion().tool_place()[1].mm(), open ? 2.0F : 0.0F);
       hear("\x18");
       turn(20);
       hear("G0 X0 Y0\n");
@@ -135,10 +135,10 @@ TEST_F(ToolChangeBehindLookAhead, WhatComesAtOnceIsDoneInItsOrder) {
   run_to_tool(2, "\n");
   hear("\xA3$J=G91 Y3 F6000\nG4 P0.5\n~G1 X5\n");
   turn(300);
-  EXPECT_EQ(machine().position()[1].mm(), 3.0F);
+  EXPECT_EQ(machine().motion().tool_place()[1].mm(), 3.0F);
   EXPECT_EQ(x_mm(), 0.0);
   turn(4'000);
-  EXPECT_EQ(machine().position()[1].mm(), 0.0F) << "back to where the program stood";
+  EXPECT_EQ(machine().motion().tool_place()[1].mm(), 0.0F) << "back to where the program stood";
   EXPECT_EQ(x_mm(), 5.0);
   EXPECT_EQ(machine().state(), cnc::MachineState::kIdle);
 }

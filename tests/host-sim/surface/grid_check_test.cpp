@@ -25,8 +25,9 @@ PointGrid saddle(std::size_t rows = 12, std::size_t columns = 15) {
 TEST(GridCheck, EqualNeighboursAreRefused) {
   PointGrid grid = saddle();
   grid.points[20] = grid.points[19];
-  EXPECT_EQ(refusal_of(xyz_of(grid, "\n")),
-            "f:22: 1 points equal their neighbour at row 2, column 6; leave each point there once");
+  EXPECT_EQ(
+      refusal_of(xyz_of(grid, "\n")),
+      "f:22: 1 points equal their neighbour at row 2, column 6; keep only one of equal points");
   grid = saddle();
   grid.points[20] = grid.points[5];
   EXPECT_THAT(refusal_of(xyz_of(grid, "\n")), HasSubstr("at row 2, column 6"));
@@ -35,9 +36,10 @@ TEST(GridCheck, EqualNeighboursAreRefused) {
 TEST(GridCheck, FoldsAreRefused) {
   PointGrid grid = saddle();
   std::swap(grid.points[20], grid.points[21]);
-  EXPECT_THAT(refusal_of(xyz_of(grid, "\n"), {.repair = true}),
-              StartsWith("f:6: 2 quadrilaterals turn over seen from above, the first at row 1, "
-                         "column 6; row 2, column 6; sort the points"));
+  EXPECT_THAT(
+      refusal_of(xyz_of(grid, "\n"), {.repair = true}),
+      StartsWith("f:6: 2 quadrilaterals are flipped as seen from above, the first at row 1, "
+                 "column 6; row 2, column 6; sort the points"));
   // All rows run back between the same columns.
   PointGrid back{3, 5, {}};
   for (std::size_t i = 0; i < 15; ++i) {
@@ -48,7 +50,8 @@ TEST(GridCheck, FoldsAreRefused) {
 }
 
 TEST(GridCheck, AGridWithoutPlanAreaIsRefused) {
-  EXPECT_THAT(refusal_of("0 0 0\n0 1 0\n\n0 0 1\n0 1 1\n"), HasSubstr("no area seen from above"));
+  EXPECT_THAT(refusal_of("0 0 0\n0 1 0\n\n0 0 1\n0 1 1\n"),
+              HasSubstr("no area as seen from above"));
 }
 
 TEST(GridCheck, AVerticalStepIsNoFold) {
@@ -61,9 +64,10 @@ TEST(GridCheck, GapsAreRefusedAndBridged) {
     point.x() += 0.3 * std::sin(point.y());
     if (point.y() > 4.5) point.y() += 6.3;
   }
-  EXPECT_THAT(refusal_of(xyz_of(grid, "\n")),
-              StartsWith("f:81: 15 gaps of several times the usual spacing, before the points at "
-                         "row 6, column 1;"));
+  EXPECT_THAT(
+      refusal_of(xyz_of(grid, "\n")),
+      StartsWith("f:81: has 15 gaps of several times the usual spacing, before the points at "
+                 "row 6, column 1;"));
   const SurfaceInput input = read_surface(xyz_of(grid, "\n"), "f", {.repair = true});
   EXPECT_EQ(input.grid->points, grid.points);
   EXPECT_THAT(input.notes, ElementsAre(HasSubstr("15 gaps are bridged, before row 6, column 1")));
@@ -74,13 +78,16 @@ TEST(GridCheck, OutliersAreRefusedAndReplaced) {
   PointGrid grid = sound;
   grid.points[50].z() += 3.0;
   grid.points[100].z() -= 30.0;
-  EXPECT_EQ(refusal_of(xyz_of(grid, "\n")),
-            "f:54: 2 heights are far off their neighbours at row 4, column 6; row 7, column 11; "
-            "measure them again, or replace them with --repair");
+  EXPECT_EQ(
+      refusal_of(xyz_of(grid, "\n")),
+      "f:54: 2 heights differ too much from their neighbours at row 4, column 6; row 7, column 11; "
+      "measure them again, or replace them with --repair");
   const SurfaceInput input = read_surface(xyz_of(grid, "\n"), "f", {.repair = true});
-  EXPECT_THAT(input.notes,
-              ElementsAre("f: 2 outliers are replaced from their neighbours, at row 4, column 6; "
-                          "row 7, column 11"));
+  EXPECT_THAT(
+      input.notes,
+      ElementsAre(
+          "f: 2 outliers are replaced by heights from their neighbours, at row 4, column 6; "
+          "row 7, column 11"));
   for (std::size_t i = 0; i < sound.points.size(); ++i) {
     EXPECT_NEAR((input.grid->points[i] - sound.points[i]).norm(), 0.0, 1e-5) << i;
   }

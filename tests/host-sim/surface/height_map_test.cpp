@@ -77,14 +77,15 @@ TEST(PgmReader, BadPicturesAreRefused) {
   EXPECT_THAT(refusal_of("P2 2 2 9 1 2 3 4", {.pitch_mm = 1.0}), HasSubstr("--height"));
   EXPECT_THAT(refusal_of("P2 2 2 9 1 2 3 10", options),
               HasSubstr("10 in row 2, column 2 is above"));
-  EXPECT_THAT(refusal_of("P2 2 2\n9 1 2 x 4 ", options), StartsWith("f:2: `x` is no whole number"));
+  EXPECT_THAT(refusal_of("P2 2 2\n9 1 2 x 4 ", options),
+              StartsWith("f:2: `x` is not a whole number"));
   EXPECT_THAT(refusal_of("P2 2 2 99 11 22 3 ", options), HasSubstr("ends too early"));
   EXPECT_THAT(refusal_of("P2 2", options), HasSubstr("ends too early"));
   EXPECT_THAT(refusal_of("P5 2 2 255\nabc", options), HasSubstr("needs 1 more bytes"));
   EXPECT_THAT(refusal_of("P5 2 2 256\nabcdefg", options), HasSubstr("needs 1 more bytes"));
   EXPECT_THAT(refusal_of("P5 1 9 255\nabcdefghi", options), HasSubstr("has 9 rows of 1 heights"));
-  EXPECT_THAT(refusal_of("P5 2 2 0\nabcd", options), HasSubstr("its white is 0"));
-  EXPECT_THAT(refusal_of("P5 2 2 65536\nabcd", options), HasSubstr("its white is 65536"));
+  EXPECT_THAT(refusal_of("P5 2 2 0\nabcd", options), HasSubstr("its value of white is 0"));
+  EXPECT_THAT(refusal_of("P5 2 2 65536\nabcd", options), HasSubstr("its value of white is 65536"));
   EXPECT_THAT(refusal_of("P5 4000000000 4000000000 255\n", options), HasSubstr("are too many"));
   EXPECT_THAT(refusal_of("P5 18446744073709551615 2 255\n", options), HasSubstr("are too many"));
   EXPECT_THAT(refusal_of("P5 5000 5000 255\n", options), HasSubstr("needs 25000000 more bytes"));
@@ -146,14 +147,14 @@ TEST(AscReader, BadGridsAreRefused) {
   const std::string start = "ncols 2\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 1\n";
   EXPECT_THAT(refusal_of(start + "1 2 3\n"),
               StartsWith("f:7: ends in row 2, after 3 heights of 4"));
-  EXPECT_THAT(refusal_of(start + "1 2\n3 4\n5\n"), StartsWith("f:8: more than 4 heights"));
+  EXPECT_THAT(refusal_of(start + "1 2\n3 4\n5\n"), StartsWith("f:8: has more than 4 heights"));
   EXPECT_THAT(refusal_of(start + "1 2\n3 x\n"),
-              StartsWith("f:7: `x` in row 2, column 2 is no finite number"));
-  EXPECT_THAT(refusal_of(start + "1 2\n3 inf\n"), HasSubstr("column 2 is no finite number"));
+              StartsWith("f:7: `x` in row 2, column 2 is not a finite number"));
+  EXPECT_THAT(refusal_of(start + "1 2\n3 inf\n"), HasSubstr("column 2 is not a finite number"));
   EXPECT_THAT(refusal_of("ncols 2\nnrows 2\nfoo 3\n1 2 3 4\n"), StartsWith("f:3: `foo 3` is no"));
   EXPECT_THAT(refusal_of("ncols 2\nnrows 2\n1 2 3 4\n"), HasSubstr("no cellsize above 0"));
-  EXPECT_THAT(refusal_of("ncols 2.5\nnrows 2\n1 2 3 4\n"), HasSubstr("no whole number"));
-  EXPECT_THAT(refusal_of("ncols -2\nnrows 2\n1 2 3 4\n"), HasSubstr("no whole number"));
+  EXPECT_THAT(refusal_of("ncols 2.5\nnrows 2\n1 2 3 4\n"), HasSubstr("not a whole number"));
+  EXPECT_THAT(refusal_of("ncols -2\nnrows 2\n1 2 3 4\n"), HasSubstr("not a whole number"));
   EXPECT_THAT(refusal_of("ncols 1\nnrows 2\n1 2\n"), HasSubstr("2 rows of 1 heights"));
   EXPECT_THAT(refusal_of("ncols 30000\nnrows 30000\n1 2\n"), HasSubstr("too many"));
   EXPECT_THAT(refusal_of("ncols 3000\nnrows 3000\ncellsize 1\n1 2\n"), HasSubstr("too short"));

@@ -115,13 +115,14 @@ TEST(PlyReader, AllScalarsAreRead) {
 TEST(PlyReader, GreatPromisesAreRefusedBeforeMemoryIsReserved) {
   const std::string start = "ply\nformat binary_little_endian 1.0\nelement vertex 4000000000\n";
   const std::string face = "element face 1\nproperty list uchar int vertex_indices\nend_header\n";
-  EXPECT_EQ(refusal_of(start + "property float x\nproperty float y\nproperty float z\n" + face +
-                       std::string(1000, '\0')),
-            "f: promises 4000000000 of `vertex`, and has bytes for 83; the file is cut off; export "
-            "it again");
+  EXPECT_EQ(
+      refusal_of(start + "property float x\nproperty float y\nproperty float z\n" + face +
+                 std::string(1000, '\0')),
+      "f: announces 4000000000 of `vertex`, but has bytes for 83; the file is cut off; export "
+      "it again");
   EXPECT_THAT(refusal_of(start + face), HasSubstr("an element without properties"));
   EXPECT_THAT(refusal_of("ply\nformat ascii 1.0\nelement vertex 99999999999999999999\n"),
-              StartsWith("f:3: `99999999999999999999` is no count"));
+              StartsWith("f:3: `99999999999999999999` is not a number"));
   EXPECT_THAT(refusal_of("ply\nformat binary_big_endian 1.0\nelement vertex 1\nproperty float x\n"
                          "property float y\nproperty float z\nelement face 1\n"
                          "property list uint int vertex_indices\nend_header\n" +
@@ -131,9 +132,9 @@ TEST(PlyReader, GreatPromisesAreRefusedBeforeMemoryIsReserved) {
 
 TEST(PlyReader, BadHeadersAreRefusedWithTheirLine) {
   EXPECT_EQ(refusal_of("ply\nfromat ascii 1.0\n"),
-            "f:2: `fromat` is no word of a PLY header; export the mesh again");
-  EXPECT_THAT(refusal_of("ply\nformat utf8 1.0\n"), StartsWith("f:2: `utf8` is no format"));
-  EXPECT_THAT(refusal_of("ply\nelement vertex -1\n"), StartsWith("f:2: `-1` is no count"));
+            "f:2: `fromat` is not a word of a PLY header; export the mesh again");
+  EXPECT_THAT(refusal_of("ply\nformat utf8 1.0\n"), StartsWith("f:2: `utf8` is not a format"));
+  EXPECT_THAT(refusal_of("ply\nelement vertex -1\n"), StartsWith("f:2: `-1` is not a number"));
   EXPECT_THAT(refusal_of("ply\nproperty float x\n"), StartsWith("f:2: a property before"));
   EXPECT_THAT(refusal_of("ply\nelement a 1\nproperty half x\n"), StartsWith("f:3: `half` is no"));
   EXPECT_THAT(refusal_of("ply\nelement a 1\nproperty list float int x\n"),
@@ -147,12 +148,12 @@ TEST(PlyReader, BadIndicesAndShortFilesAreRefused) {
   Mesh mesh = random_mesh(1);
   mesh.facets[4][1] = 20;
   EXPECT_EQ(refusal_of(ascii_ply_of(mesh)),
-            "f: facet 5 has point 20, and the last point is 19; export the mesh again");
+            "f: facet 5 has point 20, but the last point is 19; export the mesh again");
   mesh.facets[4][1] = 0xFFFF'FFFF;
   EXPECT_THAT(refusal_of(binary_ply_of<float>(mesh, true)), HasSubstr("facet 5 has point -1"));
   const std::string text = ascii_ply_of(random_mesh(1));
   EXPECT_THAT(refusal_of(text.substr(0, text.size() - 3)), HasSubstr("ends too early"));
-  EXPECT_THAT(refusal_of(text.substr(0, text.size() - 3) + "x"), HasSubstr("`x` is no number"));
+  EXPECT_THAT(refusal_of(text.substr(0, text.size() - 3) + "x"), HasSubstr("`x` is not a number"));
   for (const bool is_big : {false, true}) {
     const std::string bytes = binary_ply_of<double>(random_mesh(1), is_big);
     for (std::size_t size = 0; size < bytes.size(); ++size) {
@@ -170,7 +171,7 @@ TEST(PlyReader, PointsThatNoFacetHasAreLeftOut) {
   const SurfaceInput input = read_surface(ascii_ply_of(mesh), "f", {});
   EXPECT_EQ(input.mesh.points, random_mesh(1).points);
   EXPECT_EQ(input.mesh.facets, random_mesh(1).facets);
-  EXPECT_THAT(input.notes, ElementsAre("f: 1 points that no facet has are left out"));
+  EXPECT_THAT(input.notes, ElementsAre("f: 1 points that belong to no facet are left out"));
   mesh.facets[0][0] = 3;
   EXPECT_THAT(refusal_of(ascii_ply_of(mesh)), HasSubstr("facet 1 has a coordinate that is not fi"));
 }

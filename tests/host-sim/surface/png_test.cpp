@@ -131,7 +131,7 @@ TEST(PngReader, OpacityIsPassedOver) {
   const Picture picture{.columns = 2, .rows = 2, .kind = 4, .samples = {255, 7, 0, 7, 0, 7, 0, 7}};
   const SurfaceInput input = read_surface(png_of(picture, filtered(picture)), "f", kOptions);
   EXPECT_EQ(input.grid->at(1, 0).z(), 4.0);
-  EXPECT_THAT(input.notes, ElementsAre("f: its opacity is passed over"));
+  EXPECT_THAT(input.notes, ElementsAre("f: its opacity is ignored"));
 }
 
 TEST(PngReader, AnyDamagedByteIsFound) {
@@ -156,7 +156,7 @@ TEST(PngReader, OtherPicturesAreRefused) {
   filter[0] = '\x05';
   EXPECT_THAT(refusal_of(png_of(picture, filter), kOptions), HasSubstr("bad adaptive filter"));
   picture.kind = 2;
-  EXPECT_THAT(refusal_of(png_of(picture, pixels), kOptions), HasSubstr("a picture of colours"));
+  EXPECT_THAT(refusal_of(png_of(picture, pixels), kOptions), HasSubstr("is a colour picture"));
   picture.kind = 0;
   picture.depth = 4;
   EXPECT_THAT(refusal_of(png_of(picture, pixels), kOptions), HasSubstr("has 4 bit"));

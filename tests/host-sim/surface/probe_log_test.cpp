@@ -146,9 +146,9 @@ TEST(ProbedPoints, NamesPointsThatLack) {
                   "f: row 2, column 3 (X 20, Y 10) has no answer; probe it again",
                   "f: row 2, column 1 (X 0, Y 10) has no answer; probe it again"));
   EXPECT_THAT(probed.notes,
-              ElementsAre("f:7: an answer is damaged and passed over",
+              ElementsAre("f:7: an answer is damaged and ignored",
                           HasSubstr("f:11: the tip touched at X 0.600, Y 10.000, Z 0.000, 0.600 mm "
-                                    "beside the nearest point, row 2, column 1")));
+                                    "away from the nearest point, row 2, column 1")));
   EXPECT_TRUE(std::isnan(probed.points[1].z()));
   EXPECT_EQ(probed.points[1].x(), 10.0);
 }
@@ -176,7 +176,7 @@ TEST(ProbedPoints, TakesTheLastOfTwoTouchesAndNoFastOneAlone) {
   EXPECT_NEAR(read(joined(lines), plan).points[0].z(), -1.0, 1e-9);
   lines.erase(lines.begin() + 2);
   EXPECT_THAT(read(joined(lines), plan).faults,
-              ElementsAre(HasSubstr("row 1, column 2 (X 10, Y 0) has its fast touch only")));
+              ElementsAre(HasSubstr("row 1, column 2 (X 10, Y 0) has only its fast touch")));
 }
 
 TEST(ProbedPoints, NotesPointsThatAreProbedTwice) {

@@ -111,13 +111,13 @@ TEST(ProbeProgram, RefusesWhatMakesNone) {
     const char* told;
   };
   const std::vector<Case> cases{
-      {[](ProbeProgram& p) { p.safe_mm = -2; }, "is not above --depth"},
-      {[](ProbeProgram& p) { p.safe_mm = -3; }, "is not above --depth"},
+      {[](ProbeProgram& p) { p.safe_mm = -2; }, "must be above --depth"},
+      {[](ProbeProgram& p) { p.safe_mm = -3; }, "must be above --depth"},
       {[nan](ProbeProgram& p) { p.safe_mm = nan; }, "--safe nan"},
       {[infinite](ProbeProgram& p) { p.depth_mm = -infinite; }, "--depth -inf"},
-      {[](ProbeProgram& p) { p.feed = 0; }, "--feed 0: has to be above 0 mm/min"},
+      {[](ProbeProgram& p) { p.feed = 0; }, "--feed 0: must be above 0 mm/min"},
       {[nan](ProbeProgram& p) { p.feed = nan; }, "--feed nan"},
-      {[](ProbeProgram& p) { p.fast_feed = 60; }, "is not above --feed"},
+      {[](ProbeProgram& p) { p.fast_feed = 60; }, "must be above --feed"},
       {[](ProbeProgram& p) { p.fast_feed = 90, p.retract_mm = 0; }, "--retract 0"},
       {[](ProbeProgram& p) { p.hop_mm = -1; }, "--hop -1"},
       {[](ProbeProgram& p) { p.hop_mm = 1, p.travel_feed = 0; }, "--travel-feed 0"},

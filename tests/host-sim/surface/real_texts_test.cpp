@@ -117,11 +117,11 @@ TEST(RealTexts, EmptyFilesAreRefused) {
 
 TEST(RealTexts, OptionsThatAreNoLengthsAreRefused) {
   for (const double bad : {-1.0, 1e300, std::nan("")}) {
-    EXPECT_THAT(refusal_of("0 0 0\n", {.unit_mm = bad}), HasSubstr("no length"));
-    EXPECT_THAT(refusal_of("0 0 0\n", {.pitch_mm = bad}), HasSubstr("no length"));
-    EXPECT_THAT(refusal_of("0 0 0\n", {.height_mm = bad}), HasSubstr("no length"));
+    EXPECT_THAT(refusal_of("0 0 0\n", {.unit_mm = bad}), HasSubstr("not a valid length"));
+    EXPECT_THAT(refusal_of("0 0 0\n", {.pitch_mm = bad}), HasSubstr("not a valid length"));
+    EXPECT_THAT(refusal_of("0 0 0\n", {.height_mm = bad}), HasSubstr("not a valid length"));
   }
-  EXPECT_THAT(refusal_of("0 0 0\n", {.unit_mm = 0.0}), HasSubstr("no length"));
+  EXPECT_THAT(refusal_of("0 0 0\n", {.unit_mm = 0.0}), HasSubstr("not a valid length"));
 }
 
 }  // namespace

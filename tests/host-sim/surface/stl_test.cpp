@@ -48,11 +48,11 @@ TEST(StlReader, DamagedBinaryFilesAreRefused) {
   const std::string bytes = binary_stl_of(random_mesh(1));
   EXPECT_EQ(
       refusal_of(bytes.substr(0, bytes.size() - 1)),
-      "f: promises 24 facets of binary STL, and has bytes for 23; it is cut off or of another "
+      "f: announces 24 facets of binary STL, but has bytes for 23; it is cut off or of another "
       "format; export the mesh again");
   EXPECT_THAT(refusal_of("solid" + std::string(70, '\0')), HasSubstr("too short for binary STL"));
   std::string many = std::string(80, ' ') + "\xFF\xFF\xFF\xFF" + std::string(100, '\0');
-  EXPECT_THAT(refusal_of(many), HasSubstr("promises 4294967295 facets"));
+  EXPECT_THAT(refusal_of(many), HasSubstr("announces 4294967295 facets"));
   EXPECT_THAT(refusal_of(std::string(84, '\0')), HasSubstr("has no facet with an area"));
 }
 
@@ -71,11 +71,13 @@ TEST(StlReader, DamagedTextsAreRefused) {
   const std::string text = ascii_stl_of(random_mesh(1));
   EXPECT_THAT(refusal_of(text.substr(0, text.size() - 14)), HasSubstr("ends without endsolid"));
   const std::string start = "solid\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\n";
-  EXPECT_EQ(refusal_of(start + "endloop\n"), "f:5: facet 1: has 1 corners; export the mesh again");
-  EXPECT_THAT(refusal_of(start + start.substr(6) + "vertex 1 1\n"), HasSubstr("`` is no finite"));
+  EXPECT_EQ(refusal_of(start + "endloop\n"),
+            "f:5: facet 1: has 1 corners in place of 3; export the mesh again");
+  EXPECT_THAT(refusal_of(start + start.substr(6) + "vertex 1 1\n"),
+              HasSubstr("`` is not a finite"));
   EXPECT_THAT(refusal_of(start + "vertex 1 0 0\nvertex 2 0 0\nvertex 3 3 3\n"),
               StartsWith("f:7: facet 1: has more than 3 corners"));
-  EXPECT_THAT(refusal_of(start + "colour\n"), StartsWith("f:5: facet 1: `colour` is no word"));
+  EXPECT_THAT(refusal_of(start + "colour\n"), StartsWith("f:5: facet 1: `colour` is not a word"));
   EXPECT_THAT(refusal_of("solid\nendsolid\n"), HasSubstr("has no facet with an area"));
 }
 

@@ -191,8 +191,8 @@ TEST(Tiff, FillsWhatIsMissingOnlyWhenAsked) {
 
 TEST(Tiff, RefusesWhatHasNoHeights) {
   const auto refusal = [](const Image& image) { return refusal_of(tiff_of(image)); };
-  EXPECT_NE(refusal({.samples = 3}).find("3 samples a pixel"), std::string::npos);
-  EXPECT_NE(refusal({.orientation = ORIENTATION_BOTLEFT}).find("first row"), std::string::npos);
+  EXPECT_NE(refusal({.samples = 3}).find("3 samples in each pixel"), std::string::npos);
+  EXPECT_NE(refusal({.orientation = ORIENTATION_BOTLEFT}).find("first pixel"), std::string::npos);
   EXPECT_NE(refusal({}).find("--pitch"), std::string::npos);
   EXPECT_NE(refusal({.scale = {0, 0, 0}}).find("not above 0"), std::string::npos);
   // A key of three numbers behind the header: the model is geographic.

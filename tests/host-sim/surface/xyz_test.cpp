@@ -83,13 +83,13 @@ TEST(XyzReader, RowsOfTheOtherOrderAreReversed) {
 
 TEST(XyzReader, LinesAreRefusedWithTheirNumber) {
   EXPECT_EQ(refusal_of("0 0 0\n1 0 x\n"),
-            "f:2: `x` is no number; mend it, or mark comments with #");
-  EXPECT_THAT(refusal_of("# a scan\n0 0 0\n\n1 0\n"), StartsWith("f:4: has 2 numbers where"));
-  EXPECT_THAT(refusal_of("0 0 0\n1 0 0 0\n"), StartsWith("f:2: has 4 numbers where"));
-  EXPECT_THAT(refusal_of("0 0\n1 0\n"), StartsWith("f:1: `0` begins a line that is no point"));
-  EXPECT_THAT(refusal_of("0 0 0\n1e999 0 0\n"), StartsWith("f:2: `1e999` is no number"));
+            "f:2: `x` is not a number; correct it, or mark comments with #");
+  EXPECT_THAT(refusal_of("# a scan\n0 0 0\n\n1 0\n"), StartsWith("f:4: has 2 numbers, but"));
+  EXPECT_THAT(refusal_of("0 0 0\n1 0 0 0\n"), StartsWith("f:2: has 4 numbers, but"));
+  EXPECT_THAT(refusal_of("0 0\n1 0\n"), StartsWith("f:1: `0` begins a line that is not a point"));
+  EXPECT_THAT(refusal_of("0 0 0\n1e999 0 0\n"), StartsWith("f:2: `1e999` is not a number"));
   EXPECT_THAT(refusal_of("Hello\n"), HasSubstr("has no line of three numbers"));
-  EXPECT_THAT(refusal_of("0;0;0\n1;0,5,5;0\n"), StartsWith("f:2: `0,5,5` is no number"));
+  EXPECT_THAT(refusal_of("0;0;0\n1;0,5,5;0\n"), StartsWith("f:2: `0,5,5` is not a number"));
   std::string words;
   for (int i = 0; i < 30; ++i) words += "words\n";
   EXPECT_THAT(refusal_of(words), HasSubstr("no points on its first lines"));
@@ -106,7 +106,8 @@ TEST(XyzReader, WhatIsNotFiniteIsRefused) {
 
 TEST(XyzReader, RowsOfUnequalLengthAreRefused) {
   EXPECT_EQ(refusal_of("0 0 0\n1 0 0\n2.3 0 0\n\n0 1 0\n1 1 0\n\n0 2 0\n1 2 0\n2 2 0\n"),
-            "f:5: row 2 has 2 points where row 1 has 3; give each row as many, with blank lines "
+            "f:5: row 2 has 2 points, but row 1 has 3; give each row the same number of points, "
+            "with blank lines "
             "between rows");
   EXPECT_THAT(refusal_of("0 0 0\n1 0 0\n2 0 0\n"), StartsWith("f: has 1 rows of 3 points"));
   EXPECT_THAT(refusal_of("0 0 0\n\n0 1 0\n\n0 2 0\n"), StartsWith("f: has 3 rows of 1 points"));

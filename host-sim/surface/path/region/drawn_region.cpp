@@ -9,10 +9,10 @@ namespace {
 
 using Curve = cnc::contour::Curve<double>;
 
-/// Distance below which crossings are one, mm; also the half width of a boundary.
+/// Distance, mm, up to which two crossings count as one; also half the width of a boundary.
 constexpr double kOneCrossingMm = 1.0e-6;
 
-/// Returns the line of a slice, extended by 1 mm at both ends.
+/// Returns the line of a slice from `begin` to `end`, extended by 1 mm at both ends.
 Curve line_of(const Slice& slice, double begin, double end) {
   Curve line;
   line.start = slice.at(begin - 1.0);
@@ -22,7 +22,7 @@ Curve line_of(const Slice& slice, double begin, double end) {
   return line;
 }
 
-/// Returns a larger box, so that an element that a line only touches is not missed.
+/// Returns a slightly larger box, so that a search also finds an element that a line only touches.
 cnc::contour::FlatBox<double> widened(const cnc::contour::FlatBox<double>& box) {
   constexpr double kMore = 10.0 * kOneCrossingMm;
   return {box.x0 - kMore, box.y0 - kMore, box.x1 + kMore, box.y1 + kMore};
@@ -34,8 +34,7 @@ void add_parts_in(const pocket::OwnedArea& area,
                   SliceParts& parts) {
   const Curve line = line_of(slice, whole.first, whole.second);
   std::vector<double> crossings{whole.first, whole.second};
-  // A line touches the boundary if it misses the boundary by so little that its place counts as
-  // inside.
+  // A line also touches the boundary if its distance is so small that it counts as inside.
   area->search(widened(line.box()), [&](const Curve& curve) {
     const auto found = cnc::contour::meetings_of(curve, line, 2.0 * kOneCrossingMm);
     for (std::uint32_t i = 0; i < found.count; ++i) {

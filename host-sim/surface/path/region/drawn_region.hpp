@@ -9,15 +9,15 @@
 
 namespace sim::surface {
 
-/// The inside of drawn contours, including their lines: places that are in at least one of some
-/// areas.
+/// The region inside drawn contours, including the contours' lines: all points that are in at least
+/// one of several areas.
 class DrawnRegion final : public MilledRegion {
  public:
-  /// @param areas contours with their area on the left, whose loops do not cross; areas may overlap
+  /// @param areas contours with their area on the left, whose loops do not cross. Areas may overlap
   explicit DrawnRegion(const std::vector<Contour>& areas);
 
-  /// Returns the parts, from exact crossings with lines and arcs. Parts shorter than 1e-6 mm are
-  /// left out.
+  /// Returns the parts of the slice, from its exact intersections with lines and arcs. Parts
+  /// shorter than 1e-6 mm are left out.
   [[nodiscard]] SliceParts parts_of(const Slice& slice, double begin, double end) const override;
   [[nodiscard]] bool bars_links() const override { return true; }
 

@@ -9,10 +9,12 @@
 
 namespace sim::surface {
 
-/// Parts of a slice as begin and end along the slice, mm. They are in order and do not touch.
+/// Parts of a slice, each as start and end along the slice, mm. The parts are in order and do not
+/// touch.
 using SliceParts = std::vector<std::pair<double, double>>;
 
-/// The part of the plan that a path mills. All threads may call the const functions at once.
+/// A region of the plan to which milling is limited. Several threads may call the const functions
+/// at the same time.
 class MilledRegion {
  public:
   MilledRegion(const MilledRegion&) = delete;
@@ -22,26 +24,28 @@ class MilledRegion {
   /// Returns the parts of a slice between `begin` and `end`, mm, that are milled.
   [[nodiscard]] virtual SliceParts parts_of(const Slice& slice, double begin, double end) const = 0;
 
-  /// Returns whether links must stay in the region, as in a drawn one. Other regions only state
-  /// where milling is worthwhile: a link outside them never cuts into the surface either.
+  /// Returns whether links must stay in the region, as in a drawn region. Other regions only state
+  /// where milling is useful, and a link outside these regions does no harm.
   [[nodiscard]] virtual bool bars_links() const { return false; }
 
  protected:
   MilledRegion() = default;
 };
 
-/// Regions that all limit a path. Without regions the path is not limited.
+/// Regions that limit a path: the path mills only in their intersection. Without regions, the path
+/// is not limited.
 using MilledRegions = std::vector<std::shared_ptr<const MilledRegion>>;
 
-/// Returns whether a link may lead over a slice: the whole slice is in all regions that bar links.
+/// Returns whether a link may lead over a slice. It may if the complete slice is in all regions
+/// that bar links outside.
 [[nodiscard]] bool lets_link_through(const MilledRegions& regions, const Slice& slice);
 
-/// Returns those pieces of the parts of a slice that lie in all regions.
+/// Returns the pieces of the given parts of a slice that are in all regions.
 [[nodiscard]] SliceParts common_parts(const MilledRegions& regions,
                                       const Slice& slice,
                                       SliceParts parts);
 
-/// Sorts parts, and joins parts that overlap or whose gap is at most `gap_mm`.
+/// Sorts parts. Joins parts that overlap, and parts with a gap of at most `gap_mm` between them.
 void join_parts(SliceParts& parts, double gap_mm);
 
 }  // namespace sim::surface

@@ -14,12 +14,13 @@ using cnc::surface::Profile;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-/// Maximum rise for which a search continues, mm per mm.
+/// Maximum rise of the surface, mm per mm, for which a search continues.
 constexpr double kSteepestSearch = 6.0;
-/// Share of the larger tool's radius that counts as its rim.
+/// Position of the larger tool's rim, relative to its radius. It is slightly inside the radius
+/// because of rounding.
 constexpr double kAlmostRim = 1.0 - 1.0e-9;
 
-/// Returns the tool whose heights leave an allowance everywhere, also next to a cone.
+/// Returns the grown tool that leaves the allowance everywhere, also if the tool is a cone.
 cnc::surface::GrownTool leaving(const Profile& tool, double allowance_mm) {
   if (allowance_mm == 0.0) return {.profile = tool};
   const double band = cnc::surface::grown(tool, allowance_mm).band_mm;
@@ -31,8 +32,9 @@ Vector2d direction_of(int index, int count) {
   return {std::cos(angle), std::sin(angle)};
 }
 
-/// Returns the height of a tool that is reduced by a depth on all sides, above the tip of the whole
-/// tool. It is the highest point within the depth of the tool's lower surface.
+/// Returns the height, above the tool's tip, of the lower surface of the reduced tool, which is
+/// smaller by `depth_mm` on all sides. It is the highest point within `depth_mm` of the tool's
+/// lower surface.
 double inner_height(const Profile& tool, double distance_mm, double depth_mm) {
   constexpr int kSteps = 32;
   double height = 0.0;
@@ -45,21 +47,21 @@ double inner_height(const Profile& tool, double distance_mm, double depth_mm) {
   return height;
 }
 
-/// Pitch of the raster as a share of the larger tool's radius.
+/// Pitch of the raster, relative to the larger tool's radius.
 constexpr double kRasterShare = 1.0 / 32.0;
-/// Number of steps of the clearances.
+/// Number of steps in the table of clearances.
 constexpr int kClearances = 256;
 
-/// Returns the share of the reach that belongs to an index. Towards the end the steps become
-/// shorter, by a quadratic law.
+/// Returns the distance, relative to the reach, of an index of the table. Towards the end, the
+/// steps become shorter by a quadratic law.
 double share_at(int index) {
   const double rest = 1.0 - static_cast<double>(index) / kClearances;
   return 1.0 - rest * rest;
 }
 
-/// Returns the height of the larger tool's tip above the tool's tip at which no point of the tool,
-/// reduced by a depth, is beyond the larger tool. It is a convex function of the distance between
-/// the axes.
+/// Returns the least height of the tool's tip above the larger tool's tip at which the reduced tool
+/// does not cut deeper than the larger tool. The height is a convex function of the distance
+/// between the axes.
 double clearance_at(const Profile& tool, const Profile& larger, double depth_mm, double distance) {
   constexpr int kSteps = 256;
   const double rim = std::max(0.0, tool.radius_mm - depth_mm);
@@ -101,8 +103,8 @@ RestRegion::RestRegion(const Mesh& mesh, const Profile& tool, const RestOptions&
   }
 }
 
-/// Checks each point of the tool at its place. The first one is the point in `memory`, at which the
-/// last call found stock.
+/// Checks the points of the tool at `place`. The first checked point is `memory`, at which the last
+/// call found stock.
 bool RestRegion::holds(const Vector2d& place, std::size_t& memory) const {
   const std::optional<Vector2d> rise = heights_.rise(place);
   if (!rise) return false;
@@ -119,8 +121,9 @@ bool RestRegion::holds(const Vector2d& place, std::size_t& memory) const {
   return false;
 }
 
-/// Returns whether one place of the larger tool removes everything that the tool does. Tries the
-/// place where both tools touch one plane with this rise, and the best place of the raster.
+/// Returns whether one position of the larger tool removes everything that the reduced tool
+/// removes. Tries the position at which both tools touch the same plane with this rise, and the
+/// best position of the raster.
 bool RestRegion::is_taken_at_once(const Vector3d& tip, const Vector2d& rise) const {
   const Vector2d axis = tip.head<2>();
   const double slope = rise.norm();
@@ -141,8 +144,8 @@ bool RestRegion::is_all_taken(const Vector3d& tip, const Vector2d& place) const 
          height + larger_lift_mm_ + clearance((place - tip.head<2>()).norm()) <= tip.z();
 }
 
-/// Returns a clearance, interpolated between steps. The exact clearance is never above this value,
-/// because it is a convex function.
+/// Returns a clearance, interpolated between the steps of the table. The exact clearance never
+/// exceeds the result, because it is a convex function.
 double RestRegion::clearance(double distance_mm) const {
   const double distance = std::min(distance_mm, reach_mm_);
   const double index = kClearances * (1.0 - std::sqrt(1.0 - distance / reach_mm_));
@@ -151,7 +154,7 @@ double RestRegion::clearance(double distance_mm) const {
   return clearances_[before] + share * (clearances_[before + 1] - clearances_[before]);
 }
 
-/// Returns the height of the stock above a point that the larger tool leaves from a place, mm.
+/// Returns the height, mm, of the stock that the larger tool, at `place`, leaves above a point.
 double RestRegion::excess(const Vector3d& point, const Vector2d& place) const {
   const double distance = (place - point.head<2>()).norm();
   const double tip = larger_heights_(place);
@@ -175,7 +178,8 @@ bool RestRegion::is_taken(const Vector3d& point, const Vector2d& out, const Vect
   return is_taken_by_search(point);
 }
 
-/// Searches from the best point of the raster on, in ever shorter steps.
+/// Searches for a position at which the larger tool removes the stock at a point. The search begins
+/// at the best point of the raster and uses decreasing steps.
 bool RestRegion::is_taken_by_search(const Vector3d& point) const {
   constexpr int kHalvings = 4;
   constexpr int kDirections = 8;
@@ -187,7 +191,7 @@ bool RestRegion::is_taken_by_search(const Vector3d& point) const {
   double least = excess(point, best);
   double step = 0.5 * raster_.pitch_mm();
   for (int halving = 0; halving < kHalvings && least > 0.0; step *= 0.5, ++halving) {
-    // A step along a surface of up to 80 degrees does not gain more.
+    // A step on a surface of up to 80 degrees cannot reduce the excess by more.
     if (least > kSteepestSearch * step) return false;
     const Vector2d middle = best;
     for (int i = 0; i < kDirections && least > 0.0; ++i) {

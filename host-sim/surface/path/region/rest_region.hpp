@@ -10,31 +10,31 @@
 
 namespace sim::surface {
 
-/// An earlier, larger tool, and the limits of the stock that is worth another pass.
+/// Data of the earlier, larger tool, and limits for the stock that requires another pass.
 struct RestOptions {
-  /// Profile of the larger tool; its radius is above that of the tool.
+  /// Profile of the larger tool. Its radius exceeds the radius of the tool.
   cnc::surface::Profile larger;
   double larger_allowance_mm = 0.0;
-  /// Stock thicker than this, perpendicular to the tool, is rest stock.
+  /// Thickness, perpendicular to the tool, above which stock is rest stock.
   double depth_mm = 0.03;
-  double allowance_mm = 0.0;         ///< Stock that the tool leaves.
-  std::optional<double> floor_mm{};  ///< Lowest height of the tip, for both tools.
+  double allowance_mm = 0.0;         ///< Allowance that the tool leaves.
+  std::optional<double> floor_mm{};  ///< Lowest height of the tip for both tools.
 };
 
-/// The places at which a tool touches the surface and a larger tool leaves stock thicker than a
-/// depth, wherever the larger tool goes. At these places the tool, reduced by the depth on all
-/// sides, reaches beyond everything that the larger tool can remove.
+/// The region of rest stock: positions of a tool at which a larger tool, at any position, leaves
+/// stock that is thicker than a depth. At these positions, the reduced tool, which is smaller by
+/// the depth on all sides, reaches stock that the larger tool cannot remove.
 ///
-/// If one place of the larger tool removes everything that the reduced tool does, nothing is left.
-/// Otherwise 37 points of the tool are checked, each by a search for a place of the larger tool
-/// that removes the stock there. A search that misses such a place makes the region larger, never
-/// smaller.
+/// If one position of the larger tool removes everything that the reduced tool removes, there is no
+/// rest stock. Otherwise 37 points of the reduced tool are checked. For each point, a position of
+/// the larger tool is searched that removes the stock there. If a search misses such a position,
+/// the region becomes larger, never smaller.
 class RestRegion final : public SampledRegion {
  public:
   RestRegion(const Mesh& mesh, const cnc::surface::Profile& tool, const RestOptions& options);
 
  private:
-  /// A point of the tool, relative to its tip.
+  /// A point of the reduced tool, relative to the tool's tip.
   struct ToolPoint {
     Eigen::Vector2d out;
     double height;
@@ -51,8 +51,8 @@ class RestRegion final : public SampledRegion {
   [[nodiscard]] double excess(const Eigen::Vector3d& point, const Eigen::Vector2d& place) const;
   [[nodiscard]] bool is_taken_by_search(const Eigen::Vector3d& point) const;
 
-  ToolHeights heights_;  ///< Heights of the tool with its allowance, without its lift.
-  /// Heights of the larger tool with its allowance, without its lift.
+  ToolHeights heights_;  ///< Heights of the tool that is grown by its allowance, without the lift.
+  /// Heights of the larger tool that is grown by its allowance, without the lift.
   ToolHeights larger_heights_;
   cnc::surface::Profile tool_;
   cnc::surface::Profile larger_;
@@ -60,9 +60,9 @@ class RestRegion final : public SampledRegion {
   double larger_lift_mm_;
   TipRaster raster_;
   std::vector<ToolPoint> points_;
-  /// Heights of the larger tool's tip above the tool's tip at which the larger tool removes
-  /// everything that the tool does, by the distance between their axes. The distances go from 0 to
-  /// the difference of the radii in steps that become shorter.
+  /// Least heights of the tool's tip above the larger tool's tip at which the larger tool removes
+  /// everything that the reduced tool removes. The index belongs to the distance between the axes,
+  /// from 0 to reach_mm_ in decreasing steps.
   std::vector<double> clearances_;
   double reach_mm_;
 };

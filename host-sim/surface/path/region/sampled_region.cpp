@@ -6,7 +6,7 @@
 namespace sim::surface {
 namespace {
 
-/// Returns the gaps between parts, from one place to another.
+/// Returns the gaps between parts from `begin` to `end`.
 SliceParts gaps_of(const SliceParts& parts, double begin, double end) {
   SliceParts gaps;
   double from = begin;
@@ -20,13 +20,13 @@ SliceParts gaps_of(const SliceParts& parts, double begin, double end) {
 
 }  // namespace
 
-/// Finds the parts of one slice.
+/// Finds the parts of one slice in which the condition holds.
 class SampledRegion::Sampler {
  public:
   Sampler(const SampledRegion& region, const Slice& slice) : region_{region}, slice_{slice} {}
 
-  /// Adds the parts that begin or end in a gap or up to `more_mm` outside it. The parts are
-  /// extended by `more_mm` at both ends.
+  /// Samples a gap, extended by `more_mm` at both ends, and adds the parts in which the condition
+  /// holds. These parts are extended by `more_mm` at both ends, too.
   void add_parts(const std::pair<double, double>& gap, double more_mm, SliceParts& parts) {
     const double from = gap.first - more_mm;
     const double length = gap.second + more_mm - from;

@@ -4,27 +4,27 @@
 
 namespace sim::surface {
 
-/// The places at which a condition holds, and all places within a distance of them. Borders are
-/// found by bisection to 1e-6 mm on five parallel slices within that distance.
+/// The region in which a condition holds, extended on all sides by an overlap. Borders are found by
+/// bisection to 1e-6 mm, on five parallel slices within the overlap.
 class SampledRegion : public MilledRegion {
  public:
-  /// Returns the parts of the slice. Gaps up to twice the overlap are closed, so that no part is
-  /// shorter than that, except at the ends of the slice. A feature that lies between two samples is
-  /// not found.
+  /// Returns the parts of the slice. Gaps of up to twice the overlap are closed. No part is shorter
+  /// than twice the overlap, except at the ends of the slice. A feature between two samples is not
+  /// found.
   [[nodiscard]] SliceParts parts_of(const Slice& slice, double begin, double end) const final;
 
  protected:
-  /// Samples are an eighth of the tool's radius apart, and the region extends by the same distance.
+  /// Sets the overlap and the distance between samples to an eighth of the tool's radius.
   explicit SampledRegion(double tool_radius_mm) : overlap_mm_{0.125 * tool_radius_mm} {}
 
   /// Returns whether the condition holds at a place.
-  /// @param memory 0 at first, then the value that the last call at a place near by wrote
+  /// @param memory 0 at the first call, then the value that the last call at a nearby point wrote
   [[nodiscard]] virtual bool holds(const Eigen::Vector2d& place, std::size_t& memory) const = 0;
 
  private:
   class Sampler;
 
-  double overlap_mm_;  ///< Overlap of the region, and also the distance between samples.
+  double overlap_mm_;  ///< Overlap of the region, which is also the distance between samples.
 };
 
 }  // namespace sim::surface

@@ -7,19 +7,19 @@
 
 namespace sim::surface {
 
-/// Slopes of a surface from the horizontal, radians.
+/// A range of slopes of a surface, measured from the horizontal, radians.
 struct SlopeRange {
   double least = 0.0;
   double most = 1.5707963267948966;
 };
 
-/// The places of a tool at which the surface that it touches has a slope in a range. The slope is
-/// that of the tip's exact heights. The region extends by an eighth of the tool's radius, so that
-/// two regions with a common limit overlap by a quarter of the radius.
+/// The region in which the surface at the tool's contact has a slope in a range. The slope is
+/// computed from the exact heights of the tip. The region is extended by an eighth of the tool's
+/// radius, so that two regions with a common limit overlap by a quarter of the radius.
 class SlopeRegion final : public SampledRegion {
  public:
-  /// @param floor_mm level where the tool does not touch the surface above it; without a floor such
-  /// places are in no region
+  /// @param floor_mm level that counts as surface where the tool does not touch the surface above
+  /// it. Without a floor, such points are in no region
   SlopeRegion(const Mesh& mesh,
               const cnc::surface::Profile& tool,
               const std::optional<double>& floor_mm,

@@ -12,12 +12,12 @@
 
 namespace sim::surface {
 
-/// The heights of a tool's tip on a square grid over a surface, from which searches begin.
+/// Heights of a tool's tip on a square grid over a surface, as starting points for searches.
 class TipRaster {
  public:
   /// @param margin_mm distance by which the grid extends beyond the surface's box
-  /// @param pitch_mm distance between points of the grid; it is increased if the points would be
-  /// more than four million
+  /// @param pitch_mm distance between points of the grid. It is increased if there would be more
+  /// than four million points
   TipRaster(const ToolHeights& heights, const Mesh& mesh, double margin_mm, double pitch_mm) {
     Eigen::Vector2d least = mesh.points.front().head<2>();
     Eigen::Vector2d most = least;
@@ -41,8 +41,8 @@ class TipRaster {
 
   [[nodiscard]] double pitch_mm() const { return pitch_mm_; }
 
-  /// Returns the point of the grid within a radius of a place for which `cost(distance, height)` is
-  /// least. Returns the place itself if nothing is under the tool at any of these points.
+  /// Returns the grid point with the least `cost(distance, height)` among all grid points within a
+  /// radius of `place`. Returns `place` if nothing is under the tool at all these points.
   template <typename Cost>
   [[nodiscard]] Eigen::Vector2d best(const Eigen::Vector2d& place,
                                      double radius_mm,
@@ -73,7 +73,7 @@ class TipRaster {
   [[nodiscard]] Eigen::Vector2d place_of(int column, int row) const {
     return min_ + pitch_mm_ * Eigen::Vector2d{column, row};
   }
-  /// Returns the first index at or after a distance, limited to the grid.
+  /// Returns the first index whose point is at or after a distance, limited to the grid.
   [[nodiscard]] int index_from(double distance_mm, int count) const {
     return static_cast<int>(std::clamp(std::ceil(distance_mm / pitch_mm_), 0.0, 1.0 * count));
   }

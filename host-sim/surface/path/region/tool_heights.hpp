@@ -9,23 +9,23 @@
 
 namespace sim::surface {
 
-/// The heights of a tool's tip over a surface and a floor, and their slopes.
+/// Computes the heights of a tool's tip over a surface and a floor, and the rises of these heights.
 class ToolHeights {
  public:
-  /// @param floor_mm lowest height of the tip, and its height where nothing is under the tool;
-  /// without a floor such places have no height
+  /// @param floor_mm lowest height of the tip, and its height where nothing is under the tool.
+  /// Without a floor, such points have no height
   ToolHeights(const Mesh& mesh,
               const cnc::surface::Profile& profile,
               const std::optional<double>& floor_mm)
       : cutter_{mesh, profile}, floor_mm_{floor_mm.value_or(cnc::surface::kNoContact)} {}
 
-  /// Returns the height, mm; cnc::surface::kNoContact if the place has none.
+  /// Returns the height of the tip at `place`, mm; cnc::surface::kNoContact if there is no height.
   [[nodiscard]] double operator()(const Eigen::Vector2d& place) const {
     return std::max(floor_mm_, cutter_.tip_height(place));
   }
 
-  /// Returns the rise along X and Y, mm per mm. It is one-sided if the other side has no height.
-  /// Returns nothing if the place has no height.
+  /// Returns the rise of the heights along X and along Y, mm per mm. It is a one-sided difference
+  /// if one side has no height. Returns nothing if `place` has no height.
   [[nodiscard]] std::optional<Eigen::Vector2d> rise(const Eigen::Vector2d& place) const {
     const double height = (*this)(place);
     if (height == cnc::surface::kNoContact) return {};

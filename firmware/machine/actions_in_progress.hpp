@@ -1,0 +1,125 @@
+#pragma once
+
+#include <cstdint>
+#include <utility>
+
+#include "firmware/machine/dwell.hpp"
+#include "planner/gcode/interpreter.hpp"
+#include "planner/motion/block/output_changes.hpp"
+#include "planner/pipeline/action_elements.hpp"
+
+namespace cnc {
+
+/// The part of a line that is still to be done.
+struct RestOfLine {
+  gcode::Actions actions{};         ///< Views into the machine's interpreter.
+  motion::OutputChanges outputs{};  ///< Changes that take effect with the next motion.
+  bool pauses = false;              ///< Single block pauses before the next line.
+};
+
+/// The actions of the present line, in order, and how far the first of them has come: its path
+/// elements, its dwell or its pause.
+class ActionsInProgress {
+ public:
+  // The line.
+
+  /// Begins a line.
+  /// @param pauses whether the machine pauses when the line is done
+  void begin(gcode::Actions actions, bool pauses) {
+    line_.actions = actions;
+    line_.pauses = pauses;
+  }
+  /// Returns whether no action is left.
+  [[nodiscard]] bool empty() const { return line_.actions.empty(); }
+  /// Returns the action that is to be done next. @pre !empty()
+  [[nodiscard]] const gcode::Action& front() const { return line_.actions.front(); }
+  void drop_front() { line_.actions = line_.actions.subspan(1); }
+  /// Returns whether a pause follows the line and is not over yet.
+  [[nodiscard]] bool pauses_after() const { return line_.pauses; }
+  void end_pause_after() { line_.pauses = false; }
+
+  /// Sets the line aside, so that other lines can be done before it goes on.
+  [[nodiscard]] RestOfLine set_aside() { return std::exchange(line_, {}); }
+  void take_back(const RestOfLine& line) { line_ = line; }
+  /// Drops the rest of the line. Its outputs still change with the next motion.
+  void drop() {
+    line_.actions = {};
+    elements_.clear();
+    is_dwelling_ = false;
+    dwell_.cancel();
+  }
+  /// Drops everything, also outputs and pauses.
+  void clear() {
+    drop();
+    line_ = {};
+    is_paused_ = false;
+  }
+
+  /// Notes whether the last line was M2 or M30.
+  void note_end(bool is_end) { program_ended_ = is_end; }
+  [[nodiscard]] bool program_ended() const { return program_ended_; }
+
+  // Outputs that change with the next motion.
+
+  [[nodiscard]] const motion::OutputChanges& outputs() const { return line_.outputs; }
+  /// Forgets the changes, because a motion has taken them.
+  void forget_outputs() { line_.outputs = {}; }
+  /// Returns whether an analog output other than `number` is to change. One change fits into a
+  /// motion.
+  [[nodiscard]] bool changes_other_analog(std::uint8_t number) const {
+    const std::uint8_t channel = line_.outputs.analog_channel;
+    return channel != motion::OutputChanges::kNoAnalog && channel != number;
+  }
+  /// Adds a change. It replaces an earlier one of the same output, or of another analog output.
+  /// @param level 65535 is full scale
+  void add_output(const gcode::OutputChange& change, std::uint16_t level) {
+    motion::OutputChanges& next = line_.outputs;
+    if (change.analog) {
+      next.analog_channel = change.number;
+      next.analog_value = level;
+      return;
+    }
+    const auto bit = static_cast<std::uint8_t>(1U << change.number);
+    next.raise = static_cast<std::uint8_t>(level != 0 ? next.raise | bit : next.raise & ~bit);
+    next.lower = static_cast<std::uint8_t>(level != 0 ? next.lower & ~bit : next.lower | bit);
+  }
+
+  // The present action.
+
+  /// Begins a cycle, with a new budget of spline points.
+  void begin_cycle() { spline_points_ = kSplinePoints; }
+  /// Elements of the action being driven.
+  [[nodiscard]] ActionElements& elements() { return elements_; }
+  /// Works on the next element, as ActionElements does, within the budget of the cycle.
+  [[nodiscard]] bool work() { return elements_.work(spline_points_); }
+
+  /// Begins a dwell at the first call. Returns true when it is over.
+  [[nodiscard]] bool dwell(float seconds) {
+    if (!is_dwelling_) dwell_.start(seconds);
+    is_dwelling_ = !dwell_.over();
+    return !is_dwelling_;
+  }
+  /// Counts `elapsed_us`, the time since the last cycle began, for a dwell.
+  void pass(std::int32_t elapsed_us) { dwell_.pass(elapsed_us); }
+  [[nodiscard]] bool is_dwelling() const { return is_dwelling_; }
+
+  /// Begins and ends a pause, in which the present action waits for the operator.
+  void pause() { is_paused_ = true; }
+  void end_pause() { is_paused_ = false; }
+  [[nodiscard]] bool is_paused() const { return is_paused_; }
+
+ private:
+  /// Points of splines in a cycle: 0.4 ms on the emulated chip; the last step of a spline may take
+  /// as long again.
+  static constexpr std::uint32_t kSplinePoints = 300;
+
+  RestOfLine line_{};
+  bool is_dwelling_ = false;
+  bool is_paused_ = false;
+  bool program_ended_ = false;
+  Dwell dwell_{};
+  std::uint32_t spline_points_ = kSplinePoints;  ///< Points left in this cycle's budget.
+  ActionElements elements_{};
+};
+
+}  // namespace cnc

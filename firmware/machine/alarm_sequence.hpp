@@ -1,0 +1,48 @@
+#pragma once
+
+#include "firmware/machine/machine_types.hpp"
+
+namespace cnc {
+
+/// The present alarm, and what leads to it: motion that stops on its path first, or motion that is
+/// cut off and dropped in a later cycle.
+class AlarmSequence {
+ public:
+  /// Returns the present alarm, or kNone.
+  [[nodiscard]] Alarm now() const { return now_; }
+  /// Returns whether the alarm can be ended only after a reset.
+  [[nodiscard]] bool needs_reset() const { return needs_reset_; }
+  void set(Alarm alarm) { now_ = alarm; }
+  void end() { now_ = Alarm::kNone; }
+  /// Requires a reset if `alarm` does: its cause must have been seen by the operator.
+  void require_reset_for(Alarm alarm) {
+    needs_reset_ = needs_reset_ || alarm == Alarm::kHardLimit || alarm == Alarm::kSoftLimit ||
+                   alarm == Alarm::kCompensation || alarm == Alarm::kStoreDamaged;
+  }
+  /// Sets whether a reset is required, whatever alarms came before.
+  void set_needs_reset(bool needs) { needs_reset_ = needs; }
+
+  /// Notes that the motion stops on its path, and that `alarm` follows at rest.
+  void stop_for(Alarm alarm) { stopping_for_ = alarm; }
+  [[nodiscard]] bool stops() const { return stopping_for_ != Alarm::kNone; }
+  /// Returns the alarm that follows at rest. @pre stops()
+  [[nodiscard]] Alarm stopping_for() const { return stopping_for_; }
+
+  /// Notes that the motion was cut off. Its rest is to be dropped when the motors have stopped.
+  void cut_off() { cuts_off_ = true; }
+  [[nodiscard]] bool cuts_off() const { return cuts_off_; }
+
+  /// Ends a stop and a cut-off, because all motion has been dropped. The alarm stays.
+  void drop() {
+    stopping_for_ = Alarm::kNone;
+    cuts_off_ = false;
+  }
+
+ private:
+  Alarm now_ = Alarm::kNone;
+  Alarm stopping_for_ = Alarm::kNone;
+  bool needs_reset_ = false;
+  bool cuts_off_ = false;
+};
+
+}  // namespace cnc
