@@ -25,9 +25,8 @@ std::string end_of(const std::string& file) {
 void require_picture_name(std::string_view option, const std::string& file) {
   const std::string end = end_of(file);
   if (end.empty() || end == ".svg" || end == ".png") return;
-  throw std::invalid_argument(
-      fmt::format("{} {}: is no format of a picture; use a name that ends in .svg or .png", "
-                  "option, file));
+  throw std::invalid_argument(fmt::format(
+      "{} {}: is no format of a picture; use a name that ends in .svg or .png", option, file));
 }
 
 void write_picture(const std::string& file, const std::string& svg) {
