@@ -1,4 +1,4 @@
-// The driver's side of the core.
+// The driver's side of the core's model.
 
 #include "tests/hal/stm32f405/usb/otg_bits.hpp"
 #include "tests/hal/stm32f405/usb/otg_model.hpp"
@@ -40,7 +40,7 @@ void OtgModel::look_at_clock() {
   if ((ModelBus::chip().cells[0x4002'3834] & one(7)) == 0) blame("a register without its clock");
 }
 
-/// Registers that keep what is written, and do nothing more.
+/// Returns a register that only keeps what is written to it.
 std::uint32_t* OtgModel::cell(std::uint32_t offset) {
   switch (offset) {
     case 0x008:
