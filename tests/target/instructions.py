@@ -18,7 +18,7 @@ import subprocess
 import sys
 
 EMULATOR = "qemu-system-arm"
-# Others on lines of 0.1 mm, measured elsewhere in the same emulation, -O2.
+# Other controllers on lines of 0.1 mm, measured separately in the same emulation, -O2.
 PEERS = {
     "read and parse": "grblHAL 2,053 and 1,364 to read, grbl 1,027 and 968",
     "raster: the main loop in all, worst: a turn":
@@ -50,7 +50,7 @@ def write_record(found: dict):
 
 
 def complaints(found: dict) -> list:
-    """What is not as it was, better or worse."""
+    """Returns the counts that differ from the record, better or worse."""
     recorded = read_record()
     texts = [f"{stage}: measured or on record, but not both"
              for stage in sorted(found.keys() ^ recorded.keys())]
