@@ -1,17 +1,18 @@
 #!/usr/bin/env python3
-"""The image in the emulated chip and the host's simulator, given the same bytes in the same turns:
-each step with its direction, and each change of the beam, belongs to the same tick.
+"""Compares the image in the emulated chip with the host's simulator: given the same bytes in the
+same cycles, each step with its direction, and each change of the beam, must belong to the same
+tick.
 
-Where the image was late with a turn, the simulator drives the job once more, late at the same
-boundaries; of the turns in motion one in a hundred may be late at most. An example ends in an alarm
-neither there nor here, however late the image is.
+If the image finished a cycle late, the simulator runs the job again, late at the same boundaries.
+Of the cycles in motion, at most one in a hundred may be late. An example must not end in an alarm
+on either side, however late the image is.
 
     image_trace.py PLUGIN kerfline_generic_1mbaud.elf image_trace_jobs EXAMPLES [TEST...]
 
-KERFLINE_TRIALS=200 random jobs of 2000 edges or more (3; 100 in prove.sh), from KERFLINE_SEED on;
-of less than 100 the share of late turns is not judged, as single jobs have up to a tenth.
-KERFLINE_TURNS=0 drives the examples to their end (2500 turns of a millisecond). Ends with 77
-(skipped) where something is missing.
+KERFLINE_TRIALS=200 runs that many random jobs of 2000 edges or more (default 3; 100 in prove.sh),
+from KERFLINE_SEED on. With less than 100 jobs the share of late cycles is not judged, because it
+may reach a tenth in a single job. KERFLINE_TURNS=0 drives the examples to their end (default 2500
+cycles of a millisecond). Ends with 77 (skipped) if a file is missing.
 """
 
 import dataclasses
