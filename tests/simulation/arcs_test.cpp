@@ -96,7 +96,7 @@ void try_arc(std::uint64_t seed, ArcSummary& summary) {
             << static_cast<double>(check.excess().time_ns) * 1e-9 << " of " << plan.seconds << " s";
         return std::pair{check.excess().value, check.edges()};
       };
-  // The arc itself, played with slots of half a microsecond.
+  // With the finest slots, of half a microsecond, the pulses show the error of the arc alone.
   cnc::StepTiming finest = machine.timing;
   finest.pulse = 1;
   const auto [excess, edges] = judge("arc", finest, 0.0, kArcPromise);

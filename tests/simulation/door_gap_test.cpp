@@ -41,7 +41,7 @@ struct Variant {
   const char* mode = "M3";
   bool pin = false;  ///< Opens the door by its input; otherwise by byte 0x84.
   bool jerk = false;
-  bool homed = false;  ///< The machine is homed and has $41, which parks without a beam.
+  bool homed = false;  ///< The machine is homed and has $41=1, but a beam is never parked.
   bool held = false;   ///< A feed hold comes shortly before the door.
   std::vector<std::pair<int, double>> settings{};
   double max_gap = kMaxGap;

@@ -177,7 +177,7 @@ TEST_F(LinkWatch, WaitsForEverWhereItIsToldTo) {
   EXPECT_EQ(machine.alarm(), Alarm::kNone);
 }
 
-/// A spindle is no beam, and a beam that is off burns nothing.
+/// A silent sender must not stop motion with a spindle, or with the beam off, which burns nothing.
 TEST_F(LinkWatch, LeavesMotionWithoutABeamAlone) {
   say("G1 X60 F1200\n");
   wait(5000);

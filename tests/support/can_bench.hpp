@@ -43,8 +43,7 @@ struct BusStation {
       : place{bus.join()}, link{place, node}, controller{link, {}} {
     controller.add_sink(edges);
     EXPECT_TRUE(machine().change_setting(cnc::setting::kCanNode, node).ok());
-    // These tests are about the bus, and their senders do not poll: the link watchdog would stop
-    // the machine.
+    // The link watchdog is off, because the senders of these tests do not poll.
     EXPECT_TRUE(machine().change_setting(cnc::setting::kLinkWatchdog, 0.0F).ok());
   }
 

@@ -46,7 +46,7 @@ class ExactBlock {
   Vector travel_{};
   Vector off_plane_{};  ///< The part of the travel that is not in the plane.
   cnc::ArcPlane plane_;
-  Vector first_{};  ///< First unit vector of the plane; the second follows.
+  Vector first_{};  ///< First unit vector of the plane; `second_` is perpendicular to it.
   Vector second_{};
   double half_sweep_ = 0.0;
   double chord_ = 0.0;

@@ -7,7 +7,7 @@ namespace sim {
 
 /// A stretch of a plan with constant acceleration: position along the path over time.
 struct PlanPiece {
-  double duration = 0.0;      ///< Length in time, s.
+  double duration = 0.0;      ///< Duration, s.
   double place = 0.0;         ///< Position along the path at the start of the piece, mm.
   double speed = 0.0;         ///< Speed at the start of the piece, mm/s.
   double acceleration = 0.0;  ///< Acceleration, mm/s².

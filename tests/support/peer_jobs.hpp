@@ -27,7 +27,8 @@ struct PeerJob {
   std::string name;
   std::string program;
   double acceleration = 0.0;  ///< Acceleration of X and Y, mm/s².
-  PeerTimes peers{};          ///< Only for jobs that are certain to be the same.
+  PeerTimes
+      peers{};  ///< Times of other controllers, only for jobs that are certain to be the same.
   /// The curve that short G1 approximate, as tangent arcs; empty if the program is the curve
   /// itself.
   sim::ProgrammedPath curve{};

@@ -112,7 +112,7 @@ TestArc random_arc(Random& random) {
 
 TestMachine machine_for(Random& random, const TestArc& arc, double steps) {
   const double length = arc.exact.length();
-  // Fast enough that a job takes about a second, since long jobs would only delay the test.
+  // The speed is such that a job takes about a second; longer jobs would only delay the test.
   const double slowest = std::min(500.0, std::max(1.0, length));
   TestMachine machine = random_machine(random,
                                        {.min_rate_mm_s = slowest,

@@ -28,7 +28,7 @@ class SpeedProblem {
   [[nodiscard]] double value(const std::vector<double>& unknown, double weight) const;
   /// Fills Newton's system of equations: the Hessian, and the negative gradient as the right side.
   void derive(const std::vector<double>& unknown, double weight, BandSystem& system) const;
-  /// Returns the number of logarithms.
+  /// Returns the number of logarithms in the barrier function.
   [[nodiscard]] double rule_count() const;
 
   /// Returns a slow motion that satisfies every rule. @param share height y as a share of the usual

@@ -126,8 +126,8 @@ class Debugger:
         self.socket.close()
 
     def _leave_interrupts(self):
-        """Runs until the core is in no interrupt: a fault that is planted in one would wait for its
-        end, or affect another one."""
+        """Runs until the core is in no interrupt: a fault that is planted within an
+        interrupt would wait for its end, or affect another interrupt."""
         for _ in range(self.MOST_LOOKS):
             status = struct.unpack("<I", bytes.fromhex(self._ask(f"p{XPSR:x}")[:8]))[0]
             if status & 0x1FF == 0:

@@ -12,7 +12,7 @@ TABLE, CODE = FREE, FREE + 0x40
 TABLE_ENTRIES = 8
 FLASH = 0x08000000
 
-# First the pin of the flood output rises, so that the trace shows the time.
+# First the pin of the flood coolant rises, so that the trace shows the time.
 MARK = """
     ldr r0, =0x40020418
     movs r1, #16

@@ -15,7 +15,7 @@ struct UsartKind {
   unsigned interrupt;
 };
 
-/// RM0090: table 1, 7.3.13, 7.3.14, table 61.
+/// Addresses, gates and interrupts of the USARTs (RM0090, table 1, 7.3.13, 7.3.14, table 61).
 constexpr std::array<UsartKind, Options::kSerialPorts> kUsarts = {{
     {{"USART1", 0x4001'1000, {Bus::kApb2, 4}}, Bus::kApb2, 37},
     {{"USART2", 0x4000'4400, {Bus::kApb1, 17}}, Bus::kApb1, 38},
