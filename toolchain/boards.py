@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
-"""Writes docs/boards.md, the pins of each board by connector and function, from the boards' headers.
+"""Writes docs/boards.md, the pins of each board by connector and function, from the boards'
+headers.
 
-    toolchain/boards.py [--check]    --check: fails if the page is not what would be written
+    toolchain/boards.py [--check]      --check: fails if the page differs from the headers
 """
 import pathlib
 import re

@@ -54,7 +54,7 @@ STATEMENTS = {
     "$N1=": "sets the start-up line that runs second",
     "$110=": "changes one setting",
 }
-# The values of RealtimeByte with what they do; the names are compared with those in the code.
+# The values of RealtimeByte with their effects; the names are compared with those in the code.
 REALTIME = {
     "Reset": "soft reset", "Stop": "stop; the same as a reset", "CycleStart": "cycle start, resume",
     "FeedHold": "feed hold", "Status": "status report", "StatusRaw": "status report",

@@ -28,7 +28,7 @@ def command_for(case: pathlib.Path, database: pathlib.Path, model: pathlib.Path)
 
 
 def verdict(case: pathlib.Path, exit_code: int, messages: str) -> str:
-    """Returns an empty text if the compiler did what the case expects, otherwise the complaint."""
+    """Returns an empty text if the compiler behaved as the case expects, otherwise the complaint."""
     expected = re.search(r"^// EXPECT: (.+)$", case.read_text(), re.MULTILINE)
     if not expected:
         return f"must compile, but does not:\n{messages}" if exit_code else ""

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Builds planner/examples/embed in the three ways that other projects may take the planner, and
-checks what it prints.
+"""Builds planner/examples/embed in the three ways in which other projects can use the planner, and
+checks its output.
 
     embed_test.py SOURCE_FOLDER BUILD_FOLDER
 

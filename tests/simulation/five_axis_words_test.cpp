@@ -103,7 +103,8 @@ struct TravelTally {
   double nearest_refused_mm = 1.0e9;  ///< Least excess over the travel of a refused motion, mm.
 };
 
-/// Returns how far the axes X Y Z exceed a travel of 300 mm below 0, mm; negative inside.
+/// Returns the distance by which the axes X Y Z exceed a travel of 300 mm below 0, mm; negative
+/// inside.
 double beyond_travel(const FiveAxisModel& model, const Point& from, const Point& to) {
   constexpr int kLooks = 2000;
   constexpr double kTravel = 300.0;

@@ -228,7 +228,7 @@ class Chaos {
 
   Random random_;
   LaserBench bench_;
-  bool quiet_ = false;  ///< Whether the sender pauses at present.
+  bool quiet_ = false;  ///< Whether the sender is pausing.
 };
 
 /// Number of cycles with the beam on, and in each state.

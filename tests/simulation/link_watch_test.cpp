@@ -83,7 +83,7 @@ class LinkWatch : public testing::Test {
     for (; ms > 0; --ms) turn();
   }
   void wait_until_idle() {
-    wait(10);  // Until the controller has read the lines.
+    wait(10);  // This time suffices for the controller to read the lines.
     for (int left = 60'000; !machine.idle() && left > 0; --left) {
       if (left % kPollMs == 0) say("?");
       turn();

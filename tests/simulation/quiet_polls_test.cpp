@@ -87,8 +87,8 @@ void operate(Random& random, Simulator& simulator) {
   }
 }
 
-/// Runs the job of a seed, with an operator or in the way of check(). @param skips whether the
-/// simulator skips quiet polls
+/// Runs the job of a seed, with an operator or as check() does. @param skips whether the simulator
+/// skips quiet polls
 Seen run(std::uint64_t seed, bool skips) {
   Random random{seed};
   const HostileJob job{random};

@@ -21,7 +21,8 @@ constexpr double kStepsPerMm = 2000.0;
 
 /// Returns a program of a few splines of all kinds, of about `size` mm.
 std::string random_splines(Random& random, double size) {
-  // In separate statements, so that a seed draws the same program with every compiler.
+  // Words are drawn in separate statements, so that a seed draws the same program with every
+  // compiler.
   const auto words = [&](const char* letters) {
     std::string drawn;
     for (; *letters != '\0'; ++letters) drawn += word(*letters, random.between(-size, size));

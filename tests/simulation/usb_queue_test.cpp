@@ -33,7 +33,8 @@ class UsbMachine {
     turns(20);
   }
 
-  /// Runs one millisecond: the controller reads what arrived, and the host fetches the answers.
+  /// Runs one millisecond: the controller reads the bytes that arrived, and the host fetches the
+  /// answers.
   void turn() {
     desk.begin_turn();
     switch (cables_.attend()) {

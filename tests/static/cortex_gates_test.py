@@ -19,7 +19,7 @@ FLAGS = """-std=c++20 -mcpu=cortex-m4 -mthumb -mfpu=fpv4-sp-d16 -mfloat-abi=hard
     -ffunction-sections -fno-unwind-tables -fno-asynchronous-unwind-tables -fno-exceptions -fno-rtti
     -fno-math-errno -fcallgraph-info=su,da""".split()
 
-# What is found: (source, flags with which the compiler accepts it)
+# Message of the check: (source, flags with which the compiler accepts it)
 PLANTED = {
     "heap: _Znwj": ("int* f() { return new int; }", []),
     "heap: _ZdlPvj": ("void f(int* p) { delete p; }", []),

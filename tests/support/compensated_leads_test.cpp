@@ -126,9 +126,9 @@ void expect_all_is_reached(const LeadProgram& program,
   }
 }
 
-/// Returns how far straight edges reach beyond a programmed line that runs along them, on the side
-/// of the tool, mm. Only the part of the line along which the tool is driven counts. Rounding to
-/// four decimals turns edge and line a little.
+/// Returns the distance by which straight edges extend beyond a programmed line that runs along
+/// them, on the side of the tool, mm. Only the part of the line along which the tool is driven
+/// counts. Rounding to four decimals turns edge and line a little.
 double reach_beyond(const LeadStep& from,
                     const LeadStep& to,
                     const std::vector<Piece>& outline,

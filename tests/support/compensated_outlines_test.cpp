@@ -130,7 +130,7 @@ double distance(const std::vector<Element>& elements, double x, double y) {
   return least;
 }
 
-/// Returns whether the result comes to the offset of every element of the outline.
+/// Returns whether the result contains points at the offset from every element of the outline.
 bool all_are_reached(const ExactContour& outline, const std::vector<Element>& result, double r) {
   return std::ranges::all_of(outline.elements(), [&](const Element& element) {
     bool reached = false;

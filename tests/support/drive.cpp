@@ -103,7 +103,8 @@ class Driver {
   Segmenter segmenter_{queue_, machine_.limits};
   cnc::path::PathStage stage_{machine_.limits};
   std::size_t next_ = 0;
-  int idle_turns_ = 0;  ///< Number of successive cycles that only evaluated what is held back.
+  /// Number of successive cycles in which only held-back elements were evaluated.
+  int idle_turns_ = 0;
 };
 
 }  // namespace

@@ -35,8 +35,10 @@ struct LeadProgram {
   /// The outline is convex and all leads fit, so that the program must be accepted.
   bool roomy = false;
   LeadStep start{};
-  std::vector<LeadStep> lead_in;   ///< From the entry motion on; the last step ends on the outline.
-  std::vector<LeadStep> outline;   ///< From the end of the lead-in, where its last step ends, too.
+  /// Lead-in from the entry motion on; its last step ends on the outline.
+  std::vector<LeadStep> lead_in;
+  /// Outline from the end of the lead-in, where its last step ends, too.
+  std::vector<LeadStep> outline;
   std::vector<LeadStep> overlap;   ///< Continues along the outline beyond its end.
   std::vector<LeadStep> lead_out;  ///< The motions before G40.
   std::vector<LeadStep> exit;      ///< The motion after G40, if any.

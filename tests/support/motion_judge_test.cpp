@@ -133,8 +133,8 @@ TEST(MotionJudge, ASteadyCircle) {
 }
 
 TEST(MotionJudge, AxisJerkIsTheThirdDerivativeOfThePlace) {
-  // On a helix: speeds up and changes its acceleration once. Differences of positions verify the
-  // figures.
+  // The plan speeds up on a helix and changes its acceleration once. Differences of positions
+  // verify the figures.
   PlanWriter writer;
   writer.go(0.2, 200.0).go(0.05, 0.0).go(0.05, 300.0);
   const FilteredPlan plan = writer.plan(0.05);

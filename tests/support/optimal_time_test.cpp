@@ -100,7 +100,7 @@ TEST(OptimalTime, FullCirclesAtTheCentripetalLimit) {
   EXPECT_NEAR(level, speed, 1e-3 * speed);
   EXPECT_GT(greatest, 1.01 * speed);
   EXPECT_LT(greatest, std::pow(2.0, 0.25) * speed);
-  // With two ramps: an axis that also turns speeds up more slowly than one that only moves
+  // Both ramps count: an axis that also turns speeds up more slowly than one that only moves
   // straight.
   const double way = 400.0 * std::numbers::pi;
   EXPECT_GT(profile.seconds(), way / greatest + 0.9 * speed / 1000.0);

@@ -11,7 +11,7 @@ namespace proof {
 
 struct ProgramItem {
   cnc::motion::MotionRequest request{};
-  /// A dwell, M0 or tool change comes before: the motion comes to rest first.
+  /// Whether the motion must come to rest before this item, as for a dwell, M0 or tool change.
   bool stop_before = false;
 };
 

@@ -92,7 +92,7 @@ class ControllerTest(unittest.TestCase):
         self.assertTrue(self.ask("$110=x").endswith("error:3\r\n"))
 
     def test_tells_of_a_flash_that_takes_nothing(self):
-        """The bare emulator's flash stores nothing: what could not be stored must not be
+        """The bare emulator's flash stores nothing: a setting that could not be stored must not be
         acknowledged."""
         self.assertRegex(self.ask("$110=5000"), r"error:\d+\r\n$")
 

@@ -348,7 +348,7 @@ class Stages {
   Cost segment_{};
 };
 
-// In a separate memory, as on the boards.
+// The step generator has a separate memory, as on the boards.
 [[gnu::section(".ccm")]] Application::Steps steps{port};
 [[gnu::section(".ccm")]] constinit cnc::motion::Pixels pixels{};
 

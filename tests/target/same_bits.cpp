@@ -167,7 +167,7 @@ class NoStore final : public hal::RecordStore {
 DigestPort port;
 NoStore store;
 ProgramLink link_to_program;
-// In a separate memory, as on the boards.
+// The step generator has a separate memory, as on the boards.
 [[gnu::section(".ccm")]] cnc::Controller<DigestPort>::Steps steps{port};
 [[gnu::section(".ccm")]] constinit cnc::motion::Pixels pixels{};
 cnc::Controller<DigestPort> application{steps, pixels, port, port, store, link_to_program};

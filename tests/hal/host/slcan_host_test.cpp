@@ -43,7 +43,7 @@ TEST_F(SlcanHostTest, OpensTheChannelAndClosesIt) {
   EXPECT_FALSE(adapter.open());
 }
 
-/// Also if the last program left its channel open and a line unfinished.
+/// The host must also take over if the last program left its channel open and a line unfinished.
 TEST_F(SlcanHostTest, TakesOverFromOneWhoDidNotClose) {
   const std::string before = "O\rt1232AB";
   adapter.hear(std::as_bytes(std::span{before}));

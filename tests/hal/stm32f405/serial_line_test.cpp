@@ -74,7 +74,7 @@ TEST_F(SerialLineTest, ATurnHearsWhatHadComeWhenItBegan) {
 
 TEST_F(SerialLineTest, ADamagedByteIsMarked) {
   arrive("G1 X");
-  arrive("1", bit(1));  // With a framing error.
+  arrive("1", bit(1));  // The byte has a framing error.
   arrive("0\n");
   EXPECT_EQ(
       "G1 X\x7F"

@@ -27,7 +27,7 @@ CHIP_OPTIONS = ("erase_us=1000",)  # A store that is new is erased at its first 
 RAM = 0x20000000
 FLASH = 0x08000000
 
-# Of the generic board.
+# Pins of the generic board.
 BEAM_PIN, BEAM_TIMER = "PA8", "TIM1_CH1"
 STEP_PINS = ("PA0", "PA1", "PA2", "PC0", "PC1", "PC2")  # Of all six axes.
 FLOOD_PIN = "PB4"

@@ -1,5 +1,4 @@
-"""Plants faults at given times: options for the emulated chip which make the image do what it never
-does by itself."""
+"""Plants faults at given times: options for the emulated chip which make the image misbehave."""
 
 import pathlib
 import subprocess

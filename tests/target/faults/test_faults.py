@@ -47,8 +47,8 @@ TOLD = {
 
 class FaultTest(unittest.TestCase):
     def assert_state(self, run, lit: bool):
-        """Asserts that the beam was as the state says at the fault, without which the test would
-        prove nothing."""
+        """Asserts that the beam was on or off as the state requires at the fault, without which the
+        test would prove nothing."""
         self.assertEqual(STOPPED, run.status, run.told)
         self.assertEqual(lit, any(begin < AT_NS <= end for begin, end in run.lit()), run.said)
 

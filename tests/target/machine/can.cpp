@@ -129,7 +129,8 @@ void Can::begin(Sender sender, const CanFrame& frame) {
   failure_ = 0;
   if (random_.below(100) < options_.can_corrupt_percent) {
     failure_ = own ? kRecessiveError : kStuffError;
-    bits = 1 + random_.below(bits - 10) + kErrorBits;  // At any bit before the end of the frame.
+    // The error occurs at a random bit before the end of the frame.
+    bits = 1 + random_.below(bits - 10) + kErrorBits;
   } else if (own && options_.can_alone && (timing_ & kLoop) == 0) {
     failure_ = kAcknowledgeError;
     bits = bits - 11 + kErrorBits;

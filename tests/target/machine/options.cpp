@@ -123,7 +123,8 @@ std::optional<std::string> take_option(std::string_view text, Options& options) 
   const std::string_view value =
       equals == std::string_view::npos ? std::string_view{} : text.substr(equals + 1);
   bool taken = false;
-  constexpr std::string_view kUsart = "usart";  // As in `usart1_in`.
+  // Names of these options begin with `usart1_` to `usart6_`.
+  constexpr std::string_view kUsart = "usart";
   if (name.size() > 7 && name.substr(0, 5) == kUsart && name[6] == '_' && name[5] >= '1' &&
       name[5] <= '6') {
     const auto port = static_cast<std::size_t>(name[5] - '1');
