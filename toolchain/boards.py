@@ -2,7 +2,7 @@
 """Writes docs/boards.md, the pins of each board by connector and function, from the boards'
 headers.
 
-    toolchain/boards.py [--check]      --check: fails if the page differs from the headers
+    toolchain/boards.py [--check]      --check: fails if the page is out of date
 """
 import pathlib
 import re

@@ -2,7 +2,7 @@
 """Writes docs/reference: settings, alarms, errors, statements and the command line, as a simulated
 controller and the program list them.
 
-    toolchain/reference.py KERFLINE [--check]    --check: fails if a page is not what would be written
+    toolchain/reference.py KERFLINE [--check]    --check: fails if a page is out of date
 """
 import pathlib
 import re

@@ -28,7 +28,7 @@ struct PhasedMotion {
     acceleration += jerk * seconds;
     time += seconds;
   }
-  /// Returns the time in excess of a motion at the constant speed `than`, s.
+  /// Returns the time in excess of that of a motion at the constant speed `than`, s.
   [[nodiscard]] double lost(double than) const { return time - way / than; }
 };
 

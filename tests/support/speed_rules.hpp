@@ -70,7 +70,7 @@ class PlaceBarrier {
   bool kept_ = true;
   double value_ = 0.0;
   std::array<double, 3> gradient_{};
-  std::array<std::array<double, 3>, 3> hessian_{};  ///< Only the upper half.
+  std::array<std::array<double, 3>, 3> hessian_{};  ///< Upper half of the symmetric matrix.
 };
 
 }  // namespace sim

@@ -352,7 +352,7 @@ class Stages {
 [[gnu::section(".ccm")]] Application::Steps steps{port};
 [[gnu::section(".ccm")]] constinit cnc::motion::Pixels pixels{};
 
-/// The other memory holds either of the two.
+/// The main memory holds either an Application or the Stages.
 constexpr std::size_t kLarger = std::max(sizeof(Application), sizeof(Stages));
 alignas(std::max_align_t) std::array<std::byte, kLarger> room;
 

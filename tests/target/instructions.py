@@ -18,7 +18,7 @@ import subprocess
 import sys
 
 EMULATOR = "qemu-system-arm"
-# Other controllers on lines of 0.1 mm, measured separately in the same emulation, -O2.
+# Counts of other controllers on lines of 0.1 mm, measured separately in the same emulation, -O2.
 PEERS = {
     "read and parse": "grblHAL 2,053 and 1,364 to read, grbl 1,027 and 968",
     "raster: the main loop in all, worst: a turn":

@@ -27,7 +27,7 @@ from source_files import ROOT  # noqa: E402
 LAYERS = ("planner", "firmware", "hal", "host-sim")
 LARGEST_GROUP = 80
 GROUP_CHECKS = "-bugprone-suspicious-include"  # Of .cpp files, which is how a group is made.
-# Without the analyser, which would spend most of its time on the code of fmt; on the host,
+# Checks without the analyser, which would spend most of its time on the code of fmt; on the host,
 # sanitizers run instead.
 HOST_CHECKS = GROUP_CHECKS + ",-clang-analyzer-*"
 # This check raises a false alarm on each constexpr member of a template, which is never initialised

@@ -8,7 +8,7 @@
 
 namespace hal::stm32f405 {
 
-using namespace otg_bits;  // NOLINT(google-build-using-namespace): this file is about them.
+using namespace otg_bits;  // NOLINT(google-build-using-namespace): this file uses these names.
 
 void OtgModel::enter(unsigned kind, unsigned endpoint, const Bytes& bytes) {
   Entry entry;

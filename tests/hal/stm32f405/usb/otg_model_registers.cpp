@@ -5,7 +5,7 @@
 
 namespace hal::stm32f405 {
 
-using namespace otg_bits;  // NOLINT(google-build-using-namespace): this file is about them.
+using namespace otg_bits;  // NOLINT(google-build-using-namespace): this file uses these names.
 
 std::uint32_t OtgModel::max_bytes(const Endpoint& endpoint, unsigned number) {
   return number == 0 ? 64U >> (endpoint.control & 3U) : endpoint.control & 0x7FFU;
