@@ -1,4 +1,4 @@
-"""What must not run on the controller, by the names of its symbols."""
+"""Classifies symbols of code that must not run on the controller, by their names."""
 import re
 
 _LIBM = """a?sinh? a?cosh? a?tanh? atan2 exp exp2 exp10 expm1 log log2 log10 log1p pow hypot cbrt
@@ -7,11 +7,12 @@ _LIBM = """a?sinh? a?cosh? a?tanh? atan2 exp exp2 exp10 expm1 log log2 log10 log
 BANNED = {
     "heap": r"_?(malloc|calloc|realloc|free|memalign|aligned_alloc|strn?dup)(_r)?|_?sbrk(_r)?"
             r"|_Z(nw|na|dl|da).*",
-    # An abstract class names __cxa_pure_virtual; that is a call which never happens, no exception.
+    # An abstract class refers to __cxa_pure_virtual, which is never called and is no exception.
     "exceptions": r"__cxa_(?!pure_virtual).*|_Unwind_.*|__gxx_personality.*|__aeabi_unwind.*"
                   r"|_ZSt\d+__throw_.*|_ZSt9terminatev",
     "run-time type information": r"_ZT[IS].*|__dynamic_cast",
-    # The float <-> 64-bit integer conversions of libgcc that compute in double are among them.
+    # The list includes libgcc's conversions between float and 64-bit integers, which compute in
+    # double.
     "double arithmetic": r"__aeabi_(d|cd).*|__aeabi_[a-z]+2d|__aeabi_f2u?lz|__powidf2|__(mul|div)dc3",
     "printf": r"_?(v?(as|s|sn|f|d)?i?(printf|scanf))(_r)?|puts|putchar|putc|fwrite|fputs|fflush"
               r"|strto(f|d|ld)|atof|_ZN?K?S[oi].*|_ZNSt8ios_base.*"
@@ -26,6 +27,6 @@ _PATTERNS = [(what, re.compile(pattern)) for what, pattern in BANNED.items()]
 
 
 def banned(symbol: str) -> list:
-    """What this symbol is that must not be; nothing for one that may. Parts of a function that
-    the optimizer has split off count as the function."""
+    """Returns the reasons for which a symbol is banned; nothing if it is permitted. Parts of a
+    function that the optimizer split off count as the function."""
     return [what for what, pattern in _PATTERNS if pattern.fullmatch(symbol.partition(".")[0])]

@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
-"""Writes docs/boards.md, the pins of each board by connector and function, from the boards' headers.
+"""Writes docs/boards.md, the pins of each board by connector and function, from the boards'
+headers.
 
-    toolchain/boards.py [--check]    --check: fails if the page is not what would be written
+    toolchain/boards.py [--check]      --check: fails if the page is out of date
 """
 import pathlib
 import re
@@ -14,7 +15,7 @@ PAGE = ROOT / "docs/boards.md"
 
 
 def page(root: pathlib.Path = ROOT) -> str:
-    """The page, printed by a program that is compiled with the headers of `root`."""
+    """Returns the page, printed by a program that is compiled with the headers of `root`."""
     with tempfile.TemporaryDirectory() as folder:
         program = pathlib.Path(folder) / "boards_page"
         subprocess.run(["c++", "-std=c++20", "-O0", f"-I{root}", "-o", program,
@@ -23,7 +24,7 @@ def page(root: pathlib.Path = ROOT) -> str:
 
 
 def missing_images(text: str) -> list:
-    """Images that the build makes and the page does not name."""
+    """Returns the images that the build makes and the page does not name."""
     rules = (ROOT / "toolchain/images.cmake").read_text(encoding="utf-8")
     images = re.findall(r"^kerfline_board_image\((\w+) ", rules, re.MULTILINE)
     return [image for image in images if f"`{image}`" not in text]

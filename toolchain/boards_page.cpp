@@ -21,7 +21,7 @@ std::string name_of(Pin pin) {
   return std::string{"P"} + static_cast<char>('A' + pin.port) + std::to_string(pin.number);
 }
 
-/// The rows of one board, each `| connector | function | pin |`.
+/// Table rows of one board, each `| connector | function | pin |`.
 class Rows {
  public:
   explicit Rows(const BoardSheet& sheet) : sheet_{sheet} {}
@@ -106,7 +106,7 @@ void print_board(const char* images) {
   print_pins(kBoard, sheet);
 }
 
-/// What differs between two boards of one family.
+/// Prints the differences between two boards of one family.
 void print_other_beam(const Board& board, const BoardSheet& sheet) {
   std::puts("\nWith `-DKERFLINE_ROBIN_NANO_BEAM=HE1`, on boards from V3.0_002 on:\n");
   std::puts("| connector | function | pin |\n|---|---|---|");

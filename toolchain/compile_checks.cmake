@@ -1,6 +1,6 @@
-# Code that only tests would compile, and so never the controller's compiler:
-# headers, each on its own from a source of one line with its layer's flags, and
-# the templates, which the whole controller on a bare port brings to life.
+# Compiles code with the controller's compiler that otherwise only tests would compile. Each header
+# is compiled alone, by a source of one line with its layer's flags. The complete controller on a
+# bare port instantiates the templates.
 option(KERFLINE_HEADERS_ALONE "Compile every header on its own" ON)
 
 function(kerfline_headers_alone layer folder)
@@ -23,7 +23,7 @@ function(kerfline_headers_alone layer folder)
     set_target_properties(${layer}_headers_alone PROPERTIES UNITY_BUILD OFF)
     target_link_libraries(${layer}_headers_alone PRIVATE ${flags} ${layer})
     if(KERFLINE_HOST)
-      target_compile_options(${layer}_headers_alone PRIVATE -O0)  # There is little to optimise.
+      target_compile_options(${layer}_headers_alone PRIVATE -O0)  # Little to optimise.
     endif()
   endif()
 endfunction()
@@ -33,7 +33,7 @@ function(kerfline_compile_checks)
     return()
   endif()
   add_custom_target(headers_alone)
-  # Headers of the controller are compiled by its own compiler only: once is enough.
+  # Only the controller's own compiler compiles its headers; once is enough.
   if(KERFLINE_HOST)
     kerfline_headers_alone(kerfline_hal_host hal/host)
     kerfline_headers_alone(kerfline_hal_stm32f405 hal/stm32f405)  # For clang-tidy.

@@ -8,7 +8,7 @@ function(kerfline_describe_version result source version)
   if(NOT KERFLINE_GIT)
     return()
   endif()
-  # Other users' builds read the work tree, too; and no reader takes the index's lock.
+  # Builds of other users may read the work tree, too, and reading must not lock the index.
   set(git ${KERFLINE_GIT} --no-optional-locks -c safe.directory=* -C ${source})
   execute_process(COMMAND ${git} rev-parse --show-prefix --verify HEAD
     OUTPUT_VARIABLE commit ERROR_QUIET RESULT_VARIABLE failed)

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""Writes docs/figures.md from what was built and measured: the images, the instructions on the
-emulated chip, and the stages of the last test.sh and prove.sh.
+"""Writes docs/figures.md from the results of builds and measurements: the images, the instructions
+on the emulated chip, and the stages of the last test.sh and prove.sh.
 
-    toolchain/figures.py [BUILD_FOLDER]    build, or that of another clone
+    toolchain/figures.py [BUILD_FOLDER]      build, or that of another clone
 """
 import csv
 import pathlib
@@ -20,7 +20,7 @@ def table(head: list, rows: list) -> list:
 
 
 def images(build: pathlib.Path) -> list:
-    """Bytes of flash, of static RAM and of stack of each image."""
+    """Returns the bytes of flash, static RAM and stack of each image."""
     rows = []
     for elf in sorted((build / "cortex-m4f/images").glob("*.elf")):
         symbols = {name: int(value, 16) for value, _, name in
@@ -53,20 +53,21 @@ def figures_on_the_chip() -> dict:
 
 
 def on_the_chip() -> list:
-    """Of each stage the average of all counts, and the worst of the first two."""
+    """Returns for each stage the average of all counts, and the worst case of the first two."""
     return [[stage, *(f"{row['average' + count]} / {row['worst' + count]}" if "worst" + count in row
                       else row["average" + count] for count in COUNTS.values())]
             for stage, row in figures_on_the_chip().items()]
 
 
 def lines_a_second() -> int:
-    """Lines of 0.1 mm that the chip reads, plans and drives at most."""
+    """Returns the number of lines of 0.1 mm that the chip can read, plan and drive in a second."""
     cycles = {stage: int(row["average_cycles"]) for stage, row in figures_on_the_chip().items()}
     return 100 * round(CORE_HZ / (cycles[LINE] + STEPS_A_LINE * cycles[INTERRUPT]) / 100)
 
 
 def share_of_pixels() -> int:
-    """Percent of the processor's time that the main loop takes of 20,000 fine pixels in a second."""
+    """Returns the percentage of processor time that the main loop takes for 20,000 fine pixels in a
+    second."""
     return round(100 * PIXELS_A_SECOND * int(figures_on_the_chip()[PIXEL]["average_cycles"]) / CORE_HZ)
 
 

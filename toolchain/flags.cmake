@@ -1,4 +1,4 @@
-# Read by the top folder, or by planner/ where another project takes that alone.
+# Included by the top folder, or by planner/ if another project uses planner/ alone.
 include_guard(GLOBAL)
 cmake_path(GET CMAKE_CURRENT_LIST_DIR PARENT_PATH kerfline_root)
 
@@ -6,9 +6,9 @@ option(KERFLINE_HOST "Build for the machine that runs the program, not for a con
 option(KERFLINE_CONTRACT_TEXT "A failed contract names its condition, file and line"
   ${KERFLINE_HOST})
 
-# Flags that decide bits and layouts in headers, so they are part of what the planner asks of
-# other projects. Motion has the same bits on every machine: no contraction of a*b+c, no vector
-# code in Eigen.
+# Flags that affect results and layouts in headers, so that projects that use the planner require
+# them, too. Motion has the same bits on every machine: no contraction of a*b+c, no vector code in
+# Eigen.
 add_library(kerfline_same_bits INTERFACE)
 target_compile_features(kerfline_same_bits INTERFACE cxx_std_20)
 target_compile_options(kerfline_same_bits INTERFACE
@@ -23,11 +23,11 @@ target_link_libraries(kerfline_flags INTERFACE kerfline_same_bits)
 target_include_directories(kerfline_flags INTERFACE ${kerfline_root})
 target_compile_options(kerfline_flags INTERFACE
   -Wall -Wextra -Wconversion -Wshadow
-  -ffile-prefix-map=${kerfline_root}/=)  # The same image from any folder.
+  -ffile-prefix-map=${kerfline_root}/=)  # Images do not depend on the folder.
 target_compile_definitions(kerfline_flags INTERFACE
   EIGEN_NO_MALLOC EIGEN_NO_DEBUG EIGEN_STACK_ALLOCATION_LIMIT=1024)
 if(KERFLINE_TOP_LEVEL)
-  # Within another project a new compiler's warning is no error.
+  # Within another project, a warning of a new compiler must not be an error.
   target_compile_options(kerfline_flags INTERFACE -Werror)
 endif()
 if(KERFLINE_HOST AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
@@ -37,20 +37,20 @@ if(KERFLINE_HOST AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     -Wno-restrict -Wno-array-bounds -Wno-stringop-overflow)
 endif()
 if(CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
-  # The sanitized builds. Its warnings are judged by clang-tidy.
+  # Clang makes the sanitized builds; clang-tidy judges its warnings.
   target_compile_options(kerfline_flags INTERFACE -Wno-error)
 endif()
 
-# Code of the controller: also no exceptions, no RTTI, no silent doubles.
+# Additional flags of the controller's code: no exceptions, no RTTI, no implicit doubles.
 add_library(kerfline_controller_flags INTERFACE)
 target_link_libraries(kerfline_controller_flags INTERFACE kerfline_flags)
 target_compile_options(kerfline_controller_flags INTERFACE
   -fno-exceptions -fno-rtti -fno-threadsafe-statics -Wdouble-promotion -Wvla
-  $<$<CXX_COMPILER_ID:GNU>:-Wno-psabi>)  # All of it is built by one compiler.
+  $<$<CXX_COMPILER_ID:GNU>:-Wno-psabi>)  # One compiler builds all of the code.
 
 option(KERFLINE_SANITIZE "AddressSanitizer and UndefinedBehaviorSanitizer" OFF)
 if(KERFLINE_SANITIZE)
-  # The vptr check compares type infos, which code built without RTTI has not.
+  # The vptr check compares type infos, which code without RTTI lacks.
   set(sanitizers -fsanitize=address,undefined -fno-sanitize=vptr)
   add_compile_options(${sanitizers} -fno-sanitize-recover=all -fno-omit-frame-pointer)
   add_link_options(${sanitizers})
@@ -63,10 +63,10 @@ if(KERFLINE_FUZZ)
   add_link_options(-fsanitize=fuzzer-no-link)
 endif()
 
-# Global: a project that takes planner/ alone links Eigen from its own folder.
+# Global, because a project that uses planner/ alone links Eigen from its own folder.
 find_package(Eigen3 3.4 REQUIRED NO_MODULE GLOBAL)
 
-# Headers that most sources of the host read; they change with the system only.
+# Headers that most sources of the host include, and that change only with the system.
 set(KERFLINE_LIBRARY_HEADERS <Eigen/Core> <fmt/format.h> <algorithm> <filesystem> <functional>
   <map> <optional> <ranges> <string> <vector>)
 

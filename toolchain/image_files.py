@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
-"""Completes a linked image, and makes the files that flashing tools want out of it.
+"""Completes a linked image, and makes the files that flashing tools require.
 
     image_files.py IMAGE.elf 0x08000000
 
-Writes the checksum into the image's header (hal/stm32f405/image.hpp), by which start-up finds
-an image that is truncated or damaged. Writes IMAGE.bin, .hex (Intel HEX) and .dfu (DfuSe, as
-dfu-util reads it) beside it; or, if there is something in it that must not run on a controller,
-nothing, and removes it.
+Writes the checksum into the image's header (hal/stm32f405/image.hpp), by which start-up detects a
+truncated or damaged image. Writes IMAGE.bin, .hex (Intel HEX) and .dfu (DfuSe, for dfu-util) into
+the same folder. If the image contains code that must not run on a controller, it writes no file and
+removes the image.
 """
 import hashlib
 import pathlib
@@ -28,14 +28,15 @@ ST, DFU_MODE = 0x0483, 0xDF11  # USB vendor, and product of the boot loader in R
 
 
 def complaints(elf: pathlib.Path) -> list:
-    """What is in the image though it must not be, came it from the sources or a library."""
+    """Returns complaints about code that must not be in the image, from the sources or from a
+    library."""
     symbols = subprocess.run([NM, "-P", elf], capture_output=True, text=True, check=True)
     return [f"{what}: {symbol} in {elf.name}" for line in symbols.stdout.splitlines()
             for symbol in line.split()[:1] for what in banned(symbol)]
 
 
 def symbols_of(elf: pathlib.Path) -> dict:
-    """{symbol: address}."""
+    """Returns {symbol: address}."""
     listing = subprocess.run([NM, elf], capture_output=True, text=True, check=True).stdout
     return {name: int(address, 16)
             for address, _, name in (line.split(maxsplit=2) for line in listing.splitlines()
@@ -43,7 +44,7 @@ def symbols_of(elf: pathlib.Path) -> dict:
 
 
 def place_in_file(elf: bytes, address: int) -> int:
-    """Where the bytes are in an ELF file that are loaded to an address."""
+    """Returns the offset in an ELF file of the bytes that are loaded to an address."""
     headers, = struct.unpack_from("<I", elf, 28)
     size, count = struct.unpack_from("<HH", elf, 42)
     for number in range(count):
@@ -54,14 +55,17 @@ def place_in_file(elf: bytes, address: int) -> int:
 
 
 def checksum_of(image: bytes, at: int) -> int:
-    """CRC-32 of an image whose header is at this offset: of all bytes but the checksum's own."""
+    """Returns the CRC-32 of an image whose header is at offset `at`: of all bytes except the
+    checksum's own."""
     field = at + CHECKSUM
     return zlib.crc32(image[field + 4:], zlib.crc32(image[:field]))
 
 
 def fill_header(elf: pathlib.Path, address: int) -> int:
-    """Completes the ELF file, so that a debugger and an emulator load what is flashed. @return the
-    checksum, as `$I+` shows it on the chip."""
+    """Completes the ELF file, so that debuggers and emulators load the same bytes as flashing
+    tools.
+
+    @return the checksum, as `$I+` shows it on the chip."""
     at = symbols_of(elf)["image_header"] - address
     image = binary_of(elf)
     magic, length = struct.unpack_from("<II", image, at)
@@ -75,7 +79,7 @@ def fill_header(elf: pathlib.Path, address: int) -> int:
 
 
 def binary_of(elf: pathlib.Path) -> bytes:
-    """The image, which has no gaps: what is in one would differ between the files."""
+    """Returns the image. It must not have gaps, whose bytes would differ between the files."""
     binary = elf.with_suffix(".bin")
     contents = []
     for fill in ("0xff", "0"):
@@ -87,14 +91,15 @@ def binary_of(elf: pathlib.Path) -> bytes:
 
 
 def dfuse(image: bytes, address: int) -> bytes:
-    """ST's DfuSe format 1.1a (UM0391): prefix, one target with one element, suffix."""
+    """Returns a file in ST's DfuSe format 1.1a (UM0391): prefix, one target with one element,
+    suffix."""
     element = struct.pack("<II", address, len(image)) + image
     name = b"Kerfline".ljust(255, b"\0")
     target = struct.pack("<6sBI255sII", b"Target", 0, 1, name, len(element), 1) + element
     prefix = struct.pack("<5sBIB", b"DfuSe", 1, 11 + len(target), 1)
     suffix = struct.pack("<HHHH3sB", 0xFFFF, DFU_MODE, ST, 0x011A, b"UFD", 16)
     body = prefix + target + suffix
-    # The checksum of DFU is zip's without its last inversion.
+    # The checksum of DFU is that of zip without the last inversion.
     return body + struct.pack("<I", zlib.crc32(body) ^ 0xFFFFFFFF)
 
 
@@ -112,7 +117,8 @@ def how_to_flash(image: pathlib.Path, address: int) -> str:
 
 
 def caution_of(elf: pathlib.Path) -> str:
-    """The question to answer before this image is flashed, which the board's header has; or nothing."""
+    """Returns the question to answer before this image is flashed, from the board's header; empty
+    if there is none."""
     text = subprocess.run([READELF, "-p", ".caution", elf], capture_output=True, text=True,
                           check=True).stdout
     found = re.search(r"\[ *0\]  (.+)", text)

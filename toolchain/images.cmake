@@ -4,11 +4,11 @@ find_package(Python3 REQUIRED COMPONENTS Interpreter)
 
 set(KERFLINE_STACK_BYTES 8192 CACHE STRING "Stack of the images, above its guard")
 
-# The layers once more, compiled for size. Only these are optimized at link time: it takes a
-# sixteenth of the image, without which MKS Robin Nano V3.1 would lack functions of the others.
-# Across files the compiler would put a function and what it calls into one frame until the main
-# loop needed more stack than it may: frames are bounded. What a loop computes anew each time is
-# shorter than what keeps it.
+# The layers again, compiled for size. Only these are optimized at link time, which makes the image
+# a sixteenth smaller; otherwise MKS Robin Nano V3.1 would lack functions that other boards have.
+# Frames are bounded: across files the compiler would merge the frames of a function and of the
+# functions that it calls, until the main loop needed too much stack. Code that recomputes a value
+# in each pass of a loop is shorter than code that keeps the value.
 set(small_flags -Os -flto -fno-inline-small-functions -fno-tree-loop-im -fno-move-loop-invariants
   -fno-tree-ch -fno-reorder-blocks
   --param=large-stack-frame=200 --param=large-stack-frame-growth=50)
@@ -40,7 +40,7 @@ target_compile_definitions(kerfline_planner_small PUBLIC KERFLINE_FIVE_AXES=0)
 target_compile_definitions(kerfline_firmware_small PUBLIC KERFLINE_SETTING_HELP=0)
 kerfline_add_version(kerfline_firmware_small)
 
-# The step interrupt is fast on every board.
+# The step interrupt is compiled for speed on every board.
 set(target ${PROJECT_SOURCE_DIR}/firmware/target)
 set(steps ${target}/stm32f405_steps.cpp)
 set_source_files_properties(${steps} PROPERTIES COMPILE_OPTIONS -O2)
@@ -71,7 +71,7 @@ function(kerfline_board_image name header object offset_kib end_kib)
     kerfline_controller_flags ${firmware} kerfline_hal_stm32f405)
   target_link_options(${name} PRIVATE
     -nostartfiles --specs=nano.specs -Wl,--gc-sections -T${script}
-    -Wl,--emit-relocs  # For tests/static/image_stack.py; the binary files have none.
+    -Wl,--emit-relocs  # For image_stack.py; binary files contain no relocations.
     -Wl,--defsym=application_begin=${begin} -Wl,--defsym=application_end=${end}
     -Wl,--defsym=stack_bytes=${KERFLINE_STACK_BYTES})
   add_custom_command(TARGET ${name} POST_BUILD
@@ -99,9 +99,9 @@ if(NOT DEFINED beam_${KERFLINE_ROBIN_NANO_BEAM})
 endif()
 set(beam ${beam_${KERFLINE_ROBIN_NANO_BEAM}})
 
-# From where the board's boot loader ends to where the store begins on the largest chip that the
-# board comes with: sector 10 with 1 MiB, sector 6 with 512 KiB. kerfline_generic_512 runs on both
-# and finds out at start which one it is on; so do the images that end at 768, where they fit.
+# Each image extends from the end of the board's boot loader to the beginning of the store on the
+# largest chip of the board: sector 10 with 1 MiB, sector 6 with 512 KiB. kerfline_generic_512 runs
+# on both chips and detects the chip at start; so do images that end at 768 KiB, if they fit.
 set(generic ${generic_${KERFLINE_GENERIC_CRYSTAL}})
 kerfline_board_image(kerfline_generic generic ${generic} 0 768)
 kerfline_board_image(kerfline_generic_512 generic ${generic} 0 256 SMALL)

@@ -1,5 +1,5 @@
 # `cpack` in the build folder makes kerfline_VERSION_ARCHITECTURE.deb of the components `program`
-# and `debian`; the libraries that it depends on are found by dpkg-shlibdeps.
+# and `debian`; dpkg-shlibdeps finds the libraries on which it depends.
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME kerfline)
 set(CPACK_PACKAGE_CONTACT "The Kerfline authors <authors@kerfline.invalid>")
@@ -15,7 +15,7 @@ set(CPACK_INSTALL_CMAKE_PROJECTS
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION electronics)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
-set(CPACK_DEBIAN_PACKAGE_DEPENDS fonts-dejavu-core)  # The letters in pictures.
+set(CPACK_DEBIAN_PACKAGE_DEPENDS fonts-dejavu-core)  # Font of the text in pictures.
 
 # The version with the commit is known only after the build.
 get_target_property(CPACK_KERFLINE_VERSION_FILE kerfline_firmware KERFLINE_VERSION_FILE)

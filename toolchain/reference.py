@@ -2,7 +2,7 @@
 """Writes docs/reference: settings, alarms, errors, statements and the command line, as a simulated
 controller and the program list them.
 
-    toolchain/reference.py KERFLINE [--check]    --check: fails if a page is not what would be written
+    toolchain/reference.py KERFLINE [--check]    --check: fails if a page is out of date
 """
 import pathlib
 import re
@@ -54,7 +54,7 @@ STATEMENTS = {
     "$N1=": "sets the start-up line that runs second",
     "$110=": "changes one setting",
 }
-# The values of RealtimeByte with what they do; the names are compared with those in the code.
+# The values of RealtimeByte with their effects; the names are compared with those in the code.
 REALTIME = {
     "Reset": "soft reset", "Stop": "stop; the same as a reset", "CycleStart": "cycle start, resume",
     "FeedHold": "feed hold", "Status": "status report", "StatusRaw": "status report",
@@ -76,7 +76,7 @@ REALTIME = {
 
 
 def ask(kerfline: str, statements: list) -> dict:
-    """The lines with which a fresh controller answers each statement."""
+    """Returns the lines with which a fresh controller answers each statement."""
     command = [kerfline, "serve", "--tcp", "0"]
     answers = {}
     with subprocess.Popen(command, text=True, stdout=subprocess.PIPE) as machine:
@@ -99,7 +99,7 @@ def ask(kerfline: str, statements: list) -> dict:
 
 
 def rows(lines: list) -> list:
-    """The fields between the brackets of lines such as [ALARMCODE:1||text]."""
+    """Returns the fields between the brackets of lines such as [ALARMCODE:1||text]."""
     return [line[line.index(":") + 1:-1].split("|") for line in lines if line.startswith("[")]
 
 
@@ -143,7 +143,7 @@ def codes_page(title: str, statement: str, letter: str, answers: dict) -> str:
 
 
 def names_in_code() -> set:
-    """The statements that firmware/protocol/statement.cpp reads."""
+    """Returns the names of the statements that firmware/protocol/statement.cpp reads."""
     code = (ROOT / "firmware/protocol/statement.cpp").read_text(encoding="utf-8")
     listings, rest = code.split("kListings{{", 1)[1].split("}};", 1)
     commands, assignments = rest.split("read_assignment", 1)
@@ -171,7 +171,7 @@ def statements_page() -> str:
 
 
 def helps_of(kerfline: str, words: list) -> list:
-    """The help of a command and of its subcommands, as pairs of words and text."""
+    """Returns the help of a command and of its subcommands, as pairs of words and text."""
     done = subprocess.run([kerfline, *words, "--help"], capture_output=True, text=True, check=True,
                           env={"PATH": "/usr/bin", "COLUMNS": "100"})
     found = [(words, done.stdout.rstrip())]

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Set-up, build, main job: streams the example programs through the simulated controller and
-# leaves picture and report of each in out/; with --traces also every step.
+# Sets up and builds the project, and streams the example programs through the simulated controller.
+# Writes a picture and a report of each to out/; with --traces also a trace of every step.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
@@ -24,7 +24,7 @@ refuse() {
   exit 2
 }
 
-# name_of ARGUMENT: the example that it names, with or without folder and ending.
+# name_of ARGUMENT: prints the name of the example; ARGUMENT may contain folder and ending.
 name_of() {
   local name
   name=$(basename "$1" .nc)

@@ -1,8 +1,7 @@
 #!/usr/bin/env bash
-# Installs the Debian packages of packages.txt that are missing, and nothing
-# else: `setup.sh run` installs those for building and running, `setup.sh test`
-# those for the tests besides, `setup.sh prove` those for everything. It asks
-# nothing; with nothing missing it needs no root.
+# Installs the missing Debian packages of packages.txt, and nothing else. `setup.sh run` installs
+# the packages for building and running, `setup.sh test` also those for the tests, `setup.sh prove`
+# all of them. It asks no questions, and needs root only if packages are missing.
 set -euo pipefail
 
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
@@ -26,7 +25,7 @@ while read -r line; do
   fi
 done <"$here/packages.txt"
 
-# dpkg-query fails for packages that it has never heard of; they are missing.
+# dpkg-query fails for packages that it does not know; these are missing, too.
 installed=$(dpkg-query -W -f='${Package} ${db:Status-Status}\n' "${wanted[@]}" 2>/dev/null || true)
 missing=()
 for package in "${wanted[@]}"; do

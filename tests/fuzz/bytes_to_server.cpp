@@ -1,14 +1,15 @@
-/// libFuzzer: any bytes of browsers and senders, over several connections, through the web server
-/// of `kerfline serve` to a controller that runs in virtual time.
+/// libFuzzer: random bytes from browsers and senders, over several connections, through the web
+/// server of `kerfline serve` to a controller in virtual time.
 ///
 /// Bytes go to one of four connections; `@` among them stands for the server's address. 0xFE and
-/// the byte after it are none of them: its low two bits choose the connection from there on, which
-/// is opened when there is none, the next three bits say what else happens (Bench::choose), and the
-/// others how much time passes. 0xFF and the byte after it are a phrase of kPhrases.
+/// the byte after it are a command. Its low two bits choose the connection from there on, which is
+/// opened if it does not exist. The next three bits choose another event (Bench::choose), and the
+/// others the time that passes. 0xFF and the byte after it stand for a phrase of kPhrases.
 ///
-/// Whatever comes, nothing crashes, hangs or leaks; each connection hears an answer of HTTP, of the
-/// length that it announces, or whole frames of a WebSocket and nothing behind its close; and when
-/// all are gone no descriptor is kept, the beam is off and the machine comes to rest.
+/// Whatever arrives, nothing may crash, hang or leak. Each connection must receive an HTTP answer
+/// of the announced length, or complete frames of a WebSocket and nothing after its close. When all
+/// clients have left, no descriptor may remain open, the beam must be off, and the machine must
+/// come to rest.
 
 #include <sys/socket.h>
 
@@ -50,7 +51,7 @@ constexpr std::string_view bytes(const char (&text)[Size]) {
 
 // clang-format off
 constexpr std::array kPhrases = std::to_array<std::string_view>({
-    // Heads.
+    // HTTP heads.
     "GET / HTTP/1.1\r\n", "HEAD /app.js HTTP/1.1\r\n", "GET /job HTTP/1.1\r\n",
     "GET /picture.svg HTTP/1.0\r\n", "POST /outline HTTP/1.1\r\n",
     "POST /job?name=a%20b.nc HTTP/1.1\r\n", "POST /job/run HTTP/1.1\r\n",
@@ -60,20 +61,20 @@ constexpr std::array kPhrases = std::to_array<std::string_view>({
     "Expect: 100-continue\r\n", "Connection: keep-alive\r\n", "\r\n",
     "Upgrade: websocket\r\nConnection: Upgrade\r\nSec-WebSocket-Version: 13\r\n"
     "Sec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\n",
-    // Frames.
+    // WebSocket frames.
     bytes("\x81\x81\0\0\0\0?"), bytes("\x81\x81\0\0\0\0!"), bytes("\x81\x81\0\0\0\0~"),
     bytes("\x81\x81\0\0\0\0\x18"), bytes("\x82\x81\0\0\0\0\x84"), bytes("\x88\x80\0\0\0\0"),
     bytes("\x88\x82\0\0\0\0\x03\xe8"), bytes("\x89\x81\0\0\0\0p"), bytes("\x8a\x80\0\0\0\0"),
     bytes("\x01\x80\0\0\0\0"), bytes("\x80\x80\0\0\0\0"), bytes("\x82\x8e\0\0\0\0M3S900G1X9F99\n"),
     bytes("\x81\x83\0\0\0\0$X\n"), bytes("\x81\x83\0\0\0\0$$\n"), bytes("\x82\xfe\x01\0\0\0\0\0"),
     bytes("\x82\xff\0\0\0\0\0\x01\0\0\0\0\0\0"),
-    // Programs, and faults that an operator accepts.
+    // Programs, and the list of faults that an operator accepts.
     "G91 M3 S500 F9000\nG1 X9\nG1 X-9\nM5\nG4 P0.1\n", "G7\n", "[\"line 1: \"]", "2c\r\n",
     "0\r\n\r\n",
 });
 // clang-format on
 
-/// What a server says on one connection.
+/// Checks all that the server sends on one connection.
 class AnswerJudge {
  public:
   void take(std::string_view part) {
@@ -110,7 +111,7 @@ class AnswerJudge {
     if (heard_.empty()) return false;
     require(!closed_, "nothing behind a close frame");
     if (heard_.size() < 2) return false;
-    const unsigned opcode = byte(0) ^ 0x80U;  // Each frame is final, and has no RSV bit.
+    const unsigned opcode = byte(0) ^ 0x80U;  // Each frame must be final and have no RSV bit.
     require(opcode == 1 || opcode == 2 || opcode == 8 || opcode == 10, "a frame of a server's");
     require(byte(1) < 0x80, "no mask");
     const std::size_t wide = byte(1) == 126 ? 2 : byte(1) == 127 ? 8 : 0;
@@ -136,7 +137,7 @@ class AnswerJudge {
   bool closed_ = false;
 };
 
-/// The server of `kerfline serve --ws`, and clients' ends of its connections.
+/// The server of `kerfline serve --ws` with the clients' ends of its connections.
 class Bench {
  public:
   Bench() {
@@ -179,7 +180,7 @@ class Bench {
     }
   }
 
-  /// What does not fit into a connection is given up.
+  /// Writes the pending bytes to the chosen connection; drops bytes for which it has no space.
   void flush() {
     if (pending_.empty()) return;
     const std::string part = std::exchange(pending_, {});
@@ -207,7 +208,7 @@ class Bench {
     for (int count = 0; count < kTurnsToRest && !rests(); ++count) turn();
     require(rests(), "the machine comes to rest");
     require(session_.controller().port().power == 0, "the beam is off");
-    // What other threads work at takes the time of a clock.
+    // Other threads of the server work in real time, so that this waits by the clock.
     for (int count = 0; count < 5000 && descriptors() > 1; ++count, turn()) ::usleep(1000);
     require(descriptors() == 1, "no descriptor is kept but the listener's");
   }
@@ -252,7 +253,8 @@ class Bench {
     return all.size();
   }
 
-  /// A job goes on when all are gone; an operator at the machine ends it.
+  /// Returns whether the machine rests. A job continues after all clients have left, so an operator
+  /// at the machine stops it.
   [[nodiscard]] bool rests() {
     if (job_.running()) job_.stop();
     return !job_.running() && reception_.sender_kind().empty() && session_.calm() &&
@@ -271,7 +273,7 @@ class Bench {
   sim::Reception::Clock::time_point now_{std::chrono::hours{1}};
   std::array<std::optional<Client>, 4> clients_;
   std::array<char, 65536> part_{};
-  std::string pending_;  ///< For the chosen client.
+  std::string pending_;  ///< Bytes for the chosen client that are not written yet.
   unsigned chosen_ = 0;
   bool reads_ = true;
 };

@@ -1,17 +1,17 @@
-/// libFuzzer: any bytes from the link and any hand on the panel, through
-/// protocol, machine, planner and step generator.
+/// libFuzzer: random bytes from the link and random actions at the panel, through protocol,
+/// machine, planner and step generator.
 ///
-/// The first byte chooses the machine: bit 0 a laser, bit 1 homed with soft
-/// limits; bits 2 to 7 switch features on (Bench::kFeatures). 0xFF and the byte after it are no
-/// bytes of the link but switches. Others stand for lines of tests/fuzz/tokens.hpp, with the byte
-/// after them: 0xFE a line or realtime byte of kTokens, 0xFB a statement of each kind, 0xFC a text
-/// of any length; and 0xFD with two bytes a setting, of all that the firmware's table has.
+/// The first byte chooses the machine: bit 0 a laser, bit 1 homed with soft limits; bits 2 to 7
+/// switch features on (Bench::kFeatures). Some bytes, each with the byte after it, stand for
+/// something else: 0xFF for switches, 0xFE for a line or realtime byte of kTokens
+/// (tests/fuzz/tokens.hpp), 0xFB for a statement of each kind, 0xFC for a text of any length. 0xFD
+/// with two bytes stands for any setting of the firmware's table.
 ///
-/// Whatever arrives, nothing crashes, every plain line is answered once, nothing but
-/// an acknowledgement looks like one, motors stay below their rates and inside
-/// the soft limits, the beam is off within a millisecond of standstill, but for the light that
-/// $870 and $871 allow, nothing is stored in motion, and a reset with an unlock always ends in
-/// idle: the first, or the second where a startup line that failed raised an alarm at the first.
+/// Whatever arrives, nothing may crash. Every plain line is answered once, and only an
+/// acknowledgement looks like one. Motors stay below their rates and inside the soft limits. The
+/// beam is off within a millisecond of standstill, except for the light that $870 and $871 allow.
+/// Nothing is stored in motion. A reset with an unlock always ends in idle; if a startup line
+/// failed and raised an alarm at the first reset, the second one does.
 
 #include <array>
 #include <cctype>
@@ -45,7 +45,7 @@ bool contains_word(std::string line, std::string_view word) {
   return line.find(word) != std::string::npos;
 }
 
-/// What the fuzzer sends and what comes back.
+/// A link that passes the fuzzer's bytes to the controller and checks its answers.
 class BytesLink final : public hal::ByteStream {
  public:
   explicit BytesLink(hal::InputState& panel) : panel_{panel} {}
@@ -62,7 +62,7 @@ class BytesLink final : public hal::ByteStream {
     const std::uint8_t byte = bytes_[read_++];
     if (byte == kSwitches) {
       if (read_ < bytes_.size()) set_switches(bytes_[read_++]);
-      return 0;  // The hand is slower than the wire: the next turn goes on.
+      return 0;  // The panel is slower than the link: the next cycle continues.
     }
     if (byte < kStatement || byte > kToken) return give(byte, into);
     if (read_ < bytes_.size()) take_token(byte, bytes_[read_++]);
@@ -105,8 +105,8 @@ class BytesLink final : public hal::ByteStream {
   std::size_t lines = 0;
   std::size_t answers = 0;
   bool resets = false;
-  bool single_block = false;  ///< It was asked for at some time.
-  bool checks = false;        ///< Lines are numbered, and some of them asked for again.
+  bool single_block = false;  ///< Whether single block was switched on at any time.
+  bool checks = false;        ///< Whether lines have been numbered or requested again.
 
  private:
   static constexpr std::uint8_t kSwitches = 0xFF;
@@ -125,8 +125,9 @@ class BytesLink final : public hal::ByteStream {
     resets |= (bits & 24U) != 0;
   }
 
-  /// A byte that acts at once leaves the stream, so that CR and LF on either side of it end one
-  /// line. Those above ASCII may come as characters of two bytes, the first of which is 0xC2.
+  /// Counts ends of lines. A realtime byte is removed from the stream, so that CR before it and LF
+  /// after it end only one line. Realtime bytes above ASCII may come as UTF-8, with 0xC2 as first
+  /// byte.
   void count_line_end(char character) {
     const auto byte = static_cast<std::uint8_t>(character);
     const bool lead_before = std::exchange(after_lead_, false);
@@ -146,7 +147,8 @@ class BytesLink final : public hal::ByteStream {
     checks |= numbered || line_.starts_with("Resend: ");
     if (line_ == "ok" || numbered || refusal) {
       ++answers;
-    } else if (!line_.starts_with("[ERRORCODE:")) {  // A row of $EE, which was asked for.
+      // A row of $EE, which was requested, may contain the word.
+    } else if (!line_.starts_with("[ERRORCODE:")) {
       require(!contains_word(line_, "ok") && !contains_word(line_, "error"),
               "only acknowledgements look like one");
     }
@@ -155,14 +157,15 @@ class BytesLink final : public hal::ByteStream {
   hal::InputState& panel_;
   std::span<const std::uint8_t> bytes_{};
   std::size_t read_ = 0;
-  std::string_view token_{};  ///< Its bytes that are left.
-  std::string setting_;       ///< The last token that is no constant.
+  std::string_view token_{};  ///< Remaining bytes of the present token.
+  std::string setting_;       ///< Text of the last token that was composed at run time.
   bool after_return_ = false;
   bool after_lead_ = false;
   std::string line_;
 };
 
-/// Flash that stops the processor: nothing may move or be lit meanwhile.
+/// A store whose flash stops the processor while it writes: nothing may move and no beam may be on
+/// then.
 class GuardedStore final : public hal::host::MemoryStore {
  public:
   explicit GuardedStore(const bool& moves) : moves_{moves} {}
@@ -175,7 +178,7 @@ class GuardedStore final : public hal::host::MemoryStore {
   const bool& moves_;
 };
 
-/// The controller in virtual time, a millisecond a turn.
+/// The controller in virtual time, with cycles of a millisecond.
 class Bench {
  public:
   explicit Bench(unsigned options) {
@@ -186,7 +189,7 @@ class Bench {
     if ((options & 2U) != 0) home();
   }
 
-  /// Until nothing has gone on for a while: lines are read some at a time.
+  /// Runs cycles until nothing has happened for a while; the controller reads a few lines in each.
   void run(unsigned turns) {
     for (unsigned turn = 0; turn < turns && turns_at_rest_ < kCalmTurns; ++turn) this->turn();
   }
@@ -201,8 +204,8 @@ class Bench {
     return link_.empty() && application_.machine().idle() && !timer_runs_;
   }
 
-  /// As an operator does who has had enough: releases every switch, presses
-  /// reset, unlocks. A startup line may raise an alarm anew; in an alarm none is run.
+  /// Recovers as an operator does: releases every switch, presses reset, unlocks. A startup line
+  /// may raise an alarm again; in an alarm, no startup line runs.
   void recover() {
     link_.send({});
     port_.panel = {};
@@ -213,7 +216,7 @@ class Bench {
     static constexpr std::uint8_t kUnlock[]{'$', 'X', '\n'};
     link_.send(kUnlock);
     for (int turns = 0; turns < kDebounce; ++turns) turn();
-    // Startup lines run once the machine is unlocked, and may move.
+    // Startup lines run after the unlock, and may move axes.
     for (int turns = 0; turns < 20'000 && !rests(); ++turns) turn();
     require(machine.state() == cnc::MachineState::kIdle && rests(),
             "a reset and an unlock end in idle");
@@ -221,7 +224,8 @@ class Bench {
   }
 
   [[nodiscard]] const BytesLink& link() const { return link_; }
-  /// Lines behind the pause of a single block wait for the operator.
+  /// Returns whether the machine pauses in single-block mode, in which further lines wait for the
+  /// operator.
   [[nodiscard]] bool pauses() const {
     const cnc::MachineState state = application_.machine().state();
     return link_.single_block &&
@@ -256,9 +260,10 @@ class Bench {
   }};
   static constexpr float kTravelMm = 10.0F;
   static constexpr unsigned kCalmTurns = 40;
-  static constexpr int kDebounce = 60;  ///< Turns; longer than a switch may bounce.
+  static constexpr int kDebounce = 60;  ///< Number of cycles, longer than a switch may bounce.
   static constexpr std::uint64_t kTicks = cnc::motion::kTicksPerSecond / 1000;
-  /// A pulse is at least 1 µs up and 1 µs down, nine of ten slots are used.
+  /// Greatest number of steps: a pulse takes at least 1 µs up and 1 µs down, and nine of ten slots
+  /// are used.
   static constexpr std::int64_t kMaxStepsPerMillisecond = 451;
 
   void set(std::uint16_t number, float value) {
@@ -290,7 +295,7 @@ class Bench {
   void turn() {
     application_.poll(hal::TickCount{static_cast<std::uint32_t>(now_ / 4)});
     advance_millisecond();
-    // Hundreds of short lines may wait in the controller, which answers some in each turn.
+    // Hundreds of short lines may wait in the controller, which answers a few in each cycle.
     const bool answered = std::exchange(answers_seen_, link_.answers) != link_.answers;
     turns_at_rest_ = rests() && !answered ? turns_at_rest_ + 1 : 0;
     check();
@@ -317,7 +322,7 @@ class Bench {
     }
   }
 
-  /// At the upper ends, a millimetre or so from where the machine was switched on.
+  /// Sets the limit switches: at the upper ends, about a millimetre from the position at power-up.
   void read_limit_switches() {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const auto bit = static_cast<std::uint8_t>(1U << axis);
@@ -341,7 +346,7 @@ class Bench {
     }
   }
 
-  /// What the settings allow.
+  /// Returns the power that the settings allow at rest.
   [[nodiscard]] std::uint16_t light_at_rest() const {
     const cnc::Settings& settings = application_.machine().settings();
     if (settings.get(cnc::setting::kRestLightTime) == 0.0F) return 0;
@@ -349,7 +354,8 @@ class Bench {
   }
 
   static void check_travel(const cnc::Machine& machine, std::size_t axis) {
-    // Whoever moves the ends leaves the machine where it stands.
+    // If a setting changes the ends of the travel, the machine may be outside; then there is no
+    // check.
     const cnc::Settings& settings = machine.settings();
     const bool as_homed = settings.get(cnc::setting::kTravel, axis) == kTravelMm &&
                           settings.get(cnc::setting::kHomingDirectionInvert) == 0.0F &&

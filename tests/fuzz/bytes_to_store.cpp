@@ -1,12 +1,11 @@
-/// libFuzzer: any bytes where a controller's memory should be, in a file, in flash, and as records.
+/// libFuzzer: random bytes as the memory of a controller, in a file, in flash, and as records.
 ///
-/// The first byte chooses: 0 a file of `--store`, 1 flash with sectors of 256 words, filled with
-/// the bytes, 2 records (number in two bytes, length, bytes). Modulo 3, so that any byte chooses
-/// one.
+/// The first byte, modulo 3, chooses: 0 a file of `--store`, 1 flash with sectors of 256 words that
+/// contain the bytes, 2 records (number in two bytes, length, bytes).
 ///
-/// Whatever is there, it is read or refused with a reason; what is read twice is the same; what a
-/// store took is there after the next power-up, and what was not saved is as it was; a machine
-/// starts on whatever records there are, answers, and lets settings be changed or refuses.
+/// Whatever the bytes are, they are read, or refused with a reason. Reading twice gives the same
+/// result. Records that a store accepted exist after the next power-up, and all other records are
+/// unchanged. A machine starts on any records, answers, and changes settings or refuses to.
 
 #include <unistd.h>
 
@@ -42,7 +41,7 @@ void require(bool holds, const char* what) {
   std::abort();
 }
 
-/// A sender that asks for everything and takes any answer.
+/// A sender that requests everything and accepts any answer.
 class Talk final : public hal::ByteStream {
  public:
   [[nodiscard]] std::size_t read(std::span<std::byte> into) override {
@@ -63,7 +62,7 @@ class Talk final : public hal::ByteStream {
   std::size_t at_ = 0;
 };
 
-/// A machine on these records.
+/// Starts a machine on these records.
 void start_machine(hal::RecordStore& store) {
   constexpr int kTurns = 400;
   Talk talk;

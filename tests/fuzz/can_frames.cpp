@@ -1,11 +1,12 @@
-/// libFuzzer: any frames of a bus, at any times, through the controller's link.
+/// libFuzzer: random frames of a bus, at random times, through the controller's link.
 ///
-/// Each byte begins something: its low three bits say what (a frame by its identifier, time that
-/// passes, words of the controller), the others how long; that many bytes follow.
+/// Each byte begins an event. Its low three bits choose the event (a frame by its identifier, time
+/// that passes, words of the controller), the others the length; that many bytes follow.
 ///
-/// Whatever arrives, nothing crashes, text that is read consists of whole messages in their order
-/// (each is marked where it begins, and a simple assembler of its own puts them together), a stop
-/// is told when one came and not else, and what the node says are whole messages in right frames.
+/// Whatever arrives, nothing may crash. The text that is read consists of complete messages in
+/// their order; each message is marked at its beginning, and a simple assembler puts the messages
+/// together independently. A stop is reported if and only if one arrived. The node sends complete
+/// messages in valid frames.
 
 #include <algorithm>
 #include <array>
@@ -25,7 +26,7 @@ namespace {
 namespace can = cnc::can;
 
 constexpr std::uint8_t kNode = 0x11;
-constexpr char kBegin = '\xFE';  ///< Of a message to the node; nowhere else.
+constexpr char kBegin = '\xFE';  ///< First byte of a message to the node; it occurs nowhere else.
 
 void require(bool holds, const char* what) {
   if (holds) return;
@@ -33,8 +34,8 @@ void require(bool holds, const char* what) {
   std::abort();
 }
 
-/// ISO 15765-2 without flow control: messages whose frames came in order. More of them than a
-/// receiver gets that has times and limits, never fewer.
+/// Assembles messages of ISO 15765-2 without flow control, from frames that come in order. It finds
+/// at least the messages that a receiver with limits of time and space finds.
 class Assembler {
  public:
   void take(std::span<const std::byte> payload) {
@@ -46,12 +47,12 @@ class Assembler {
       begin(payload.subspan(1, low));
     } else if (first >> 4U == 1 && payload.size() == 8) {
       const unsigned length = low << 8U | std::to_integer<unsigned>(payload[1]);
-      if (length >= 1 && length <= 7) return;  // No first frame: it is passed over.
+      if (length >= 1 && length <= 7) return;  // An invalid first frame is ignored.
       left_ = length;
       if (left_ != 0) begin(payload.subspan(2));
     } else if (first >> 4U == 2 && left_ != 0) {
       const std::size_t part = std::min<std::size_t>(left_, 7);
-      // One that comes twice, as on a bus that was disturbed at its end, counts once.
+      // A repeated frame, as after a disturbance at the end of a frame, counts once.
       if (payload.size() <= part || low == ((number_ - 1) & 15U)) return;
       if (low != number_) left_ = 0;
       number_ = (number_ + 1) & 15U;
@@ -78,7 +79,7 @@ class Assembler {
   unsigned number_ = 1;
 };
 
-/// The bus as the node sees it.
+/// The bus as seen by the node.
 class Bus final : public hal::CanPort {
  public:
   [[nodiscard]] bool receive(hal::CanFrame& frame) override {
@@ -140,7 +141,7 @@ class Bench {
   }
 
  private:
-  /// Text is 7 bits, but where a message begins.
+  /// Limits text to 7 bits, and marks the beginning of a message.
   static void mark(hal::CanFrame& frame) {
     const auto kind = std::to_integer<unsigned>(frame.data[0]) >> 4U;
     const std::size_t begin = kind == 1 ? 2 : 1;
@@ -205,7 +206,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     }
     input = input.subspan(part.size());
     kind < kTime ? bench.frame(kind, part) : bench.say(part);
-    if (kind == 3) continue;  // Frames of text may come several in a turn.
+    if (kind == 3) continue;  // Several frames of text may come in one cycle.
     bench.turn();
   }
   for (int turns = 0; turns < 40; ++turns) bench.turn();

@@ -18,7 +18,7 @@ inline void require_drawn(bool holds, const char* what) {
   std::abort();
 }
 
-/// A refusal names its file and says why.
+/// Requires that a refusal names the file and gives a reason.
 inline void require_refusal(const std::invalid_argument& refusal) {
   require_drawn(std::string{refusal.what()}.size() > 10, "a refusal has a reason");
 }
@@ -44,12 +44,12 @@ inline void judge_contour(const sim::drawing::Drawing& drawn,
   }
 }
 
-/// Whatever the bytes say: no crash, and what is read is sound.
+/// Reads any bytes as a drawing: nothing may crash, and a drawing that is read must be sound.
 inline int judge_drawing(const std::uint8_t* data, std::size_t size) {
   const std::string text{reinterpret_cast<const char*>(data), size};
-  // Pages are drawn by poppler, which has fuzzers of its own and is not instrumented here.
+  // Poppler draws PDF pages. It has its own fuzzers, and is not instrumented here.
   if (text.find("%PDF") != std::string::npos) return 0;
-  // What takes a user a second takes twenty under sanitizers.
+  // Sanitizers make reading about twenty times slower, so the effort is small.
   const sim::drawing::ImportOptions options{.effort = 0.02,
                                             .text = static_cast<sim::drawing::TextMode>(size % 3)};
   const sim::drawing::Drawing drawn = sim::drawing::read_drawing("fuzz", text, options);

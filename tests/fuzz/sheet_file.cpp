@@ -23,7 +23,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   for (const SheetPart& part : sheet.parts) copies += part.places.size();
   fuzz::require_drawn(copies <= kMaxCopies, "copies are bounded");
   fuzz::require_drawn(!sheet.parts.empty() || !sheet.faults.empty(), "no parts without a reason");
-  // More of them say nothing new, and take seconds.
+  // More copies test nothing new, and take seconds.
   if (copies > 200) return 0;
   const auto read = [](const std::string& /*name*/) { return std::string{kPart}; };
   const sim::drawing::Drawing drawn = place_parts(sheet, read, {.effort = 0.02});

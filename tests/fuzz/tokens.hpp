@@ -10,12 +10,12 @@
 #include "firmware/machine/settings.hpp"
 #include "firmware/protocol/statement.hpp"
 
-/// Lines and realtime bytes that a fuzzer of the controller's link puts together.
+/// Lines and realtime bytes that a fuzzer of the controller's link combines.
 namespace fuzz {
 
 // clang-format off
 inline constexpr std::array kTokens = std::to_array<std::string_view>({
-    // Statements that are more than example_of() has.
+    // Statements that example_of() lacks.
     "$\n", "$$\n", "$#\n", "$G\n", "$I\n", "$I+\n", "$N\n", "$ES\n", "$EG\n", "$ESH\n", "$EA\n",
     "$EE\n", "$PC\n", "$K\n", "$KS\n", "$C\n", "$X\n", "$H\n", "$HX\n", "$HYZ\n", "$HA\n", "$SLP\n",
     "$DFU\n", "$RESUME\n", "$RESUME=0\n", "$RESUME=5\n", "$RESUME=7\n", "$RST=$\n", "$RST=#\n",
@@ -45,7 +45,7 @@ inline constexpr std::array kTokens = std::to_array<std::string_view>({
     "T2\n", "G41D2\n", "G41\n", "G40\n", "M190P0Q10\n", "F300S1000\n", "G61.1\n", "G64P0.1Q0.05\n",
     "G91\n", "G90\n", "G93\n", "G94\n", "G20\n", "G21\n", "G18\n", "G17\n", "G55\n", "G80\n",
     "/G0X9\n",
-    // Circles and lines as large as the machine takes, and elements of a nanometre.
+    // Circles and lines as large as the machine accepts, and elements of a nanometre.
     "G91G3X.04Y.03I-402653.2024J536870.9782\n", "G91G2X.05R600000\n", "G3Y20000R1000000\n",
     "G91G1X9000\n", "G91G1Y-9000\n", "G91G1X.000001\n", "G91G2X.000003R2\n",
     "N1G1X5*86\n", "N0M110*125\n", "M110\n", "M110N0\n", "M62P2\n", "M63P2\n",
@@ -55,8 +55,8 @@ inline constexpr std::array kTokens = std::to_array<std::string_view>({
 });
 // clang-format on
 
-/// A line for each kind of statement; empty behind the last. A kind that is missing here is a
-/// warning of the compiler, which is an error.
+/// Returns a line for each kind of statement, and an empty text after the last kind. A missing kind
+/// is a compiler warning, which is an error.
 constexpr std::string_view example_of(cnc::StatementKind kind) {
   using enum cnc::StatementKind;
   switch (kind) {
@@ -116,8 +116,8 @@ inline std::string_view statement_token(std::uint8_t which) {
   return example_of(static_cast<cnc::StatementKind>(which % kinds));
 }
 
-/// Returns a line that changes one of all settings, to a value in its range: the least, the
-/// standard or the greatest one, or another.
+/// Returns a line that changes one of all settings to a value in its range: the least, the default,
+/// the greatest or another one.
 inline std::string setting_token(std::uint8_t which, std::uint8_t value) {
   const auto table = cnc::setting_table();
   const cnc::SettingInfo info = table[which % table.size()];
@@ -134,7 +134,7 @@ inline std::string setting_token(std::uint8_t which, std::uint8_t value) {
   return text.data();
 }
 
-/// Returns so many bytes of short lines, the last of which may have no end.
+/// Returns `length` bytes of short lines; the last line may be cut off.
 inline std::string_view long_token(std::uint8_t length) {
   static const std::string lines = [] {
     std::string text;

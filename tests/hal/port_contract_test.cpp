@@ -1,5 +1,5 @@
-// What hal/interface asks of a port, asked of every port. A port comes in by a
-// bench: the port, and what is to be seen and done at its pins.
+// Tests the requirements of hal/interface on every port. A bench adapts each port: it holds the
+// port, and observes and drives its pins.
 
 #include <gtest/gtest.h>
 
@@ -17,7 +17,7 @@
 namespace hal {
 namespace {
 
-/// The simulator's port.
+/// Bench of the simulator's port.
 struct HostBench {
   static constexpr std::uint8_t kMotors = 0b111111;
   static constexpr std::size_t kOutputs = 8;
@@ -38,7 +38,7 @@ struct HostBench {
   void after_steps() {}
 };
 
-/// A board of the chip's, on a model of its registers.
+/// Bench of a board with the chip, on a model of its registers.
 template <const stm32f405::Board& kBoard>
 struct ChipBench {
   using Bus = stm32f405::ModelBus;
@@ -64,7 +64,7 @@ struct ChipBench {
   }
 
   std::int32_t position(std::size_t axis) { return counted[axis]; }
-  /// The share of the timer's period that the pin is high.
+  /// Returns the share of the timer's period during which the pin is high.
   double duty() {
     constexpr stm32f405::PowerChannel kChannel = stm32f405::power_channel_of(kBoard.power);
     if (chip.mode_of(kBoard.power) != 2) return chip.is_high(kBoard.power) ? 1.0 : 0.0;
@@ -72,7 +72,7 @@ struct ChipBench {
     return high / (chip.cells[kChannel.timer + stm32f405::timer::kReload] + 1.0);
   }
   bool output(std::size_t number) { return chip.is_high(kBoard.outputs[number]); }
-  /// Asked for in a boundary, as it is.
+  /// Starts the timer at a boundary, as the product does; returns whether it plays.
   bool plays_after_start() {
     using Timer = stm32f405::StepTimer<Bus>;
     bool played = false;
@@ -98,7 +98,7 @@ struct ChipBench {
   void close_limit(std::size_t axis) { chip.feed(kBoard.limits[axis], false); }
   void press_hold(bool pressed) { chip.feed(kBoard.hold, !pressed); }
 
-  /// Counts leading edges, as a driver does.
+  /// Counts leading edges as a motor driver does.
   void after_steps() {
     for (std::size_t axis = 0; axis < stm32f405::kAxes; ++axis) {
       const stm32f405::Motor& motor = kBoard.motors[axis];

@@ -1,4 +1,4 @@
-// The case that proves the others: with these flags, right uses compile.
+// Reference case of all the others: with these flags, correct uses must compile.
 #include "hal/interface/tick_count.hpp"
 #include "hal/stm32f405/boards/generic.hpp"
 #include "planner/base/coordinate.hpp"

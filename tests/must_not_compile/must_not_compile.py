@@ -1,6 +1,7 @@
-"""Compiles one case with the project's flags; passes when the compiler refuses it as the case says.
+"""Compiles one case with the project's flags. Passes if the compiler refuses it with the message
+that the case expects.
 
-A case without an EXPECT line is the sanity case: it must compile.
+A case without an EXPECT line is the reference case: it must compile.
 """
 import argparse
 import json
@@ -13,7 +14,8 @@ import sys
 
 
 def command_for(case: pathlib.Path, database: pathlib.Path, model: pathlib.Path) -> tuple:
-    """The compile command of `model`, turned to `case` and without output; and its folder."""
+    """Returns the compile command of `model` for `case`, without output, and the folder of the
+    command."""
     for entry in json.loads(database.read_text()):
         if pathlib.Path(entry["file"]) != model:
             continue
@@ -26,7 +28,7 @@ def command_for(case: pathlib.Path, database: pathlib.Path, model: pathlib.Path)
 
 
 def verdict(case: pathlib.Path, exit_code: int, messages: str) -> str:
-    """Empty when the compiler did what the case expects."""
+    """Returns an empty text if the compiler behaved as the case expects, otherwise the complaint."""
     expected = re.search(r"^// EXPECT: (.+)$", case.read_text(), re.MULTILINE)
     if not expected:
         return f"must compile, but does not:\n{messages}" if exit_code else ""

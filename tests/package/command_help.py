@@ -1,4 +1,5 @@
-"""The commands and options of `kerfline`, read from `--help`: what is generated is compared with it."""
+"""Reads the commands and options of `kerfline` from `--help`; tests compare generated files with
+them."""
 import re
 import subprocess
 
@@ -21,7 +22,8 @@ def subcommands_in(text) -> list:
 
 
 def all_commands(kerfline) -> dict:
-    """{path, a tuple of names: (subcommands, options)}, the program itself as the empty path."""
+    """Returns {path: (subcommands, options)}, where a path is a tuple of names, and that of the
+    program itself is empty."""
     commands, open_paths = {}, [()]
     while open_paths:
         path = open_paths.pop()

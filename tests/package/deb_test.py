@@ -24,7 +24,7 @@ LONGEST_S = 400  # Of a command: the archive may be slow, but a test that hangs 
 
 
 def run(*command, **options):
-    """Standard output; what went wrong, if it did, as the message of an error."""
+    """Returns standard output. Raises an error with the output as message if the command failed."""
     done = subprocess.run([str(word) for word in command], capture_output=True, text=True, check=False,
                           stdin=subprocess.DEVNULL, timeout=LONGEST_S, **options)
     if done.returncode != 0:
@@ -40,7 +40,8 @@ def sources_of_the_machine() -> list:
 
 
 def make_clean_root(root: pathlib.Path, scratch: pathlib.Path):
-    """A Debian of the machine's own release with apt and nothing else, configured as its apt is."""
+    """Makes a Debian of the machine's own release that contains only apt, configured as on the
+    machine."""
     options = scratch / "acquire.conf"
     options.write_text(run("apt-config", "dump", "Acquire"), encoding="utf-8")
     release = re.search(r"^VERSION_CODENAME=(\w+)", pathlib.Path("/etc/os-release").read_text(), re.M)[1]

@@ -1,4 +1,4 @@
-"""The manual page before a strict reader, the completions in zsh and fish.
+"""Tests the manual page with a strict reader, and the completions in zsh and fish.
 
 usage: documents_test.py KERFLINE
 """
@@ -40,7 +40,7 @@ class Manual(Document):
         page = self.write("kerfline.1", printed("manual"))
         run = subprocess.run(["mandoc", "-T", "lint", "-W", "warning", page],
                              capture_output=True, text=True, check=False)
-        # The date of a page is that of its version, which stands at its foot.
+        # The date of a page is that of its version, which is given at its foot.
         findings = [line for line in run.stdout.splitlines() if "missing date" not in line]
         self.assertEqual(findings, [])
 
@@ -69,7 +69,7 @@ class Fish(Document):
             words = " ".join(["kerfline", *path])
             self.assertEqual(self.complete(f"{words} --"), {o for o in options if o.startswith("--")}, words)
             if subcommands:
-                # Beside files, where the command itself takes one.
+                # Files are offered, too, if the command itself accepts one.
                 files = {file.name for file in pathlib.Path(self.folder).iterdir()}
                 self.assertEqual(self.complete(f"{words} ") - files, set(subcommands), words)
 
@@ -82,7 +82,7 @@ class Fish(Document):
 
 
 class Zsh(Document):
-    """At a terminal: zsh completes nowhere else."""
+    """Needs a terminal: zsh completes nowhere else."""
 
     def setUp(self):
         super().setUp()
@@ -104,7 +104,7 @@ class Zsh(Document):
         self.read_to(PROMPT)
 
     def read_to(self, words, seconds=20.0):
-        """What the terminal shows until the words; what follows them is for the next call."""
+        """Returns the terminal's output up to the words; later output is left for the next call."""
         end = time.monotonic() + seconds
         while words not in self.shown:
             self.assertLess(time.monotonic(), end, f"{words!r} does not come: {self.shown!r}")
@@ -120,7 +120,7 @@ class Zsh(Document):
         return self.read_to(words)
 
     def complete(self, words, expected):
-        """Types words and a tab: the line becomes the expected one."""
+        """Types words and a tab, and expects that the line becomes `expected`."""
         self.say(f"{words}\t", expected)
         self.say("\x15print done-$((1 + 1))\n", "done-2")  # Nothing of this line is read as the next.
         self.read_to(PROMPT)

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Builds planner/examples/embed in the three ways that other projects may take the planner, and
-checks what it prints.
+"""Builds planner/examples/embed in the three ways in which other projects can use the planner, and
+checks its output.
 
     embed_test.py SOURCE_FOLDER BUILD_FOLDER
 
@@ -40,7 +40,7 @@ class EmbedExample(unittest.TestCase):
         run("cmake", "--install", BUILD, "--component", "planner", "--prefix", cls.installed)
 
     def built(self, name, *options):
-        """The example, built in a folder of its own."""
+        """Builds the example in a separate folder and returns its output."""
         options = [*options, "-DCMAKE_BUILD_TYPE=Debug", "-DCMAKE_CXX_FLAGS_DEBUG=-O0",
                    "-DCMAKE_UNITY_BUILD=ON"]
         if shutil.which("ninja"):

@@ -1,4 +1,4 @@
-"""Installs the build into a folder and works with what lies there.
+"""Installs the build into a folder and uses the installed files.
 
 usage: install_test.py CMAKE BUILD_FOLDER
 """
@@ -45,7 +45,7 @@ class Installed(unittest.TestCase):
                               text=True, check=True, env={"PATH": "/usr/bin"}).stdout
 
     def complete(self, *words):
-        """What bash offers for the last word."""
+        """Returns the completions that bash offers for the last word."""
         script = self.prefix / "share/bash-completion/completions/kerfline"
         done = subprocess.run(
             ["bash", "--norc", "-uc", COMPLETE, "bash", script, *words], cwd=self.folder,
@@ -91,7 +91,7 @@ class Installed(unittest.TestCase):
         for path, (subcommands, options) in self.commands.items():
             self.assertEqual(self.complete("kerfline", *path, "-"), options, path)
             if subcommands:
-                # Beside files, where the command itself takes one.
+                # Files are offered, too, if the command itself accepts one.
                 files = {file.name for file in self.folder.iterdir()}
                 self.assertEqual(self.complete("kerfline", *path, "") - files,
                                  options | set(subcommands), path)

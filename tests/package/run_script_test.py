@@ -1,9 +1,9 @@
-"""toolchain/run.sh with the program that was built: its arguments, what it writes and says.
+"""Tests toolchain/run.sh with the built program: its arguments, its files and its output.
 
 usage: run_script_test.py KERFLINE
 
-The script lies in a folder of its own whose preset `run` takes the program instead of compiling
-it. That a clone compiles is the matter of senders.readme.
+The script is copied into a folder whose preset `run` copies the program instead of compiling it.
+The test senders.readme proves that a clone compiles.
 """
 import json
 import os

@@ -1,4 +1,4 @@
-"""The version that toolchain/version.cmake gives to programs and images.
+"""Tests the version that toolchain/version.cmake gives to programs and images.
 
 usage: version_test.py CMAKE
 """
@@ -52,7 +52,7 @@ class Scratch(unittest.TestCase):
              *arguments], check=True, capture_output=True, text=True).stdout.strip()
 
     def commit(self):
-        """The first seven digits of a new commit."""
+        """Returns the first seven digits of a new commit."""
         self.git("add", "--all")
         self.git("commit", "--allow-empty", "--message", "step")
         return self.git("rev-parse", "HEAD")[:7]
@@ -102,7 +102,7 @@ class DescribedVersion(Scratch):
 
 class CompiledVersion(Scratch):
     def build(self):
-        """(sources that are compiled, version that the program prints)"""
+        """Returns (sources that are compiled, version that the program prints)."""
         run = subprocess.run([CMAKE, "--build", self.root / "build", "--verbose"],
                              capture_output=True, text=True, check=True)
         program = subprocess.run([self.root / "build/main"], capture_output=True, text=True, check=True)

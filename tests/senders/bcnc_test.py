@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
-"""bCNC, as packaged, runs a job to its end on a simulated controller.
+"""Tests that the packaged bCNC runs a job to its end on a simulated controller.
 
-bCNC draws on a virtual display and is driven through its own web pendant,
-which listens on every interface; so all of it runs in a network namespace with
-nothing but loopback. What bCNC says at the end of a job is part of the test:
-`!`, a soft reset, and the words of `[GC:]` back in one line.
+bCNC draws on a virtual display. The test drives it through bCNC's own web pendant, which listens on
+every interface. Therefore everything runs in a network namespace that has only loopback.
+
+The bytes that bCNC sends at the end of a job are part of the test: `!`, a soft reset, and the words
+of `[GC:]` back in one line.
 """
 
 import json
@@ -53,7 +54,7 @@ errorreport = 0
 
 
 def enter_namespace():
-    """Starts this test again where only loopback is."""
+    """Restarts this test in a namespace that has only loopback."""
     unshare = ["unshare", "-n"] if os.geteuid() == 0 else ["unshare", "-rn"]
     if subprocess.run([*unshare, "true"], capture_output=True, check=False).returncode != 0:
         print("skipped: no network namespace can be made here")
@@ -74,7 +75,7 @@ def until(what, probe, seconds=20.0):
 
 
 class Pendant:
-    """bCNC's own page for a telephone in the workshop."""
+    """bCNC's own web page, made for a telephone in the workshop."""
 
     def get(self, path):
         with urllib.request.urlopen(f"http://127.0.0.1:{PENDANT}{path}", timeout=5) as reply:
@@ -102,7 +103,7 @@ class Pendant:
 
 
 class Programs:
-    """What runs beside the test, and ends with it."""
+    """Programs that run during the test and end with it."""
 
     def __init__(self, folder):
         self.folder = folder
@@ -136,14 +137,14 @@ def start_all(programs, folder):
     until("the display is there", pathlib.Path("/tmp/.X11-unix/X77").exists)
     (folder / "bcnc.ini").write_text(INI.format(port=port, pendant=PENDANT))
     (folder / "job.nc").write_text(JOB)
-    # Packaged for the packaged Python.
+    # bCNC is packaged for Debian's Python.
     environment = {**os.environ, "DISPLAY": ":77", "HOME": str(folder), "PATH": "/usr/bin:/bin"}
     programs.start("bcnc", ["bCNC", "-i", folder / "bcnc.ini", folder / "job.nc"],
                    env=environment, cwd=folder)
 
 
 def check_record(folder, restored):
-    """Job, hold, reset, unlock, and the modes back in one line: as they came."""
+    """Checks the record: job, hold, reset, unlock, and the modes back in one line, unchanged."""
     heard = re.findall(r'^[>^] \d+ "(.*)"$', (folder / "conversation").read_text(), re.MULTILINE)
     rest = whole = "".join(heard).replace("?", "")
     job = JOB.replace(" ", "").replace("\n", "\\n")
@@ -170,7 +171,7 @@ def test(folder, programs):
     assert state["state"] == "Idle", state
     assert pendant.place() == END, pendant.place()
 
-    # Newer ones unlock then and send the modes back; this one forgets to.
+    # Newer versions unlock then and send the modes back; this version forgets to.
     restored = " ".join(word for word in state["G"] if word[0] == "G")
     pendant.command("UNLOCK")
     time.sleep(1)  # Commands and lines come over two ways.

@@ -1,4 +1,4 @@
-// Debian's Chromium, driven by playwright-core.
+// Starts Debian's Chromium, driven by playwright-core.
 
 import fs from 'node:fs';
 import path from 'node:path';
@@ -13,7 +13,7 @@ export function openBrowser() {
   return load('playwright-core').chromium.launch({ executablePath, args: ['--no-sandbox'] });
 }
 
-/// Keeps a picture of the page with the build, to be looked at.
+/// Saves a picture of the page in the build folder, for a visual check.
 export async function screenshot(page, name) {
   fs.mkdirSync(kPictures, { recursive: true });
   await page.screenshot({ path: path.join(kPictures, name) });

@@ -1,4 +1,4 @@
-// CNCjs, the pinned one, as a server of its own, and its socket API.
+// Starts CNCjs in the pinned version as a server, and uses its socket API.
 
 import fs from 'node:fs';
 import net from 'node:net';
@@ -41,7 +41,7 @@ export async function startCncjs(folder, serialPort) {
   return child;
 }
 
-/// One user of CNCjs, connected to the controller through it.
+/// A user of CNCjs who is connected to the controller.
 export class CncjsUser {
   static async connect(cncjs, serialPort) {
     const reply = await fetch(`${cncjs.url}/api/signin`, {
@@ -84,7 +84,7 @@ export class CncjsUser {
     this.socket.emit('command', this.port, name, ...args);
   }
 
-  /// One line, typed into the console.
+  /// Sends a line as if it were typed into the console.
   type(line) {
     this.command('gcode', line);
   }
@@ -99,7 +99,7 @@ export class CncjsUser {
     );
   }
 
-  /// Machine position as reported last, in words of the report.
+  /// Machine position of the last report, in the report's own text.
   position() {
     const { x, y, z } = this.status.mpos ?? {};
     return [x, y, z].map(Number);

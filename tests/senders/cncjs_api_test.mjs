@@ -1,5 +1,5 @@
-// CNCjs over its socket API: connects through a pty, streams an example with
-// pauses, overrides, jogs, cancels, probes, resets.
+// Tests CNCjs over its socket API: it connects through a pty, streams an example with pauses,
+// overrides, jogs, cancels, probes and resets.
 
 import fs from 'node:fs';
 import path from 'node:path';
@@ -11,7 +11,7 @@ import { linesReceived } from './record.mjs';
 const kPauses = process.env.KERFLINE_TIER === 'prove' ? 20 : 6;
 const kSettings = example('laser.settings');
 
-/// As CNCjs sends it: without comments and blanks.
+/// A line as CNCjs sends it, without comments and blanks.
 const stripped = (line) => line.replace(/\([^)]*\)|;.*/g, '').replace(/\s+/g, '');
 
 async function streamWithPauses(user, text) {
@@ -89,7 +89,7 @@ await run('CNCjs over its socket API', async ({ folder, keep }) => {
   user.close();
   await controller.stop();
 
-  // Between them CNCjs asks for `$G`; at the end it waits with a dwell of its own.
+  // Between the lines CNCjs requests `$G`; at the end it waits with its own dwell.
   const sent = text.split('\n').map(stripped).filter(Boolean);
   const received = linesReceived(record).map(stripped);
   const job = received.slice(received.indexOf(sent[0])).filter((line) => !line.startsWith('$'));

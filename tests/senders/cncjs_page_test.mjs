@@ -1,5 +1,5 @@
-// The page of CNCjs in a browser: chooses the port, opens it, loads a file,
-// runs, pauses, resumes, and sees the machine come to rest.
+// Tests the page of CNCjs in a browser: it chooses the port, opens it, loads a file, runs, pauses,
+// resumes, and shows that the machine comes to rest.
 
 import fs from 'node:fs';
 import path from 'node:path';

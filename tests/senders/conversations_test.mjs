@@ -1,5 +1,5 @@
-// What Candle, UGS, LaserGRBL and gSender say on the wire and expect back, over
-// every transport. Usage: conversations_test.mjs pty|tcp|ws
+// Tests the lines that Candle, UGS, LaserGRBL and gSender send and the answers that they expect,
+// over every transport. Usage: conversations_test.mjs pty|tcp|ws
 
 import fs from 'node:fs';
 import path from 'node:path';
@@ -10,10 +10,10 @@ import { Talk } from './talk.mjs';
 const kind = process.argv[2] ?? 'tcp';
 const job = fs.readFileSync(example('circle_r20.nc'), 'utf8').split('\n').filter(Boolean);
 
-/// Waits for the greeting as all of them do.
+/// Waits for the greeting, as all four senders do.
 const greeting = (talk) => talk.seen(/^Grbl 1\.1[a-z] \['\$' for help\]$/);
 
-/// Sends what is wanted until the report says so, as Candle does with its sliders.
+/// Sends `byte` until the report shows the wanted override, as Candle does with its sliders.
 async function untilOverride(talk, byte, wanted) {
   for (let sent = 0; sent < 20; ++sent) {
     talk.write(byte);
@@ -36,12 +36,12 @@ async function candle(talk) {
   await untilOverride(talk, '\x91', '110,100,100');
   await untilOverride(talk, '\x90', '100,100,100');
   await talk.stream(job, 127, end);
-  // Without the message before its acknowledgement Candle would drop its queue.
+  // Without the message before its acknowledgement, Candle would drop its queue.
   const last = talk.lines.lastIndexOf('ok');
   const before = talk.lines.slice(0, last).filter((line) => !line.startsWith('<'));
   equal(before.at(-1), '[MSG:Pgm End]', 'the line before the last acknowledgement');
   await talk.state('Idle');
-  await talk.accepted(words.slice(4, -1), end);  // Its stored parser state.
+  await talk.accepted(words.slice(4, -1), end);  // Candle restores the parser state that it stored.
 }
 
 async function ugs(talk) {
@@ -84,7 +84,7 @@ async function laserGrbl(talk) {
   await untilOverride(talk, '\x99', '100,100,100');
 }
 
-/// What gSender and CNCjs read these lines with.
+/// Patterns with which gSender and CNCjs read these lines.
 const kEnumerations = {
   '$I+': /^\[(VER:1\.1[a-z]\.\d+:.*|OPT:[A-Z0-9*+$#]*,\d+,\d+|NEWOPT:[A-Z0-9,+-]*|AXS:\d+:[XYZABC]+|[A-Z ]+:[^\]]*)\]$/,
   $$: /^\$\d+=-?\d+(\.\d+)?$/,
@@ -106,7 +106,7 @@ async function gSender(talk) {
     check(lines.length > 0, `${command} lists something`);
     for (const line of lines) check(pattern.test(line), `${command}: ${line}`);
   }
-  // Realtime bytes as it writes them: UTF-8.
+  // gSender writes realtime bytes as UTF-8.
   talk.write('\xC2\x91');
   await until('feed override', async () => (await talk.status(), talk.overrides === '110,100,100'));
   talk.write('\xC2\x90');
@@ -119,7 +119,8 @@ async function gSender(talk) {
   await talk.state('Idle');
 }
 
-/// They ask by a timer for as long as they are connected; the controller counts on it ($858).
+/// Polling intervals: each sender polls by a timer while it is connected; the controller relies on
+/// it ($858).
 const kPollMs = { candle: 75, ugs: 200, laserGrbl: 250, gSender: 250 };
 
 const settings = ['--settings', example('laser.settings')];

@@ -1,5 +1,6 @@
-// A job of the page of `kerfline serve`: while it runs only realtime commands are enabled, a faulty
-// program is asked about, an error stops it, and the tab may be closed or reloaded.
+// Tests a job of the page of `kerfline serve`. While it runs, only realtime commands are enabled.
+// The page asks before it runs a faulty program, an error stops the job, and the tab may be closed
+// or reloaded.
 
 import fs from 'node:fs';
 import path from 'node:path';
@@ -12,7 +13,7 @@ const kNarrow = { width: 390, height: 844 };
 
 async function open(browser, url, viewport = kWide) {
   const page = await browser.newPage({ viewport });
-  page.setDefaultTimeout(90_000); // Others may use the processor, too.
+  page.setDefaultTimeout(90_000); // Other tests may use the processor, too.
   await page.goto(url);
   return page;
 }
@@ -66,10 +67,10 @@ async function survivesReload(page) {
   page.off('dialog', accept);
 }
 
-// Leaving asks, by the event that a tab's closing raises, too. A dismissed question leaves the page
-// as it was.
+// The browser asks before the page is left, with the same event as before a tab is closed. If the
+// user stays, the page is unchanged.
 async function survivesClosing(browser, url, page) {
-  await page.keyboard.press('f'); // Browsers ask of pages only that were used.
+  await page.keyboard.press('f'); // Browsers ask only if the page has been used.
   const asked = [];
   page.on('dialog', (dialog) => {
     asked.push(dialog.type());
@@ -95,7 +96,8 @@ async function survivesClosing(browser, url, page) {
   return other;
 }
 
-// A feed hold is safe for any page that sees the machine; control is given up with Shift only.
+// Any page that sees the machine may hold the feed, which is safe. Shift is required only to give
+// up control.
 async function holdsWithoutControl(page) {
   await page.keyboard.press('c');
   await sleep(300);
@@ -152,7 +154,7 @@ async function asksAboutFaults(page, folder) {
   await until('the fault is told', async () => /line 4: Y needs/.test(await text(page, 'notice')));
   await page.locator('#run').click();
   const named = () => page.locator('#question-lines li').allInnerTexts();
-  // Until then, the lines are those of the question before.
+  // Before this, the page still shows the lines of the last question.
   await until('both are named', async () => (await named()).length === 2);
   const lines = await named();
   check(/^line 4: Y needs \d/.test(lines[0]) && /^line 5: /.test(lines[1]), lines.join('; '));

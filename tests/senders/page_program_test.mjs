@@ -1,5 +1,5 @@
-// Programs on the page of `kerfline serve`: which one is run, what is left out of a file, faults that
-// are many, another page, another sender, and a stop in a tool change.
+// Tests programs on the page of `kerfline serve`: the choice of the program that runs, skipped
+// parts of a file, many faults, another page, another sender, and a stop during a tool change.
 
 import fs from 'node:fs';
 import net from 'node:net';
@@ -17,7 +17,7 @@ const workX = async (page) => Number((await page.locator('#places tr').first().i
 
 async function open(browser, url) {
   const page = await browser.newPage({ viewport: kWide });
-  page.setDefaultTimeout(90_000); // Others may use the processor, too.
+  page.setDefaultTimeout(90_000); // Other tests may use the processor, too.
   await page.goto(url);
   await until('news', async () => (await text(page, 'state')) !== '…');
   return page;
@@ -40,7 +40,8 @@ async function openProgram(page, folder, name, content) {
 
 const done = (page) => until('the end of the job', async () => /, done$/.test(await text(page, 'job-name')), 60_000);
 
-// Behind M30, wrong or good checks, a byte order mark, bytes that act at once: as every tool has it.
+// The page treats text after M30, right and wrong checksums, a byte order mark and realtime bytes
+// in a file as all tools of the program do.
 async function readsFilesAsOtherToolsDo(page, folder) {
   await openProgram(page, folder, 'rest.nc', '\ufeffG91\nM110\nG1\u00a0X2 F6000 !\nM30\nG20\nG1 X5\n');
   await until('what was left out is told', async () => /rest\.nc, line 1: a byte order mark .*and \d more/.test(await text(page, 'notice')));
@@ -91,7 +92,8 @@ async function stopsInAToolChange(page, folder) {
   equal(await workX(page), before, 'and nothing goes on');
 }
 
-// Another page opens a program of the same name: this one shows it, and runs what it shows.
+// Another page opens a program of the same name: the first page shows the new program, and runs
+// what it shows.
 async function secondTab(browser, url, page, folder) {
   await openProgram(page, folder, 'a.nc', 'G91 G1 X1 F6000\n');
   const other = await open(browser, url);

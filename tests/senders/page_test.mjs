@@ -1,7 +1,7 @@
-// The page of `kerfline serve` in a browser: takes control, sees the outline of
-// a job, starts one, sees the tool move, holds, resumes, resets; by mouse, then
-// by keyboard. A second page and a wrong Host are refused. page_job_test.mjs has what a job on the
-// server may and must not.
+// Tests the page of `kerfline serve` in a browser: it takes control, shows the outline of a job,
+// starts it, shows the moving tool, holds, resumes and resets; by mouse, then by keyboard. A second
+// page and a wrong Host are refused. page_job_test.mjs tests which actions a job on the server
+// permits.
 
 import fs from 'node:fs';
 import http from 'node:http';
@@ -35,7 +35,7 @@ class Page {
     return until(`the page says ${word}`, async () => (await this.text('state')).includes(word), 20_000);
   }
 
-  /// X Y Z, machine coordinates.
+  /// Returns X Y Z in machine coordinates.
   async place() {
     const rows = await this.page.locator('#places tr').allInnerTexts();
     return rows.map((row) => Number(row.split(/\s+/).filter(Boolean)[2]));
@@ -72,7 +72,7 @@ async function outlineOfJob(page, folder) {
   await until('the page says what is refused', async () => (await page.text('notice')).includes('outline.nc, line 2: Q has no number'));
 }
 
-// While a program is on its way, the server still has the one before, which nobody means.
+// While a program is uploaded, the server still has the last one, which must not run.
 async function runWaitsForTheProgram(page, job) {
   let arrive;
   const arrival = new Promise((resolve) => { arrive = resolve; });
@@ -101,7 +101,7 @@ async function byMouse(page, job) {
   await page.state('Run');
   await screenshot(page.page, 'page-run.png');
   await page.page.locator('#reset').click();
-  await page.state('Alarm');  // Cut off while moving: the place is in doubt.
+  await page.state('Alarm');  // The motion was cut off, so that the position is uncertain.
   await page.page.locator('#unlock').click();
   await page.state('Idle');
 }
@@ -145,9 +145,9 @@ async function byKeyboard(page, job) {
 
 async function secondPage(browser, url, first) {
   const second = await Page.open(browser, url);
-  await second.state('Idle');  // It may look on,
+  await second.state('Idle');  // The second page may watch,
   await second.page.locator('#control').click();
-  await until('the reason why not',  // but not steer,
+  await until('the reason why not',  // but not control the machine,
     async () => /Another sender/.test(await second.text('notice')));
   check(await second.page.locator('#hold').isDisabled(), 'a second page cannot hold');
   const [, y] = await second.place();
@@ -156,7 +156,7 @@ async function secondPage(browser, url, first) {
   await first.page.locator('[data-jog="Y1"]').click();
   await until('it sees the first one jog', async () => Math.abs((await second.place())[1] - y - 10) < 0.002);
   await first.state('Idle');
-  await first.page.locator('#control').click();  // until the first one has had enough.
+  await first.page.locator('#control').click();  // until the first page gives up control.
   await until('nobody steers', async () => (await second.text('who')).startsWith('Not controlled'));
   await second.page.locator('#control').click();
   await until('control', async () => (await second.text('who')).startsWith('You'));

@@ -1,5 +1,5 @@
-// The README's way from a clone to a moving machine in CNCjs, command by
-// command as it is printed there.
+// Follows the README from a clone to a moving machine in CNCjs, with every command as it is printed
+// there.
 
 import fs from 'node:fs';
 import path from 'node:path';
@@ -25,7 +25,8 @@ await run('the README from clone to motion', async ({ folder, keep }) => {
   const script = commands.join('\n').replace('<this repository>', repository);
   const everything = keep(new Child('bash', ['-e', '-c', script], { cwd: folder, detached: true }));
   everything.stop = async () => {
-    process.kill(-everything.process.pid, 'SIGTERM');  // What it left in the background, too.
+    // The group includes the processes that it left in the background.
+    process.kill(-everything.process.pid, 'SIGTERM');
     await everything.exited;
   };
   const answers = () => fetch(kPage).then((reply) => reply.ok, () => false);

@@ -1,4 +1,4 @@
-// Reads what `kerfline serve --record` kept: what the controller really got.
+// Reads the record of `kerfline serve --record`: all bytes that the controller received.
 
 import fs from 'node:fs';
 
@@ -9,13 +9,13 @@ const unescape = (text) =>
     hex ? String.fromCharCode(parseInt(hex, 16)) : kEscapes[code],
   );
 
-/// All bytes from the sender, one character each.
+/// Returns all bytes from the sender, one character each.
 export function bytesReceived(file) {
   const heard = fs.readFileSync(file, 'latin1').matchAll(/^> \d+ "(.*)"$/gm);
   return [...heard].map(([, text]) => unescape(text)).join('');
 }
 
-/// Its lines, without realtime bytes (raw, or as UTF-8) and empty ones.
+/// Returns the lines from the sender, without empty lines and realtime bytes (raw or as UTF-8).
 export function linesReceived(file) {
   const text = bytesReceived(file).replace(/\xC2[\x80-\xBF]|[\x18?!~\x80-\xBF]/g, '');
   return text.split(/\r\n|\r|\n/).filter(Boolean);

@@ -1,5 +1,6 @@
-// The page on which a sheet is laid out: drawings are added, moved by number, key and mouse, turned
-// and copied; faults are told; what is saved is cut as shown, and opened again. At two sizes.
+// Tests the page on which a sheet is laid out. Drawings are added, moved by number, key and mouse,
+// rotated and copied. Faults are reported. A saved sheet is cut as shown, and can be opened again.
+// The test runs at two sizes of the window.
 
 import { execFileSync } from 'node:child_process';
 import fs from 'node:fs';
@@ -17,7 +18,7 @@ const text = (page, id) => page.locator(`#${id}`).innerText();
 const copies = (page) => page.locator('#sheet .copy').count();
 const faults = (page) => page.locator('#faults li').allInnerTexts();
 
-// The server has placed what is shown.
+// Waits until the server has placed the shown drawings.
 const settled = (page) => until('the server', async () => (await page.locator('#sheet').getAttribute('aria-busy')) === 'false');
 
 async function set(page, id, value) {

@@ -1,8 +1,8 @@
-// What every sender test needs: the simulated controller as a process, a place
-// of its own for files, waiting with a reason, and a verdict.
+// Functions for all sender tests: the simulated controller as a process, a separate folder for
+// files, waiting with a reason, and a verdict.
 //
-// KERFLINE names the program, SENDERS the folder with node_modules (npm ci of
-// the package-lock.json beside this file).
+// KERFLINE names the program, SENDERS the folder with node_modules (npm ci of the package-lock.json
+// in this folder).
 
 import { spawn } from 'node:child_process';
 import fs from 'node:fs';
@@ -22,7 +22,7 @@ export const example = (name) => path.join(repository, 'host-sim/examples', name
 
 export const sleep = (ms) => new Promise((resolve) => setTimeout(resolve, ms));
 
-/// Resolves with the first true value of `probe`; fails with `what` after `ms`.
+/// Resolves with the first truthy value of `probe`; fails with the text `what` after `ms`.
 export async function until(what, probe, ms = 10_000) {
   const end = Date.now() + ms;
   for (;;) {
@@ -42,7 +42,7 @@ export function equal(actual, expected, what) {
   if (a !== e) throw new Error(`${what}: ${a} instead of ${e}`);
 }
 
-/// A child that ends with the test, whatever happens. `output` grows.
+/// A child process that always ends with the test. `output` grows while it runs.
 export class Child {
   constructor(command, args, options = {}) {
     this.name = path.basename(command);
@@ -62,7 +62,8 @@ export class Child {
   }
 }
 
-/// `kerfline serve` with these arguments, ready; `ways.pty`, `ways.tcp` … are its addresses.
+/// Starts `kerfline serve` with these arguments, and waits until it is ready. `ways.pty`,
+/// `ways.tcp` … are its addresses.
 export async function serve(args) {
   const child = new Child(program, ['serve', ...args]);
   await until('kerfline serve is ready', () => /^ready$/m.test(child.output)).catch((error) => {
@@ -73,7 +74,7 @@ export async function serve(args) {
   return child;
 }
 
-/// Runs a test: gives it a folder of its own and a list of things to stop.
+/// Runs a test with a new folder and a list of things to stop at the end.
 export async function run(name, test) {
   const folder = fs.mkdtempSync(path.join(os.tmpdir(), 'kerfline-'));
   const children = [];

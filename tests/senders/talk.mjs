@@ -1,6 +1,6 @@
-// A conversation with the controller over a pty, TCP or a WebSocket, as a sender
-// sees it: lines, acknowledgements, reports. Every line is held against the rule
-// that nothing but an acknowledgement may contain "ok" or "error".
+// A conversation with the controller over a pty, TCP or a WebSocket, as a sender sees it: lines,
+// acknowledgements, reports. It checks of every line that only acknowledgements contain "ok" or
+// "error".
 
 import net from 'node:net';
 
@@ -43,7 +43,7 @@ function overWebSocket(address) {
 const kTransports = { tcp: overTcp, pty: overPty, ws: overWebSocket };
 
 export class Talk {
-  /// kind: tcp, pty or ws; the address is as `kerfline serve` printed it.
+  /// Opens a conversation. `kind` is tcp, pty or ws; the address is as `kerfline serve` printed it.
   static async open(kind, address) {
     const talk = new Talk(kTransports[kind](address.replace(/^ws:\/\/|\/$/g, '')));
     await talk.transport.open;
@@ -69,13 +69,13 @@ export class Talk {
   takeLine(line) {
     this.lines.push(line);
     if (kAck.test(line)) this.acks += 1;
-    // gSender asks for the tag by this name ($EE); the senders that count do not.
+    // gSender requests the tag by this name ($EE). Senders that count characters do not.
     else check(!/ok|error/i.test(line.replace(/^\[ERRORCODE:/, '')), `only acknowledgements look like one: ${line}`);
     const report = /^<(.*)>$/.exec(line);
     if (!report) return;
     const [state, ...fields] = report[1].split('|');
     this.report = { state, ...Object.fromEntries(fields.map((field) => field.split(/:(.*)/).slice(0, 2))) };
-    // Not in every report: what was said last holds.
+    // Not every report contains these fields; otherwise the last values apply.
     this.overrides = this.report.Ov ?? this.overrides;
     this.offset = this.report.WCO ?? this.offset;
   }
@@ -84,7 +84,7 @@ export class Talk {
     this.transport.write(typeof bytes === 'string' ? Buffer.from(bytes, 'latin1') : bytes);
   }
 
-  /// Sends a line and resolves with what came up to and with its acknowledgement.
+  /// Sends a line and resolves with all lines up to its acknowledgement, inclusively.
   async ask(line, end = '\n', ms = 10_000) {
     const [from, acks] = [this.lines.length, this.acks];
     this.write(line + end);
@@ -116,7 +116,7 @@ export class Talk {
     return (await this.status()).MPos.split(',').map(Number);
   }
 
-  /// Character counting: never more than `room` bytes on their way.
+  /// Streams by character counting: never more than `room` bytes are unanswered.
   async stream(lines, room, end = '\n') {
     const first = this.acks;
     const waiting = [];
@@ -134,7 +134,7 @@ export class Talk {
     await until('all lines are answered', () => this.acks - first === lines.length, 60_000);
   }
 
-  /// Asks for reports until it is closed.
+  /// Requests reports until the conversation is closed.
   pollEvery(ms) {
     this.polling = setInterval(() => this.write('?'), ms);
   }

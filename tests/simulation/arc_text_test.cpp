@@ -17,7 +17,7 @@
 namespace proof {
 namespace {
 
-/// The arc, which starts at zero, as a program of its own.
+/// Returns a program that consists of the arc alone, starting at zero.
 std::string text_of(const cnc::CentreArc& arc, double feed_mm_min) {
   constexpr std::array kPlaneWords{"G17", "G18", "G19"};
   const cnc::PlaneAxes axes = cnc::axes_of(arc.plane);
@@ -51,7 +51,7 @@ cnc::AxisArray<double> set_up(sim::Simulator& simulator, const cnc::motion::Limi
 }
 
 struct TextSummary {
-  double excess = 0.0;  ///< mm beyond half a step.
+  double excess = 0.0;  ///< Greatest distance beyond half a step, mm.
   std::size_t arcs = 0;
 };
 
@@ -81,7 +81,7 @@ void try_text(std::uint64_t seed, TextSummary& summary) {
   ++summary.arcs;
 }
 
-// Issue 2, acceptance 2, from the text on.
+// Issue 2, acceptance 2, tested from the text of the program on.
 TEST(RandomArcTexts, ArePulsedOnTheExactCurveInOneBlockPerHalfTurn) {
   const Trials trials{300};
   TextSummary summary;
@@ -94,14 +94,14 @@ TEST(RandomArcTexts, ArePulsedOnTheExactCurveInOneBlockPerHalfTurn) {
               summary.excess * 1.0e3);
 }
 
-/// An instant at which the angle on a known circle is known exactly.
+/// A time at which the angle on a known circle is known exactly.
 struct AngleFix {
   double time_s = 0.0;
-  double angle = 0.0;  ///< Radians, from −π to π.
+  double angle = 0.0;  ///< Angle, radians, from −π to π.
 };
 
-/// An ideal motor steps when the path crosses a half step, so that an edge of the
-/// axis that moves faster gives the angle on the circle without quantisation.
+/// Measures the angle on a circle over time. An ideal motor steps when the path crosses a half
+/// step, so an edge of the axis that moves faster gives the angle without quantisation.
 class CircleTimer final : public sim::TraceSink {
  public:
   CircleTimer(std::array<double, 2> centre, double radius, double steps_per_mm)
@@ -117,7 +117,8 @@ class CircleTimer final : public sim::TraceSink {
     last_ = row.position;
   }
 
-  /// The most that an axis has of v²/R, over windows from one share of the time to another, mm/s².
+  /// Returns the greatest part of v²/R on one axis, mm/s², over windows of `window_s`. `from` and
+  /// `to` are shares of the motion's time.
   [[nodiscard]] double greatest_centripetal(double from, double to, double window_s) const {
     double greatest = 0.0;
     const double end = fixes_.back().time_s;
@@ -165,7 +166,7 @@ TEST(FullCircle, OfRadius20IsTwoBlocksAtTheCentripetalLimit) {
   simulator.add_sink(timer);
   const sim::RunResult result = simulator.run();
   EXPECT_EQ(result.blocks, 2U);
-  // The windows lie in the cruise between the ramps, both shorter than a third.
+  // The windows lie in the cruise; each ramp is shorter than a third of the motion.
   const double share = timer.greatest_centripetal(0.35, 0.65, 0.02) / static_cast<double>(kLimit);
   std::printf("circle R 20 at F12000, limit 500 mm/s²: v²/R %.5f of it, %.3f s\n",
               share,

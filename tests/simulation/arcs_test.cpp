@@ -15,10 +15,10 @@
 namespace proof {
 namespace {
 
-/// Holds every pulse against the exact curve.
+/// Measures the distance of every pulse from the exact curve.
 class CurveCheck final : public EdgeSink {
  public:
-  /// Looks for what is worse than `known`, mm.
+  /// @param known excess, mm; only greater ones are searched for
   CurveCheck(const sim::ProgrammedPath& path, const TestMachine& machine, double known)
       : deviation_{path, scales(machine), known} {
     deviation_.on_row(row_);
@@ -54,15 +54,15 @@ class CurveCheck final : public EdgeSink {
 };
 
 struct ArcSummary {
-  double excess = 0.0;  ///< mm beyond half a step.
+  double excess = 0.0;  ///< Greatest distance beyond half a step, mm.
   double centripetal = 0.0;
   double acceleration = 0.0;
   std::size_t edges = 0;
   std::size_t arcs = 0;
 };
 
-/// Returns how far an axis may travel while its edge waits for the slot of another motor's, mm: one
-/// slot, of a pulse up and one down (step_generator.hpp).
+/// Returns the distance that an axis may move while its edge waits for the slot of another motor's
+/// edge, mm. The wait is one slot: a pulse up and down (step_generator.hpp).
 double distance_in_slot(const TestMachine& machine) {
   const double slot_s =
       2.0 * machine.timing.pulse / static_cast<double>(cnc::motion::kTicksPerSecond);
@@ -80,7 +80,7 @@ void try_arc(std::uint64_t seed, ArcSummary& summary) {
   const Program program = arc.program(feed);
   EXPECT_EQ(program.items.size(), arc.elements()) << "sweep " << arc.sweep;
   const RecordedPlan plan = drive(program, machine);
-  // Slices are a millisecond at most; one arc in twenty is looked at more finely.
+  // The ends of slices are at most a millisecond apart. For one arc in twenty, samples are closer.
   const Sampling sampling = seed % 20 == 0 ? Sampling::kAt20kHz : Sampling::kAtSlicesOnly;
   const PlanFigures figures = check_plan(plan, machine, sampling);
   EXPECT_LE(figures.centripetal.value, 1.0);
@@ -96,7 +96,7 @@ void try_arc(std::uint64_t seed, ArcSummary& summary) {
             << static_cast<double>(check.excess().time_ns) * 1e-9 << " of " << plan.seconds << " s";
         return std::pair{check.excess().value, check.edges()};
       };
-  // The arc itself, with slots of half a microsecond.
+  // With the finest slots, of half a microsecond, the pulses show the error of the arc alone.
   cnc::StepTiming finest = machine.timing;
   finest.pulse = 1;
   const auto [excess, edges] = judge("arc", finest, 0.0, kArcPromise);
@@ -109,7 +109,7 @@ void try_arc(std::uint64_t seed, ArcSummary& summary) {
   ++summary.arcs;
 }
 
-// All: KERFLINE_TRIALS=100000 (issue 2, acceptance 2).
+// KERFLINE_TRIALS=100000 runs all trials of issue 2, acceptance 2.
 TEST(RandomArcs, StayOnTheExactCurveWithinTheirLimits) {
   const Trials trials{2000};
   ArcSummary summary;

@@ -20,7 +20,7 @@ using cnc::MachineState;
 
 constexpr double kScale = 160.0;
 
-/// Some dozens of lines, rapids and arcs, and where they end, on three decimals.
+/// Some dozens of lines, rapids and arcs on three decimals, with their end position.
 struct WanderingJob {
   std::string text = "G21 G90 G17 F3000\nM4 S500\n";
   std::array<double, 3> end{};
@@ -42,7 +42,7 @@ struct WanderingJob {
   }
 };
 
-/// Whatever a hand on the panel may do.
+/// Acts as an operator at random: holds, resumes, or changes the feed override.
 void disturb(Random& random, cnc::Machine& machine) {
   auto percent = machine.overrides();
   switch (random.below(4)) {
@@ -57,8 +57,8 @@ void disturb(Random& random, cnc::Machine& machine) {
   machine.set_overrides(percent);
 }
 
-/// The tool ends where the program does, to the step, with shapers and backlash that
-/// are set, held and resumed at any time; reports never show the play.
+/// Runs a job with shapers and backlash under holds, resumes and overrides at any time. The tool
+/// must end at the program's end, to the step, and reports must never include the play.
 void disturb_job(std::uint64_t seed) {
   Random random{seed};
   const WanderingJob job{random};
@@ -84,7 +84,7 @@ void disturb_job(std::uint64_t seed) {
   EXPECT_EQ(simulator.result().alarm, 0);
   EXPECT_TRUE(simulator.result().refusals.empty());
   for (std::size_t axis = 0; axis < cnc::kLinearAxisCount; ++axis) {
-    // In whole nanometres half a step is exactly that.
+    // Half a step is exact in whole nanometres.
     const double end_nm = std::round(1.0e6 * job.end[axis]);
     EXPECT_EQ(simulator.axes()[axis], std::lround(end_nm * kScale / 1.0e6)) << axis;
     const double shown =
@@ -110,8 +110,8 @@ sim::MachineModel switches_near() {
   return model;
 }
 
-/// However the play lies at power-up, and whatever is shaped: the axes stand a pull-off
-/// from their switches, to the step, and afterwards go where they are told.
+/// Homing with any play at power-up and any shaper: the axes stop a pull-off from their switches,
+/// to the step, and later motions reach their targets.
 TEST(ShapersAndBacklash, HomeToTheSameStep) {
   const Trials trials{25};
   for (const std::uint64_t seed : trials) {
@@ -144,8 +144,8 @@ TEST(ShapersAndBacklash, HomeToTheSameStep) {
   }
 }
 
-/// A plate 4 mm below, approached from above after a move up: the place of contact is that
-/// of the tool.
+/// A plate 4 mm below is probed from above after a move up. The reported contact must be the
+/// position of the tool, not of the motor.
 TEST(ShapersAndBacklash, ProbeWhereTheToolTouches) {
   const Trials trials{25};
   for (const std::uint64_t seed : trials) {
@@ -154,7 +154,7 @@ TEST(ShapersAndBacklash, ProbeWhereTheToolTouches) {
     sim::MachineModel model;
     model.probe_plate_z_mm = -4.0;
     MachineBench bench{model};
-    // Homing towards either end, the play lies at either side.
+    // Depending on the direction of homing, the play is on one side or the other.
     bench.set({{23, random.chance(0.5) ? 4.0 : 0.0}});
     bench.set(random_motor_settings(random));
     bench.send("G0 Z-2");
@@ -172,7 +172,7 @@ TEST(ShapersAndBacklash, ProbeWhereTheToolTouches) {
   }
 }
 
-/// The machine's own report follows the axis all along, also while it turns round.
+/// The reported position must follow the axis at all times, also while it reverses.
 TEST(Backlash, IsNeverInAReport) {
   MachineBench bench;
   bench.set({{160, 0.4}, {161, 0.3}});
@@ -195,7 +195,7 @@ TEST(Backlash, IsNeverInAReport) {
   EXPECT_EQ(bench.controller.axes()[1], 0);
 }
 
-/// Greatest distance of the tool from a circle on a machine with a tenth of play.
+/// Returns the greatest distance of the tool from a circle on a machine with 0.1 mm of play.
 double circle_error(double compensated_mm) {
   const std::string program = "G21 G90 G17 M4 S500 F1200\nG2 X0 Y0 I10 J0\nG2 X0 Y0 I10 J0\nM2\n";
   sim::MachineModel model;
@@ -221,7 +221,8 @@ TEST(Backlash, TakesMostOfItsErrorOffACircle) {
   EXPECT_LT(circle_error(0.1), 0.03);
 }
 
-/// Out of the work and back with the tool held: the axis comes back to where it was.
+/// Parks out of the work and returns, with the tool simulated: the axis must return to the same
+/// position.
 TEST(Backlash, IsTakenUpByParkingToo) {
   sim::MachineModel model = switches_near();
   MachineBench bench{model};
@@ -247,7 +248,7 @@ TEST(Backlash, IsTakenUpByParkingToo) {
   }
 }
 
-/// What was aborted stands within the play of where it says, and homing sets it right.
+/// After an abort the reported position is right within the play, and homing makes it exact.
 TEST(ShapersAndBacklash, KnowWhereAnAbortLeftThem) {
   const Trials trials{60};
   for (const std::uint64_t seed : trials) {

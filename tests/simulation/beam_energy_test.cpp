@@ -11,7 +11,7 @@
 namespace proof {
 namespace {
 
-constexpr double kTolerance = 0.03;  ///< Of the energy of any 0.05 mm.
+constexpr double kTolerance = 0.03;  ///< Greatest error of the energy of any 0.05 mm, as a share.
 
 std::string feed_word(double mm_s) { return "F" + std::to_string(60.0 * mm_s) + "\n"; }
 
@@ -53,7 +53,7 @@ TEST(BeamEnergyOfM3, GrowsWhereTheMachineIsSlow) {
   EXPECT_GT(figures.greatest, 5.0);
 }
 
-/// Random strokes and arcs at changing feeds and powers, dark stretches between them.
+/// Random strokes and arcs at varying feeds and powers, separated by stretches with the beam off.
 TEST(BeamEnergyOfM4, HoldsOnRandomPrograms) {
   const Trials trials{12};
   double least = 1.0;
@@ -82,8 +82,9 @@ TEST(BeamEnergyOfM4, HoldsOnRandomPrograms) {
   std::printf("energy per mm on random programs: %.4f to %.4f of programmed\n", least, greatest);
 }
 
-/// Rows there and back of pixels of 0.1 mm, dim ones beside bright ones. A tick of 250 ns at
-/// 470 mm/s is 0.12 µm; that is up to 1.2 % of 0.05 mm beside a pixel that is 50 times as bright.
+/// Returns rows in both directions of 0.1 mm pixels, dim ones next to bright ones. A tick of 250 ns
+/// at 470 mm/s is 0.12 µm. Next to a pixel that is 50 times as bright, this makes up to 1.2 % of
+/// the energy of 0.05 mm.
 std::string rows_of_pixels(double mm_s, Random& random) {
   constexpr int kPixels = 1000;
   std::string program = "G21 G90 M4 S0\nG0 X20\n" + feed_word(mm_s);
@@ -99,7 +100,8 @@ std::string rows_of_pixels(double mm_s, Random& random) {
   return program;
 }
 
-/// Steps of a K40 at 75 kHz, with pulses of 10 µs: hardly a change of power is due between two.
+/// Steps of a K40 at 75 kHz with pulses of 10 µs: power has hardly time to change between two
+/// pulses.
 TEST(BeamEnergyOfM4, HoldsInAFastRasterWhateverThePulses) {
   for (const double pulse_us : {1.0, 5.0, 10.0}) {
     for (const std::uint64_t seed : Trials{2}) {

@@ -18,7 +18,7 @@ struct Timing {
   double lag_us = 0.0;
 };
 
-/// The pulses, kept, so that the place at any time can be asked for.
+/// Stores all trace rows, so that the position at any time can be computed.
 class RowLog final : public sim::TraceSink {
  public:
   void on_row(const sim::TraceRow& row) override { rows.push_back(row); }
@@ -34,7 +34,7 @@ class RowLog final : public sim::TraceSink {
   std::vector<sim::TraceRow> rows;
 };
 
-/// Strokes there and back over the same dots of 0.5 mm, 1 mm apart, at 1 m/s.
+/// Strokes in both directions over the same dots of 0.5 mm, 1 mm apart, at 1 m/s.
 constexpr int kDots = 6;
 constexpr double kFirstDot = 60.0;
 std::string raster() {
@@ -52,8 +52,7 @@ std::string raster() {
   return program;
 }
 
-/// Where light begins and ends on a machine that has the delays set, in steps from
-/// where it should.
+/// Expects that the beam goes on and off at the right steps on a machine whose delays are set.
 void expect_dots_in_place(const Timing& timing) {
   sim::Simulator simulator{raster(), {}};
   set_up_laser(simulator, kRasterStepsPerMm, 1000.0, 20'000.0);
@@ -94,7 +93,7 @@ TEST(BeamTiming, DotsKeepTheirLengthWithUnlikeDelays) {
   expect_dots_in_place({.on_us = 120.0, .off_us = 350.0, .lag_us = -900.0});
 }
 
-/// The rows end with the last step or after it, and the beam is dark by then.
+/// The trace ends with the last step or later, and by then the beam must be off.
 TEST(BeamTiming, IsDarkAtStandstillWhateverTheDelays) {
   for (const double lag : {-5000.0, -600.0, 600.0, 5000.0}) {
     for (const double delay : {0.0, 5000.0}) {
@@ -110,7 +109,7 @@ TEST(BeamTiming, IsDarkAtStandstillWhateverTheDelays) {
       for (std::size_t i = 1; i < log.rows.size(); ++i) {
         const sim::TraceRow& row = log.rows[i];
         if (row.position != log.rows[i - 1].position) last_step = row.time_ns;
-        // Slow ends have steps far apart; a rest is longer than the longest of them.
+        // Near the slow ends of a row, steps are far apart; a longer gap between steps is a rest.
         constexpr std::uint64_t kRest = 12'000'000;
         if (row.time_ns > last_step + kRest && row.time_ns < last_step + 40'000'000) {
           EXPECT_EQ(row.duty, 0.0F) << lag << " " << delay;

@@ -7,7 +7,8 @@
 namespace proof {
 namespace {
 
-/// Between two edges of one step, and of one dark pixel or less.
+/// Greatest distance between two edges of successive steps, and between edges on both sides of a
+/// dark pixel, mm.
 constexpr double kLongestStepMm = 0.02;
 constexpr double kLongestPixelMm = 1.0;
 
@@ -24,7 +25,7 @@ BurntPath::BurntPath(std::vector<Burnt> rows)
   }
 }
 
-/// The row nearest to a place, of those up to so many mm of path around `near`.
+/// Returns the row nearest to a point, among the rows within `reach_mm` of path from row `near`.
 std::size_t BurntPath::nearest(const Burnt& place, std::size_t near, double reach_mm) const {
   std::size_t best = near;
   for (std::size_t i = near; i-- > 0 && ways_[near] - ways_[i] < reach_mm;) {
@@ -36,7 +37,7 @@ std::size_t BurntPath::nearest(const Burnt& place, std::size_t near, double reac
   return best;
 }
 
-/// Whether any row within 0.03 mm of path has this output.
+/// Returns whether any row within 0.03 mm of path has this output.
 bool BurntPath::burns_so(std::size_t row, double duty) const {
   for (std::size_t i = row; i < rows_.size() && ways_[i] - ways_[row] < 0.03; ++i) {
     if (std::abs(rows_[i].duty - duty) < 1.0e-4) return true;

@@ -13,8 +13,7 @@
 namespace proof {
 namespace {
 
-/// A laser's job of short lines and arcs, whose beginning waits in a hold until all of it is known
-/// that the look-ahead can hold.
+/// Returns a laser job of short lines and arcs. Its beginning is held until the look-ahead is full.
 std::vector<std::string> job(std::size_t lines) {
   std::vector<std::string> text{"G21 G91 M4 S500 F3000"};
   Random random{7};
@@ -34,7 +33,8 @@ std::vector<std::string> job(std::size_t lines) {
   return text;
 }
 
-/// EdgeRows from this time on, counted from the first; a sender's delays shift all of it.
+/// Returns the edges from a time on, with times relative to the first edge: delays of a sender
+/// shift all edges alike.
 std::vector<sim::TraceRow> edges_from(std::uint64_t time_ns, std::vector<sim::TraceRow> rows) {
   std::erase_if(rows, [&](const sim::TraceRow& row) { return row.time_ns < time_ns; });
   const std::uint64_t begin_ns = rows.empty() ? 0 : rows.front().time_ns;
@@ -46,8 +46,8 @@ bool same(const sim::TraceRow& a, const sim::TraceRow& b) {
   return a.time_ns == b.time_ns && a.position == b.position && a.duty == b.duty;
 }
 
-/// The planner has all that it can hold before motion begins: then nothing depends on when a line
-/// arrives, as long as lines come faster than they are driven.
+/// Runs a job on a disturbed bus. The look-ahead is full before motion begins. So the motion must
+/// not depend on when a line arrives, as long as lines arrive faster than they are driven.
 class DisturbedBus : public testing::TestWithParam<int> {
  protected:
   static std::vector<sim::TraceRow> drive(CanBench& bench, double share) {

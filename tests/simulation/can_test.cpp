@@ -57,7 +57,7 @@ TEST_F(CanTest, AnEmergencyStopEndsLightAndMotionOfAllWithinAMillisecondAndAFram
     const std::uint64_t said_ns = now_ns;
     turns(100);
     for (std::size_t n = 0; n < 2; ++n) {
-      // The frame passes in the millisecond after this one, and the turn after that acts.
+      // The frame takes up to the next cycle, and the cycle after it acts.
       expect_dark_since(said_ns + 2 * kMillisecondNs, n);
       EXPECT_EQ(station(n).machine().alarm(), cnc::Alarm::kEmergencyStop);
       ASSERT_FALSE(sender(n).host.emergencies().empty());
@@ -109,8 +109,9 @@ TEST_F(CanTest, TwoControllersOnABusDriveTwoJobsAtOnce) {
   EXPECT_EQ(nm(1, 1), 90'000'000);
 }
 
-/// What ISO 15765-2 allows: messages as long as the controller takes them, each with its flow
-/// control, back to back, and an answer for each line.
+/// Returns the greatest rate that ISO 15765-2 allows, bytes per second: messages of the greatest
+/// length that the controller accepts, each with its flow control, back to back, and an answer for
+/// each line.
 double possible_bytes_per_second(std::string_view line) {
   const auto bits_of = [](std::uint32_t id, std::string_view payload) {
     return hal::host::can_bits(hal::can_frame(id, std::as_bytes(std::span{payload})));

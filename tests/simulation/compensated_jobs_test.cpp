@@ -1,4 +1,4 @@
-// G41.1 and G42.1 from lines of text to the motors, against the host's offset.
+// Tests G41.1 and G42.1 from lines of text to the motors, against the host's offset.
 
 #include <fmt/core.h>
 
@@ -13,9 +13,10 @@
 namespace proof {
 namespace {
 
-constexpr double kStepMm = 1.0 / 250.0;  ///< Of $100 and $101.
+constexpr double kStepMm = 1.0 / 250.0;  ///< Length of a step by $100 and $101, mm.
 
-/// A line or an arc by its radius, as far as it is none of nearly half a turn.
+/// Returns the G-code of an element: a line, an arc by its radius, or an arc by its centre if it is
+/// close to half a turn.
 std::string line_to(const sim::Contour& outline, std::size_t index) {
   const auto& vertices = outline.vertices;
   const auto& from = vertices[index];
@@ -23,7 +24,7 @@ std::string line_to(const sim::Contour& outline, std::size_t index) {
   if (from.bulge == 0.0) return fmt::format("G1 X{:.4f} Y{:.4f}", to.x, to.y);
   const double dx = to.x - from.x;
   const double dy = to.y - from.y;
-  // From the middle of the chord to the centre, in chords.
+  // Distance from the middle of the chord to the centre, in chords.
   const double aside = (1.0 - from.bulge * from.bulge) / (4.0 * from.bulge);
   return fmt::format("{} X{:.4f} Y{:.4f} I{:.9f} J{:.9f}",
                      from.bulge > 0.0 ? "G3" : "G2",
@@ -33,7 +34,7 @@ std::string line_to(const sim::Contour& outline, std::size_t index) {
                      0.5 * dy + aside * dx);
 }
 
-/// A job on a machine, and where the tool has been with the beam on.
+/// A job on a machine, with the positions of the tool while the beam was on.
 class Beside : public MachineBench {
  public:
   Beside() { set({{32, 1}, {11, 0}, {110, 6000}, {111, 6000}, {120, 1500}, {121, 1500}}); }
@@ -62,10 +63,10 @@ class Beside : public MachineBench {
 struct Tally {
   int driven = 0;
   int refused = 0;
-  double farthest = 0.0;  ///< mm, of a place of the tool from the host's offset.
+  double farthest = 0.0;  ///< Greatest distance of the tool from the host's offset, mm.
 };
 
-/// From half as far away again as the path is, and back there.
+/// Drives the outline with an entry from 1.5 times the offset and an exit back to there.
 void drive(Beside& job, const sim::Contour& outline, double offset_mm) {
   const ExactContour exact{outline.view()};
   std::array<double, 4> at{};
@@ -103,7 +104,8 @@ void judge(Random& random, Tally& tally) {
   const double r = std::abs(offset_mm);
   const auto& first = outline.vertices[0];
   for (const auto& [x, y] : job.places) {
-    // No nearer than the grid of the steps leaves open; entry and exit are farther away.
+    // The tool comes no nearer than the offset, except for the grid of the steps. Points of entry
+    // and exit are farther away.
     EXPECT_GE(exact.distance(x, y), r - kStepMm);
     if (std::hypot(x - first.x, y - first.y) < 3.0 * r + 0.1) continue;
     tally.farthest = std::max(tally.farthest, oracle.distance(x, y));

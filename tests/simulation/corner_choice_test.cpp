@@ -14,7 +14,7 @@
 namespace proof {
 namespace {
 
-/// A way whose corners all turn by about as much, to one side or to both.
+/// A path whose corners all turn by about the same angle, to one side or to both.
 struct TurningWay {
   double acceleration = 0.0;  ///< mm/s²
   double jerk = 0.0;          ///< mm/s³; 0 is no limit.
@@ -61,8 +61,8 @@ double time_of(const TurningWay& way, const std::string& mode) {
   return result.job_time_s;
 }
 
-// Known fault: about one new seed in a thousand takes longer, at most 1.19 times as long as with
-// stops (1435530762); the mean of 3,000 is 0.94.
+// Known fault: about one new seed in a thousand takes longer than with stops at all corners, up to
+// 1.19 times as long (seed 1435530762).
 TEST(RandomTurns, AreHardlySlowerThanStopsAtAllCorners) {
   const Trials trials(200, Trials::Range::kKnownFault);
   double worst = 0.0;

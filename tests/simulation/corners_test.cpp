@@ -20,7 +20,7 @@ namespace {
 constexpr double kFineStepsPerMm = 1000.0;
 constexpr double kHalfStep = 0.5 / kFineStepsPerMm;
 
-/// Where the motors stood, edge by edge, mm.
+/// Stores the positions of the motors at each edge, mm.
 class Footprints final : public sim::TraceSink {
  public:
   void on_row(const sim::TraceRow& row) override {
@@ -62,7 +62,7 @@ Walk walk(const std::string& text, const std::vector<Setting>& settings = {}) {
   return walk;
 }
 
-/// The farthest that a pulse is from the programmed path.
+/// Returns the greatest distance of a pulse from the programmed path, mm.
 double of_pulses(const Walk& walk) {
   double greatest = 0.0;
   for (std::size_t i = 0; i < walk.places.size(); i += 7) {
@@ -77,7 +77,7 @@ double of_pulses(const Walk& walk) {
   return greatest;
 }
 
-/// The farthest that a point of the programmed path is from all pulses.
+/// Returns the greatest distance of a point of the programmed path from all pulses, mm.
 double of_path(const Walk& walk) {
   double greatest = 0.0;
   for (const sim::PathPiece& piece : walk.path.pieces) {
@@ -93,7 +93,7 @@ double of_path(const Walk& walk) {
   return greatest;
 }
 
-/// Motors stand on whole steps: half a diagonal away, and the next edge is as far.
+/// Motors stand on whole steps, half a diagonal from the path, and the next edge is as far away.
 constexpr double kSlack = 2.0 * std::numbers::sqrt2 * kHalfStep + 1.0e-4;
 
 std::string tolerance_words(double p, double q) {
@@ -124,9 +124,10 @@ std::string polyline(Random& random) {
   return text;
 }
 
-/// What random texts have shown.
+/// Results over all random texts.
 struct Tried {
-  double beyond = 0.0;  ///< mm, of what is driven from what was programmed or the other way.
+  /// Greatest excess, mm: of the driven path from the programmed one, or the reverse.
+  double beyond = 0.0;
   std::size_t lines = 0;
   std::size_t blocks = 0;
 
@@ -165,7 +166,7 @@ TEST(RandomTexts, ArePulsedWithinPAndQBothWays) {
   tried.print("texts with G64");
 }
 
-// G61: corners and welds share $11, and $12 is what welds may have of it.
+// With G61, corners and welds share the tolerance of $11; $12 is the part that welds may use.
 TEST(RandomTexts, ArePulsedWithinJunctionDeviationBothWays) {
   const Trials trials{40};
   Tried tried;

@@ -25,22 +25,24 @@ using cnc::MachineState;
 constexpr double kDoorStepsPerMm = 250.0;
 constexpr double kDoorAcceleration = 2000.0;  // mm/s²
 constexpr double kDoorJerk = 60'000.0;        // mm/s³
-/// Left out or burnt twice at most, mm.
+/// Greatest length that is left out or burnt twice, mm.
 constexpr double kMaxGap = 0.1;
-/// A shaper with three impulses lets an axis leave its plan by this where it accelerates at the
-/// limit: its variance is (1 / 2f)² / 2, and the plan differs from its mean by a/2 of that.
+/// Returns the greatest distance of an axis from its plan that a shaper with three impulses causes
+/// at the greatest acceleration, mm. The variance of the impulses is (1 / 2f)² / 2, and the plan
+/// differs from its mean by a/2 times the variance.
 constexpr double displaced_mm(double hertz) { return kDoorAcceleration / (16.0 * hertz * hertz); }
-/// The old burn ends displaced, and the new one, from rest, begins on the plan; there and back.
+/// Returns the gap with a shaper, mm: the old burn ends displaced, and the new one begins on the
+/// plan from rest, in both directions.
 constexpr double shaped_gap(double hertz) { return kMaxGap + 2.0 * displaced_mm(hertz); }
 
-/// How a job is driven and interrupted.
+/// Variant of machine and interruption.
 struct Variant {
   const char* name;
   const char* mode = "M3";
-  bool pin = false;  ///< The door's input; else 0x84.
+  bool pin = false;  ///< Opens the door by its input; otherwise by byte 0x84.
   bool jerk = false;
-  bool homed = false;  ///< And $41, by which no beam is parked.
-  bool held = false;   ///< By a feed hold, shortly before.
+  bool homed = false;  ///< The machine is homed and has $41=1, but a beam is never parked.
+  bool held = false;   ///< A feed hold comes shortly before the door.
   std::vector<std::pair<int, double>> settings{};
   double max_gap = kMaxGap;
   double max_beside = 0.03;
@@ -52,7 +54,8 @@ const std::vector<Variant> kVariants{
     {.name = "jerk, homed", .jerk = true, .homed = true},
     {.name = "jerk, homed, by speed", .mode = "M4", .pin = true, .jerk = true, .homed = true},
     {.name = "held before", .held = true},
-    // Where an axis turns, half of its play lies on either side of the path until it is taken up.
+    // Where an axis reverses, half of its play lies on either side of the path until it is taken
+    // up.
     {.name = "backlash",
      .settings = {{160, 0.05}, {161, 0.03}},
      .max_beside = 0.03 + std::hypot(0.5 * 0.05, 0.5 * 0.03)},
@@ -72,7 +75,7 @@ const std::vector<Variant> kVariants{
      .max_gap = shaped_gap(20.0),
      .max_beside = shaped_gap(20.0)}};
 
-/// A bench that is fed as a sender feeds it, and all edges with the beam on.
+/// A bench that receives lines as from a sender, and stores all edges with the beam on.
 class Cut : private sim::TraceSink {
  public:
   Cut(const DoorJob& job, const Variant& variant)
@@ -98,7 +101,7 @@ class Cut : private sim::TraceSink {
     for (std::size_t axis = 0; axis < 2; ++axis) from_[axis] = bench_.motor(axis);
   }
 
-  /// False when all is driven.
+  /// Runs one cycle. Returns false when the whole job has been driven.
   bool turn() {
     cnc::Machine& machine = bench_.machine();
     while (next_ < job_.lines.size() && !machine.busy() && !machine.locked()) {
@@ -113,7 +116,7 @@ class Cut : private sim::TraceSink {
     while (turn() && left > 0) --left;
     EXPECT_GT(left, 0) << "the machine hangs";
   }
-  /// Opens the door, waits for standstill, closes it and goes on until the job does.
+  /// Opens the door, waits for standstill, closes it, and resumes until the job goes on.
   void pass_door(bool pin, bool held) {
     cnc::Machine& machine = bench_.machine();
     if (held) {
@@ -148,8 +151,8 @@ class Cut : private sim::TraceSink {
   std::vector<Burnt> burnt;
 
  private:
-  /// Mean acceleration and jerk of an axis over 10 ms, of which a step makes 40 mm/s² and 4,000
-  /// mm/s³.
+  /// Checks mean acceleration and jerk of an axis over 10 ms. A single step changes these means by
+  /// 40 mm/s² and 4,000 mm/s³.
   void judge_limits(const std::vector<Burnt>& ms) const {
     constexpr std::size_t kApart = 10;
     constexpr double kSeconds = 0.001 * kApart;
@@ -182,15 +185,16 @@ class Cut : private sim::TraceSink {
   const DoorJob& job_;
   bool jerk_;
   MachineBench bench_;
-  std::optional<sim::ToolTrace> tool_;  ///< Follows the tool: with play, the motors run ahead.
+  /// Simulates the position of the tool, which lags the motors by the play.
+  std::optional<sim::ToolTrace> tool_;
   std::array<std::int32_t, 2> from_{};
   std::size_t next_ = 0;
 };
 
 class DoorGap : public testing::TestWithParam<DoorJob> {};
 
-/// The door is opened at every hundredth of a second of each job, in each variant; or at an even
-/// share of these instants, where not all trials are wanted.
+/// Opens the door at every hundredth of a second of each job in each variant. With fewer trials, it
+/// opens at an even share of these times.
 TEST_P(DoorGap, IsCutWhenTheJobGoesOn) {
   const DoorJob& job = GetParam();
   std::vector<BurntPath> wholes;
@@ -218,7 +222,7 @@ TEST_P(DoorGap, IsCutWhenTheJobGoesOn) {
     cut.run_to_end();
     EXPECT_EQ(cut.bench().machine().alarm(), cnc::Alarm::kNone);
     const BurntPath::Gap gap = wholes[index].judge(cut.burnt, before);
-    // Delays and motors that are ahead of the tool shift powers along the motors' path.
+    // Beam delays and play shift the powers along the motors' path.
     const bool same_power = std::string{variant.mode} == "M3" && variant.settings.empty();
     EXPECT_TRUE(gap.other_power == 0 || !same_power);
     gone_back += before < cut.burnt.size() ? 1 : 0;

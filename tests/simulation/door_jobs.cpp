@@ -9,7 +9,7 @@ std::string to_place(double x, double y) {
   return " X" + std::to_string(x) + " Y" + std::to_string(y);
 }
 
-/// Rounded corners, exact stops, and lines of all lengths.
+/// Returns a job of rounded corners, exact stops and lines of different lengths.
 DoorJob job_of_corners() {
   DoorJob job{"corners", {"G64 P0.05"}};
   double x = 0.0;
@@ -27,7 +27,7 @@ DoorJob job_of_corners() {
   return job;
 }
 
-/// Arcs, a helix and a spline.
+/// Returns a job of arcs, a helix and a spline.
 DoorJob job_of_arcs() {
   return {"arcs",
           {"G2 X20 Y0 I10 J0",
@@ -39,7 +39,7 @@ DoorJob job_of_arcs() {
            "G2 X20 Y40 I6 J0"}};
 }
 
-/// Chords that are welded, and chords that are not.
+/// Returns a job of chords, some of which are welded.
 DoorJob job_of_chords() {
   DoorJob job{"chords", {"G64 P0.05 Q0.02"}};
   for (int i = 1; i <= 120; ++i) {
@@ -53,7 +53,7 @@ DoorJob job_of_chords() {
   return job;
 }
 
-/// Rows of pixels there and back, some of them dark.
+/// Returns a job of rows of pixels in both directions, some of them with the beam off.
 DoorJob job_of_pixels() {
   DoorJob job{"pixels", {}};
   constexpr int kPixels = 140;
@@ -69,7 +69,7 @@ DoorJob job_of_pixels() {
   return job;
 }
 
-/// Offset from a contour of lines and arcs.
+/// Returns a job that is offset from a contour of lines and arcs.
 DoorJob job_of_offset() {
   return {"offset",
           {"G0 X20 Y6",

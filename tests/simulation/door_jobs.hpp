@@ -5,8 +5,8 @@
 
 namespace proof {
 
-/// A program by lines, all of them cut at up to 200 mm/s. Nowhere does a path come within 0.3 mm of
-/// itself, but where it closes.
+/// A program by lines, cut at up to 200 mm/s. A path never comes within 0.3 mm of itself, except
+/// where it closes.
 struct DoorJob {
   const char* name;
   std::vector<std::string> lines;

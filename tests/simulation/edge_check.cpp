@@ -53,7 +53,7 @@ class EdgeCheck final : public EdgeSink {
     figures_.lateness.note(off, hint_, axis);
   }
 
-  /// Motors stand next to the plan at the end of each slice that ends before `time`.
+  /// Compares the motors with the plan at the end of each slice that ends before `time`.
   void look_at_slices_until(double time) {
     for (; looked_at_ < plan_.slices.size(); ++looked_at_) {
       const double end = plan_.slices[looked_at_].end_s();
@@ -69,7 +69,7 @@ class EdgeCheck final : public EdgeSink {
     figures_.separation.note(off - 0.5 - geometry_slack(axis), looked_at_, axis);
   }
 
-  /// Where the plan is within 25 µs of a moment.
+  /// Returns the range of planned positions within 25 µs of a time.
   Range planned_range(double time, std::size_t axis) {
     const double first = plan_.steps_at(slice_at(time - kPromise), time - kPromise, axis, limits_);
     Range range{first, first};
@@ -87,7 +87,8 @@ class EdgeCheck final : public EdgeSink {
     return range;
   }
 
-  /// The slice that is driven at a time; times come in almost the right order.
+  /// Returns the slice that is driven at a time. Successive calls have almost increasing times, so
+  /// the search begins at the last slice.
   std::size_t slice_at(double time) {
     while (hint_ > 0 && plan_.slices[hint_].start_s > time) --hint_;
     while (hint_ + 1 < plan_.slices.size() && plan_.slices[hint_ + 1].start_s <= time) ++hint_;

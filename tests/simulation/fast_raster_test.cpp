@@ -13,12 +13,14 @@
 namespace proof {
 namespace {
 
-/// A row of narrow pixels, 48 powers to a line as a picture is engraved, with long ends.
+/// A row of narrow pixels as in an engraved picture, 48 powers per line of text, with long ends
+/// without power.
 struct FastRow {
   static constexpr int kPixels = 9600;
   static constexpr int kPowers = 48;
   static constexpr double kWidth = 0.02;
-  static constexpr double kEnd = 30.0;  ///< mm: beyond, the machine is at full speed.
+  /// Length of each end, mm. It suffices to reach full speed.
+  static constexpr double kEnd = 30.0;
   static constexpr double kLast = kEnd + kWidth * kPixels;
 
   static int power(int pixel) { return 100 + (pixel * 37) % 900; }
@@ -38,10 +40,11 @@ struct FastRow {
   }
 };
 
-/// What a serial line of 1 Mbaud brings in a millisecond.
+/// Bytes per millisecond of a serial line at 1 Mbaud.
 constexpr double kBytesPerTurn = 100.0;
 
-/// Drives the row from a sender that gives so many bytes in a millisecond, into a buffer of 1 KiB.
+/// Drives the row from a sender that sends `bytes_per_turn` in a millisecond into a buffer of 1
+/// KiB.
 RasterTrack stream_fast_row(double speed_mm_s, double bytes_per_turn = kBytesPerTurn) {
   constexpr double kBufferBytes = 1024.0;
   MachineBench bench;
@@ -63,7 +66,7 @@ RasterTrack stream_fast_row(double speed_mm_s, double bytes_per_turn = kBytesPer
   return track;
 }
 
-/// The powers of 48 pixels together are driven as programmed, whatever the speed.
+/// Expects that groups of 48 pixels receive the programmed energy at any speed.
 void expect_energy_of(const RasterTrack& track) {
   constexpr int kTogether = FastRow::kPowers;
   for (int first = 0; first + kTogether < FastRow::kPixels; first += kTogether) {
@@ -76,7 +79,7 @@ void expect_energy_of(const RasterTrack& track) {
   }
 }
 
-/// Returns when the first motor passed a place, between two of its steps, s.
+/// Returns the time at which the first motor passed a position, interpolated between two steps, s.
 double time_between_steps(const RasterTrack& track, double mm) {
   const auto after = std::ranges::lower_bound(track.places, mm, {}, &RasterTrack::Place::mm);
   const auto before = after - 1;
@@ -84,7 +87,8 @@ double time_between_steps(const RasterTrack& track, double mm) {
   return before->time_s + share * (after->time_s - before->time_s);
 }
 
-/// Each pixel is driven with its own power: to 3 % of it, or 1 % of full power where that is more.
+/// Expects that each pixel has its own power, to 3 % of it or to 1 % of full power, whichever is
+/// greater.
 void expect_energy_of_each_pixel(const RasterTrack& track) {
   double farthest = 0.0;
   for (int pixel = 0; pixel < FastRow::kPixels; ++pixel) {
@@ -98,7 +102,7 @@ void expect_energy_of_each_pixel(const RasterTrack& track) {
   std::printf("each pixel within %.2f %% of full power\n", 100.0 * farthest);
 }
 
-// As many as a serial line of 1 Mbaud brings.
+// The number of pixels that a serial line of 1 Mbaud can deliver.
 TEST(Raster, OfTwentyThousandPixelsASecondKeepsItsFeedAndEachPower) {
   constexpr double kPixelsPerSecond = 20'000.0;
   const double speed = kPixelsPerSecond * FastRow::kWidth;
@@ -111,9 +115,11 @@ TEST(Raster, OfTwentyThousandPixelsASecondKeepsItsFeedAndEachPower) {
   expect_energy_of_each_pixel(track);
 }
 
-// More than the line brings make it slower, and neither stop it nor change what is burnt.
+// With more pixels than the line delivers, the row becomes slower, but it neither stops nor changes
+// its burn.
 TEST(Raster, OfMorePixelsThanComeIsNeverStarved) {
-  constexpr double kFarFromStart = 110.0;  // mm: what had come before is driven.
+  // Position from which on all lines received before the start have been driven, mm.
+  constexpr double kFarFromStart = 110.0;
   constexpr double kFarFromEnd = 40.0;
   constexpr double kComing = 14'000.0;
   const RasterTrack track = stream_fast_row(20'000.0 * FastRow::kWidth, 0.6 * kBytesPerTurn);

@@ -19,7 +19,7 @@ namespace {
 constexpr std::uint64_t kTickNs = sim::VirtualController::kNanosecondsPerTick;
 constexpr std::uint64_t kSameTickNs = 10'000;
 
-/// When the output is on, and when motors step.
+/// Records when the output is on and when motors step.
 class BeamLog final : public sim::TraceSink {
  public:
   struct Row {
@@ -59,7 +59,7 @@ class BeamLog final : public sim::TraceSink {
   cnc::AxisArray<std::int32_t> position_{};
 };
 
-/// What the machine is at, with the beam on or off.
+/// Activity of the machine at the fault, with the beam on or off.
 enum class Scene : std::uint8_t { kM3, kM4, kRapid, kHold, kDwell, kIdle, kStarved, kSpindle };
 
 constexpr std::array<std::pair<Scene, std::string_view>, 8> kScenes{
@@ -76,7 +76,7 @@ bool is_lit(Scene scene) {
   return scene == Scene::kM3 || scene == Scene::kM4 || scene == Scene::kSpindle;
 }
 
-/// A controller in a scene, some time after the scene began.
+/// A controller in a scene, at a random time after the scene began.
 class Stage {
  public:
   Stage(Scene scene, Random& random) : scene_{scene} {
@@ -93,7 +93,7 @@ class Stage {
 
   [[nodiscard]] sim::VirtualController& controller() { return bench_.controller; }
   void run(int milliseconds) { bench_.run(milliseconds); }
-  /// Until motion ends, at most ten seconds; when that was.
+  /// Runs until motion ends, at most ten seconds. Returns the time of the end, ns.
   std::uint64_t run_until_rest_ns() {
     for (int left = 10'000; controller().step_timer_runs() && left > 0; --left) run(1);
     EXPECT_FALSE(controller().step_timer_runs());
@@ -101,7 +101,7 @@ class Stage {
   }
   [[nodiscard]] std::uint64_t now_tick() const { return bench_.controller.now_ticks(); }
   [[nodiscard]] std::uint64_t now_ns() const { return now_tick() * kTickNs; }
-  /// All that happened until now. The bench is not to go on.
+  /// Returns the record up to now. The bench cannot run afterwards.
   [[nodiscard]] const BeamLog& log() {
     bench_.controller.end();
     return log_;
@@ -136,7 +136,8 @@ class Stage {
 
 class FaultInScene : public testing::TestWithParam<std::pair<Scene, std::string_view>> {
  protected:
-  /// As many as asked for, each at a random tick, not only where the main loop turns.
+  /// Runs the check with a fault at a random tick in each trial, not only at the boundaries of
+  /// cycles.
   template <typename Check>
   void try_faults(std::uint64_t usual, const Check& check) const {
     const Trials trials{usual};
@@ -164,8 +165,8 @@ TEST_P(FaultInScene, ThatEndsTheProgramDarkensInTheSameTick) {
   });
 }
 
-/// What was cut ahead is driven, and ends dark where it ends; a spindle turns until the watchdog
-/// bites.
+/// Segments that were cut before are driven, and the beam goes off at their end. A spindle turns
+/// until the watchdog resets the controller.
 TEST_P(FaultInScene, ThatHangsTheMainLoopDarkensWhereMotionEnds) {
   try_faults(20, [](Stage& stage, std::uint64_t tick, Random&) {
     stage.controller().plant({.kind = sim::Breakdown::kMainLoopHangs, .tick = tick});
@@ -190,7 +191,7 @@ TEST_P(FaultInScene, OfASettingIsFoundWithinASecondAndDarkens) {
     SCOPED_TRACE(bit);
     stage.controller().plant({sim::Breakdown::kSettingTurnsOver, tick, bit});
     while (stage.controller().restarts() == 0 && stage.now_tick() < tick + 4'000'000) stage.run(1);
-    // The turn in which it was found is over: darkness began where that began.
+    // The cycle that found the fault has ended. The beam must have been off since that cycle began.
     const std::uint64_t found_ns = stage.now_ns() - 1'000'000;
     ASSERT_EQ(stage.controller().restarts(), 1U);
     stage.run(100);
@@ -201,10 +202,10 @@ TEST_P(FaultInScene, OfASettingIsFoundWithinASecondAndDarkens) {
   std::printf("found after at most %.1f ms\n", static_cast<double>(latest_ns) * 1.0e-6);
 }
 
-/// Scenes with a beam: a spindle may turn at rest.
+/// Scenes with a beam, without the spindle, which may turn at rest.
 class BeamInScene : public FaultInScene {};
 
-/// Whatever the cause: where nothing moves, nothing burns.
+/// Whatever the fault, the beam must be off while nothing moves.
 TEST_P(BeamInScene, IsOffWhereSpeedIsZero) {
   try_faults(5, [](Stage& stage, std::uint64_t, Random&) {
     const std::uint64_t rest_ns = stage.run_until_rest_ns();

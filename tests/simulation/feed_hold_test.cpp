@@ -12,7 +12,7 @@
 namespace proof {
 namespace {
 
-/// The time of the last edge.
+/// Records the time of the last edge.
 class LastEdge final : public sim::TraceSink {
  public:
   void on_row(const sim::TraceRow& row) override {
@@ -28,9 +28,9 @@ double now(const sim::Simulator& simulator) {
   return static_cast<double>(simulator.now_ticks()) / cnc::motion::kTicksPerSecond;
 }
 
-/// What a hold in the middle of a long line takes beyond v/a, s.
+/// Returns the time that a hold in the middle of a long line takes beyond v/a, s.
 double hold_delay(std::uint64_t seed) {
-  constexpr double kQueue = 0.021;  // 20 ms of segments and the turn between.
+  constexpr double kQueue = 0.021;  // Segments of 20 ms and the cycle that notices the hold, s.
   Random random{seed};
   const double speed = random.magnitude(10.0, 200.0);
   const double acceleration = random.magnitude(100.0, 5000.0);
@@ -76,8 +76,9 @@ void hold_line_at(std::size_t turns, double speed, double acceleration) {
   EXPECT_EQ(simulator.result().final_position[0], 1600);
 }
 
-// The hold may come while the machine already brakes for the end of all motion. Each line
-// is held at every seventh millisecond, and one in seven lines at the same ones.
+// The hold may come while the machine already brakes for the end of the motion. Each line is held
+// at every seventh millisecond; the first one shifts from line to line, so that every seventh line
+// has the same ones.
 TEST(FeedHold, AtAnyMillisecondOfALineLosesNothing) {
   constexpr std::size_t kApart = 7;
   const Trials trials{105};

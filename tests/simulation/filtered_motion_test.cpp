@@ -14,7 +14,7 @@
 namespace proof {
 namespace {
 
-/// Lines one after the other in one direction, each with a feed of its own.
+/// Returns successive lines in one direction, each with its own feed.
 Program straight_program(Random& random) {
   Program program;
   cnc::Position at{};
@@ -34,7 +34,8 @@ Program straight_program(Random& random) {
   return program;
 }
 
-/// Figures of a random program, averaged over a random window T; jerk by its limit of 2 A/T.
+/// Returns the figures of a random program that is averaged over a random window T; the limit of
+/// jerk is 2 A/T.
 sim::MotionFigures filtered_figures(std::uint64_t seed) {
   Random random{seed};
   const TestMachine machine =
@@ -49,13 +50,13 @@ sim::MotionFigures filtered_figures(std::uint64_t seed) {
   return sim::judge_motion(plan, motion.path, limits);
 }
 
-/// Known to exceed 1.001 of the limit of jerk.
+/// Seeds that are known to exceed the limit of jerk by more than a factor of 1.001.
 constexpr std::array<KnownExcess, 2> kFilteredExcess{
     {{2'865'526'085, 1.0011300, 0.0, 0.0}, {669'612'418, 1.0012700, 0.0, 0.0}}};
 
-// What averaging over a window T promises of an acceleration-limited plan on straight ways: it
-// never goes faster, and its jerk stays within 2 A/T. It is A/T only where the plan does not
-// turn from speeding up to braking within T, as it does wherever it is too short to cruise.
+// Averaging an acceleration-limited plan over a window T on straight paths must keep the rate, and
+// the jerk within 2 A/T. The jerk is within A/T only if the plan does not change from speeding up
+// to braking within T. It does so where it is too short to cruise.
 TEST(FilteredMotion, OnStraightWaysKeepsRateAccelerationAndJerk) {
   const Trials trials{40};
   double jerk = 0.0;

@@ -1,4 +1,4 @@
-// G43.4 against a model of the machine in double precision that shares no formula with it.
+// Tests G43.4 against a model of the machine in double precision that uses other formulas.
 
 #include <fmt/core.h>
 #include <gtest/gtest.h>
@@ -83,7 +83,7 @@ TEST(FiveAxes, PlacesAreThoseOfTheChainInDoublePrecision) {
   EXPECT_LT(greatest.direction, 2.0e-6);
 }
 
-/// The knots that the motors go through, one for each cell of time.
+/// Records the knots that the motors pass, one for each cell of time.
 class Knots final : public cnc::motion::ShapingObserver {
  public:
   void on_cell(const cnc::motion::ShapedCell& cell) override { places.push_back(cell.planned); }
@@ -93,17 +93,18 @@ class Knots final : public cnc::motion::ShapingObserver {
 
 constexpr double kCellS = 1.0e-3;
 
-/// Greatest figures of motions, as shares of their limits where one is known.
+/// Greatest figures over all motions, as shares of their limits if these are known.
 struct MotionFigures {
   double off_line_mm = 0.0;
   double rate = 0.0;
   double acceleration = 0.0;
   double feed = 0.0;
-  double min_feed = 1.0;  ///< The greatest feed of the motion that came least near to its own.
-  double steps_mm = 0.0;  ///< From the end of a motion to where whole steps leave the tip.
+  double min_feed = 1.0;  ///< Least ratio of a motion's greatest feed to its programmed feed.
+  /// Greatest distance of a motion's end from the tip's position on whole steps, mm.
+  double steps_mm = 0.0;
 };
 
-/// A machine that drives one straight motion of the tip after the other.
+/// A machine that drives successive straight motions of the tip.
 class FiveAxisJob : public MachineBench {
  public:
   FiveAxisJob(Random& random, int kind) {
@@ -124,7 +125,7 @@ class FiveAxisJob : public MachineBench {
     machine().observe(&knots_);
   }
 
-  /// Drives to a place and measures the motion there.
+  /// Drives to a position and measures the motion.
   void drive(const std::string& words, MotionFigures& figures) {
     knots_.places.clear();
     const Point from = point_of(machine().interpreter().position());
@@ -133,7 +134,7 @@ class FiveAxisJob : public MachineBench {
     finish();
     const Point to = point_of(machine().interpreter().position());
     measure(from, to, feed, figures);
-    // Motors stand on whole steps: half of one of 0.01 degrees is 0.06 mm at 0.7 m.
+    // Motors stand on whole steps: half a step of 0.01 degrees makes 0.06 mm at 0.7 m.
     figures.steps_mm = std::max(figures.steps_mm, distance(tip(), to));
   }
 
@@ -157,7 +158,8 @@ class FiveAxisJob : public MachineBench {
     for (std::size_t i = 0; i < knots_.places.size(); ++i) {
       const Point here = program_of(knots_.places[i]);
       figures.off_line_mm = std::max(figures.off_line_mm, off_line(here, from, to));
-      constexpr std::size_t kCells = 10;  // Rounding has no part in so long a way.
+      // Number of cells after which rounding hardly affects a mean.
+      constexpr std::size_t kCells = 10;
       if (i >= kCells) {
         const Point before = program_of(knots_.places[i - kCells]);
         constexpr double kRounding = 4.0e-4;
@@ -183,7 +185,7 @@ class FiveAxisJob : public MachineBench {
     const auto limit = [&](std::uint16_t first) {
       return static_cast<double>(settings.get(first, axis));
     };
-    // Over some cells, because single precision moves each knot by up to 0.3 um.
+    // The mean is over some cells, because single precision moves each knot by up to 0.3 µm.
     constexpr std::size_t kSpan = 5;
     constexpr double kRounding = 3.0e-4;
     const double rounding = axis < cnc::kLinearAxisCount ? kRounding : 0.0;
@@ -203,7 +205,7 @@ class FiveAxisJob : public MachineBench {
   Knots knots_;
 };
 
-/// A line of the tip by up to some hundred millimetres, with its rotary axes.
+/// Returns a line of the tip by up to some hundred millimetres, with motions of the rotary axes.
 std::string random_motion(Random& random, double max_turn_deg) {
   std::string words = fmt::format("G1 X{:.3f} Y{:.3f} Z{:.3f}",
                                   random.between(-80.0, 80.0),

@@ -1,4 +1,4 @@
-// Doors, holds and resets while the tip of a five-axis machine is under control.
+// Tests doors, holds and resets under G43.4, tool centre point control.
 
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@
 namespace proof::five_axes {
 namespace {
 
-/// A laser whose light is looked at each millisecond, where the part sees the tip.
+/// A laser whose beam is sampled each millisecond, with the position of the tip on the part.
 class LitJob : public MachineBench {
  public:
   explicit LitJob(int kind) {
@@ -22,7 +22,7 @@ class LitJob : public MachineBench {
     }
   }
 
-  /// Watches the light until nothing more happens, at most some seconds.
+  /// Samples the beam until nothing moves any more, at most `milliseconds`.
   void watch(int milliseconds) {
     while (milliseconds-- > 0) {
       controller.turn();
@@ -30,7 +30,7 @@ class LitJob : public MachineBench {
     }
   }
 
-  /// Places of the tip with light, by their X.
+  /// Returns the positions of the tip with the beam on, sorted by X.
   [[nodiscard]] std::vector<Point> lit_by_x() const {
     std::vector<Point> lit = lit_;
     std::ranges::sort(lit, [](const Point& a, const Point& b) { return a[0] < b[0]; });

@@ -1,4 +1,4 @@
-// Words and places under G43.4, and the travel of the axes.
+// Tests words and positions under G43.4, and the travel of the axes.
 
 #include <fmt/core.h>
 #include <gtest/gtest.h>
@@ -21,7 +21,7 @@ namespace {
 using cnc::kinematics::ToolCentre;
 using sim::FiveAxisModel;
 
-/// Runs a program on a machine with tables for A and C, 50 mm under the origin.
+/// Runs a program on a machine with tables on A and C whose A axis lies 50 mm below the origin.
 class TablesJob {
  public:
   explicit TablesJob(const std::string& program) : simulator_{program, {}} {
@@ -47,8 +47,8 @@ class TablesJob {
 };
 
 TEST(FiveAxes, ATipThatStandsStillIsDrivenAroundByItsTables) {
-  // The point 30 mm beside C and 50 mm above A's axis, turned by a quarter about C: the tables take
-  // it to Y -30; by another about A it would be below.
+  // The point is 30 mm from the axis of C and 50 mm above that of A. A quarter turn of C takes it
+  // to Y -30; a quarter turn of A lowers it.
   const TablesJob turned{"G21 G90 G94\nG0 X30 Y0 Z0\nG43.4\nG1 C90 F3000\nG49\n"};
   ASSERT_TRUE(turned.result().refusals.empty());
   EXPECT_NEAR(turned.axis(0), 0.0, 0.01);
@@ -70,7 +70,8 @@ TEST(FiveAxes, AfterG49WordsAreThoseOfTheAxesAgain) {
 TEST(FiveAxes, AToolLengthRaisesTheAxesAlongTheTool) {
   const TablesJob job{"G21 G90 G94\nG43.4 Z20\nG1 X0 Y0 Z0 A90 F3000\nG49\n"};
   ASSERT_TRUE(job.result().refusals.empty());
-  // The tip is 50 mm beside A's axis after the tilt, and the gauge point 20 mm above it.
+  // After the tilt the tip is 50 mm beside the axis of A, and the gauge point is 20 mm above the
+  // tip.
   EXPECT_NEAR(job.axis(1), 50.0, 0.01);
   EXPECT_NEAR(job.axis(2), -50.0 + 20.0, 0.01);
 }
@@ -93,15 +94,17 @@ TEST(FiveAxes, WordsThatMoveTheAxesThemselvesAreRefused) {
   EXPECT_EQ(TablesJob{"G21 G90\nG43.4\nG49\nG28.1\n"}.first_refusal(), 0);
 }
 
-/// Verdicts on the travel of the axes, beside a dense look by the model.
+/// Tallies of verdicts on the travel of the axes, compared with dense samples of the model.
 struct TravelTally {
   int inside = 0;
   int refused = 0;
-  double farthest_inside_mm = -1.0e9;  ///< Beyond the travel, of a motion that was taken.
-  double nearest_refused_mm = 1.0e9;   ///< The same of one that was refused.
+  /// Greatest excess over the travel of an accepted motion, mm.
+  double farthest_inside_mm = -1.0e9;
+  double nearest_refused_mm = 1.0e9;  ///< Least excess over the travel of a refused motion, mm.
 };
 
-/// How far the axes X Y Z come beyond a travel of 300 mm below 0, mm; below 0 inside.
+/// Returns the distance by which the axes X Y Z exceed a travel of 300 mm below 0, mm; negative
+/// inside.
 double beyond_travel(const FiveAxisModel& model, const Point& from, const Point& to) {
   constexpr int kLooks = 2000;
   constexpr double kTravel = 300.0;

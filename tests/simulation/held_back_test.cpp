@@ -10,7 +10,7 @@ namespace {
 
 using SettingValue = std::pair<int, double>;
 
-/// ms from the first line to standstill.
+/// Returns the time from the first line to standstill, ms.
 int time_of(const std::vector<SettingValue>& settings, const std::vector<std::string>& lines) {
   MachineBench bench;
   bench.set(settings);
@@ -23,8 +23,8 @@ int time_of(const std::vector<SettingValue>& settings, const std::vector<std::st
   return time;
 }
 
-/// Lines that are sent at once, and then nothing: the last is given out before the
-/// machine brakes for it, so all takes no longer than when the end is said.
+/// Sends lines and then nothing. The last line must be given out before the machine brakes for it,
+/// so that the job takes no longer than with a dwell that marks its end.
 void expect_no_braking(const std::vector<SettingValue>& settings, std::vector<std::string> lines) {
   const int silent = time_of(settings, lines);
   lines.emplace_back("G4 P0");
@@ -42,8 +42,8 @@ TEST(SilentSender, CausesNoneOnManyShortLines) {
   expect_no_braking({{120, 500.0}}, lines);
 }
 
-// The plan is ahead of the motion, and goes level before it brakes. At A²/J and above the
-// window is A/J, whether the end is known at the start or not.
+// With a jerk limit, the plan is ahead of the motion and goes level before it brakes. At speeds of
+// A²/J and above the window is A/J, whether the end is known at the start or not.
 TEST(SilentSender, CausesNoneWhereJerkIsLimited) {
   for (const double speed : {1200.0, 3000.0, 6000.0}) {
     SCOPED_TRACE(speed);

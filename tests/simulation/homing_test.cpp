@@ -10,7 +10,7 @@ namespace {
 using cnc::Alarm;
 using cnc::MachineState;
 
-/// A small quick machine, so that a search takes seconds.
+/// Settings of a small fast machine, so that a search takes only seconds.
 const std::vector<std::pair<int, double>> kQuick{
     {22, 3}, {24, 60}, {25, 1200}, {26, 20}, {27, 2}, {130, 60}, {131, 40}, {132, 20}};
 
@@ -78,7 +78,9 @@ TEST(Homing, WithoutASwitchEndsInAlarmNine) {
 
 TEST(Homing, ThatCannotGetOffItsSwitchEndsInAlarmEight) {
   sim::MachineModel model = near_switches();
-  model.switch_mm[2] = -30.0;  // Deep inside: closed at 0, and a pull-off is 2 mm.
+  // The switch is far inside the travel: it is closed at 0, and a pull-off of 2 mm does not open
+  // it.
+  model.switch_mm[2] = -30.0;
   MachineBench bench{model};
   bench.set(kQuick);
   bench.home();
@@ -139,7 +141,8 @@ TEST(Homing, SquaresAnAxisWithTwoMotors) {
 
 TEST(Homing, GivesUpOnMotorsThatAreTooFarApart) {
   sim::MachineModel model = near_switches();
-  model.second_ahead_mm[1] = -3.0;  // 5 % of 40 mm is less than the least limit, 2.5 mm.
+  // 5 % of 40 mm is less than the least limit of the difference, 2.5 mm.
+  model.second_ahead_mm[1] = -3.0;
   MachineBench bench{model};
   bench.set(kQuick);
   bench.set({{852, 2}, {27, 4}});
@@ -148,7 +151,7 @@ TEST(Homing, GivesUpOnMotorsThatAreTooFarApart) {
   EXPECT_EQ(bench.machine().alarm(), Alarm::kHomingSecondSwitch);
 }
 
-/// From anywhere, at any speed, with contacts that bounce: always the same step.
+/// From any position, at any speed and with bouncing contacts, homing must end on the same step.
 TEST(Homing, LandsOnTheSameStepFromAnywhere) {
   const Trials trials{40};
   for (const std::uint64_t seed : trials) {

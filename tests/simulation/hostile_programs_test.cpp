@@ -1,5 +1,5 @@
-// Lines of any size on machines with any settings: a line is driven or refused, and never reaches a
-// contract, which would stop the controller.
+// Tests lines of any size on machines with any settings. The controller must drive or refuse a
+// line; a violated contract would stop it.
 
 #include <gtest/gtest.h>
 
@@ -17,18 +17,18 @@ namespace {
 
 std::uint64_t seed_now = 0;
 
-/// A broken contract ends the process, and the seed would not be told.
+/// Prints the seed: a violated contract ends the process, so that no test result would name it.
 void tell_seed(int /*signal*/) {
   std::fprintf(
       stderr, "to repeat: KERFLINE_SEED=%llu\n", static_cast<unsigned long long>(seed_now));
 }
 
-/// In half of the jobs an operator holds, resumes and overrides.
+/// A bench with an operator who holds, resumes and overrides in half of the jobs.
 class HostileBench : public MachineBench {
  public:
   explicit HostileBench(Random& random) : random_{random}, has_operator_{random.chance(0.5)} {}
 
-  /// Drives as many turns as a job has; then the rest is dropped, as by a reset.
+  /// Drives a job for a limited number of cycles, then drops the rest as by a reset.
   void drive(const HostileJob& job) {
     for (const auto& [number, value] : job.settings) {
       if (!machine().idle()) break;
@@ -92,7 +92,7 @@ TEST(HostilePrograms, AreDrivenOrRefusedAndReachNoContract) {
     refused += bench.refused;
   }
   static_cast<void>(std::signal(SIGABRT, before));
-  // Else the lines would test the interpreter alone.
+  // Otherwise the lines would only test the interpreter.
   EXPECT_GT(taken, refused);
 }
 

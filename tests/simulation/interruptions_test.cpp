@@ -14,8 +14,8 @@ namespace {
 using cnc::Alarm;
 using cnc::MachineState;
 
-/// A jog cancelled at every hundredth of a second of its way: the place is
-/// known to the step, and the way back ends at its start.
+/// Cancels a jog at every hundredth of a second. The position must be known to the step, and the
+/// motion back must end at the start.
 TEST(JogCancel, AtEveryHundredthOfASecondLosesNoStep) {
   MachineBench bench;
   for (int after = 0; after < 900; after += 10) {
@@ -36,8 +36,8 @@ TEST(JogCancel, AtEveryHundredthOfASecondLosesNoStep) {
   }
 }
 
-/// A line that comes while a door stops a jog waits until it is known where the jog
-/// ended, for that is where it begins.
+/// A line that arrives while a door stops a jog must wait until the end of the jog is known,
+/// because it begins there.
 TEST(Door, KeepsLinesWaitingUntilAJogHasStopped) {
   MachineBench bench;
   ASSERT_FALSE(bench.machine().jog("X200 F6000").has_value());
@@ -62,12 +62,12 @@ TEST(Door, KeepsLinesWaitingUntilAJogHasStopped) {
   EXPECT_EQ(bench.machine().interpreter().position(), bench.machine().motion().target());
 }
 
-/// An operator, a door and a sender, each at any time.
+/// An operator, a door and a sender that act at random times.
 class Chaos {
  public:
   explicit Chaos(std::uint64_t seed) : random_{seed} {
-    // Every third machine shapes or has backlash, and every other a beam that is late or
-    // early, on and off.
+    // One machine in three has shapers or backlash. One in two has a beam delay, positive or
+    // negative, on or off.
     if (seed % 3 == 0) bench_.set(random_motor_settings(random_));
     if (seed % 2 == 0) return;
     bench_.set({{854, random_.between(0.0, 10.0)},
@@ -87,7 +87,7 @@ class Chaos {
     }
   }
 
-  /// However it was left, an operator gets it back to idle.
+  /// Brings the machine back to idle from any state, as an operator would.
   void recover() {
     bench_.controller.panel() = {};
     cnc::Machine& machine = bench_.machine();
@@ -106,7 +106,8 @@ class Chaos {
   }
 
   LaserBench& bench() { return bench_; }
-  // That the test is about something, in turns: with the beam on, and in each state.
+  // Number of cycles with the beam on, and in each state: they show that the test reaches all
+  // states.
   int beam_turns = 0;
   std::array<int, 10> state_turns{};
 
@@ -136,7 +137,7 @@ class Chaos {
     static_cast<void>(machine.accept(lines[which]));
   }
 
-  /// What brings work to an end, so that all states have their turn.
+  /// Acts so that the present work ends, in order to reach all states.
   void help() {
     cnc::Machine& machine = bench_.machine();
     bench_.controller.panel() = {};
@@ -202,7 +203,7 @@ class Chaos {
     }
   }
 
-  /// After each millisecond.
+  /// Checks the machine after each millisecond.
   void check() {
     cnc::Machine& machine = bench_.machine();
     const std::uint16_t power = bench_.controller.port().power;
@@ -227,10 +228,10 @@ class Chaos {
 
   Random random_;
   LaserBench bench_;
-  bool quiet_ = false;  ///< The sender has nothing to send for a while.
+  bool quiet_ = false;  ///< Whether the sender is pausing.
 };
 
-/// Turns with the beam on, and in each state.
+/// Number of cycles with the beam on, and in each state.
 struct ChaosTurns {
   int beam = 0;
   std::array<int, 10> state{};
@@ -254,7 +255,8 @@ ChaosTurns interrupt(const Trials& trials) {
 
 TEST(Interruptions, OfAnyKindLeaveTheBeamOffAtRestAndTheMachineUsable) { interrupt(Trials{40}); }
 
-// Other seeds may hardly reach a state: that is no fault, but these must.
+// This fixed range of seeds must reach every state. Other seeds may hardly reach one, which would
+// be no fault.
 TEST(Interruptions, ReachEveryStateOften) {
   const Trials trials{40, Trials::Range::kFixed};
   const ChaosTurns turns = interrupt(trials);

@@ -5,7 +5,7 @@
 namespace proof {
 namespace {
 
-/// A cell of one acceleration, which is the mean over it: so many slices.
+/// A cell: successive slices with one acceleration, which is the mean acceleration over the cell.
 struct Cell {
   std::size_t first = 0;
   std::size_t end = 0;
@@ -16,7 +16,8 @@ struct Cell {
   [[nodiscard]] double middle_s() const { return start_s + 0.5 * seconds; }
 };
 
-/// @param longest_s of a cell: in a row of cells the acceleration may stay the same.
+/// Returns the cell that begins at slice `first`. @param longest_s longest duration of a cell,
+/// which divides a run of cells with equal acceleration
 Cell cell_at(const RecordedPlan& plan, std::size_t first, double longest_s) {
   const auto acceleration_of = [&](std::size_t slice) {
     return plan.slices[slice].slice.acceleration;
@@ -35,17 +36,18 @@ Cell cell_at(const RecordedPlan& plan, std::size_t first, double longest_s) {
   return cell;
 }
 
-/// t″: of an arc −κ² t; of a helix only what of the tangent lies in the plane turns.
+/// Returns t″: −κ² t on an arc; on a helix only the part of the tangent in the plane counts.
 Vector bend_rate_of(const ExactBlock& block, const Vector& tangent, const Vector& bend) {
   Vector rate{};
   if (!block.turns()) return rate;
   rate = block.in_plane(tangent);
-  const double turn = norm(bend) / norm(rate);  // Radians per mm of path.
+  const double turn = norm(bend) / norm(rate);  // Turn of the tangent, radians per mm of path.
   for (double& share : rate) share *= -turn * turn;
   return rate;
 }
 
-/// Shorter cells are the ends of motions, of which rounding makes too much.
+/// Shortest duration of a cell that is judged, s. Shorter cells occur at the ends of motions, where
+/// rounding has too much effect.
 constexpr double kShortest = 20.0e-6;
 
 /// The acceleration along the path as a line between the middles of two cells.
@@ -76,7 +78,7 @@ class JerkCheck {
       cell = cell_at(plan_, first, longest_s);
       if (from_rest) {
         longest_s = cell.seconds;
-        // From nothing.
+        // The acceleration rises from 0.
         before = {.start_s = cell.start_s};
       }
       if (cell.seconds >= kShortest) {
@@ -89,7 +91,7 @@ class JerkCheck {
   }
 
  private:
-  /// The slices of `within` that are between the middles of two cells.
+  /// Checks those slices of `within` that lie between the middles of two cells.
   void look_at(const Cell& before, const Cell& behind, const Cell& within) {
     const Ramp ramp{before, behind};
     for (std::size_t i = within.first; i < within.end; ++i) {

@@ -19,7 +19,8 @@ struct ReferenceJob {
   sim::MotionLimits limits;
 };
 
-/// A random program as the planner drives it, and a jerk limit: 5…50 ms to full acceleration.
+/// A random program as the planner drives it, and a limit of jerk with 5…50 ms to full
+/// acceleration.
 ReferenceJob reference_job(std::uint64_t seed) {
   constexpr MachineRanges kMachines{
       .min_rate_mm_s = 50.0, .min_acceleration = 10.0, .max_acceleration = 5000.0};
@@ -38,8 +39,8 @@ ReferenceJob reference_job(std::uint64_t seed) {
   return job;
 }
 
-// The reference on whatever programs there are: micrometre steps, reversals, helices, slow
-// corners. A plan that knows no jerk must not be slower, but for the end of its look-ahead.
+// Applies the reference to any program: micrometre steps, reversals, helices, slow corners. A plan
+// without a jerk limit must not be slower, except by the end of its look-ahead.
 TEST(JerkReference, EnclosesRandomPrograms) {
   const Trials trials{40};
   std::vector<double> gaps;

@@ -15,10 +15,11 @@
 namespace proof {
 namespace {
 
-/// Of jerk, too; known_excess.hpp lists seeds that exceed it.
+/// Greatest permitted ratio to the limit, also of jerk; known_excess.hpp lists the seeds that
+/// exceed it.
 constexpr double kWithinLimit = 1.001;
 
-/// A slice of a filtered motion is a parabola between places of a smoother curve.
+/// Slack, in steps: a slice of a filtered motion is a parabola between points of a smoother curve.
 constexpr double kFilteredEdgeSlack = 0.05;
 
 struct Worst {
@@ -82,7 +83,7 @@ TEST(JerkLimitedPrograms, KeepEveryLimitAndTheirPulsesFollowThePlan) {
   print("programs", worst);
 }
 
-// A curve is a chain of arcs, none of which is like the next.
+// A spline is a chain of arcs whose radii all differ.
 TEST(JerkLimitedPrograms, KeepEveryLimitOnSplinesToo) {
   const Trials trials{300};
   Worst worst;
@@ -126,11 +127,11 @@ struct Move {
     return made;
   }
 
-  /// Seconds from rest to `top`, with the acceleration reached.
+  /// Returns the time from rest to the speed `top`, s, if the full acceleration is reached.
   [[nodiscard]] double ramp(double top) const { return top / acceleration + acceleration / jerk; }
 
-  /// The time-optimal motion with seven phases of constant jerk; on the way to
-  /// the speed v the mean speed is v / 2.
+  /// Returns the duration of the time-optimal motion with seven phases of constant jerk, s. During
+  /// a ramp to the speed v the mean speed is v / 2.
   [[nodiscard]] double min_time() const {
     const double speeding = speed * ramp(speed);
     if (speeding <= length) return length / speed + ramp(speed);
@@ -147,7 +148,7 @@ double motor_speed(const Job& job) {
   return static_cast<double>(steps_per_s / limits.scale[0].steps_per_mm());
 }
 
-// The length and the speed suffice for all of the acceleration.
+// Length and speed are large enough to reach the full acceleration.
 TEST(JerkLimitedMoves, TakeTheLeastTime) {
   const Trials trials{300};
   double worst = 0.0;
@@ -164,7 +165,7 @@ TEST(JerkLimitedMoves, TakeTheLeastTime) {
     if (move.speed > motor_speed(job)) continue;
     const double took = drive(job.program, job.machine).seconds;
     worst = std::max(worst, took / move.min_time());
-    // Each of seven phases ends on a tick or two.
+    // Each of the seven phases ends within one or two ticks of its time.
     constexpr double kTicks = 14.0 / static_cast<double>(cnc::motion::kTicksPerSecond);
     const double least = move.min_time();
     ASSERT_NEAR(took, least, 1.0e-4 * least + kTicks);
@@ -172,7 +173,7 @@ TEST(JerkLimitedMoves, TakeTheLeastTime) {
   std::printf("single moves: at most %.6f of the least time\n", worst);
 }
 
-// Of any length and speed: with all seven phases, or without full acceleration or full speed.
+// Moves of any length and speed: with all seven phases, or without full acceleration or full speed.
 TEST(JerkLimitedMoves, TakeTheLeastTimeWhereFullAccelerationIsNotReached) {
   const Trials trials{1000};
   double worst = 0.0;
@@ -195,7 +196,7 @@ TEST(JerkLimitedMoves, TakeTheLeastTimeWhereFullAccelerationIsNotReached) {
   std::printf("single moves of any length: at most %.6f of the least time\n", worst);
 }
 
-// From an even course the least is v / A + A / J.
+// From a constant speed, a hold takes at least v / A + A / J.
 TEST(JerkLimitedMoves, AreHeldInTheLeastTime) {
   Random random{1};
   const Move move{.length = 400.0, .speed = 100.0, .acceleration = 500.0, .jerk = 25'000.0};

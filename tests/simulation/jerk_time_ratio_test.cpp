@@ -12,29 +12,32 @@
 namespace proof {
 namespace {
 
-/// The least ratio of a program's time to the fastest motion known, which is some percent off.
+/// Least ratio of a program's time to that of the fastest motion known, which is exact to some
+/// percent.
 constexpr double kFastest = 0.98;
 
-/// What a random program takes, and the least time known for it.
+/// The time of a random program, and the least time known for it.
 struct TimedProgram {
   std::uint64_t seed = 0;
   double took = 0.0;
-  double least = 0.0;  ///< 0: the reference cannot judge it.
+  double least = 0.0;  ///< Least time known, s; 0 if the reference cannot judge the program.
 
   [[nodiscard]] double ratio() const { return took / least; }
 };
 
-/// Above, a section has fewer than five cells a piece.
+/// Greatest number of pieces; with more, a section has fewer than five cells per piece.
 constexpr std::size_t kMaxPieces = 60;
 
-/// 5…50 ms to full acceleration, all axes alike; ramps of at least 0.25 mm.
+/// Times the program of a seed: 5…50 ms to full acceleration, the same limits on all axes, ramps of
+/// at least 0.25 mm.
 TimedProgram time_program(std::uint64_t seed) {
   constexpr MachineRanges kMachines{
       .min_rate_mm_s = 50.0, .min_acceleration = 10.0, .max_acceleration = 5000.0};
   Random random{seed};
   TestMachine machine = random_machine(random, kMachines);
   Program program = random_program(random, machine);
-  // The sender keeps up: the queue is always full, or all is known. (Many items do not move.)
+  // The sender keeps up: the queue is always full, or contains the whole rest. (Many items do not
+  // move.)
   program.pushed_at_once = 4096;
   program.cut_at_once = 1;
   const double rise = random.magnitude(0.005, 0.05);
@@ -47,8 +50,8 @@ TimedProgram time_program(std::uint64_t seed) {
   const sim::ProgrammedPath path = motion_of(plan).path;
   TimedProgram timed{.seed = seed, .took = plan.seconds, .least = 0.0};
   if (path.pieces.empty() || path.pieces.size() > kMaxPieces) return timed;
-  // The error of the grid makes the reference slower, and it shrinks with the cells: one that a
-  // program seems to beat is found once more on a finer grid.
+  // The error of the grid makes the reference slower, and shrinks with the cells. If a program
+  // seems faster than the reference, the reference is computed again on a finer grid.
   for (const std::size_t cells : {300, 3000}) {
     timed.least = sim::jerk_limited_time(path, limits, {.max_cells = cells}).found;
     if (timed.ratio() >= kFastest) break;
@@ -90,9 +93,10 @@ TEST(JerkLimitedPrograms, AreNotFasterThanTheLimitsAllow) {
   }
 }
 
-// Against the reference with full knowledge of the path. Those that take much longer consist of
-// arcs of micrometres to tenths of a millimetre: the planner keeps the limits of all directions
-// that the window spans, and beside arcs those of all that an arc has.
+// Compares programs with the reference, which knows the whole path. Programs that take much longer
+// consist of arcs of micrometres to tenths of a millimetre. For these the planner applies the
+// limits of all directions within the window, and near an arc the limits of all directions of the
+// arc.
 TEST(JerkLimitedPrograms, TakeHardlyLongerThanTheFastestMotionKnown) {
   const Trials trials{300, Trials::Range::kFixed};
   std::vector<TimedProgram> programs;

@@ -25,7 +25,7 @@
 namespace proof {
 namespace {
 
-/// All G4 of a program, s.
+/// Returns the sum of all G4 of a program, s.
 double dwell_time(const std::string& program) {
   double sum = 0.0;
   std::istringstream lines{program};
@@ -38,19 +38,21 @@ double dwell_time(const std::string& program) {
 
 std::size_t stop_count(const sim::ProgrammedPath& path) {
   const auto stops = std::ranges::count_if(path.pieces, &sim::PathPiece::stop_before);
-  return static_cast<std::size_t>(stops) + 1;  // The end is one as well.
+  return static_cast<std::size_t>(stops) + 1;  // The end of the program is a stop, too.
 }
 
 struct JobTime {
-  double motion = 0.0;  ///< s, without dwells.
-  double bound = 0.0;   ///< s, of optimal motion; with limited jerk the least time known.
+  double motion = 0.0;  ///< Duration of the motion, without dwells, s.
+  /// Duration of the optimal motion, s; with a jerk limit the least time known.
+  double bound = 0.0;
   std::size_t stops = 0;
 
-  /// Stops included: a main loop that turns once a millisecond may lose two at each.
+  /// Returns the ratio of both times. Stops are part of it: with a cycle of 1 ms, each stop may
+  /// cost two cycles.
   [[nodiscard]] double ratio() const { return motion / bound; }
 };
 
-/// $800…$805: full acceleration after so many seconds.
+/// Sets $800…$805 so that the full acceleration is reached after `rise_s` seconds.
 void limit_jerk(sim::Simulator& simulator, double rise_s) {
   for (std::uint16_t axis = 0; axis < cnc::kAxisCount; ++axis) {
     const float acceleration = simulator.settings().get(cnc::setting::kAcceleration, axis);
@@ -59,7 +61,7 @@ void limit_jerk(sim::Simulator& simulator, double rise_s) {
   }
 }
 
-/// @param rise_s s to full acceleration; 0 leaves the setting.
+/// @param rise_s time to full acceleration, s; 0 leaves the setting alone
 JobTime time_job(const std::string& name, const std::string& settings, double rise_s = 0.0) {
   const std::string folder = KERFLINE_EXAMPLES "/";
   const std::string program = sim::read_text(folder + name);
@@ -108,8 +110,8 @@ TEST_P(ExampleJobs, TakeNoLongerThanOptimalMotionAndOnePercent) {
   EXPECT_GE(job.ratio(), 0.995) << "faster than the limits allow";
 }
 
-// Jerk of 50 times acceleration per second. Where corners are micrometres wide the grid of the
-// reference is too coarse for them, and it finds less than a stop at each would be.
+// A jerk limit of 50 times the acceleration per second. Where corners are micrometres wide, the
+// grid of the reference is too coarse, and its time is longer than with a stop at each corner.
 TEST_P(ExampleJobs, TakeLittleLongerThanTheLeastTimeKnownWithLimitedJerk) {
   const JobTime job = time_job(GetParam().program, GetParam().settings, 0.02);
   std::printf("%-24s %9.3f s motion, %9.3f s found, %5zu stops, ratio %.5f\n",
@@ -142,21 +144,23 @@ sim::ProgrammedPath path_of(const RecordedPlan& plan) {
   return path;
 }
 
-/// Ramps of at least 0.25 mm, which the reference resolves.
+/// Ramps are at least 0.25 mm long, so that the reference resolves them.
 constexpr MachineRanges kMachines{
     .min_rate_mm_s = 50.0, .min_acceleration = 10.0, .max_acceleration = 5000.0};
 
-/// The reference samples every 0.02 mm; what is too long for it is left out.
+/// Returns whether a path is short enough for the reference, which samples every 0.02 mm.
 bool fits_reference(const sim::ProgrammedPath& path) {
   return !path.pieces.empty() && path.pieces.size() < 300 && path.length() < 2000.0;
 }
 
-/// Plan's time / optimal time of the path of a random program; 0 for one that does not fit.
+/// Returns the ratio of the plan's time to the optimal time of a random program; 0 if the path is
+/// too long.
 double random_ratio(std::uint64_t seed) {
   Random random{seed};
   const TestMachine machine = random_machine(random, kMachines);
   Program program = random_program(random, machine);
-  // Rapids all: a feed much slower than the limits is reached between two samples.
+  // All elements are rapids: the reference would not resolve the ramp to a feed far below the
+  // limits.
   for (ProgramItem& item : program.items) item.request.feed_mm_s = 0.0F;
   program.pushed_at_once = 64;  // The sender keeps up: the queue is always full.
   program.cut_at_once = 1;
@@ -166,10 +170,10 @@ double random_ratio(std::uint64_t seed) {
   return plan.seconds / sim::optimal_time(path, limits_of(machine.limits));
 }
 
-// The odd program may be some percent slower: on arcs of some µm the product's acceleration is
-// constant over 3.75°, and nowhere does it profit from v²/R where that relieves an axis.
+// A few programs may be some percent slower. On arcs of some µm the product's acceleration is
+// constant over 3.75°, and the product never uses the relief that v²/R may give an axis.
 TEST(RandomPrograms, AreDrivenNearlyAsFastAsTheirLimitsAllow) {
-  // Seed 3739481575 takes 0.9929 of the time that the reference finds the least.
+  // Seed 3739481575 takes 0.9929 of the reference's time.
   const Trials trials{1000, Trials::Range::kKnownFault};
   std::vector<double> ratios;
   for (const std::uint64_t seed : trials) {

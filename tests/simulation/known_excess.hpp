@@ -7,22 +7,23 @@
 
 namespace proof {
 
-/// A seed at which the planner exceeds limits by a known fault, and by how much: greatest values
-/// as ratios of their limits, 0 for a limit that is kept. known_excess_test.cpp runs these seeds,
-/// the random tests leave them out.
+/// A seed with which the planner exceeds limits by a known fault, with the greatest values as
+/// ratios to their limits; 0 means that the limit is kept. known_excess_test.cpp runs these seeds;
+/// the random tests skip them.
 struct KnownExcess {
   std::uint64_t seed;
   double jerk;
-  double acceleration;  ///< Of an axis.
-  double speed_change;  ///< Of an axis between slices.
+  double acceleration;  ///< Acceleration of an axis.
+  double speed_change;  ///< Change of an axis's speed between slices.
 };
 
-/// Operators that change the pace where a curve needs all jerk: Job and Meddler.
+/// Seeds with an operator (Job and Meddler), who changes the speed where a curve uses all of the
+/// jerk limit.
 inline constexpr std::array<KnownExcess, 1> kOperatorExcess{{
     {3008, 1.0374444, 1.0040653, 0.0},
 }};
 
-/// Programs without a limit of jerk: WeldedJob.
+/// Seeds of programs without a limit of jerk (WeldedJob).
 inline constexpr std::array<KnownExcess, 1> kProgramExcess{{
     {54'432, 0.0, 0.0, 1.0032552},
 }};

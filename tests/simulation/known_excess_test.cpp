@@ -11,10 +11,11 @@ namespace proof {
 namespace {
 
 constexpr double kAllowedExcess = 1.001;
-/// Rounding of the figures; less than the smallest excess above kAllowedExcess.
+/// Rounding of the recorded values; it is less than the smallest excess above kAllowedExcess.
 constexpr double kFigureMargin = 1.0e-6;
 
-/// A fault that grows is a new one; the seed of a fault that is gone belongs to a seed file.
+/// Expects a value as recorded. If it grows, there is a new fault; if the fault is gone, the seed
+/// belongs in a seed file.
 void expect_known(std::uint64_t seed, const char* limit, double found, double known) {
   if (known == 0.0) {
     EXPECT_LE(found, kAllowedExcess) << limit << ", seed " << seed;

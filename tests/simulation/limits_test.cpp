@@ -13,7 +13,7 @@
 namespace proof {
 namespace {
 
-/// What issue 2 allows above a limit.
+/// Ratio to a limit that issue 2 allows.
 constexpr double kAllowed = 1.001;
 
 void keep_worst(Greatest& worst, const Greatest& figure) {
@@ -84,7 +84,7 @@ void try_program(std::uint64_t seed, ProgramSummary& summary) {
   summary.add(plan_figures, edge_figures);
 }
 
-// All: KERFLINE_TRIALS=100000 (issue 2, acceptance 3).
+// KERFLINE_TRIALS=100000 runs all trials of issue 2, acceptance 3.
 TEST(RandomPrograms, KeepEveryLimitAndTheirPulsesFollowThePlan) {
   const Trials trials{3000, Trials::Range::kKnownFault};
   ProgramSummary summary;
@@ -98,7 +98,7 @@ TEST(RandomPrograms, KeepEveryLimitAndTheirPulsesFollowThePlan) {
   RecordProperty("acceleration", std::to_string(summary.plan.acceleration.value));
 }
 
-/// Two long legs that meet at a random angle in a coordinate plane, or in any.
+/// Two long legs that meet at a random angle, in a coordinate plane or in any plane.
 class Corner {
  public:
   Corner(Random& random, bool oblique) : machine_{random_machine(random, kMachines)} {
@@ -124,14 +124,16 @@ class Corner {
 
   [[nodiscard]] double turn() const { return turn_; }
   [[nodiscard]] const RecordedPlan& plan() const { return plan_; }
-  /// Radius of the circle that is $11 away from the corner and touches both legs.
+  /// Returns the radius of the circle that touches both legs and passes the corner at the distance
+  /// $11, mm.
   [[nodiscard]] double touching_radius() const {
     const auto tolerance = static_cast<double>(machine_.limits.junction_deviation_mm);
     return tolerance * std::cos(0.5 * turn_) / (1.0 - std::cos(0.5 * turn_));
   }
-  /// Radius of four times v²/a at the greatest speed: corners are not rounded farther.
+  /// Returns the radius of four times v²/a at the greatest speed, mm; a greater radius of a corner
+  /// would be useless.
   [[nodiscard]] double useful_radius() const { return useful_radius_; }
-  /// mm/s, of all slices of a block.
+  /// Returns the least speed of all slices of a block, mm/s.
   [[nodiscard]] double min_speed(std::uint32_t block) const {
     double least = 1.0e9;
     for (const TimedSlice& slice : plan_.slices) {
@@ -144,7 +146,8 @@ class Corner {
  private:
   static constexpr MachineRanges kMachines{
       .min_rate_mm_s = 100.0, .max_rate_mm_s = 1000.0, .min_acceleration = 300.0};
-  /// Divides the limit of each axis by the part of the axis in the plane of both directions.
+  /// Returns four times the required radius, mm. The limit of each axis is divided by the axis's
+  /// share in the plane of both directions.
   [[nodiscard]] double four_times_needed(const Vector& from, const Vector& to) const {
     double along = 0.0;
     for (std::size_t axis = 0; axis < from.size(); ++axis) along += from[axis] * to[axis];
@@ -175,14 +178,15 @@ void expect_the_largest_arc(const Trials& trials, bool oblique) {
     Random random{seed};
     const Corner corner{random, oblique};
     if (corner.turn() < 0.1 || corner.turn() > 3.1) continue;
-    constexpr double kMinStop = 1.9;  // Radians; from about 2 on a stop is sooner.
+    constexpr double kMinStop = 1.9;  // Least turn at which a stop may be faster, radians.
     if (corner.turn() > kMinStop && corner.plan().blocks.size() == 2U) continue;
     ASSERT_EQ(corner.plan().blocks.size(), 3U);
     const double radius = corner.plan().blocks[1].exact.radius();
-    // Ends are rounded to a nanometre, which a radius of a tenth of a micrometre shows both ways.
+    // Ends are rounded to a nanometre, which changes a radius of a tenth of a micrometre in either
+    // direction.
     constexpr double kOfRounding = 2.0e-6;
     ASSERT_LE(radius, corner.touching_radius() + kOfRounding);
-    // 3 nm of the tolerance are kept for rounding.
+    // The planner reserves 3 nm of the tolerance for rounding.
     if (corner.turn() > 0.6) {
       const double largest = std::min(corner.touching_radius(), corner.useful_radius());
       ASSERT_GE(radius, largest * (1.0 - 4.0e-3) - kOfRounding);

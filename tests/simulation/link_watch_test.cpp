@@ -16,7 +16,8 @@ using cnc::MachineState;
 
 constexpr int kPollMs = 100;
 constexpr int kAllowedMs = 250;
-/// The fifth on top, the turn that notices, and the one whose segments are dark.
+/// Longest time until the beam is off: the permitted time, a fifth more, the cycle that notices the
+/// silence, and the cycle whose segments are dark.
 constexpr int kDarkMs = kAllowedMs + kAllowedMs / 5 + 2;
 
 /// Lines, arcs, a rapid and a slow part, with the beam on for some two seconds.
@@ -32,7 +33,7 @@ constexpr std::string_view kProgram =
     "G1 X0 Y0\n"
     "M5\n";
 
-/// Both ends in memory.
+/// A link whose two ends are in memory.
 class TextLink final : public hal::ByteStream {
  public:
   std::size_t read(std::span<std::byte> into) override {
@@ -60,7 +61,7 @@ class LinkWatch : public testing::Test {
  protected:
   LinkWatch() { set_laser(machine); }
 
-  /// A sender that says all it has at once, and then asks now and then how it goes.
+  /// Polls at intervals of kPollMs, as a sender does that has sent all its lines.
   void talk(int ms) {
     for (; ms > 0; --ms) {
       if (now_ms % kPollMs == 0) say("?");
@@ -82,7 +83,7 @@ class LinkWatch : public testing::Test {
     for (; ms > 0; --ms) turn();
   }
   void wait_until_idle() {
-    wait(10);  // Until the lines are heard.
+    wait(10);  // This time suffices for the controller to read the lines.
     for (int left = 60'000; !machine.idle() && left > 0; --left) {
       if (left % kPollMs == 0) say("?");
       turn();
@@ -115,8 +116,8 @@ TEST_F(LinkWatch, LeavesOneThatPollsFourTimesASecondAlone) {
   EXPECT_EQ(machine.alarm(), Alarm::kNone);
 }
 
-/// At every hundredth of a second of a job nothing comes any more: dark in the time stated, on
-/// the path, and the place is known to the step.
+/// The sender falls silent at every hundredth of a second of a job. The beam must be off within
+/// kDarkMs, the machine must stop on the path, and its position must be known to the step.
 TEST_F(LinkWatch, EndsAJobWhoseSenderFallsSilentAtEveryHundredthOfASecond) {
   int alarms = 0;
   for (int after = 0; after < 2400; after += 10) {
@@ -147,8 +148,8 @@ TEST_F(LinkWatch, EndsAJobWhoseSenderFallsSilentAtEveryHundredthOfASecond) {
   EXPECT_GT(alarms, 150);
 }
 
-/// One that does not poll, and is not at the end of its program: it owes a line as soon as all
-/// that it said has been answered.
+/// A sender that does not poll and is not at the end of its program. It must send a line as soon as
+/// all its lines have been answered.
 TEST_F(LinkWatch, EndsAJobThatIsNotFollowedUpAfterAnyOfItsCuts) {
   int ended = 0;
   for (std::size_t end = 0; end < kProgram.size(); ++end) {
@@ -176,7 +177,7 @@ TEST_F(LinkWatch, WaitsForEverWhereItIsToldTo) {
   EXPECT_EQ(machine.alarm(), Alarm::kNone);
 }
 
-/// A spindle has no beam, and a beam that is off burns nothing.
+/// A silent sender must not stop motion with a spindle, or with the beam off, which burns nothing.
 TEST_F(LinkWatch, LeavesMotionWithoutABeamAlone) {
   say("G1 X60 F1200\n");
   wait(5000);
@@ -188,7 +189,8 @@ TEST_F(LinkWatch, LeavesMotionWithoutABeamAlone) {
   EXPECT_TRUE(machine.idle());
 }
 
-/// Whose port or connection is closed is gone at once, at every hundredth of a second.
+/// A sender whose port or connection closes is lost immediately. This happens at every hundredth of
+/// a second.
 TEST(LostSender, LeavesTheBeamDarkAndThePlaceKnown) {
   constexpr int kWelcomeMs = 20;
   constexpr int kDark = 2;

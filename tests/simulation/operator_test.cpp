@@ -28,7 +28,7 @@ std::string place(const char* letters, const std::array<double, 3>& at) {
   return text;
 }
 
-/// Some dozens of lines, rapids and arcs, and where they end, on three decimals.
+/// Some dozens of lines, rapids and arcs on three decimals, with their end position.
 struct RandomJob {
   std::string text = "G21 G90 G17 F3000\nM4 S500\n";
   std::array<double, 3> end{};
@@ -53,7 +53,7 @@ struct RandomJob {
   }
 };
 
-/// Whatever a hand on the panel may do, often in the same millisecond.
+/// Acts as an operator at random, often several times within one millisecond.
 void meddle(Random& random, cnc::Machine& machine) {
   const std::array rapids{25, 50, 100, 5 + static_cast<int>(random.below(96))};
   auto percent = machine.overrides();
@@ -72,7 +72,7 @@ void meddle(Random& random, cnc::Machine& machine) {
   machine.set_overrides(percent);
 }
 
-/// The random machine that runs a random job.
+/// A random machine that runs a random job.
 class Bench {
  public:
   explicit Bench(Random& random) : job{random}, simulator{job.text, {}} {
@@ -119,7 +119,7 @@ TEST(Operator, HoldsResumesAndOverridesWithoutLosingAStep) {
   }
 }
 
-/// The greatest acceleration along the path, in mm/s².
+/// Records the greatest acceleration along the path, mm/s².
 class Hardest final : public cnc::motion::SliceObserver {
  public:
   void on_slice(const cnc::motion::Slice& slice) override {
@@ -130,7 +130,8 @@ class Hardest final : public cnc::motion::SliceObserver {
 
 using Touch = void (*)(cnc::Machine&);
 
-/// A line and arcs, touched at a moment, and again 60 ms later; returns how long it took.
+/// Runs a job of a line and arcs, with an operator's action at a time and another one 60 ms later;
+/// returns the duration, ms.
 int touch_job(int at_ms, Touch first, Touch second) {
   sim::Simulator simulator{
       "G21 G90 G17\nM4 S500\nG1 X30 F6000\nG2 X40 Y10 I0 J10\nG1 X30 F2000\nX-3.5 Y7.25\nM2\n", {}};
@@ -143,7 +144,7 @@ int touch_job(int at_ms, Touch first, Touch second) {
     if (turns == at_ms + 60) second(simulator.machine());
     simulator.turn();
   }
-  // On a diagonal both axes may use their limit; the arc is a quarter.
+  // On a diagonal both axes may use their limits; the arc is a quarter circle.
   EXPECT_LE(hardest.acceleration, 800.0F * 1.4143F);
   const sim::RunResult result = simulator.result();
   EXPECT_EQ(result.alarm, 0);
@@ -177,7 +178,7 @@ void expect_position_known(sim::Simulator& simulator) {
   }
 }
 
-/// Aborts after so many turns; true when the machine was moving.
+/// Aborts after a random number of cycles; returns whether the machine was moving.
 bool abort_after(std::uint64_t seed) {
   Random random{seed};
   Bench bench{random};
@@ -199,7 +200,7 @@ bool abort_after(std::uint64_t seed) {
     return false;
   }
   EXPECT_EQ(simulator.port().power, 0);
-  // Motion may be planned of which nothing has been driven yet.
+  // A motion may be planned although none of it has been driven yet.
   if (machine.alarm() == cnc::Alarm::kNone) {
     EXPECT_EQ(stopped, before);
     return false;

@@ -74,7 +74,7 @@ TEST(Parking, StaysWhereItIsAboveTheParkingPlace) {
   EXPECT_DOUBLE_EQ(mill.mm(2), -5.0);
 }
 
-/// Whenever the door opens and closes, the job ends on the same steps.
+/// The door opens and closes at random times; the job must end on the same steps.
 TEST(Parking, AtAnyMomentLosesNoStep) {
   const Trials trials{25};
   for (const std::uint64_t seed : trials) {

@@ -7,12 +7,12 @@
 namespace proof {
 namespace {
 
-/// s, from the first line of a job to its motion: what gathering lines at rest takes, and the
-/// turns until motion.
+/// Longest time from the first line of a job to its motion, s: the gathering of lines at rest, and
+/// the cycles until motion.
 constexpr double kLongestStart = 0.02;
 
-// Where the look-ahead sees far enough: what motion with limited acceleration needs at least, and
-// one percent.
+// Jobs for which the look-ahead is long enough: they may take one percent longer than the optimum
+// with limited acceleration.
 TEST(PeerJobs, TakeNoLongerThanOptimalMotionAndOnePercent) {
   for (const PeerJob& job : peer_jobs()) {
     SCOPED_TRACE(testing::Message() << job.name << " at " << job.acceleration << " mm/s²");
@@ -32,8 +32,9 @@ TEST(PeerJobs, TakeNoLongerThanOptimalMotionAndOnePercent) {
   }
 }
 
-// Jerk of 50 times acceleration per second, beside what acceleration alone asks for at least.
-// Left out: the chords, where 64 blocks of look-ahead are too short a way.
+// With a jerk limit of 50 times the acceleration per second, jobs are compared with the optimum
+// with limited acceleration alone. The job of chords is left out, because 64 blocks of look-ahead
+// are too short for it.
 TEST(PeerJobs, TakeAtMostOneTwentiethLongerWithLimitedJerk) {
   for (const PeerJob& job : peer_jobs()) {
     if (!(job.peers.bound > 0.0) || !job.in_sight) continue;

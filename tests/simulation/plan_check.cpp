@@ -9,15 +9,15 @@ namespace {
 
 constexpr double kSampling = 50.0e-6;
 
-/// A float of this size may be off by half its last bit.
+/// Returns the rounding error of a float of this size: half its last bit.
 double float_noise(double value) { return std::abs(value) * 0x1.0p-24; }
 
-/// The speed of a slice is reported in a float after four roundings (start,
-/// share, product, sum); a difference has two of them.
+/// Number of roundings in the difference of two speeds: each speed of a slice is a float after four
+/// roundings (start, share, product, sum).
 constexpr double kRoundings = 8.0;
 
-/// What is no turn, in radians, and by how many mm the places at both ends of a
-/// block may be beside it.
+/// Greatest angle that counts as no turn, radians, and the rounding error of the points at both
+/// ends of a block, mm.
 constexpr double kTurn = 2.0e-4 * 1.01;
 constexpr double kRoundedPlaces = 1.2e-5;
 
@@ -88,7 +88,7 @@ class PlanCheck {
     figures_.joint.note(turn / (kTurn + kRoundedPlaces / shorter), index_);
   }
 
-  /// Speeds and fractions must tell the same way.
+  /// Checks that speeds and fractions yield the same distance.
   void check_way() {
     const auto duration = static_cast<double>(slice().slice.duration);
     const double by_speed =
@@ -125,7 +125,7 @@ class PlanCheck {
     if (wanted > 0.0) figures_.feed.note(speed / wanted, index_);
   }
 
-  /// One of the 20,000 looks in a second.
+  /// Takes one of the 20,000 samples per second.
   void sample(double within) {
     check_moment(within);
     const double speed = slice().speed_at(within);

@@ -1,5 +1,5 @@
-// Polls that the simulator leaves out change nothing: the same job gives the same trace, the same
-// answers and the same time, whatever the sender and the operator do.
+// Tests that the polls which the simulator skips change nothing: the same job has the same trace,
+// answers and time, whatever the sender and the operator do.
 
 #include <gtest/gtest.h>
 
@@ -31,13 +31,13 @@ struct RowList final : TraceSink {
   std::uint64_t ended_ns = 0;
 };
 
-/// Bytes that act at once, and statements.
+/// Realtime bytes and statements that are inserted between lines.
 constexpr std::array<std::string_view, 21> kBetween{
     "?",    "!",    "~",    "\x18", "\x83", "\x84", "\x85", "\x87", "\x8C", "\x91",
     "\x99", "\x9E", "$G\n", "$#\n", "$$\n", "$X\n", "$C\n", "$H\n", "$I\n", "$J=G91 X1 F900\n",
     "\xA3"};
 
-/// A line with the sum that senders of Marlin add.
+/// Returns a line with a checksum as from senders for Marlin.
 std::string checked(const std::string& line) {
   unsigned sum = 0;
   for (const char byte : line) sum ^= static_cast<unsigned char>(byte);
@@ -61,7 +61,7 @@ std::string random_text(Random& random, const HostileJob& job) {
   return text;
 }
 
-/// All that is seen of a run.
+/// All observable results of a run.
 struct Seen {
   std::string answers;
   std::vector<TraceRow> rows;
@@ -69,7 +69,7 @@ struct Seen {
   RunResult result;
 };
 
-/// Acts now and then.
+/// Acts as an operator at random times.
 void operate(Random& random, Simulator& simulator) {
   switch (random.below(1500)) {
     case 0:
@@ -87,7 +87,8 @@ void operate(Random& random, Simulator& simulator) {
   }
 }
 
-/// Runs the job of a seed, with an operator or as check() does.
+/// Runs the job of a seed, with an operator or as check() does. @param skips whether the simulator
+/// skips quiet polls
 Seen run(std::uint64_t seed, bool skips) {
   Random random{seed};
   const HostileJob job{random};

@@ -18,8 +18,8 @@ namespace {
 
 constexpr double kPictureStepsPerMm = 250.0;
 
-/// Whether the output is always that of the program's place, to a step: for M3, of which
-/// the power does not depend on the speed. A beam is dark while the machine stands.
+/// Checks that the output always belongs to the position in the program, to a step. It is for M3,
+/// whose power does not depend on the speed. The beam must be off while the machine is at rest.
 class PowerJudge final : public sim::TraceSink {
  public:
   PowerJudge(const sim::ProgrammedPath& path, const sim::PathDeviation& deviation)
@@ -41,7 +41,7 @@ class PowerJudge final : public sim::TraceSink {
   std::size_t wrong = 0;
 
  private:
-  /// Within two steps either way: the follower may trail by one.
+  /// Two steps in either direction are allowed, because the follower may trail by one step.
   [[nodiscard]] bool demanded(std::size_t piece, double fraction, float duty) const {
     constexpr double kReach = 2.5 / kPictureStepsPerMm;
     if (is(piece, duty)) return true;
@@ -67,8 +67,8 @@ class PowerJudge final : public sim::TraceSink {
   bool unexplained_ = false;
 };
 
-/// Rows in any direction, with three decimals or six, turning by less than 130° from one
-/// to the next.
+/// Returns rows in any direction, on three decimals or six, each turned by less than 130° against
+/// the last one.
 std::string random_picture(Random& random) {
   std::string text = "G21 G90 M3 F6000 S0\n";
   double x = 0.0;
@@ -93,7 +93,7 @@ std::string random_picture(Random& random) {
   return text;
 }
 
-/// Holds, resumes and changes of the feed at any time.
+/// Holds, resumes and changes the feed at random times.
 void meddle_with(cnc::Machine& machine, Random& random) {
   if (random.chance(0.01)) machine.feed_hold();
   if (random.chance(0.02)) machine.resume();
@@ -103,7 +103,7 @@ void meddle_with(cnc::Machine& machine, Random& random) {
   machine.set_overrides(percent);
 }
 
-// Against the program as an independent reader has it, line by line.
+// Compares with the program as an independent reader reads it, line by line.
 TEST(RandomRaster, HasThePowerOfTheProgramAtEachPlace) {
   const Trials trials{200};
   std::size_t lit = 0;

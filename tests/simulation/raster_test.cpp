@@ -15,10 +15,10 @@
 namespace proof {
 namespace {
 
-/// S between 50 and 1000, hardly ever the same twice.
+/// Returns a power S between 50 and 1000 that hardly ever repeats.
 int grey(int pixel, int row = 0) { return 50 + (pixel * 370 + row * 110) % 951; }
 
-/// Rows of pixels there and back, 0.1 mm apart.
+/// Returns rows of pixels in alternating directions, 0.1 mm apart.
 std::string picture(int rows, int pixels, double width_mm, double feed_mm_s, char mode) {
   std::string text = fmt::format("G21 G90 M{} F{:.0f} S0\n", mode, 60.0 * feed_mm_s);
   for (int row = 0; row < rows; ++row) {
@@ -48,7 +48,8 @@ RasterRun run_raster(const std::string& program, double speed, double accelerati
   return run;
 }
 
-/// A row of 0.1 mm pixels at 300 mm/s, from a sender of so many lines in each millisecond.
+/// Drives a row of 0.1 mm pixels at 300 mm/s from a sender of `lines_per_turn` lines in each
+/// millisecond.
 RasterTrack stream_row(int pixels, int lines_per_turn, std::size_t& blocks) {
   MachineBench bench;
   bench.set({{0, 1}, {32, 1}, {100, kRowStepsPerMm}, {110, 24'000}, {120, 3000}});
@@ -69,7 +70,7 @@ RasterTrack stream_row(int pixels, int lines_per_turn, std::size_t& blocks) {
   return track;
 }
 
-// Twice the way that braking from 300 mm/s takes is known all the time.
+// The look-ahead always contains twice the braking distance from 300 mm/s.
 TEST(Raster, OfATenthOfAMillimetreDoesNotSlowDownAt300MillimetresPerSecond) {
   constexpr int kPixels = 20'000;
   constexpr double kRamp = 300.0 * 300.0 / (2.0 * 3000.0);
@@ -86,7 +87,7 @@ TEST(Raster, OfATenthOfAMillimetreDoesNotSlowDownAt300MillimetresPerSecond) {
   EXPECT_LE(blocks, kPixels / 12U);
 }
 
-// No faster than lines come, but evenly: never from fast to slow and back.
+// A slow sender must make the row slower evenly, without alternation between fast and slow.
 TEST(Raster, GoesAsFastAsASlowSenderAllows) {
   constexpr int kPixels = 6000;
   for (const int lines : {1, 2}) {
@@ -104,7 +105,7 @@ TEST(Raster, GoesAsFastAsASlowSenderAllows) {
   }
 }
 
-// With constant power, so that each change is that of a pixel.
+// With constant power, each change of the output is the border of a pixel.
 TEST(Raster, ChangesPowerWhereTheProgramDoes) {
   constexpr int kPixels = 600;
   for (const double speed : {50.0, 100.0, 300.0}) {
@@ -124,8 +125,8 @@ TEST(Raster, ChangesPowerWhereTheProgramDoes) {
   }
 }
 
-/// Returns where the output changed, between the ends of a row, mm; `first` is the change at its
-/// beginning.
+/// Returns the positions at which the output changed between the ends of a row, mm. `first` is the
+/// change at the row's beginning.
 std::vector<double> places_of_changes(const RasterTrack& track, std::size_t first, int pixels) {
   std::vector<double> places;
   for (int i = 1; i < pixels; ++i) {
@@ -136,7 +137,7 @@ std::vector<double> places_of_changes(const RasterTrack& track, std::size_t firs
   return places;
 }
 
-// Rows to the right and to the left meet: each border of two pixels is where it is drawn.
+// In rows to the right and to the left, each border of two pixels must be at its drawn position.
 TEST(Raster, HasItsDotsInTheSamePlaceInBothDirections) {
   constexpr int kPixels = 600;
   constexpr double kRowStepMm = 1.0 / kRowStepsPerMm;
@@ -187,7 +188,7 @@ TEST(Raster, IsOneMotionInAnyMode) {
   }
 }
 
-// As LightBurn clusters them, here along a diagonal.
+// Many powers in a line as LightBurn writes them, here along a diagonal.
 TEST(Raster, MayBeWrittenWithManyPowersInALine) {
   constexpr int kPixels = 640;
   std::string many = "G21 G91 M4 F6000 S0\n";
@@ -231,19 +232,20 @@ TEST(Raster, TellsTheLineOfThePixelBeingDriven) {
     if (line == last || line == 0) continue;
     EXPECT_EQ(line, last + 1);
     last = line;
-    // What is cut is at most some 20 ms ahead of the motors.
+    // Segments are cut at most some 20 ms ahead of the motors.
     EXPECT_NEAR(bench.mm(0), 0.5 * (line - 1), 0.3) << "line " << line;
   }
   EXPECT_EQ(last, kPixels * 1U);
   bench.finish();
 }
 
-/// Pixels so narrow that there are 25,000 in a second, in a row with long ends.
+/// A row with long ends, with pixels so narrow that 25,000 pass in a second.
 struct FineRow {
   static constexpr int kPixels = 1200;
   static constexpr double kWidth = 0.02;
   static constexpr double kSpeed = 500.0;
-  static constexpr double kEnd = 40.0;  ///< mm: beyond, the machine is at full speed.
+  /// Length of each end, mm. It suffices to reach full speed.
+  static constexpr double kEnd = 40.0;
 
   static int power(int pixel) { return pixel % 3 == 0 ? 0 : grey(pixel); }
 
@@ -256,7 +258,8 @@ struct FineRow {
   }
 };
 
-// Pixels may follow each other faster than segments can: a row stopped the machine as starved.
+// Pixels may follow each other faster than segments can. Such a row must not starve the step
+// interrupt, and must keep its energy.
 TEST(Raster, OfPixelsFasterThanSegmentsIsDrivenWithTheirEnergy) {
   constexpr int kTogether = 50;
   constexpr double kLongestJoined_s = 2.0e-4;
@@ -281,7 +284,7 @@ TEST(Raster, OfPixelsFasterThanSegmentsIsDrivenWithTheirEnergy) {
   }
 }
 
-// Nothing of a row that was cut off is left over for the next.
+// After an aborted row, nothing of it may remain in the next row.
 TEST(Raster, LeavesNothingBehindWhenItIsCutOff) {
   MachineBench bench;
   bench.set({{32, 1}, {110, 6000}});

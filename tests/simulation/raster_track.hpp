@@ -13,7 +13,7 @@ namespace proof {
 inline constexpr double kRowStepsPerMm = 250.0;
 inline constexpr double kNsPerSecond = 1.0e9;
 
-/// When the first motor was where, to the fraction of a step, and what the output did.
+/// Records times and positions of the first motor, to a fraction of a step, and the output.
 class RasterTrack final : public sim::TraceSink {
  public:
   struct Place {
@@ -34,7 +34,7 @@ class RasterTrack final : public sim::TraceSink {
     last_ = row;
   }
 
-  /// Of the first motor at a time between two of its steps.
+  /// Returns the position of the first motor at a time between two of its steps.
   [[nodiscard]] std::optional<double> place_at(double time_s) const {
     const auto after = std::ranges::upper_bound(places, time_s, {}, &Place::time_s);
     if (after == places.begin() || after == places.end()) return std::nullopt;
@@ -42,7 +42,7 @@ class RasterTrack final : public sim::TraceSink {
     const double share = (time_s - before->time_s) / (after->time_s - before->time_s);
     return before->mm + share * (after->mm - before->mm);
   }
-  /// The greatest speed between two places of a way to the right, mm/s, and the least.
+  /// Returns the greatest and the least speed between two positions of a motion to the right, mm/s.
   [[nodiscard]] std::pair<double, double> speeds_between(double from_mm, double to_mm) const {
     constexpr std::ptrdiff_t kApart = 50;
     double least = 1.0e9;
@@ -64,13 +64,13 @@ class RasterTrack final : public sim::TraceSink {
   sim::TraceRow last_{};
 };
 
-/// When the first motor passed a place.
+/// Returns the time at which the first motor passed a position.
 [[nodiscard]] inline double time_at(const RasterTrack& track, double mm) {
   const auto at = std::ranges::lower_bound(track.places, mm, {}, &RasterTrack::Place::mm);
   return at == track.places.end() ? 0.0 : at->time_s;
 }
 
-/// The output over time, s, between two times of a track.
+/// Returns the integral of the output over time, s, between two times of a track.
 [[nodiscard]] inline double energy_between(const RasterTrack& track, double from_s, double to_s) {
   double energy = 0.0;
   double since = from_s;

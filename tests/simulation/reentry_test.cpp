@@ -23,14 +23,14 @@ struct Place {
 
 double distance(const Place& a, const Place& b) { return std::hypot(a.x - b.x, a.y - b.y); }
 
-/// A line of a program, and where the tool is before it.
+/// A line of a program, and the position of the tool before it.
 struct Line {
   std::string words;
   Place start;
 };
 
-/// Lines, a closed circle, a circle of several turns, chords that are welded, corners that are
-/// rounded, and a row of pixels. Nowhere does the path come within 0.3 mm of itself, but where it
+/// Returns lines, a closed circle, a circle of several turns, chords that are welded, corners that
+/// are rounded, and a row of pixels. The path never comes within 0.3 mm of itself, except where it
 /// closes.
 std::vector<Line> program() {
   std::vector<Line> lines;
@@ -57,7 +57,7 @@ std::vector<Line> program() {
   return lines;
 }
 
-/// Where the beam was lit, a place for each step, and when it was last.
+/// Records a point for each step with the beam on, and the last time at which it was on.
 class Burn : private sim::TraceSink {
  public:
   explicit Burn(MachineBench& bench) : bench_{bench} { bench.controller.add_sink(*this); }
@@ -76,7 +76,7 @@ class Burn : private sim::TraceSink {
   MachineBench& bench_;
 };
 
-/// A bench that is fed as a sender feeds it: each line as soon as the machine takes it.
+/// A bench that receives each line as soon as the machine accepts it, as from a sender.
 class InterruptedJob {
  public:
   InterruptedJob() : lines_{program()} {
@@ -84,7 +84,7 @@ class InterruptedJob {
     begin(0);
   }
 
-  /// From the start of a line on, with the modes that hold there.
+  /// Begins at the start of a line, with the modes that apply there.
   void begin(std::size_t line) {
     const Place& start = lines_[line].start;
     bench_.send("G21 G90 M5");
@@ -92,7 +92,7 @@ class InterruptedJob {
     bench_.send("G1 F6000 M4 S800");
     next_ = line;
   }
-  /// False when all is driven.
+  /// Runs one cycle. Returns false when the whole job has been driven.
   bool turn() {
     cnc::Machine& machine = bench_.machine();
     while (next_ < lines_.size() && !machine.busy() && !machine.locked()) {
@@ -116,7 +116,7 @@ class InterruptedJob {
   std::size_t next_ = 0;
 };
 
-/// The way from the start of a burn to each of its places, mm; without rapids.
+/// Returns the distance from the start of a burn to each of its points, mm, without rapids.
 std::vector<double> ways_of(const std::vector<Place>& places) {
   std::vector<double> ways(places.size(), 0.0);
   for (std::size_t i = 1; i < places.size(); ++i) {
@@ -137,7 +137,8 @@ class Reentry : public testing::Test {
     ways = ways_of(whole);
   }
 
-  /// How far along the whole burn a place is that lies near `way`.
+  /// Returns the distance along the complete burn at which a point lies; `way` is its approximate
+  /// value.
   [[nodiscard]] double way_of(const Place& place, double way) const {
     double best = 1.0e9;
     double found = 0.0;
@@ -158,14 +159,14 @@ class Reentry : public testing::Test {
   int duration_ms = 0;
 };
 
-/// What a job that was interrupted leaves, and what is burnt when it is taken up again.
+/// Result of an interrupted job and of its continuation.
 struct Outcome {
   double dark_after_ms = 0.0;
-  double twice_mm = 0.0;  ///< Negative: left out.
+  double twice_mm = 0.0;  ///< Length that is burnt twice, mm; negative if it is left out.
 };
 
-/// The sender is gone at every hundredth of a second of a job: the beam is dark within a
-/// millisecond, and when the job is taken up again the part is whole.
+/// The sender is lost at every hundredth of a second of a job. The beam must be off within a
+/// millisecond, and when the job is resumed the part must become complete.
 TEST_F(Reentry, CompletesAPartWhoseSenderWasLostAtEveryHundredthOfASecond) {
   double worst_dark_ms = 0.0;
   double max_twice_mm = -1.0;
@@ -230,7 +231,7 @@ TEST_F(Reentry, CompletesAPartWhoseSenderWasLostAtEveryHundredthOfASecond) {
               max_left_mm);
   EXPECT_GT(taken_up, duration_ms / 15);
   EXPECT_LE(worst_dark_ms, 1.0);
-  // Ends of elements that are near enough, and steps.
+  // Both limits allow for the ends of elements that are near enough, and for steps.
   EXPECT_LE(max_twice_mm, 0.06);
   EXPECT_LE(max_left_mm, 0.02);
 }

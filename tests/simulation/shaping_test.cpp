@@ -19,8 +19,8 @@ namespace {
 using cnc::motion::ShaperKind;
 using cnc::motion::ShaperSetting;
 
-/// What hangs on the X motor by a spring and a damper. Between two edges the motor stands,
-/// so its motion is known in closed form.
+/// A mass that is coupled to the X motor by a spring and a damper. Between two edges the motor
+/// stands still, so that the motion of the mass has a closed form.
 class Oscillator final : public sim::TraceSink {
  public:
   Oscillator(double frequency_hz, double damping, double steps_per_mm)
@@ -34,7 +34,7 @@ class Oscillator final : public sim::TraceSink {
     motor_ = row.position[0] / steps_per_mm_;
   }
 
-  /// How far it swings from where the motor stands, mm.
+  /// Returns the amplitude of the mass about the motor's position, mm.
   [[nodiscard]] double swing() const {
     const double off = place_ - motor_;
     return std::hypot(off, (speed_ + damping_ * omega_ * off) / damped());
@@ -63,10 +63,10 @@ class Oscillator final : public sim::TraceSink {
   double speed_ = 0.0;
 };
 
-/// The root mean square of what is left of the swing after moves of many lengths.
+/// Returns the root mean square of the remaining amplitudes after moves of many lengths.
 double swing_after_moves(const ShaperSetting& shaper, double frequency_hz, double damping) {
   constexpr double kStepsPerMm = 1000.0;
-  // A step of acceleration makes a swing of a twentieth of a millimetre.
+  // The acceleration is chosen so that a step of it causes an amplitude of 0.05 mm.
   const double omega = 2.0 * std::numbers::pi * frequency_hz;
   const double acceleration = std::min(1.0e5, 0.05 * omega * omega);
   double sum = 0.0;
@@ -94,7 +94,7 @@ const char* name_of(ShaperKind kind) {
   return kNames[static_cast<std::size_t>(kind)];
 }
 
-/// Of the swing that is left without a shaper.
+/// Returns the ratio of the remaining amplitude to that without a shaper.
 double swing_left(ShaperKind kind, double set_hz, double real_hz, double damping) {
   const ShaperSetting shaper{kind, static_cast<float>(set_hz), static_cast<float>(damping)};
   const double with = swing_after_moves(shaper, real_hz, damping);
@@ -116,7 +116,8 @@ TEST(Shaping, TakesAwayTheSwingAtItsFrequency) {
       for (const ShaperKind kind : {ShaperKind::kZv, ShaperKind::kZvd, ShaperKind::kMzv}) {
         EXPECT_LT(swing_left(kind, frequency, frequency, damping), 0.05);
       }
-      // EI leaves 5 % by design, to leave no more beside its frequency.
+      // EI leaves 5 % at its own frequency by design, in order to leave no more at neighbouring
+      // frequencies.
       EXPECT_LT(swing_left(ShaperKind::kEi, frequency, frequency, damping), 0.052);
     }
   }
@@ -130,7 +131,7 @@ TEST(Shaping, OfEiAndZvdHoldsWhereTheFrequencyIsNotKnownWell) {
   }
 }
 
-/// The pulses, kept, so that the place at any time can be asked for.
+/// Stores all trace rows, so that the position at any time can be computed.
 class RasterLog final : public sim::TraceSink {
  public:
   void on_row(const sim::TraceRow& row) override { rows.push_back(row); }
@@ -141,7 +142,8 @@ constexpr double kRasterScale = 80.0;
 constexpr int kRasterDots = 6;
 constexpr double kRasterStart = 60.0;
 
-/// Strokes there and back over the same dots of 0.5 mm, 1 mm apart, at 1 m/s, on a slope.
+/// Returns strokes in both directions over the same dots of 0.5 mm, 1 mm apart, at 1 m/s, on a
+/// slope.
 std::string sloping_raster(double slope) {
   const auto to = [slope](double x) { return word('X', x) + word('Y', slope * x) + "\n"; };
   std::string program = "G21 G90 M4 F60000 S0\n";
@@ -193,8 +195,8 @@ TEST(Shaping, KeepsTheBeamWithTheToolInBothDirections) {
   expect_beam_with_tool({ShaperKind::kZvd, 50.0F, 0.1F}, {ShaperKind::kZv, 71.0F, 0.0F}, 0.4);
 }
 
-/// A shaped place is a mean of places, so nothing is faster than the plan; taking up backlash
-/// has its share.
+/// A shaped position is a mean of positions, so nothing is faster than the plan. Taking up backlash
+/// adds its own share.
 TEST(Shaping, AndBacklashKeepSpeedAndAcceleration) {
   const Trials trials{25};
   double most = 0.0;
@@ -220,7 +222,7 @@ TEST(Shaping, AndBacklashKeepSpeedAndAcceleration) {
     for (const cnc::Axis axis : {cnc::Axis::kX, cnc::Axis::kY}) {
       const sim::AxisMotion motion = meter.axis(axis);
       EXPECT_LE(motion.greatest_speed, 100.0 * 1.002);
-      // An edge may be a slot of 2 µs early or late: 4 v ε / window².
+      // An edge may be a slot of 2 µs early or late, which contributes 4 v ε / window².
       EXPECT_LE(motion.greatest_acceleration, acceleration * 1.005 + 16.0);
       most = std::max(most, motion.greatest_acceleration / acceleration);
     }

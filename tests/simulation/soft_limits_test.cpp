@@ -35,7 +35,7 @@ TEST(SoftLimits, HoldWhatWasPlannedAndMoveNothingOfTheLineThatLeaves) {
   EXPECT_EQ(bench.rows_outside, 0U);
 }
 
-/// Whether the machine, at X-10 Y-10 Z-10, takes a line or raises alarm 2.
+/// Returns whether the machine, at X-10 Y-10 Z-10, accepts a line; otherwise it raises alarm 2.
 bool stays_inside(const std::string& line) {
   LaserBench bench;
   bench.send("G0 X-10 Y-10 Z-10");
@@ -58,7 +58,7 @@ TEST(SoftLimits, JudgeTheTrueExtremesOfArcs) {
   // From (-10, -10) about (-10, -5) with a radius of 5: the circle touches 0 in Y.
   EXPECT_TRUE(stays_inside("G3 X-10 Y-10 I-10 J-5"));
   EXPECT_FALSE(stays_inside("G3 X-10 Y-10 I-10 J-4.9"));
-  // Half of it, by the side that stays inside and by the one that does not.
+  // Half of the circle, on the side that stays inside and on the side that does not.
   EXPECT_TRUE(stays_inside("G3 X-10 Y-2 I-10 J-6"));
   EXPECT_TRUE(stays_inside("G3 X-4 Y-4 I-10 J-4"));
   EXPECT_FALSE(stays_inside("G2 X-4 Y-4 I-10 J-4")) << "passes the top, at Y2";
@@ -68,7 +68,7 @@ TEST(SoftLimits, JudgeTheTrueExtremesOfArcs) {
 }
 
 TEST(SoftLimits, JudgeSplinesAtTheirTrueExtremes) {
-  // The quadratic from Y-10 over Y-10 + J reaches half of J: 0 at J20.
+  // The quadratic from Y-10 with its control point at Y-10 + J reaches half of J: 0 at J20.
   EXPECT_TRUE(stays_inside("G5.1 X-30 Y-10 I-10 J19.9"));
   EXPECT_FALSE(stays_inside("G5.1 X-30 Y-10 I-10 J20.1"));
   EXPECT_TRUE(stays_inside("G5 X-30 Y-10 I0 J13.3 P0 Q13.3"));
@@ -126,7 +126,7 @@ std::string random_line(Random& random) {
   }
 }
 
-/// What is asked for lies outside every so often; no motor ever does.
+/// Some requested motions lie outside; no motor may ever leave the travel.
 TEST(SoftLimits, KeepRandomProgramsAndJogsInside) {
   const Trials trials{12};
   std::size_t alarms = 0;
@@ -156,7 +156,7 @@ TEST(SoftLimits, KeepRandomProgramsAndJogsInside) {
         continue;
       }
       bench.send("F9000");
-      // An R that is too small for its chord is refused, which is fine.
+      // The controller may refuse an R that is too small for its chord.
       static_cast<void>(machine.accept(random_line(random)));
     }
     EXPECT_EQ(bench.rows_outside, 0U);

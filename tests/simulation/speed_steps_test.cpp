@@ -13,9 +13,9 @@ namespace proof {
 namespace {
 
 constexpr double kMotorStepsPerMm = 500.0;
-constexpr double kSpeedWindow = 0.5e-3;  // s
+constexpr double kSpeedWindow = 0.5e-3;  // Window of a mean speed, s.
 
-/// When X stepped, s.
+/// Records the times of the steps of X, s.
 class StepTimes final : public sim::TraceSink {
  public:
   void on_row(const sim::TraceRow& row) override {
@@ -45,19 +45,20 @@ std::vector<double> step_times(double acceleration, double jerk) {
   return sink.times;
 }
 
-/// mm/s over the window that ends with this step.
+/// Returns the mean speed over the window that ends with this step, mm/s.
 double speed_before(const std::vector<double>& times, std::size_t step) {
   std::size_t first = step;
   while (first > 0 && times[step] - times[first] < kSpeedWindow) --first;
   return static_cast<double>(step - first) / kMotorStepsPerMm / (times[step] - times[first]);
 }
 
-/// Of the steps while it speeds up, the least that the speed has grown by in a
-/// millisecond, as a share of what the acceleration asks for.
+/// Returns the least growth of the speed within a millisecond while it speeds up, as a share of the
+/// growth by the acceleration.
 double min_growth(double acceleration, double jerk) {
   constexpr double kMillisecond = 1.0e-3;
   const std::vector<double> times = step_times(acceleration, jerk);
-  // Enough steps in a window to tell a speed, and still with full acceleration.
+  // From here on, a window contains enough steps for a mean speed, and the acceleration is still
+  // full.
   const double rise = jerk > 0.0 ? acceleration / jerk : 0.0;
   const double from = rise + 40.0 / acceleration;
   const double to = 190.0 / acceleration;
@@ -73,8 +74,8 @@ double min_growth(double acceleration, double jerk) {
   return least;
 }
 
-// Issue 4, judged by 5: no plateau of a millisecond while it speeds up, as a staircase of
-// speeds would have.
+// Issue 4, acceptance 5: while it speeds up, the speed must not stay constant for a millisecond, as
+// in a staircase of speeds.
 TEST(SpeedingUp, HasNoPlateauOfAMillisecond) {
   for (const double acceleration : {500.0, 3000.0}) {
     for (const double rise : {0.0, 0.02}) {

@@ -16,12 +16,13 @@
 namespace proof {
 namespace {
 
-constexpr double kSplineTolerance = 2.0e-3;  ///< mm, of the arcs.
+constexpr double kSplineTolerance = 2.0e-3;  ///< Tolerance of the arcs, mm.
 constexpr double kStepsPerMm = 2000.0;
 
-/// A program of a few splines of all kinds, about as large as `size` mm.
+/// Returns a program of a few splines of all kinds, of about `size` mm.
 std::string random_splines(Random& random, double size) {
-  // One after the other, so that a seed draws the same program with every compiler.
+  // Words are drawn in separate statements, so that a seed draws the same program with every
+  // compiler.
   const auto words = [&](const char* letters) {
     std::string drawn;
     for (; *letters != '\0'; ++letters) drawn += word(*letters, random.between(-size, size));
@@ -64,7 +65,8 @@ Driven driven(const std::string& text) {
     change(simulator, cnc::setting::kStepsPerMm + axis, kStepsPerMm);
     scales[axis] = kStepsPerMm;
   }
-  change(simulator, cnc::setting::kJunctionDeviation, 0.0);  // Of the curves alone.
+  // Only the curves count here, without blended corners.
+  change(simulator, cnc::setting::kJunctionDeviation, 0.0);
   const sim::ProgrammedPath path = sim::read_program(text, {.arc_tolerance = kSplineTolerance});
   EXPECT_TRUE(path.notes.empty());
   sim::PathDeviation deviation{path, scales};
@@ -81,7 +83,7 @@ Driven driven(const std::string& text) {
   return driven;
 }
 
-// Against the definition of the curves, not the arcs that stand for them.
+// Compares with the definition of the curves, not with the arcs that approximate them.
 TEST(RandomSplines, ArePulsedWithinTheirTolerance) {
   const Trials trials{40};
   double excess = 0.0;
@@ -104,8 +106,8 @@ TEST(RandomSplines, ArePulsedWithinTheirTolerance) {
       excess * 1.0e3);
 }
 
-// The arcs cut the tip of a narrow bend by their tolerance, which is more than the steps by which a
-// machine may be off. The measure has to find the path behind the tip.
+// The arcs cut the tip of a narrow bend by their tolerance, which exceeds the tolerance of steps.
+// The measure must nevertheless find the path beyond the tip.
 TEST(Splines, AreFollowedRoundTheTipOfANarrowBend) {
   const std::string text =
       "G21 G90 G94 G17 F3629.617951\n"
@@ -133,8 +135,8 @@ TEST(Splines, AreFollowedRoundTheTipOfANarrowBend) {
   EXPECT_LE(driven(text).excess, kSplineTolerance + kArcPromise);
 }
 
-// No corner between the arcs, nor between a G5 and the one that goes on from it:
-// so long a way at so slow a feed takes the time that the feed alone would.
+// There is no corner between the arcs, nor between a G5 and the next one that continues it. So a
+// long path at a slow feed takes the time by the feed alone.
 TEST(Splines, AreDrivenAtTheirFeedWithoutACornerBetweenArcs) {
   const std::string text =
       "G21 G90 G17 F1200\nG5 X60 Y0 I20 J30 P-20 Q30\nX120 P-20 Q-30\n"

@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
-"""Checks that step traces are the recorded ones: of every example, and of random jobs with
-feed holds and overrides.
+"""Checks the step traces of every example, and of random jobs with feed holds and overrides,
+against recorded ones.
 
     trace_digests.py KERFLINE IMAGE_TRACE_JOBS EXAMPLES_FOLDER [--record]
 
-The SHA-256 of each trace stands in trace_digests.txt beside this script. A change that is meant to
-change the motion records them again with --record and says so in its commit.
+The SHA-256 of each trace is recorded in trace_digests.txt in this folder. A change that
+intentionally changes the motion records them again with --record and says so in its commit.
 """
 import concurrent.futures
 import hashlib

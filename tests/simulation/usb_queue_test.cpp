@@ -22,8 +22,8 @@ class NoCable final : public hal::ByteStream {
   bool may_wait() const override { return false; }
 };
 
-/// A laser at the model of the chip's USB core, with a host that writes as far ahead as the
-/// device lets it.
+/// A laser on the model of the chip's USB core, with a host that writes ahead as far as the device
+/// permits.
 class UsbMachine {
  public:
   UsbMachine() {
@@ -33,7 +33,8 @@ class UsbMachine {
     turns(20);
   }
 
-  /// A millisecond: what has come is read, and the host fetches what is said.
+  /// Runs one millisecond: the controller reads the bytes that arrived, and the host fetches the
+  /// answers.
   void turn() {
     desk.begin_turn();
     switch (cables_.attend()) {
@@ -51,7 +52,7 @@ class UsbMachine {
     if (pulled_) return;
     while (const auto packet = desk.host.fetch()) said.append(packet->begin(), packet->end());
   }
-  /// No host fetches anything any more, and the bus falls idle.
+  /// Pulls the cable: no host fetches data any more, and the bus becomes idle.
   void pull_cable() {
     pulled_ = true;
     desk.core.suspend();
@@ -60,7 +61,7 @@ class UsbMachine {
   void turns(int count) {
     for (; count > 0; --count) turn();
   }
-  /// In packets, each as soon as the device takes it. The milliseconds that this took.
+  /// Sends a text in packets, each as soon as the device accepts it. Returns the duration, ms.
   int send(std::string_view text) {
     int waited = 0;
     for (; !text.empty(); text.remove_prefix(std::min<std::size_t>(64, text.size()))) {
@@ -72,7 +73,7 @@ class UsbMachine {
     }
     return waited;
   }
-  /// Milliseconds until it holds.
+  /// Runs until `done` holds; returns the duration, ms.
   template <typename Done>
   int until(Done&& done) {
     int waited = 0;
@@ -92,7 +93,7 @@ class UsbMachine {
   VirtualController controller_{cables_, MachineModel{}};
 };
 
-/// Lines that keep the machine cutting for longer than the test lasts.
+/// Returns lines that keep the machine cutting for longer than the test lasts.
 std::string cutting(std::size_t bytes) {
   std::string text = "G21 G90 M3 S500 F1200\n";
   while (text.size() < bytes) text += "G1 X250 Y100\nG1 X0 Y0\n";

@@ -1,6 +1,6 @@
-// The whole controller on a port of plain stores. Never run: built for the
-// controller only, so that cortex_gates.py sees what the templates become, and
-// the size of everything that Application owns.
+// The whole controller on a port of plain stores. It never runs. It is built only for the
+// controller, so that cortex_gates.py sees the code of the templates and the size of everything
+// that Application owns.
 #include <cstddef>
 #include <cstdint>
 #include <span>

@@ -1,6 +1,8 @@
-"""Reads what was built for the controller and fails on what must not be in it: heap, exceptions,
-RTTI, double arithmetic, printf, library functions that differ between machines, state outside
-Application, recursion, frames that are too large. Prints sizes, the largest stack frames and the deepest calls.
+"""Reads the build for the controller and fails if it contains anything that must not be in it:
+heap, exceptions, RTTI, double arithmetic, printf, library functions that differ between machines,
+state outside of Application, recursion, too large frames.
+
+Prints sizes, the largest stack frames and the deepest calls.
 
 usage: cortex_gates.py BUILD_FOLDER [--largest-frame BYTES]
 """
@@ -31,10 +33,10 @@ def tool(name: str, *arguments) -> list:
 
 
 def built_objects(build: pathlib.Path) -> dict:
-    """{object file: whether it has its final code} of the build, as its compile commands name them;
-    not those of the test program in tests/target, which never goes onto a controller, nor of headers
-    by themselves, which only toolchain/prove.sh compiles. What is optimized once more at link time
-    has its frames in the images, where image_stack.py reads them."""
+    """Returns {object file: whether it has its final code} of the build, by its compile commands.
+    Leaves out the test program in tests/target, which never runs on a controller, and single
+    headers, which only toolchain/prove.sh compiles. Objects that are optimized again at link time
+    have their frames in the images, where image_stack.py reads them."""
     entries = json.loads((build / "compile_commands.json").read_text(encoding="utf-8"))
     entries = [entry for entry in entries if "/tests/target/" not in entry["command"]
                and "/headers_alone/" not in entry["command"]]
@@ -43,13 +45,12 @@ def built_objects(build: pathlib.Path) -> dict:
 
 
 def call_file(compiled: pathlib.Path) -> pathlib.Path:
-    """The call graph that the compiler writes beside an object."""
+    """Returns the file with the call graph that the compiler writes next to an object."""
     return compiled.with_suffix(".ci")
 
 
 class CallGraph:
-    """Frames and calls of every function, from the .ci files that GCC writes beside each
-    object."""
+    """Frames and calls of every function, from the .ci files that GCC writes next to each object."""
 
     def __init__(self, files: list):
         self.names, self.frames, self.dynamic, self.calls = {}, {}, set(), {}
@@ -70,7 +71,7 @@ class CallGraph:
             self.calls.setdefault(edge[1], set()).add(edge[2])
 
     def _name_clones(self):
-        """GCC names the parts that it splits off a function by nothing but a number."""
+        """Names the clones: GCC gives the parts that it splits off a function only a number."""
         for function, name in self.names.items():
             if name[0].isdigit():
                 self.names[function] = tool("c++filt", function.rpartition(":")[2])[0]
@@ -79,7 +80,8 @@ class CallGraph:
         return self.names.get(function, function)
 
     def deepest(self) -> tuple:
-        """({function: (stack bytes below and with it, next function)}, [cycles])."""
+        """Returns ({function: (stack bytes of it and the functions below, next function)},
+        [cycles])."""
         depths, cycles, path = {}, [], []
 
         def visit(function):
@@ -101,7 +103,7 @@ class CallGraph:
 
 def symbol_complaints(objects: list) -> Iterator:
     found, kinds = {}, {}
-    # Of the machine code: nm's plugin would read what is kept for link-time optimization instead.
+    # nm reads the machine code: its plugin would read the data for link-time optimization instead.
     for line in tool("nm", "--plugin", "/dev/null", "-A", "-P", *objects) if objects else []:
         file, _, rest = line.partition(": ")
         symbol, kind, *place = rest.split()
@@ -120,7 +122,7 @@ def symbol_complaints(objects: list) -> Iterator:
 
 
 def sections_with(symbol: str, objects) -> set:
-    """The sections that name it."""
+    """Returns the sections that refer to the symbol."""
     found, section = set(), ""
     for line in tool("objdump", "-r", *objects):
         if begin := re.match(r"RELOCATION RECORDS FOR \[(\S+)\]", line):
@@ -131,8 +133,8 @@ def sections_with(symbol: str, objects) -> set:
 
 
 def is_dropped(symbol: str, objects: list, kinds: dict) -> bool:
-    """Whether the linker leaves it out everywhere: a weak function that nothing names, which the
-    compiler has inlined wherever it was called; or what only such functions name."""
+    """Returns whether the linker drops a function everywhere: a weak function to which nothing
+    refers, because the compiler inlined all its calls, or to which only such functions refer."""
     sections = sections_with(symbol, objects)
     if not sections:
         return kinds.get(symbol) == {"W"}
@@ -142,7 +144,7 @@ def is_dropped(symbol: str, objects: list, kinds: dict) -> bool:
 
 
 def callers_of(symbol: str, objects) -> list:
-    """The functions that name it, each of which has a section of its own."""
+    """Returns the functions that refer to the symbol; each function has its own section."""
     functions = [section.removeprefix(".text.") for section in sections_with(symbol, objects)
                  if section.startswith(".text.")]
     return tool("c++filt", *sorted(functions)) if functions else []
@@ -159,7 +161,7 @@ def stack_complaints(graph: CallGraph, largest_frame: int) -> Iterator:
 
 
 def sizes(objects: list) -> dict:
-    """Bytes of text, data and bss of each target of the build."""
+    """Returns the bytes of text, data and bss of each target of the build."""
     total = {}
     for line in tool("size", *objects)[1:] if objects else []:
         fields = line.split(None, 5)

@@ -1,4 +1,5 @@
-"""Plants what must not run on the controller, one at a time, and sees cortex_gates.py find it."""
+"""Plants code that must not run on the controller, one kind at a time, and checks that
+cortex_gates.py finds it."""
 import contextlib
 import io
 import json
@@ -18,7 +19,7 @@ FLAGS = """-std=c++20 -mcpu=cortex-m4 -mthumb -mfpu=fpv4-sp-d16 -mfloat-abi=hard
     -ffunction-sections -fno-unwind-tables -fno-asynchronous-unwind-tables -fno-exceptions -fno-rtti
     -fno-math-errno -fcallgraph-info=su,da""".split()
 
-# what is found: (source, flags that let it through the compiler)
+# Message of the check: (source, flags with which the compiler accepts it)
 PLANTED = {
     "heap: _Znwj": ("int* f() { return new int; }", []),
     "heap: _ZdlPvj": ("void f(int* p) { delete p; }", []),
@@ -63,7 +64,7 @@ PLANTED = {
     "state outside Application: counter, 4 bytes": ("int counter = 7;", []),
     "state outside Application: _ZZ1fvE5count": (
         "int f() { static int count = 0; return ++count; }", []),
-    # GCC 12 forgets the const of a constexpr whose template arguments it has to find.
+    # GCC 12 drops the const of a constexpr variable whose template arguments it must deduce.
     "state outside Application: _ZL5table": (
         "#include <array>\nconstexpr std::array table{1, 2, 3};\n"
         "const int* f(int i) { return &table[i]; }", []),
@@ -81,7 +82,8 @@ float f(std::span<const float> a, Port& p, std::int64_t n) {
 
 class PlantedFaults(unittest.TestCase):
     def check(self, source, flags, without=()):
-        """(exit status, output) of the check on a build of this one source, without some FLAGS."""
+        """Returns (exit status, output) of the check of a build of this single source, without the
+        flags `without`."""
         with tempfile.TemporaryDirectory() as folder:
             build = pathlib.Path(folder)
             (build / "CMakeFiles/kerfline_planner.dir").mkdir(parents=True)
@@ -89,7 +91,7 @@ class PlantedFaults(unittest.TestCase):
             chosen = [flag for flag in FLAGS if flag not in without]
             command = [COMPILER, *chosen, *flags, "-o", "CMakeFiles/kerfline_planner.dir/a.obj",
                        "-c", "a.cpp"]
-            # A compiler cache keeps no call graphs.
+            # A compiler cache does not keep call graphs.
             subprocess.run(command, cwd=build, check=True,
                            env=os.environ | {"CCACHE_DISABLE": "1"})
             (build / "compile_commands.json").write_text(
@@ -105,7 +107,7 @@ class PlantedFaults(unittest.TestCase):
         self.assertEqual(0, status)
 
     def test_a_function_that_the_linker_drops_is_no_fault(self):
-        """As the compiler leaves one that it has inlined wherever it was called."""
+        """Builds a weak function as the compiler leaves it after it has inlined all calls."""
         status, output = self.check(
             "#include <cstdlib>\n[[gnu::weak]] void g() { std::abort(); }\n" + RIGHT, [])
         self.assertIn("controller: clean", output)

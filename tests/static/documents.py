@@ -1,5 +1,5 @@
-"""Fails when a document is too long, a link leads nowhere, a page is not linked from another one, or
-the decisions are not numbered one by one.
+"""Fails if a document is too long, if a link has no target, if no page links to a page, or if the
+decisions are not numbered consecutively.
 
 usage: documents.py [root]
 """
@@ -14,12 +14,13 @@ MOST_LINES = {"README.md": 120, "ARCHITECTURE.md": 150}
 MOST_DECISION_LINES = 30
 MOST_COLUMNS = 100
 DECISIONS = "docs/decisions/"
-# A program writes these pages.
+# Pages that a program writes.
 WRITTEN = ("docs/reference/", "docs/boards.md", "docs/figures.md")
 
 
 def without_code(text: str) -> list:
-    """The lines of a page, with those of code blocks empty: numbers of lines stay."""
+    """Returns the lines of a page, with empty lines for those of code blocks, so that line numbers
+    stay right."""
     lines, is_code = [], False
     for line in text.splitlines():
         is_fence = line.lstrip().startswith("```")
@@ -29,7 +30,7 @@ def without_code(text: str) -> list:
 
 
 def anchors_of(text: str) -> set:
-    """The anchors of a page's headings, as GitHub makes them."""
+    """Returns the anchors of a page's headings, as GitHub makes them."""
     anchors = set()
     for line in without_code(text):
         if heading := re.match(r"#{1,6} (.*)", line):
@@ -39,7 +40,7 @@ def anchors_of(text: str) -> set:
 
 
 def links_of(text: str) -> Iterator:
-    """(number of the line, target) of each link of a page that stays in the repository."""
+    """Yields (line number, target) of each link of a page that stays in the repository."""
     for number, line in enumerate(without_code(text), 1):
         for target in re.findall(r"\]\(([^)\s]+)\)", re.sub(r"`[^`]*`", "", line)):
             if not re.match(r"[a-z]+:", target):
@@ -54,7 +55,7 @@ def length_complaints(name: str, text: str) -> Iterator:
     if name.startswith(WRITTEN):
         return
     for number, line in enumerate(without_code(text), 1):
-        # The words of a table's row, of a link or of an address stay on one line.
+        # A row of a table and the text of a link or address cannot be broken into lines.
         if len(line) > MOST_COLUMNS and not re.match(r"\s*\||.*\]\(", line):
             yield f"{name}:{number}: {len(line)} columns, {MOST_COLUMNS} at most"
 

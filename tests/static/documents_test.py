@@ -1,4 +1,4 @@
-"""Plants faults in a copy of a small set of documents and sees that documents.py finds them."""
+"""Plants faults in a copy of a small set of documents and checks that documents.py finds them."""
 import pathlib
 import tempfile
 import unittest

@@ -1,5 +1,5 @@
-"""Fails when a file that is or would be committed names a path of a build machine, holds a mark
-that nobody owns or is too large, or when the top level holds what a newcomer would not expect.
+"""Fails if a file of the project, committed or new, contains a path of a build machine or a mark
+without an owner, or is too large, or if the top level contains an unexpected name.
 
 usage: hygiene.py [root]
 """
@@ -10,7 +10,7 @@ from typing import Iterator
 
 from source_files import ROOT, project_files
 
-# Written in pieces, so that this file does not find itself.
+# Written in pieces, so that the check does not find this file.
 MACHINE_PATH = re.compile(r"(?<![\w.}])/(?:work|home|root|tmp/bash_job" + r"s)/")
 MARK = re.compile(r"\b(?:TO" + "DO|FIX" + "ME|X" + r"XX)\b")
 TOP_LEVEL = {"planner", "hal", "firmware", "host-sim", "tests", "toolchain", "CMakeLists.txt",

@@ -1,4 +1,4 @@
-"""Reads back what toolchain/image_files.py writes."""
+"""Reads the files that toolchain/image_files.py writes."""
 import pathlib
 import struct
 import sys
@@ -12,7 +12,7 @@ import image_files  # noqa: E402  pylint: disable=wrong-import-position
 
 
 class DfuSe(unittest.TestCase):
-    """The layout as UM0391 has it, read independently of the writer."""
+    """Reads the format by UM0391, independently of the writer."""
 
     IMAGE = bytes(range(256)) * 5
 

@@ -1,5 +1,5 @@
-"""Plants what must not be in an image, one at a time: the linker's assertions, image_files.py and
-image_stack.py have to find each."""
+"""Plants code that must not be in an image, one kind at a time. The linker's assertions,
+image_files.py or image_stack.py must find each."""
 import contextlib
 import io
 import pathlib
@@ -41,13 +41,13 @@ void clock_interrupt() { sink = 4; }
 """
 RIGHT = "int planted(int n) { return n + 1; }"
 
-# what the linker says: a source
+# Message of the linker: source that causes it
 LINKER = {
     "region `RAM' overflowed": "char big[129 * 1024];\nint planted(int n) { big[n] = 1; return big[n + 1]; }",
     "region `FLASH' overflowed":
         "const int big[264000] = {1, 2};\nint planted(int n) { return const_cast<const volatile int*>(big)[n]; }",
 }
-# what image_files.py says: a source
+# Message of image_files.py: source that causes it
 FILES = {
     "heap: malloc": "#include <cstdlib>\nint planted(int n) { return std::malloc(n) != nullptr; }",
     "heap: _Znwj": "int* volatile p;\nint planted(int n) { p = new int{n}; return *p; }",
@@ -59,7 +59,7 @@ FILES = {
     "exceptions: __cxa_throw": "extern \"C\" [[gnu::noipa]] void __cxa_throw() { asm volatile(\"\"); }\n"
                   "int planted(int n) { __cxa_throw(); return n; }",
 }
-# what image_stack.py says: a source
+# Message of image_stack.py: source that causes it
 STACK = {
     "the main loop may need": "int g(char*);\nint planted(int) { char t[5000]; return g(t); }\n"
                               "[[gnu::noipa]] int g(char* t) { return *t; }",
@@ -80,7 +80,7 @@ STACK = {
 
 
 def link(folder: pathlib.Path, source: str, options=(), **places: int) -> tuple:
-    """(path of the image, what the linker said)."""
+    """Returns (path of the image, messages of the linker)."""
     (folder / "a.cpp").write_text(PROGRAM + source, encoding="utf-8")
     elf = folder / "a.elf"
     symbols = [f"-Wl,--defsym={name}={place}" for name, place in {**PLACES, **places}.items()]
@@ -133,7 +133,7 @@ class ImageGates(unittest.TestCase):
             self.assertNotEqual(checksum, image_files.checksum_of(bytes(changed), at))
 
     def files_of(self, source: str, *options: str) -> tuple:
-        """(status, what image_files.py said, whether the image is still there)."""
+        """Returns (status, messages of image_files.py, whether the image still exists)."""
         elf, said = link(self.folder, source, options)
         self.assertTrue(elf.exists(), said)
         output = io.StringIO()

@@ -1,13 +1,15 @@
-"""The most stack that a linked image can need, from its machine code: frames and calls of every
-function, calls through tables of virtual functions included, and interrupts within interrupts.
+"""Computes the greatest stack that a linked image can need, from its machine code. It includes
+frames and calls of every function, calls through tables of virtual functions, and nested
+interrupts.
 
 usage: image_stack.py IMAGE.elf [--main BYTES] [--interrupt BYTES]
 
-A call through a pointer is taken to reach any virtual function (their addresses are also taken
-where the optimizer guesses which one a call means, and compares), or, from the class of
-POINTED_AT, any of its functions whose address is taken. So it fails when the address of another
-function is taken, besides on more than these bytes, on recursion, on frames of a size known only at
-run time, and when the image's stack is smaller than what may be needed at once.
+A call through a pointer counts as a call of any virtual function. (Code also takes their addresses
+where the optimizer guesses the target of a call and compares.) From the class of POINTED_AT, it
+counts as a call of any function of the class whose address is taken. So the check fails if the
+address of another function is taken. It also fails if a level needs more than its BYTES, on
+recursion, on frames whose size is known only at run time, and if the image's stack is smaller than
+the need of all levels together.
 """
 import argparse
 import functools
@@ -20,13 +22,14 @@ import sys
 MAIN_BYTES, INTERRUPT_BYTES = 4096, 512
 # Eight words that the core pushes, eighteen of the FPU, and one to align them (Arm DDI 0403, B1.5.7).
 ENTRY_BYTES = 4 * 27
-# Functions that each priority may be in, the most urgent first; `stop` does not come back.
+# Functions that may run at each priority, from the most urgent; `stop` does not return.
 LEVELS = (("clock_interrupt", "supply_interrupt"), ("step_interrupt",),
           ("line_interrupt", "usb_interrupt", "can_interrupt"))
 MAIN = "start_up"
-# Calls through a pointer that is no virtual function's: start-up runs the constructors of objects.
+# Calls through a pointer to a non-virtual function: start-up runs the constructors of objects.
 CONSTRUCTORS = r"_GLOBAL__sub_I_.*"
-# The steps of a block's execution, a table of member functions, which one of them goes through.
+# The steps of a block's execution: member functions in a table, which one of these functions calls
+# in turn.
 POINTED_AT = r"_ZN3cnc5gcode9Execution\w+"
 
 FUNCTION = re.compile(r"^([0-9a-f]{8}) <(.+)>:$")
@@ -66,7 +69,8 @@ class Function:
             self.dynamic = True
         if BRANCH.fullmatch(operation):
             target = re.search(r"<([^+>]+)>", operands)
-            # A branch to the own first instruction is a loop; with a link it is a call.
+            # A branch to the function's own first instruction is a loop; a branch with link is a
+            # call.
             if target and (target[1] != own_name or operation == "bl"):
                 self.calls.add(target[1])
         elif operation == "blx" or (operation == "bx" and operands.strip() != "lr"):
@@ -106,7 +110,7 @@ class Image:
 
     @staticmethod
     def _words_of(elf: pathlib.Path) -> dict:
-        """{address: word} of constants and of code."""
+        """Returns {address: word} of constants and code."""
         words = {}
         for line in tool("objdump", "-s", "-j", ".text", "-j", ".data", elf):
             if found := re.match(r" ([0-9a-f]+) ((?:[0-9a-f]{2,8} ){1,4})", line):
@@ -117,38 +121,38 @@ class Image:
 
     @staticmethod
     def _pointers_in(elf: pathlib.Path) -> set:
-        """The places of all words that the linker has made addresses of. Other words may look like an
-        address: the pins of a board once did."""
+        """Returns the positions of all words that the linker resolved as addresses. Other words may
+        look like an address, for example the pins of a board."""
         return {int(row.split()[0], 16) for row in tool("readelf", "-rW", elf) if " R_ARM_ABS32 " in row}
 
     def _function_at(self, word: int) -> str:
-        """The function that a pointer means; empty when it means none."""
+        """Returns the function to which a pointer refers; empty if it is none."""
         return self.addresses.get(word - 1, "") if word & 1 else ""
 
     def _tables(self, elf: pathlib.Path) -> list:
-        """(name, address, bytes) of each table of virtual functions."""
+        """Returns (name, address, bytes) of each table of virtual functions."""
         rows = [line.split() for line in tool("nm", "-S", elf)]
         return [(row[3], int(row[0], 16), int(row[1], 16)) for row in rows
                 if len(row) == 4 and row[3].startswith("_ZTV")]
 
     def _virtual_functions(self, elf: pathlib.Path) -> dict:
-        """{table of virtual functions: {functions in it}}."""
+        """Returns {table of virtual functions: {functions in it}}."""
         return {name: {self._function_at(self.words.get(at, 0))
                       for at in range(begin, begin + size, 4)}
                       - {""}
                 for name, begin, size in self._tables(elf)}
 
     def _pointed_at(self, elf: pathlib.Path, built: set) -> set:
-        """Functions whose address is taken outside of the tables of virtual functions, by a
-        constant in memory or by one of those that code has built."""
+        """Returns the functions whose address is taken outside of the tables of virtual functions,
+        by a constant in memory or by an address that code builds (`built`)."""
         tables = {at for _, begin, size in self._tables(elf) for at in range(begin, begin + size, 4)}
         self.pointers = self._pointers_in(elf)
         stored = {word for at, word in self.words.items() if at in self.pointers - tables}
         return {self._function_at(word) for word in stored | built} - {""}
 
     def pointer_targets(self, name: str, owners: frozenset) -> set:
-        """What a call through a pointer may reach: constructors, or any function of a class of which
-        none is on the way here already."""
+        """Returns the possible targets of a call through a pointer: constructors in start-up;
+        otherwise all functions of the classes that are not on the present path."""
         if name == MAIN:
             return {other for other in self.functions if re.fullmatch(CONSTRUCTORS, other)}
         if re.fullmatch(POINTED_AT, name):
@@ -158,7 +162,7 @@ class Image:
 
     @functools.lru_cache(maxsize=None)
     def depth(self, name: str, owners: frozenset = frozenset()) -> tuple:
-        """(bytes, way) of the deepest calls from a function."""
+        """Returns (bytes, path) of the deepest calls from a function."""
         function = self.functions[name]
         if name in self.class_of:
             owners = owners | {self.class_of[name]}
@@ -171,7 +175,7 @@ class Image:
         return function.frame + size, (name, *way)
 
     def cycles(self) -> list:
-        """Ways from a function back to itself by calls that name it."""
+        """Returns the paths of direct calls that lead from a function back to itself."""
         found, done, path = [], set(), []
 
         def visit(name: str):
@@ -195,7 +199,7 @@ def readable(way) -> str:
 
 
 def report(image: Image, limits: argparse.Namespace, stack: int) -> list:
-    """Prints what each level may need; returns complaints."""
+    """Prints the need of each level; returns complaints."""
     if not image.pointers:
         return ["the image was linked without --emit-relocs, which tells addresses from numbers"]
     complaints = [f"recursion: {readable(cycle)}" for cycle in image.cycles()]

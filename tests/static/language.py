@@ -1,10 +1,11 @@
-"""Fails when a comment of the product begins without a subject or uses a word that stands for none.
+"""Fails if a comment of the product begins without a subject or uses a word that has no clear
+referent.
 
 usage: language.py [root]
 
-What is checked is what a program can tell: the first words of each comment and of each printed
-text, words that the rules of language exclude, and names of bounds. NOLINT lines and names in
-backticks are left out.
+It checks only what a program can: the first words of each comment and of each printed text, words
+that the rules of language exclude, and names of bounds. It ignores NOLINT lines and names in
+backticks.
 """
 import pathlib
 import re
@@ -32,7 +33,7 @@ PERSONS = re.compile(r"\b(?:operator|user|caller|owner|sender|people|person|engi
 
 
 def comments_of(text: str) -> Iterator:
-    """(number of its first line, whole text) of each comment; a comment goes on over lines."""
+    """Yields (number of its first line, text) of each comment, which may have several lines."""
     number, words = 0, []
     for line_number, line in enumerate(text.splitlines(), 1):
         bare = re.sub(r'"(?:[^"\\]|\\.)*"', '""', line)

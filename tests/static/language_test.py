@@ -1,4 +1,4 @@
-"""Plants comments without subjects in a small source and sees that language.py finds them."""
+"""Plants comments without subjects in a small source and checks that language.py finds them."""
 import pathlib
 import tempfile
 import unittest

@@ -1,6 +1,6 @@
-"""Checks the layer map of ARCHITECTURE.md from the includes and from CMake, and files' shapes.
+"""Checks includes and CMake links against the layer map of ARCHITECTURE.md, and the shape of files.
 
-usage: layers.py [root]   (prints one complaint per line; exit status 1 when there are any)
+usage: layers.py [root] (prints one complaint per line; exit status 1 if there are any)
 """
 import pathlib
 import re
@@ -9,7 +9,7 @@ from typing import Iterator
 
 from source_files import ROOT, source_files
 
-# layer: the layers that it may include and link
+# Each layer with the layers that it may include and link
 MAP = {
     "planner": {"planner"},
     "hal/interface": {"hal/interface"},
@@ -31,12 +31,12 @@ TARGETS = {
     "kerfline_cam": "host-sim",
     "kerfline": "host-sim",
 }
-# The files that put a port and the firmware together.
+# The files that combine a port with the firmware.
 COMPOSITION_ROOTS = re.compile(r"firmware/target/stm32f405_\w+\.[ch]pp")
-# Programs and parts of a program: they may print.
+# Programs and parts of a program, which may print.
 ON_A_HOST = re.compile(r"planner/(examples/.*|base/default_contract_handler\.cpp)")
 
-# Rooms in the order in which the data goes through them: each includes itself and those before it.
+# Rooms in the order of the data flow: each may include itself and the rooms before it.
 PIPELINES = {
     "planner/motion": ("block", "lookahead", "plan", "jerk", "segment", "motors"),
 }
@@ -46,7 +46,7 @@ FREESTANDING = set("""array atomic bit cfloat climits compare concepts cstdarg c
     utility version""".split())
 # Layers that may call the operating system, whose headers end in .h.
 ON_AN_OS = {"host-sim", "hal/host"}
-# No heap, clock, stream, exception or thread behind any of these.
+# No header of these uses heap, clock, stream, exception or thread.
 BOUNDED = FREESTANDING | set("""algorithm charconv cmath cstring iterator numeric string_view
     variant""".split())
 STANDARD_HEADERS = {
@@ -55,7 +55,7 @@ STANDARD_HEADERS = {
     "hal/stm32f405": FREESTANDING,
     "firmware": BOUNDED,
 }
-# layer: the other libraries' headers and CMake targets that it may use, as prefixes
+# Each layer with the foreign headers and CMake targets that it may use, as prefixes
 FOREIGN = {
     "planner": ("Eigen",),
     "host-sim": ("Eigen", "fmt", "nlohmann", "CLI", "PkgConfig::", "librsvg", "cairo",
@@ -75,24 +75,25 @@ LINE_COLUMNS, PYTHON_COLUMNS = 100, 120
 
 
 def layer_of(name: str) -> str:
-    """The layer that a path from the root lies in, or an empty string."""
+    """Returns the layer to which a path from the root belongs, or an empty string."""
     return next((layer for layer in MAP if name.startswith(layer + "/")), "")
 
 
 def room_number(name: str, folder: str) -> int:
-    """Which room of a pipeline a path lies in, from 0; -1 elsewhere."""
+    """Returns the number of the room of a pipeline to which a path belongs, from 0; -1 if it
+    belongs to none."""
     found = re.match(rf"{folder}/(\w+)/", name)
     rooms = PIPELINES[folder]
     return rooms.index(found[1]) if found and found[1] in rooms else -1
 
 
 def goes_back(name: str, target: str) -> bool:
-    """Whether an include leads from a room of a pipeline to a later one."""
+    """Returns whether an include leads from a room of a pipeline to a later room."""
     return any(0 <= room_number(name, folder) < room_number(target, folder) for folder in PIPELINES)
 
 
 def include_complaint(name: str, target: str, quoted: bool, root: pathlib.Path) -> str:
-    """What is wrong with one #include, or an empty string."""
+    """Returns the complaint about one #include, or an empty string."""
     layer = layer_of(name)
     if COMPOSITION_ROOTS.fullmatch(name):
         return ""
@@ -132,7 +133,7 @@ def line_complaints(name: str, lines: list, root: pathlib.Path) -> Iterator:
 
 
 def source_complaints(root: pathlib.Path) -> Iterator:
-    """Includes, calls and preprocessor lines of the layers."""
+    """Yields complaints about includes, calls and preprocessor lines of the layers."""
     for path in source_files(root, ".hpp", ".cpp"):
         name = path.relative_to(root).as_posix()
         if not layer_of(name):
@@ -147,7 +148,7 @@ def source_complaints(root: pathlib.Path) -> Iterator:
 
 
 def shape_complaints(root: pathlib.Path) -> Iterator:
-    """Length of files and lines, names of files."""
+    """Yields complaints about the length of files and lines and the names of files."""
     for path in source_files(root):
         name = path.relative_to(root).as_posix()
         lines = path.read_text(encoding="utf-8").splitlines()
@@ -164,14 +165,14 @@ def shape_complaints(root: pathlib.Path) -> Iterator:
 
 
 def calls_of(text: str, command: str) -> Iterator:
-    """The argument lists of a CMake command."""
+    """Yields the argument lists of a CMake command."""
     text = re.sub(r"#.*", "", text)
     for found in re.finditer(rf"\b{command}\s*\(([^)]*)\)", text):
         yield found[1].split()
 
 
 def links(root: pathlib.Path) -> Iterator:
-    """(file, target, what it links) of every link of a layer's target."""
+    """Yields (file, target, linked libraries) of every link of a layer's target."""
     for path in source_files(root, "CMakeLists.txt"):
         name = path.relative_to(root).as_posix()
         text = path.read_text(encoding="utf-8")
@@ -183,7 +184,7 @@ def links(root: pathlib.Path) -> Iterator:
 
 
 def link_complaints(root: pathlib.Path) -> Iterator:
-    """Links of layers that the map forbids."""
+    """Yields the links of layers that the map forbids."""
     for name, target, library in links(root):
         layer = TARGETS.get(target)
         if layer is None or FLAGS.fullmatch(library):
@@ -197,7 +198,7 @@ def link_complaints(root: pathlib.Path) -> Iterator:
 
 
 def unlinked_complaints(root: pathlib.Path) -> Iterator:
-    """Includes between layers that CMake does not know of."""
+    """Yields the includes between layers for which CMake has no link."""
     linked = {layer: {layer} for layer in MAP}
     for _, target, library in links(root):
         if target in TARGETS and library in TARGETS:

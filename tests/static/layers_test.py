@@ -1,4 +1,4 @@
-"""Plants violations in a copy of a small house and sees that layers.py, hygiene.py and
+"""Plants violations in a copy of a small source tree and checks that layers.py, hygiene.py and
 private_names.py find them."""
 import contextlib
 import io

@@ -1,4 +1,5 @@
-"""What packages.txt promises: nothing twice, no cross compiler or browser for running, plain names."""
+"""Checks packages.txt: no package twice, no cross compiler or browser among the packages for
+running, plain names."""
 import re
 import unittest
 

@@ -1,8 +1,8 @@
-"""Fails when two sources of a program keep a constant, a type or a function of the same name, and for
-functions the same parameters, to themselves.
+"""Fails if two sources of a program define a constant, a type or a function of the same name
+(functions: with the same parameters) in anonymous namespaces.
 
-The united builds put several sources of a layer, or of a folder of tests, into one; and a constant
-that two files define is one that should have a home.
+The united builds combine several sources of a layer, or of a folder of tests, into one. Besides, a
+constant that two files define should be defined in one place.
 
 usage: private_names.py [root]
 """
@@ -17,25 +17,25 @@ PRIVATE = re.compile(r"^namespace \{$(.*?)^\}  // namespace$", re.MULTILINE | re
 NAMED = re.compile(r"^namespace ([\w:]+) \{$", re.MULTILINE)
 DEFINED = re.compile(r"^(?:constexpr [^={(]*?\b(k\w+)(?:\{| =)|(?:struct|class|enum class) (\w+)\b[^;]*$)",
                      re.MULTILINE)
-# The head of a function that begins a line; its parameters have no brackets of their own.
+# First line of a function at the beginning of a line, whose parameters contain no parentheses.
 FUNCTION = re.compile(r"^(?:[\w:<>,&*\[\]]+ )+&?(\w+)\(([^(){};]*)\)(?: noexcept)? \{$", re.MULTILINE)
 OF_PARAMETER = re.compile(r"(?:\w+::)+|\bconst\b|\s*/\*\w+\*/|\s*\b\w+$|\s+")
 
 
 def program_of(name: str) -> str:
-    """A layer, or a folder of tests."""
+    """Returns the layer, or the folder of tests, to which a file belongs."""
     parts = name.split("/")
     return "/".join(parts[:2]) if parts[0] == "tests" else parts[0]
 
 
 def kinds_of(parameters: str) -> str:
-    """The types of parameters, without their names and namespaces."""
+    """Returns the types of parameters, without their names and namespaces."""
     return ",".join(OF_PARAMETER.sub("", parameter.strip().split(" = ")[0])
                     for parameter in re.split(r",(?![^<]*>)", parameters))
 
 
 def private_names(text: str) -> set:
-    """Namespace and name of each constant, type and function in an anonymous namespace."""
+    """Returns namespace and name of each constant, type and function in an anonymous namespace."""
     outer = NAMED.search(text)
     return {(outer[1] if outer else "", name)
             for body in PRIVATE.findall(text)

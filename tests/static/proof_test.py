@@ -1,4 +1,4 @@
-"""Plants failures in runs of toolchain/proof: each of them makes the run fail and is named."""
+"""Plants failures in runs of toolchain/proof and checks that each makes the run fail and is named."""
 import contextlib
 import io
 import json
@@ -105,7 +105,7 @@ class Runs(unittest.TestCase):
                                *words], check=True, capture_output=True, text=True).stdout.strip()
 
     def run_tier(self, tier, *chosen) -> tuple:
-        """(exit status, output)"""
+        """Runs a tier; returns (exit status, output)."""
         output = io.StringIO()
         with mock.patch.object(steps, "STEPS", chosen), contextlib.redirect_stdout(output), \
                 mock.patch.object(steps, "environment", lambda: None), \

@@ -1,4 +1,5 @@
-"""Same program, same trace, byte for byte: of two builds, and of one build run twice.
+"""Checks that the same program gives the same trace, byte for byte, from two builds and from two
+runs of one build.
 
 usage: same_trace.py KERFLINE OTHER_KERFLINE EXAMPLES_FOLDER
 """

@@ -1,4 +1,4 @@
-"""The files that the checks look at."""
+"""Lists the files that the checks read."""
 import pathlib
 import subprocess
 
@@ -8,7 +8,8 @@ NOT_OURS = {".git", "build", "out"}
 
 
 def project_files(root: pathlib.Path) -> list:
-    """Every file that is committed or would be; without git, all outside the build folders."""
+    """Returns all files of the project, committed or new; without git, all files outside of the
+    build folders."""
     git = subprocess.run(
         ["git", "-c", "safe.directory=*", "-C", str(root),
          "ls-files", "-z", "--cached", "--others", "--exclude-standard"],
@@ -22,5 +23,5 @@ def project_files(root: pathlib.Path) -> list:
 
 
 def source_files(root: pathlib.Path, *endings: str) -> list:
-    """The project's sources with one of the endings; all sources when none is given."""
+    """Returns the project's sources with one of the endings; all sources if none is given."""
     return [path for path in project_files(root) if path.name.endswith(endings or SOURCE_SUFFIXES)]

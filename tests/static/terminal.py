@@ -1,5 +1,5 @@
-"""Fails when a source of host-sim writes to a stream of the process by another way than
-`host-sim/report/terminal.hpp`, which escapes what a terminal would obey.
+"""Fails if a source of host-sim writes to a stream of the process without
+`host-sim/report/terminal.hpp`, which escapes the control characters that a terminal would obey.
 
 usage: terminal.py [root]
 """
@@ -12,7 +12,7 @@ from source_files import ROOT, source_files
 
 OTHER_WAYS = re.compile(r"\bfmt::v?print\(|\bf?printf\(|\bf?put[sc]\(|\bputchar\(|\bfwrite\(|\bperror\(|"
                         r"\bstd::c(?:out|err|log)\b|\bwrite\(STD(?:OUT|ERR)_FILENO")
-# The writer itself, and the message that standard output has failed, whose texts are constant.
+# The writer itself, and the constant message that standard output has failed.
 ALLOWED = {"host-sim/report/terminal.cpp", "host-sim/cli/standard_streams.cpp"}
 
 

@@ -13,10 +13,10 @@ using cnc::WideVec2;
 using cnc::pocket::Use;
 using Element = ExactContour::Element;
 
-/// mm: thinner stock counts as none.
+/// Thickness of stock below which it counts as none, mm.
 constexpr double kThin_mm = 1.0e-3;
 
-/// An element of the path at the floor.
+/// An element of the path on the floor of the pocket, with its use.
 struct Sweep {
   Element element{};
   Use use = Use::kPass;
@@ -40,7 +40,7 @@ std::vector<Sweep> sweeps_of(const sim::pocket::AdaptivePath& path, double floor
   return sweeps;
 }
 
-/// The beginning of an element.
+/// Returns the first part of an element, up to `share` of its length.
 Element part_of(const Element& element, double share) {
   Element part = element;
   double right_x = 0, right_y = 0;
@@ -49,7 +49,8 @@ Element part_of(const Element& element, double share) {
   return part;
 }
 
-/// Elements by the cells of the plane that the tool comes to along them.
+/// Index of the swept elements by the cells of a grid: each cell lists the elements that come
+/// within reach of it.
 class SweptPlane {
  public:
   SweptPlane(const std::vector<Sweep>& sweeps, double reach_mm)
@@ -57,21 +58,21 @@ class SweptPlane {
     for (std::size_t i = 0; i < sweeps.size(); ++i) insert(i, reach_mm);
   }
 
-  /// Whether the tool came within so many mm of a place along the elements before `count`.
+  /// Returns whether one of the elements before number `count` comes within `mm` of a point.
   [[nodiscard]] bool is_within(const WideVec2& place, std::size_t count, double mm) const {
     const auto found = cells_.find(key_of(cell_of(place.x()), cell_of(place.y())));
     if (found == cells_.end()) return false;
     const std::vector<std::size_t>& near = found->second;
     auto i = std::lower_bound(near.begin(), near.end(), count);
     while (i != near.begin()) {
-      --i;  // What came last is the likeliest.
+      --i;  // The latest element is the likeliest to be near.
       if (sweeps_[*i].element.distance(place.x(), place.y()) <= mm) return true;
     }
     return false;
   }
 
-  /// The least distance of a place from the elements before `count`, as far as that is within
-  /// reach.
+  /// Returns the least distance of a point from all elements; infinity if none comes within reach
+  /// of the point's cell.
   [[nodiscard]] double distance(const WideVec2& place) const {
     double least = INFINITY;
     const auto found = cells_.find(key_of(cell_of(place.x()), cell_of(place.y())));
@@ -98,7 +99,7 @@ class SweptPlane {
     for (int i = 1; e.radius > 0.0 && i < kPlaces; ++i) {
       double x = 0, y = 0, right_x = 0, right_y = 0;
       e.at(static_cast<double>(i) / kPlaces, x, y, right_x, right_y);
-      // Between two places an arc is at most this far beyond their chord.
+      // Between two sampled points the arc bulges beyond their chord by at most this much.
       const double between = e.length() / kPlaces;
       const double slack = between * between / (8.0 * e.radius);
       x0 = std::min(x0, x - slack), x1 = std::max(x1, x + slack);
@@ -161,7 +162,7 @@ class AdaptiveJudge {
     }
   }
 
-  /// In a narrow stretch, or where the tool comes to its ends.
+  /// Returns whether the tool is in a narrow stretch, or near one of its ends.
   [[nodiscard]] bool is_excepted(const WideVec2& place) const {
     for (const sim::pocket::NarrowStretch& stretch : path_.narrow) {
       for (std::size_t i = 0; i < stretch.places.size(); ++i) {
@@ -176,14 +177,15 @@ class AdaptiveJudge {
     return false;
   }
 
-  /// Whether no stock has ever been at a place, or nothing but its skin.
+  /// Returns whether a point never had stock, or only a skin of it.
   [[nodiscard]] bool is_beside_stock(const WideVec2& place) const {
     if (!stock_) return false;
     return sim::pocket::gap_to(sim::pocket::widened(*stock_, -2.0 * kThin_mm), place) > 0.0;
   }
 
-  /// Degrees of the leading half whose edge is in stock. What the tool swept just now is left out
-  /// of what is cleared: along its side, the edge is always as far from that as the tool is wide.
+  /// Returns how many degrees of the leading half of the tool's edge are in stock. The last piece
+  /// of path before `share` does not count as cleared: beside it the tool's edge always lies one
+  /// radius away from the tool's path.
   [[nodiscard]] double engaged(std::size_t index,
                                double share,
                                const WideVec2& place,
@@ -205,7 +207,7 @@ class AdaptiveJudge {
     return 180.0 * count / kParts;
   }
 
-  /// Places of a grid that the tool can reach, and did not.
+  /// Finds the points of a grid that the tool could reach but did not sweep.
   void judge_rest(const cnc::contour::ContourView<double>& area) {
     sim::ContourOffset offset;
     const sim::pocket::OwnedArea locus{offset.offset(area, -radius_)};

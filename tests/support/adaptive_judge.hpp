@@ -10,19 +10,23 @@
 
 namespace proof {
 
-/// What an adaptive path does, measured by everything that the tool has swept before: it knows of
-/// lines and arcs, of no discs or crescents.
+/// Figures of an adaptive path, measured against everything that the tool has swept before. The
+/// judge uses only lines and arcs, not the discs and crescents from which the planner built the
+/// path.
 struct AdaptiveVerdict {
-  double engagement_deg = 0.0;  ///< The greatest of passes, outside of narrow stretches.
+  double engagement_deg = 0.0;  ///< Greatest engagement in a pass outside of narrow stretches.
   cnc::WideVec2 engaged_at{0.0, 0.0};
-  double link_deg = 0.0;     ///< The same of links.
-  double gouge_mm = -1e9;    ///< How far the tool reaches beyond a wall, at most.
-  double left_mm = -1e9;     ///< How far from the tool a place stays that it could reach, at most.
-  std::size_t excepted = 0;  ///< Places in narrow stretches.
-  std::size_t judged = 0;    ///< Other places of passes.
+  double link_deg = 0.0;   ///< Greatest engagement in a link.
+  double gouge_mm = -1e9;  ///< Greatest distance by which the tool reaches beyond a wall.
+  /// Greatest distance from the swept area to a point that the tool could reach.
+  double left_mm = -1e9;
+  std::size_t excepted = 0;  ///< Number of sampled points in narrow stretches.
+  std::size_t judged = 0;    ///< Number of all other sampled points of passes.
 };
 
-/// @param stock all of it, where the area is what is around it; else stock is everywhere
+/// Judges a path.
+/// @param stock the whole stock, if `area` includes its surroundings; without it, stock is
+/// everywhere
 [[nodiscard]] AdaptiveVerdict judge_adaptive(
     const cnc::contour::ContourView<double>& area,
     const sim::pocket::AdaptivePath& path,

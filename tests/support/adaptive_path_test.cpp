@@ -43,7 +43,7 @@ TEST(AdaptivePaths, ClearASquare) {
       expect_cleared(contour_of("0 0\n40 0\n40 40\n0 40\nclosed\n"), {.tool_radius_mm = 3.0});
   EXPECT_EQ(verdict.excepted, 0U);
   EXPECT_GT(verdict.judged, 1000U);
-  // A path that never cuts with what it may would be too long.
+  // A path that never comes near the permitted engagement would be too long.
   EXPECT_GT(verdict.engagement_deg, 50.0);
 }
 
@@ -71,7 +71,7 @@ TEST(AdaptivePaths, ClearAnAngle) {
 }
 
 TEST(AdaptivePaths, ListNarrowStretches) {
-  // Two rooms with a door of 1.1 diameters.
+  // Two rooms with a door of 1.1 tool diameters between them.
   const sim::Contour rooms = contour_of(
       "0 0\n30 0\n30 12\n40 12\n40 0\n70 0\n70 30\n40 30\n40 18.6\n30 18.6\n30 30\n0 30\nclosed\n");
   const AdaptiveOptions options{.tool_radius_mm = 3.0};
@@ -82,7 +82,8 @@ TEST(AdaptivePaths, ListNarrowStretches) {
   EXPECT_GT(expect_cleared(rooms, options).excepted, 0U);
 }
 
-/// Two rooms with a door narrower than a tool of 6 mm: each has a cusp at the door.
+/// Two rooms with a door of twice `half_mm` between them. For a door narrower than the tool (6 mm),
+/// the area of the tool's centre has a cusp on either side of the door.
 sim::Contour rooms_with_door(double half_mm) {
   const auto corner = [](double x, double y) { return fmt::format("{:g} {:.9f}\n", x, y); };
   return contour_of("0 -15\n30 -15\n" + corner(30.0, -half_mm) + corner(40.0, -half_mm) +
@@ -99,13 +100,13 @@ TEST(AdaptivePaths, ListTheTipsOfSharpCusps) {
   ASSERT_EQ(path.narrow.size(), 2U);
   for (const auto& tip : path.narrow) {
     EXPECT_NEAR(tip.width_mm, 6.0, 1.0e-4);
-    // Its walls are at 4 degrees where it begins.
+    // The walls of the cusp make an angle of 4 degrees where the narrow stretch begins.
     EXPECT_NEAR(tip.length_mm, 0.18, 0.05);
   }
 }
 
 TEST(AdaptivePaths, ClearRoomsWithoutADoor) {
-  // The tool does not fit through: both rooms have an entry.
+  // The tool does not fit through the door, so both rooms have an entry.
   const sim::Contour rooms = contour_of(
       "0 0\n30 0\n30 13\n40 13\n40 0\n70 0\n70 30\n40 30\n40 17\n30 17\n30 30\n0 30\nclosed\n");
   expect_cleared(rooms, {.tool_radius_mm = 3.0});
@@ -143,7 +144,7 @@ TEST(AdaptivePaths, ClearRandomPockets) {
     try {
       expect_cleared(area, options);
     } catch (const sim::pocket::NoPocketPath&) {
-      ++refused;  // The tool fits into a part of it only straight down.
+      ++refused;  // The tool fits into a part of the area only straight down.
     }
   }
   if (trials.judges_shares()) {
@@ -151,11 +152,11 @@ TEST(AdaptivePaths, ClearRandomPockets) {
   }
 }
 
-/// The length of the entries of a path that lead downwards in lines, and of those in arcs, mm.
+/// Lengths of the descending parts of a path's entries, mm: in lines and in arcs.
 struct WaysDown {
   double lines_mm = 0.0;
   double arcs_mm = 0.0;
-  double steepest = 0.0;  ///< Descent over length of the lines.
+  double steepest = 0.0;  ///< Greatest slope of the lines: descent over length.
 };
 
 WaysDown ways_down(const AdaptivePath& path) {

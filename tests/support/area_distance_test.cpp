@@ -20,7 +20,8 @@ using sim::pocket::OwnedArea;
 
 constexpr double kDistanceRounding_mm = 1.0e-9;
 
-/// Contours without crossings, of all shapes that the corpora have, at coordinates up to 1 m.
+/// Returns a contour that does not cross itself, of a random shape of the corpora, at coordinates
+/// up to 1 m.
 sim::Contour random_contour(Random& random) {
   sim::Contour contour;
   do {
@@ -32,7 +33,7 @@ sim::Contour random_contour(Random& random) {
   return contour;
 }
 
-/// A place in or around the contour, or very near to one of its elements.
+/// Returns a point in or around the contour, or very near to one of its elements.
 WideVec2 random_place(Random& random, const ExactContour& exact) {
   const ExactContour::Element& element = exact.elements()[random.below(exact.elements().size())];
   double x = 0, y = 0, right_x = 0, right_y = 0;
@@ -67,7 +68,7 @@ TEST(MovingDiscs, HaveTheExcessThatSamplesFind) {
     const OwnedArea area{contour.view()};
     const WideVec2 from = random_place(random, exact);
     const double angle = random.between(0.0, 6.3);
-    // A way that leaves the area crosses the boundary, for which there is no promise.
+    // The path stays in the area: excess_of promises nothing for a path that crosses the boundary.
     const double length = std::min(random.magnitude(0.01, 20.0), 0.999 * area->depth(from));
     if (length <= 0.0) continue;
     const WideVec2 to = from + length * WideVec2{std::cos(angle), std::sin(angle)};
@@ -84,7 +85,7 @@ TEST(MovingDiscs, HaveTheExcessThatSamplesFind) {
     }
     const double excess = excess_of(disc, *area);
     EXPECT_GE(excess, greatest - kDistanceRounding_mm);
-    // Between samples nothing changes by more than both do.
+    // Between two samples, radius and distance each change by at most `length / kSamples`.
     EXPECT_LE(excess, greatest + 2.0 * length / kSamples);
   }
 }

@@ -14,7 +14,7 @@ std::vector<double> BandSystem::solve() {
   auto& [pivot, next, second] = diagonals_;
   std::vector<double> unknown = right_;
   const std::size_t count = size();
-  // Afterwards `next` and `second` hold L, `pivot` holds D.
+  // After the loop `next` and `second` hold L, and `pivot` holds D.
   for (std::size_t i = 0; i < count; ++i) {
     if (!(pivot[i] > 0.0)) pivot[i] = std::numeric_limits<double>::infinity();
     const double one = next[i];

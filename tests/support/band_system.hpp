@@ -6,8 +6,8 @@
 
 namespace sim {
 
-/// A symmetric positive definite system of equations in which each unknown
-/// meets only its two neighbours on either side.
+/// A symmetric positive definite system of equations whose matrix has two diagonals on either side
+/// of the main one: each unknown depends only on the two before and the two after it.
 class BandSystem {
  public:
   explicit BandSystem(std::size_t size) : diagonals_{}, right_(size) {
@@ -17,13 +17,14 @@ class BandSystem {
   [[nodiscard]] std::size_t size() const { return right_.size(); }
   void clear();
 
-  /// To the matrix at (row, row + beside), beside 0…2, and to its mirror image.
+  /// Adds `value` to the matrix element at (`row`, `row` + `beside`) and to its mirror image;
+  /// `beside` is 0…2.
   void add(std::size_t row, std::size_t beside, double value) { diagonals_[beside][row] += value; }
   void add_right(std::size_t row, double value) { right_[row] += value; }
   [[nodiscard]] const std::vector<double>& right() const { return right_; }
 
-  /// By L D Lᵀ without pivoting; the matrix is used up. Where rounding has left a
-  /// pivot that is not positive, its unknown stays 0.
+  /// Returns the unknowns, by L D Lᵀ without pivoting. Overwrites the matrix. Where rounding makes
+  /// a pivot zero or negative, its unknown is 0.
   [[nodiscard]] std::vector<double> solve();
 
  private:

@@ -13,25 +13,27 @@
 
 namespace proof {
 
-/// What a laser does with a program, measured on its pulses.
+/// A run of a laser machine: measures the energy of a program's beam pulses.
 struct BeamRun {
   double steps_per_mm = 400.0;
-  double speed = 200.0;         ///< mm/s.
-  double acceleration = 500.0;  ///< mm/s².
+  double speed = 200.0;         ///< Greatest speed of the axes, mm/s.
+  double acceleration = 500.0;  ///< Acceleration of the axes, mm/s².
   std::vector<std::pair<int, double>> settings{};
   sim::EnergyMeter::Options options{};
 
   [[nodiscard]] sim::EnergyFigures measure(const std::string& program) const {
     sim::Simulator simulator{program, {}};
     set_up_laser(simulator, steps_per_mm, speed, acceleration);
-    // The shortest slot: steps of other axes go out at most 2 µs early.
+    // A step pulse of 1 µs makes the shortest slot, so that steps of other axes come at most 2 µs
+    // early.
     EXPECT_EQ(simulator.change_setting(0, 1.0F), "");
     for (const auto& [number, value] : settings) {
       EXPECT_EQ(
           simulator.change_setting(static_cast<std::uint16_t>(number), static_cast<float>(value)),
           "");
     }
-    // Light per millimetre driven: round a corner that is a little less than was programmed.
+    // Energy is counted per millimetre of the driven path, which is a little shorter than the
+    // programmed one at blended corners.
     const sim::ProgrammedPath path =
         sim::driven_path(sim::read_program(program, sim::read_options_for(simulator.settings())),
                          cnc::limits_from(simulator.settings()));

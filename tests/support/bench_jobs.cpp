@@ -13,7 +13,7 @@ std::string freeform_job(int lines) {
   double y = 100.0;
   for (int i = 0; i < lines; ++i) {
     const double s = kStep * i;
-    // The direction swings and drifts: radii of curvature from 5 mm up.
+    // The direction swings and drifts; the radius of curvature is never below 5 mm.
     const double angle = 1.5 * std::sin(s / 9.0) + 0.8 * std::sin(s / 31.0) + s / 40.0;
     x += kStep * std::cos(angle);
     y += kStep * std::sin(angle);
@@ -26,8 +26,8 @@ std::string arc_job(int arcs) {
   std::string text = "G21 G90 G1 F6000\n";
   double x = 0.0;
   double y = 0.0;
-  // A wave of quarter turns, every joint tangent: up and over (two clockwise),
-  // down and under (two counter-clockwise).
+  // A wave of quarter circles, tangent at every joint: up and over (two clockwise), then down and
+  // under (two counter-clockwise).
   for (int i = 0; i < arcs; ++i) {
     const double r = 2.0 + 0.1 * (i / 4 % 31);
     const bool clockwise = i % 4 < 2;

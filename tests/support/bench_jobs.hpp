@@ -4,12 +4,12 @@
 
 namespace cnc::test {
 
-/// The two files every benchmark speaks of; the same text on every machine.
+/// The two programs that all benchmarks use. Their text is the same on every machine.
 
-/// `lines` G1 of 0.1 mm along a smooth closed curve, F6000.
+/// Returns `lines` G1 of 0.1 mm along a smooth closed curve, at F6000.
 [[nodiscard]] std::string freeform_job(int lines);
 
-/// `arcs` tangent quarter circles of radius 2…5 mm in a meander, F6000.
+/// Returns `arcs` tangent quarter circles of radius 2…5 mm in a meander, at F6000.
 [[nodiscard]] std::string arc_job(int arcs);
 
 }  // namespace cnc::test

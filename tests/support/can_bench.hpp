@@ -16,9 +16,9 @@
 
 namespace proof {
 
-inline constexpr std::uint64_t kMillisecondNs = 1'000'000;  ///< ns.
+inline constexpr std::uint64_t kMillisecondNs = 1'000'000;  ///< Length of a millisecond, ns.
 
-/// Steps and beam, from the first edge on.
+/// Records all edges of steps and beam from the first one on.
 class EdgeRows final : public sim::TraceSink {
  public:
   void on_row(const sim::TraceRow& row) override {
@@ -30,20 +30,20 @@ class EdgeRows final : public sim::TraceSink {
   [[nodiscard]] bool lit() const { return last_.duty > 0.0F; }
 
   std::vector<sim::TraceRow> rows;
-  std::uint64_t moved_ns = 0;  ///< The last step.
-  std::uint64_t lit_ns = 0;    ///< The last time that there was light.
+  std::uint64_t moved_ns = 0;  ///< Time of the last step, ns.
+  std::uint64_t lit_ns = 0;    ///< Last time at which the beam was on, ns.
 
  private:
   sim::TraceRow last_{};
 };
 
-/// A controller on a bus, as its main file has it.
+/// A controller on a bus, connected as in its main file.
 struct BusStation {
   BusStation(hal::host::CanBus& bus, std::uint8_t node)
       : place{bus.join()}, link{place, node}, controller{link, {}} {
     controller.add_sink(edges);
     EXPECT_TRUE(machine().change_setting(cnc::setting::kCanNode, node).ok());
-    // What is tried is the bus; its senders do not poll.
+    // The link watchdog is off, because the senders of these tests do not poll.
     EXPECT_TRUE(machine().change_setting(cnc::setting::kLinkWatchdog, 0.0F).ok());
   }
 
@@ -69,7 +69,7 @@ struct BusStation {
   std::uint32_t session = 0;
 };
 
-/// Somebody who streams a program by counting characters.
+/// A sender that streams a program by counting characters.
 struct BusSender {
   BusSender(hal::host::CanBus& bus, std::uint8_t node) : place{bus.join()}, host{place, node} {}
 
@@ -124,9 +124,9 @@ struct BusSender {
   bool silent = false;
 };
 
-/// One bus, controllers on it, and a sender for each.
+/// One bus with some controllers and a sender for each of them.
 struct CanBench {
-  static constexpr int kLooks = 10;  ///< A millisecond, of senders.
+  static constexpr int kLooks = 10;  ///< Number of times per millisecond that senders and bus run.
 
   void turn() {
     for (int look = 0; look < kLooks; ++look) {
@@ -145,7 +145,8 @@ struct CanBench {
     EXPECT_TRUE(senders.back()->host.order(cnc::can::NetworkCommand::kStart));
     turns(20);
   }
-  /// Until all is said, heard and driven. @param most milliseconds
+  /// Runs until every line is acknowledged and every motion has ended. @param most limit of the
+  /// time, milliseconds
   void finish(int most = 600'000) {
     const auto done = [this] {
       for (std::size_t n = 0; n < senders.size(); ++n) {
@@ -168,7 +169,7 @@ struct CanBench {
     ASSERT_TRUE(station(n).edges.lit());
     ASSERT_EQ(station(n).machine().state(), cnc::MachineState::kRun);
   }
-  /// Motion and light have ended by then.
+  /// Expects that the last step and the last light came before or at `time_ns`.
   void expect_dark_since(std::uint64_t time_ns, std::size_t n = 0) {
     station(n).controller.end();
     EXPECT_FALSE(station(n).edges.lit());

@@ -8,11 +8,12 @@
 namespace proof {
 namespace {
 
-/// A cut with the radii that it has at the top: along a line, or along an arc with one radius.
+/// A cut, with its radii at the top surface: along a line from radius r0 to r1, or along an arc
+/// with one radius.
 struct Cut {
   double x0, y0, r0;
   double x1, y1, r1;
-  ExactContour::Element arc{};  ///< With radius 0: a line.
+  ExactContour::Element arc{};  ///< The arc; a radius of 0 means that the cut is a line.
 
   [[nodiscard]] double length() const { return std::hypot(x1 - x0, y1 - y0); }
 };
@@ -44,8 +45,8 @@ double clearance_at(const Cut& cut, double share, double x, double y) {
   return std::hypot(dx, dy) - (cut.r0 + share * (cut.r1 - cut.r0));
 }
 
-/// The least distance of a place from the edge of a cut, negative in it. The distance from a place
-/// that moves straight is convex.
+/// Returns the distance of a point from the edge of a cut, negative inside of the cut. Along a
+/// line, the distance is convex in the position of the tool, which permits a ternary search.
 double clearance(const Cut& cut, double x, double y) {
   if (cut.arc.radius > 0.0) return cut.arc.distance(x, y) - cut.r0;
   double low = 0.0;
@@ -61,7 +62,8 @@ double clearance(const Cut& cut, double x, double y) {
                    clearance_at(cut, 1.0, x, y)});
 }
 
-/// Finds the nearest of all cuts, one neighbour after the other.
+/// Finds the distance to the nearest of all cuts. It tries the previous nearest cut first, since
+/// successive points are close together.
 class NearestCut {
  public:
   explicit NearestCut(const std::vector<Cut>& cuts) : cuts_{cuts} {}
@@ -70,7 +72,7 @@ class NearestCut {
     double least = cuts_.empty() ? INFINITY : clearance(cuts_[nearest_], x, y);
     for (std::size_t i = 0; i < cuts_.size(); ++i) {
       const Cut& cut = cuts_[i];
-      // Nothing of the cut is farther from the middle of its chord.
+      // No part of the cut is farther than this from the middle of its chord.
       const double reach = cut.arc.length() + cut.length() + std::abs(cut.r1 - cut.r0);
       if (clearance_at(cut, 0.5, x, y) - reach > least) continue;
       const double here = clearance(cut, x, y);
@@ -86,7 +88,7 @@ class NearestCut {
   std::size_t nearest_ = 0;
 };
 
-/// Under the tip, at places of each cut.
+/// Judges the depth at the tip at sampled points of each cut.
 void judge_depths(const ExactContour& exact,
                   const std::vector<Cut>& cuts,
                   const sim::pocket::VCarveOptions& options,
@@ -96,7 +98,7 @@ void judge_depths(const ExactContour& exact,
   for (const Cut& cut : cuts) {
     const double length = cut.length();
     verdict.lowest_mm = std::min({verdict.lowest_mm, -cut.r0 / slope, -cut.r1 / slope});
-    if (length == 0.0) continue;  // Up or down.
+    if (length == 0.0) continue;  // The tool only moves up or down.
     const int places = std::clamp(static_cast<int>(length / 0.05), 4, 64);
     for (int i = 0; i <= places; ++i) {
       const double share = static_cast<double>(i) / places;

@@ -5,16 +5,19 @@
 
 namespace proof {
 
-/// What a V-carved path cuts, measured against the contour by distances and windings of its own.
+/// Figures of a V-carved path, measured against the contour by distances and winding numbers that
+/// are computed independently of the planner.
 struct CarveVerdict {
-  double gouge_mm = -1.0e9;     ///< How far the cut reaches beyond a wall at the top, at most.
-  double too_shallow_mm = 0.0;  ///< Depth that is missing under the tip, at most.
-  double unreached_mm = 0.0;    ///< Between a place of the boundary and the cut's edge, at most.
-  double lowest_mm = 0.0;       ///< The least z.
+  /// Greatest distance by which the cut reaches beyond a wall at the top.
+  double gouge_mm = -1.0e9;
+  double too_shallow_mm = 0.0;  ///< Greatest depth that is missing at the tip.
+  /// Greatest distance from a point of the boundary to the edge of the cut.
+  double unreached_mm = 0.0;
+  double lowest_mm = 0.0;  ///< Lowest z of the path.
 };
 
-/// Judges dense places of the path and of the boundary. Rows have to begin at the top.
-/// @param area no arc of more than half a turn
+/// Judges closely spaced points of the path and of the boundary. @pre Rows begin at the top.
+/// @param area a contour without arcs of more than half a turn
 [[nodiscard]] CarveVerdict judge_carving(const cnc::contour::ContourView<double>& area,
                                          const sim::pocket::VCarving& carving,
                                          const sim::pocket::VCarveOptions& options);

@@ -19,7 +19,8 @@ using cnc::compensation::Compensator;
 using cnc::compensation::Fault;
 using Piece = ExactPiece;
 
-constexpr double kDeepestMm = 1.0e-4;  ///< Deeper is a gouge.
+/// Depth of a cut into the outline from which on it counts as a gouge.
+constexpr double kDeepestMm = 1.0e-4;
 
 cnc::Coordinate coordinate(double mm) {
   return cnc::Coordinate{static_cast<std::int64_t>(std::llround(mm * 1.0e6))};
@@ -33,7 +34,7 @@ void move_to(cnc::Position& position, const LeadStep& step) {
   position[2] = coordinate(step.z);
 }
 
-/// Drives a program as the machine does.
+/// Runs a program through the compensation as the machine does.
 class Drive {
  public:
   explicit Drive(const LeadProgram& program) : program_{program} {
@@ -104,7 +105,8 @@ std::vector<Piece> outline_of(const LeadProgram& program) {
   return outline;
 }
 
-/// Nothing of a convex outline is left out, but beside the joint with a lead that is no tangent.
+/// Expects that the path reaches the offset of every piece of a convex outline, except near the
+/// joint with the lead, which may meet the outline at an angle.
 void expect_all_is_reached(const LeadProgram& program,
                            const std::vector<Piece>& outline,
                            const std::vector<Piece>& way) {
@@ -124,14 +126,15 @@ void expect_all_is_reached(const LeadProgram& program,
   }
 }
 
-/// How far straight edges reach beyond a programmed line that goes along them, on the side of the
-/// tool and where the tool is beside the line: four decimals turn each of them a little.
+/// Returns the distance by which straight edges extend beyond a programmed line that runs along
+/// them, on the side of the tool, mm. Only the part of the line along which the tool is driven
+/// counts. Rounding to four decimals turns edge and line a little.
 double reach_beyond(const LeadStep& from,
                     const LeadStep& to,
                     const std::vector<Piece>& outline,
                     const std::vector<Piece>& way,
                     double offset_mm) {
-  constexpr double kAlong = 1.0e-3;  // Radians.
+  constexpr double kAlong = 1.0e-3;  // Greatest angle between edge and line, radians.
   constexpr double kBesideMm = 2.0e-3;
   const double length = std::hypot(to.x - from.x, to.y - from.y);
   const double x = (to.x - from.x) / length;
@@ -157,7 +160,7 @@ double reach_beyond(const LeadStep& from,
     if (edge.bulge != 0.0 || std::abs(turn) > kAlong * std::abs(last - first)) continue;
     const double low = std::max(std::min(first, last), begin);
     const double high = std::min(std::max(first, last), end);
-    if (low > high) continue;  // Not beside the line.
+    if (low > high) continue;  // The edge does not overlap the line.
     for (const double place : {low, high}) {
       const double across = beside + turn * (place - first) / (last - first);
       if (across < kBesideMm) most = std::max(most, across);
@@ -166,7 +169,8 @@ double reach_beyond(const LeadStep& from,
   return most;
 }
 
-/// How far four decimals let an overlap or a tangent be beside the outline that it goes along.
+/// Returns the distance by which an overlap or a tangent line may leave the outline along which it
+/// runs, since coordinates are rounded to four decimals; mm.
 double rounding_of(const LeadProgram& program,
                    const std::vector<Piece>& outline,
                    const std::vector<Piece>& way) {
@@ -229,7 +233,7 @@ void judge(Random& random, LeadTally& tally) {
   if (program.roomy) expect_all_is_reached(program, outline, way);
 }
 
-// 100,000: KERFLINE_TRIALS=100000.
+// KERFLINE_TRIALS=100000 runs 100,000 trials.
 TEST(CompensatedLeads, CutNothingOfTheOutlineAndAreDrivenWhereThereIsRoom) {
   const Trials trials{2000};
   LeadTally tally;

@@ -19,12 +19,15 @@ using cnc::compensation::Compensator;
 using cnc::compensation::Fault;
 using Element = ExactContour::Element;
 
-constexpr double kGouge = 1.0e-4;  ///< mm.
+/// Depth of a cut into the outline from which on it counts as a gouge, mm.
+constexpr double kGouge = 1.0e-4;
 
-/// A closed outline that begins within a line, with an entry from beside it.
+/// A closed outline that begins within a line, with an entry that starts at a distance from the
+/// outline.
 struct Outline {
   sim::Contour contour;
-  double offset_mm = 0.0;  ///< Positive is on its right, outside.
+  /// Offset of the tool, mm; positive is to the right of the outline, which is outside.
+  double offset_mm = 0.0;
   double entry_x = 0.0;
   double entry_y = 0.0;
 };
@@ -92,7 +95,7 @@ class OutlineDriver {
   Driven driven_{};
 };
 
-/// An open path by centres and angles: its elements, without the way back to its start.
+/// Returns the elements of an open path by centres and angles, without a closing line.
 std::vector<Element> exact(const std::vector<cnc::PathElement>& way) {
   sim::Contour contour;
   for (const cnc::PathElement& element : way) {
@@ -127,7 +130,7 @@ double distance(const std::vector<Element>& elements, double x, double y) {
   return least;
 }
 
-/// Every element has places of the result at the offset that are nearest to it.
+/// Returns whether the result contains points at the offset from every element of the outline.
 bool all_are_reached(const ExactContour& outline, const std::vector<Element>& result, double r) {
   return std::ranges::all_of(outline.elements(), [&](const Element& element) {
     bool reached = false;
@@ -138,7 +141,8 @@ bool all_are_reached(const ExactContour& outline, const std::vector<Element>& re
   });
 }
 
-/// Whether there is room at the offset from the start, and for the entry to turn there.
+/// Returns whether the tool has room at the offset from the start, and room for the turn of the
+/// entry there.
 bool begins_in_the_open(const ExactContour& outline, double offset_mm) {
   std::array<double, 4> at{};
   outline.elements()[0].at(0.0, at[0], at[1], at[2], at[3]);
@@ -158,7 +162,7 @@ struct Tally {
   std::uint64_t accepted = 0;
   std::uint64_t refused = 0;
   std::uint64_t refused_although_one_loop = 0;
-  std::uint64_t refused_needlessly = 0;  ///< Every element has places at the offset.
+  std::uint64_t refused_needlessly = 0;  ///< Refused although the offset reaches every element.
   double deepest = -1.0;
   double farthest = 0.0;
 };
@@ -170,7 +174,7 @@ void judge(Random& random, Tally& tally) {
   const auto oracle_view = offsetter.offset(outline.contour.view(), outline.offset_mm);
   const bool one_loop = oracle_view.loop_ends.size() == 1;
   const ExactContour oracle{oracle_view};
-  // From beside the middle of the first element, as far away as the path is and half as far again.
+  // The entry begins beside the start of the first element, at 1.5 times the offset.
   const auto& first = outline.contour.vertices[0];
   std::array<double, 4> at{};
   exact_outline.elements()[0].at(0.0, at[0], at[1], at[2], at[3]);
@@ -182,7 +186,7 @@ void judge(Random& random, Tally& tally) {
   if (driven.fault) {
     ++tally.refused;
     EXPECT_EQ(driven.given_before_end, 0U) << "refused after motion";
-    // The entry turns into the first element, and needs room.
+    // The entry turns into the first element, which requires room for the tool.
     if (!one_loop || !begins_in_the_open(exact_outline, outline.offset_mm)) return;
     ++tally.refused_although_one_loop;
     if (all_are_reached(exact_outline, oracle.elements(), r)) ++tally.refused_needlessly;
@@ -196,7 +200,8 @@ void judge(Random& random, Tally& tally) {
   EXPECT_LE(tally.deepest, kGouge);
   EXPECT_TRUE(one_loop) << oracle_view.loop_ends.size() << " loops";
   if (!one_loop) return;
-  // The way beside the outline and the oracle are one curve; the entry's end is beyond the start.
+  // The compensated path and the oracle's offset are one curve. Only the end of the entry lies
+  // beyond the start.
   const std::vector<Element> beside{way.begin() + 1, way.end()};
   sample(beside, [&](double x, double y) {
     tally.farthest = std::max(tally.farthest, oracle.distance(x, y));
@@ -209,7 +214,7 @@ void judge(Random& random, Tally& tally) {
   EXPECT_LE(tally.farthest, kGouge);
 }
 
-// 100,000: KERFLINE_TRIALS=100000.
+// KERFLINE_TRIALS=100000 runs 100,000 trials.
 TEST(CompensatedOutlines, NeverComeNearerThanTheOffsetAndAreTheOffset) {
   const Trials trials{2000};
   Tally tally;
@@ -218,7 +223,7 @@ TEST(CompensatedOutlines, NeverComeNearerThanTheOffsetAndAreTheOffset) {
     Random random{seed};
     judge(random, tally);
   }
-  // Where several offsets touch each other to within single precision.
+  // Refusals are allowed where several offsets touch each other to within single precision.
   EXPECT_LE(tally.refused_needlessly * 2000, trials.count() + 2000);
   std::printf(
       "%llu driven, %llu refused (%llu of them one loop, %llu without need), "

@@ -19,7 +19,7 @@ using sim::ContourVertex;
 
 constexpr double kTurn = 2.0 * std::numbers::pi;
 
-/// One contour for each group of loops between comments.
+/// Reads the loops of a file; comments separate contours.
 std::vector<Contour> read_groups(const std::string& file) {
   std::ifstream stream{std::string{KERFLINE_CONTOURS} + "/" + file};
   if (!stream) throw std::runtime_error{"cannot read " + file};
@@ -64,7 +64,8 @@ Contour placed(Contour contour, double angle, double scale, double x_mm, double 
   return contour;
 }
 
-/// Between a thousandth and a fifth of the size, either way.
+/// Returns a case with an offset between a thousandth and a fifth of the contour's size, to either
+/// side.
 OffsetCase real_case(Random& random, const Contour& contour, double size_mm) {
   const double quarter = kTurn / 4.0 * static_cast<double>(random.below(4));
   const double angle = random.chance(0.5) ? quarter : random.between(0.0, kTurn);
@@ -73,7 +74,7 @@ OffsetCase real_case(Random& random, const Contour& contour, double size_mm) {
           random.signed_magnitude(0.001, 0.2) * size_mm};
 }
 
-/// A uniform cubic B-spline through random control points around the origin.
+/// Returns a uniform cubic B-spline through random control points around the origin.
 Contour random_spline_outline(Random& random) {
   const std::size_t count = 6 + random.below(10);
   std::vector<ContourVertex> control(count);
@@ -134,7 +135,7 @@ Contour drawn_star(Random& random,
     const ContourVertex& from = star.vertices[i];
     const ContourVertex& to = star.vertices[(i + 1) % elements];
     if (random.chance(0.5)) continue;
-    // The tangents stay within the angles between the chord and both radii.
+    // All tangents of the arc stay within the angles between the chord and the radii to its ends.
     const double dx = to.x - from.x;
     const double dy = to.y - from.y;
     const double start = std::atan2(from.x * dy - from.y * dx, from.x * dx + from.y * dy);
@@ -219,7 +220,7 @@ Contour drawn_outline(Random& random, std::size_t max_elements) {
 
 Contour programmed_star(Random& random, std::size_t max_elements) {
   Contour outline = drawn_outline(random, max_elements);
-  // The line that took the place of an arc may cross another element.
+  // Lines replace some arcs, and may cross other elements: such outlines are discarded.
   while (!is_simple(outline.view())) outline = drawn_outline(random, max_elements);
   return outline;
 }

@@ -7,7 +7,8 @@ namespace {
 
 using Element = ExactContour::Element;
 
-constexpr double kSamePoint_mm = 1.0e-6;  ///< As check_offset allows.
+/// Distance within which two points count as one; check_offset allows the same.
+constexpr double kSamePoint_mm = 1.0e-6;
 
 struct Point {
   double x, y;
@@ -73,12 +74,12 @@ bool line_and_arc_meet(const Element& line, const Element& arc) {
   return meet_around(line, arc, foot, dx, dy, room / square);
 }
 
-/// Seen from the smaller circle, whose centre has more digits.
+/// Computed from the smaller circle, because the coordinates of its centre are more exact.
 bool arcs_meet(const Element& small, const Element& large) {
   const double dx = large.centre_x - small.centre_x;
   const double dy = large.centre_y - small.centre_y;
   const double square = dx * dx + dy * dy;
-  // Either one circle, or one within the other.
+  // Both circles are one, or one lies within the other.
   if (square <= kSamePoint_mm * kSamePoint_mm) return false;
   const double difference = (small.radius - large.radius) * (small.radius + large.radius);
   const double share = 0.5 + 0.5 * difference / square;
@@ -88,7 +89,7 @@ bool arcs_meet(const Element& small, const Element& large) {
 }
 
 bool meet(const Element& one, const Element& other) {
-  // No place of an element is farther from its start than its length.
+  // No point of an element is farther from its start than its length.
   if (apart(one.x0, one.y0, other.x0, other.y0) > one.length() + other.length()) return false;
   if (one.radius == 0.0 && other.radius == 0.0) return lines_meet(one, other);
   if (one.radius == 0.0) return line_and_arc_meet(one, other);

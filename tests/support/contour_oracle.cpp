@@ -33,7 +33,7 @@ ClipperLib::Path flattened(const ExactContour& contour, std::size_t& next, doubl
   return path;
 }
 
-/// Whether another element is too near to step aside.
+/// Returns whether another element is so near that a step aside from this element might cross it.
 bool crowded(const ExactContour& contour, std::size_t index, double x, double y) {
   for (std::size_t i = 0; i < contour.elements().size(); ++i) {
     if (i != index && contour.elements()[i].distance(x, y) < 4.0 * kStepAside_mm) return true;
@@ -41,8 +41,8 @@ bool crowded(const ExactContour& contour, std::size_t index, double x, double y)
   return false;
 }
 
-/// What is wrong at a place of a contour. Every element should have material on
-/// its left and none on its right, of all loops and of its own.
+/// Reports the fault at a point of a contour, or nothing. Every element must have material on its
+/// left and none on its right, by the winding number of all loops and by that of its own loop.
 std::string crossing_at(const ExactContour& contour, std::size_t index, double share) {
   double x = 0, y = 0, right_x = 0, right_y = 0;
   contour.elements()[index].at(share, x, y, right_x, right_y);
@@ -113,7 +113,7 @@ class OffsetCheck {
     if (const std::string why = crossing_in(result_); !why.empty()) complain(why);
   }
 
-  /// Random places, half of them near where the offset should be.
+  /// Checks random points, half of them near the true offset.
   void check_places() {
     constexpr int kPlaces = 48;
     for (int i = 0; i < kPlaces; ++i) {
@@ -143,7 +143,7 @@ class OffsetCheck {
   }
 
   void check_area() {
-    // What is thinner than a chord's error is nothing to Clipper.
+    // Clipper drops areas that are thinner than the error of its chords.
     if (input_.area() < 4.0 * kChordTolerance_mm * input_.length()) return;
     const double clipper = clipper_area(input_, distance_, kChordTolerance_mm);
     const double own = result_.area();

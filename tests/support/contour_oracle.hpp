@@ -6,8 +6,8 @@
 
 namespace proof {
 
-/// Closed contours by centres, radii and angles: nothing in common with the
-/// planner's tangents and curvatures.
+/// Closed contours by centres, radii and angles. The class shares nothing with the planner, which
+/// uses tangents and curvatures.
 class ExactContour {
  public:
   struct Element {
@@ -16,7 +16,7 @@ class ExactContour {
     double start_angle, sweep;
 
     [[nodiscard]] double distance(double x, double y) const;
-    /// Place at a share of the length, and the unit normal to the right there.
+    /// Computes the point at a share of the length, and the unit normal to the right at that point.
     void at(double share, double& x, double& y, double& right_x, double& right_y) const;
     [[nodiscard]] double length() const;
     [[nodiscard]] double distance_to_flat_arc(double x, double y) const;
@@ -26,7 +26,8 @@ class ExactContour {
 
   [[nodiscard]] const std::vector<Element>& elements() const { return elements_; }
   [[nodiscard]] double distance(double x, double y) const;
-  /// How often the loops run around a place counter-clockwise; all of them, or one.
+  /// Returns the winding number of all loops, or of one loop, around a point: turns
+  /// counter-clockwise.
   [[nodiscard]] int winding(double x, double y) const;
   [[nodiscard]] int winding_of_loop(std::size_t loop, double x, double y) const;
   [[nodiscard]] std::size_t loop_of(std::size_t element) const { return loops_[element]; }
@@ -39,10 +40,11 @@ class ExactContour {
   std::vector<std::size_t> loop_ends_;
 };
 
-/// What a check of one offset found.
+/// Result of the check of one offset.
 struct OffsetVerdict {
-  std::string complaint;         ///< Empty when all is right.
-  double worst_deviation = 0.0;  ///< Of a place of the result from the distance, mm.
+  std::string complaint;  ///< The first fault; empty if there is none.
+  /// Greatest difference between the wanted distance and that of a point of the result, mm.
+  double worst_deviation = 0.0;
 };
 
 /// Returns whether two elements have a point in common that is not an end of both. Computed for
@@ -55,13 +57,13 @@ struct OffsetVerdict {
 /// and none on their right. @pre no arc is of more than half a turn
 [[nodiscard]] bool is_simple(const cnc::contour::ContourView<double>& contour);
 
-/// Checks an offset against distances and winding numbers of its own, and its
-/// area against Clipper's of the flattened input.
+/// Checks an offset: distances and winding numbers are computed independently, and the area is
+/// compared with that of Clipper's offset of the flattened input.
 [[nodiscard]] OffsetVerdict check_offset(const OffsetCase& wanted,
                                          const cnc::contour::ContourView<double>& result,
                                          std::uint64_t seed);
 
-/// The area that Clipper's offset of the same contour encloses, as chords within
+/// Returns the area of Clipper's offset of the same contour, whose arcs are chords within
 /// `tolerance_mm`.
 [[nodiscard]] double clipper_area(const ExactContour& contour,
                                   double distance_mm,

@@ -40,7 +40,7 @@ class Driver {
     return next_ + plan_.slices.size() + plan_.blocks.size();
   }
 
-  /// Nothing more comes before the machine stands.
+  /// Returns whether nothing more arrives until the machine is at rest.
   [[nodiscard]] bool waits_for_rest() const {
     return next_ == program_.items.size() || program_.items[next_].stop_before;
   }
@@ -103,7 +103,8 @@ class Driver {
   Segmenter segmenter_{queue_, machine_.limits};
   cnc::path::PathStage stage_{machine_.limits};
   std::size_t next_ = 0;
-  int idle_turns_ = 0;  ///< In which only what is held back was looked at.
+  /// Number of successive cycles in which only held-back elements were evaluated.
+  int idle_turns_ = 0;
 };
 
 }  // namespace

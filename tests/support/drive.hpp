@@ -7,11 +7,11 @@
 
 namespace proof {
 
-/// Called before each segment is cut, with the number cut so far.
+/// Called before each segment is cut; the number is that of the segments cut so far.
 using Operator = std::function<void(cnc::motion::Segmenter&, std::size_t)>;
 
-/// Drives a program through path, look-ahead and segmenter as the machine would, but
-/// without the machine: blocks and segments in the bursts that the program says.
+/// Drives a program through path, look-ahead and segmenter as the machine does, but without the
+/// machine. Blocks arrive and segments are cut in bursts whose sizes the program contains.
 [[nodiscard]] RecordedPlan drive(const Program& program,
                                  const TestMachine& machine,
                                  const Operator& operate = {});

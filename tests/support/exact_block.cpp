@@ -26,7 +26,7 @@ double dot(const Vector& a, const Vector& b) {
   return sum;
 }
 
-/// a + share · b.
+/// Returns a + `share` · b.
 Vector sum_of(const Vector& a, double share, const Vector& b) {
   Vector sum = a;
   for (std::size_t axis = 0; axis < a.size(); ++axis) sum[axis] += share * b[axis];
@@ -56,7 +56,8 @@ ExactBlock::ExactBlock(const cnc::PathElement& element)
     first_[axis] = static_cast<double>(plane_.frame().first[axis]);
     second_[axis] = static_cast<double>(plane_.frame().second[axis]);
   }
-  // In single precision they are only nearly at right angles to each other, and hold the chord.
+  // The plane's vectors come in single precision, and are only nearly perpendicular. In double
+  // precision they are made perpendicular again; an oblique plane then contains the chord exactly.
   first_ = unit_beside(plane_.oblique() ? travel_ : first_, {});
   second_ = unit_beside(second_, first_);
   const double x = dot(travel_, first_);
@@ -85,7 +86,8 @@ double ExactBlock::radius() const {
 
 Vector ExactBlock::place_at(double fraction) const {
   if (!turns()) return sum_of(start_, fraction, travel_);
-  // The chord of the first part of the arc: half its sweep behind its end tangent.
+  // Polar form of the chord of the first part of the arc: it lies half the part's sweep behind the
+  // tangent at the part's end.
   const double part = chord_ * std::sin(half_sweep_ * fraction) / std::sin(half_sweep_);
   const double angle = chord_angle_ + half_sweep_ * (fraction - 1.0);
   const Vector round = seen_as(part * std::cos(angle), part * std::sin(angle));
@@ -106,7 +108,8 @@ Vector ExactBlock::bend_at(double fraction) const {
   return seen_as(-size * std::sin(angle), size * std::cos(angle));
 }
 
-/// Returns the share of an arc's length along X Y Z: with rotary axes in its plane, its chord's.
+/// Returns the length that F counts. Of an arc, it is the share of the length along X Y Z; with
+/// rotary axes in its plane, that of its chord.
 double ExactBlock::feed_length() const {
   const auto linear = [](const Vector& vector) {
     return std::sqrt(vector[0] * vector[0] + vector[1] * vector[1] + vector[2] * vector[2]);

@@ -20,7 +20,7 @@ ExactContour::Element element_of(const sim::ContourVertex& from, const sim::Cont
   if (chord == 0.0) return element;
   element.sweep = 4.0 * std::atan(from.bulge);
   element.radius = chord / (2.0 * std::abs(std::sin(element.sweep / 2.0)));
-  // From the middle of the chord to the left, as far as the half sweep says.
+  // Signed distance of the centre from the middle of the chord, to the left.
   const double reach = chord / (2.0 * std::tan(element.sweep / 2.0));
   element.centre_x = 0.5 * (from.x + to.x) - reach * (to.y - from.y) / chord;
   element.centre_y = 0.5 * (from.y + to.y) + reach * (to.x - from.x) / chord;
@@ -30,7 +30,7 @@ ExactContour::Element element_of(const sim::ContourVertex& from, const sim::Cont
 
 }  // namespace
 
-// Where the centre is far away, its digits are those that matter.
+// Long double: if the centre is far away, the last digits of its coordinates decide the result.
 double ExactContour::Element::distance_to_flat_arc(double x, double y) const {
   const long double dx = static_cast<long double>(x1) - x0;
   const long double dy = static_cast<long double>(y1) - y0;
@@ -73,7 +73,8 @@ void ExactContour::Element::at(
     return;
   }
   if (radius > kFarCentre_mm) {
-    // By the chord from the start, which leads the whole one by the rest's half sweep.
+    // Computed from the chord of the first part. That chord is turned against the whole chord by
+    // half the sweep of the remaining part.
     const double u = share * sweep / 2.0;
     const double v = (1.0 - share) * sweep / 2.0;
     const double chord = std::hypot(x1 - x0, y1 - y0);
@@ -115,7 +116,7 @@ ExactContour::ExactContour(const cnc::contour::ContourView<double>& contour) {
 double ExactContour::distance(double x, double y) const {
   double least = INFINITY;
   for (const Element& element : elements_) {
-    // No element is nearer than its ends less its length.
+    // No point of an element is nearer than the distance of its start less its length.
     const double bound = std::hypot(x - element.x0, y - element.y0) - element.length();
     if (bound < least) least = std::min(least, element.distance(x, y));
   }
@@ -130,7 +131,8 @@ int ExactContour::winding_of_loop(std::size_t loop, double x, double y) const {
     if (e.y0 <= y && e.y1 > y && side > 0.0) ++turns;
     if (e.y0 > y && e.y1 <= y && side < 0.0) --turns;
     if (e.radius == 0.0) continue;
-    // Between the chord and its arc it is once more, or once less; for up to half a turn.
+    // Between the chord and its arc the winding number is greater or less by one. This holds for
+    // arcs of up to half a turn.
     const double across = std::hypot(x - e.centre_x, y - e.centre_y);
     const bool beyond_chord = e.sweep > 0.0 ? side <= 0.0 : side >= 0.0;
     if (across < e.radius && beyond_chord) turns += e.sweep > 0.0 ? 1 : -1;

@@ -35,7 +35,7 @@ double ExactPiece::distance(double x, double y) const {
   const double aside = (1.0 - bulge * bulge) / (4.0 * bulge);
   const double cx = x0 + 0.5 * dx - aside * dy;
   const double cy = y0 + 0.5 * dy + aside * dx;
-  // By the angle from the start in the direction of travel.
+  // The angle from the start in the direction of travel shows whether the point is beside the arc.
   const double turn = bulge > 0.0 ? 1.0 : -1.0;
   const double cross = (x0 - cx) * (y - cy) - (y0 - cy) * (x - cx);
   const double dot = (x0 - cx) * (x - cx) + (y0 - cy) * (y - cy);
@@ -53,7 +53,7 @@ double nearest(const std::vector<ExactPiece>& pieces, double x, double y) {
 
 namespace {
 
-/// How near a part of a way comes to a piece: by the golden section.
+/// Returns the least distance between a part of a path and a piece, by the golden section.
 double nearest_between(const ExactPiece& way, const ExactPiece& piece, double low, double high) {
   constexpr double kGolden = 0.618033988749895;
   const auto off = [&](double share) {
@@ -80,15 +80,15 @@ double nearest_between(const ExactPiece& way, const ExactPiece& piece, double lo
   return std::min(off_lower, off_upper);
 }
 
-/// How near a part of a way comes to a piece where that is nearer than `radius`: halves it until it
-/// is far enough, or short enough for a search.
+/// Returns the least distance between a part of a path and a piece, or `radius` if they come no
+/// nearer. Halves the part until it is far enough away, or short enough for a search.
 double clearance_between(
     const ExactPiece& way, const ExactPiece& piece, double radius, double low, double high) {
   const double half = 0.5 * (high - low) * way.length();
   const double middle = 0.5 * (low + high);
   const auto [x, y] = way.at(middle);
   const double here = piece.distance(x, y);
-  // Nothing on this part can be nearer than this.
+  // No point of this part is nearer than `here - half`.
   if (here - half >= radius) return radius;
   if (half > 0.125 * radius + 0.125) {
     return std::min(clearance_between(way, piece, radius, low, middle),

@@ -28,12 +28,12 @@ struct PhasedMotion {
     acceleration += jerk * seconds;
     time += seconds;
   }
-  /// s more than at a constant speed.
+  /// Returns the time in excess of that of a motion at the constant speed `than`, s.
   [[nodiscard]] double lost(double than) const { return time - way / than; }
 };
 
-/// s lost where a slow line meets a faster one, for a motion that reaches the joint at the slow
-/// feed and with this acceleration: it slows down first, so as to have it.
+/// Returns the time, s, that is lost where a slow line meets a faster one. The motion reaches the
+/// joint at the slow feed and with `acceleration`, which requires that it slows down before.
 double lost_at_joint(double acceleration) {
   const double dip = acceleration / std::sqrt(2.0);
   PhasedMotion before{.speed = kSlow};
@@ -49,14 +49,15 @@ double lost_at_joint(double acceleration) {
   return before.lost(kSlow) + after.lost(kFast);
 }
 
-/// From or to rest: half the ramp's time is lost.
+/// Returns the time that is lost by a start or an end at rest, s: half the time of the ramp.
 double lost_at_rest(double speed) {
   const StraightMove move = straight_move(1.0e3, speed, kAcceleration, kJerk);
   return (2.0 * move.jerk_time + move.level_time) / 2.0;
 }
 
-// The optimum is no chain of S-curves between cruising speeds: it slows down before a
-// faster line. Found by hand over the one free number of such a motion.
+// The optimum is not a chain of S-curves between cruising speeds: it slows down before a faster
+// line. The test finds it by a search over the only free parameter of such a motion, the
+// acceleration at the joint.
 TEST(JerkLimitedTime, SlowsDownBeforeAFasterFeedToBeQuickerAfterwards) {
   const double lengths[] = {8.0, 45.0};
   double least = lost_at_joint(0.0);

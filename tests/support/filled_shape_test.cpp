@@ -23,7 +23,7 @@ using sim::drawing::FillingLoop;
 
 constexpr double kSideMm = 8.0;
 
-/// Loops that cross, touch, run along each other, lie in each other or are drawn twice.
+/// Draws loops that cross, touch or overlap each other, contain each other, or occur twice.
 class RandomLoops {
  public:
   explicit RandomLoops(Random& random) : random_{random} {}
@@ -41,7 +41,8 @@ class RandomLoops {
   }
 
  private:
-  /// Whole, half or any millimetres, so that corners and edges often meet.
+  /// Returns a coordinate in whole, half or any millimetres, so that corners and edges often
+  /// coincide.
   double coordinate() {
     const double any = random_.between(0.0, kSideMm);
     if (random_.chance(0.6)) return std::round(any);
@@ -93,7 +94,7 @@ class RandomLoops {
     contour_.end_loop();
   }
 
-  /// As box generators draw them: past the corner, round, and back to it.
+  /// Adds a box like those of box generators, whose outline passes a corner and loops back to it.
   void add_box_with_corner_loops() {
     const double x = coordinate();
     const double y = coordinate();
@@ -120,7 +121,7 @@ class RandomLoops {
     contour_.end_loop();
   }
 
-  /// Of an earlier loop, moved by nothing, by a rounding or by a little.
+  /// Adds a copy of an earlier loop, shifted by nothing, by a rounding error or by a little more.
   void add_copy() {
     const std::size_t loop = random_.below(contour_.loop_ends.size());
     const double away = random_.chance(0.4) ? 0.0 : random_.signed_magnitude(1.0e-10, 1.0e-1);
@@ -136,7 +137,8 @@ class RandomLoops {
   Contour contour_{};
 };
 
-/// What is inside of a place, by winding numbers that share nothing with the arrangement.
+/// Returns whether a point is inside of the filled shape, by winding numbers that share nothing
+/// with the arrangement.
 bool is_inside(const ExactContour& loops,
                const std::vector<std::optional<FillingLoop>>& filling,
                double x,
@@ -164,7 +166,8 @@ std::optional<FilledTrial> filled(Random& random) {
   FilledTrial shape{.loops = RandomLoops{random}.make()};
   const bool all_nonzero = random.chance(0.3);
   for (std::size_t i = 0; i < shape.loops.loop_ends.size(); ++i) {
-    // Those by the rule `nonzero` are one shape; each of the others is one of its own.
+    // All loops with the rule `nonzero` form one shape. Each of the other loops is a shape by
+    // itself.
     const bool is_nonzero = all_nonzero || random.chance(0.1);
     shape.filling.emplace_back(
         FillingLoop{is_nonzero, is_nonzero ? 0U : static_cast<std::uint32_t>(i + 1)});
@@ -182,7 +185,7 @@ std::optional<FilledTrial> filled(Random& random) {
   return std::nullopt;
 }
 
-/// Compares places all over the loops and beside their elements.
+/// Compares inside and outside at points all over the loops and close to their elements.
 std::string complaint_about(const FilledTrial& shape, Random& random) {
   constexpr int kPlaces = 300;
   constexpr double kTooNear = 2.0e-4;
@@ -210,7 +213,7 @@ std::string complaint_about(const FilledTrial& shape, Random& random) {
   return {};
 }
 
-// 100,000 sets: KERFLINE_TRIALS=100000.
+// KERFLINE_TRIALS=100000 runs 100,000 sets.
 TEST(FilledShape, IsWhatWindingNumbersSayAnywhere) {
   const Trials trials{3'000};
   for (const std::uint64_t seed : trials) {

@@ -36,7 +36,8 @@ FilteredPlan::Moment FilteredPlan::moment(double time, std::size_t piece) const 
 }
 
 double FilteredPlan::mean_place(double time, std::size_t first, std::size_t last) const {
-  // Counted from the oldest place, so that no digits are lost far from the start.
+  // Positions are counted from the oldest one in the window, because digits would be lost far from
+  // the start.
   const double from = time - window_;
   const double base = moment(from, first).place;
   double integral = 0.0;

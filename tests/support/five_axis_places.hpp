@@ -13,14 +13,15 @@
 #include "planner/base/coordinate.hpp"
 #include "planner/base/step_position.hpp"
 
-/// Places of five-axis machines, for the tests of G43.4.
+/// Positions of five-axis machines, for the tests of G43.4.
 namespace proof::five_axes {
 
 using cnc::Coordinate;
 using cnc::Position;
 using sim::Point;
 
-inline constexpr int kKinds = 6;  ///< Values of $900 with five axes, from 1 on.
+/// Number of values of $900 that select a five-axis machine; they begin at 1.
+inline constexpr int kKinds = 6;
 
 [[nodiscard]] inline Point point_of(const Position& place) {
   Point point{};
@@ -52,7 +53,7 @@ inline constexpr int kKinds = 6;  ///< Values of $900 with five axes, from 1 on.
   return settings;
 }
 
-/// Distance of a place from a straight way, over X Y Z, mm.
+/// Returns the distance of a position from a straight line in X Y Z, mm.
 [[nodiscard]] inline double off_line(const Point& place, const Point& from, const Point& to) {
   const Eigen::Vector3d a{from[0], from[1], from[2]};
   const Eigen::Vector3d b{to[0], to[1], to[2]};

@@ -12,7 +12,7 @@ namespace {
 using sim::Contour;
 using sim::ContourVertex;
 
-constexpr double kQuarterBulge = 0.41421356237309503;  ///< tan(90° / 4).
+constexpr double kQuarterBulge = 0.41421356237309503;  ///< Bulge of a quarter circle: tan(90° / 4).
 
 void append(Contour& to, const Contour& loops) {
   const auto before = static_cast<std::uint32_t>(to.vertices.size());
@@ -28,7 +28,7 @@ Contour moved(Contour contour, double x_mm, double y_mm) {
   return contour;
 }
 
-/// Runs the other way: material outside.
+/// Returns the contour with its direction reversed, so that the material is outside.
 Contour as_hole(const Contour& contour) {
   Contour hole = contour;
   const std::size_t count = contour.vertices.size();
@@ -45,7 +45,7 @@ Contour circle(double radius_mm) {
   return contour;
 }
 
-/// Steps above and below, counter-clockwise, on a grid of millimetres.
+/// Returns a counter-clockwise outline with steps above and below, on a grid of millimetres.
 std::vector<ContourVertex> skyline(Random& random) {
   const std::size_t columns = 2 + random.below(5);
   std::vector<ContourVertex> below;
@@ -74,7 +74,7 @@ std::vector<ContourVertex> skyline(Random& random) {
   return below;
 }
 
-/// A quarter circle in place of every corner that has room for it.
+/// Returns the polygon with a quarter circle instead of each corner that has space for it.
 Contour filleted(const std::vector<ContourVertex>& corners, double radius, Random& random) {
   Contour contour;
   const std::size_t count = corners.size();
@@ -102,7 +102,7 @@ Contour filleted(const std::vector<ContourVertex>& corners, double radius, Rando
   return contour;
 }
 
-/// Doubles some vertices, and puts others within a billionth of a millimetre.
+/// Doubles some vertices, some of them a hundred-billionth of a millimetre apart.
 void stutter(Contour& contour, Random& random) {
   std::vector<ContourVertex> vertices;
   for (const ContourVertex& vertex : contour.vertices) {
@@ -116,7 +116,7 @@ void stutter(Contour& contour, Random& random) {
   contour.loop_ends.back() = static_cast<std::uint32_t>(vertices.size());
 }
 
-/// Out and back on the same line, at the end of some lines.
+/// Adds a spike without width to some lines: out from the middle of the line and back.
 void add_spikes(Contour& contour, Random& random) {
   std::vector<ContourVertex> vertices;
   for (std::size_t i = 0; i < contour.vertices.size(); ++i) {
@@ -138,7 +138,7 @@ void add_spikes(Contour& contour, Random& random) {
   contour.loop_ends.back() = static_cast<std::uint32_t>(vertices.size());
 }
 
-/// A comb with teeth and slots of given widths, as deep as told.
+/// Returns a comb with teeth and slots of the given widths; `depth` is that of the slots, mm.
 Contour comb(Random& random, double tooth, double slot, double depth) {
   Contour contour;
   const std::size_t teeth = 2 + random.below(4);
@@ -157,7 +157,7 @@ Contour comb(Random& random, double tooth, double slot, double depth) {
   return contour;
 }
 
-/// A wheel of arcs that join almost along their tangents.
+/// Returns a wheel of arcs whose joints are almost tangent.
 Contour near_tangent_wheel(Random& random) {
   Contour contour;
   const std::size_t count = 3 + random.below(9);
@@ -175,7 +175,7 @@ Contour near_tangent_wheel(Random& random) {
   return contour;
 }
 
-/// A thin wedge on a plate.
+/// Returns a plate with a thin wedge.
 Contour needle(Random& random) {
   const double width = random.magnitude(1.0e-7, 1.0);
   const double reach = random.between(1.0, 20.0);
@@ -261,7 +261,8 @@ Contour drawn_plate(Random& random) {
 
 OffsetCase random_islands(Random& random) {
   Contour plate = drawn_plate(random);
-  // The tip of an island may leave its hole by some hundredths of a millimetre.
+  // The tip of an island may leave its hole by some hundredths of a millimetre; such plates are
+  // discarded.
   while (!is_simple(plate.view())) plate = drawn_plate(random);
   return {plate, random.signed_magnitude(0.05, 6.0)};
 }

@@ -4,17 +4,17 @@
 
 namespace proof {
 
-/// Right angles on a grid of whole millimetres with fillets of 0, ½ or 1 mm,
-/// offset by whole, half and quarter millimetres: fillets and slots that are
-/// just used up, edges that vanish, corners that meet.
+/// Returns a shape of right angles on a grid of whole millimetres with fillets of 0, ½ or 1 mm. Its
+/// offset is of whole, half or quarter millimetres, so that fillets and slots are just used up,
+/// edges vanish and corners coincide.
 [[nodiscard]] OffsetCase random_mech(Random& random);
 
-/// A plate with holes, some of which hold an island with a hole of its own.
+/// Returns a plate with holes, some of which contain an island that has a hole, too.
 [[nodiscard]] OffsetCase random_islands(Random& random);
 
-/// Double points, zero-length edges, spikes with and without width, arcs that
-/// join within a millionth of their tangents, deep slots, circles inside each
-/// other, and distances that just use up what is there.
+/// Returns a contour that is difficult to offset: double points, edges without length, spikes with
+/// and without width, arcs that join within a millionth of their tangents, deep slots or nested
+/// circles. Some distances just use up the shape.
 [[nodiscard]] OffsetCase random_hostile(Random& random);
 
 }  // namespace proof

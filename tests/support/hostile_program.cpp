@@ -30,7 +30,7 @@ void any_scales(Random& random, Settings& settings) {
   settings.emplace_back(12, random.magnitude(1.0e-3, 1.0));
 }
 
-/// Gives some settings of the table any value. Homing is left alone: it would lock the machine.
+/// Appends settings of the table with random values. Excludes homing, which would lock the machine.
 void any_settings(Random& random, Settings& settings) {
   const auto table = cnc::setting_table();
   for (std::size_t count = random.below(6); count > 0; --count) {
@@ -45,7 +45,7 @@ void any_settings(Random& random, Settings& settings) {
   }
 }
 
-/// Writes the lines, and knows where they lead.
+/// Writes random lines of G-code and tracks the position to which they lead.
 class HostileAuthor {
  public:
   explicit HostileAuthor(Random& random)
@@ -81,7 +81,7 @@ class HostileAuthor {
     return std::round(mm * grid) / grid;
   }
 
-  /// The word that leads an axis on by a way.
+  /// Returns the word that moves an axis on by `mm`.
   std::string move(std::size_t axis, double mm) {
     place_[axis] += mm;
     return fmt::format(" {}{:.6f}", kAxes[axis], incremental_ ? mm : place_[axis]);

@@ -8,12 +8,13 @@
 
 namespace proof {
 
-/// Lines of G-code that make sense together at any size, from a nanometre to half a kilometre, and
-/// settings of any value that the firmware takes: large circles with near ends, tiny elements after
-/// long ones, cutter compensation, splines.
+/// A random job of coherent G-code, from a nanometre to half a kilometre in size, with settings of
+/// any value that the firmware accepts. It contains large circles with near ends, tiny elements
+/// after long ones, cutter compensation and splines.
 struct HostileJob {
-  std::vector<std::pair<int, double>> settings;  ///< Number and value; some may be refused.
-  std::vector<std::string> lines;                ///< Some may be refused.
+  /// Numbers and values of settings; the controller may refuse some.
+  std::vector<std::pair<int, double>> settings;
+  std::vector<std::string> lines;  ///< Lines of G-code; the controller may refuse some.
 
   explicit HostileJob(Random& random);
 };

@@ -8,18 +8,18 @@
 namespace sim {
 namespace {
 
-/// Duality gap at the end, as a part of the time.
+/// Duality gap at which the search ends, as a share of the time.
 constexpr double kGap = 2.0e-4;
 constexpr double kWeightGrowth = 10.0;
 constexpr int kMaxSteps = 200;
 
 struct Descent {
   std::vector<double> unknown;
-  double gap = 0.0;  ///< s.
+  double gap = 0.0;  ///< Duality gap, s.
   int steps = 0;
 };
 
-/// Newton's method on the barrier at one weight, until the decrement is small.
+/// Minimizes the barrier function at one weight by Newton's method, until the decrement is small.
 void centre(const SpeedProblem& problem, double weight, double tolerance, Descent& descent) {
   BandSystem system{problem.unknowns()};
   double value = problem.value(descent.unknown, weight);

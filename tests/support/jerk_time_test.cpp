@@ -18,7 +18,8 @@ namespace {
 constexpr MeshSize kFine{
     .cells_per_rise = 32.0, .widest = 0.02, .min_cells = 800, .max_cells = 2500};
 
-/// Coarse only where the jerk hardly matters: many rises to full acceleration.
+/// Mesh that is coarse only where the jerk hardly matters: where many rises to full acceleration
+/// would need many cells.
 constexpr MeshSize kQuick{.max_cells = 400};
 
 MotionLimits equal_limits(double rate, double acceleration, double jerk) {
@@ -29,13 +30,13 @@ MotionLimits equal_limits(double rate, double acceleration, double jerk) {
   return limits;
 }
 
-/// A chain and a machine for it, some with a weak Y axis.
+/// A chain and the limits of a machine for it; some machines have a weak Y axis.
 struct ChainJob {
   ProgrammedPath path;
   MotionLimits limits;
 };
 
-/// @param max_rise the longest A/J, s.
+/// Returns the job of a seed. @param max_rise longest time to full acceleration, A/J, s
 ChainJob chain_job(std::uint64_t seed, double max_rise) {
   proof::Random random{seed};
   const double rate = random.magnitude(20.0, 500.0);
@@ -54,8 +55,8 @@ ChainJob chain_job(std::uint64_t seed, double max_rise) {
   return job;
 }
 
-/// The mesh of the reference is chosen for these chains. On others it may be less exact, which says
-/// nothing about the planner.
+/// The mesh of the reference is chosen for these chains. On other chains it may be less exact,
+/// which would show no fault of the planner.
 constexpr auto kFew = proof::Trials::Range::kFixed;
 
 TEST(JerkLimitedTime, OfStraightMovesIsTheClosedForm) {
@@ -107,7 +108,8 @@ TEST(JerkLimitedTime, OnAFinerGridIsTheSame) {
   std::printf("three to five times as fine a grid: %.5f apart at most\n", worst);
 }
 
-/// Near stops, where the speed changes much in a cell, by a da = j dv.
+/// Returns the mean jerk between two samples. Near stops, where the speed changes much within a
+/// cell, it follows from a da = j dv.
 double jerk_between(const JerkSample& from, const JerkSample& to) {
   const double change = to.acceleration - from.acceleration;
   const double v = 0.5 * (from.speed + to.speed);
@@ -116,7 +118,8 @@ double jerk_between(const JerkSample& from, const JerkSample& to) {
   return change * v / (to.place - from.place);
 }
 
-/// The greatest use of a jerk limit by the motion found, with its jerk by differences.
+/// Returns the greatest ratio of an axis's jerk to its limit in the motion found; the jerk comes
+/// from differences.
 double jerk_used(const ChainJob& job, const MeshSize& size) {
   const std::vector<JerkSample> samples = jerk_limited_profile(job.path, job.limits, size);
   double worst = 0.0;
@@ -160,8 +163,8 @@ TEST(JerkLimitedTime, CountsEachStop) {
   EXPECT_NEAR(time.found, 3.0 * 1.11, 3.0 * 1.11 * 0.003);
 }
 
-// One side of the jerk is not convex, so there may be more than one local optimum: the
-// search is begun with two very different motions.
+// One side of the jerk rule is not convex, so there may be several local optima. Therefore the
+// search starts from two very different motions.
 TEST(JerkLimitedTime, FromAnotherStartIsTheSame) {
   MeshSize other = kQuick;
   other.start = 0.02;
@@ -185,7 +188,8 @@ TEST(JerkLimitedTime, IsEnclosed) {
     SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
     const ChainJob job = chain_job(seed, 0.03);
     JerkLimitedTime time = jerk_limited_time(job.path, job.limits, kQuick);
-    // Both have the error of their grid; a finer one decides where they are nearer than that.
+    // Both results contain the error of their grid. If they differ by less than that error, a finer
+    // grid decides.
     if (time.bound > time.found) time = jerk_limited_time(job.path, job.limits, kFine);
     ASSERT_LE(time.bound, time.found);
     ASSERT_GE(time.found, 0.998 * optimal_time(job.path, job.limits));

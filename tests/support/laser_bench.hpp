@@ -7,7 +7,7 @@
 
 namespace proof {
 
-/// A homed laser with soft limits, and a watch on where its motors go.
+/// A homed laser with soft limits, which counts motor positions outside of the travel.
 class LaserBench : public MachineBench, private sim::TraceSink {
  public:
   static constexpr std::array<double, 3> kTravel{60.0, 40.0, 20.0};
@@ -22,7 +22,7 @@ class LaserBench : public MachineBench, private sim::TraceSink {
     controller.add_sink(*this);
   }
 
-  /// Rows with a motor outside the travel since the start.
+  /// Number of trace rows since the start with a motor outside of the travel.
   std::size_t rows_outside = 0;
 
  private:

@@ -9,9 +9,10 @@
 
 namespace proof {
 
-inline constexpr int kMaxTurns = 600'000;  ///< Ten minutes of the machine: it hangs.
+/// Ten minutes of machine time, in cycles; a job that takes longer hangs.
+inline constexpr int kMaxTurns = 600'000;
 
-/// A laser with the same limits on X, Y and Z, in mm/s and mm/s².
+/// Sets up a laser with the same limits on X, Y and Z, in mm/s and mm/s².
 inline void set_up_laser(sim::Simulator& simulator,
                          double steps_per_mm,
                          double speed,

@@ -12,13 +12,13 @@ namespace {
 constexpr double kPi = std::numbers::pi;
 const double kBulgeOfAQuarter = std::tan(kPi / 8.0);
 
-/// A direction of travel at a point, and the waste on its left or right.
+/// A point on the path with the direction of travel and the side of the waste.
 struct Frame {
   double x, y;    ///< The point.
-  double tx, ty;  ///< Unit tangent.
-  double side;    ///< 1 if the waste is on the left.
+  double tx, ty;  ///< Unit tangent in the direction of travel.
+  double side;    ///< 1 if the waste is on the left, −1 if it is on the right.
 
-  /// `a` mm along, `b` mm into the waste.
+  /// Returns the point that lies `a` mm along the tangent and `b` mm into the waste.
   [[nodiscard]] LeadStep at(double a, double b, double bulge = 0.0) const {
     return {x + a * tx - side * b * ty, y + a * ty + side * b * tx, side * bulge};
   }
@@ -27,8 +27,8 @@ struct Frame {
 /// A convex outline that begins where its inscribed circle touches it, or a star.
 struct Shape {
   std::vector<LeadStep> steps;
-  double inradius = 0.0;   ///< 0 for a star.
-  double half_edge = 0.0;  ///< Length of the first element.
+  double inradius = 0.0;   ///< Radius of the inscribed circle, mm; 0 for a star.
+  double half_edge = 0.0;  ///< Length of the first element, which is half of an edge, mm.
   bool counter_clockwise = true;
   LeadStep start{};
 };
@@ -48,7 +48,7 @@ Shape polygon(Random& random) {
   return shape;
 }
 
-/// A rectangle with fillets; a slot where these are half as wide.
+/// Returns a rectangle with fillets, or a slot if the fillets are half as wide as the rectangle.
 Shape rounded(Random& random) {
   Shape shape;
   const double h = random.between(5.0, 20.0);
@@ -105,7 +105,7 @@ Shape star(Random& random) {
   return shape;
 }
 
-/// The same the other way round.
+/// Reverses the direction of a shape.
 void reverse(Shape& shape) {
   std::vector<LeadStep> points{shape.start};
   points.insert(points.end(), shape.steps.begin(), shape.steps.end());
@@ -118,7 +118,7 @@ void reverse(Shape& shape) {
   shape.counter_clockwise = !shape.counter_clockwise;
 }
 
-/// Point and tangent at a share of an element.
+/// Returns point and tangent at a share of an element.
 Frame along(const LeadStep& from, const LeadStep& to, double share, double side) {
   const double x = to.x - from.x;
   const double y = to.y - from.y;
@@ -127,7 +127,7 @@ Frame along(const LeadStep& from, const LeadStep& to, double share, double side)
   const double angle = std::atan2(y, x) + (2.0 * share - 1.0) * half;
   Frame frame{from.x + share * x, from.y + share * y, std::cos(angle), std::sin(angle), side};
   if (to.bulge == 0.0) return frame;
-  // From the start along the chord of the part.
+  // The point lies along the chord of the first part of the arc.
   const double radius = chord / (2.0 * std::sin(half));
   const double part = 2.0 * radius * std::sin(share * half);
   const double direction = std::atan2(y, x) - (1.0 - share) * half;
@@ -136,12 +136,12 @@ Frame along(const LeadStep& from, const LeadStep& to, double share, double side)
   return frame;
 }
 
-/// Sizes of a lead, and how far its points are from the outline where that is convex.
+/// Dimensions of a lead, mm and radians.
 struct LeadSize {
-  double radius;  ///< Of the tool.
+  double radius;  ///< Radius of the tool.
   double line, second, arc;
-  double slant;  ///< Of a line to or from the outline.
-  double turn;   ///< At the joint of entry or exit with an arc.
+  double slant;  ///< Angle of a line to or from the outline, from the normal.
+  double turn;   ///< Angle at the joint of the entry or exit motion with an arc.
 };
 
 LeadSize random_size(Random& random, double radius) {
@@ -153,8 +153,9 @@ LeadSize random_size(Random& random, double radius) {
           .turn = random.chance(0.5) ? 0.0 : random.between(-0.75, 0.75)};
 }
 
-/// The points of a lead from the outline outwards in (along, into the waste), mirrored for the way
-/// in; the first is on the outline, the last where the lead begins or ends.
+/// Returns the points of a lead from the outline outwards, in coordinates (along, into the waste).
+/// For a lead-in they are mirrored. The first point is on the outline; the lead begins or ends at
+/// the last one.
 std::vector<LeadStep> lead_points(Lead lead, const LeadSize& size) {
   const auto [radius, line, second, arc, slant, turn] = size;
   const auto beyond = [line = line, turn = turn](double a, double b, double direction) {
@@ -184,25 +185,26 @@ std::vector<LeadStep> lead_points(Lead lead, const LeadSize& size) {
   return {};
 }
 
-/// Whether the tool has room for a lead beside a convex outline, `along` mm after its start.
+/// Returns whether the tool has space for a lead at a convex outline, `along` mm after the
+/// outline's start.
 bool has_room(const std::vector<LeadStep>& points,
               const LeadSize& size,
               const Shape& shape,
               bool inside,
               double along) {
   if (shape.inradius <= 0.0 || shape.half_edge < 3.0 * size.radius) return false;
-  // A short entry would cut into a curve that bends away from it on its way to the corner of both
-  // offsets, which is beside the start.
+  // From a short entry the tool goes to the corner of both offsets, which is not beside the start.
+  // On the way it would cut into an outline that bends away from the entry.
   const bool brief = points.size() == 2 && points[1].y < 1.3 * size.radius;
   if (brief && shape.steps[0].bulge != 0.0) return false;
-  // A tangent line that reaches beyond the corner is in the way of the edge there.
+  // A tangent line that extends beyond the corner obstructs the edge there.
   const bool tangent = points.size() == 3 && points[1].y == 0.0;
   if (tangent && points[1].x > shape.half_edge) return false;
   const double margin = size.radius * (size.turn == 0.0 ? 1.05 : 2.1);
   const auto reaches = [&](double x, double y) {
     return std::hypot(x + along, y - shape.inradius);
   };
-  // Half an arc goes beyond its ends.
+  // Half a circle extends beyond its end points.
   const double half_way = 0.5 * points[1].y;
   const double most = shape.inradius - 1.05 * size.radius;
   if (inside && points[1].bulge == 1.0 && reaches(half_way, half_way) > most) return false;

@@ -4,8 +4,8 @@
 
 namespace cnc {
 
-/// Turns that take no time: what was handed to the step generator is let in, and
-/// what it tells is up to date. Its timer is wanted when something waits.
+/// Runs cycles that take no time, until the step generator has accepted all handed-over segments
+/// and reports its present state. Afterwards it requires its timer if segments wait.
 template <typename Generator>
 void let_in(Generator& generator) {
   generator.settle();

@@ -11,7 +11,7 @@
 
 namespace proof {
 
-/// A machine in virtual time that a test speaks to as the protocol would.
+/// A machine in virtual time, to which a test sends lines as the protocol does.
 class MachineBench {
  public:
   explicit MachineBench(const sim::MachineModel& model = {}) : controller{link_, model} {}
@@ -28,7 +28,7 @@ class MachineBench {
   void run(int milliseconds) {
     while (milliseconds-- > 0) controller.turn();
   }
-  /// Until whatever was asked for is done, at most ten minutes.
+  /// Runs until all requested work is done; fails after ten minutes of machine time.
   void finish() {
     int left = 600'000;
     do {
@@ -36,7 +36,7 @@ class MachineBench {
     } while (--left > 0 && (machine().busy() || !machine().idle()));
     EXPECT_GT(left, 0) << "the machine hangs";
   }
-  /// Sends a line as soon as the machine takes it.
+  /// Sends a line as soon as the machine accepts one.
   void send(std::string_view line) {
     for (int left = 600'000; machine().busy() && left > 0; --left) controller.turn();
     ASSERT_FALSE(machine().busy()) << line;

@@ -32,7 +32,7 @@ class MotionJudge {
   [[nodiscard]] double piece_end() const { return piece_start_ + piece().curve.length(); }
   [[nodiscard]] bool last_piece() const { return piece_ + 1 == path_.pieces.size(); }
 
-  /// Between two breakpoints: the jerk is constant.
+  /// Judges the time between two breakpoints, in which the jerk is constant.
   void judge_stretch(double from, double to) {
     jerk_ = plan_.at(0.5 * (from + to)).jerk;
     while (!last_piece() && plan_.at(to).place >= piece_end()) {
@@ -104,8 +104,8 @@ class MotionJudge {
   const MotionLimits& limits_;
   MotionFigures figures_{};
   std::size_t piece_ = 0;
-  double piece_start_ = 0.0;  ///< mm along the path.
-  double jerk_ = 0.0;         ///< mm/s³, of the present stretch.
+  double piece_start_ = 0.0;  ///< Start of the present piece, mm along the path.
+  double jerk_ = 0.0;         ///< Jerk of the present stretch, mm/s³.
 };
 
 }  // namespace
@@ -119,7 +119,7 @@ MotionFigures judge_motion(const FilteredPlan& plan,
 Point curvature_rate_at(const Curve& curve, double fraction) {
   Point rate{};
   if (!curve.circle() || curve.length() <= 0.0) return rate;
-  // In the plane the motion is a sine of sweep · fraction: t″ = −(sweep / length)² t.
+  // In the plane the tangent turns at a constant rate: t″ = −(sweep / length)² t.
   const PlaneVectors& plane = curve.circle()->vectors;
   const double turn = curve.circle()->sweep / curve.length();
   rate = plane.vector(plane.seen(curve.tangent_at(fraction)));

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kWindow = 0.01;  // s
 
-/// Strings pieces of constant acceleration together.
+/// Builds a plan from successive pieces of constant acceleration.
 class PlanWriter {
  public:
   PlanWriter& go(double duration, double acceleration) {
@@ -32,7 +32,7 @@ class PlanWriter {
   double speed_ = 0.0;
 };
 
-/// 20 mm: 0.1 s up to 100 mm/s, 0.1 s there, 0.1 s down.
+/// Returns a plan of 20 mm: 0.1 s up to 100 mm/s, 0.1 s at this speed, 0.1 s down to rest.
 PlanWriter trapezoid() {
   PlanWriter writer;
   writer.go(0.1, 1000.0).go(0.1, 0.0).go(0.1, -1000.0);
@@ -59,7 +59,7 @@ TEST(FilteredPlan, IsTheMeanOverTheWindow) {
   EXPECT_NEAR(plan.at(0.005).speed, 1.25, 1e-12);
   EXPECT_NEAR(plan.at(0.005).acceleration, 500.0, 1e-9);
   EXPECT_NEAR(plan.at(0.005).jerk, 1.0e5, 1e-6);
-  // In the middle of a constant acceleration: half a window later, A T² / 24 farther.
+  // With constant acceleration, the mean is the position half a window earlier plus A T² / 24.
   const double middle = 0.05 - 0.005;
   EXPECT_NEAR(plan.at(0.05).place, 500.0 * middle * middle + 1000.0 * 1.0e-4 / 24.0, 1e-12);
   EXPECT_NEAR(plan.at(0.05).jerk, 0.0, 1e-9);
@@ -86,7 +86,7 @@ TEST(FilteredPlan, DerivativesBelongToEachOther) {
     if (h < 1.0e-6) continue;
     const PathState from = plan.at(times[i]);
     const PathState to = plan.at(times[i + 1]);
-    // A cubic.
+    // The position is a cubic between two breakpoints.
     const double j = plan.at(times[i] + 0.5 * h).jerk;
     const double place =
         from.place + ((j * h / 6.0 + from.acceleration / 2.0) * h + from.speed) * h;
@@ -113,7 +113,7 @@ TEST(MotionJudge, AMoveAtEveryLimit) {
 }
 
 TEST(MotionJudge, EachAxisGetsItsShare) {
-  // 3-4-5: Y has 0.8 of everything.
+  // A 3-4-5 triangle: Y has 0.8 of speed, acceleration and jerk.
   const MotionFigures figures = judge("G1 X12 Y16 F60000\n", trapezoid());
   EXPECT_NEAR(figures.rate.value, 0.8, 1e-9);
   EXPECT_NEAR(figures.jerk.value, 0.8, 1e-9);
@@ -133,7 +133,8 @@ TEST(MotionJudge, ASteadyCircle) {
 }
 
 TEST(MotionJudge, AxisJerkIsTheThirdDerivativeOfThePlace) {
-  // Once up to speed on a helix while the acceleration changes: by differences of places.
+  // The plan speeds up on a helix and changes its acceleration once. Differences of positions
+  // verify the figures.
   PlanWriter writer;
   writer.go(0.2, 200.0).go(0.05, 0.0).go(0.05, 300.0);
   const FilteredPlan plan = writer.plan(0.05);
@@ -158,7 +159,7 @@ TEST(MotionJudge, AxisJerkIsTheThirdDerivativeOfThePlace) {
 }
 
 TEST(MotionJudge, TheStepOfTheNormalAccelerationIsNoJerk) {
-  // Reaches the arc at 40 mm/s: 40²/4 = 400 mm/s² from nothing.
+  // The plan reaches the arc at 40 mm/s: the normal acceleration steps from 0 to 40²/4 = 400 mm/s².
   PlanWriter writer;
   const double way = 20.0 + 4.0 * std::numbers::pi / 2.0 + 20.0;
   writer.go(0.4, 100.0).go((way - 16.0) / 40.0, 0.0).go(0.4, -100.0);
@@ -211,7 +212,7 @@ TEST(MotionJudge, AStopThatIsDrivenThroughAndACornerAreFound) {
 }
 
 TEST(MotionJudge, AChangeOfAccelerationOnAShortArcIsSeen) {
-  // v a t′: a ramp on an arc of 1 mm.
+  // The term v a t′: a ramp on an arc of 1 mm.
   PlanWriter writer;
   const double way = 0.5 * std::numbers::pi;
   writer.go(std::sqrt(way / 1000.0), 1000.0).go(std::sqrt(way / 1000.0), -1000.0);

@@ -12,7 +12,7 @@ namespace {
 
 struct Family {
   Corpus corpus;
-  std::uint64_t usual;  ///< Trials without KERFLINE_TRIALS: seconds in all.
+  std::uint64_t usual;  ///< Trials unless KERFLINE_TRIALS is set; they take some seconds.
 };
 
 void PrintTo(const Family& family, std::ostream* out) { *out << name_of(family.corpus); }
@@ -32,7 +32,7 @@ std::string complaint_about(Corpus corpus, std::uint64_t seed, double& worst) {
   }
 }
 
-// 120,000 offsets and 1,000 hostile ones: KERFLINE_TRIALS=20000.
+// KERFLINE_TRIALS=20000 runs 120,000 usual offsets and 1,000 hostile ones.
 TEST_P(OffsetCorpora, EveryPlaceIsAtTheDistanceAndNothingIsMissing) {
   const Trials trials{GetParam().usual};
   double worst = 0.0;
@@ -60,7 +60,7 @@ INSTANTIATE_TEST_SUITE_P(All,
                            return std::string{name_of(family.param.corpus)};
                          });
 
-// Loops that cross, turn back and double: the result may be anything but a crash.
+// Loops that cross, reverse and overlap: any result is allowed, but no crash.
 TEST(OffsetOfNonsense, EndsWithAResultOrAReason) {
   const Trials trials{20'000};
   std::uint64_t refused = 0;
@@ -90,7 +90,7 @@ TEST(OffsetOfNonsense, EndsWithAResultOrAReason) {
   }
 }
 
-// The oracles themselves: each finds what is wrong on purpose.
+// Tests the oracles themselves: each must find a fault that the test made.
 TEST(OffsetOracle, FindsAWrongDistanceALostLoopAndAWrongTurn) {
   OffsetCase square;
   square.contour.vertices = {{0, 0, 0}, {10, 0, 0}, {10, 10, 0}, {0, 10, 0}};
@@ -107,8 +107,8 @@ TEST(OffsetOracle, FindsAWrongDistanceALostLoopAndAWrongTurn) {
   EXPECT_EQ(check_offset(square, wrong.view(), 1).complaint, "");
 }
 
-/// A plate, and a clockwise hole with its tip `past_mm` to the right of the middle of the plate's
-/// right side.
+/// Returns a plate with a clockwise hole. The tip of the hole lies `past_mm` to the right of the
+/// middle of the plate's right side.
 sim::Contour plate_with_tip(double plate_bulge, double hole_bulge, double past_mm) {
   sim::Contour contour;
   contour.vertices = {{0, 0, 0}, {100, 0, plate_bulge}, {100, 100, 0}, {0, 100, 0}};

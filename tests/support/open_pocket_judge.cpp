@@ -61,15 +61,16 @@ void OpenPocketJudge::complain(const std::string& text, const WideVec2& place) {
   complaint_ = text + " at " + std::to_string(place.x()) + " " + std::to_string(place.y());
 }
 
-/// Whether stock that must stay is at a place, and not only its skin.
+/// Returns whether a point is in stock that must stay, deeper than the skin.
 bool OpenPocketJudge::must_stay(const WideVec2& place) const {
   if (depth_in(stock_, place) <= kOpenSkinMm) return false;
   constexpr double kClearlyMm = 0.01;
-  if (pockets_->depth(place) > kClearlyMm) return false;  // The oracle takes longer.
+  // A quick check: the oracle below takes longer.
+  if (pockets_->depth(place) > kClearlyMm) return false;
   return walls_.distance(place) > kOpenSkinMm && !walls_.encloses(place);
 }
 
-/// Whether no stock is at a place, or nothing but its skin.
+/// Returns whether a point never had stock (except a skin) or the tool has swept it.
 bool OpenPocketJudge::is_cleared(const WideVec2& place) const {
   if (depth_in(stock_, place) <= kOpenSkinMm) return true;
   return !swept_.empty() && swept_.distance(place) <= radius_ + kOpenSkinMm;
@@ -96,7 +97,8 @@ void OpenPocketJudge::check_element(const PathPoint<double>& from, const PathPoi
   }
 }
 
-/// Links lead over cleared floor, and down where the tool meets no stock.
+/// Checks a link: it must lead over cleared floor, and may descend only where the tool meets no
+/// stock.
 void OpenPocketJudge::check_link(const PathPoint<double>& from, const PathPoint<double>& to) {
   const bool is_down = to.z < from.z;
   if (is_down && from.point() != to.point()) complain("a slanting link", from.point());
@@ -109,7 +111,8 @@ void OpenPocketJudge::check_link(const PathPoint<double>& from, const PathPoint<
   }
 }
 
-/// Whether a disc of the tool around some centre nearby holds the place and nothing that must stay.
+/// Returns whether the tool can stand at some centre nearby so that it covers the point and no
+/// stock that must stay.
 bool OpenPocketJudge::is_reachable(const WideVec2& place) const {
   constexpr int kCentres = 24;
   for (int i = 0; i < kCentres; ++i) {
@@ -122,7 +125,7 @@ bool OpenPocketJudge::is_reachable(const WideVec2& place) const {
   return false;
 }
 
-/// Whether a disc a little larger than the tool holds nothing that must stay.
+/// Returns whether a disc slightly larger than the tool covers no stock that must stay.
 bool OpenPocketJudge::is_free(const WideVec2& centre) const {
   const double reach = 1.01 * radius_;
   if (depth_in(stock_, centre) < -reach) return true;

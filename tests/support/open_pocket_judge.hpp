@@ -10,25 +10,26 @@
 
 namespace proof {
 
-/// mm: the stock counts as a thousandth smaller, and contours are written in micrometres.
+/// Thickness of stock that does not count, mm: the planner takes the stock as a thousandth smaller,
+/// and contours are written in micrometres.
 inline constexpr double kOpenSkinMm = 2.0e-3;
 
-/// Returns how far a place is inside of a box; negative outside.
+/// Returns the distance from a point inside of a box to its border, mm; negative outside.
 [[nodiscard]] double depth_in(const sim::pocket::StockBox& box, const cnc::WideVec2& place);
 
-/// Looks for faults of the path of open pockets by samples: it knows the stock, the walls and what
-/// the tool has swept.
+/// Finds faults in the path of open pockets by samples. It knows the stock, the walls and the area
+/// that the tool has swept.
 class OpenPocketJudge {
  public:
-  /// @param path one level
+  /// @param path one level of the milled pockets
   OpenPocketJudge(const sim::Contour& pockets,
                   const sim::pocket::MilledPocket& path,
                   const sim::pocket::StrategyOptions& options);
 
-  /// Returns the first fault; empty where there is none.
+  /// Returns the first fault, or an empty text if there is none.
   std::string run(Random& random);
 
-  /// Returns how many places were tried at which the tool has to take stock.
+  /// Returns the number of sampled points at which the tool must remove stock.
   [[nodiscard]] std::size_t places() const { return places_; }
 
  private:
@@ -50,8 +51,9 @@ class OpenPocketJudge {
   sim::pocket::StockBox stock_;
   sim::pocket::OwnedArea pockets_;
   cnc::pocket::PlainContour walls_;
-  std::vector<cnc::WideVec2> walls_in_stock_;  ///< Places of the walls, close together.
-  cnc::pocket::PlainContour swept_;            ///< By the tool's centre on the floor, so far.
+  /// Closely spaced points of the walls that are in the stock.
+  std::vector<cnc::WideVec2> walls_in_stock_;
+  cnc::pocket::PlainContour swept_;  ///< Path of the tool's centre on the floor so far.
   std::size_t places_ = 0;
   std::string complaint_;
 };

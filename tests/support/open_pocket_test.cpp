@@ -42,18 +42,18 @@ StrategyOptions open_options(Strategy strategy, double radius_mm, const StockBox
   return options;
 }
 
-/// What may be milled: the pockets, and what is around the stock.
+/// Returns the area that may be milled: the pockets and the surroundings of the stock.
 sim::Contour area_of(const sim::Contour& pockets, const StrategyOptions& options) {
   return sim::pocket::with_surroundings(pockets, *options.stock, sim::pocket::margin_of(options));
 }
 
-/// Paths of areas with these, and the corners of their walls, as the tool's centre sees them.
+/// Paths that clear `areas`, with the corners of the walls of the tool centre's area.
 struct MilledAreas : MilledPocket {
   sim::Contour areas;
   std::vector<cnc::WideVec2> corners;
 };
 
-/// The paths of all areas that are open, or all that are not.
+/// Returns the paths of all open areas (`is_open`), or of all closed ones.
 MilledAreas mill(const sim::Contour& pockets, const StrategyOptions& options, bool is_open) {
   const sim::Contour all = area_of(pockets, options);
   MilledAreas milled;
@@ -76,7 +76,7 @@ MilledAreas mill(const sim::Contour& pockets, const StrategyOptions& options, bo
 
 constexpr StockBox kStock{0.0, 0.0, 100.0, 60.0};
 
-/// How many rows go down in the stock.
+/// Returns the number of rows that descend in the stock.
 std::size_t entries_of(const MilledPocket& path) {
   std::size_t entries = 0;
   for (std::size_t row = 0; row < path.row_ends.size(); ++row) {
@@ -91,7 +91,8 @@ class OpenPockets : public testing::TestWithParam<Strategy> {
     return open_options(GetParam(), radius_mm, stock);
   }
 
-  /// @param entries rows that may go down in the stock
+  /// Returns the faults of the path of a contour. @param entries greatest number of rows that may
+  /// descend in the stock
   static std::string faults_of(const char* text,
                                double radius_mm,
                                std::size_t min_places,
@@ -111,7 +112,8 @@ class OpenPockets : public testing::TestWithParam<Strategy> {
 };
 
 TEST_P(OpenPockets, AreMilledFromBesideTheStock) {
-  // A slot that ends beyond the edge, one that ends on it, a corner, and one from side to side.
+  // A slot that ends beyond the stock's edge, one that ends on it, two corners, and a slot across
+  // the stock.
   EXPECT_EQ(faults_of("40 20\n60 20\n60 70\n40 70\nclosed\n", 3.0, 20), "");
   EXPECT_EQ(faults_of("40 20\n60 20\n60 60\n40 60\nclosed\n", 3.0, 20), "");
   EXPECT_EQ(faults_of("40 -5\n60 -5\n60 40\n40 40\nclosed\n", 3.0, 20), "");
@@ -120,7 +122,8 @@ TEST_P(OpenPockets, AreMilledFromBesideTheStock) {
 }
 
 TEST_P(OpenPockets, MayBeAllOfTheStock) {
-  // Contours begin in its middle.
+  // The strategy `contour` begins in the middle of the stock, so that any number of entries is
+  // right.
   const std::size_t entries = GetParam() == Strategy::kContour ? 1000 : 0;
   EXPECT_EQ(faults_of("-10 -10\n110 -10\n110 70\n-10 70\nclosed\n", 3.0, 250, entries), "");
 }
@@ -137,7 +140,8 @@ TEST_P(OpenPockets, KeepIslandsAndWhatIsClosed) {
   for (const auto& point : closed.points) EXPECT_LT(point.x, 25.0);
   for (const auto& point : open.points) EXPECT_GT(point.x, 25.0);
   Random random{1};
-  // It leaves the closed pocket.
+  // The path of the open pockets alone leaves the stock of the closed pocket, which the judge must
+  // find.
   EXPECT_NE((OpenPocketJudge{pockets, open, options}.run(random)), "");
   MilledPocket all = open;
   all.append(closed);
@@ -149,7 +153,7 @@ TEST_P(OpenPockets, LeaveAStockAloneThatTheyDoNotReach) {
   EXPECT_TRUE(mill(pockets, options_of(3.0, kStock), true).points.empty());
 }
 
-/// A stock that a pocket crosses on one side or on more.
+/// Returns a stock whose border the pocket crosses on one side or on more.
 StockBox random_stock(const sim::Contour& pockets, Random& random) {
   StockBox box{1.0e9, 1.0e9, -1.0e9, -1.0e9};
   for (const auto& vertex : pockets.vertices) {
@@ -178,13 +182,13 @@ StrategyOptions random_options(Strategy strategy,
   return options;
 }
 
-/// What random pockets have come to.
+/// Sums over the random pockets.
 struct OpenTally {
-  std::size_t places = 0;   ///< With stock.
-  std::size_t entries = 0;  ///< Rows that go down in the stock of open pockets.
-  std::size_t rows = 0;     ///< Of open pockets.
+  std::size_t places = 0;   ///< Sampled points in the stock.
+  std::size_t entries = 0;  ///< Rows that descend in the stock of open pockets.
+  std::size_t rows = 0;     ///< Rows of open pockets.
   std::size_t refused = 0;
-  double engagement_deg = 0.0;  ///< Above the limit, at most.
+  double engagement_deg = 0.0;  ///< Greatest excess over the permitted engagement.
 
   void add(const MilledPocket& open) {
     rows += open.row_ends.size();
@@ -213,7 +217,8 @@ void judge_engagement(const MilledAreas& path, const StrategyOptions& options, O
 
 TEST_P(OpenPockets, OfRandomShapesAreCleared) {
   OpenTally tally;
-  // Crescents take longer to judge, and ways back through tiny circles in cusps may have corners.
+  // The judge takes longer for crescents, and return paths through tiny circles in cusps may have
+  // corners.
   const bool is_adaptive = GetParam() == Strategy::kAdaptive;
   const Trials trials{is_adaptive ? 12U : 40U,
                       is_adaptive ? Trials::Range::kKnownFault : Trials::Range::kFromBase};
@@ -234,7 +239,7 @@ TEST_P(OpenPockets, OfRandomShapesAreCleared) {
       EXPECT_EQ(judge.run(random), "") << "KERFLINE_SEED=" << seed;
       tally.places += judge.places();
     } catch (const sim::pocket::NoPocketPath&) {
-      ++tally.refused;  // A part is too short for a ramp.
+      ++tally.refused;  // A part of the area is too short for a ramp.
     }
   }
   std::printf("%zu places with stock, %zu of %zu rows go down in it, %zu refused, %.2f degrees\n",
@@ -265,13 +270,13 @@ TEST(ClosedPockets, OfTheSameShapesAreClearedByCrescents) {
       EXPECT_EQ(corner_elsewhere(path, path.corners), "") << "KERFLINE_SEED=" << seed;
       judge_engagement(path, options, tally);
     } catch (const sim::pocket::NoPocketPath&) {
-      ++tally.refused;  // A part is too short for a ramp.
+      ++tally.refused;  // A part of the area is too short for a ramp.
     }
   }
   std::printf("%zu refused, %.2f degrees\n", tally.refused, tally.engagement_deg);
 }
 
-/// What may be milled is what is in a pocket or beside the stock.
+/// Every point in a pocket or outside of the stock may be milled, and no other point.
 TEST(OpenAreas, HaveAllThatIsBesideTheStockAroundThem) {
   for (const std::uint64_t seed : Trials{200}) {
     Random random{seed};

@@ -11,27 +11,29 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// One sample of the path with the squares of speeds.
+/// One sample of the path, with squares of speeds.
 struct Node {
   double place = 0.0;
   Point tangent{};
   Point curvature{};
-  double highest = kInfinity;  ///< By every rule but the acceleration along the path.
-  double reachable = 0.0;      ///< Greatest from which the rest can be travelled.
+  /// Limit by all rules except that for the acceleration along the path.
+  double highest = kInfinity;
+  double reachable = 0.0;  ///< Greatest value from which the rest of the path can be driven.
   double speed_squared = 0.0;
 };
 
 std::size_t interval_count(const Curve& curve) {
-  constexpr double kLongest = 0.02;                           // mm
-  constexpr double kWidest = 0.5 * std::numbers::pi / 180.0;  // Half a degree.
+  constexpr double kLongest = 0.02;  // Greatest distance between samples, mm.
+  // Greatest angle between samples: half a degree.
+  constexpr double kWidest = 0.5 * std::numbers::pi / 180.0;
   const double sweep = curve.circle() ? std::abs(curve.circle()->sweep) : 0.0;
   const double even = std::max(curve.length() / kLongest, sweep / kWidest);
   return static_cast<std::size_t>(
       std::clamp(std::ceil(even * std::numbers::pi / 2.0), 8.0, 4000.0));
 }
 
-/// Closest together at both ends, where speed may change most; π/2 of an even
-/// spacing in the middle.
+/// Returns the fraction of a sample. Samples are closest at both ends, where the speed may change
+/// most; in the middle their spacing is π/2 times the even one.
 double node_fraction(std::size_t index, std::size_t count) {
   if (index == count) return 1.0;
   const double part = static_cast<double>(index) / static_cast<double>(count);
@@ -100,8 +102,8 @@ void go_forward(std::vector<Node>& nodes, const MotionLimits& limits) {
 }  // namespace
 
 bool is_stop(const PathPiece& piece, const Point& leaving, const Point& entering) {
-  // Radians: more than places rounded to a nanometre make of a smooth joint of
-  // blends that are some ten nanometres long.
+  // Radians. Rounding of points to a nanometre turns a smooth joint of blends that are some ten
+  // nanometres long by less.
   constexpr double kGreatestTurn = 0.3;
   return piece.stop_before || norm(entering - leaving) > kGreatestTurn;
 }

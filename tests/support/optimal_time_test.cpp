@@ -23,7 +23,7 @@ double time_of(const std::string& program, const MotionLimits& limits) {
   return optimal_time(read_program(program, {.laser_mode = true}), limits);
 }
 
-/// The greatest part of an axis's acceleration that the profile uses.
+/// Returns the greatest ratio of an axis's acceleration to its limit in the profile.
 double used_acceleration(const SpeedProfile& profile, const MotionLimits& limits) {
   double greatest = 0.0;
   for (std::size_t i = 0; i + 1 < profile.samples.size(); ++i) {
@@ -54,7 +54,8 @@ TEST(OptimalTime, TheWeakestAxisDecides) {
   MotionLimits limits = limits_of(1000.0);
   limits.acceleration[1] = 100.0;
   limits.rate[0] = 30.0;
-  // 3-4-5: Y allows 125 mm/s² along the path, X 50 mm/s.
+  // A 3-4-5 triangle: Y limits the acceleration along the path to 125 mm/s², X limits the speed to
+  // 50 mm/s.
   EXPECT_NEAR(time_of("G0 X300 Y400\n", limits), 500.0 / 50.0 + 50.0 / 125.0, 1e-4);
 }
 
@@ -89,7 +90,8 @@ TEST(OptimalTime, FullCirclesAtTheCentripetalLimit) {
   const SpeedProfile profile = optimal_profile(path, limits);
   const double speed = std::sqrt(1000.0 * 20.0);
   double greatest = 0.0;
-  double level = 0.0;  // Where the normal lies along an axis, which alone turns there.
+  // Speed where the normal is along an axis, which then provides the normal acceleration alone.
+  double level = 0.0;
   for (const auto& sample : profile.samples) {
     const double turns = 2.0 * sample.place / (std::numbers::pi * 20.0);
     greatest = std::max(greatest, sample.speed);
@@ -98,7 +100,8 @@ TEST(OptimalTime, FullCirclesAtTheCentripetalLimit) {
   EXPECT_NEAR(level, speed, 1e-3 * speed);
   EXPECT_GT(greatest, 1.01 * speed);
   EXPECT_LT(greatest, std::pow(2.0, 0.25) * speed);
-  // Two ramps: slower than along an axis that has nothing else to do.
+  // Both ramps count: an axis that also turns speeds up more slowly than one that only moves
+  // straight.
   const double way = 400.0 * std::numbers::pi;
   EXPECT_GT(profile.seconds(), way / greatest + 0.9 * speed / 1000.0);
   EXPECT_LT(profile.seconds(), way / speed + 0.9 * speed / 1000.0);
@@ -106,8 +109,8 @@ TEST(OptimalTime, FullCirclesAtTheCentripetalLimit) {
 }
 
 TEST(OptimalTime, RampOnACircle) {
-  // From rest along Y, whose acceleration alone binds until v²/R does: y' = √(2 A y), and
-  // y' = v cos θ.
+  // A motion from rest along Y. Only the acceleration of Y limits the motion until v²/R does: y' =
+  // √(2 A y), and y' = v cos θ.
   MotionLimits limits = limits_of(1000.0);
   limits.acceleration[0] = 1.0e5;
   const ProgrammedPath path = read_program("F600000 G1 X20\nG4 P0\nG3 X0 Y20 I-20\n");

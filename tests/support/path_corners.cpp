@@ -16,7 +16,7 @@ using cnc::pocket::Use;
 constexpr double kSmooth_deg = 0.1;
 constexpr double kSamePlace_mm = 1.0e-6;
 
-/// The angle between two directions, degrees.
+/// Returns the angle between two directions, degrees.
 double angle_between(const WideVec2& a, const WideVec2& b) {
   return std::abs(std::atan2(cnc::cross(a, b), a.dot(b))) * 180.0 / std::numbers::pi;
 }

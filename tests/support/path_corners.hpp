@@ -8,12 +8,12 @@
 
 namespace proof {
 
-/// Returns the vertices of a contour at which it turns.
+/// Returns the vertices of a contour at which its direction changes.
 [[nodiscard]] std::vector<cnc::WideVec2> corners_of(
     const cnc::contour::ContourView<double>& contour);
 
-/// Names elements of a path that meet at an angle, on the floor of a level, elsewhere than at
-/// places that are given; empty where there are none.
+/// Names two elements on the floor of a level that meet at an angle, unless their joint is one of
+/// `places`. Returns an empty text if there are none.
 [[nodiscard]] std::string corner_elsewhere(const sim::pocket::PathRows& milled,
                                            const std::vector<cnc::WideVec2>& places);
 

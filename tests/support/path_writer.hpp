@@ -6,28 +6,29 @@
 
 namespace proof {
 
-/// Writes one path element after the other on a decimal grid, and keeps account
-/// of the time and the steps that they will take.
+/// Writes successive path elements on a decimal grid, and sums up the time and the number of steps
+/// that they will take.
 class PathWriter {
  public:
   PathWriter(const TestMachine& machine, double grid_mm)
       : machine_{&machine}, grid_nm_{grid_mm * 1.0e6} {}
 
-  // Of the elements to come.
-  void set_feed(double mm_s) { feed_ = mm_s; }  ///< 0 is a rapid.
+  // Setters for the elements that follow.
+  void set_feed(double mm_s) { feed_ = mm_s; }  ///< Feed, mm/s; 0 is a rapid.
   void set_beam(const cnc::motion::BeamCommand& beam) { beam_ = beam; }
   void stop() { stop_ = true; }
 
   void line(const Vector& travel) { element(travel, cnc::Plane::kXY, 0.0); }
-  /// The plane axes of `travel` are the chord.
+  /// Appends an arc. The plane axes of `travel` are its chord.
   void arc(const Vector& travel, cnc::Plane plane, double bulge) { element(travel, plane, bulge); }
-  /// As G2 and G3 do, about a centre that is `to_centre` away; `travel` carries
-  /// the axes off the plane, its plane axes are ignored.
+  /// Appends an arc as by G2 or G3, about a centre at the distance `to_centre` from here. `travel`
+  /// applies to the axes off the plane; its plane axes are ignored.
   void circle(const Vector& travel,
               cnc::Plane plane,
               const std::array<double, 2>& to_centre,
               double sweep);
-  /// Uniform, from here by way of these control points, mm from here, as arcs.
+  /// Appends a uniform spline from here through the area of these control points, as arcs. The
+  /// points are relative to here, mm.
   void spline(const std::vector<std::array<double, 2>>& points,
               std::size_t order,
               float tolerance_mm);
@@ -36,7 +37,7 @@ class PathWriter {
   [[nodiscard]] const cnc::Position& place() const { return place_; }
   [[nodiscard]] double seconds() const { return seconds_; }
   [[nodiscard]] double steps() const { return steps_; }
-  /// mm/s that these axes allow together.
+  /// Returns the greatest speed that the limits of these axes allow together, mm/s.
   [[nodiscard]] double speed_on(const std::vector<std::size_t>& axes) const;
   [[nodiscard]] std::vector<ProgramItem> take() { return std::move(items_); }
 

@@ -17,7 +17,7 @@ namespace proof {
 namespace {
 
 constexpr double kStepsPerMm = 250.0;
-constexpr double kRate = 12'000.0;  // mm/min
+constexpr double kRate = 12'000.0;  // Rate of X and Y, mm/min.
 constexpr const char* kOpening = "G21 G90 G17 F12000\n";
 
 std::string square() { return std::string{kOpening} + "G1 X100 Y0\nX100 Y100\nX0 Y100\nX0 Y0\n"; }
@@ -49,7 +49,7 @@ sim::PathPiece tangent_arc(const sim::Point& start, double length, double from, 
           .feed = kRate / 60.0};
 }
 
-/// The curve of freeform_job: its chords begin at its directions.
+/// Returns the curve of freeform_job, as arcs through the ends of its chords.
 sim::ProgrammedPath freeform_curve(int lines) {
   constexpr double kStep = 0.1;  // mm
   const auto direction = [](double s) {
@@ -60,7 +60,8 @@ sim::ProgrammedPath freeform_curve(int lines) {
   for (int i = 0; i < lines; ++i) {
     const double from = direction(kStep * (i - 0.5));
     double to = direction(kStep * (i + 0.5));
-    if (std::abs(to - from) < 1.0e-7) to = from + 1.0e-7;  // Nearly straight.
+    // Arcs must not be straight: a straight one gets a minimal sweep.
+    if (std::abs(to - from) < 1.0e-7) to = from + 1.0e-7;
     path.pieces.push_back(tangent_arc(place, kStep, from, to));
     place = path.pieces.back().curve.end();
   }
@@ -72,7 +73,8 @@ std::string at_full_feed(std::string text) {
   return text.replace(text.find(slow), slow.size(), "F12000");
 }
 
-/// Rows of 100 mm, there and back, 0.1 mm apart; each pixel of 0.1 mm a line with its S.
+/// Returns 20 rows of 100 mm, back and forth, 0.1 mm apart. Each pixel of 0.1 mm is a line with its
+/// S.
 std::string raster() {
   constexpr int kRows = 20;
   constexpr int kPixels = 1000;
@@ -93,7 +95,8 @@ std::string zigzag() {
   return text;
 }
 
-/// Runs the job to its end; when motion began, in ticks: at a boundary of the main loop's turns.
+/// Runs the job to its end. Returns the tick at which motion began, which is the boundary of a
+/// cycle.
 std::uint64_t run(sim::Simulator& simulator) {
   std::uint64_t began = 0;
   for (bool moved = false; !simulator.done();) {

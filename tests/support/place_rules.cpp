@@ -37,7 +37,8 @@ AlongPath along_path(const PlaceRules& rules, double cap) {
     if (axis.tangent != 0.0) most.jerk += std::abs(axis.tangent) * axis.jerk;
     if (axis.bend != 0.0) most.jerk += axis.bend * axis.bend * cap;
   }
-  // Each axis binds the path by itself, as far as the bend does not help it.
+  // The limit of each single axis also bounds the motion along the path, plus the part that its
+  // curvature term may cancel.
   const double speed = std::cbrt(cap);
   for (std::size_t i = 0; i < rules.count; ++i) {
     const AxisRule& axis = rules.axes[i];

@@ -5,17 +5,17 @@
 
 namespace sim {
 
-/// What the axes may do at a fraction of a curve.
+/// Returns the limits of the axes at a fraction of a curve.
 [[nodiscard]] PlaceRules rules_at(const Curve& curve, double fraction, const MotionLimits& limits);
 
-/// The greatest that rules allow along the path, or more: t · (limits), and for the
-/// jerk what t″ adds, −t · t″ v³ = |t′|² v³.
+/// Upper bounds of the acceleration and jerk along the path by rules: t · (limits). For the jerk,
+/// t″ adds −t · t″ v³ = |t′|² v³.
 struct AlongPath {
-  double acceleration = 0.0;  ///< mm/s².
-  double jerk = 0.0;          ///< mm/s³.
+  double acceleration = 0.0;  ///< Greatest acceleration, mm/s².
+  double jerk = 0.0;          ///< Greatest jerk, mm/s³.
 };
 
-/// @param cap the greatest v³, mm³/s³.
+/// Computes the upper bounds. @param cap greatest v³, mm³/s³
 [[nodiscard]] AlongPath along_path(const PlaceRules& rules, double cap);
 
 }  // namespace sim

@@ -25,7 +25,7 @@ void PrintTo(const PocketFamily& family, std::ostream* out) { *out << name_of(fa
 
 class PocketCorpora : public testing::TestWithParam<PocketFamily> {};
 
-/// The greater side of a box around a contour, mm.
+/// Returns the longer side of the box around a contour, mm.
 double size_of(const sim::Contour& contour) {
   double low_x = 1e30, high_x = -1e30, low_y = 1e30, high_y = -1e30;
   for (const sim::ContourVertex& vertex : contour.vertices) {

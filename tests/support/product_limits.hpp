@@ -5,7 +5,7 @@
 
 namespace proof {
 
-/// The product's limits in the terms of the reference.
+/// Converts the product's limits to those of the reference.
 [[nodiscard]] sim::MotionLimits limits_of(const cnc::motion::Limits& product);
 
 }  // namespace proof

@@ -8,7 +8,7 @@
 
 namespace proof {
 
-/// One leading edge.
+/// Leading edge of the step pulses of some axes.
 struct Edge {
   std::uint64_t tick = 0;
   std::uint8_t axes = 0;
@@ -23,7 +23,7 @@ class EdgeSink {
   ~EdgeSink() = default;
 };
 
-/// A step port that passes edges on and watches the electrical timing.
+/// A step port that passes edges on to a sink and checks the electrical timing.
 class PulsePort {
  public:
   PulsePort(EdgeSink& sink, const cnc::StepTiming& timing) : sink_{&sink}, timing_{timing} {}
@@ -55,7 +55,7 @@ class PulsePort {
 
   [[nodiscard]] bool timing_kept() const { return kept_; }
 
-  std::uint64_t now = 0;  ///< Ticks of the step clock.
+  std::uint64_t now = 0;  ///< Present time, ticks of the step clock.
 
  private:
   EdgeSink* sink_;
@@ -69,8 +69,8 @@ class PulsePort {
   std::uint64_t direction_changed_ = 0;
 };
 
-/// Plays segments without a pause between them. True when pulse width and
-/// direction set-up were kept.
+/// Plays segments without a pause between them. Returns whether pulse width and direction set-up
+/// satisfied `timing`.
 [[nodiscard]] bool play(const std::vector<cnc::motion::Segment>& segments,
                         const cnc::StepTiming& timing,
                         EdgeSink& sink);

@@ -41,7 +41,7 @@ double random_sweep(Random& random) {
   }
 }
 
-/// Off the plane: rising with the arc, now and then with a rotary axis.
+/// Adds a motion off the plane: a rise along the arc, sometimes with a rotary axis.
 void rise(Random& random, const TestArc& test, std::int64_t grid, cnc::CentreArc& arc) {
   const double length = test.radius * test.sweep;
   const std::size_t normal = cnc::axes_of(arc.plane).normal;
@@ -112,7 +112,7 @@ TestArc random_arc(Random& random) {
 
 TestMachine machine_for(Random& random, const TestArc& arc, double steps) {
   const double length = arc.exact.length();
-  // Fast enough for a second or so: other things than patience are tested here.
+  // The speed is such that a job takes about a second; longer jobs would only delay the test.
   const double slowest = std::min(500.0, std::max(1.0, length));
   TestMachine machine = random_machine(random,
                                        {.min_rate_mm_s = slowest,

@@ -5,10 +5,10 @@
 namespace proof {
 namespace {
 
-/// Where the chain has come to.
+/// End of the chain so far.
 struct ChainEnd {
   sim::Point place{};
-  double heading = 0.0;  ///< Radians.
+  double heading = 0.0;  ///< Direction of travel, radians.
 
   sim::Curve line(double length) {
     const sim::Point start = place;
@@ -19,7 +19,7 @@ struct ChainEnd {
 
   sim::Curve arc(double length, double sweep) {
     const sim::Point start = place;
-    const double radius = length / sweep;  // Signed: to the left when positive.
+    const double radius = length / sweep;  // Radius with a sign: positive for an arc to the left.
     const double x = start[0] - radius * std::sin(heading);
     const double y = start[1] + radius * std::cos(heading);
     heading += sweep;

@@ -7,7 +7,7 @@
 
 namespace proof {
 
-/// A flat, ball, bull-nose or V tool of 0.2 to 20 mm.
+/// Returns a flat, ball, bull-nose or V tool of 0.2 to 20 mm in diameter.
 inline cnc::surface::Profile random_cutter(Random& random) {
   cnc::surface::Profile profile;
   profile.radius_mm = random.magnitude(0.1, 10.0);

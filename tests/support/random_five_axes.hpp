@@ -8,7 +8,8 @@
 
 namespace proof {
 
-/// Settings of a five-axis machine of any kind, with levers up to 200 mm in each direction.
+/// Returns the settings of a five-axis machine of a kind ($900), with levers of up to 200 mm in
+/// each direction.
 [[nodiscard]] inline std::vector<std::pair<int, double>> random_five_axes(Random& random,
                                                                           int kind) {
   std::vector<std::pair<int, double>> settings{{cnc::setting::kRotaryAxes, kind},

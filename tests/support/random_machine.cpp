@@ -17,7 +17,7 @@ void set_pulse(TestMachine& machine, std::uint32_t pulse) {
 
 TestMachine random_machine(Random& random, const MachineRanges& ranges) {
   TestMachine machine;
-  // Mostly machines as people have them.
+  // Most machines get a usual speed.
   const double usual_rate = std::max(ranges.min_rate_mm_s, 0.01 * ranges.max_rate_mm_s);
   const double base_rate = random.magnitude(random.chance(0.8) ? usual_rate : ranges.min_rate_mm_s,
                                             ranges.max_rate_mm_s);
@@ -33,7 +33,7 @@ TestMachine random_machine(Random& random, const MachineRanges& ranges) {
   }
   machine.limits.junction_deviation_mm =
       random.chance(0.15) ? 0.0F : static_cast<float>(random.magnitude(1e-4, 1.0));
-  // 1…12 µs of pulse, 0.25…12 µs of set-up; most machines are content with less.
+  // 1…12 µs of pulse, 0.25…12 µs of set-up; most machines get at most 5 µs.
   const double longest_us = random.chance(0.25) ? 12.0 : 5.0;
   set_pulse(machine, static_cast<std::uint32_t>(4.0 * random.magnitude(1.0, longest_us)));
   machine.timing.direction_set_up =

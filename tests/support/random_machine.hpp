@@ -6,7 +6,7 @@
 
 namespace proof {
 
-/// A controller's settings, as far as motion sees them.
+/// Those settings of a controller that affect motion.
 struct TestMachine {
   cnc::motion::Limits limits{};
   cnc::StepTiming timing{};
@@ -21,11 +21,11 @@ struct MachineRanges {
   double max_acceleration = 20'000.0;
 };
 
-/// Every axis with a resolution, rate and acceleration of its own; step rates
+/// Returns a machine in which every axis has its own resolution, rate and acceleration. Step rates
 /// follow from the pulse as in firmware/machine/configuration.cpp.
 [[nodiscard]] TestMachine random_machine(Random& random, const MachineRanges& ranges = {});
 
-/// $101, $111 … as for a small laser: all axes alike.
+/// Returns a machine with the settings ($101, $111 …) of a small laser, the same for all axes.
 [[nodiscard]] TestMachine plain_machine();
 
 }  // namespace proof

@@ -20,7 +20,7 @@ inline void add_shaper(std::size_t axis,
   settings.emplace_back(cnc::setting::kShaperDamping + number, static_cast<double>(shaper.damping));
 }
 
-/// Shapers of X, Y and Z, or backlash, or both.
+/// Returns settings of shapers of X, Y and Z, of backlash, or of both.
 inline SettingValues random_motor_settings(Random& random) {
   SettingValues settings;
   const std::size_t what = random.below(3);

@@ -5,7 +5,7 @@
 
 namespace proof {
 
-/// Any shaper, none among them.
+/// Returns a random shaper, or none.
 inline cnc::motion::ShaperSetting random_shaper(Random& random) {
   cnc::motion::ShaperSetting shaper;
   shaper.kind = static_cast<cnc::motion::ShaperKind>(random.below(5));

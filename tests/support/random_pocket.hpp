@@ -8,8 +8,8 @@
 
 namespace proof {
 
-/// A pocket of 30 to 80 mm whose walls do not cross, of lines and arcs of at most half a turn; one
-/// in twenty has islands.
+/// Returns a pocket of 30 to 80 mm whose walls do not cross. It consists of lines and arcs of at
+/// most half a turn; one in twenty has islands.
 inline sim::Contour random_pocket(Random& random) {
   sim::Contour area;
   do {

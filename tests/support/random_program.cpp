@@ -10,7 +10,7 @@
 namespace proof {
 namespace {
 
-/// Makes stretches of a program, each of one kind.
+/// Writes stretches of a program, each of one kind.
 class Author {
  public:
   Author(Random& random, const TestMachine& machine, const ProgramSize& size)
@@ -48,7 +48,7 @@ class Author {
     for (std::size_t i = 0; i < count && !enough(); ++i) write_element(kind);
   }
 
-  /// Feed, beam and size of a stretch; 1…60000 mm/min.
+  /// Chooses feed (1…60000 mm/min or rapid), beam and size for a stretch.
   void set_up() {
     writer_.set_feed(random_.chance(0.2) ? 0.0 : random_.magnitude(1.0, 60'000.0) / 60.0);
     writer_.set_beam(
@@ -99,7 +99,8 @@ class Author {
         direction[axis] = random_.between(-1.0, 1.0);
         square += direction[axis] * direction[axis];
       }
-      if (axes_.size() > 4) break;  // Rejection takes too long; any direction will do.
+      // With many axes, rejection takes too long, and an uneven distribution is acceptable.
+      if (axes_.size() > 4) break;
     }
     for (double& share : direction) share *= length / std::sqrt(square);
     return direction;
@@ -136,7 +137,7 @@ class Author {
     writer_.line(in_plane(std::min(scale_, random_.between(0.05, 0.2)), heading_));
   }
 
-  /// Begins in the direction in which the one before ended.
+  /// Writes an arc that begins in the direction in which the last element ended.
   void tangent_arc() {
     const double half = random_.signed_magnitude(1.0e-5, 0.5 * std::numbers::pi);
     writer_.arc(in_plane(scale_ * random_.between(0.2, 1.0), heading_ + half),
@@ -167,7 +168,8 @@ class Author {
     writer_.arc(travel, plane_, random_.chance(0.5) ? bulge : -bulge);
   }
 
-  /// As G5, G5.1 and G5.2 draw them; without weights, which curves of few points hardly need.
+  /// Writes a spline as by G5, G5.1 and G5.2, but without weights, which hardly affect curves of
+  /// few points.
   void spline() {
     const std::size_t order = 3 + random_.below(2);
     const std::size_t count = order + random_.below(5);
@@ -185,7 +187,8 @@ class Author {
     writer_.line(travel);
   }
 
-  static constexpr std::size_t kSpline = 11;  ///< The kinds before it are in every program.
+  /// Programs contain all kinds before this one even without `splines`.
+  static constexpr std::size_t kSpline = 11;
 
   Random& random_;
   PathWriter writer_;
@@ -193,9 +196,9 @@ class Author {
   double steps_;
   std::size_t kinds_;
   std::vector<std::size_t> axes_{};
-  double scale_ = 1.0;    ///< mm.
-  double turn_ = 0.0;     ///< Radians from one element to the next.
-  double heading_ = 0.0;  ///< Of the tangent in the plane.
+  double scale_ = 1.0;    ///< Size of the elements, mm.
+  double turn_ = 0.0;     ///< Angle from one element to the next, radians.
+  double heading_ = 0.0;  ///< Direction of the tangent in the plane, radians.
   cnc::Plane plane_ = cnc::Plane::kXY;
 };
 

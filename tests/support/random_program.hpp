@@ -11,28 +11,31 @@ namespace proof {
 
 struct ProgramItem {
   cnc::motion::MotionRequest request{};
-  bool stop_before = false;  ///< A dwell, M0 or tool change: everything is driven before it.
+  /// Whether the motion must come to rest before this item, as for a dwell, M0 or tool change.
+  bool stop_before = false;
 };
 
-/// Path elements as the controller gets them, and how they arrive.
+/// Path elements as the controller receives them, with the sizes of the bursts.
 struct Program {
   std::vector<ProgramItem> items;
-  std::size_t pushed_at_once = 64;  ///< Blocks that arrive before the next segments are cut…
-  std::size_t cut_at_once = 20;     ///< … and so many segments before more blocks arrive.
-  float weld_mm = 0.0F;             ///< G64 Q; the corners' tolerance is the machine's $11.
+  /// Number of blocks that arrive before the next segments are cut.
+  std::size_t pushed_at_once = 64;
+  std::size_t cut_at_once = 20;  ///< Number of segments that are cut before more blocks arrive.
+  float weld_mm = 0.0F;          ///< Tolerance of G64 Q, mm; that of corners is the machine's $11.
 };
 
 struct ProgramSize {
-  double min_time_s = 0.02;  ///< Rough job time; every magnitude is as likely.
+  /// Shortest rough job time, s. The time is random on a logarithmic scale.
+  double min_time_s = 0.02;
   double max_time_s = 3.0;
   double max_steps = 20'000.0;
-  bool splines = false;  ///< Stretches of splines, as the arcs that stand for them, too.
+  bool splines = false;  ///< Includes stretches of splines, as the arcs that approximate them.
 };
 
-/// Lines, arcs, helices and rapids on two to six axes in stretches of one
-/// nasty kind each: micrometre steps, reversals, almost tangent joints, 10⁴ to
-/// 1 slopes, polylines of smooth curves, chains of tangent arcs, full circles
-/// and turns, motions of nothing; with changes of feed and beam and with stops.
+/// Returns lines, arcs, helices and rapids on two to six axes, in stretches of one difficult kind
+/// each. Kinds are micrometre steps, reversals, almost tangent joints, slopes of 10⁴ to 1,
+/// polylines of smooth curves, chains of tangent arcs, full circles and turns, and motions without
+/// length. Feed and beam change, and some stretches begin after a stop.
 [[nodiscard]] Program random_program(Random& random,
                                      const TestMachine& machine,
                                      const ProgramSize& size = {});

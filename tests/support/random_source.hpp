@@ -6,8 +6,8 @@
 
 namespace proof {
 
-/// Random numbers that are the same with every compiler and library
-/// (SplitMix64, Steele and others 2014); std::uniform_real_distribution is not.
+/// Source of random numbers that are the same with every compiler and library (SplitMix64, Steele
+/// and others 2014), which is not true of std::uniform_real_distribution.
 class Random {
  public:
   explicit Random(std::uint64_t seed) : state_{mix(seed)} {}
@@ -17,10 +17,11 @@ class Random {
     return mix(state_);
   }
 
-  /// In [0, 1).
+  /// Returns a number in [0, 1).
   double unit() { return static_cast<double>(bits() >> 11) * 0x1.0p-53; }
   double between(double least, double most) { return least + (most - least) * unit(); }
-  /// Every factor of ten is as likely as the next. @pre 0 < least ≤ most
+  /// Returns a number on a logarithmic scale: every factor of ten is equally likely. @pre 0 < least
+  /// ≤ most
   double magnitude(double least, double most) {
     return least * std::exp(unit() * std::log(most / least));
   }
@@ -28,7 +29,7 @@ class Random {
     const double size = magnitude(least, most);
     return chance(0.5) ? size : -size;
   }
-  /// 0…count − 1.
+  /// Returns a whole number in 0…count − 1.
   std::size_t below(std::size_t count) { return static_cast<std::size_t>(bits() % count); }
   bool chance(double probability) { return unit() < probability; }
 

@@ -19,7 +19,7 @@ double power_of_ten(proof::Random& random, double least, double most) {
   return std::pow(10.0, random.between(least, most));
 }
 
-/// The oracle finds the seven phases, of which the time is the sum.
+/// The oracle computes the seven phases; the time must be their sum.
 TEST(RapidTimeTest, IsThatOfTheSevenPhases) {
   for (const std::uint64_t seed : proof::Trials{20'000}) {
     proof::Random random{seed};
@@ -36,7 +36,7 @@ TEST(RapidTimeTest, IsThatOfTheSevenPhases) {
   }
 }
 
-/// No axis is faster than its own limits: the slower axis alone takes as long.
+/// Each axis alone keeps its limits, so the time must be that of the slowest axis alone.
 TEST(RapidTimeTest, IsTheTimeOfTheAxisThatTakesLongest) {
   for (const std::uint64_t seed : proof::Trials{5'000}) {
     proof::Random random{seed};

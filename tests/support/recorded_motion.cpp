@@ -5,7 +5,8 @@
 namespace proof {
 namespace {
 
-/// From the ends, and the centre where the bend at the start points to.
+/// Returns the curve of a block, from its ends and from its centre, to which the curvature vector
+/// at the start points.
 sim::Curve curve_of_block(const ExactBlock& block) {
   const Vector start = block.place_at(0.0);
   const Vector end = block.place_at(1.0);

@@ -8,14 +8,16 @@
 
 namespace proof {
 
-/// A recorded plan in the terms of its judge (motion_judge.hpp).
+/// A recorded plan in the form that motion_judge.hpp requires.
 struct RecordedMotion {
-  std::vector<sim::PlanPiece> pieces;  ///< A slice each: place over time, before any filter.
-  sim::ProgrammedPath path;            ///< A piece for each block, of the exact geometry.
+  /// One piece per slice: position over time, before any filter.
+  std::vector<sim::PlanPiece> pieces;
+  sim::ProgrammedPath path;  ///< One piece per block, with the exact geometry.
 };
 
-/// Places are the slices' fractions of the exact lengths, so that the rounding of the plan's
-/// lengths does not add up; it shows in FilteredPlan::greatest_gap.
+/// Converts a recorded plan. Positions are the slices' fractions of the exact lengths, so that
+/// rounding of the plan's lengths does not accumulate. FilteredPlan::greatest_gap shows this
+/// rounding.
 [[nodiscard]] RecordedMotion motion_of(const RecordedPlan& plan);
 
 }  // namespace proof

@@ -7,32 +7,34 @@
 
 namespace proof {
 
-/// A slice of the plan with the time at which it begins.
+/// A slice of the plan with its start time.
 struct TimedSlice {
   cnc::motion::Slice slice{};
   double start_s = 0.0;
 
   [[nodiscard]] double end_s() const { return start_s + static_cast<double>(slice.duration); }
   [[nodiscard]] double end_speed() const { return speed_at(static_cast<double>(slice.duration)); }
-  /// @param within s since its start.
+  /// Returns the speed at a time within the slice, mm/s. @param within time since the slice's
+  /// start, s
   [[nodiscard]] double speed_at(double within) const {
     return static_cast<double>(slice.start_speed) +
            static_cast<double>(slice.acceleration) * within;
   }
-  /// Of the block's length, in proportion to the planned way.
+  /// Returns the fraction of the block's length that is driven, in proportion to the planned
+  /// distance.
   [[nodiscard]] double fraction_at(double within) const;
 };
 
-/// A block as it was planned, beside its exact geometry.
+/// A block as it was planned, with its exact geometry.
 struct PlannedBlock {
   cnc::motion::Block block{};
   ExactBlock exact;
   cnc::Position end{};
-  bool from_rest = false;  ///< Something made the machine stop before it.
+  bool from_rest = false;  ///< The program requires a stop before this block.
   cnc::PathElement element{};
 };
 
-/// What the segmenter planned, all of it.
+/// Record of the blocks, slices and segments that the segmenter planned.
 class RecordedPlan final : public cnc::motion::SliceObserver {
  public:
   void on_slice(const cnc::motion::Slice& slice) override {
@@ -40,7 +42,7 @@ class RecordedPlan final : public cnc::motion::SliceObserver {
     seconds += static_cast<double>(slice.duration);
   }
 
-  /// Motor positions in steps, unrounded, while slice `index` is driven.
+  /// Returns the motor position of an axis at a time in slice `index`, in unrounded steps.
   [[nodiscard]] double steps_at(std::size_t index,
                                 double time_s,
                                 std::size_t axis,

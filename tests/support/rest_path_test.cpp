@@ -39,7 +39,8 @@ MilledPocket rest_of(const sim::Contour& area, const StrategyOptions& options) {
   return planner.mill(area.view(), options.pocket.clearing.tool_radius);
 }
 
-/// Looks for faults of the rest by distances and samples of its own.
+/// Finds faults of a rest path by distances and samples that are computed independently of the
+/// planner.
 class RestCheck {
  public:
   RestCheck(const sim::Contour& area, const MilledPocket& path, const StrategyOptions& options)
@@ -64,7 +65,7 @@ class RestCheck {
     return complaint_;
   }
 
-  /// Places that the former tool has left, of those that were tried.
+  /// Returns the number of sampled points that the former tool left uncut.
   [[nodiscard]] std::size_t places_left() const { return places_left_; }
 
  private:
@@ -107,17 +108,18 @@ class RestCheck {
         complain("gouges by " + std::to_string(radius_ - away), place);
       }
     }
-    // At a beginning the chord of a wall may pass through the place, which proves nothing.
+    // Near the beginning of a wall, the wall's chord may pass through the point, so that a test
+    // there proves nothing. The point at 0.4 is tested instead.
     if (!oracle_.wall().encloses(arc.at(0.4))) complain("outside of the pocket", arc.at(0.4));
   }
 
-  /// Whether the former tool has taken the stock at a place, or within a distance of it.
+  /// Returns whether the former tool removed the stock at a point, or within a distance of it.
   [[nodiscard]] bool is_cleared(const WideVec2& place, double within_mm) const {
     if (former_.empty()) return false;
     return former_.encloses(place) || former_.distance(place) <= former_radius_ + within_mm;
   }
 
-  /// Straight down the tool meets no stock.
+  /// Checks that the tool meets no stock when it plunges here.
   void check_free(const WideVec2& place) {
     constexpr int kAround = 48;
     for (int i = 0; i < kAround; ++i) {
@@ -127,7 +129,7 @@ class RestCheck {
     }
   }
 
-  /// Tries a place near the wall, where the rest is.
+  /// Checks the cut at a random point near the wall, where the rest lies.
   void check_stock(Random& random) {
     const cnc::pocket::PlainContour& wall = oracle_.wall();
     const WideVec2 foot = wall.at(random.below(wall.size()), random.between(0.0, 1.0));
@@ -162,7 +164,7 @@ TEST(RestPaths, MillTheCornersOfARoom) {
   const sim::Contour area = sim::contour_from_text(kRestRoom, "test");
   const StrategyOptions options = options_of(1.5, 3.0);
   const MilledPocket path = rest_of(area, options);
-  // One pass is enough: what is left in a corner is nowhere farther than 1.8 mm from it.
+  // Each corner requires only one pass: its rest extends to at most 1.8 mm from the corner.
   EXPECT_EQ(path.passes, 4U);
   EXPECT_EQ(path.row_ends.size(), 4U);
   for (const auto& point : path.points) {
@@ -184,7 +186,7 @@ TEST(RestPaths, RunAgainstTheLoopsWhereAsked) {
   EXPECT_EQ(path.row_ends.size(), 4U);
   Random random{1};
   EXPECT_EQ((RestCheck{area, path, options}.run(random)), "");
-  // The first element at the wall of the first row runs clockwise about the middle of the room.
+  // The first element at the wall in the first row runs clockwise about the middle of the room.
   const PathPoint<double>& from = path.points[2];
   const PathPoint<double>& to = path.points[3];
   EXPECT_LT(cnc::cross(from.point() - WideVec2{30.0, 20.0}, to.point() - from.point()), 0.0);
@@ -204,7 +206,8 @@ TEST(RestPaths, AreTheWholePocketWhereTheFormerToolDidNotFit) {
 }
 
 TEST(RestPaths, MillRoomsBehindNarrowDoors) {
-  // The former tool stays in the room on the left; the one on the right has passes all around.
+  // The former tool cannot leave the room on the left; the room on the right gets passes all
+  // around.
   const sim::Contour area = sim::contour_from_text(
       "0 0\n40 0\n40 18\n50 18\n50 12\n62 12\n62 28\n50 28\n50 22\n40 22\n40 40\n0 40\nclosed\n",
       "test");
@@ -234,7 +237,7 @@ TEST(RestPaths, MillWhatIsLeftOfRandomPockets) {
       pieces += path.passes;
       places += check.places_left();
     } catch (const sim::pocket::NoPocketPath&) {
-      ++refused;  // The tool fits nowhere, or a part is too short for a ramp.
+      ++refused;  // The tool fits nowhere, or a part of the area is too short for a ramp.
     }
   }
   std::printf(

@@ -24,7 +24,8 @@ WideVec2 on_circle(const ToolCircle& circle, double angle) {
   return circle.centre + circle.radius * WideVec2{std::cos(angle), std::sin(angle)};
 }
 
-/// A tool at the end of a cut along a circle, and the next circle, whose crescent it is to begin.
+/// A tool at the end of a cut along a circle, and the next circle. The tool returns to the
+/// beginning of the crescent between the two circles.
 struct Return {
   PathRows rows;
   DepthWriter writer{rows, 1.0};
@@ -39,7 +40,7 @@ struct Return {
     writer.light_pass(crescent.middle, crescent.bulge);
   }
 
-  /// From the cut's last point on.
+  /// Returns point `i`, counted from the last point of the cut.
   [[nodiscard]] const cnc::pocket::PathPoint<double>& point(std::size_t i) const {
     return rows.points[i + 1];
   }
@@ -120,11 +121,11 @@ TEST(RoundReturns, StayInTheDiscsThatTheyLeadThrough) {
       if (kink > 1.0e-3) ++corners;
     }
   }
-  // Where the way nearly turns back, and where the first arc has no room.
+  // Corners are allowed where the path almost reverses, and where the first arc has no space.
   EXPECT_LT(20 * corners, joints);
 }
 
-/// Expects that elements of a path meet with one tangent.
+/// Expects that the elements of a path from `first` on meet with a common tangent.
 void expect_smooth(const PathRows& rows, std::size_t first) {
   for (std::size_t i = first; i + 1 < rows.points.size(); ++i) {
     EXPECT_LT(cnc::pocket::kink_between(rows.points[i - 1], rows.points[i], rows.points[i + 1]),
@@ -153,7 +154,7 @@ TEST(RoundReturns, HaveSmallerTurnsWhereLargeOnesWouldLeaveTheDisc) {
   DepthWriter writer{rows, 1.0};
   writer.begin_row_in_cleared({-3.0, 0.0});
   writer.pass({-1.0, 0.0});
-  // A turn to the left of 2 mm does not fit into a circle of 1.
+  // A left turn of 2 mm does not fit into a circle of 1 mm.
   go_back_round(writer, {{0.0, 0.0}, 1.0}, {{0.0, 1.0}, {-1.0, 0.0}}, 2.0);
   expect_smooth(rows, 2);
   EXPECT_GT(rows.points.size(), 4U);

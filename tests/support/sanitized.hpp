@@ -2,7 +2,7 @@
 
 namespace proof {
 
-/// Whether a sanitizer watches this build, which makes it some times slower.
+/// Whether this build runs with a sanitizer, which makes it several times slower.
 #ifdef __has_feature
 #if __has_feature(address_sanitizer)
 inline constexpr bool kSanitized = true;

@@ -1,4 +1,4 @@
-"""Whether a program is that of the sanitizers' build, which keeps what is freed."""
+"""Tells whether a program is from the build with sanitizers, which keeps freed memory allocated."""
 import pathlib
 
 

@@ -1,4 +1,4 @@
-"""Seeds of the random tests in Python, as tests/support/trials.hpp has them for those in C++."""
+"""Seeds of the random tests in Python; tests/support/trials.hpp does the same for the tests in C++."""
 import inspect
 import os
 import pathlib
@@ -7,7 +7,8 @@ import unittest
 
 
 def first_seed_of(base: str, test: str) -> int:
-    """1 without a base, else 1 to 4e9 by a hash of base and test, the same as in trials.cpp."""
+    """Returns the seed at which the range of a test begins: 1 without a base, else 1 to 4e9 by a
+    hash of base and test, the same as in trials.cpp."""
     if not base:
         return 1
     mask = (1 << 64) - 1
@@ -20,19 +21,20 @@ def first_seed_of(base: str, test: str) -> int:
 
 
 def trials(usual: int, in_proof: int = 0) -> int:
-    """KERFLINE_TRIALS, else `in_proof` in prove.sh where it is given, else `usual`."""
+    """Returns the number of trials: KERFLINE_TRIALS if set, else `in_proof` in prove.sh if it is
+    given, else `usual`."""
     proves = in_proof > 0 and os.environ.get("KERFLINE_TIER") == "prove"
     return int(os.environ.get("KERFLINE_TRIALS", in_proof if proves else usual))
 
 
 def name_of(test: unittest.TestCase) -> str:
-    """Class and method, as a section of a seed file names them."""
+    """Returns class and method of a test, which are its section in a seed file."""
     return ".".join(test.id().split(".")[-2:])
 
 
 def first_seed(test: unittest.TestCase, known_fault: bool = False) -> int:
-    """The first seed of a running test; prints it and the base once for each call. Where a known
-    fault violates some new seeds it is 1, but in the last step of prove.sh."""
+    """Returns the first seed of a running test; prints it with the base. If a known fault violates
+    some new seeds, the first seed is 1, except in the last step of prove.sh."""
     base = os.environ.get("KERFLINE_SEED_BASE", "")
     if known_fault:
         print("a known fault violates some new seeds")
@@ -44,8 +46,9 @@ def first_seed(test: unittest.TestCase, known_fault: bool = False) -> int:
 
 
 def share_of(cases: list, in_test: int, name: str) -> list:
-    """All cases of the test of that name; in toolchain/test.sh `in_test` of them or a few more: every
-    so many, beginning at another one with another base of seeds."""
+    """Returns the cases of a test that run. In toolchain/test.sh these are every n-th case,
+    `in_test` or a few more, and the base of seeds chooses where they begin. Elsewhere all cases
+    run."""
     stride = len(cases) // in_test if os.environ.get("KERFLINE_TIER") == "test" else 1
     if stride < 2:
         return cases
@@ -56,7 +59,8 @@ def share_of(cases: list, in_test: int, name: str) -> list:
 
 
 def read_seeds(text: str) -> dict:
-    """The seeds by test of a seed file (seed_file.hpp says its form). Raises ValueError."""
+    """Returns the seeds of a seed file by test (seed_file.hpp describes the format). Raises
+    ValueError."""
     seeds, section = {}, None
     for number, line in enumerate(text.splitlines(), 1):
         if not line.strip() or line.lstrip().startswith("#"):
@@ -71,7 +75,8 @@ def read_seeds(text: str) -> dict:
 
 
 def failed_seeds_of(test: unittest.TestCase) -> list:
-    """The test's seeds in the .seeds file beside it; none where KERFLINE_SEED chooses one."""
+    """Returns the seeds of the test in the .seeds file of its folder; none if KERFLINE_SEED chooses
+    a seed."""
     file = pathlib.Path(inspect.getfile(type(test))).with_suffix(".seeds")
     if "KERFLINE_SEED" in os.environ or not file.exists():
         return []
@@ -84,7 +89,7 @@ def failed_seeds_of(test: unittest.TestCase) -> list:
 
 
 def seeds_of(test: unittest.TestCase, usual: int, known_fault: bool = False) -> list:
-    """The seeds that once failed, then the random range."""
+    """Returns the seeds of a test: those that once failed, then the random range."""
     first = first_seed(test, known_fault)
     count = trials(1 if "KERFLINE_SEED" in os.environ else usual)
     return failed_seeds_of(test) + list(range(first, first + count))

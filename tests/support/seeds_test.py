@@ -1,4 +1,5 @@
-"""Seeds of random tests in Python: the same as in C++, and seed files that are read in full."""
+"""Tests that random tests in Python have the same seeds as in C++, and that seed files are read
+completely."""
 import os
 import unittest
 from unittest import mock

@@ -4,7 +4,7 @@
 
 namespace proof {
 
-/// Nobody at the other end, for tests that speak to the machine itself.
+/// A link without a sender, for tests that call the machine directly.
 class SilentLink final : public hal::ByteStream {
  public:
   [[nodiscard]] std::size_t read(std::span<std::byte>) override { return 0; }

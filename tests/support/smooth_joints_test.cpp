@@ -1,4 +1,4 @@
-// How tool paths of pockets turn from each element into the next.
+// Tests that tool paths of pockets have corners only where the wall has them.
 
 #include <gtest/gtest.h>
 

@@ -9,11 +9,12 @@
 namespace sim {
 namespace {
 
-/// The acceleration-limited optimum may be higher than its grid says: 1 % of speed.
+/// Factor on v³ for the optimum's own error: the acceleration-limited optimum may exceed its value
+/// on the grid by 1 % of speed.
 constexpr double kOwnGrid = 1.03;
 
-/// The square of the greatest speed at the start of a piece by what is there alone.
-/// The one place that knows how joints are driven.
+/// Returns the square of the greatest speed at the start of a piece, by the joint alone: 0 for a
+/// stop. Only this function knows how joints are driven.
 double joint_square(const ProgrammedPath& path, std::size_t piece) {
   if (piece == 0) return 0.0;
   const bool stop = is_stop(path.pieces[piece],
@@ -43,7 +44,8 @@ class SectionMesher {
                 PieceRange range)
       : path_{path}, limits_{limits}, size_{size}, fastest_{fastest}, range_{range} {}
 
-  /// @param start mm from the start of the path. @param sample the first of the profile there.
+  /// Divides the section into cells. @param start start of the section, mm along the path @param
+  /// sample first sample of the profile in the section
   SpeedSection mesh(double start, std::size_t sample) {
     start_ = start;
     end_ = start;
@@ -87,8 +89,8 @@ class SectionMesher {
         piece, piece.curve.tangent_at(fraction), piece.curve.curvature_at(fraction), limits_));
   }
 
-  /// √y at the joints, no higher than what can be reached from the others: by jerk alone
-  /// √y grows by √(4.5 J) per length at most, which is how a start from rest grows.
+  /// Computes √y at the joints, limited by the values that can be reached from the other joints.
+  /// Jerk alone lets √y grow by at most √(4.5 J) per length, as in a start from rest.
   void find_slow_joints() {
     slope_ = std::sqrt(4.5 * jerk_);
     double place = start_;
@@ -110,7 +112,7 @@ class SectionMesher {
     }
   }
 
-  /// The greatest y that jerk lets a motion have between the joints beside a place.
+  /// Returns the greatest y at a position that jerk permits between the joints before and after it.
   [[nodiscard]] double cube_between_joints(double place) const {
     const auto above = std::ranges::upper_bound(joins_, place);
     const auto next = static_cast<std::size_t>(
@@ -121,7 +123,7 @@ class SectionMesher {
     return root * root;
   }
 
-  /// Time, place and greatest v² of the estimated motion.
+  /// Computes times, positions and the greatest v² of the estimated motion.
   void time_samples(std::size_t sample) {
     const auto& samples = fastest_.samples;
     places_ = {start_};
@@ -131,7 +133,8 @@ class SectionMesher {
       const auto& from = samples[sample];
       const auto& to = samples[sample + 1];
       if (to.place <= places_.back()) continue;
-      // Four looks between two samples of the profile, at what can be reached from both.
+      // Takes four points between two samples of the profile, limited by the speeds that can be
+      // reached from both samples.
       for (const double share : {0.05, 0.3, 0.7, 1.0}) {
         const double way = share * (to.place - from.place);
         const double rest = (1.0 - share) * (to.place - from.place);
@@ -148,7 +151,8 @@ class SectionMesher {
   void add_sample(double place, double square) {
     const double speed = std::min(std::sqrt(square), std::cbrt(cube_between_joints(place)));
     if (last_speed_ + speed <= 0.0) return;
-    const double weight = last_speed_ > 0.0 && speed > 0.0 ? 2.0 : 3.0;  // ∫ d^(−⅔) at stops.
+    // The integral ∫ d^(−⅔) at stops gives the factor 3.
+    const double weight = last_speed_ > 0.0 && speed > 0.0 ? 2.0 : 3.0;
     const double time = weight * (place - places_.back()) / (last_speed_ + speed);
     last_speed_ = speed;
     times_.push_back(times_.back() + time);
@@ -205,7 +209,7 @@ class SectionMesher {
         std::min(cube_of_root(interpolate(places_, squares_, place)), cube_between_joints(place)));
   }
 
-  /// The corner rule at the joints.
+  /// Applies the corner rule at the joints.
   void bound_ends() {
     std::size_t piece = range_.first;
     for (const std::size_t joint : joints_) {
@@ -214,9 +218,10 @@ class SectionMesher {
     }
   }
 
-  /// a²/v ≤ 2 J: an acceleration a has been reached from 0, or goes back to 0, within a
-  /// time in which the speed changes by a²/2J at least. And a²/v ≤ A²/v, which is a convex
-  /// function of y, so its chord from where it is 2 J to the greatest possible y.
+  /// Computes the bounds of a²/v. First, a²/v ≤ 2 J: to reach the acceleration a from 0, or to
+  /// return to 0, the motion changes its speed by at least a²/2J. Second, a²/v ≤ A²/v, which is a
+  /// convex function of y. So its chord is a bound, too, from where it is 2 J to the greatest
+  /// possible y.
   void bound_relief() {
     const auto reach = static_cast<std::size_t>(std::ceil(longest_rise_ / step_)) + 2;
     for (std::size_t i = 0; i < cells_.size(); ++i) {
@@ -252,19 +257,19 @@ class SectionMesher {
   double end_ = 0.0;
   double rise_ = 0.0;            ///< Least A/J, s.
   double longest_rise_ = 0.0;    ///< Greatest A/J, s.
-  double jerk_ = 0.0;            ///< Greatest along the path…
-  double acceleration_ = 0.0;    ///< …and greatest acceleration.
-  double step_ = 0.0;            ///< Of time, s.
-  double slope_ = 0.0;           ///< Of √y.
-  std::vector<double> joins_{};  ///< Places of all joints and both ends.
-  std::vector<double> roots_{};  ///< √y there.
+  double jerk_ = 0.0;            ///< Greatest jerk along the path, mm/s³.
+  double acceleration_ = 0.0;    ///< Greatest acceleration along the path, mm/s².
+  double step_ = 0.0;            ///< Duration of a cell, s.
+  double slope_ = 0.0;           ///< Greatest growth of √y per length.
+  std::vector<double> joins_{};  ///< Positions of all joints and of both ends, mm.
+  std::vector<double> roots_{};  ///< √y at `joins_`.
   std::vector<double> times_{};
   std::vector<double> places_{};
   std::vector<double> squares_{};  ///< v² of the acceleration-limited optimum.
   double last_speed_ = 0.0;
   SpeedSection cells_{};
-  std::vector<double> fastest_cubes_{};  ///< Its v³, for each cell.
-  std::vector<std::size_t> joints_{};    ///< First cells of all pieces but the first.
+  std::vector<double> fastest_cubes_{};  ///< v³ of the fastest motion, for each cell.
+  std::vector<std::size_t> joints_{};    ///< Index of the first cell of every piece but the first.
 };
 
 }  // namespace

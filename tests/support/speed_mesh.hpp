@@ -7,36 +7,39 @@
 
 namespace sim {
 
-/// A stretch of the path on which y″ is constant (y = v³), with what holds on it.
+/// A stretch of the path on which y″ is constant (y = v³), with the rules that apply there.
 struct SpeedCell {
-  double length = 0.0;  ///< mm.
-  PlaceRules start{};   ///< Differs from the end of the cell before at joints.
+  double length = 0.0;  ///< Length, mm.
+  /// Rules at the start. At a joint, they differ from those at the end of the previous cell.
+  PlaceRules start{};
   PlaceRules middle{};
   PlaceRules end{};
   bool begins_piece = false;
-  bool turns = false;       ///< The rules change within it.
-  double cap_inside = 0.0;  ///< Of y, on this cell's piece, mm³/s³.
-  double cap_end = 0.0;     ///< At its end, of both sides and the corner rule.
-  /// Upper bounds of a²/v for every motion that keeps the rules, see relax().
+  bool turns = false;       ///< Whether the rules change within the cell.
+  double cap_inside = 0.0;  ///< Greatest y on this cell's piece, mm³/s³.
+  /// Greatest y at the cell's end, by the pieces on both sides and the corner rule, mm³/s³.
+  double cap_end = 0.0;
+  /// Upper bounds of a²/v for every motion that satisfies the rules, see bound_relief().
   JerkRelief relief{};
 };
 
-/// From one standstill to the next.
+/// The cells from one standstill to the next.
 using SpeedSection = std::vector<SpeedCell>;
 
 struct MeshSize {
   double cells_per_rise =
-      10.0;             ///< In the time in which the quickest axis reaches its acceleration.
-  double widest = 0.1;  ///< Radians of an arc in one cell.
-  std::size_t min_cells = 400;   ///< In a section,
-  std::size_t max_cells = 1500;  ///< in which each piece has one at least.
-  double start = 1.0;            ///< How slow the motion is that the search begins with; ≤ 1.
+      10.0;             ///< Number of cells while the quickest axis reaches its acceleration.
+  double widest = 0.1;  ///< Greatest sweep of an arc in one cell, radians.
+  std::size_t min_cells = 400;  ///< Least number of cells in a section.
+  /// Greatest number of cells in a section; each piece has at least one nevertheless.
+  std::size_t max_cells = 1500;
+  double start = 1.0;  ///< Share of the usual height y with which the search starts; ≤ 1.
 };
 
-/// Divides a path at its stops, and what is between into cells that last about equally
-/// long in a motion that is somewhat faster than possible: the lesser of the
-/// acceleration-limited optimum and of what jerk lets it have at a distance d from the joints,
-/// where y is at most c: √y = √c + √(4.5 J) d. So cells shrink towards stops and slow corners.
+/// Divides a path at its stops, and each section into cells of about equal duration. The durations
+/// are those of an estimated motion, slightly faster than possible: the lesser of the
+/// acceleration-limited optimum and of a limit by jerk. At a distance d from a joint with y ≤ c,
+/// jerk permits √y = √c + √(4.5 J) d. So cells become shorter towards stops and slow corners.
 [[nodiscard]] std::vector<SpeedSection> speed_mesh(const ProgrammedPath& path,
                                                    const MotionLimits& limits,
                                                    const MeshSize& size);

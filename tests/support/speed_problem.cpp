@@ -7,10 +7,12 @@
 namespace sim {
 namespace {
 
-/// Bottlenecks beyond this many are not looked at one by one.
+/// Greatest number of bottlenecks that are treated separately; if there are more, the slowest one
+/// stands for all.
 constexpr std::size_t kMaxBottlenecks = 2000;
 
-/// A start from rest is at the limit of a²/v all the time; a cell beside a joint sees both sides.
+/// Factor on the limit of a²/v. A start from rest is at this limit all the time, and a cell at a
+/// joint is subject to the rules of both sides.
 constexpr double kSlack = 1.01;
 
 }  // namespace
@@ -25,7 +27,7 @@ double SpeedProblem::length_of(std::ptrdiff_t cell) const {
   return cells_[static_cast<std::size_t>(cell)].length;
 }
 
-// de Boor, A Practical Guide to Splines, 1978, for order 3 with the ends threefold.
+// Quadratic B-splines with threefold end knots (de Boor, A Practical Guide to Splines, 1978).
 SpeedProblem::Basis SpeedProblem::basis(std::size_t cell, double share) const {
   const auto index = static_cast<std::ptrdiff_t>(cell);
   const double h = cells_[cell].length;
@@ -52,13 +54,13 @@ std::array<double, 3> SpeedProblem::apply(const Basis& basis,
   return result;
 }
 
-/// Calls the visitor with each place's barrier; false as soon as a rule is broken.
+/// Calls the visitor with the barrier of each point. Returns false as soon as a rule is violated.
 template <typename Visitor>
 bool SpeedProblem::visit(const std::vector<double>& unknown,
                          double weight,
                          Visitor&& visitor) const {
   const std::size_t last = cells_.size() - 1;
-  // Time at the end of a cell: exact for y ~ d² in the cells beside the stops.
+  // Weight of the time at the end of a cell: exact for y ~ d² in the cells next to the stops.
   const auto end_weight = [&](std::size_t i) {
     const double before = cells_[i].length * (i == 0 ? 3.0 : 1.0 / 6.0);
     return weight * (before + cells_[i + 1].length * (i + 1 == last ? 3.0 : 1.0 / 6.0));
@@ -113,7 +115,7 @@ double SpeedProblem::rule_count() const {
 
 double SpeedProblem::time(const std::vector<double>& unknown) const {
   constexpr double kOne = 1.0;
-  // The logarithms drop out.
+  // The logarithms cancel in the difference.
   return value(unknown, 2.0 * kOne) - value(unknown, kOne);
 }
 
@@ -156,8 +158,8 @@ SpeedProblem::Place SpeedProblem::end_of(std::size_t cell,
   return {y, first};
 }
 
-/// 1/y = Σ 1/(cap + C d²) over the stops and the slow places, d being the distance from each:
-/// y ≤ every cap, y″ ~ C and a²/v ≤ 4 C/9 whatever the number of terms.
+/// Returns 1/y = Σ 1/(cap + C d²) over the stops and the slow stretches, where d is the distance
+/// from each of them. So y ≤ every cap, y″ ~ C and a²/v ≤ 4 C/9, for any number of terms.
 std::vector<double> SpeedProblem::start_of_height(double curve, double share) const {
   struct Bottleneck {
     double from, to, cap;
@@ -179,7 +181,7 @@ std::vector<double> SpeedProblem::start_of_height(double curve, double share) co
   }
   std::vector<double> unknown(unknowns());
   for (std::size_t i = 0; i < unknown.size(); ++i) {
-    // A coefficient is the polar form of a square at its two knots.
+    // A coefficient of the spline is the polar form of a square at its two knots.
     double sum = 0.0;
     for (const Bottleneck& place : slow) {
       const auto beside = [&](double at) { return at - std::clamp(at, place.from, place.to); };

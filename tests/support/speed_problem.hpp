@@ -7,33 +7,35 @@
 
 namespace sim {
 
-/// One section's y = v³ as a quadratic spline of its cells, at rest at both ends, and
-/// the barrier of its rules: weight · time − Σ log(room of each rule).
+/// The problem of one section: y = v³ as a quadratic spline over its cells, at rest at both ends.
+/// The class evaluates the barrier function: weight · time − Σ log(margin of each rule).
 ///
-/// Rules are held at the ends of the cells (rates, acceleration) and in their
-/// middles (jerk); time is counted by Simpson's rule, beside a stop exactly for y ~ d².
+/// Rules apply at the ends of the cells (rates, acceleration) and in their middles (jerk). Time is
+/// computed by Simpson's rule; next to a stop it is exact for y ~ d².
 class SpeedProblem {
  public:
-  /// @param exact whether a²/v stands for itself or is relaxed (JerkRelief).
+  /// @param exact whether the jerk rule uses a²/v itself, or its upper bounds (JerkRelief)
   /// @pre at least three cells
   SpeedProblem(const SpeedSection& cells, bool exact);
 
-  /// Unknowns are the spline's coefficients but the first and the last two, which are 0.
+  /// Returns the number of unknowns. They are the spline's coefficients except the first and the
+  /// last two, which are 0.
   [[nodiscard]] std::size_t unknowns() const { return cells_.size() - 2; }
 
-  /// The time alone, s.
+  /// Returns the time alone, s.
   [[nodiscard]] double time(const std::vector<double>& unknown) const;
-  /// Infinity where a rule is broken.
+  /// Returns the barrier function; infinity if a rule is violated.
   [[nodiscard]] double value(const std::vector<double>& unknown, double weight) const;
-  /// Fills the Newton system: Hessian, and the negative gradient on the right.
+  /// Fills Newton's system of equations: the Hessian, and the negative gradient as the right side.
   void derive(const std::vector<double>& unknown, double weight, BandSystem& system) const;
-  /// How many logarithms there are.
+  /// Returns the number of logarithms in the barrier function.
   [[nodiscard]] double rule_count() const;
 
-  /// A slow motion within every rule. @param share of y of the usual one, or less.
+  /// Returns a slow motion that satisfies every rule. @param share height y as a share of the usual
+  /// one, ≤ 1
   [[nodiscard]] std::vector<double> slow_start(double share = 1.0) const;
 
-  /// y and y′ at the end of a cell.
+  /// The values y and y′ at the end of a cell.
   struct Place {
     double y = 0.0;
     double first = 0.0;
@@ -41,7 +43,7 @@ class SpeedProblem {
   [[nodiscard]] Place end_of(std::size_t cell, const std::vector<double>& unknown) const;
 
  private:
-  /// y, y′ and y″ as rows over the three coefficients that reach a cell.
+  /// Rows that yield y, y′ and y″ from the three coefficients that affect a cell.
   using Basis = std::array<std::array<double, 3>, 3>;
   [[nodiscard]] Basis basis(std::size_t cell, double share) const;
   [[nodiscard]] static std::array<double, 3> apply(const Basis& basis,
@@ -58,7 +60,7 @@ class SpeedProblem {
 
   const SpeedSection& cells_;
   bool exact_;
-  std::vector<double> places_{};  ///< mm, of the cells' ends from the section's start.
+  std::vector<double> places_{};  ///< Positions of the cells' ends from the section's start, mm.
 };
 
 }  // namespace sim

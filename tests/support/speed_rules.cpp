@@ -7,7 +7,7 @@ namespace sim {
 PlaceBarrier::PlaceBarrier(double y, double first, double second)
     : y_{y}, first_{first}, second_{second}, speed_{std::cbrt(y)}, kept_{y > 0.0} {}
 
-/// −log(room).
+/// Adds −log(room), where `room` is the margin of a rule and `slope` its gradient.
 void PlaceBarrier::add_log(double room, const Slope& slope) {
   if (!(room > 0.0)) kept_ = false;
   if (!kept_) return;
@@ -26,7 +26,7 @@ void PlaceBarrier::keep_below(double cap) { add_log(cap - y_, {-1.0, 0.0, 0.0});
 void PlaceBarrier::keep_acceleration(const PlaceRules& rules) {
   for (std::size_t i = 0; i < rules.count; ++i) {
     const AxisRule& axis = rules.axes[i];
-    const double slope = axis.acceleration / (speed_ * speed_);  // Of 3 A y^⅓.
+    const double slope = axis.acceleration / (speed_ * speed_);  // Derivative of 3 A y^⅓.
     const double used = axis.tangent * first_ + 3.0 * axis.bend * y_;
     for (const double sign : {1.0, -1.0}) {
       const double room = 3.0 * axis.acceleration * speed_ - sign * used;
@@ -44,7 +44,8 @@ void PlaceBarrier::jerk_from_below(const AxisRule& axis, double sign) {
   const double lean = first_ / y_;
   add_log(room,
           {t * relief / y_ + sign * axis.twist, -2.0 / 9.0 * t * lean + sign * axis.bend, t / 3.0});
-  const double curve = 2.0 / 9.0 * t / y_ / room;  // Of t y′²/9y, along (1, −y′/y) in (y′, y).
+  // Second derivative of t y′²/9y, along (1, −y′/y) in (y′, y).
+  const double curve = 2.0 / 9.0 * t / y_ / room;
   hessian_[1][1] += curve;
   hessian_[0][1] -= curve * lean;
   hessian_[0][0] += curve * lean * lean;
@@ -55,7 +56,7 @@ void PlaceBarrier::jerk_from_above(const AxisRule& axis, double sign, const Jerk
   const double room = axis.jerk - t * second_ / 3.0 - sign * (axis.bend * first_ + axis.twist * y_);
   const Slope slope{-sign * axis.twist, -sign * axis.bend, -t / 3.0};
   if (relief.exact) {
-    // Its own curvature, which is concave, is left out of the Hessian.
+    // The Hessian omits the curvature of a²/v itself, which is concave here.
     const double exact = first_ * first_ / (9.0 * y_);
     add_log(room + t * exact,
             {slope[0] - t * exact / y_, slope[1] + 2.0 / 9.0 * t * first_ / y_, slope[2]});

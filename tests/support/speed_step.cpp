@@ -31,8 +31,8 @@ SpeedStep::Range SpeedStep::starts_for(double end, double highest) const {
 }
 
 double SpeedStep::greatest_start(double end, double highest) const {
-  // The greatest u0 is a concave function of u1. Where it still rises at the
-  // greatest u1, that is the best.
+  // The greatest u0 is a concave function of u1. If it still rises at the greatest u1, its maximum
+  // is there.
   const Range range = starts_for(end, highest);
   if (range.low <= range.high && range.slope >= 0.0) return range.high;
   return searched_start(end, highest);
@@ -40,7 +40,7 @@ double SpeedStep::greatest_start(double end, double highest) const {
 
 double SpeedStep::searched_start(double end, double highest) const {
   constexpr int kThirds = 100;
-  // An exact penalty keeps the search concave and sends it to where a range exists.
+  // An exact penalty keeps the function concave and leads the search to where a range exists.
   constexpr double kPenalty = 1.0e6;
   const auto value = [this, highest](double u1) {
     const Range range = starts_for(u1, highest);

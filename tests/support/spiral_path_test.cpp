@@ -42,7 +42,7 @@ struct SpiralWish {
   }
 };
 
-/// Looks for faults of a path by distances and samples of its own.
+/// Finds faults of a path by distances and samples that are computed independently of the planner.
 class SpiralCheck {
  public:
   SpiralCheck(const sim::Contour& area, const SpiralPath& path, const SpiralWish& wish)
@@ -87,7 +87,7 @@ class SpiralCheck {
     }
   }
 
-  /// Corners are at the wall, and where a ramp begins or ends.
+  /// Checks that the path has corners only at the wall and where a ramp begins or ends.
   void check_joint(const PathPoint<double>& a,
                    const PathPoint<double>& b,
                    const PathPoint<double>& c) {
@@ -113,8 +113,8 @@ TEST(SpiralPaths, ClearARoomInOneRow) {
   const SpiralWish wish;
   const SpiralPath path = wish.path_of(area);
   EXPECT_EQ(path.row_ends.size(), 1U);
-  // 17 mm from the middle to the wall's pass: the innermost loop, turns, the outermost and the
-  // wall.
+  // The wall's pass is 17 mm from the middle: the innermost loop, turns of the spiral, the
+  // outermost loop and the wall.
   EXPECT_GE(path.turns, 4U);
   EXPECT_EQ(path.loops, 3U);
   Random random{1};
@@ -134,15 +134,16 @@ TEST(SpiralPaths, HaveOneSpiralAroundAnIsland) {
   for (const char* const text :
        {"60 0 1\n-60 0 1\nclosed\n10 0 -1\n-10 0 -1\nclosed\n",
         "0 0\n90 0\n90 90\n0 90\nclosed\n30 30\n30 60\n60 60\n60 30\nclosed\n",
-        // The island is 8 mm aside, so that the passes in the middle are no rings.
+        // The island is 8 mm off the centre, so that the passes in the middle are not concentric
+        // rings.
         "60 0 1\n-60 0 1\nclosed\n18 0 -1\n-2 0 -1\nclosed\n"}) {
     for (const auto milling : {cnc::pocket::Milling::kClimb, cnc::pocket::Milling::kConventional}) {
       const sim::Contour area = sim::contour_from_text(text, "test");
       const SpiralWish wish{.milling = milling};
       const SpiralPath path = wish.path_of(area);
       EXPECT_GE(path.turns, 4U);
-      // The first and the last loop of the spiral, and both walls. That of the island has a row of
-      // its own unless a link leads there.
+      // The first and the last loop of the spiral, and both walls. The island's wall has its own
+      // row unless a link leads there.
       EXPECT_EQ(path.loops, 4U) << text;
       EXPECT_LE(path.row_ends.size(), 2U) << text;
       Random random{1};
@@ -162,7 +163,7 @@ TEST(SpiralPaths, HaveTwoSpiralsAroundAnIslandNearAWall) {
   EXPECT_EQ((SpiralCheck{area, path, wish}.run(random)), "");
 }
 
-/// A loop of lines and arcs around a place, with all of it in sight from there.
+/// Appends a loop of lines and arcs around `centre`, from where all of the loop is visible.
 void add_star(
     std::string& text, const WideVec2& centre, double radius_mm, bool is_island, Random& random) {
   const std::size_t corners = 3 + random.below(6);
@@ -210,7 +211,8 @@ TEST(SpiralPaths, ClearRandomRings) {
 }
 
 TEST(SpiralPaths, AreLoopsWhereTheCornersAreTooSharp) {
-  // In the sharpest corners loops are 6.7 R, and 2.6 R apart.
+  // Two triangles. In the sharpest corner of the first one, loops are 6.7 R apart; in that of the
+  // second one 2.6 R.
   for (const char* const text : {"0 0\n90 0\n0 25\nclosed\n", "0 0\n90 0\n0 75\nclosed\n"}) {
     const sim::Contour area = sim::contour_from_text(text, "test");
     const SpiralWish wish;

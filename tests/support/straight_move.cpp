@@ -5,7 +5,8 @@
 namespace sim {
 namespace {
 
-/// The ramp from rest to a speed: its jerk phases and what lies between them.
+/// Returns the ramp from rest to a speed: the time of its jerk phases and of the level phase
+/// between them.
 StraightMove ramp_to(double speed, double acceleration, double jerk) {
   StraightMove move{.peak_speed = speed};
   const double rise = acceleration / jerk;
@@ -18,10 +19,12 @@ StraightMove ramp_to(double speed, double acceleration, double jerk) {
   return move;
 }
 
-/// The ramp and its mirror image drive peak speed times the length of one of them.
+/// Returns the duration of a ramp. The ramp and its mirror image together cover peak speed times
+/// this duration.
 double ramp_seconds(const StraightMove& move) { return 2.0 * move.jerk_time + move.level_time; }
 
-/// Where both ramps meet: v²/A + v A/J = length, or 2 v √(v/J) where A is not reached.
+/// Returns the peak speed at which both ramps meet: v²/A + v A/J = length, or 2 v √(v/J) = length
+/// if A is not reached.
 double meeting_speed(double length, double acceleration, double jerk) {
   const double rise = acceleration / jerk;
   const double speed = 2.0 * length / (rise + std::sqrt(rise * rise + 4.0 * length / acceleration));

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kUnlimited = std::numeric_limits<double>::infinity();
 
-/// What the seven phases do, integrated one after the other.
+/// Result of driving the seven phases one after the other.
 struct DrivenMove {
   double length = 0.0;
   double speed = 0.0;
@@ -44,7 +44,7 @@ DrivenMove drive_phases(const StraightMove& move, double jerk) {
 }
 
 TEST(StraightMove, AllSevenPhases) {
-  // 0.01 s to 1000 mm/s², 0.1 s to 100 mm/s: a ramp of 0.11 s.
+  // 0.01 s to 1000 mm/s² and 0.1 s to 100 mm/s make a ramp of 0.11 s.
   const StraightMove move = straight_move(100.0, 100.0, 1000.0, 1.0e5);
   EXPECT_NEAR(move.seconds(), 1.0 + 0.11, 1e-12);
   EXPECT_NEAR(move.jerk_time, 0.01, 1e-15);
@@ -90,7 +90,7 @@ TEST(StraightMove, PhasesDriveTheLengthWithinEveryLimit) {
     ASSERT_LE(driven.peak_acceleration, acceleration * (1.0 + 1e-12));
     ASSERT_LE(move.peak_speed, speed);
     ASSERT_GE(move.cruise_time, 0.0);
-    // Time-optimal: speed, or else acceleration or jerk, is used to the full.
+    // A time-optimal move reaches the limit of speed, or else that of acceleration or jerk.
     const bool fast = move.peak_speed == speed;
     const bool strong = driven.peak_acceleration >= acceleration * (1.0 - 1e-9);
     ASSERT_TRUE(fast || strong || move.level_time == 0.0);

@@ -6,7 +6,7 @@
 
 namespace proof {
 
-/// Names a strategy in the names of tests.
+/// Returns the name of a strategy for the names of tests.
 inline std::string strategy_name(sim::pocket::Strategy strategy) {
   switch (strategy) {
     case sim::pocket::Strategy::kContour:

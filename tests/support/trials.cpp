@@ -35,7 +35,8 @@ std::string name_of(const testing::TestInfo& test) {
 class Repeater : public testing::EmptyTestEventListener {
  public:
   void take(std::uint64_t seed) { seed_ = seed; }
-  /// Notes the running test: a report cannot look it up, because it holds GoogleTest's lock.
+  /// Stores the name of the running test. A report cannot query it, because it holds GoogleTest's
+  /// lock.
   void begin() { test_ = name_of(running_test()); }
 
   void OnTestStart(const testing::TestInfo& /*test*/) override {
@@ -77,7 +78,7 @@ std::uint64_t first_seed_of_running_test(Trials::Range range) {
   return first_seed_of(base, name_of(running_test()));
 }
 
-/// Reports where the seeds of the running test come from.
+/// Prints where the seeds of the running test come from.
 void print_seeds(std::uint64_t first, std::uint64_t count, std::size_t once_failed) {
   std::printf("seeds of base '%s': %llu from %llu, %zu that once failed\n",
               variable("KERFLINE_SEED_BASE").value_or("").c_str(),

@@ -10,12 +10,13 @@
 
 namespace proof {
 
-/// Returns KERFLINE_TRIALS if set, else `usual` limited to KERFLINE_MOST_TRIALS, which shortens
-/// tests and lengthens none.
+/// Returns KERFLINE_TRIALS if set, else `usual` limited to KERFLINE_MOST_TRIALS. That limit
+/// shortens tests, but never lengthens one.
 [[nodiscard]] std::uint64_t trials_wanted(std::uint64_t usual);
 
 /// Returns the seed at which the range of a test begins: 1 without a base, else 1 to 4·10⁹ by a
-/// hash of both (FNV-1a, then the finalizer of SplitMix64). Seeds and trials fit into 32 bits.
+/// hash of base and test (FNV-1a, then the finalizer of SplitMix64). Seeds plus trials fit into 32
+/// bits.
 [[nodiscard]] std::uint64_t first_seed_of(std::string_view base, std::string_view test);
 
 /// Seeds of a property test:
@@ -31,27 +32,27 @@ class Trials {
  public:
   enum class Range {
     kFromBase,
-    /// The range from seed 1 unless KERFLINE_TIER=seeds, which is the last step of prove.sh: for
+    /// The range begins at seed 1, except in the last step of prove.sh (KERFLINE_TIER=seeds). For
     /// tests of a property that a known fault violates at about one in some hundred new seeds.
     kKnownFault,
-    /// Always the range from seed 1: for a share of the trials, which other samples exceed by
-    /// chance.
+    /// The range always begins at seed 1. For tests of a share of the trials, which other samples
+    /// would exceed by chance.
     kFixed,
   };
 
-  /// @pre A test is running. Reads the seed file; a fault in it is a failure of the test.
+  /// Reads the seed file; a fault in it is a failure of the test. @pre A test is running.
   explicit Trials(std::uint64_t usual, Range range = Range::kFromBase);
 
   class Iterator {
    public:
     Iterator(const Trials& trials, std::uint64_t index) : trials_{&trials}, index_{index} {}
-    /// Returns the seed and notes it as the one that a failure reports.
+    /// Returns the present seed, and stores it as the seed that a failure reports.
     std::uint64_t operator*() const;
     Iterator& operator++() {
       ++index_;
       return *this;
     }
-    /// Returns whether the loop ends: all seeds are tried, or too many have failed.
+    /// Returns whether the loop ends: all seeds have been tried, or too many have failed.
     bool operator==(std::default_sentinel_t) const;
 
    private:
@@ -61,10 +62,10 @@ class Trials {
 
   [[nodiscard]] Iterator begin() const { return {*this, 0}; }
   [[nodiscard]] std::default_sentinel_t end() const { return {}; }
-  /// Returns whether the range has at least its usual length. Only then a test judges a share of
-  /// the trials, or how many of them met a case: three trials may meet none at all.
+  /// Returns whether the range has at least its usual length. Only then a test judges shares of the
+  /// trials, or the number of trials with a certain case: three trials may contain no such case.
   [[nodiscard]] bool judges_shares() const { return random_count_ >= usual_; }
-  /// Number of seeds, those that once failed included.
+  /// Returns the number of seeds, including the seeds that once failed.
   [[nodiscard]] std::uint64_t count() const { return once_failed_.size() + random_count_; }
 
  private:
@@ -74,16 +75,16 @@ class Trials {
   std::uint64_t random_count_ = 0;
 };
 
-/// Returns the first seed of the running test, for a test that draws all its inputs from one
-/// stream of random numbers. A seed that fails needs a loop over Trials to be kept in a file.
+/// Returns the first seed of the running test, for a test that draws all its inputs from one stream
+/// of random numbers. To keep a failed seed in a file, a test requires a loop over Trials.
 [[nodiscard]] std::uint64_t test_seed();
 
-/// Returns whether a case of a table is tried: in toolchain/test.sh one of `stride` neighbours,
-/// another one with another base of seeds; else all.
+/// Returns whether a case of a table is tried. In toolchain/test.sh it is one of `stride`
+/// successive cases, which the base of seeds chooses; elsewhere it is every case.
 [[nodiscard]] bool is_in_share(std::size_t index, std::size_t stride);
 
-/// Returns whether the running test has failed 20 times (KERFLINE_FAILURES): some failed seeds
-/// teach more than one, hundreds teach nothing more.
+/// Returns whether the running test has failed 20 times (KERFLINE_FAILURES). A few failed seeds
+/// help to find the fault; hundreds add nothing.
 [[nodiscard]] bool too_many_failures();
 
 }  // namespace proof

@@ -125,7 +125,7 @@ TEST_F(TrialsTest, GoOnFromASeedWithSoManyTrials) {
   EXPECT_THAT(seeds_of(Trials{1000}), ElementsAre(5, 6));
 }
 
-/// Runs this test alone once more, with a fault planted at its second seed.
+/// Runs this test once more by itself, with a fault planted at its second seed; returns the output.
 std::string output_with_planted_fault() {
   const std::string command =
       "KERFLINE_PLANTED_FAULT=2 " + std::filesystem::read_symlink("/proc/self/exe").string() +
@@ -200,7 +200,8 @@ std::string text_of(const std::filesystem::path& path) {
   return text.str();
 }
 
-/// Returns the body of the test that a section names, or nothing. A parameter is not part of it.
+/// Returns the body of the test that a section names, or an empty text. The name of a parameter is
+/// removed first.
 std::string body_of(const std::string& section, const std::string& source, bool python) {
   const std::regex name{R"((?:\w+/)?(\w+)\.(\w+)(?:/.+)?)"};
   std::smatch parts;
@@ -214,7 +215,7 @@ std::string body_of(const std::string& section, const std::string& source, bool 
   return rest.substr(0, rest.find(python ? "\n    def " : "\n}"));
 }
 
-// A file that no test reads would be silent.
+// A seed file that no test reads would go unnoticed.
 TEST(SeedFiles, AllStandBesideATestThatTriesThem) {
   std::size_t sections = 0;
   const std::filesystem::path root = std::filesystem::path{KERFLINE_CONTOURS} / "../..";

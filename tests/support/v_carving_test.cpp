@@ -38,7 +38,8 @@ const nlohmann::json& glyphs_of_font() {
   return kFont.at("glyphs");
 }
 
-/// A contour of a TrueType letter as a path of SVG: between control points lies an implied point.
+/// Returns a contour of a TrueType letter as an SVG path. Between two successive control points
+/// there is an implied point.
 std::string svg_path_of(const nlohmann::json& contour) {
   const auto x = [&](std::size_t i) { return contour[i % contour.size()][0].get<double>(); };
   const auto y = [&](std::size_t i) { return contour[i % contour.size()][1].get<double>(); };
@@ -60,7 +61,7 @@ std::string svg_path_of(const nlohmann::json& contour) {
   return path + "Z";
 }
 
-/// A letter of a font, its curves as arcs.
+/// Returns a letter of a font, with its curves as arcs.
 sim::Contour letter(const nlohmann::json& glyph, double height_mm) {
   std::string paths;
   for (const auto& contour : glyph.at("contours")) paths += svg_path_of(contour);
@@ -108,7 +109,7 @@ VCarveOptions random_options(Random& random) {
   return options;
 }
 
-/// The number of links along which nothing was cut before.
+/// Returns the number of links that lead through uncut stock.
 std::size_t links_in_stock(const VCarving& carving) {
   using Point = cnc::pocket::PathPoint<double>;
   const auto path = carving.path();
@@ -157,7 +158,7 @@ TEST(CarvedAreas, AreLettersOfAFont) {
   for (const auto& [name, glyph] : glyphs_of_font().items()) {
     SCOPED_TRACE(name);
     const sim::Contour area = letter(glyph, 30.0);
-    if (area.vertices.empty()) continue;  // The space between words.
+    if (area.vertices.empty()) continue;  // The glyph of the space has no contour.
     ASSERT_TRUE(is_simple(area.view()));
     ++count;
     if (is_in_share(count, 4)) expect_carved(area, {.included_angle_deg = 60.0});

@@ -22,7 +22,7 @@ using sim::pocket::Zigzag;
 using sim::pocket::zigzag_path;
 using sim::pocket::ZigzagOptions;
 
-/// Looks for faults of a path by distances and angles of its own.
+/// Finds faults of a path by distances and angles that are computed independently of the planner.
 class ZigzagCheck {
  public:
   ZigzagCheck(const sim::Contour& area, const Zigzag& path, const ZigzagOptions& options)
@@ -74,7 +74,7 @@ class ZigzagCheck {
     if (!wall_.encloses(arc.at(0.4))) complain("is outside of the pocket");
   }
 
-  /// Corners are at the wall, and where a ramp turns back.
+  /// Checks that the path has corners only at the wall and where a ramp reverses.
   void check_joint(const PathPoint<double>& a,
                    const PathPoint<double>& b,
                    const PathPoint<double>& c) {
@@ -124,7 +124,7 @@ TEST(ZigzagPaths, ClearARoomInOneRowAndOnePassAlongTheWall) {
 
 TEST(ZigzagPaths, HaveEquallyDistantLines) {
   const sim::Contour area = sim::contour_from_text(kRoom, "test");
-  // Between 3 and 37 mm, 34 / 12 mm apart.
+  // The lines lie between 3 and 37 mm, 34 / 12 mm apart.
   EXPECT_EQ(zigzag_path(area.view(), {}).lines, 11U);
   EXPECT_EQ(zigzag_path(area.view(), {.stepover_mm = 6.0}).lines, 5U);
 }

@@ -5,18 +5,18 @@
 
 #include "tests/target/line_text.hpp"
 
-/// Writes short lines on several axes at once with a power each: there and back, first with steps
-/// of all axes together, then each at its own rate.
+/// Writes short lines that move several axes together, each with a power, back and forth. First all
+/// axes step together, then each at its own rate.
 class AxesText {
  public:
   static constexpr int kLines = 1600;
 
-  /// @param axes 1…6
+  /// @param axes number of axes, 1…6
   explicit AxesText(int axes) : axes_{axes} {}
 
   [[nodiscard]] bool finished() const { return line_ == kLines; }
 
-  /// With its LF.
+  /// Returns the next line, with its LF.
   std::string_view next() {
     constexpr std::string_view kLetters = "XYZABC";
     constexpr int kWay = kLines / 4;

@@ -1,5 +1,5 @@
-/// The driver of CAN1 on the emulated chip: to itself first, then silent, then speaking. Tells
-/// each frame that it receives and how the bus did; can_driver.py says what the bus is like.
+/// Runs the driver of CAN1 on the emulated chip: in loopback first, then silent, then sending.
+/// Prints each received frame and the state of the bus; can_driver.py sets up the bus.
 
 #include <array>
 #include <cstddef>
@@ -18,7 +18,7 @@ using Line = chip::CanLine<chip::kGenericCan>;
 using Routine = void (*)();
 
 constexpr unsigned kToItself = 5;
-constexpr unsigned kToOthers = 24;  ///< More than the driver has room for.
+constexpr unsigned kToOthers = 24;  ///< Number of frames, more than the driver has space for.
 constexpr std::uint32_t kFirstId = 0x300;
 
 constinit Line line{};
@@ -36,7 +36,7 @@ void on_other() {
   }
 }
 
-/// `name number number…`, hexadecimal.
+/// Prints lines `name number number…`, hexadecimal.
 class Telling {
  public:
   explicit Telling(const char* name) {

@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""The controller's CAN driver in the emulator, on a bus that is whole, corrupted or dead.
+"""Tests the controller's CAN driver in the emulator, on a bus that is intact, corrupted or dead.
 
     can_driver.py PLUGIN IMAGE
 
-The plug-in is the other side: its bus corrupts frames by a seed, counts errors, goes off and comes
-back as ISO 11898-1 says. Ends with 77 (skipped) where the image or the emulator is missing.
+The plug-in is the rest of the bus: it corrupts frames by a seed, counts errors, goes bus-off and
+returns as ISO 11898-1 says. Ends with 77 (skipped) if the image or the emulator is missing.
 """
 import collections
 import os
@@ -27,12 +27,12 @@ STATE, SENT_ERRORS, _, BUS_OFFS, LOST = range(5)
 
 
 def frame(number: int) -> str:
-    """The image's frame of this number, as the plug-in writes it."""
+    """Returns the image's frame of this number, as the plug-in writes it."""
     return f"{FIRST_ID + number:X}#" + bytes(number + at for at in range(number % 9)).hex().upper()
 
 
 class Run:
-    """One run: `said` are the image's lines by their first word, `trace` the bus's events."""
+    """One run. `said` holds the image's lines by their first word, `trace` the events of the bus."""
 
     def __init__(self, others: str = "", **options):
         with tempfile.TemporaryDirectory() as folder:
@@ -107,7 +107,7 @@ class CanDriverTest(unittest.TestCase):
         self.assertEqual([], run.sent)
         offs = run.said["health"][-1][BUS_OFFS]
         self.assertGreater(offs, 3)
-        # One more may come between the driver's last word and the end.
+        # One more bus-off may occur between the driver's last line and the end.
         self.assertIn(run.count("bus-off"), (offs, offs + 1))
         self.assertIn(run.count("recovered"), (run.count("bus-off") - 1, run.count("bus-off")))
 

@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""The controller's own image, unchanged, in the emulator: it boots, talks, and ends well.
+"""Tests the unchanged image of the controller in the emulator: it starts, answers, and ends well.
 
     controller.py PLUGIN build/cortex-m4f/images/kerfline_generic.elf
 
-The emulator has no clock but the slowest and its switches all read as closed: the image has to say
-so, to refuse motion, and otherwise to be what it is. Ends with 77 (skipped) where the image or the
+The emulator has only the slowest clock, and all its switches read as closed. The image must report
+this and refuse motion, and otherwise work as usual. Ends with 77 (skipped) if the image or the
 emulator is missing.
 """
 import pathlib
@@ -41,7 +41,7 @@ class ControllerTest(unittest.TestCase):
         self.greeting = self.chip.hear(r"\[MSG:Reset to continue\]\r\n")
 
     def ask(self, line: str) -> str:
-        """The whole answer to a line."""
+        """Returns the complete answer to a line."""
         self.chip.say(line + "\n")
         return self.chip.hear(r"(^|\n)(ok|error:\d+)\r\n")
 
@@ -92,12 +92,14 @@ class ControllerTest(unittest.TestCase):
         self.assertTrue(self.ask("$110=x").endswith("error:3\r\n"))
 
     def test_tells_of_a_flash_that_takes_nothing(self):
-        """As the bare emulator's does: what could not be stored is not acknowledged."""
+        """The bare emulator's flash stores nothing: a setting that could not be stored must not be
+        acknowledged."""
         self.assertRegex(self.ask("$110=5000"), r"error:\d+\r\n$")
 
     def test_a_burst_loses_no_line(self):
-        """From a sender that counts characters: as many are under way as the controller says that it
-        holds. The emulator's line has no speed of its own; more would be more than any wire brings."""
+        """Sends a burst as a sender that counts characters: up to the number of bytes that the
+        controller reports as its capacity. The emulator's line has no limit of speed; more bytes
+        would exceed the rate of any wire."""
         room = int(re.search(r"\[OPT:[^,]*,\d+,(\d+)\]", self.ask("$I"))[1])
         lines = [f"({number})\n" for number in range(300)]
         self.assertGreater(len("".join(lines)), room)
@@ -113,7 +115,8 @@ class ControllerTest(unittest.TestCase):
         self.assertTrue(self.ask("$110=50\x7f00").endswith("error:3\r\n"))
 
     def restart_after(self, plant) -> str:
-        """What is said first after that; the beam must have been dark before anything else."""
+        """Returns the first output after a restart. The beam must have gone off before anything
+        else."""
         before = len(emulator.pin_writes(self.chip.log()))
         with self.chip.debugger() as debugger:
             plant(debugger)
@@ -146,14 +149,15 @@ class ControllerTest(unittest.TestCase):
         self.assertIn("Restarted after a fault: broken contract", said)
 
     def test_an_interrupt_that_nobody_expects_darkens_and_is_told(self):
-        # A system call, which this program has none of: pended through ICSR like the others.
+        # Requests a system call, which this program does not have, through ICSR like the other
+        # interrupts.
         pend_system_call, scratch = 0xE000ED04, SCRATCH
         said = self.restart_after(
             lambda debugger: debugger.store(pend_system_call, 1 << 28, scratch))
         self.assertIn(f"exception 14 at 0x{scratch + 4:08x}", said)
 
     def test_the_way_into_the_boot_loader_is_taken(self):
-        # It has none here: the address where ST's would be is nowhere, which is a fault.
+        # The emulator has no boot loader: the jump to the address of ST's boot loader is a fault.
         self.assertIn("[MSG:Leaving for the boot loader]", self.ask("$DFU"))
         self.chip.hear(BANNER)
         said = self.chip.hear(r"\[MSG:[^\]]*\]")

@@ -3,8 +3,8 @@
 
     dark_first.py PLUGIN kerfline_generic.elf=A8 kerfline_btt_skr_2.elf=B0 ...
 
-Each image with the pin of its beam. Fails above 64 instructions, or when the pin drives before it
-is low. Ends with 77 (skipped) where an image or the emulator is missing.
+Each image is given with the pin of its beam. Fails above 64 instructions, or if the pin is driven
+before it is low. Ends with 77 (skipped) if an image or the emulator is missing.
 """
 import pathlib
 import subprocess
@@ -18,7 +18,8 @@ LONGEST_LOG = 2000
 
 
 def instructions_until_dark(plugin: str, image: pathlib.Path, port: str, pin: int, folder: str) -> int:
-    """The instruction that makes the pin a low output; 0 when it never does, or not low first."""
+    """Returns the number of the instruction that makes the pin a low output; 0 if none does, or if
+    the pin was not low before."""
     words = [*emulator.command(plugin, image, pathlib.Path(folder)), "-serial", "none",
              "-d", "exec,nochain,unimp", "-singlestep"]
     low, count = False, 0

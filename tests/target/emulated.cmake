@@ -1,9 +1,9 @@
-# Tests of the images in the emulator. A sanitizer's run-time library cannot be loaded into that, so
-# the release build runs them all.
+# Tests of the images in the emulator. They run in the release build, because the emulator cannot
+# load a sanitizer's run-time library.
 #
-# instructions: for the chip alone, what each stage costs there.
-# controller, dark_first: the controller's own images, unchanged.
-# image_trace: the controller's image and the simulator, edge by edge.
+# instructions: a program for the chip alone, which counts the cost of each stage.
+# controller, dark_first: the unchanged images of the controller.
+# image_trace: compares the controller's image with the simulator, edge by edge.
 set(images ${PROJECT_SOURCE_DIR}/build/cortex-m4f/images)
 set(plugin ${PROJECT_BINARY_DIR}/tests/target/machine/f405_machine.so)
 add_test(NAME target.instructions
@@ -26,7 +26,7 @@ add_test(NAME target.dark_first
     ${images}/kerfline_mks_robin_nano_v3_1.elf=A8)
 set_tests_properties(target.controller target.dark_first PROPERTIES
   LABELS target TIMEOUT 300 SKIP_RETURN_CODE 77)
-# faults: what goes wrong, in the emulated chip with all its peripherals.
+# faults: plants faults in the emulated chip with all its peripherals.
 foreach(test faults fitness flips cuts job drivers)
   set(image kerfline_generic)
   if(test STREQUAL job)
@@ -49,7 +49,7 @@ add_test(NAME target.can_image
   COMMAND ${Python3_EXECUTABLE} -B ${CMAKE_CURRENT_SOURCE_DIR}/faults/test_can.py
     ${plugin} ${images}/kerfline_generic_can.elf)
 set_tests_properties(target.can_image PROPERTIES LABELS target TIMEOUT 300 SKIP_RETURN_CODE 77)
-# image_trace: every edge of the image, and of the simulator.
+# image_trace: compares every edge of the image with that of the simulator.
 file(GLOB trace_sources CONFIGURE_DEPENDS trace/*.cpp)
 add_executable(image_trace_jobs ${trace_sources} ../contract_handler.cpp)
 target_link_libraries(image_trace_jobs PRIVATE kerfline_test_support)

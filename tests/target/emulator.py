@@ -1,7 +1,8 @@
-"""An image in the emulated STM32F405, with its serial line and, on request, a debugger's access.
+"""Runs an image in the emulated STM32F405, with its serial line and, on request, the access of a
+debugger.
 
-The emulator has core, memory and serial lines of the chip; clocks, pins and most timers are holes
-that read as 0 and log what is written to them.
+The emulator has core, memory and serial lines of the chip. Clocks, pins and most timers are
+placeholders that read as 0 and log what is written to them.
 """
 import pathlib
 import re
@@ -23,7 +24,7 @@ THUMB = 1 << 24
 
 
 def missing(*files: str) -> bool:
-    """Tells, and returns true, when there is nothing to run or nothing to run it in: images, plug-in."""
+    """Returns whether images or the plug-in or the emulator are missing, and prints which."""
     if all(pathlib.Path(file).exists() for file in files) and shutil.which(EMULATOR):
         return False
     print(f"skipped: needs {EMULATOR} and {' '.join(files)} (presets cortex-m4f and release)")
@@ -31,17 +32,17 @@ def missing(*files: str) -> bool:
 
 
 def pin_writes(log: str) -> list:
-    """(port, offset of the register, value) of each write to a pin's registers, in order."""
+    """Returns (port, offset of the register, value) of each write to a pin's registers, in order."""
     return [(found[1], int(found[2], 16), int(found[3], 16)) for found in GPIO_WRITE.finditer(log)]
 
 
 def command(plugin: str, image: pathlib.Path, folder: pathlib.Path) -> list:
-    """The emulator on this image, with the chip's own memories by the plug-in of machine/, and nothing
-    else of it. Where the image is behind a boot loader, in place of that the two
-    words by which the core finds it, from a file in the folder.
+    """Returns the command that runs the emulator on this image, with the plug-in of machine/ for
+    the chip's own memories and for nothing else. For an image behind a boot loader, a file in the
+    folder holds the two words by which the core finds the image.
 
-    Its time goes by instructions. By the clock on the wall the tick came whether or not the core had
-    been given time meanwhile: on a busy machine it was in its interrupt for seconds and nowhere else.
+    Virtual time follows the instructions. With the clock of the host the tick would come even if
+    the core had got no processor time: on a busy machine it would spend seconds in its interrupt.
     """
     words = [EMULATOR, "-M", "netduinoplus2", "-display", "none", "-monitor", "none",
              "-icount", f"shift={INSTRUCTION_NS_LOG2}", "-kernel", str(image),
@@ -56,7 +57,7 @@ def command(plugin: str, image: pathlib.Path, folder: pathlib.Path) -> list:
 
 
 class Emulator:
-    """A running image; use it in a with statement."""
+    """A running image, to be used in a with statement."""
 
     def __init__(self, plugin: str, image: pathlib.Path, folder: pathlib.Path):
         self.log_path = folder / "emulator.log"
@@ -80,7 +81,8 @@ class Emulator:
         self.process.stdin.flush()
 
     def hear(self, pattern: str, seconds: float = 20.0) -> str:
-        """What is said up to and with a match of the pattern; what comes after it stays unheard."""
+        """Returns the output up to the end of a match of the pattern; later output is left for the
+        next call."""
         end = time.monotonic() + seconds
         while True:
             if found := re.search(pattern.encode(), self.heard):
@@ -99,8 +101,8 @@ class Emulator:
 
 
 class Debugger:
-    """As much of the remote serial protocol as changes a register or a word. The core stands still,
-    in no interrupt, from the beginning of the with statement to its end."""
+    """Part of the remote serial protocol: access to registers and words. The core is stopped, in no
+    interrupt, for the whole with statement."""
 
     MOST_LOOKS = 500
 
@@ -112,7 +114,8 @@ class Debugger:
 
     def __enter__(self):
         self._ask("?")
-        # The emulator lets registers be written by those only who have asked what there are.
+        # The emulator permits writes to registers only after the list of registers has been
+        # requested.
         self._ask("qXfer:features:read:target.xml:0,ffb")
         self._leave_interrupts()
         return self
@@ -123,7 +126,8 @@ class Debugger:
         self.socket.close()
 
     def _leave_interrupts(self):
-        """What is planted in one would wait for its end, or make it another's."""
+        """Runs until the core is in no interrupt: a fault that is planted within an
+        interrupt would wait for its end, or affect another interrupt."""
         for _ in range(self.MOST_LOOKS):
             status = struct.unpack("<I", bytes.fromhex(self._ask(f"p{XPSR:x}")[:8]))[0]
             if status & 0x1FF == 0:
@@ -141,15 +145,15 @@ class Debugger:
         assert "OK" in self._ask(f"M{address:x},4:{struct.pack('<I', value).hex()}")
 
     def go_to(self, address: int):
-        """Where the core goes on. It forgets the conditions of instructions to come, which it has in
-        the middle of an IT block: the first ones there would be skipped."""
+        """Continues at an address. Clears the state of an IT block, whose conditions would
+        otherwise skip the first instructions there."""
         self.set_register(XPSR, THUMB)
         self.set_register(PC, address)
 
     def store(self, address: int, value: int, scratch: int):
-        """Lets the core itself store a word, and then stand, at scratch + 4: devices take no word
-        from a debugger. `scratch` is a place in RAM for these three instructions. Interrupts are
-        allowed first, as the core may have stood where they are not."""
+        """Makes the core itself store a word, because devices ignore words from a debugger. The
+        core then stops at scratch + 4. `scratch` is an address in RAM for three instructions.
+        Interrupts are enabled first, as the core may have stopped where they are disabled."""
         self.set_word(scratch, 0x6001B662)  # cpsie i; str r1, [r0]
         self.set_word(scratch + 4, 0xE7FEE7FE)  # b .
         self.set_register(0, address)
@@ -160,13 +164,14 @@ class Debugger:
         self.socket.sendall(f"${packet}#{sum(packet.encode()) % 256:02x}".encode())
 
     def _ask(self, packet: str) -> str:
-        """The answer. That the core has stopped may be told by itself, at any time after the
-        beginning: it answers `?` alone."""
+        """Sends a packet and returns the answer. The emulator may report a stop by itself at any
+        time after the beginning; it counts as an answer only to `?`."""
         self._send(packet)
         return self._hear("T" if packet == "?" else "")
 
     def _hear(self, kind: str) -> str:
-        """The next packet that begins with `kind`; with none, that does not tell of a stop."""
+        """Returns the next packet that begins with `kind`; without `kind`, the next one that
+        reports no stop."""
         while True:
             while not (found := re.search(rb"\$([^#]*)#..", self.received)):
                 self.received += self.socket.recv(4096)

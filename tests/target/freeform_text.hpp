@@ -6,17 +6,17 @@
 #include "planner/base/scalar_math.hpp"
 #include "tests/target/line_text.hpp"
 
-/// Writes the job, line by line: test::freeform_job in single precision.
+/// Writes the job of test::freeform_job line by line, in single precision.
 class FreeformText {
  public:
   static constexpr int kLines = 3000;
 
-  /// @param opening words before those of the first line
+  /// @param opening words before the words of the first line
   explicit FreeformText(std::string_view opening = "G21G90G1F12000") : opening_{opening} {}
 
   [[nodiscard]] bool finished() const { return line_ == kLines; }
 
-  /// With its LF.
+  /// Returns the next line, with its LF.
   std::string_view next() {
     line_text_.clear();
     if (line_ == 0) line_text_.put(opening_);

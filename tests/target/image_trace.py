@@ -1,17 +1,18 @@
 #!/usr/bin/env python3
-"""The image in the emulated chip and the host's simulator, given the same bytes in the same turns:
-each step with its direction, and each change of the beam, belongs to the same tick.
+"""Compares the image in the emulated chip with the host's simulator: given the same bytes in the
+same cycles, each step with its direction, and each change of the beam, must belong to the same
+tick.
 
-Where the image was late with a turn, the simulator drives the job once more, late at the same
-boundaries; of the turns in motion one in a hundred may be late at most. An example ends in an alarm
-neither there nor here, however late the image is.
+If the image finished a cycle late, the simulator runs the job again, late at the same boundaries.
+Of the cycles in motion, at most one in a hundred may be late. An example must not end in an alarm
+on either side, however late the image is.
 
     image_trace.py PLUGIN kerfline_generic_1mbaud.elf image_trace_jobs EXAMPLES [TEST...]
 
-KERFLINE_TRIALS=200 random jobs of 2000 edges or more (3; 100 in prove.sh), from KERFLINE_SEED on;
-of less than 100 the share of late turns is not judged, as single jobs have up to a tenth.
-KERFLINE_TURNS=0 drives the examples to their end (2500 turns of a millisecond). Ends with 77
-(skipped) where something is missing.
+KERFLINE_TRIALS=200 runs that many random jobs of 2000 edges or more (default 3; 100 in prove.sh),
+from KERFLINE_SEED on. With less than 100 jobs the share of late cycles is not judged, because it
+may reach a tenth in a single job. KERFLINE_TURNS=0 drives the examples to their end (default 2500
+cycles of a millisecond). Ends with 77 (skipped) if a file is missing.
 """
 
 import dataclasses
@@ -34,8 +35,9 @@ RANDOM_TURNS = 3000
 EXAMPLES_IN_TEST = 2  # And programs beside their path, in test.sh.
 LEAST_EDGES = 2000  # Of a random job; those with fewer are passed over.
 SETTLED_NS = 300 * MS  # What is set is stored by then.
-# The simulator's link takes answers at once. A row of refusals, 45 bytes each, is more than goes out
-# at 1 Mbaud in a turn, and lines wait while answers do: so this link takes 1000 bytes a turn.
+# The simulator's link accepts answers immediately. A row of refusals, 45 bytes each, exceeds the
+# rate of 1 Mbaud within a cycle, and lines wait while answers do. Therefore this link carries 1000
+# bytes per cycle.
 ANSWERS = "usart1_answer_baud=10000000"
 BURST_NS = 50_000  # After the boundary before; the bytes end 0.1 ms before their own.
 TICK_NS = 250
@@ -45,15 +47,16 @@ MOST_LATE = 0.01  # Of the turns from the first edge to the last.
 JUDGED_JOBS = 100  # Random ones: from so many on that share is judged.
 ALARM_TICKS = 20_000  # 5 ms: what a turn that is late takes.
 LATEST_TICKS = 40  # 10 us: the way to an edge, behind a boundary or a pulse.
-# Where pulses follow each other without a pause (two motors by turns, a little farther apart than a
-# slot), each interrupt adds its own way to the lateness of the next: 1 us at most.
+# Where pulses follow each other without a pause (two motors alternate, slightly more than a slot
+# apart), each interrupt adds its duration to the lateness of the next one: 1 us at most.
 MOST_ON_THE_WAY = 4
 MACHINES = {"bracket": "laser", "circle_r20": "laser", "enclosure_lightburn": "laser",
             "relief_inkscape": "laser", "sheet_8877": "laser", "pocket_fusion": "mill"}
 
 
 def fine_row() -> str:
-    """A row of 6,000 pixels of 0.02 mm at 400 mm/s, 48 to a line, with an end of 20 mm on each side."""
+    """Returns a row of 6,000 pixels of 0.02 mm at 400 mm/s, 48 per line, with an end of 20 mm on
+    each side."""
     lines = ["G21 G90 M3 F24000", "G1 X20 S0"]
     for first in range(0, 6000, 48):
         powers = ":".join(str(10 + (37 * pixel) % 90) for pixel in range(first, first + 48))
@@ -62,7 +65,7 @@ def fine_row() -> str:
 
 
 def tick_address() -> int:
-    """Where the image keeps the tick of what it drives."""
+    """Returns the address of the tick that the image is driving."""
     place = CHIP.symbols["step_tick"]
     image = CHIP.image.with_suffix(".bin").read_bytes()
     at = place - 0x08000000
@@ -70,13 +73,13 @@ def tick_address() -> int:
 
 
 def words() -> list:
-    """The options by which the emulated chip tells that tick, and which turns were late."""
+    """Returns the options with which the emulated chip traces that tick and the late cycles."""
     return [f"word={address:x}" for address in (tick_address(), CHIP.symbols["turns_behind"],
                                                 CHIP.symbols["late_turns"])]
 
 
 def lively_seeds(first: int, count: int) -> list:
-    """Of random jobs that are long enough, by the simulator."""
+    """Returns the seeds of random jobs that are long enough, by the simulator."""
     found = []
     while len(found) < count:
         with tempfile.TemporaryDirectory() as text:
@@ -101,12 +104,12 @@ class Image:
         self.start_ns = run.times("counts", "TIM2")[0]
 
     def drive(self, turns: int):
-        """Its edges, as the simulator lists them, and what it says in the end."""
+        """Returns the image's edges in the simulator's form, and its output at the end."""
         times = []
         for line in (self.folder / "times").read_text().splitlines():
             turn, count = map(int, line.split())
             times.append(f"{self.start_ns + (turn - 1) * MS + BURST_NS} {count}\n")
-        # Whatever it is at by then: the next question is answered.
+        # The next request is answered whatever the image is doing by then.
         asked = "\x18$I+\n"
         times.append(f"{self.start_ns + (turns + 3) * MS} 1\n")
         times.append(f"{self.start_ns + (turns + 50) * MS} {len(asked) - 1}\n")
@@ -118,8 +121,9 @@ class Image:
 
 
 def edges_of(run, start_ns: int) -> tuple:
-    """Lines `TICK X Y Z COUNTS`, and by how many ticks the latest edge was late, beside those that
-    were as late as the edge before and the ways of the interrupts since."""
+    """Returns lines `TICK X Y Z COUNTS`, and the lateness of the latest edge in ticks. Edges do not
+    count if they are only as late as the edge before them plus the durations of the interrupts
+    since."""
     tick_word = f"{tick_address():08x} "
     steps = {step: axis for axis, (step, _) in enumerate(AXES)}
     ways = {way: axis for axis, (_, way) in enumerate(AXES)}
@@ -154,7 +158,8 @@ def edges_of(run, start_ns: int) -> tuple:
 
 
 def late_boundaries(run, start_ns: int) -> dict:
-    """How many turns were due and not over, by the boundaries at which there were any."""
+    """Returns the number of cycles that were due and not finished, by the boundaries at which there
+    were any."""
     behind_word = f"{CHIP.symbols['turns_behind']:08x} "
     late_word = f"{CHIP.symbols['late_turns']:08x} "
     found, behind = {}, 0
@@ -167,14 +172,15 @@ def late_boundaries(run, start_ns: int) -> dict:
 
 
 def rows_of(folder: pathlib.Path) -> list:
-    """The simulator's edges."""
+    """Returns the simulator's edges."""
     return [tuple(map(int, line.split()))
             for line in (folder / "edges").read_text().splitlines()]
 
 
 @dataclasses.dataclass
 class Comparison:
-    """What is wrong (or ""), the edges, and of the turns in motion how many were late."""
+    """Result of a comparison: the fault (or ""), the number of edges, the number of cycles in
+    motion, and how many of these were late."""
     trouble: str = ""
     edges: int = 0
     turns: int = 0
@@ -222,7 +228,8 @@ class ImageTraceTest(unittest.TestCase):
         return found
 
     def judge_alarm(self, name: str, raised: int, seen: list, wanted: list) -> str:
-        """An alarm ends motion and light at once, whatever tick that is: soon, and as dark."""
+        """An alarm ends motion and beam immediately, not at a certain tick: soon enough, and with
+        the beam off."""
         after = [row for row in seen if row[0] > raised + ALARM_TICKS]
         if after:
             return f"{name}: the alarm of tick {raised} has not ended all: {after[0]}"

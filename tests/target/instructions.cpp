@@ -1,8 +1,9 @@
-/// Instructions and cycles of each stage on the emulated chip, counted by the model of the core
-/// and its flash at 168 MHz that machine/ lays where the chip counts its own cycles. It counts
-/// while it is told to, so that this test costs nothing. The job is lines of 0.1 mm along a smooth
-/// curve at 12,000 mm/min with 250 steps/mm and 3000 mm/s², and rows of pixels of 0.1 mm and 0.01
-/// mm.
+/// Counts instructions and cycles of each stage on the emulated chip, by the model of core and
+/// flash at 168 MHz of machine/, which replaces the chip's own cycle counter. The model counts only
+/// on request, so that this test costs nothing.
+///
+/// The job is lines of 0.1 mm along a smooth curve at 12,000 mm/min with 250 steps/mm and 3000
+/// mm/s², and rows of pixels of 0.1 mm and 0.01 mm.
 
 #include <algorithm>
 #include <array>
@@ -29,10 +30,11 @@
 
 namespace {
 
-constexpr std::size_t kBlocks = 100;  ///< Of look-ahead, as others are measured with.
+/// Blocks of look-ahead, the same as in measurements of other controllers.
+constexpr std::size_t kBlocks = 100;
 
-/// What has been counted since the start: cycles, instructions, loads, branches taken, divisions,
-/// misses of the flash. Differences of two are right beyond 2^32.
+/// Counts since the start: cycles, instructions, loads, branches taken, divisions, misses of the
+/// flash. Differences of two counts are right beyond 2^32.
 using Spent = std::array<std::uint32_t, 6>;
 
 volatile std::uint32_t& word_of_counter(std::uint32_t number) {
@@ -59,8 +61,8 @@ class Cost {
     }
   }
 
-  /// As "name|unit|times" and "|sum|worst" for each count. Given `times`, so many things have
-  /// cost this together.
+  /// Prints "name|unit|times" and "|sum|worst" for each count. If `times` is given, the sum is the
+  /// cost of that many units together.
   void print(const char* what, const char* unit, std::uint32_t times = 0) const {
     write_text(what);
     write_text("|");
@@ -99,7 +101,7 @@ void count(Cost& cost, Work&& work) {
   cost.add(before);
 }
 
-/// A sender that is never late. What it costs itself is not counted.
+/// A sender that is never late. Its own cost is not counted.
 class FreeformLink final : public hal::ByteStream {
  public:
   void send(std::string_view opening) { rest_ = opening; }
@@ -141,7 +143,7 @@ class FreeformLink final : public hal::ByteStream {
   std::string_view rest_{};
 };
 
-/// Pins that cost one store each.
+/// A port on which each pin access is one store.
 class BarePort final : public QuietMachine {
  public:
   void set_direction(hal::AxisMask negative) noexcept { pins_ = negative.bits; }
@@ -167,7 +169,7 @@ FreeformLink link_to_job;
 using Application = cnc::Controller<BarePort>;
 std::uint32_t turns = 0;
 
-/// Virtual time until everything sent is done, a turn each millisecond.
+/// Runs virtual time until everything sent is done, with cycles of a millisecond.
 void run(Application& application, Cost& poll, Cost& interrupt) {
   constexpr std::uint32_t kTurn = cnc::motion::kTicksPerSecond / 1000;
   std::uint32_t next = 0;
@@ -211,7 +213,7 @@ void count_firmware(Application& application) {
   CNC_ASSERT(link_to_job.answers - before >= 2 * FreeformText::kLines);
 }
 
-/// The same lines on a machine that drives ten of them in a millisecond.
+/// Counts the same lines on a machine that drives ten of them in a millisecond.
 void count_fast_job(Application& application) {
   Cost unused;
   Cost turn;
@@ -223,7 +225,7 @@ void count_fast_job(Application& application) {
   turn.print("the same at 60 m/min", "turn");
 }
 
-/// Pixels of 0.1 mm at the same speed, in the line of their own.
+/// Counts pixels of 0.1 mm at the same speed, each in its own line.
 void count_raster(Application& application) {
   Cost unused;
   Cost lines;
@@ -242,7 +244,7 @@ void count_raster(Application& application) {
   interrupt.print("raster: step interrupt", "interrupt");
 }
 
-/// Pixels of 0.01 mm at the same speed, 20,000 in a second, many to a line.
+/// Counts pixels of 0.01 mm at the same speed, 20,000 in a second, many in a line.
 void count_fine_raster(Application& application) {
   Cost unused;
   Cost turn;
@@ -255,7 +257,7 @@ void count_fine_raster(Application& application) {
   interrupt.print("fine raster: step interrupt", "interrupt");
 }
 
-/// Lines on several axes at once, each with a power.
+/// Counts lines on several axes, each line with a power.
 void count_axes(Application& application, int axes, const char* what) {
   Cost unused;
   Cost interrupt;
@@ -269,7 +271,7 @@ void count_axes(Application& application, int axes, const char* what) {
   interrupt.print(what, "interrupt");
 }
 
-/// The stages alone, one after the other on each line.
+/// Measures each stage alone, one after the other on each line.
 class Stages {
  public:
   explicit Stages(const cnc::motion::Limits& limits) : limits_{limits}, segmenter_{queue_, limits} {
@@ -321,7 +323,7 @@ class Stages {
   void push(const cnc::path::PathPiece& piece) {
     count(build_, [&] { block_ = cnc::motion::build_block(piece.request, limits_).value(); });
     count(push_, [&] { queue_.push(block_, piece.joint); });
-    // A burst is planned as one in the controller; here each block pays for itself.
+    // The controller plans a burst of blocks together; here each block is planned separately.
     count(plan_, [&] { queue_.plan(limits_, {}); });
   }
 
@@ -346,11 +348,11 @@ class Stages {
   Cost segment_{};
 };
 
-// In a memory of its own, as on the boards.
+// The step generator has a separate memory, as on the boards.
 [[gnu::section(".ccm")]] Application::Steps steps{port};
 [[gnu::section(".ccm")]] constinit cnc::motion::Pixels pixels{};
 
-/// The other memory holds the one or the other.
+/// The main memory holds either an Application or the Stages.
 constexpr std::size_t kLarger = std::max(sizeof(Application), sizeof(Stages));
 alignas(std::max_align_t) std::array<std::byte, kLarger> room;
 

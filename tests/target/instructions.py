@@ -1,13 +1,13 @@
 #!/usr/bin/env python3
-"""Instructions and modelled cycles of each stage on an emulated Cortex-M4F.
+"""Counts instructions and modelled cycles of each stage on an emulated Cortex-M4F.
 
     instructions.py PLUGIN build/cortex-m4f/tests/target/instructions.elf [--record]
 
-3,000 lines of 0.1 mm, along a curve and as pixels of a row: average and worst case of each
-stage. The counts are the same at every run. Fails where one is not within 2 % of what
-instructions.csv has on record, or 5 % of cycles and 15 % of branches and misses, which depend on
-where the linker puts the code; --record writes them there. Ends with 77 (skipped) where the
-image or the emulator is missing.
+The job is 3,000 lines of 0.1 mm, along a curve and as pixels of a row; the result is the average
+and the worst case of each stage. The counts are the same in every run. Fails if a count differs
+from instructions.csv by more than 2 %. For cycles 5 % are allowed, for branches and misses 15 %,
+because they depend on the addresses that the linker assigns. --record writes the counts to
+instructions.csv. Ends with 77 (skipped) if the image or the emulator is missing.
 """
 
 import argparse
@@ -18,7 +18,7 @@ import subprocess
 import sys
 
 EMULATOR = "qemu-system-arm"
-# Others on lines of 0.1 mm, measured elsewhere in the same emulation, -O2.
+# Counts of other controllers on lines of 0.1 mm, measured separately in the same emulation, -O2.
 PEERS = {
     "read and parse": "grblHAL 2,053 and 1,364 to read, grbl 1,027 and 968",
     "raster: the main loop in all, worst: a turn":
@@ -50,7 +50,7 @@ def write_record(found: dict):
 
 
 def complaints(found: dict) -> list:
-    """What is not as it was, better or worse."""
+    """Returns the counts that differ from the record, better or worse."""
     recorded = read_record()
     texts = [f"{stage}: measured or on record, but not both"
              for stage in sorted(found.keys() ^ recorded.keys())]

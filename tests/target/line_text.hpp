@@ -5,8 +5,7 @@
 #include <cstdint>
 #include <string_view>
 
-/// A line of G-code being written, in whole numbers only, so that every machine
-/// writes the same.
+/// Builds a line of G-code with whole numbers only, so that the text is the same on every machine.
 class LineText {
  public:
   void clear() { size_ = 0; }

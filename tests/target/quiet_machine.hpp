@@ -4,8 +4,8 @@
 #include "hal/interface/machine_inputs.hpp"
 #include "hal/interface/step_port.hpp"
 
-/// What is the same of every step port here: no switch closes, the probe touches
-/// nothing, and outputs but the motors' and the beam's lead nowhere.
+/// Common part of all step ports here: no switch closes, the probe touches nothing, and outputs
+/// other than those of the motors and the beam have no effect.
 class QuietMachine : public hal::AuxiliaryOutputs, public hal::MachineInputs {
  public:
   void change_outputs(std::uint8_t, std::uint8_t) noexcept {}

@@ -5,8 +5,8 @@
 
 #include "tests/target/line_text.hpp"
 
-/// Writes a row of pixels of 0.1 mm, each a line with its S; or fine ones of 0.01 mm, many to a
-/// line as a picture is engraved: 20,000 in a second.
+/// Writes a row of pixels of 0.1 mm, each as a line with its S; or fine pixels of 0.01 mm, many in
+/// a line as in an engraved picture, 20,000 in a second.
 class RasterText {
  public:
   static constexpr int kLines = 3000;
@@ -17,7 +17,7 @@ class RasterText {
 
   [[nodiscard]] bool finished() const { return pixel_ == pixels_; }
 
-  /// With its LF.
+  /// Returns the next line, with its LF.
   std::string_view next() {
     constexpr std::int32_t kPixelThousandths = 100;
     constexpr std::int32_t kFineThousandths = 10;

@@ -10,7 +10,7 @@
 
 namespace {
 
-/// Every edge goes into the digest with its tick.
+/// A step port that adds every edge with its tick to the digest.
 class DigestPort final : public QuietMachine {
  public:
   void set_direction(hal::AxisMask negative) noexcept { note(0x100U | negative.bits); }
@@ -31,8 +31,8 @@ class DigestPort final : public QuietMachine {
   }
 };
 
-/// Writes a program line by line from a linear congruential generator: whole
-/// numbers only, so that every machine makes the same text.
+/// Writes a program line by line from a linear congruential generator, with whole numbers only, so
+/// that the text is the same on every machine.
 class ProgramLink final : public hal::ByteStream {
  public:
   static constexpr unsigned kLines = 200;
@@ -80,7 +80,8 @@ class ProgramLink final : public hal::ByteStream {
                                                         "G91 G21\n",
                                                         "M4 S700\n",
                                                         "F2400\n"};
-    // From here on with shapers and backlash; the pause makes it stand still.
+    // Index from which on shapers and backlash are set; the pause before brings the machine to
+    // rest.
     constexpr unsigned kShaped = 120;
     constexpr std::array<std::string_view, 9> kMotors{"G4P0.01\n",
                                                       "$810=3\n",
@@ -111,7 +112,7 @@ class ProgramLink final : public hal::ByteStream {
     constexpr std::array<std::string_view, 3> kAxes{"XY", "ZX", "YZ"};
     const std::uint32_t plane = random(3);
     switch (random(6)) {
-      case 0:  // Half a circle about the middle of its chord, perhaps a helix.
+      case 0:  // Half a circle about the middle of its chord, in some cases a helix.
       case 1: {
         const std::int32_t first = place();
         const std::int32_t second = place();
@@ -155,7 +156,7 @@ class ProgramLink final : public hal::ByteStream {
   bool message_ = false;
 };
 
-/// Forgets everything: each run is that of a new controller.
+/// A store that forgets everything, so that each run is that of a new controller.
 class NoStore final : public hal::RecordStore {
  public:
   [[nodiscard]] std::size_t load(std::uint16_t, std::span<std::byte>) override { return 0; }
@@ -166,7 +167,7 @@ class NoStore final : public hal::RecordStore {
 DigestPort port;
 NoStore store;
 ProgramLink link_to_program;
-// In a memory of its own, as on the boards.
+// The step generator has a separate memory, as on the boards.
 [[gnu::section(".ccm")]] cnc::Controller<DigestPort>::Steps steps{port};
 [[gnu::section(".ccm")]] constinit cnc::motion::Pixels pixels{};
 cnc::Controller<DigestPort> application{steps, pixels, port, port, store, link_to_program};

@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-/// What the firmware did with a fixed program, in one number.
+/// Digest of all edges of a fixed program.
 struct Digest {
   std::uint64_t hash = 14695981039346656037ULL;  ///< FNV-1a over all edges.
   std::uint32_t edges = 0;
@@ -15,6 +15,6 @@ struct Digest {
   }
 };
 
-/// Runs the whole firmware in virtual time on a program that it makes itself:
-/// lines, arcs and helices in all planes, short segments, dwells, power; shapers, backlash.
+/// Runs the complete firmware in virtual time on a program that it generates: lines, arcs and
+/// helices in all planes, short segments, dwells, powers, shapers and backlash.
 [[nodiscard]] Digest digest_of_a_job();

@@ -1,11 +1,10 @@
 #!/usr/bin/env python3
-"""The firmware compiled for Cortex-M4F, run in an emulator, against the host.
+"""Compares the firmware compiled for Cortex-M4F, run in an emulator, with that of the host.
 
     same_bits.py HOST_PROGRAM PLUGIN TARGET_ELF
 
-Both run the whole firmware on the same program and print a digest of every
-edge with its tick. They must agree. Ends with 77 (skipped) where the image or
-the emulator is missing.
+Both run the complete firmware on the same program and print a digest of every edge with its tick,
+which must be the same. Ends with 77 (skipped) if the image or the emulator is missing.
 """
 
 import pathlib
@@ -29,7 +28,7 @@ def main() -> int:
     if not pathlib.Path(image).exists() or not shutil.which(EMULATOR):
         print(f"skipped: needs {EMULATOR} and {image} (preset cortex-m4f)")
         return SKIPPED
-    # -M netduinoplus2 is an STM32F405; without devices of ours only core and memory count.
+    # -M netduinoplus2 is an STM32F405; without the plug-in's devices only core and memory are used.
     emulator = [EMULATOR, "-M", "netduinoplus2", "-display", "none", "-monitor", "none",
                 "-serial", "none", "-plugin", f"{plugin},memories_only=on",
                 "-semihosting-config", "enable=on,target=native",

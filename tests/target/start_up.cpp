@@ -12,7 +12,7 @@ extern std::uint32_t ccm_begin, ccm_end;
 extern Routine init_begin[], init_end[];
 [[noreturn]] void reset();
 [[noreturn]] void fault();
-// Called through the table of an abstract class that is not finished: never.
+// A call through the table of an abstract class under construction, which never happens.
 [[noreturn]] void __cxa_pure_virtual() { fault(); }
 }
 

@@ -1,10 +1,10 @@
 #pragma once
 
-/// Start-up of a program on the emulated chip, which talks through the debugger's
-/// semihosting calls (Arm, "Semihosting for AArch32").
+/// Start-up of a program on the emulated chip, which prints through the debugger's semihosting
+/// calls (Arm, "Semihosting for AArch32").
 
-/// Zero-terminated, to the emulator's terminal.
+/// Writes a zero-terminated text to the emulator's terminal.
 void write_text(const char* text);
 
-/// What the image is for; the emulator ends when it returns.
+/// Main function of the image; the emulator ends when it returns.
 void run_on_target();

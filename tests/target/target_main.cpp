@@ -1,4 +1,4 @@
-/// The program on the emulated chip: the job, and its digest as text.
+/// Runs the job on the emulated chip and prints its digest.
 
 #include <array>
 #include <cstdint>
@@ -8,7 +8,7 @@
 
 namespace {
 
-/// Hexadecimal digits, so that no library is needed.
+/// Writes hexadecimal digits, without a library function.
 template <typename Number>
 char* put(char* at, Number number) {
   for (int shift = static_cast<int>(8 * sizeof(Number)) - 4; shift >= 0; shift -= 4) {

@@ -1,10 +1,10 @@
-"""Runs clang-tidy over the layers' sources, and over headers that none of them includes.
+"""Runs clang-tidy over the layers' sources, and over headers that no source includes.
 
-Most of its time goes into reading Eigen and the standard library, so the sources of a layer are
-checked as one, which includes them all, wherever they compile so.
+Most of its time goes into reading Eigen and the standard library. Therefore one source that
+includes all sources of a layer is checked, if they compile together.
 
-With --changed it checks the files that have changed since the commit in tests/proven, which are all of
-them in a clone that does not have that commit.
+With --changed it checks the files that have changed since the commit in tests/proven. These are all
+files in a clone that lacks that commit.
 
 usage: clang_tidy.py CLANG_TIDY CLANG BUILD_FOLDER [--jobs N] [--only REGEX] [--changed]
 """
@@ -27,9 +27,11 @@ from source_files import ROOT  # noqa: E402
 LAYERS = ("planner", "firmware", "hal", "host-sim")
 LARGEST_GROUP = 80
 GROUP_CHECKS = "-bugprone-suspicious-include"  # Of .cpp files, which is how a group is made.
-# Most of the analyser's time would go into the insides of fmt; the sanitizers watch the host.
+# Checks without the analyser, which would spend most of its time on the code of fmt; on the host,
+# sanitizers run instead.
 HOST_CHECKS = GROUP_CHECKS + ",-clang-analyzer-*"
-# A false alarm on each constexpr member of a template, which is never initialised at run time.
+# This check raises a false alarm on each constexpr member of a template, which is never initialised
+# at run time.
 CHIP_CHECKS = GROUP_CHECKS + ",-bugprone-dynamic-static-initializers"
 SPECIAL_CHECKS = {"host-sim/": HOST_CHECKS, "hal/stm32f405/": CHIP_CHECKS}
 
@@ -45,7 +47,7 @@ def included(name: str, seen: set) -> set:
 
 
 def unified(file: pathlib.Path) -> list:
-    """The sources behind one that CMake made of several, else itself."""
+    """Returns the sources that CMake combined into this one, otherwise the source itself."""
     if file.parent.name != "Unity":
         return [file]
     return [pathlib.Path(name) for name in
@@ -53,8 +55,8 @@ def unified(file: pathlib.Path) -> list:
 
 
 def without_precompiled(arguments: list) -> list:
-    """Arguments that leave a compiler's precompiled header alone: clang-tidy cannot read GCC's, and
-    sources have to include by themselves."""
+    """Returns the arguments without the compiler's precompiled header: clang-tidy cannot read
+    GCC's, and each source must include what it uses."""
     kept = list(arguments)
     while "-include" in kept:
         at = kept.index("-include")
@@ -63,7 +65,8 @@ def without_precompiled(arguments: list) -> list:
 
 
 def commands(build: pathlib.Path) -> dict:
-    """{name from the root: arguments} of each source, and of each header that none includes."""
+    """Returns {name from the root: arguments} of each source, and of each header that no source
+    includes."""
     entries = json.loads((build / "compile_commands.json").read_text(encoding="utf-8"))
     alone = build / "headers_alone"
     sources, headers = {}, {}
@@ -86,7 +89,8 @@ def commands(build: pathlib.Path) -> dict:
 
 
 def changed_since(commit: str) -> set:
-    """Names from the root of the files that differ from the commit, new ones included."""
+    """Returns the names from the root of all files that differ from the commit, including new
+    files."""
     def lines(*command: str) -> list:
         return subprocess.run(["git", "-c", "safe.directory=*", *command], cwd=ROOT, check=True,
                               capture_output=True, text=True).stdout.splitlines()
@@ -95,7 +99,8 @@ def changed_since(commit: str) -> set:
 
 
 def of_changed(found: dict, changed: set) -> dict:
-    """Of the commands those of changed sources, and of a source for each changed header."""
+    """Returns those commands that belong to changed sources, and one source for each changed
+    header."""
     chosen = {name: arguments for name, arguments in found.items() if name in changed}
     missing = {name for name in changed if name.endswith(".hpp")}
     for name in chosen:
@@ -121,7 +126,7 @@ class Checker:
             print(f"{len(self.commands)} of {count} files, for what has changed since {commit[:10]}")
 
     def groups(self) -> list:
-        """Files of one layer with the same flags."""
+        """Returns groups of files of one layer with the same flags."""
         layers = {}
         for name in sorted(self.commands):
             if re.search(self.options.only, name):
@@ -131,7 +136,7 @@ class Checker:
                 for start in range(0, len(names), LARGEST_GROUP)]
 
     def source_of(self, group: list) -> pathlib.Path:
-        # The analyser looks into included sources only from a file of this name.
+        # The analyser follows included sources only if the file has such a name.
         name = "UnifiedSource_" + re.sub(r"\W", "_", group[0]) + f"_{len(group)}.cpp"
         source = self.scratch / name
         source.write_text("".join(f'#include "{name}"\n' for name in group), encoding="utf-8")
@@ -145,7 +150,8 @@ class Checker:
         return run.returncode == 0
 
     def check(self, group: list) -> list:
-        """[(seconds, files, exit status, findings)]; halves a group that does not compile as one."""
+        """Returns [(seconds, files, exit status, findings)]; divides a group that does not compile
+        as one."""
         if len(group) > 1 and not self.compiles(group):
             half = len(group) // 2
             return self.check(group[:half]) + self.check(group[half:])
@@ -162,7 +168,7 @@ class Checker:
 
 
 def findings(text: str) -> list:
-    """The output cut into one text for each finding, notes and all."""
+    """Divides the output into one text for each finding, including its notes."""
     parts = re.split(r"^(?=\S+:\d+:\d+: (?:error|warning): )", text, flags=re.MULTILINE)
     return [part for part in parts if part.strip()]
 

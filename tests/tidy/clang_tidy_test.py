@@ -1,4 +1,5 @@
-"""Plants faults in a small house and sees that clang_tidy.py and the project's configuration find them.
+"""Plants faults in a small source tree and checks that clang_tidy.py and the project's
+configuration find them.
 
 usage: clang_tidy_test.py CLANG_TIDY CLANG
 """
@@ -47,7 +48,7 @@ class PlantedFaults(unittest.TestCase):
         self.plant(self.root / "planner/clean.cpp", CLEAN)
 
     def plant(self, path, text):
-        """Writes a file; a source is also part of the build."""
+        """Writes a file; a source also becomes part of the build."""
         path.parent.mkdir(parents=True, exist_ok=True)
         path.write_text(text, encoding="utf-8")
         if path.suffix == ".cpp":
@@ -55,7 +56,7 @@ class PlantedFaults(unittest.TestCase):
             self.entries.append({"directory": str(self.root), "command": command, "file": str(path)})
 
     def check(self, changed=False):
-        """(exit status, output)"""
+        """Runs the check; returns (exit status, output)."""
         self.build.mkdir(exist_ok=True)
         (self.build / "compile_commands.json").write_text(json.dumps(self.entries))
         options = argparse.Namespace(tidy=TOOLS[0], clang=TOOLS[1], build=self.build, jobs=2, only="",
@@ -114,7 +115,7 @@ class PlantedFaults(unittest.TestCase):
         self.assertTrue(status)
 
     def commit(self):
-        """What is planted so far, as a commit; its name."""
+        """Commits all planted files; returns the commit's name."""
         git = ("git", "-C", str(self.root), "-c", "user.name=a", "-c", "user.email=a@b")
         for words in (("init", "-q"), ("add", "."), ("commit", "-qm", "so far")):
             subprocess.run([*git, *words], check=True)

@@ -1,4 +1,4 @@
-"""Fails when clang-format would change a C++ source.
+"""Fails if clang-format would change a C++ source.
 
 usage: format.py CLANG_FORMAT [--fix]
 """

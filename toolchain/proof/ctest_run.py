@@ -1,4 +1,4 @@
-"""Runs ctest and reads its JUnit report: a test that was skipped did not pass."""
+"""Runs ctest and reads its JUnit report. A skipped test counts as failed."""
 import dataclasses
 import json
 import os
@@ -10,7 +10,7 @@ import xml.etree.ElementTree as ElementTree
 from memory import TestMemory
 from shell import ROOT, Outcome, output_of
 
-# Gates that a machine may lack, by the name in KERFLINE_WITHOUT; the README says when.
+# Tests that may be missing on a machine, by the name in KERFLINE_WITHOUT; the README explains when.
 MAY_BE_MISSING = {"uml": ("host-sim.uml_can",)}
 PROGRESS_TESTS = 200  # A line is printed after so many tests.
 REMEMBERED_TESTS = 800  # `prove` notes which have passed after so many tests.
@@ -35,7 +35,8 @@ def labels_of(test: dict) -> list:
 
 
 class Remembered:
-    """The tests of a preset that `prove` leaves out: they passed before, and no file of theirs changed."""
+    """The tests of a preset that `prove` leaves out: they passed before, and their files are
+    unchanged."""
 
     def __init__(self, preset: str):
         self.memory = TestMemory(preset)
@@ -46,12 +47,12 @@ class Remembered:
         self.list = ROOT / "build" / preset / "to_run.txt"
 
     def to_run(self) -> list:
-        """Numbers, from 1, of the tests that have to be run."""
+        """Returns the numbers, from 1, of the tests that have to run."""
         return [number for number, (name, key) in enumerate(self.keys.items(), 1)
                 if name not in self.left_out and not self.memory.notes.find(name, key)]
 
     def selection(self, numbers: list) -> list:
-        """The arguments that make ctest run the tests with these numbers only."""
+        """Returns the arguments with which ctest runs only the tests with these numbers."""
         self.list.write_text(",".join(map(str, (0, 0, 0, *numbers))), encoding="utf-8")
         return ["-I", str(self.list)]
 
@@ -65,7 +66,8 @@ class Remembered:
 
 
 def run_tests(preset: str, tier: str, most_trials: dict | None = None) -> Outcome:
-    """All tests of a preset that belong to the tier; those that `prove` remembers have passed.
+    """Runs all tests of a preset that belong to the tier. Tests that `prove` remembers count as
+    passed.
 
     `most_trials` bounds the random trials of each test, by tier.
     """
@@ -73,7 +75,7 @@ def run_tests(preset: str, tier: str, most_trials: dict | None = None) -> Outcom
     if most_trials and tier in most_trials:
         environment.setdefault("KERFLINE_MOST_TRIALS", str(most_trials[tier]))
     if tier == "test":
-        # A program whose tests all belong to `prove` need not be there.
+        # Programs whose tests all belong to `prove` need not exist in `test`.
         return run_some(preset, environment, ["--label-exclude", "^prove$", "--exclude-regex",
                                               "_NOT_BUILT$"]).outcome
     remembered = Remembered(preset)
@@ -92,17 +94,17 @@ def run_tests(preset: str, tier: str, most_trials: dict | None = None) -> Outcom
 
 @dataclasses.dataclass(frozen=True)
 class Some:
-    """What one run of ctest gave, and its JUnit report, if it wrote one."""
+    """Result of one run of ctest, and its JUnit report, if it wrote one."""
     outcome: Outcome
     report: pathlib.Path | None = None
 
 
 def run_some(preset: str, environment: dict, selection: list) -> Some:
-    """Runs the tests that the arguments select; what failed is tried again alone, for the log."""
+    """Runs the tests that the arguments select. Repeats the failed tests alone, for the log."""
     report = ROOT / "build" / preset / "ctest.xml"
     report.unlink(missing_ok=True)
-    # One more than there are processors: many tests wait for a clock or another process. Those that
-    # measure by the clock are RUN_SERIAL.
+    # One process more than there are processors, because many tests wait for a clock or another
+    # process. Tests that measure by the clock are RUN_SERIAL.
     follow(["ctest", "--preset", preset, f"-j{os.cpu_count() + 1}", "--output-on-failure",
             "--output-junit", str(report), "--test-output-size-passed", "65536", *selection],
            environment)
@@ -111,7 +113,7 @@ def run_some(preset: str, environment: dict, selection: list) -> Some:
     outcome = outcome_of(report, preset)
     if outcome.failed:
         print(f"once more, alone: what failed of {preset}, but for clang-tidy", flush=True)
-        # By name: the numbers that --rerun-failed goes by shift with the tests left out.
+        # Selects by name: the numbers of --rerun-failed shift when tests are left out.
         subprocess.run(["ctest", "--preset", preset, "--tests-regex", any_of(outcome.failed),
                         "--output-on-failure", "--exclude-regex", r"^tidy\."],
                        cwd=ROOT, env=environment, check=False)
@@ -119,13 +121,13 @@ def run_some(preset: str, environment: dict, selection: list) -> Some:
 
 
 def any_of(failed: list) -> str:
-    """The regular expression of the tests that failed, given as in `Outcome.failed`."""
+    """Returns the regular expression that matches the failed tests, given as in `Outcome.failed`."""
     names = [name.partition(": ")[2].partition(" ")[0] for name in failed]
     return f"^({'|'.join(re.escape(name) for name in names)})$"
 
 
 def follow(command: list, environment: dict) -> None:
-    """Prints failures as they come, and a line of progress now and then."""
+    """Prints failures as they occur, and sometimes a line of progress."""
     print("+", *command, flush=True)
     with subprocess.Popen(command, cwd=ROOT, env=environment, text=True, errors="replace",
                           stdout=subprocess.PIPE, stderr=subprocess.STDOUT) as process:
@@ -142,7 +144,8 @@ def follow(command: list, environment: dict) -> None:
 
 
 def outcome_of(report, preset: str) -> Outcome:
-    """What a JUnit report of ctest says. Skipped, disabled and missing tests have failed."""
+    """Returns the outcome in a JUnit report of ctest. Skipped, disabled and missing tests count as
+    failed."""
     outcome = Outcome()
     may_skip = allowed_to_skip()
     for case in ElementTree.parse(report).getroot().iter("testcase"):

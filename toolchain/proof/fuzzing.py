@@ -1,4 +1,5 @@
-"""Runs fuzz programs for a while, from the seeds beside them and the examples: those of tests/fuzz/cam to prove."""
+"""Runs the fuzz programs for a while, from their seeds and the examples. The programs of
+tests/fuzz/cam run only in `prove`."""
 import concurrent.futures
 import os
 

@@ -1,4 +1,5 @@
-"""Which steps and tests have passed on what they are made of, and the commit on which all have."""
+"""Remembers which steps and tests have passed on which content, and the commit on which all have
+passed."""
 import functools
 import hashlib
 import json
@@ -9,14 +10,15 @@ import subprocess
 from shell import ROOT, output_of
 
 PROVEN = ROOT / "tests/proven"
-# Folders of tests with the programs that are built from them: nothing else depends on their files.
+# Folders of tests with the programs that are built from them; no other program depends on their
+# files.
 TEST_ROOMS = {"planner": ("planner_tests", "firmware_tests"), "firmware": ("firmware_tests",),
               "hal": ("hal_tests",), "simulation": ("simulation_tests",)}
 ALL_ROOMS = frozenset(TEST_ROOMS)
 
 
 def head() -> str:
-    """The commit that is checked out; "" without git."""
+    """Returns the commit that is checked out; "" without git."""
     try:
         return output_of("git", "rev-parse", "HEAD")
     except (OSError, subprocess.CalledProcessError):
@@ -25,7 +27,7 @@ def head() -> str:
 
 @functools.cache
 def tree_key(without: frozenset = frozenset()) -> str:
-    """Of the committed tree, what is changed, and what is new; "" without git.
+    """Returns a key of the committed tree, its changes, and new files; "" without git.
 
     `without` names rooms of tests whose committed files do not count.
     """
@@ -45,7 +47,8 @@ def tree_key(without: frozenset = frozenset()) -> str:
 
 
 class Notes:
-    """Remarks by name, each with the key of what it was made of, in a file of build/proof."""
+    """Remarks by name in a file of build/proof, each with the key of the content to which it
+    applies."""
 
     def __init__(self, file: str):
         self.file = ROOT / "build/proof" / file
@@ -67,7 +70,8 @@ class Notes:
 
 class TestMemory:
     """Tests of a preset that have passed in `prove`. Tests named static.* and tidy.* read all
-    sources; others depend on those rooms of tests only from which their program or script comes."""
+    sources. Any other test depends on a room of tests only if its program or script belongs to that
+    room."""
 
     def __init__(self, preset: str):
         self.notes = Notes(f"tests_{preset}.json")
@@ -93,7 +97,8 @@ class Memory:
         return tree_key(without) if self.key else ""
 
     def passed(self, name: str, without: frozenset) -> dict | None:
-        """Seconds and passed tests of a step that has passed before on what it is made of."""
+        """Returns seconds and passed tests of a step that passed before on its present content,
+        otherwise nothing."""
         return self.notes.find(name, self.key_of(without))
 
     def note(self, name: str, without: frozenset, seconds: float, passed: int) -> None:
@@ -102,7 +107,7 @@ class Memory:
             self.notes.write()
 
     def write_proven(self, rows: list) -> None:
-        """Names HEAD as proven, unless the tree has changed since, or is not clean."""
+        """Records HEAD as proven, unless the tree has changed since the start or is not clean."""
         tree_key.cache_clear()
         if not self.key or output_of("git", "status", "--porcelain") or tree_key() != self.key:
             print("tests/proven is not written: the tree is not that of a commit")
@@ -115,7 +120,7 @@ class Memory:
 
 
 def proven_commit() -> str:
-    """The commit that prove.sh passed on last; "" when there is none in this clone."""
+    """Returns the commit on which prove.sh passed last; "" if this clone lacks it."""
     if not PROVEN.is_file():
         return ""
     names = [line for line in PROVEN.read_text(encoding="utf-8").splitlines()

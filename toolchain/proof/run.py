@@ -1,11 +1,12 @@
 #!/usr/bin/env python3
-"""Runs the steps of a tier and sums them up. Called by toolchain/test.sh and toolchain/prove.sh.
+"""Runs the steps of a tier and sums up their results. Called by toolchain/test.sh and
+toolchain/prove.sh.
 
     run.py test|prove [--only STEP]... [--again] [--list]
 
-`prove` keeps what has passed in build/proof, by the content of the tree: run again, it goes on
-where it was interrupted. After a change in one room of tests the tests of other rooms stay passed.
-When all of it has passed on a clean tree, it writes tests/proven.
+`prove` records passed steps in build/proof, by the content of the tree: started again, it continues
+where it was interrupted. After a change in one room of tests, the tests of other rooms remain
+passed. When everything has passed on a clean tree, it writes tests/proven.
 The last line is `N passed, N failed`; the exit status is 0 only without a failure.
 """
 import argparse
@@ -25,7 +26,7 @@ def clock(seconds: float) -> str:
 
 
 def run_steps(tier: str, chosen: list, memory: Memory) -> tuple:
-    """Outcome of all, and rows (step, seconds, remark)."""
+    """Returns the total outcome, and rows (step, seconds, remark)."""
     total, rows, broken = Outcome(), [], set()
     for step in chosen:
         if before := memory.passed(step.name, step.without):
@@ -68,7 +69,7 @@ def sum_up(total: Outcome, rows: list) -> None:
 
 
 def write_stages(tier: str, rows: list) -> None:
-    """For toolchain/figures.py."""
+    """Writes the stages for toolchain/figures.py."""
     file = ROOT / "build/proof" / f"{tier}_stages.csv"
     file.parent.mkdir(parents=True, exist_ok=True)
     with file.open("w", encoding="utf-8", newline="") as out:

@@ -1,4 +1,4 @@
-"""Runs the random tests at new seeds for a while: KERFLINE_MINUTES, 10 unless it says otherwise."""
+"""Runs the random tests at new seeds for a while: for KERFLINE_MINUTES, by default 10."""
 import os
 import re
 import subprocess
@@ -13,7 +13,8 @@ KNOWN = "a known fault violates some new seeds"  # Printed by tests that then ma
 
 
 def random_tests() -> list:
-    """Names of the release tests that printed where their seeds begin, in the last run or before."""
+    """Returns the names of the release tests that printed their first seeds, in the last run or
+    before."""
     report = ElementTree.parse(ROOT / "build/release/ctest.xml").getroot()
     names = {case.get("name") for case in report.iter("testcase")
              if MARK in (case.findtext("system-out") or "")}
@@ -22,7 +23,8 @@ def random_tests() -> list:
 
 
 def run_once(names: list, base: str) -> list:
-    """The names of those that failed at this base, but for known faults, which are printed."""
+    """Returns the names of the tests that failed at this base, except known faults, which it
+    prints."""
     report = ROOT / "build/release/seeds.xml"
     pattern = "^(" + "|".join(re.escape(name) for name in names) + ")$"
     subprocess.run(["ctest", "--preset", "release", f"-j{os.cpu_count()}", "-R", pattern, "--quiet",

@@ -1,4 +1,4 @@
-"""Commands of the steps, and what came of them."""
+"""Runs the commands of the steps, and holds their results."""
 import dataclasses
 import pathlib
 import subprocess
@@ -9,14 +9,14 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 
 @dataclasses.dataclass
 class Outcome:
-    """Tests that passed, the names of those that failed, and seconds by test."""
+    """Number of passed tests, names of the failed tests, and seconds by test."""
     passed: int = 0
     failed: list = dataclasses.field(default_factory=list)
     seconds: dict = dataclasses.field(default_factory=dict)
 
     @classmethod
     def of(cls, name: str, good: bool) -> "Outcome":
-        """Of a step that is one test."""
+        """Returns the outcome of a step that is a single test."""
         return cls(passed=1) if good else cls(failed=[name])
 
     def __add__(self, other: "Outcome") -> "Outcome":
@@ -26,10 +26,11 @@ class Outcome:
 
 def run(*command: str, quiet: bool = False, log: pathlib.Path | None = None,
         seconds: float | None = None) -> bool:
-    """Runs a command at the root of the tree. True when it ended well, and within `seconds` if any.
+    """Runs a command at the root of the tree. Returns whether it ended well and within `seconds`,
+    if given.
 
-    `quiet` and `log` show the output of a failure only; `log` receives it in any case. `seconds` limits
-    commands without either.
+    `quiet` and `log` show the output only after a failure; `log` receives it in any case. `seconds`
+    limits commands without either of them.
     """
     print("+", *command, flush=True)
     if quiet or log:
@@ -49,6 +50,6 @@ def run(*command: str, quiet: bool = False, log: pathlib.Path | None = None,
 
 
 def output_of(*command: str) -> str:
-    """Standard output, without its last line end. Raises CalledProcessError."""
+    """Returns standard output without its last line end. Raises CalledProcessError."""
     return subprocess.run(command, cwd=ROOT, check=True, capture_output=True,
                           text=True).stdout.rstrip("\n")

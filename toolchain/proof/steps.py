@@ -19,8 +19,8 @@ BOTH = (TEST, PROVE)
 
 @dataclasses.dataclass(frozen=True)
 class Step:
-    """A stage of a run. `needs` names the steps without which it cannot begin, `without` the rooms
-    of tests on which it does not depend."""
+    """A stage of a run. `needs` names the steps that must pass before it, `without` the rooms of
+    tests on which it does not depend."""
     name: str
     work: Callable[[str], Outcome]  # Takes the tier.
     tiers: tuple = BOTH
@@ -29,7 +29,8 @@ class Step:
 
 
 def build(preset: str, *targets: str) -> Callable[[str], Outcome]:
-    """Configures a preset and builds targets of it (all without any); goes on after an error."""
+    """Returns a step that configures a preset and builds the given targets, or all. It continues
+    after an error."""
     def work(_tier: str) -> Outcome:
         configured = run("cmake", "--preset", preset, quiet=True)
         if not configured:
@@ -40,9 +41,9 @@ def build(preset: str, *targets: str) -> Callable[[str], Outcome]:
     return work
 
 
-# What reads bytes of others: the controller's firmware with the planner below it, and the fuzzers.
-# The program and the other test programs take three times as long to compile again: `prove` runs
-# those.
+# Programs that read bytes from outside: the controller's firmware with the planner below it, and
+# the fuzzers. The program and the other test programs would take three times as long to compile
+# again: `prove` runs them.
 SANITIZED_IN_TEST = ("firmware_tests", "same_bits_host", "fuzzers")
 
 
@@ -52,7 +53,7 @@ def build_sanitized(tier: str) -> Outcome:
 
 
 def install_senders(_tier: str) -> Outcome:
-    """The sender programs that the lock file pins, away from the sources."""
+    """Installs the sender programs that the lock file pins, outside of the source tree."""
     folder = ROOT / "build/senders"
     folder.mkdir(parents=True, exist_ok=True)
     for name in ("package.json", "package-lock.json"):
@@ -62,7 +63,7 @@ def install_senders(_tier: str) -> Outcome:
 
 
 def side_by_side(*works: Callable[[str], Outcome]) -> Callable[[str], Outcome]:
-    """Runs works at the same time, one of which waits for the network or the disk."""
+    """Returns a step that runs works in parallel, one of which waits for the network or the disk."""
     def work(tier: str) -> Outcome:
         with concurrent.futures.ThreadPoolExecutor(len(works)) as pool:
             return sum(pool.map(lambda one: one(tier), works), Outcome())
@@ -74,7 +75,7 @@ def test(preset: str, **arguments) -> Callable[[str], Outcome]:
 
 
 def benchmarks(_tier: str) -> Outcome:
-    """Prints figures of this machine; judges the instruction counts only."""
+    """Prints figures of this machine. Judges only the instruction counts."""
     programs = ROOT / "build/release/tests"
     most = 600.0  # Seconds; each of them takes a few.
     stages = run(str(programs / "bench_stages"), "--benchmark_min_time=0.05", seconds=most)
@@ -87,7 +88,7 @@ def benchmarks(_tier: str) -> Outcome:
 STEPS = (
     Step("senders, build cortex-m4f", side_by_side(install_senders, build("cortex-m4f"))),
     Step("build release", build("release")),
-    # Before any test: a build that fails takes minutes, the tests of a proof take hours.
+    # Before any test: a failed build shows up within minutes, the tests of a proof take hours.
     Step("build sanitize", build_sanitized),
     Step("test release", test("release", most_trials={TEST: 20}), needs=("build release",)),
     Step("test sanitize", test("sanitize", most_trials={TEST: 3, PROVE: 20}),
@@ -107,8 +108,8 @@ def steps_of(tier: str) -> list:
 
 
 def environment() -> None:
-    """What all steps share: compilations remembered across clones, sanitizers that say where, and
-    the commit from which the seeds of random tests are derived."""
+    """Sets up the environment of all steps: a compiler cache across clones, sanitizers that print
+    locations, and the commit from which the seeds of random tests are derived."""
     os.environ.update({
         "PATH": f"/usr/lib/ccache:{os.environ['PATH']}",
         "CCACHE_DIR": os.environ.get("CCACHE_DIR", str(ROOT / "build/ccache")),

@@ -1,5 +1,5 @@
-/// libFuzzer: any bytes as a recipe of `cut`, a machine, the form of programs that a controller
-/// wants, and the form of a test grid.
+/// libFuzzer: random bytes as a recipe of `cut`, as a machine, as the form of programs that a
+/// controller requires, and as the form of a test grid.
 
 #include <fcntl.h>
 #include <sys/mman.h>
@@ -21,7 +21,7 @@
 
 namespace {
 
-/// A file in memory: recipes are read by name.
+/// A file in memory, because recipes are read by name.
 class MemoryFile {
  public:
   explicit MemoryFile(const std::string& text) : handle_{memfd_create("fuzz", 0)} {

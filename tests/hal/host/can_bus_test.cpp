@@ -9,7 +9,7 @@
 namespace hal::host {
 namespace {
 
-constexpr std::uint64_t kBitNs = 1000;  // At 1 Mbit/s.
+constexpr std::uint64_t kBitNs = 1000;  // Duration of a bit at 1 Mbit/s, ns.
 
 CanFrame frame_of(std::uint32_t id, std::initializer_list<int> codes) {
   std::vector<std::byte> bytes;
@@ -32,11 +32,12 @@ class CanBusTest : public testing::Test {
 };
 
 TEST(CanBits, AreThoseOfTheStandard) {
-  // 44 bits beside the data, without stuffing, and 3 of silence; a frame of ones alone is
-  // stuffed where its checksum and control bits allow.
+  // A frame has 44 bits besides the data, without stuffing, and 3 of intermission. A frame of ones
+  // only is stuffed where its checksum and control bits permit.
   EXPECT_GE(can_bits(frame_of(0x555, {})), 47U);
   EXPECT_LE(can_bits(frame_of(0x555, {})), 47U + 3U);
-  // The most: 8 bytes stuffed after the first five bits, and then after every fourth.
+  // The longest frame: 8 bytes, with a stuff bit after the first five bits and then after every
+  // fourth.
   unsigned most = 0;
   for (int byte = 0; byte < 256; ++byte) {
     const auto data = {byte, byte, byte, byte, byte, byte, byte, byte};
@@ -59,7 +60,7 @@ TEST_F(CanBusTest, AFrameIsHeardByAllOthersAfterItsTime) {
 
 TEST_F(CanBusTest, TheSmallestIdentifierGoesFirst) {
   ASSERT_TRUE(a.send(frame_of(0x511, {})));
-  ASSERT_TRUE(a.send(frame_of(0x100, {})));  // Behind its own.
+  ASSERT_TRUE(a.send(frame_of(0x100, {})));  // Waits for the node's own earlier frame.
   ASSERT_TRUE(b.send(frame_of(0x211, {})));
   bus.advance_to(1'000'000);
   EXPECT_EQ(heard(c), (std::vector<std::uint32_t>{0x211, 0x511, 0x100}));

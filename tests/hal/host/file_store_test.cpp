@@ -26,7 +26,7 @@ class FileStoreTest : public testing::Test {
     return {reinterpret_cast<const char*>(record.data()), size};
   }
 
-  // Tests run side by side.
+  // The process number makes the name unique, because tests run in parallel.
   const std::string path = testing::TempDir() + "file_store_test." + std::to_string(::getpid());
 };
 
@@ -85,7 +85,7 @@ TEST_F(FileStoreTest, IsLockedAsLongAsItLives) {
   {
     FileStore store{path};
     EXPECT_THROW(FileStore{path}, std::runtime_error);
-    EXPECT_TRUE(store.save(1, bytes("x")));  // The file is another one now.
+    EXPECT_TRUE(store.save(1, bytes("x")));  // The store replaces the file by a new one.
     EXPECT_THROW(FileStore{link}, std::runtime_error);
   }
   EXPECT_EQ(FileStore{link}.records().size(), 1U);
@@ -93,7 +93,7 @@ TEST_F(FileStoreTest, IsLockedAsLongAsItLives) {
   std::filesystem::remove(link);
 }
 
-/// Damage is never read as a store with fewer records, or none.
+/// A damaged file is never read as a store with fewer records.
 TEST_F(FileStoreTest, RefusesWhatIsCutOffOrChanged) {
   {
     FileStore store{path};

@@ -9,7 +9,7 @@
 namespace hal::host {
 namespace {
 
-/// A host and its adapter, with the wire between them cut into pieces.
+/// A host and its adapter; the bytes between them arrive in random pieces.
 class SlcanHostTest : public testing::Test {
  protected:
   void carry() {
@@ -43,7 +43,7 @@ TEST_F(SlcanHostTest, OpensTheChannelAndClosesIt) {
   EXPECT_FALSE(adapter.open());
 }
 
-/// Also where the last program has left its channel open, and a line begun.
+/// The host must also take over if the last program left its channel open and a line unfinished.
 TEST_F(SlcanHostTest, TakesOverFromOneWhoDidNotClose) {
   const std::string before = "O\rt1232AB";
   adapter.hear(std::as_bytes(std::span{before}));

@@ -9,7 +9,7 @@ namespace {
 
 class SlcanTest : public testing::Test {
  protected:
-  /// What the host is told when it says this.
+  /// Returns the adapter's answer to these words of the host.
   std::string answer(std::string_view words) {
     slcan.hear(std::as_bytes(std::span{words}));
     std::string told{slcan.to_say()};

@@ -24,8 +24,8 @@ TEST(SocketCanInterface, IsNamedWithWhatIsWrongWithIt) {
   }
 }
 
-/// Two nodes on a bus of the kernel, whose name is in KERFLINE_CAN. CTest leaves these tests to
-/// tests/host-sim/can, which has such a bus.
+/// Two nodes on a bus of the kernel, whose name is in KERFLINE_CAN. CTest runs these tests only in
+/// tests/host-sim/can, which provides such a bus.
 class SocketCanTest : public testing::Test {
  protected:
   void SetUp() override {
@@ -70,7 +70,7 @@ TEST_F(SocketCanTest, HearsNothingButWhatItIsTo) {
   EXPECT_FALSE(other.receive(found));
 }
 
-/// Who does not listen for long finds that frames were lost, and how many.
+/// A node that does not read for long learns that frames were lost, and how many.
 TEST_F(SocketCanTest, CountsFramesThatTheKernelDropped) {
   constexpr std::uint32_t kFrames = 20'000;
   SocketCan one{interface(), kNothing};
@@ -79,7 +79,7 @@ TEST_F(SocketCanTest, CountsFramesThatTheKernelDropped) {
   std::uint32_t heard = 0;
   for (CanFrame found; other.receive(found);) ++heard;
   ASSERT_LT(heard, kFrames);
-  // The kernel says so with the next frame that it has room for.
+  // The kernel reports the loss with the next frame for which it has space.
   ASSERT_TRUE(one.send(frame(0x123)));
   CanFrame found;
   ASSERT_TRUE(other.receive(found));

@@ -8,11 +8,11 @@
 namespace hal::stm32f405 {
 namespace {
 
-/// A step clock at some count, its interrupt due at another, and the beam's output.
+/// A step clock at a chosen count, with its interrupt due at another count, and the beam's output.
 class BeamWatchTest : public testing::Test {
  protected:
   static constexpr std::uint32_t kSlice = 4000;
-  static constexpr Word kNow = 0xFFFF'FF00;  ///< Soon around.
+  static constexpr Word kNow = 0xFFFF'FF00;  ///< A count shortly before the counter overflows.
 
   BeamWatchTest() { power_.set_up(kFullSpeed); }
 
@@ -73,7 +73,7 @@ TEST_F(BeamWatchTest, AMotionThatBeginsIsNotTakenForRest) {
   bool played = false;
   clock.on_interrupt(
       [&] {
-        // The beam is lit before the interrupt has said when it comes next.
+        // The beam goes on before the interrupt has set its next time.
         power_.set_duty(30'000);
         seen = BeamWatch<kGeneric, ModelBus>::lit_at_rest(kSlice);
         played = true;

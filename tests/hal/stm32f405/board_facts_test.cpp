@@ -1,6 +1,6 @@
-// Pins that a board has for something else, by its makers' own firmware (Marlin,
-// pins_BTT_SKR_V2_0_common.h, pins_BTT_SKR_PRO_common.h, pins_MKS_ROBIN_NANO_V3_common.h): no board
-// names one of them.
+// Pins that a board uses for other devices, by its maker's firmware (Marlin,
+// pins_BTT_SKR_V2_0_common.h, pins_BTT_SKR_PRO_common.h, pins_MKS_ROBIN_NANO_V3_common.h). The
+// boards of the product must not name them.
 
 #include <gtest/gtest.h>
 
@@ -19,7 +19,7 @@ struct Taken {
   const Board& board;
   std::vector<Pin> driver_uarts;
   std::vector<Pin> thermistors;
-  std::vector<Pin> memories;  ///< SD card, EEPROM.
+  std::vector<Pin> memories;  ///< Pins of SD card and EEPROM.
 };
 
 const std::vector<Taken> kTaken{

@@ -28,7 +28,7 @@ void ChipModel::write(Address address, Word value) {
   writes.emplace_back(address, value);
   for (unsigned port = 0; port < gpio::kPorts; ++port) {
     if (address != gpio::set_reset(port)) continue;
-    // Where a pin is both set and reset, it is set (RM0090, 8.4.7).
+    // A pin that is both set and reset is set (RM0090, 8.4.7).
     Word& high = pins_driven_high[port];
     high = (high & ~(value >> 16)) | (value & 0xFFFFU);
     return;

@@ -9,35 +9,37 @@
 
 namespace hal::stm32f405 {
 
-/// The chip's registers on a desk: plain cells, and behind a few of them what
-/// the reference manual says they do. One at a time; `start_anew` before use.
+/// Model of the chip's registers: plain cells, some of which act as the reference manual says.
+/// There is only one; call `start_anew` before use.
 struct ChipModel {
-  // What the test decides.
+  // Inputs that the test sets.
   bool crystal_starts = true;
   bool pll_locks = true;
   bool flash_refuses = false;
-  std::uint32_t flash_weak_bits = 0;  ///< Bits that programming does not clear.
+  std::uint32_t flash_weak_bits = 0;  ///< Bits that programming fails to clear.
 
-  // What it sees.
+  // Outputs that the test reads.
   std::map<Address, Word> cells;
   std::vector<std::pair<Address, Word>> writes;
   std::uint64_t reads = 0;
   std::size_t barriers = 0;
-  std::size_t writes_at_barrier = 0;              ///< How many there were at the last one.
-  std::map<unsigned, Word> pins_driven_high;      ///< By port: what stands in the output register.
-  std::vector<unsigned> pended;                   ///< Interrupts asked for by number.
-  std::vector<Word> sent;                         ///< Data that went out on a serial interface.
-  std::vector<std::pair<Word, Word>> to_receive;  ///< Status and data of each byte to come.
+  std::size_t writes_at_barrier = 0;          ///< Number of writes before the last barrier.
+  std::map<unsigned, Word> pins_driven_high;  ///< Output register of each port.
+  std::vector<unsigned> pended;               ///< Numbers of the requested interrupts.
+  std::vector<Word> sent;                     ///< Data that was sent on a serial interface.
+  /// Status and data of each byte that will be received.
+  std::vector<std::pair<Word, Word>> to_receive;
   std::map<Address, Word> flash_words;
   unsigned flash_keys = 0;
   bool flash_locked = true;
-  bool flash_key_was_wrong = false;  ///< Then it stays locked until a reset (RM0090, 3.6.1).
+  /// After a wrong key the flash stays locked until a reset (RM0090, 3.6.1).
+  bool flash_key_was_wrong = false;
 
   [[nodiscard]] bool is_high(Pin pin) { return (pins_driven_high[pin.port] & pin.mask()) != 0; }
   [[nodiscard]] Word mode_of(Pin pin) {
     return cells[gpio::mode(pin.port)] >> (2U * pin.number) & 3U;
   }
-  /// What an input pin reads.
+  /// Sets the level of an input pin.
   void feed(Pin pin, bool high) {
     Word& levels = cells[gpio::input(pin.port)];
     levels = high ? levels | pin.mask() : levels & ~pin.mask();
@@ -58,13 +60,13 @@ struct ChipModel {
   }
 };
 
-/// The bus to the one model there is.
+/// The bus to the only model.
 struct ModelBus {
   static ChipModel& chip() {
     static ChipModel model;
     return model;
   }
-  /// Power on: all inputs high by their pull-ups.
+  /// Powers the model on: pull-ups hold all inputs high.
   static ChipModel& start_anew() {
     chip() = {};
     for (unsigned port = 0; port < gpio::kPorts; ++port) chip().cells[gpio::input(port)] = 0xFFFF;

@@ -10,8 +10,8 @@ namespace {
 
 using Start = ClockStart<ModelBus>;
 
-/// What the PLL's settings make of its input, in Hz; 0 when its input or its
-/// oscillator is outside of RM0090's limits.
+/// Returns the frequency that the PLL makes of its input, Hz; 0 if its input or its oscillator is
+/// outside of RM0090's limits.
 std::uint64_t pll_output(Word settings, std::uint64_t input) {
   const std::uint64_t reference = input / (settings & 0x3FU);
   const std::uint64_t oscillator = reference * (settings >> 6 & 0x1FFU);

@@ -43,7 +43,7 @@ TEST(ChipBoard, TellsWhatItIs) {
   chip.cells[kUniqueId] = 0x0012'3456;
   EXPECT_EQ("UID:001234560000000000000000", row_of(board, 6));
   EXPECT_EQ("BROWN-OUT:2.7 V", row_of(board, 7));
-  chip.cells[flash::kOptions] = 0x0FFF'AAED;  // As chips are delivered.
+  chip.cells[flash::kOptions] = 0x0FFF'AAED;  // Option bytes as the chips are delivered.
   EXPECT_EQ("BROWN-OUT:1.8 V, BOR level 3 is safer", row_of(board, 7));
   chip.cells[flash::kOptions] = 0x0FFF'AAE5;
   EXPECT_EQ("BROWN-OUT:2.4 V", row_of(board, 7));

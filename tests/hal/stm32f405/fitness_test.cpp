@@ -11,7 +11,8 @@
 namespace hal::stm32f405 {
 namespace {
 
-constexpr Address kShort = flash::kMemory + 256 * kKib;  // Up to sector 6.
+// End of the flash if it has only the sectors up to 6.
+constexpr Address kShort = flash::kMemory + 256 * kKib;
 constexpr Address kLong = kShort + 4;
 
 ChipModel& chip_with(Word code, Word kib) {

@@ -7,7 +7,7 @@
 namespace hal::stm32f405 {
 namespace {
 
-/// Of a chip with 512 KiB.
+/// Returns the flash of a chip with 512 KiB.
 Flash<ModelBus> small_flash() {
   Flash<ModelBus> flash;
   flash.use(*store_sectors_of(512));
@@ -48,7 +48,7 @@ TEST(Flash, WithoutSectorsThereIsNothing) {
 
 TEST(Flash, KeysAreWrittenOnlyToAFlashThatIsLocked) {
   ChipModel& chip = ModelBus::start_anew();
-  chip.flash_locked = false;  // As a boot loader leaves it.
+  chip.flash_locked = false;  // A boot loader may leave the flash unlocked.
   Flash<ModelBus> flash = small_flash();
   EXPECT_TRUE(flash.program(0, 0, 1));
   EXPECT_TRUE(chip.flash_locked);

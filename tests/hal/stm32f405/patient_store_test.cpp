@@ -12,7 +12,7 @@ namespace {
 
 constexpr Address kReload = watchdog::kReload;
 
-/// Remembers how patient the watchdog was when it saved.
+/// A store that records the watchdog's timeout during a save.
 class LookingStore final : public host::MemoryStore {
  public:
   [[nodiscard]] bool save(std::uint16_t number, std::span<const std::byte> record) override {

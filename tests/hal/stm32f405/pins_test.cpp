@@ -185,7 +185,7 @@ TEST(Pins, ARobinNanoHoldsTheSwitchOfItsUsbLow) {
   EXPECT_FALSE(chip.is_high(pa(14)));
 }
 
-/// DS8626, table 7: they share the current of the backup domain.
+/// These pins share the limited current of the backup domain (DS8626, table 7).
 TEST(Pins, PinsOfTheBackupDomainAreSlow) {
   ChipModel& chip = ModelBus::start_anew();
   for (const Pin pin : {pc(12), pc(13), pc(14), pc(15), pb(13)}) {

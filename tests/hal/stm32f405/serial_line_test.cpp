@@ -25,7 +25,7 @@ class SerialLineTest : public testing::Test {
       line_.on_interrupt();
     }
   }
-  /// All that has come, in a turn that begins now.
+  /// Begins a cycle, and returns all bytes that have arrived.
   std::string heard() {
     line_.note_turn(++turn_);
     line_.begin_turn(turn_);
@@ -74,7 +74,7 @@ TEST_F(SerialLineTest, ATurnHearsWhatHadComeWhenItBegan) {
 
 TEST_F(SerialLineTest, ADamagedByteIsMarked) {
   arrive("G1 X");
-  arrive("1", bit(1));  // A framing error.
+  arrive("1", bit(1));  // The byte has a framing error.
   arrive("0\n");
   EXPECT_EQ(
       "G1 X\x7F"

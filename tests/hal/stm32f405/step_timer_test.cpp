@@ -18,7 +18,7 @@ class StepTimerTest : public testing::Test {
  protected:
   StepTimerTest() { timer_.set_up(kFullSpeed); }
 
-  /// From a boundary on, which is at a multiple of a turn, something is played.
+  /// Starts playing at a boundary, which is a multiple of a cycle.
   void start_at(std::uint32_t boundary) {
     chip_.cells[kCount] = boundary - 2 * kTurn;
     timer_.begin_turns();
@@ -34,7 +34,8 @@ class StepTimerTest : public testing::Test {
     timer_.on_interrupt([] { return 0U; }, turn);
   }
 
-  /// The interrupt at this count of the timer; the program wants `wait`.
+  /// Runs the interrupt at a count of the timer, with a program that requests `wait`; returns the
+  /// next due count.
   std::uint32_t interrupt_at(std::uint32_t count, std::uint32_t wait) {
     chip_.cells[kCount] = count;
     chip_.pended.clear();
@@ -55,8 +56,8 @@ class StepTimerTest : public testing::Test {
   StepTimer<ModelBus> timer_;
   int played_ = 0;
   int turns_ = 0;
-  std::uint32_t due_ = 0;   ///< Of what was played last.
-  std::vector<int> order_;  ///< Played before each boundary.
+  std::uint32_t due_ = 0;   ///< Due count of the last played event.
+  std::vector<int> order_;  ///< Number of played events before each boundary.
 };
 
 TEST_F(StepTimerTest, CountsFourMillionTicksASecond) {
@@ -83,7 +84,7 @@ TEST_F(StepTimerTest, AsksForABoundaryThatWasMissed) {
 
 TEST_F(StepTimerTest, StartsAtABoundaryAndKeepsTimeWhateverTheDelay) {
   start_at(12'000);
-  // Late by three ticks, and due as if it were not.
+  // The event is three ticks late, and `due` reports the time without the delay.
   EXPECT_EQ(12'100U, interrupt_at(12'003, 100));
   EXPECT_EQ(12'000U, due_);
   EXPECT_EQ(12'200U, interrupt_at(12'107, 100));
@@ -117,7 +118,8 @@ TEST_F(StepTimerTest, APulseLastsHoweverLongTheWayToItsEdgeWas) {
   chip_.cells[kCount] = 12'020;
   EXPECT_EQ(12'034U, interrupt_at(12'025, 5)) << "due, but the pulse is not over";
   EXPECT_EQ(0, played_);
-  // The low after it lasts, too; then the times are those that were asked for.
+  // The low level after the pulse has its minimum time, too. Afterwards, events come at their
+  // requested times.
   chip_.cells[kCount] = 12'034;
   EXPECT_EQ(12'035U + kPulse + 1, edge_at(12'035, kPulse));
   EXPECT_EQ(12'140U, interrupt_at(12'056, 100));
@@ -179,7 +181,7 @@ TEST_F(StepTimerTest, AtRestShowsThatItIsAliveAndPlaysNothing) {
 TEST_F(StepTimerTest, WhatIsDueBeforeABoundaryIsPlayedBeforeIt) {
   start_at(12'000);
   interrupt_at(12'000, kTurn - 1);
-  // Both times have come.
+  // The times of both events have passed.
   interrupt_at(16'003, 1);
   EXPECT_EQ(2, played_);
   EXPECT_EQ(0, turns_);
@@ -193,7 +195,8 @@ TEST_F(StepTimerTest, WhatIsDueBeforeABoundaryIsPlayedBeforeIt) {
   EXPECT_EQ(std::vector<int>{2}, order_);
 }
 
-/// An output that changes at rest belongs to a boundary, and the sign of life comes between two.
+/// An output that changes at rest belongs to a boundary, whereas the sign of life comes between two
+/// boundaries.
 TEST_F(StepTimerTest, ASignOfLifeAtRestLeavesTheTickOfTheLastBoundary) {
   start_at(12'000);
   interrupt_at(12'000, 0);

@@ -1,5 +1,5 @@
-"""The controller's own image, unchanged, in the emulated chip of tests/target/machine: what it says,
-and what its pins do, from power-on to a set instant of virtual time."""
+"""Runs the unchanged image of the controller in the emulated chip of tests/target/machine, and
+records its output and its pins from power-on to a given virtual time."""
 
 import bisect
 import concurrent.futures
@@ -27,28 +27,28 @@ CHIP_OPTIONS = ("erase_us=1000",)  # A store that is new is erased at its first 
 RAM = 0x20000000
 FLASH = 0x08000000
 
-# Of the generic board.
+# Pins of the generic board.
 BEAM_PIN, BEAM_TIMER = "PA8", "TIM1_CH1"
 STEP_PINS = ("PA0", "PA1", "PA2", "PC0", "PC1", "PC2")  # Of all six axes.
 FLOOD_PIN = "PB4"
 
 
 def some_of(test: unittest.TestCase, cases: list, usual: int) -> list:
-    """As many cases as are to be tried, in their order."""
+    """Returns as many of the cases as are to be tried, in their order."""
     count = min(trials(usual), len(cases))
     chosen = set(random.Random(first_seed(test)).sample(range(len(cases)), count))
     return [case for place, case in enumerate(cases) if place in chosen]
 
 
 def in_parallel(work, inputs) -> list:
-    """The results in the order of the inputs."""
+    """Returns the results in the order of the inputs."""
     with concurrent.futures.ThreadPoolExecutor(AT_ONCE) as pool:
         return list(pool.map(work, inputs))
 
 
 @dataclasses.dataclass
 class Run:
-    """What came out of a run: `trace` is a list of (ns, source, rest)."""
+    """Result of a run: `trace` is a list of (ns, source, rest)."""
     status: int
     said: str
     told: str
@@ -58,16 +58,16 @@ class Run:
         return [ns for ns, who, rest in self.trace if who == source and rest.startswith(beginning)]
 
     def resets(self) -> list:
-        """When it restarted, power-on left out."""
+        """Returns the times of restarts, without power-on."""
         return self.times("reset")[1:]
 
     def steps(self) -> list:
-        """When a step pulse of any axis rose."""
+        """Returns the times at which a step pulse of any axis rose."""
         rising = {f"{pin} 1" for pin in STEP_PINS}
         return [ns for ns, who, rest in self.trace if who == "pin" and rest in rising]
 
     def lit(self) -> list:
-        """From when to when the beam's pin was high at times."""
+        """Returns the intervals during which the beam's pin was high or had pulses."""
         spans, since, driven, pulses = [], None, "z", "z"
         for ns, who, rest in self.trace:
             if who == "pin" and rest.startswith(BEAM_PIN + " "):
@@ -85,7 +85,7 @@ class Run:
         return spans
 
     def gaps_lit(self):
-        """Spans between steps in which the beam was lit: (begin, end)."""
+        """Yields the spans between steps during which the beam was lit: (begin, end)."""
         steps = self.steps()
         for begin, end in self.lit():
             within = steps[bisect.bisect_left(steps, begin):bisect.bisect_right(steps, end)]
@@ -93,12 +93,12 @@ class Run:
             yield from zip(edges, edges[1:])
 
     def lit_without_step(self) -> tuple:
-        """The longest time for which the beam was lit and no step came, and when it ended; ns."""
+        """Returns the longest time for which the beam was lit without a step, and its end; ns."""
         return max(((end - begin, end) for begin, end in self.gaps_lit()), default=(0, 0))
 
     def lit_without_motion(self) -> tuple:
-        """The same, where nothing moved slowly either: the steps before and after came quicker, by
-        more than four times."""
+        """Returns the same for spans between fast steps only: the steps before and after a span
+        came at less than a quarter of its length."""
         steps = self.steps()
 
         def moves(begin: int, end: int) -> bool:
@@ -111,7 +111,7 @@ class Run:
 
 
 class Chip:
-    """An image and the machine that it runs in."""
+    """An image, and the machine in which it runs."""
 
     def __init__(self, plugin: str, image: str, shift: int = 3):
         self.plugin, self.image, self.shift = plugin, pathlib.Path(image), shift
@@ -127,13 +127,14 @@ class Chip:
     def command(self, *options: str, kernel: pathlib.Path | None = None) -> list:
         return [EMULATOR, "-M", "netduinoplus2", "-display", "none", "-monitor", "none",
                 "-serial", "none", "-icount", f"shift={self.shift},sleep=off",
-                # Of a board with a boot loader the vectors lie farther up.
+                # On a board with a boot loader, the vectors have a higher address.
                 "-global", f"armv7m.init-nsvtor={self.symbols['image_begin']:#x}",
                 "-kernel", str(kernel or self.image), "-plugin", ",".join([self.plugin, *options])]
 
     def run(self, text: str, stop_ns: int, *options: str, from_ns: int = BOOT_NS,
             kernel: pathlib.Path | None = None) -> Run:
-        """Sends this from then on, and ends then. `kernel` is another file in place of the image."""
+        """Sends `text` from `from_ns` on, and ends at `stop_ns`. `kernel` is a file that replaces
+        the image."""
         with tempfile.TemporaryDirectory() as name:
             folder = pathlib.Path(name)
             sent, heard, trace = folder / "sent", folder / "heard", folder / "trace"
@@ -151,7 +152,7 @@ class Chip:
 
 
 def main(module, test: str):
-    """PLUGIN IMAGE [TEST...]: runs a module's tests on Chip(PLUGIN, IMAGE), or skips."""
+    """PLUGIN IMAGE [TEST...]: runs a module's tests on Chip(PLUGIN, IMAGE), or skips them."""
     import sys
     import unittest
     plugin, image = sys.argv[1:3]

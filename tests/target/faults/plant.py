@@ -1,5 +1,4 @@
-"""Faults that happen when they are wanted: options for the emulated chip which make the image do, at
-a set instant, what it never does by itself."""
+"""Plants faults at given times: options for the emulated chip which make the image misbehave."""
 
 import pathlib
 import subprocess
@@ -12,7 +11,7 @@ TABLE, CODE = FREE, FREE + 0x40
 TABLE_ENTRIES = 8
 FLASH = 0x08000000
 
-# First the pin of the flood is raised, so that the trace tells when.
+# First the pin of the flood coolant rises, so that the trace shows the time.
 MARK = """
     ldr r0, =0x40020418
     movs r1, #16
@@ -41,8 +40,8 @@ def assemble(text: str) -> bytes:
 
 
 def in_main_loop(chip: Chip, action: str, at_ns: int) -> list:
-    """The main loop, when it next looks at its serial line, does this: the line's object gets a
-    table of virtual functions that all lead to the code."""
+    """Returns options for code that the main loop runs when it next reads its serial line: the
+    line's object gets a table of virtual functions that all lead to the code."""
     text = ACTIONS[action].format(
         contract=hex(chip.symbols["_ZN3cnc15contract_failedEPKcS1_i"] | 1),
         stack_bottom=hex(chip.symbols["stack_bottom"]))
@@ -51,13 +50,14 @@ def in_main_loop(chip: Chip, action: str, at_ns: int) -> list:
     words = [(CODE + place, int.from_bytes(code[place:place + 4], "little"))
              for place in range(0, len(code), 4)]
     words += [(TABLE + 4 * entry, CODE | 1) for entry in range(TABLE_ENTRIES)]
-    # The pointer to the table last: alarms of one instant come in their order.
+    # The pointer to the table comes last: events of the same time occur in their order.
     words.append((chip.symbols["_ZN6target4lineE"], TABLE))
     return [f"store={address:x}:{word:x}:{at_ns}" for address, word in words]
 
 
 def in_function(chip: Chip, name: str, at_ns: int) -> list:
-    """The function hangs where it begins: bits of its first instruction in the flash turn over."""
+    """Returns options that make a function hang at its beginning: bits of its first instruction in
+    the flash flip."""
     address = chip.symbols[name] & ~1
     binary = chip.image.with_suffix(".bin").read_bytes()
     here = binary[address - FLASH:address - FLASH + 2]

@@ -1,5 +1,5 @@
-"""The image of a board with CAN, as a node of a bus on which others say what a script has: text,
-stops, a host that falls silent, and a master that gives out numbers.
+"""Tests the image of a board with CAN as a node of a bus. Other nodes send what a script contains:
+text, stops, a host that falls silent, and a master that assigns numbers.
 
     test_can.py PLUGIN kerfline_generic_can.elf
 """
@@ -21,7 +21,7 @@ STEP_PIN, BEAM_PIN, BEAM_TIMER = "PA0", "PA8", "TIM1_CH1"
 
 
 class Script:
-    """Frames of others, and when each begins."""
+    """Frames of other nodes, with their start times."""
 
     def __init__(self, node: int = NODE):
         self.node, self.now, self.frames = node, BEGIN, []
@@ -36,7 +36,8 @@ class Script:
         return self
 
     def line(self, text: str) -> "Script":
-        """In as many frames as it takes; the flow control has come within two turns."""
+        """Sends a line in as many frames as it requires; the flow control arrives within two
+        cycles."""
         data = (text + "\n").encode()
         if len(data) < 8:
             return self.frame(TEXT_TO + self.node, len(data), *data).wait(2)
@@ -57,12 +58,13 @@ class Script:
         return self
 
     def beats(self, until_ns: int) -> "Script":
-        """The host's heart, from the beginning on."""
+        """Sends the host's heartbeat from the beginning on."""
         self.frames += [(at, f"{HOST_HEARTBEAT:03X}#05") for at in range(BEGIN, until_ns, 20 * MS)]
         return self
 
     def text(self, stop_ns: int) -> str:
-        """With leave to go on, every 2 ms, for whatever the node has begun to say."""
+        """Returns the script with a flow control every 2 ms, which permits any message that the
+        node has begun."""
         leave = f"{TEXT_TO + self.node:03X}#300000"
         begin = stop_ns if self.listens_from is None else self.listens_from
         frames = sorted(self.frames + [(ns, leave) for ns in range(begin, stop_ns, 2 * MS)])
@@ -70,7 +72,7 @@ class Script:
 
 
 class Node:
-    """What a run of the image came to, as seen from the bus and the pins."""
+    """Result of a run of the image, as seen from the bus and the pins."""
 
     def __init__(self, script: Script, stop_ns: int, folder: pathlib.Path, *options: str):
         frames = folder / "frames"
@@ -101,7 +103,7 @@ class Node:
         return self.run.times("pin", f"{STEP_PIN} 1")
 
     def lit(self) -> list:
-        """When the beam's pulses changed from none to some, and back."""
+        """Returns the times at which the beam's pulses began and ended."""
         return [(ns, rest.split()[1] not in ("0", "z")) for ns, source, rest in self.run.trace
                 if source == "pwm" and rest.startswith(BEAM_TIMER + " ")]
 
@@ -134,7 +136,7 @@ class CanImageTest(unittest.TestCase):
         node = self.node(script.beats(stop_ns + 300 * MS), stop_ns + 300 * MS)
         self.assertTrue(any(at < stop_ns - MS for at in node.steps()))
         frame_ns = 300_000  # 130 bits at 500 kbit/s are less.
-        # A frame, the turn that sees it, and what that turn takes.
+        # The limit: the frame, the cycle that sees it, and the cycle after it.
         self.assertLess(max(node.steps()), stop_ns + frame_ns + 2 * MS)
         self.assertLess(node.dark_from(), stop_ns + frame_ns + 2 * MS)
         told = [data for ns, data in node.payloads(EMERGENCY + NODE) if ns > stop_ns]

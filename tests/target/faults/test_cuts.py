@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
-"""Power goes at flash operations of a script of savings; after the next start everything that was
-acknowledged is there.
+"""Cuts the power during flash operations of a script that saves data. After the next start all
+acknowledged data must exist.
 
     test_cuts.py PLUGIN kerfline_generic_512.elf [TEST...]
 
-On a chip with 1 MiB of flash and one with 512 KiB. KERFLINE_TRIALS=400 cuts that often on each (6),
-KERFLINE_SEED chooses where. Ends with 77 (skipped) where
-the emulator, the plug-in or the image is missing.
+Runs on a chip with 1 MiB of flash and on one with 512 KiB. KERFLINE_TRIALS=400 sets the number of
+cuts on each (default 6), KERFLINE_SEED chooses their times. Ends with 77 (skipped) if the emulator,
+the plug-in or the image is missing.
 """
 
 import pathlib
@@ -33,7 +33,7 @@ LISTED = "$$\n$N\n$I\n$#\n"
 
 
 def script(first: int, count: int) -> list:
-    """Lines that save something, each with what is to be listed when it is kept."""
+    """Returns lines that save something, each with the text that is listed if it was kept."""
     lines = []
     for number in range(first, first + count):
         if number % 4 == 0:
@@ -53,7 +53,7 @@ def start_up_line(which: int, number: int) -> tuple:
 
 
 def value_of(listed: str, name: str) -> str:
-    """What is said after a name, up to what a script's value has in common with it."""
+    """Returns the text after a name in a listing, which has the form of the script's values."""
     found = re.search(re.escape(name) + r"([^\r\n]*)", listed)
     return found[1] if found else ""
 
@@ -71,7 +71,7 @@ class CutTest(unittest.TestCase):
                         from_ns=from_ns)
 
     def filled(self) -> tuple:
-        """A flash with a sector that is nearly full of what was saved, and what that was."""
+        """Returns a flash with a sector that is nearly full of saved data, and this data."""
         flash = self.folder / "filled"
         lines = script(0, 60) + [start_up_line(i % 2, 1000 + i) for i in range(FILLING)]
         run = self.run_on(flash, text_of(lines), BOOT_NS + 2200 * MS)
@@ -108,7 +108,8 @@ class CutTest(unittest.TestCase):
         self.assertEqual([], lost)
 
     def cut(self, filled, before: list, lines: list, number: int, at: int, kind: str) -> str:
-        """What is lost when power goes in the given operation, or nothing."""
+        """Returns a description of the data that is lost if power is cut in the given operation, or
+        nothing."""
         flash = self.folder / f"cut{number}"
         shutil.copy(filled, flash)
         run = self.run_on(flash, text_of(lines), BOOT_NS + SCRIPT_NS, f"cut={at}",
@@ -123,8 +124,8 @@ class CutTest(unittest.TestCase):
         if "damaged" in after.said or "Restarted" in after.said:
             return f"cut {at} {kind}: {after.said[:300]}"
         wanted = {name: [value] for _, name, value in before + lines[:kept]}
-        # What was under way may be kept or not: the next line, and a place, which is saved at once
-        # after its answer.
+        # Data that was being saved may be kept or not: that of the next line, and a position, which
+        # is saved immediately after its answer.
         open_lines = [at for at in (kept - 1, kept) if 0 <= at < len(lines)
                       and (at == kept or lines[at][1].startswith("[G"))]
         for at in open_lines:

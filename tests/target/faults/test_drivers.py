@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
-"""What motor drivers see at the pins of a board with an enable for each: current before the first step,
-directions before the steps, axes that keep their current; and that each button is where it should be.
+"""Tests the pins of a board with an enable for each motor driver: current before the first step,
+directions before the steps, and axes that keep their current. Also tests that each button acts at
+its pin.
 
     test_drivers.py PLUGIN kerfline_mks_robin_nano_v3_1.elf [TEST...]
 
-Ends with 77 (skipped) where the emulator, the plug-in or the image is missing.
+Ends with 77 (skipped) if the emulator, the plug-in or the image is missing.
 """
 
 import pathlib
@@ -37,7 +38,7 @@ class DriversTest(unittest.TestCase):
                 if source == "pin" and rest.startswith(pin + " ")][-1]
 
     def from_enable_to_step(self, run) -> int:
-        """ns from current in X's motor to its first step."""
+        """Returns the time from current in X's motor to its first step, ns."""
         return run.times("pin", f"{STEPS['X']} 1")[0] - run.times("pin", f"{ENABLES['X']} 0")[0]
 
     def test_current_flows_before_the_first_step(self):
@@ -80,7 +81,7 @@ class DriversTest(unittest.TestCase):
                               if run.times("pin", f"{pin} 0") + run.times("pin", f"{pin} 1")])
 
     def test_each_button_acts(self):
-        """In a motion that takes longer than the test: hold, start, and the door."""
+        """Presses hold, start and door during a motion that takes longer than the test."""
         begin = BOOT_NS + 100 * MS
         presses = ((begin, HOLD), (begin + 150 * MS, START), (begin + 300 * MS, DOOR))
         with tempfile.TemporaryDirectory() as folder:

@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
-"""Every fault in every state of the beam: dark within 64 instructions, and told after the restart.
+"""Plants every fault in every state of the beam: it must be off within 64 instructions, and the
+fault must be reported after the restart.
 
     test_faults.py PLUGIN kerfline_generic.elf [TEST...]
 
-Faults are planted into the running image (plant.py). KERFLINE_TRIALS=99 tries all faults in all
-states, else some; KERFLINE_SEED chooses which. Ends with 77 (skipped) where the emulator, the
+plant.py plants the faults into the running image. KERFLINE_TRIALS=99 tries all faults in all
+states, fewer try some; KERFLINE_SEED chooses which. Ends with 77 (skipped) if the emulator, the
 plug-in or the image is missing.
 """
 
@@ -46,7 +47,8 @@ TOLD = {
 
 class FaultTest(unittest.TestCase):
     def assert_state(self, run, lit: bool):
-        """The test means something: at the fault the beam was as the state says."""
+        """Asserts that the beam was on or off as the state requires at the fault, without which the
+        test would prove nothing."""
         self.assertEqual(STOPPED, run.status, run.told)
         self.assertEqual(lit, any(begin < AT_NS <= end for begin, end in run.lit()), run.said)
 
@@ -77,8 +79,8 @@ class FaultTest(unittest.TestCase):
         print(f"dark at most {most} instructions after {len(cases)} faults")
 
     def test_a_main_loop_that_hangs(self):
-        """The motion that was cut ahead is driven and ends dark; then the watchdog bites. A spindle
-        turns until then."""
+        """Segments that were cut before are driven, with the beam off at their end; then the
+        watchdog resets the chip. A spindle turns until then."""
         states = some_of(self, list(STATES), 3)
         for state, run in zip(states, in_parallel(
                 lambda state: CHIP.run(STATES[state][0], AT_NS + 220 * MS, *CHIP_OPTIONS,
@@ -109,7 +111,7 @@ class FaultTest(unittest.TestCase):
                     self.assertEqual(1, len(run.times("watchdog", "bites")))
 
     def test_a_supply_below_the_brown_out_level(self):
-        """The chip resets itself, which lets go of the pin; then the image drives it low."""
+        """The chip resets itself, which releases the pin; then the image drives it low."""
         states = some_of(self, list(STATES), 3)
         for state, run in zip(states, in_parallel(
                 lambda state: CHIP.run(STATES[state][0], AT_NS + RESTARTED_NS, *CHIP_OPTIONS,
@@ -121,7 +123,8 @@ class FaultTest(unittest.TestCase):
                 self.assertIn("Restarted after the supply was too low", run.said)
 
     def test_an_image_that_changes_is_found(self):
-        """At the end of the round that reads it: here, where the present one has, of the next."""
+        """A change is found when the check reads it: in the present round if that is still to come,
+        else in the next."""
         nobody = 0x08000060  # The vector of an interrupt that is off.
         run = CHIP.run("", AT_NS + 1750 * MS, *CHIP_OPTIONS, f"flip={nobody:x}:5:{AT_NS}")
         self.assertEqual(1, len(run.resets()), run.said)
@@ -130,7 +133,7 @@ class FaultTest(unittest.TestCase):
         self.assertIn("ALARM:24", run.said)
 
     def test_dark_wherever_speed_is_zero(self):
-        """Holds, dwells, ends of motion and spans of idleness."""
+        """Includes holds, dwells, ends of motion and idle spans."""
         job = FINE + "M3S600\n" + "".join(
             f"G1X{x}Y1F1500\nG4P0.02\nG1X0Y0\n" + 2 * PAUSE + "!" + 8 * PAUSE + "~" + PAUSE
             for x in (1, 2, 3))

@@ -1,11 +1,12 @@
 #!/usr/bin/env python3
-"""The generic image for 512 KiB on chips with 1 MiB, 512 KiB and 256 KiB of flash, and images that are not whole:
-it runs and stores, or it says why it does not, beam and motors off.
+"""Runs the generic image for 512 KiB on chips with 1 MiB, 512 KiB and 256 KiB of flash, and
+incomplete images. Each image must run and store, or report why it does not, with beam and motors
+off.
 
     test_fitness.py PLUGIN kerfline_generic_512.elf [TEST...]
 
-The images beside it that are made for 1 MiB are tried, too. Ends with 77 (skipped) where the emulator,
-the plug-in or the image is missing.
+Also tries the images for 1 MiB in the same folder. Ends with 77 (skipped) if the emulator, the
+plug-in or the image is missing.
 """
 
 import pathlib
@@ -45,7 +46,8 @@ class FitnessTest(unittest.TestCase):
                 self.assertEqual([], run.times("misuse") + again.times("misuse"), run.told + again.told)
 
     def assert_refused(self, run, reason: str, lines: int):
-        """It says why, at the start and for every line, and nothing moves or shines."""
+        """Asserts that the image reports the reason at the start and for every line, and that
+        nothing moves or is lit."""
         self.assertEqual(STOPPED, run.status, run.told)
         self.assertTrue(run.said.startswith("\r\nGrbl 1.1h ['$' for help]\r\n[MSG:Nothing runs: "), run.said)
         self.assertIn(reason, run.said)
@@ -54,7 +56,8 @@ class FitnessTest(unittest.TestCase):
         self.assert_off(run)
 
     def assert_off(self, run):
-        """The beam's pin is driven low, the motors have no current, and no step was made."""
+        """Asserts that the beam's pin is driven low, the motors have no current, and no step was
+        made."""
         self.assertEqual([], run.lit())
         self.assertEqual([], run.steps())
         beam = [rest for _, source, rest in run.trace if source == "pin" and rest.startswith(BEAM_PIN)]
@@ -86,8 +89,8 @@ class FitnessTest(unittest.TestCase):
         self.assertGreater(refused, 0, "no image is large enough for this test")
 
     def test_the_way_into_the_boot_loader_stays_open(self):
-        """There is none here: what would jump into it is a fault, and the image says again why it does
-        not run."""
+        """The emulated chip has no boot loader: the jump to it is a fault, and the image reports
+        again why it does not run."""
         run = CHIP.run("$DFU\n", BOOT_NS + 100 * MS, "flash_kib=256")
         self.assertIn("ok\r\n", run.said)
         self.assertEqual(2, len(run.resets()))
@@ -114,7 +117,7 @@ class FitnessTest(unittest.TestCase):
         self.assert_refused(self.run_binary(bytes(changed)), "damaged or incomplete", 3)
 
     def test_a_fragment_of_an_image_is_dark_and_does_not_run(self):
-        """It ends where the code begins that would find that out."""
+        """The fragment ends before the code that would detect this."""
         end = next(place for name, place in CHIP.symbols.items() if "Crc323addESt4span" in name)
         run = self.run_binary(self.binary[:end - FLASH])
         self.assertEqual(1, len(run.resets()), "it stands still after its first fault")

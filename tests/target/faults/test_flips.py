@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""Bits of memory turn over while a laser job runs, and the beam is never lit without motion.
+"""Flips bits of memory while a laser job runs; the beam must never be lit without motion.
 
     test_flips.py PLUGIN kerfline_generic.elf [TEST...]
 
-KERFLINE_TRIALS=10000 flips that many (128), KERFLINE_SEED chooses them. Ends with 77 (skipped)
-where the emulator, the plug-in or the image is missing.
+KERFLINE_TRIALS=10000 sets the number of flips (default 128), KERFLINE_SEED chooses them. Ends with
+77 (skipped) if the emulator, the plug-in or the image is missing.
 """
 
 import collections
@@ -22,8 +22,8 @@ from chip import (BOOT_NS, CHIP_OPTIONS, MS, RAM, STOPPED, first_seed, in_parall
                   main, trials)
 
 CHIP = None
-# Fine steps and hard acceleration of all axes, as flips may move any of them: while the beam is lit
-# and something moves, steps are less than 1 ms apart.
+# Fine steps and hard acceleration on all axes, because flips may move any of them: while the beam
+# is lit in motion, steps are less than 1 ms apart.
 SETTINGS = "$32=1\n$858=0\n" + "".join(
     f"${100 + axis}=1600\n${110 + axis}=6000\n${120 + axis}=5000\n" for axis in range(6))
 FLIPS_IN_A_RUN = 32
@@ -35,13 +35,15 @@ RESTARTED = re.compile(r"\[MSG:(Restarted [^\]]*)\]")
 
 
 def job() -> str:
-    """Longer than any run, each line whole in itself: after a restart the rest of it goes on."""
+    """Returns a job that is longer than any run. Each line stands alone, because after a restart
+    the remaining lines run."""
     return "".join(f"G90G21M{3 + way // 4 % 2}S{400 + 50 * (way % 3)}"
                    f"G1X{way % 7 / 20}Y{way % 5 / 10}F1500\n" for way in range(600))
 
 
 def at_the_same_times(steps: list, others: list) -> bool:
-    """To what the emulator takes an interrupt sooner or later from run to run."""
+    """Returns whether two lists of steps agree, except that the emulator may take an interrupt
+    slightly earlier or later."""
     return len(steps) == len(others) and all(
         abs(a - b) < MOST_APART_NS for a, b in zip(steps, others))
 
@@ -49,7 +51,7 @@ def at_the_same_times(steps: list, others: list) -> bool:
 class FlipTest(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        """The job's settings are in the flash when a run begins."""
+        """Stores the job's settings in the flash before the runs."""
         cls.folder = tempfile.TemporaryDirectory()
         cls.addClassCleanup(cls.folder.cleanup)
         cls.flash = pathlib.Path(cls.folder.name, "flash")
@@ -92,7 +94,7 @@ class FlipTest(unittest.TestCase):
 
     @staticmethod
     def one_of(places: list, chosen: random.Random) -> int:
-        """An address of any of the ranges, each as likely as the next."""
+        """Returns an address in one of the ranges; all ranges are equally likely."""
         at = chosen.randrange(sum(map(len, places)))
         for place in places:
             if at < len(place):
@@ -101,8 +103,8 @@ class FlipTest(unittest.TestCase):
         raise AssertionError
 
     def judge(self, number: int, flips: list, undisturbed) -> tuple:
-        """What the flips of a run did, by kinds, and how long the beam was lit without motion. A flip in a
-        line that waits may make its feed a slow one."""
+        """Returns the effects of a run's flips by kinds, and the time for which the beam was lit
+        without motion. A flip in a waiting line may make its feed slow."""
         options = [f"flip={address:x}:{bit}:{ns}" for address, bit, ns in flips]
         run = self.run_job(f"-{number}", *options)
         self.assertEqual(STOPPED, run.status, run.told)
@@ -143,7 +145,7 @@ class FlipTest(unittest.TestCase):
               f"{longest / MS:.0f} ms")
 
     def settings_place(self) -> tuple:
-        """Where the values of all settings are, found by what they are: address and bytes."""
+        """Returns the memory of all settings' values, found by their content: address and bytes."""
         listed = self.run_job("l", text="$$\n", stop_ns=BOOT_NS + 600 * MS).said
         values = [float(value) for value in re.findall(r"\$\d+=(\S+)", listed)]
         self.assertGreater(len(values), 100)
@@ -155,7 +157,7 @@ class FlipTest(unittest.TestCase):
         return RAM + place, len(wanted)
 
     def memory(self) -> bytes:
-        """All of RAM, when it has been running for some time."""
+        """Returns all of RAM after some time of running."""
         path = pathlib.Path(self.folder.name, "memory")
         self.run_job("m", f"memory={path}", text="\n", stop_ns=BOOT_NS + 100 * MS)
         return path.read_bytes()

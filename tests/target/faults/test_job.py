@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""A long job of short lines over the emulated serial line at 1 Mbaud, from a sender that counts
-characters: no byte is lost, and 100 mm/s are held.
+"""Runs a long job of short lines over the emulated serial line at 1 Mbaud, from a sender that
+counts characters. No byte may be lost, and 100 mm/s must be held.
 
     test_job.py PLUGIN kerfline_generic_1mbaud.elf [TEST...]
 
-Ends with 77 (skipped) where the emulator, the plug-in or the image is missing.
+Ends with 77 (skipped) if the emulator, the plug-in or the image is missing.
 """
 
 import math
@@ -23,14 +23,14 @@ SPAN_NS = 100 * MS  # A speed is told over it: 800 steps.
 
 
 def circle() -> list:
-    """Places on a circle, its chords 0.1 mm, from where the machine stands."""
+    """Returns points on a circle, 0.1 mm apart, relative to the machine's position."""
     turn = 2 * math.asin(LINE_MM / 2 / RADIUS_MM)
     return [(RADIUS_MM - RADIUS_MM * math.cos(i * turn), RADIUS_MM * math.sin(i * turn))
             for i in range(1, LINES + 1)]
 
 
 def places_of(run) -> list:
-    """Where both motors are, in steps, after each of their steps: (ns, x, y)."""
+    """Returns the positions of both motors, in steps, after each step: (ns, x, y)."""
     axis_of, sign, at, places = {"PA0": 0, "PA1": 1}, [1, 1], [0, 0], []
     for ns, source, rest in run.trace:
         pin, _, level = rest.partition(" ")
@@ -45,7 +45,7 @@ def places_of(run) -> list:
 
 
 def speeds_of(places: list, way: int) -> list:
-    """mm/s along the circle over one span after the other."""
+    """Returns the speeds along the circle over successive spans, mm/s."""
     def angle(place):
         x, y = (steps / STEPS_PER_MM for steps in place[1:])
         return math.atan2(way * y, RADIUS_MM - x)
@@ -87,8 +87,8 @@ class JobTest(unittest.TestCase):
         self.assert_speed(run, places, way, seconds)
 
     def assert_speed(self, run, places: list, way: int, seconds: float):
-        """Lit from the first step to the last without a gap, and as fast as was asked for between
-        getting up to speed and stopping."""
+        """Asserts that the beam is lit from the first step to the last without a gap, and that the
+        speed is as requested between speeding up and stopping."""
         lit = [span for span in run.lit() if span[1] - span[0] > MS]
         first, last = places[0][0], places[-1][0]
         middle = [place for place in places if first + 300 * MS < place[0] < last - 300 * MS]

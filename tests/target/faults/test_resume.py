@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
-"""How far a job had come outlives what ends it: a fault's restart in memory that start-up leaves
-alone, and power that goes after a hold in the store.
+"""Tests that the progress of a job survives its end: in memory that start-up preserves, after a
+restart by a fault, and in the store, after a hold and a power cut.
 
     test_resume.py PLUGIN kerfline_generic.elf [TEST...]
 
-KERFLINE_TRIALS=40 ends it at that many places (6), KERFLINE_SEED chooses where. Ends with 77
-(skipped) where the emulator, the plug-in or the image is missing.
+KERFLINE_TRIALS=40 sets the number of times at which the job ends (default 6), KERFLINE_SEED chooses
+them. Ends with 77 (skipped) if the emulator, the plug-in or the image is missing.
 """
 
 import pathlib
@@ -24,7 +24,8 @@ CHIP = None
 STEPS_PER_MM = 1600
 SIDE_MM = 4.0
 SET_UP = "$32=1\n$858=0\n$100=1600\n$101=1600\n$120=5000\n$121=5000\n"
-# A square, each side a line of the program, at 25 mm/s; two sides back, so steps tell the place.
+# A square at 25 mm/s, each side a line of the program. Two sides lead back, so that the steps
+# determine the position.
 JOB = SET_UP + "M4S600F1500\nN11G1X4\nN12G1Y4\nN13G1X0\nN14G1Y0\n"
 PAUSE = "(" + 60 * "." + ")\n"  # 5 ms of the wire.
 STEP_X, STEP_Y = "PA0", "PA1"
@@ -33,7 +34,7 @@ CUT_NS = int(4 * SIDE_MM / 25 * 1e9)  # What the job takes, about.
 
 
 def place_on_square(line: int, x: float, y: float) -> float:
-    """The same of a place that is told with its line."""
+    """Returns the distance along the square for a position that is reported with its line."""
     return {11: x, 12: SIDE_MM + y, 13: 3 * SIDE_MM - x, 14: 4 * SIDE_MM - y}[line]
 
 
@@ -57,7 +58,7 @@ class ResumeTest(unittest.TestCase):
         return told[4]
 
     def test_a_restart_keeps_line_and_place(self):
-        """In memory: of the last turn that the tool worked in."""
+        """Preserved in memory: line and position of the last cycle in which the tool worked."""
         places = self.places()
 
         def one(share):
@@ -71,12 +72,12 @@ class ResumeTest(unittest.TestCase):
                 self.assertEqual(STOPPED, run.status, run.told)
                 restart, = run.resets()
                 self.assertIn("Restarted after a fault: broken contract", run.said)
-                # Two turns at 25 mm/s, and the steps of the pulses that were under way.
+                # Two cycles at 25 mm/s, and the steps of the pulses that were under way.
                 how = self.assert_told(run.said, way_driven(run, restart), 0.06)
                 self.assertEqual(how, "home", "the motors had no current")
 
     def test_power_that_goes_after_a_hold_keeps_line_and_place(self):
-        """In the store: from the hold on, exactly."""
+        """Preserved in the store: the exact line and position of the hold."""
         places = self.places()
 
         def one(share):

@@ -72,20 +72,20 @@ void Board::add(Peripheral& peripheral, qemu::MemoryRegion* container) {
 
 void Board::reset() {
   rcc_.note(cause_);
-  cause_ = ResetCause::kSoftware;  // Unless something else says otherwise.
+  cause_ = ResetCause::kSoftware;  // Unless another cause is set before the next reset.
   trace_.event("reset", "{:08x}", rcc_.flags());
   for (Peripheral* peripheral : all_) peripheral->reset();
 }
 
 void Board::reset_by(ResetCause cause) {
   cause_ = cause;
-  // At once: after a request QEMU's main loop may let virtual time jump to the next alarm first,
-  // where the core sleeps. No instruction is under way while an alarm is called.
+  // Resets immediately. With a request, QEMU's main loop may first let virtual time jump to the
+  // next alarm if the core sleeps. No instruction is in progress while an alarm is called.
   qemu::qemu_system_reset(qemu::kGuestReset);
 }
 
-/// SYSRESETREQ of the core: the reset comes before its next instructions but a few, by the clock of
-/// the machine. QEMU's own would come when its main loop turns, some time later.
+/// Connects SYSRESETREQ of the core. The reset comes within the next few instructions, by virtual
+/// time. QEMU's own reset would come later, when its main loop runs.
 void Board::connect_reset(qemu::Object* core) {
   const auto asked = [](void* self, int, int level) {
     if (level != 0) static_cast<Board*>(self)->software_reset_.set(now_ns());

@@ -20,7 +20,7 @@
 
 namespace machine {
 
-/// What the machine is to do, and the files that were opened for it.
+/// The options of the machine, and the files that were opened for it.
 struct Order {
   Options options;
   std::FILE* trace = nullptr;
@@ -28,8 +28,8 @@ struct Order {
   std::vector<TimedFrame> frames;
 };
 
-/// The whole machine: makes the peripherals, lays them over the emulator's memory and resets them
-/// with the system.
+/// The complete machine: makes the peripherals, lays them over the emulator's memory and resets
+/// them together with the system.
 class Board {
  public:
   /// `core` is QEMU's armv7m object.
@@ -38,9 +38,9 @@ class Board {
   Board& operator=(const Board&) = delete;
   ~Board() = default;
 
-  /// As after power-on, or after what asked for a reset since then.
+  /// Resets the machine as after power-on, or for the cause that has been noted since.
   void reset();
-  /// Writes out what goes to files.
+  /// Writes all output files.
   void finish();
 
  private:
@@ -75,7 +75,7 @@ class Board {
   ResetCause cause_ = ResetCause::kPowerOn;
 };
 
-/// How the emulator ends when the plug-in ends it.
+/// Exit status of the emulator when the plug-in ends it.
 constexpr int kPowerCutStatus = 90;
 constexpr int kStoppedStatus = 91;
 

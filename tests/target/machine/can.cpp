@@ -1,4 +1,4 @@
-// What happens on the wire: modes, arbitration, errors and their counters, bus-off.
+// Events on the wire: modes, arbitration, errors and their counters, bus-off.
 
 #include "tests/target/machine/can.hpp"
 
@@ -11,14 +11,15 @@
 
 namespace machine {
 
-using namespace can_registers;  // NOLINT(google-build-using-namespace): half of it is about them.
+// NOLINT(google-build-using-namespace): half of this file uses these names.
+using namespace can_registers;
 
 namespace {
 
 constexpr unsigned kTransmitInterrupt = 19, kFifo0Interrupt = 20, kFifo1Interrupt = 21;
 constexpr unsigned kStatusInterrupt = 22;
-// Bits, ISO 11898-1: of silence before a node takes part, and before it leaves bus-off; of an
-// error flag with its delimiter and the intermission; that a passive sender waits in addition.
+// Numbers of bits by ISO 11898-1: silence before a node takes part, and before it leaves bus-off;
+// an error flag with its delimiter and the intermission; the additional wait of a passive sender.
 constexpr unsigned kJoinBits = 11, kRecoveryBits = 128 * 11, kErrorBits = 6 + 8 + 3;
 constexpr unsigned kPassiveWait = 8;
 
@@ -59,7 +60,7 @@ std::int64_t Can::bits_ns(std::uint64_t bits) const {
 }
 
 void Can::change_mode() {
-  if (sender_ == Sender::kMailbox) return;  // At the end of the frame.
+  if (sender_ == Sender::kMailbox) return;  // The mode changes at the end of the frame.
   const bool initialise = (master_ & kInitialise) != 0, sleep = (master_ & kSleepRequest) != 0;
   if (initialise != sleep) {
     mode_ = initialise ? Mode::kInitialisation : Mode::kSleep;
@@ -128,7 +129,8 @@ void Can::begin(Sender sender, const CanFrame& frame) {
   failure_ = 0;
   if (random_.below(100) < options_.can_corrupt_percent) {
     failure_ = own ? kRecessiveError : kStuffError;
-    bits = 1 + random_.below(bits - 10) + kErrorBits;  // Anywhere before the end of the frame.
+    // The error occurs at a random bit before the end of the frame.
+    bits = 1 + random_.below(bits - 10) + kErrorBits;
   } else if (own && options_.can_alone && (timing_ & kLoop) == 0) {
     failure_ = kAcknowledgeError;
     bits = bits - 11 + kErrorBits;
@@ -203,7 +205,8 @@ void Can::receive(const CanFrame& frame) {
 void Can::count_error(std::uint32_t code, bool sending) {
   const std::uint32_t before = error_flags();
   last_error_ = code;
-  // A passive node that nobody acknowledges counts no further, or it would leave the bus alone.
+  // A passive node whose frames nobody acknowledges stops counting. Otherwise a node that is alone
+  // would go bus-off.
   const bool counts = code != kAcknowledgeError || transmit_errors_ <= 127;
   if (sending && counts) transmit_errors_ += 8;
   if (!sending && receive_errors_ < 255) ++receive_errors_;
@@ -214,7 +217,7 @@ void Can::count_error(std::uint32_t code, bool sending) {
 
 void Can::raise_errors(std::uint32_t before) {
   const std::uint32_t risen = error_flags() & ~before;
-  // The enables of EWGF, EPVF and BOFF are 8 bits above their flags.
+  // The enable bits of EWGF, EPVF and BOFF are 8 bits above their flags.
   if ((risen & interrupts_ >> 8U) != 0 || (interrupts_ & kCodeInterrupt) != 0) {
     error_interrupt_ = true;
   }

@@ -14,11 +14,13 @@
 
 namespace machine {
 
-/// CAN1 (RM0090, 32) on a bus whose other nodes acknowledge and send the frames of a file: modes
-/// with their handshakes, three mailboxes, two FIFOs of three, filters, exact lengths of frames,
-/// error counters by ISO 11898-1, bus-off and both ways out of it. A corrupted frame ends in an
-/// error at a random bit. Not modelled: time stamps, wake-up by the bus, CAN2, traffic of others
-/// while bus-off is waited out.
+/// Model of CAN1 (RM0090, 32) on a bus whose other nodes acknowledge and send the frames of a file.
+/// It has modes with their handshakes, three mailboxes, two FIFOs of three frames, filters, exact
+/// lengths of frames, error counters by ISO 11898-1, bus-off and both ways out of it. A corrupted
+/// frame ends in an error at a random bit.
+///
+/// Not modelled: time stamps, wake-up by the bus, CAN2, traffic of other nodes during the wait
+/// after bus-off.
 class Can final : public Peripheral {
  public:
   Can(const Services& services, const Options& options, const std::vector<TimedFrame>& others);
@@ -84,13 +86,13 @@ class Can final : public Peripheral {
   bool error_interrupt_ = false;
   Mode mode_ = Mode::kSleep;
   std::array<Mail, kMailboxes> mailboxes_{};
-  std::array<std::uint64_t, kMailboxes> requested_{};  // Order of requests.
+  std::array<std::uint64_t, kMailboxes> requested_{};  // Sequence number of each mailbox's request.
   std::uint64_t requests_ = 0;
   std::array<Fifo, kFifos> fifos_;
 
   Sender sender_ = Sender::kNobody;
   unsigned sending_ = 0;
-  std::uint32_t failure_ = 0;  // LEC that this transfer ends with.
+  std::uint32_t failure_ = 0;  // Value of LEC with which this transfer ends.
   std::uint32_t transmit_errors_ = 0, receive_errors_ = 0, last_error_ = 0;
   bool bus_off_ = false;
 };

@@ -7,13 +7,13 @@ constexpr std::uint32_t kMaster = 0x200, kLists = 0x204, kWide = 0x20C, kFifos =
 constexpr std::uint32_t kActive = 0x21C, kFirstBank = 0x240, kEnd = 0x320;
 constexpr std::uint32_t kAfterReset = 0x2A1C'0E01;
 
-/// The frame as a 32-bit filter sees it: STID, EXID, IDE, RTR, 0.
+/// Returns the frame as a 32-bit filter sees it: STID, EXID, IDE, RTR, 0.
 std::uint32_t wide_word(const CanFrame& frame) {
   const std::uint32_t id = frame.extended ? frame.id << 3U : frame.id << 21U;
   return id | (frame.extended ? 4U : 0U) | (frame.remote ? 2U : 0U);
 }
 
-/// As a 16-bit filter does: STID, RTR, IDE, EXID bits 17 to 15.
+/// Returns the frame as a 16-bit filter sees it: STID, RTR, IDE, EXID bits 17 to 15.
 std::uint32_t narrow_word(const CanFrame& frame) {
   const std::uint32_t base = frame.extended ? frame.id >> 18U : frame.id;
   const std::uint32_t rest = frame.extended ? frame.id >> 15U & 7U : 0;
@@ -56,7 +56,7 @@ void CanFilters::write(std::uint32_t offset, std::uint32_t value) {
   if (setting_up && offset == kFifos) fifos_ = value & kAllBanks;
   if (offset < kFirstBank || offset >= kEnd) return;
   const std::uint32_t bank = (offset - kFirstBank) / 8;
-  // A bank's values may be changed only while it is not active.
+  // A bank's values can be changed only while the bank is not active.
   if (setting_up || !bit(active_, bank)) banks_[bank][offset / 4 % 2] = value;
 }
 
@@ -83,7 +83,7 @@ std::optional<CanFilters::Passed> CanFilters::pass(const CanFrame& frame) const 
   unsigned best_rank = 0;
   for (unsigned bank = 0; bank < banks_of_first && bank < kBanks; ++bank) {
     const unsigned fifo = bit(fifos_, bank) ? 1 : 0;
-    // Wide before narrow, then lists before masks, then the lower number.
+    // Priority: wide filters before narrow ones, then lists before masks, then the lower number.
     const unsigned rank = (bit(wide_, bank) ? 2U : 0U) + (bit(lists_, bank) ? 1U : 0U) + 1;
     for (unsigned filter = 0; filter < filters_of(bank); ++filter, ++index[fifo]) {
       if (!bit(active_, bank) || rank <= best_rank || !passes(bank, filter, frame)) continue;

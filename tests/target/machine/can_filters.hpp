@@ -8,18 +8,18 @@
 
 namespace machine {
 
-/// The 28 filter banks of CAN1 and CAN2 (RM0090, 32.7.4 and 32.9.4), of which those below CAN2SB
-/// are CAN1's. While FINIT is set no frame is accepted.
+/// The 28 filter banks of CAN1 and CAN2 (RM0090, 32.7.4 and 32.9.4). Banks below CAN2SB belong to
+/// CAN1. While FINIT is set, no frame is accepted.
 class CanFilters {
  public:
-  /// Where an accepted frame goes, and the number of the filter that it passed.
+  /// FIFO of an accepted frame, and the number of the filter that it passed.
   struct Passed {
     unsigned fifo;
     std::uint32_t index;
   };
 
   void reset();
-  /// Offsets from 0x200 on.
+  /// Access to the registers by offsets from 0x200.
   [[nodiscard]] std::uint32_t read(std::uint32_t offset) const;
   void write(std::uint32_t offset, std::uint32_t value);
   [[nodiscard]] std::optional<Passed> pass(const CanFrame& frame) const;
@@ -27,7 +27,8 @@ class CanFilters {
  private:
   static constexpr unsigned kBanks = 28;
 
-  /// Filters of a bank: 32-bit mask 1, 32-bit list 2, 16-bit mask 2, 16-bit list 4.
+  /// Returns the number of filters of a bank: 32-bit mask 1, 32-bit list 2, 16-bit mask 2, 16-bit
+  /// list 4.
   [[nodiscard]] unsigned filters_of(unsigned bank) const;
   [[nodiscard]] bool passes(unsigned bank, unsigned filter, const CanFrame& frame) const;
   [[nodiscard]] bool bit(std::uint32_t word, unsigned bank) const {

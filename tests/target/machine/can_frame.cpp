@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::uint32_t kWidestBase = 0x7FF, kWidestExtended = 0x1FFF'FFFF;
 
-/// Bits that go out, with the checksum of those so far.
+/// Counts the bits that are sent, and computes their checksum.
 struct Bits {
   std::uint32_t checksum = 0;
   unsigned count = 0;
@@ -24,7 +24,7 @@ struct Bits {
     run = bit == last ? run + 1 : 1;
     last = bit;
     if (run < 5) return;
-    ++stuffed;  // Of the other kind, and the first of a new run.
+    ++stuffed;  // A stuff bit has the opposite value, and is the first bit of a new run.
     last = !bit;
     run = 1;
   }
@@ -63,7 +63,8 @@ unsigned bits_on_wire(const CanFrame& frame) {
   bits.put(frame.length, 4);
   for (unsigned i = 0; i < frame.length && !frame.remote; ++i) bits.put(frame.data[i], 8);
   bits.put(bits.checksum, 15, false);
-  // Delimiter, acknowledgement and its delimiter, end of frame, intermission: without stuffing.
+  // Checksum delimiter, acknowledgement and its delimiter, end of frame and intermission have no
+  // stuff bits.
   return bits.count + bits.stuffed + 1 + 2 + 7 + 3;
 }
 

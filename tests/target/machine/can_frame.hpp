@@ -18,14 +18,16 @@ struct CanFrame {
   std::array<std::uint8_t, 8> data{};
 };
 
-/// Bits on the wire from start of frame to the end of the three of intermission, stuff bits
-/// included (ISO 11898-1, 10.4 and 10.5).
+/// Returns the number of bits on the wire, from start of frame to the end of the three bits of
+/// intermission, including stuff bits (ISO 11898-1, 10.4 and 10.5).
 [[nodiscard]] unsigned bits_on_wire(const CanFrame& frame);
 
-/// Lower wins: identifier, then data before remote, then base before extended.
+/// Returns the priority; the lower value wins: identifier, then data before remote frames, then
+/// base before extended format.
 [[nodiscard]] std::uint64_t arbitration(const CanFrame& frame);
 
-/// `123#1122`, `12345678#`, `123#R2`: as candump and cansend of can-utils write them.
+/// Converts from and to the text of candump and cansend of can-utils: `123#1122`, `12345678#`,
+/// `123#R2`.
 [[nodiscard]] std::string text_of(const CanFrame& frame);
 [[nodiscard]] std::optional<CanFrame> frame_of(std::string_view text);
 
@@ -33,7 +35,7 @@ struct TimedFrame {
   std::int64_t at_ns = 0;
   CanFrame frame;
 };
-/// Lines `NS FRAME` in order of time; false with a message when one is not.
+/// Reads lines `NS FRAME` in order of time; returns false with a message if a line is not valid.
 [[nodiscard]] bool read_frames(const std::string& path, std::vector<TimedFrame>& frames);
 
 }  // namespace machine

@@ -1,4 +1,4 @@
-// What the driver of the controller sees: registers, handshakes, interrupts.
+// Registers, handshakes and interrupts as the controller's driver sees them.
 
 #include "tests/target/machine/can_registers.hpp"
 
@@ -6,7 +6,8 @@
 
 namespace machine {
 
-using namespace can_registers;  // NOLINT(google-build-using-namespace): this file is about them.
+// NOLINT(google-build-using-namespace): this file uses these names throughout.
+using namespace can_registers;
 
 void Can::reset() {
   for (Alarm* alarm : {&bus_, &join_, &recovery_}) alarm->cancel();
@@ -26,7 +27,7 @@ void Can::reset() {
 }
 
 std::uint32_t Can::master_status() const {
-  constexpr std::uint32_t kRecessive = 0xC00;  // RX and its last sample.
+  constexpr std::uint32_t kRecessive = 0xC00;  // Level of RX, and its last sample.
   const bool initialising = mode_ == Mode::kInitialisation || mode_ == Mode::kJoining;
   return kRecessive | (initialising ? 1U : 0U) | (mode_ == Mode::kSleep ? 2U : 0U) |
          (error_interrupt_ ? 4U : 0U);

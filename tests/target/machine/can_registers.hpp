@@ -15,7 +15,7 @@ constexpr std::uint32_t kFilters = 0x200;
 constexpr std::uint32_t kInitialise = 1U << 0U, kSleepRequest = 1U << 1U, kByTime = 1U << 2U;
 constexpr std::uint32_t kLockFifos = 1U << 3U, kOnce = 1U << 4U, kRecoverAlone = 1U << 6U;
 constexpr std::uint32_t kMasterReset = 1U << 15U;
-// TSR, of mailbox 0: those of the others are 8 and 16 bits up.
+// TSR, bits of mailbox 0: those of mailboxes 1 and 2 are 8 and 16 bits higher.
 constexpr std::uint32_t kDone = 1, kGood = 2, kLost = 4, kFailed = 8, kAbort = 0x80;
 // RFR
 constexpr std::uint32_t kFull = 1U << 3U, kOverrun = 1U << 4U, kRelease = 1U << 5U;

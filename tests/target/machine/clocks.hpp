@@ -6,26 +6,26 @@ namespace machine {
 
 enum class Bus : std::uint8_t { kAlways, kAhb1, kApb1, kApb2 };
 
-/// The bit of RCC's ENR and RSTR registers that belongs to a peripheral.
+/// The bit of a peripheral in RCC's ENR and RSTR registers.
 struct Gate {
   Bus bus = Bus::kAlways;
   unsigned bit = 0;
 };
 
-/// What the others ask of the clock tree (RM0090, 7.2).
+/// Interface of the clock tree to the peripherals (RM0090, 7.2).
 class Clocks {
  public:
   [[nodiscard]] virtual bool runs(Gate gate) const = 0;
   [[nodiscard]] virtual std::uint32_t core_hz() const = 0;
   [[nodiscard]] virtual std::uint32_t bus_hz(Bus bus) const = 0;
-  /// The bus's clock, or twice that where the bus is slower than the core.
+  /// Returns the bus's clock, or twice that if the bus is slower than the core, Hz.
   [[nodiscard]] virtual std::uint32_t timer_hz(Bus bus) const = 0;
 
  protected:
   ~Clocks() = default;
 };
 
-/// Counts at a rate of the clock tree, and wants to know when that changes.
+/// A peripheral that counts at a rate of the clock tree and is notified when that rate changes.
 class ClockFollower {
  public:
   virtual void before_clock_change() = 0;

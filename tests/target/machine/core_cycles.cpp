@@ -8,12 +8,12 @@
 namespace machine {
 namespace {
 
-/// The manual gives 1 to 3 cycles for the pipeline behind a branch; this is the middle.
+/// Cycles to refill the pipeline after a branch: the middle of the manual's 1 to 3.
 constexpr std::uint64_t kRefill = 2;
 
 bool is_flash(std::uint64_t address) { return address - 0x0800'0000 < 0x10'0000; }
 
-/// There is one core, and QEMU hands no object to the function that sees translations.
+/// There is one core, and QEMU passes no object to the function that sees translations.
 CoreCycles* the_core = nullptr;
 
 }  // namespace

@@ -12,11 +12,12 @@
 
 namespace machine {
 
-/// Instructions and cycles of the core at 168 MHz as a model of its pipeline and of the flash
-/// gives them, and the counts behind them: words from the address of the cycle counter's control
-/// (DWT) on, of which the chip has but two. They count while the first is 1; code that runs
-/// meanwhile leaves no trace in the caches. Entry to exceptions, buses that are busy and the length
-/// of integer divisions are not modelled.
+/// Model of the core at 168 MHz that counts instructions and cycles, by its pipeline and the flash.
+/// The counts are words from the address of the cycle counter's control (DWT) on, of which the chip
+/// has only two. They count while the first word is 1; code that runs while it is 0 leaves no trace
+/// in the caches.
+///
+/// Not modelled: entry to exceptions, busy buses, and the length of integer divisions.
 class CoreCycles {
  public:
   enum Word : std::uint32_t {
@@ -32,7 +33,7 @@ class CoreCycles {
 
   /// Follows all code that the emulator translates from now on.
   explicit CoreCycles(qemu::PluginId id);
-  /// Lays the words over what the emulator has there.
+  /// Lays the words over the emulator's registers.
   void map(qemu::MemoryRegion* core);
 
  private:
@@ -41,7 +42,7 @@ class CoreCycles {
     InstructionCost cost;
   };
 
-  /// @return where the costs of this instruction stay
+  /// Computes the costs of an instruction. @return the record that holds them
   Known* know(const qemu::Instruction* instruction);
   void count(bool on);
   void execute(const InstructionCost& cost);
@@ -52,7 +53,7 @@ class CoreCycles {
   FlashAccelerator flash_;
   std::optional<InstructionCost> last_;
   bool counts_ = false;
-  std::array<std::uint64_t, kWords> words_{};  ///< Those of the flash are its own.
+  std::array<std::uint64_t, kWords> words_{};  ///< The counts, except those that `flash_` keeps.
   qemu::MemoryRegion region_{};
 };
 

@@ -6,13 +6,13 @@
 
 namespace machine {
 
-/// The word of the core's debug control that switches tracing on (ARMv7-M, C1.6.5).
+/// The word of the core's debug control that enables tracing (ARMv7-M, C1.6.5).
 class DebugControl final : public Peripheral {
  public:
   explicit DebugControl(const Services& services)
       : Peripheral{services, {"DEMCR", 0xE000'EDFC, {}, 4}} {}
 
-  void reset() override {}  // A system reset leaves it (only power-on clears it).
+  void reset() override {}  // Only power-on clears the word, not a system reset.
   [[nodiscard]] bool traces() const { return field(value_, 24, 1) != 0; }
 
  private:
@@ -22,7 +22,7 @@ class DebugControl final : public Peripheral {
   std::uint32_t value_ = 0;
 };
 
-/// CYCCNT and its switch (ARMv7-M, C1.8.7 and C1.8.8). Cycles are virtual time at the core's
+/// CYCCNT and its enable bit (ARMv7-M, C1.8.7 and C1.8.8). Cycles are virtual time at the core's
 /// clock: under -icount, instructions times 2^shift ns.
 class CycleCounter final : public Peripheral, public ClockFollower {
  public:

@@ -1,4 +1,4 @@
-"""Runs an image in the emulator with the plug-in, and reads what comes out."""
+"""Runs an image in the emulator with the plug-in, and reads its output."""
 
 import collections
 import dataclasses
@@ -12,7 +12,8 @@ POWER_CUT, STOPPED = 90, 91
 
 @dataclasses.dataclass
 class Outcome:
-    """A run: `said` are the image's lines by their first word, `trace` (ns, source, rest)."""
+    """Result of a run: `said` holds the image's lines by their first word, `trace` (ns, source,
+    rest)."""
     status: int
     text: str
     output: bytes
@@ -28,13 +29,13 @@ class Outcome:
         return words
 
     def events(self, source: str, beginning: str = "") -> list:
-        """(ns, rest) of a source's events."""
+        """Returns (ns, rest) of a source's events."""
         return [(ns, rest) for ns, who, rest in self.trace
                 if who == source and rest.startswith(beginning)]
 
 
 class Emulator:
-    """Knows the files under test; no state besides."""
+    """Runs the emulator on the files under test. It has no other state."""
     plugin = image = ""
     shift = 2  # 4 ns an instruction.
     longest_ns = 2_000_000_000  # Of virtual time: an image that hangs ends, too.
@@ -64,7 +65,7 @@ class Emulator:
 
 
 class Files:
-    """Files for the plug-in's options, for a test's time."""
+    """Files for the plug-in's options, which exist during a test."""
 
     def __init__(self, test):
         folder = tempfile.TemporaryDirectory()

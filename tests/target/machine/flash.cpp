@@ -9,7 +9,7 @@
 namespace machine {
 namespace {
 
-// Offsets.
+// Offsets of the registers.
 constexpr std::uint32_t kAccess = 0x00, kKey = 0x04, kOptionKey = 0x08, kState = 0x0C;
 constexpr std::uint32_t kCommand = 0x10, kOptionControl = 0x14;
 // SR
@@ -35,7 +35,7 @@ constexpr Sector sector_at(std::uint32_t number) {
   return number == 4 ? Sector{0x1'0000, 0x1'0000} : Sector{(number - 4) * 0x2'0000, 0x2'0000};
 }
 
-/// DS8626, table 40, typical: rows are 16, 64 and 128 KB, columns PSIZE.
+/// Typical times by DS8626, table 40: rows are sectors of 16, 64 and 128 KB, columns are PSIZE.
 constexpr std::int64_t kProgram_ns = 16'000;
 constexpr std::array<std::array<std::int64_t, 3>, 3> kErase_ms = {
     {{400, 300, 250}, {1200, 700, 550}, {2000, 1300, 1000}}};
@@ -76,7 +76,7 @@ void Flash::map_memory(qemu::MemoryRegion* container) {
 void Flash::load() {
   if (options_.flash.empty()) return;
   std::FILE* const file = std::fopen(options_.flash.c_str(), "rb");
-  if (file == nullptr) return;  // Erased flash, then: the file is made at the end.
+  if (file == nullptr) return;  // No file: the flash is erased, and the file is written at the end.
   const std::size_t got = std::fread(memory_, 1, size_, file);
   std::fclose(file);
   if (got != size_) fmt::print(stderr, "machine: {} has {} bytes\n", options_.flash, got);
@@ -194,7 +194,8 @@ void Flash::erase(std::uint32_t sector) {
   const bool cut = is_cut();
   if (!cut || options_.cut_kind == Cut::kWhole) std::memset(memory_ + offset, 0xFF, size);
   if (cut && options_.cut_kind == Cut::kTorn) {
-    // A third of the words each: erased, as before, some of its zeros gone.
+    // A third of the words becomes erased, a third stays unchanged, and a third loses some of its
+    // zeros.
     for (std::uint32_t at = offset; at < offset + size; at += 4) {
       const std::uint64_t chance = random_.next();
       std::uint32_t word = ~0U;
@@ -223,7 +224,8 @@ void Flash::program(std::uint32_t offset, std::uint32_t value, unsigned size) {
   const bool cut = is_cut();
   if (cut && options_.cut_kind == Cut::kNone) after = before;
   if (cut && options_.cut_kind == Cut::kTorn) {
-    after |= before & static_cast<std::uint32_t>(random_.next());  // Zeros that are not there yet.
+    // Some zeros are not programmed yet.
+    after |= before & static_cast<std::uint32_t>(random_.next());
   }
   std::memcpy(memory_ + offset, &after, size);
   if (cut) power_cut_();

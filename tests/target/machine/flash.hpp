@@ -11,14 +11,16 @@
 
 namespace machine {
 
-/// The flash, a megabyte or less, and its interface (RM0090, 3.5 to 3.9): keys, programming of
-/// bytes, half words and words that clears bits only, erasing of sectors, times by the data sheet,
-/// errors, and power that goes during an operation. Not modelled: mass erase and option bytes
-/// (refused), the core's standstill while the flash is busy. Stricter than the chip: programming
-/// while busy and a second unlock after a wrong key are refused and told.
+/// Model of the flash, of a megabyte or less, and of its interface (RM0090, 3.5 to 3.9). It has
+/// keys, programming of bytes, half words and words that only clears bits, erasing of sectors,
+/// times by the data sheet, errors, and power cuts during an operation.
+///
+/// Not modelled: mass erase and option bytes (refused), the core's standstill while the flash is
+/// busy. Stricter than the chip: programming while busy, and a second unlock after a wrong key, are
+/// refused and reported.
 class Flash final : public Peripheral, public ClockFollower {
  public:
-  /// `power_cut` is called when the operation of the options is over; it does not return.
+  /// @param power_cut called at the end of the operation that the options name; it does not return
   Flash(const Services& services, const Options& options, std::function<void()> power_cut);
 
   /// Lays the memory over the emulator's, at its own address and at 0.
@@ -27,12 +29,12 @@ class Flash final : public Peripheral, public ClockFollower {
   void save() const;
 
   [[nodiscard]] bool has(std::uint32_t address) const;
-  /// Turns bits of a byte over, whatever the interface says. @pre has(address)
+  /// Flips bits of a byte, independently of the interface. @pre has(address)
   void turn_over(std::uint32_t address, std::uint8_t mask);
 
   void reset() override;
   void before_clock_change() override {}
-  /// Tells when the wait states are too few for the core's clock at 2.7 to 3.6 V.
+  /// Reports if the wait states are too few for the core's clock at 2.7 to 3.6 V.
   void after_clock_change() override;
 
  private:

@@ -7,14 +7,15 @@
 
 namespace machine {
 
-/// The adaptive real-time accelerator before the flash (RM0090, 3.5.2) with all that it has
-/// switched on: lines of 16 bytes, 64 for code and 8 for data, of which the one that was used
-/// longest ago makes room, and one line of code read ahead. All times are cycles.
+/// Model of the adaptive real-time accelerator of the flash (RM0090, 3.5.2) with all its functions
+/// enabled. It has lines of 16 bytes, 64 for code and 8 for data, and replaces the line that was
+/// used longest ago. One line of code is read ahead. All times are cycles.
 class FlashAccelerator {
  public:
-  static constexpr std::uint64_t kWaitStates = 5;  ///< At 150 to 168 MHz and 2.7 V or more.
+  /// Number of wait states at 150 to 168 MHz and 2.7 V or more.
+  static constexpr std::uint64_t kWaitStates = 5;
 
-  /// Returns for how long the core waits for the line of code at `address`.
+  /// Returns the time that the core waits for the line of code at `address`.
   std::uint64_t fetch(std::uint32_t address, std::uint64_t now) {
     const std::uint32_t line = address / kLineBytes;
     if (line == fetched_) return 0;
@@ -31,12 +32,12 @@ class FlashAccelerator {
     return wait;
   }
 
-  /// The same for a load from the flash.
+  /// Returns the time that a load from the flash waits.
   std::uint64_t load(std::uint32_t address) {
     return data_.use(address / kLineBytes) ? 0 : kWaitStates;
   }
 
-  /// Lines of code that were not there, read ahead or not.
+  /// Returns the number of lines of code that were not in the cache, read ahead or not.
   [[nodiscard]] std::uint64_t misses() const { return misses_; }
 
  private:
@@ -50,7 +51,7 @@ class FlashAccelerator {
     [[nodiscard]] bool has(std::uint32_t line) const {
       return std::find(lines_.begin(), lines_.end(), line) != lines_.end();
     }
-    /// Makes it the newest; false where it had to be read.
+    /// Makes a line the newest one; returns false if it had to be read.
     bool use(std::uint32_t line) {
       const auto place = std::find(lines_.begin(), lines_.end(), line);
       const bool there = place != lines_.end();
@@ -61,12 +62,12 @@ class FlashAccelerator {
     }
 
    private:
-    std::array<std::uint32_t, Lines> lines_{};  ///< The newest first.
+    std::array<std::uint32_t, Lines> lines_{};  ///< Numbers of the lines, the newest first.
   };
 
   Cache<64> code_;
   Cache<8> data_;
-  std::uint32_t fetched_ = kNowhere;  ///< The line that the core executes.
+  std::uint32_t fetched_ = kNowhere;  ///< Line that the core executes at present.
   std::uint32_t ahead_ = kNowhere;
   std::uint64_t ready_ = 0;
   std::uint64_t misses_ = 0;

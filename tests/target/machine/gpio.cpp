@@ -3,7 +3,7 @@
 namespace machine {
 namespace {
 
-// Offsets.
+// Offsets of the registers.
 constexpr std::uint32_t kMode = 0x00, kOutputType = 0x04, kSpeed = 0x08, kPull = 0x0C;
 constexpr std::uint32_t kInput = 0x10, kOutput = 0x14, kSetReset = 0x18, kLast = 0x24;
 constexpr std::uint32_t kPullUp = 1;
@@ -28,7 +28,7 @@ Gpio::Gpio(const Services& services, char letter)
 
 void Gpio::reset() {
   registers_.fill(0);
-  // The debug pins of A and B (RM0090, 8.4.1 to 8.4.4).
+  // The debug pins of ports A and B have other values after reset (RM0090, 8.4.1 to 8.4.4).
   if (letter_ == 'A') {
     registers_[kMode / 4] = 0xA800'0000;
     registers_[kPull / 4] = 0x6400'0000;
@@ -82,7 +82,7 @@ std::uint32_t Gpio::read(std::uint32_t offset) {
 
 void Gpio::write(std::uint32_t offset, std::uint32_t value) {
   if (offset == kSetReset) {
-    const std::uint32_t set = value & 0xFFFFU;  // Wins where both are asked for.
+    const std::uint32_t set = value & 0xFFFFU;  // Setting a bit takes precedence over resetting it.
     registers_[kOutput / 4] = (at(kOutput) & ~(value >> 16U)) | set;
   } else if (offset == kInput || offset > kLast) {
     return;

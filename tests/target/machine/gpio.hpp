@@ -9,9 +9,9 @@
 
 namespace machine {
 
-/// A general-purpose port (RM0090, 8.4). Traces each pin whose drive changes: 0 or 1 as an output,
-/// `f` when another peripheral has it, `z` when nothing drives it. Open drain drives 0 or nothing.
-/// LCKR is kept and locks nothing.
+/// Model of a general-purpose port (RM0090, 8.4). Traces each pin whose drive changes: 0 or 1 as an
+/// output, `f` if another peripheral has it, `z` if nothing drives it. An open-drain output drives
+/// 0 or nothing. LCKR keeps its value and locks nothing.
 class Gpio final : public Peripheral {
  public:
   static constexpr unsigned kPins = 16;
@@ -20,11 +20,11 @@ class Gpio final : public Peripheral {
   Gpio(const Services& services, char letter);
 
   void reset() override;
-  /// What is connected to a pin; a free one follows its pull-up or reads 0.
+  /// Connects a wire to a pin. A free pin follows its pull-up, or reads 0.
   void connect(unsigned pin, Wire wire);
-  /// Levels as IDR reads them.
+  /// Returns the levels that IDR shows.
   [[nodiscard]] std::uint32_t levels() const;
-  /// Called after levels may have changed.
+  /// Sets the function that is called after levels may have changed.
   void on_change(std::function<void()> action) { changed_ = std::move(action); }
 
  private:

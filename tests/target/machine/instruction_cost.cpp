@@ -37,7 +37,7 @@ void divide(InstructionCost& cost, unsigned cycles) {
 }
 
 void judge_short(InstructionCost& cost, unsigned code) {
-  if (matches(code, 0xF800, 0x4800)) return move_one(cost, true);  // From the literal pool.
+  if (matches(code, 0xF800, 0x4800)) return move_one(cost, true);  // A load from the literal pool.
   if (matches(code, 0xF000, 0x5000)) return move_one(cost, (code >> 9U & 7U) >= 3);
   const bool by_offset = matches(code, 0xE000, 0x6000) || matches(code, 0xF000, 0x8000) ||
                          matches(code, 0xF000, 0x9000);
@@ -68,7 +68,7 @@ void judge_float_arithmetic(InstructionCost& cost, unsigned first, unsigned seco
   }
   if (kind == 8) return divide(cost, kFloatDivision);
   if (kind != 11) return;
-  // These have one operand, m. A comparison reads d as well, and writes flags only.
+  // These instructions have one operand, m. A comparison also reads d, and writes only flags.
   cost.operands[0] = InstructionCost::kNone;
   const unsigned which = first & 0xFU;
   if (which == 1 && (second & 0xC0U) == 0xC0U) return divide(cost, kFloatDivision);  // VSQRT
@@ -85,20 +85,21 @@ void judge_float_move(InstructionCost& cost, unsigned first, unsigned second) {
   const bool one = matches(first, 0x0120, 0x0100);
   if (!one || is_wide) return move_many(cost, loads, one ? 2 : second & 0xFFU);
   move_one(cost, loads);
-  take(cost, 2);  // VSTR, too.
+  take(cost, 2);  // The cost applies to VSTR, too.
   if (!loads) cost.operands[0] = single(second >> 12U, first >> 6U);
 }
 
 void judge_long(InstructionCost& cost, unsigned first, unsigned second) {
   const bool loads = (first & 0x10U) != 0;
   if (matches(first, 0xFE40, 0xE800)) return move_many(cost, loads, ones(second));
-  if (matches(first, 0xFE40, 0xE840)) {  // Two registers, exclusive, or a table of branches.
+  // Load or store of two registers, exclusive access, or a table of branches.
+  if (matches(first, 0xFE40, 0xE840)) {
     const bool one = matches(first, 0xFF60, 0xE840);
     return move_many(cost, loads, one ? 1 : 2);
   }
   if (matches(first, 0xEF00, 0xEE00)) {
     if ((second & 0x10U) == 0) judge_float_arithmetic(cost, first, second);
-    return;  // Else one register of the core from or to one of the unit: 1.
+    return;  // Otherwise a move between a register of the core and one of the unit: 1 cycle.
   }
   if (matches(first, 0xEE00, 0xEC00)) return judge_float_move(cost, first, second);
   if (matches(first, 0xFE00, 0xF800)) return move_one(cost, loads);

@@ -6,7 +6,8 @@
 
 namespace machine {
 
-/// The interrupt controller's inputs. Several peripherals may share one: it is up while any is.
+/// The interrupt controller's inputs. Several peripherals may share an input, which is high while
+/// any of them is.
 class Interrupts {
  public:
   static constexpr unsigned kCount = 82;  // RM0090, table 61.
@@ -29,7 +30,7 @@ class Interrupts {
   std::array<unsigned, kCount> raised_{};
 };
 
-/// One peripheral's share of an input.
+/// The output of one peripheral to an input.
 class InterruptLine {
  public:
   InterruptLine(Interrupts& interrupts, unsigned number)

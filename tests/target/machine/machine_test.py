@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
-"""The emulated chip's peripherals against what the reference manual says of them.
+"""Tests the emulated chip's peripherals against the reference manual.
 
     machine_test.py PLUGIN PROBE_ELF [TEST...]
 
-Runs the probe image, one scenario after the other, and judges what it says through semihosting
-and what the plug-in traces. Ends with 77 (skipped) where emulator, image or plug-in is missing,
-or where the plug-in cannot be loaded.
+Runs the scenarios of the probe image one after the other. Judges the lines that the image prints
+through semihosting and the trace of the plug-in. Ends with 77 (skipped) if emulator, image or
+plug-in is missing, or if the plug-in cannot be loaded.
 """
 
 import pathlib
@@ -27,7 +27,7 @@ SKIPPED = 77
 
 
 def why_not(plugin: str, image: str) -> str:
-    """Why the plug-in cannot be tried here, or nothing."""
+    """Returns the reason why the plug-in cannot be tested here, or nothing."""
     if not shutil.which(EMULATOR):
         return f"needs {EMULATOR}"
     version = Emulator.version()
@@ -38,7 +38,7 @@ def why_not(plugin: str, image: str) -> str:
             return f"needs {path} (preset {preset})"
     Emulator.plugin, Emulator.image = plugin, image
     first = Emulator.run("clocks")
-    # A C++ name that is missing is our own, and no reason to skip.
+    # A missing C++ name is from this project, and no reason to skip.
     if re.search("undefined symbol: (?!_Z)|requires API version|made for|-plugin: invalid", first.text):
         return f"{EMULATOR} does not load the plug-in: {first.text.strip()}"
     return ""

@@ -26,7 +26,7 @@ Memories::Memories(const Memory& memory, const Options& options) {
 }
 
 void Memories::lay_identity(qemu::MemoryRegion* container, const Options& options) {
-  // From the one-time-programmable bytes, which nobody has programmed, to the end of its page.
+  // Range from the one-time-programmable bytes, which are not programmed, to the end of their page.
   constexpr std::uint64_t kIdentity = 0x1FFF'7800, kIdentitySize = 0x400;
   constexpr std::size_t kUnique = 0x210, kFlashSize = 0x222;
   qemu::memory_region_init_rom(&identity_, nullptr, "machine-id", kIdentitySize, nullptr);

@@ -8,8 +8,8 @@
 
 namespace machine {
 
-/// What lies beyond the chip's 128 KB of SRAM, or its flash: QEMU 7.2 has more memory there. Any
-/// access is a bus fault and is told.
+/// The addresses beyond the chip's 128 KB of SRAM, or beyond its flash, where QEMU 7.2 has more
+/// memory. Any access is a bus fault and is reported.
 class BeyondMemory final : public Peripheral {
  public:
   explicit BeyondMemory(const Services& services, const Place& place)
@@ -23,19 +23,19 @@ class BeyondMemory final : public Peripheral {
   void write(std::uint32_t, std::uint32_t) override {}
 };
 
-/// The memory of the system and, for what is in the core, the core's.
+/// Memory of the system, and memory of the core for its own peripherals.
 struct Memory {
   qemu::MemoryRegion* system;
   qemu::MemoryRegion* core;
 };
 
-/// The core-coupled memory, and the words that say which chip it is (RM0090, 2.3.1, 38.6.1 and 39).
-/// The unique identifier is made of the seed.
+/// The core-coupled memory, and the words that identify the chip (RM0090, 2.3.1, 38.6.1 and 39).
+/// The unique identifier is derived from the seed.
 class Memories {
  public:
   Memories(const Memory& memory, const Options& options);
 
-  /// Writes the 128 KB of SRAM to a file, where one is named.
+  /// Writes the 128 KB of SRAM to a file, if one is named.
   static void save(const std::string& file);
 
  private:

@@ -9,8 +9,8 @@
 
 namespace machine {
 
-/// Changes memory at set times: single bits, as radiation does, of RAM, CCM and flash, and words
-/// of RAM and CCM.
+/// Changes memory at given times: single bits of RAM, CCM and flash, as by radiation, and words of
+/// RAM and CCM.
 class MemoryChanges {
  public:
   MemoryChanges(const Options& options, Flash& flash, Trace& trace) {

@@ -8,7 +8,7 @@
 namespace machine {
 namespace {
 
-/// All of `text` as a number up to `most`.
+/// Reads all of `text` as a number up to `most`; returns whether it is one.
 template <typename Number>
 bool take_number(std::string_view text,
                  Number& number,
@@ -27,7 +27,7 @@ bool take_text(std::string_view text, std::string& into) {
   return !text.empty();
 }
 
-/// ADDRESS:WHAT:NS, the address in hexadecimal digits.
+/// Reads ADDRESS:WHAT:NS, with the address in hexadecimal digits.
 template <typename Change, typename What>
 bool take_change(std::string_view text, std::vector<Change>& changes, const What& take_what) {
   const std::size_t first = text.find(':');
@@ -123,7 +123,8 @@ std::optional<std::string> take_option(std::string_view text, Options& options) 
   const std::string_view value =
       equals == std::string_view::npos ? std::string_view{} : text.substr(equals + 1);
   bool taken = false;
-  constexpr std::string_view kUsart = "usart";  // usart1_in …
+  // Names of these options begin with `usart1_` to `usart6_`.
+  constexpr std::string_view kUsart = "usart";
   if (name.size() > 7 && name.substr(0, 5) == kUsart && name[6] == '_' && name[5] >= '1' &&
       name[5] <= '6') {
     const auto port = static_cast<std::size_t>(name[5] - '1');

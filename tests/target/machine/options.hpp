@@ -9,18 +9,19 @@
 
 namespace machine {
 
-/// What power leaves of the flash operation during which it goes.
+/// State of the flash operation during which power goes.
 enum class Cut : std::uint8_t { kNone, kWhole, kTorn };
 
 struct SerialOptions {
-  std::string input;              // File that a sender sends.
-  std::string output;             // File of what the chip sends.
-  std::string chardev;            // Instead of both: the id of a -chardev.
-  std::uint32_t baud = 0;         // Of the sender; 0: as the receiver.
-  std::uint32_t answer_baud = 0;  // At which the chip's bytes go out; 0: as BRR says.
-  std::int64_t from_ns = 0;       // When the sender begins, at the earliest.
-  std::string times;              // File of when it sends how many bytes.
-  std::uint32_t window = 0;       // Bytes of lines without an answer; 0: no waiting.
+  std::string input;              // File that the sender sends.
+  std::string output;             // File for the bytes that the chip sends.
+  std::string chardev;            // Id of a -chardev, which replaces both files.
+  std::uint32_t baud = 0;         // Baud rate of the sender; 0: that of the receiver.
+  std::uint32_t answer_baud = 0;  // Baud rate of the chip's bytes; 0: that of BRR.
+  std::int64_t from_ns = 0;       // Earliest time at which the sender begins.
+  std::string times;              // File with times and numbers of the bytes to send.
+  // Greatest number of bytes in lines without an answer; 0: the sender does not wait.
+  std::uint32_t window = 0;
 };
 
 struct BitFlip {
@@ -29,26 +30,26 @@ struct BitFlip {
   std::int64_t at_ns = 0;
 };
 
-/// A word of memory that changes, as a debugger would change it.
+/// A word of memory that changes at a time, as if by a debugger.
 struct WordStore {
   std::uint32_t address = 0;
   std::uint32_t value = 0;
   std::int64_t at_ns = 0;
 };
 
-/// What was said on the command line; README.md describes each.
+/// Options of the command line; README.md describes each.
 struct Options {
   static constexpr std::size_t kSerialPorts = 6;
 
   std::string trace, flash, memory, pins, can_input, can_output;
-  std::vector<std::uint32_t> words;  // Addresses of words to be told.
+  std::vector<std::uint32_t> words;  // Addresses of words that the trace follows.
   std::uint64_t seed = 1;
-  std::uint32_t cut = 0;  // Operation; 0: none.
+  std::uint32_t cut = 0;  // Number of the flash operation that is cut; 0: none.
   Cut cut_kind = Cut::kNone;
   std::uint32_t flash_kib = 1024;
-  bool memories_only = false;  // Nothing of the chip but what the emulator's own memory lacks.
-  bool cycles = false;         // A model of the core counts them; with memories_only.
-  std::uint32_t erase_us = 0;  // 0: as the data sheet has it.
+  bool memories_only = false;  // Adds only the memory that the emulator lacks, and no peripherals.
+  bool cycles = false;         // Counts cycles by the model of the core; requires memories_only.
+  std::uint32_t erase_us = 0;  // Time of erasing; 0: that of the data sheet.
   std::array<SerialOptions, kSerialPorts> serial;
   std::uint32_t can_corrupt_percent = 0;
   bool can_alone = false;
@@ -60,7 +61,7 @@ struct Options {
   std::int64_t stop_ns = 0;       // 0: never.
 };
 
-/// One `name=value` into the options; what is wrong with it, or nothing.
+/// Reads one `name=value` into the options. Returns the complaint, or nothing.
 [[nodiscard]] std::optional<std::string> take_option(std::string_view text, Options& options);
 
 }  // namespace machine

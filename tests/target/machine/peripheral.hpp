@@ -9,14 +9,14 @@
 
 namespace machine {
 
-/// What every peripheral uses of the machine.
+/// Parts of the machine that every peripheral uses.
 struct Services {
   Trace& trace;
   Interrupts& interrupts;
   const Clocks& clocks;
 };
 
-/// Where a peripheral is (RM0090, table 1).
+/// Name, address and clock gate of a peripheral (RM0090, table 1).
 struct Place {
   const char* name;
   std::uint32_t address;
@@ -24,19 +24,20 @@ struct Place {
   std::uint32_t size = 0x400;
 };
 
-/// A block of registers over whatever the emulator has there. Words only: other sizes end in a bus
-/// fault and a report, which is stricter than most of the chip. Without its clock it reads as 0
-/// and takes nothing.
+/// A block of registers that replaces the emulator's registers. It accepts only words: other sizes
+/// cause a bus fault and a report, which is stricter than most of the chip. Without its clock it
+/// reads as 0 and ignores writes.
 class Peripheral {
  public:
   Peripheral(const Services& services, const Place& place);
   Peripheral(const Peripheral&) = delete;
   Peripheral& operator=(const Peripheral&) = delete;
 
-  /// `container` is the system's memory, or the core's for what is in the core.
+  /// Lays the registers over those of the emulator. `container` is the memory of the system, or of
+  /// the core for the core's own peripherals.
   void map(qemu::MemoryRegion* container);
 
-  /// As after a reset of the system, or by RCC.
+  /// Resets the registers, after a reset of the system or by RCC.
   virtual void reset() = 0;
   [[nodiscard]] const Place& place() const { return place_; }
 
@@ -46,10 +47,10 @@ class Peripheral {
   [[nodiscard]] virtual std::uint32_t read(std::uint32_t offset) = 0;
   virtual void write(std::uint32_t offset, std::uint32_t value) = 0;
 
-  /// Whether anything is at an offset; where not, an access is a bus fault.
+  /// Returns whether there is a register at an offset. If not, an access is a bus fault.
   [[nodiscard]] virtual bool answers(std::uint32_t) const { return true; }
 
-  /// For registers that are not modelled: a write other than `expected` is told.
+  /// Reports a write other than `expected` to a register that is not modelled.
   void not_modelled(std::uint32_t offset, std::uint32_t value, std::uint32_t expected = 0);
 
   [[nodiscard]] Trace& trace() const { return services_.trace; }
@@ -72,9 +73,10 @@ class Peripheral {
   qemu::MemoryRegion region_{};
 };
 
-constexpr int kOverlayPriority = 10;  // QEMU's own devices have 0, its place holders less.
+// QEMU's own devices have priority 0, and its placeholders less.
+constexpr int kOverlayPriority = 10;
 
-/// Bits `first`… of a register, `count` of them.
+/// Returns the `count` bits of a register from bit `first` on.
 [[nodiscard]] constexpr std::uint32_t field(std::uint32_t word, unsigned first, unsigned count) {
   return word >> first & ((1U << count) - 1U);
 }

@@ -16,10 +16,11 @@ struct PinChange {
   Gpio::Wire wire = Gpio::Wire::kFree;
 };
 
-/// Lines `NS P<port><pin> 0|1|z` in order of time; false with a message when one is not.
+/// Reads lines `NS P<port><pin> 0|1|z` in order of time; returns false with a message if a line is
+/// not valid.
 [[nodiscard]] bool read_pin_script(const std::string& path, std::vector<PinChange>& changes);
 
-/// Plays such a file on the ports.
+/// Applies such a file to the ports.
 class PinScript {
  public:
   template <typename Ports>

@@ -1,4 +1,4 @@
-// Where QEMU enters: it loads this library, hands over the options, and calls when its machine is
+// Entry points for QEMU. It loads this library, passes the options, and calls when its machine is
 // complete and when it ends.
 
 #include <fmt/core.h>
@@ -15,13 +15,13 @@
 namespace machine {
 namespace {
 
-/// QEMU calls C functions, so what they work on is here. It is never destroyed: QEMU's own exit
-/// comes after that of static objects.
+/// Data of the C functions that QEMU calls. It is never destroyed, because QEMU's own exit comes
+/// after the destruction of static objects.
 struct Session {
   Order order;
   std::unique_ptr<Board> board;
-  std::unique_ptr<Memories> memories;  // Instead of the board, where nothing else is wanted.
-  std::unique_ptr<CoreCycles> cycles;  // With these, where they are wanted.
+  std::unique_ptr<Memories> memories;  // Replaces the board with the option memories_only.
+  std::unique_ptr<CoreCycles> cycles;  // Works with `memories`, with the option cycles.
   qemu::Notifier ready{};
 };
 
@@ -37,7 +37,7 @@ void on_machine_ready(qemu::Notifier*, void*) {
     fmt::print(stderr, "machine: needs -M netduinoplus2\n");
     std::exit(1);
   }
-  // A memory region is an object, and begins with it.
+  // A MemoryRegion begins with its Object.
   qemu::Object* const core_memory =
       qemu::object_resolve_path_component(core, "armv7m-container[0]");
   const Memory memory{qemu::get_system_memory(),
@@ -83,7 +83,7 @@ bool take_arguments(std::span<char*> arguments) {
 
 extern "C" {
 
-/// The plug-in interface of QEMU 7.2.
+/// Version of the plug-in interface of QEMU 7.2.
 [[gnu::visibility("default")]] extern const int qemu_plugin_version;
 const int qemu_plugin_version = 1;
 
@@ -91,7 +91,7 @@ const int qemu_plugin_version = 1;
                                                        const qemu::PluginInfo* info,
                                                        int count,
                                                        char** arguments) {
-  // A later interface means a later QEMU, whose structures may have changed.
+  // A later interface means a later QEMU, whose structures may differ.
   if (info->version.cur != qemu_plugin_version || !info->system_emulation) {
     fmt::print(stderr, "machine: made for qemu-system-arm 7.2\n");
     return -1;

@@ -6,7 +6,8 @@
 
 namespace machine {
 
-/// Power control (RM0090, 5.4): CR is kept; the regulator is always ready. No low-power modes.
+/// Model of power control (RM0090, 5.4): CR keeps its value, the regulator is always ready, and
+/// there are no low-power modes.
 class PowerControl final : public Peripheral {
  public:
   explicit PowerControl(const Services& services)

@@ -1,8 +1,9 @@
 #pragma once
 
-// What this plug-in calls of QEMU 7.2, declared here because no package has these headers. Names,
-// layouts and numbers are those of that release: include/exec/memory.h, include/qemu/timer.h,
-// include/qemu/notify.h, include/qemu/qemu-plugin.h, include/chardev/char-fe.h.
+// Functions of QEMU 7.2 that this plug-in calls, declared here because no package contains these
+// headers. Names, layouts and numbers are those of that release: include/exec/memory.h,
+// include/qemu/timer.h, include/qemu/notify.h, include/qemu/qemu-plugin.h,
+// include/chardev/char-fe.h.
 
 #include <cstddef>
 #include <cstdint>
@@ -13,7 +14,7 @@ extern "C" {
 
 using HardwareAddress = std::uint64_t;
 
-/// Each is larger than QEMU's own, which writes the beginning only.
+/// These types are larger than QEMU's own, of which QEMU writes only the beginning.
 struct MemoryRegion {
   alignas(16) unsigned char content[2048];
 };

@@ -16,7 +16,7 @@ class Random {
     z = (z ^ z >> 27U) * 0x94D049BB133111EBU;
     return z ^ z >> 31U;
   }
-  /// 0…limit - 1; the bias is below limit / 2^64.
+  /// Returns a number in 0…limit - 1; the bias is below limit / 2^64.
   std::uint32_t below(std::uint32_t limit) { return static_cast<std::uint32_t>(next() % limit); }
 
  private:

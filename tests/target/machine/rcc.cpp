@@ -5,15 +5,15 @@
 namespace machine {
 namespace {
 
-// Offsets.
+// Offsets of the registers.
 constexpr std::uint32_t kCr = 0x00, kPllCfgr = 0x04, kCfgr = 0x08, kFirstReset = 0x10;
 constexpr std::uint32_t kLastReset = 0x24, kFirstEnable = 0x30, kAhb1Enable = 0x30;
 constexpr std::uint32_t kApb1Enable = 0x40, kApb2Enable = 0x44, kCsr = 0x74, kLastRegister = 0x88;
 
 constexpr std::uint32_t kInternal_hz = 16'000'000;
 constexpr std::int64_t kNever = std::numeric_limits<std::int64_t>::max();
-// Data sheet DS8626, 5.3.8 and 5.3.9: typical start of a crystal, of HSI and LSI; longest of the
-// PLL's lock times.
+// Data sheet DS8626, 5.3.8 and 5.3.9: typical start times of a crystal, of HSI and of LSI; longest
+// lock time of the PLL.
 constexpr std::int64_t kCrystalStart_ns = 2'000'000;
 constexpr std::int64_t kInternalStart_ns = 2'200;
 constexpr std::int64_t kSlowStart_ns = 15'000;
@@ -72,7 +72,8 @@ void Rcc::update_core_clock() {
   if (source == 1) system_hz = oscillators_.crystal_hz;
   if (source == 2) system_hz = pll_hz();
   const std::uint32_t code = field(at(kCfgr), 4, 4);
-  // 1000: 2, 1001: 4, … 1011: 16, and then 64, 128, 256, 512: there is no 32.
+  // Codes 1000, 1001, … 1011 divide by 2, 4, … 16, and the following ones by 64, 128, 256, 512;
+  // there is no 32.
   const unsigned shift = code < 8 ? 0 : code - 7 + (code >= 12 ? 1 : 0);
   core_hz_ = static_cast<std::uint32_t>(system_hz >> shift);
 }

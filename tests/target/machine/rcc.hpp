@@ -9,7 +9,7 @@
 
 namespace machine {
 
-/// Why the system was reset, as the bits of RCC_CSR say.
+/// Cause of a system reset, as bits of RCC_CSR.
 enum class ResetCause : std::uint32_t {
   kPowerOn = 0x0E00'0000,   // PORRSTF, PINRSTF, BORRSTF
   kSoftware = 0x1400'0000,  // SFTRSTF, PINRSTF
@@ -17,24 +17,25 @@ enum class ResetCause : std::uint32_t {
   kBrownOut = 0x0600'0000,  // PINRSTF, BORRSTF
 };
 
-/// Hz of the crystal (0: none) and of the slow oscillator.
+/// Frequencies of the crystal (0: none) and of the slow oscillator, Hz.
 struct Oscillators {
   std::uint32_t crystal_hz = 8'000'000;
   std::uint32_t slow_hz = 32'000;
 };
 
-/// Reset and clock control (RM0090, 7): oscillators and PLL with the times they take, the clock
-/// tree, gates, resets of single peripherals, the cause of the last reset. A switch to a clock
-/// that is not ready does nothing and is told; so are clocks beyond the chip's limits.
+/// Model of reset and clock control (RM0090, 7): oscillators and PLL with their start times, the
+/// clock tree, gates, resets of single peripherals, the cause of the last reset. A switch to a
+/// clock that is not ready does nothing and is reported; so are clocks beyond the chip's limits.
 class Rcc final : public Peripheral, public Clocks {
  public:
   Rcc(Trace& trace, Interrupts& interrupts, const Oscillators& oscillators);
 
-  /// Who is reset by RSTR bits; who counts at a rate of ours.
+  /// Registers a peripheral that RSTR bits reset; follow() one that counts at a rate of the clock
+  /// tree.
   void add(Peripheral& peripheral) { peripherals_.push_back(&peripheral); }
   void follow(ClockFollower& follower) { followers_.push_back(&follower); }
   [[nodiscard]] std::uint32_t flags() const { return status_; }
-  /// The flags of a further reset; those before it stay until RMVF.
+  /// Adds the flags of another reset; earlier flags stay until RMVF.
   void note(ResetCause cause) { status_ |= static_cast<std::uint32_t>(cause); }
 
   void reset() override;
@@ -63,7 +64,7 @@ class Rcc final : public Peripheral, public Clocks {
   Oscillators oscillators_;
   std::array<std::uint32_t, 0x90 / 4> registers_{};
   std::array<std::int64_t, kOscillators> ready_at_ns_{};
-  std::uint32_t status_ = 0;  // The reset flags, which resets do not clear.
+  std::uint32_t status_ = 0;  // The reset flags, which a reset preserves.
   std::uint32_t core_hz_ = 0;
   std::vector<Peripheral*> peripherals_;
   std::vector<ClockFollower*> followers_;

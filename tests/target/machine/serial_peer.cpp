@@ -57,7 +57,7 @@ void SerialPeer::connect(const std::string& device) {
   qemu::qemu_chr_fe_set_handlers(&device_, room, take, nullptr, nullptr, this, nullptr, true);
 }
 
-/// Lines `NS BYTES`, in order of time.
+/// Reads lines `NS BYTES`, in order of time.
 void SerialPeer::read_times(const std::string& file) {
   std::ifstream stream{file};
   if (!stream) give_up("cannot read", file);
@@ -65,7 +65,7 @@ void SerialPeer::read_times(const std::string& file) {
   timed_ = true;
 }
 
-/// Nothing goes out that no burst is for.
+/// Returns whether a burst permits bytes now; without one, nothing is sent.
 bool SerialPeer::time_has_come() {
   while (!bursts_.empty() && bursts_.front().bytes == 0) bursts_.pop_front();
   if (bursts_.empty()) return false;
@@ -119,7 +119,8 @@ void SerialPeer::hear_answer(char character) {
   if (more_) more_();
 }
 
-/// The receiver restarted: of all lines it answers but the one that is on its way.
+/// Forgets the lines that the restarted receiver will never answer: all but the line that is being
+/// sent.
 void SerialPeer::forget_lines() {
   if (lines_.empty()) return;
   const std::size_t last = lines_.back();

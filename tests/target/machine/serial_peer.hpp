@@ -13,28 +13,30 @@
 
 namespace machine {
 
-/// Who is at the other end of a serial line: a file to send and one to write, or a character
-/// device. With a window it is a sender that counts characters: a line goes out when it and all
-/// lines without an answer (`ok…` or `error:…`) fit the window. A banner (`Grbl …`) says that the
-/// lines before it are never answered. With times it sends so many bytes no sooner than then.
+/// The other end of a serial line: a file to send and a file to write, or a character device. With
+/// a window it is a sender that counts characters: it sends a line when the line and all lines
+/// without an answer (`ok…` or `error:…`) fit into the window. A banner (`Grbl …`) means that
+/// earlier lines are never answered. With times it sends the given numbers of bytes no sooner than
+/// at these times.
 class SerialPeer {
  public:
-  /// Ends the emulator with a message where a file or a device is not there.
+  /// Ends the emulator with a message if a file or a device does not exist.
   explicit SerialPeer(const SerialOptions& options);
   SerialPeer(const SerialPeer&) = delete;
   SerialPeer& operator=(const SerialPeer&) = delete;
   ~SerialPeer();
 
-  /// Called when there may be something to send again.
+  /// Sets the function that is called when a byte may be available again.
   void on_more(std::function<void()> action) { more_ = std::move(action); }
-  /// The next byte, where one may go out now.
+  /// Returns the next byte, if one may be sent now.
   [[nodiscard]] std::optional<std::uint8_t> send();
   [[nodiscard]] bool has_byte();
   void hear(std::uint8_t byte);
   void flush() const;
 
  private:
-  static constexpr std::size_t kAhead = 64;  // Bytes taken from a device before their time.
+  // Greatest number of bytes that are read from a device in advance.
+  static constexpr std::size_t kAhead = 64;
 
   void connect(const std::string& device);
   void open_files(const SerialOptions& options);
@@ -59,7 +61,7 @@ class SerialPeer {
   std::FILE* output_ = nullptr;
   bool in_line_ = false;
   std::size_t unanswered_ = 0;
-  std::deque<std::size_t> lines_;  // Lengths of those without an answer.
+  std::deque<std::size_t> lines_;  // Lengths of the lines without an answer.
   std::string answer_;
   std::function<void()> more_;
   bool has_device_ = false;

@@ -1,4 +1,4 @@
-"""CAN: lengths of frames, filters, error counters, bus-off and the ways back."""
+"""Tests CAN: lengths of frames, filters, error counters, bus-off and the ways out of it."""
 
 import unittest
 
@@ -10,7 +10,8 @@ ACKNOWLEDGE_ERROR, RECESSIVE_ERROR = 3, 4
 
 
 def bits_on_wire(identifier: int, data: bytes) -> int:
-    """Of a data frame of 11 bits of identifier, with stuff bits and intermission."""
+    """Returns the number of bits of a data frame with an identifier of 11 bits, including stuff
+    bits and intermission."""
     bits = f"0{identifier:011b}000{len(data):04b}" + "".join(f"{byte:08b}" for byte in data)
     rest = int(bits, 2) << 15  # Long division by the generator of ISO 11898-1.
     for place in range(len(bits) + 14, 14, -1):
@@ -27,7 +28,7 @@ def bits_on_wire(identifier: int, data: bytes) -> int:
 
 class CanTest(unittest.TestCase):
     def assert_counters(self, outcome):
-        """Each error and each success moves the counters as the standard says."""
+        """Asserts that each error and each success changes the counters as the standard says."""
         sent = received = 0
         for _, rest in outcome.events("can"):
             kind, *values = rest.split()

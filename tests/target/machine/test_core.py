@@ -1,4 +1,4 @@
-"""Clocks, resets, watchdog, memories, options, and that a run is the same at every time."""
+"""Tests clocks, resets, watchdog, memories and options, and that all runs are the same."""
 
 import unittest
 
@@ -17,7 +17,7 @@ class CoreTest(unittest.TestCase):
         self.assertEqual([[0xA800_0000]] * 2, said["with_clock"])
         good, count = said["ready"][0]
         self.assertEqual(1, good)
-        # 2 ms of crystal and 200 us of PLL, counted at the inner oscillator's 16 MHz.
+        # The crystal takes 2 ms and the PLL 200 us, counted at the inner oscillator's 16 MHz.
         self.assertAlmostEqual(16 * 2200, count, delta=50)
         self.assertIn("GPIOA: offset 0x0 without its clock",
                       [rest for _, rest in outcome.events("misuse")])

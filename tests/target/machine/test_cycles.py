@@ -1,4 +1,4 @@
-"""The model of the core's cycles against sums by hand from the manuals' tables."""
+"""Tests the model of the core's cycles against manual sums from the manuals' tables."""
 
 import unittest
 
@@ -27,7 +27,7 @@ class CyclesTest(unittest.TestCase):
             "jumps": 4 + 3 * REFILL,
         }
         self.assertEqual(wanted, {name: said[name] for name in wanted})
-        # Four instructions a line, and six cycles until the one that is read ahead is there.
+        # A line holds four instructions, and the line that is read ahead arrives after six cycles.
         self.assertAlmostEqual(6 * lines, said["long_row"], delta=12)
 
     def test_cycles_want_the_plain_machine(self):

@@ -1,4 +1,4 @@
-"""Flash: locks, sizes, what programming and erasing do, and power that goes."""
+"""Tests the flash: locks, sizes, programming, erasing, and power cuts."""
 
 import struct
 import unittest
@@ -40,7 +40,8 @@ class FlashTest(unittest.TestCase):
         self.assertEqual([[1]], Emulator.run("flash_keys").said["locked"])
 
     def cut(self, flash, operation: int, kind: str, seed: int = 1) -> tuple:
-        """Words of the sector after a cut during the n-th operation, and what was done."""
+        """Returns the words of the sector after a cut during the n-th operation, and the completed
+        operations."""
         flash.unlink(missing_ok=True)
         outcome = Emulator.run("flash_cut", f"flash={flash}", "erase_us=100", f"cut={operation}",
                                f"cut_kind={kind}", f"seed={seed}")

@@ -1,4 +1,4 @@
-"""Ports, and timers' periods, pulses, compares, reloads and PWM."""
+"""Tests ports, and the timers' periods, pulses, compares, reloads and PWM."""
 
 import unittest
 
@@ -6,13 +6,14 @@ from emulator import Emulator, Files
 
 TIMER_HZ = 84e6
 INSTRUCTION_NS = 1 << Emulator.shift
-# A few instructions from a timer's event to the handler's store to a pin, other handlers between.
+# Time from a timer's event to the handler's store to a pin: some instructions, and perhaps other
+# handlers before.
 LATENCY_NS = 100 * INSTRUCTION_NS
 
 
 class PinsAndTimersTest(unittest.TestCase):
     def edges(self, outcome, pin: str) -> list:
-        """Instants, ns, from the first 0 on, which is the pin becoming an output."""
+        """Returns the times of edges, ns, from the first 0 on, at which the pin becomes an output."""
         return [ns for ns, _ in outcome.events("pin", pin + " ")][1:]
 
     def assert_periodic(self, edges, period_ns: float, count: int):

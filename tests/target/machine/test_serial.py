@@ -1,4 +1,4 @@
-"""The serial port: bytes' times, overruns, wrong rates, a sender that waits, a device."""
+"""Tests the serial port: times of bytes, overruns, wrong rates, a sender that waits, and a device."""
 
 import random
 import unittest
@@ -8,7 +8,7 @@ from emulator import Emulator, Files
 DIVISOR, BUS_HZ = 729, 84e6
 BYTE_NS = 10 * DIVISOR / BUS_HZ * 1e9
 END = b"\x04"
-# Now and then the emulator calls an alarm some tens of instructions late.
+# Sometimes the emulator calls an alarm some tens of instructions late.
 LATE_NS = 400
 
 
@@ -98,7 +98,7 @@ class SerialTest(unittest.TestCase):
 
     def test_a_device_at_the_other_end(self):
         lines = b"G0 X1\nG0 X2\n" + END
-        # Without an end: while the image waits for bytes, virtual time would jump to it.
+        # Without a set end: while the image waits for bytes, virtual time would jump to it.
         outcome = Emulator.run("lines", "usart1_chardev=link", "stop_ns=0", stdin=lines,
                                extra=("-chardev", "stdio,id=link,signal=off"))
         self.assertEqual(b"ok\nok\nbye\n", outcome.output)

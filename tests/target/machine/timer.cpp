@@ -7,7 +7,7 @@
 namespace machine {
 namespace {
 
-// Offsets.
+// Offsets of the registers.
 constexpr std::uint32_t kControl = 0x00, kSlave = 0x08, kEnables = 0x0C, kStatus = 0x10;
 constexpr std::uint32_t kGeneration = 0x14, kModes1 = 0x18, kOutputs = 0x20, kCount = 0x24;
 constexpr std::uint32_t kPrescaler = 0x28, kReload = 0x2C, kRepetition = 0x30;
@@ -77,7 +77,7 @@ Timer::Ticks Timer::overflow() const {
 void Timer::set_place(Ticks place) {
   place_ = place;
   origin_ = clock() - place;
-  seen_ = clock() - 1;  // So that a compare value that is there now matches.
+  seen_ = clock() - 1;  // One less, so that a compare value equal to the present count matches.
 }
 
 void Timer::set_counting(bool on) {
@@ -105,7 +105,7 @@ void Timer::load_preloaded() {
 
 void Timer::wrap(Ticks at) {
   origin_ = at;
-  if (misses_reload_) {  // Past the widest value no update happens.
+  if (misses_reload_) {  // An overflow at the widest value causes no update.
     misses_reload_ = false;
     return;
   }
@@ -120,8 +120,8 @@ void Timer::wrap(Ticks at) {
 }
 
 void Timer::advance() {
-  // Twice one by one: what was preloaded counts from the first overflow on. Then all periods are
-  // the same.
+  // Two overflows are processed singly, because preloaded values apply from the first one on. All
+  // later periods are the same.
   for (int passes = 0; passes < 2 && counting() && !blocked(); ++passes) {
     const Ticks at = overflow();
     if (at > clock()) break;
@@ -197,11 +197,13 @@ Timer::Course Timer::course_of(unsigned index) const {
   Ticks on = mode == kActive ? period() : 0;
   if (mode == kPwm1 || mode == kPwm2) {
     on = std::min(compare * step(), period());
-    // A counter that stands still keeps the level that its place gives.
+    // A stopped counter keeps the level that belongs to its count.
     if (!counting() || blocked()) on = count() < compare ? period() : 0;
     if (mode == kPwm2) on = period() - on;
   } else if (mode != kInactive && mode != kActive) {
-    on = 0;  // Frozen or by matches: as after reset, since matches do not turn outputs here.
+    // Frozen or changed by matches: the output stays as after reset, because matches do not change
+    // outputs in this model.
+    on = 0;
   }
   if (inverted) on = period() - on;
   if (on == 0) return {'0', 0, 0};

@@ -13,15 +13,17 @@ struct TimerKind {
   unsigned update_interrupt;
   unsigned compare_interrupt;
   unsigned channels;
-  bool is_wide = false;    // 32 bits instead of 16.
-  bool has_break = false;  // BDTR, whose MOE lets the outputs out.
+  bool is_wide = false;    // Whether the counter has 32 bits instead of 16.
+  bool has_break = false;  // Whether the timer has BDTR, whose MOE enables the outputs.
 };
 
-/// A timer that counts up (RM0090, 17 to 20): prescaler, auto-reload with or without preload,
-/// one-pulse mode, update and compare events with their flags and interrupts, PWM and forced
-/// outputs, whose course is traced. Time is counted in exact clocks of the timer, so periods add
-/// up without error. Not modelled and told: counting down or centred, repetition, slave modes,
-/// input capture. A counter begins with the write that enables it, not a clock later.
+/// Model of a timer that counts up (RM0090, 17 to 20): prescaler, auto-reload with or without
+/// preload, one-pulse mode, update and compare events with their flags and interrupts, PWM and
+/// forced outputs, which are traced. Time is counted in exact clocks of the timer, so that periods
+/// add up without error.
+///
+/// Not modelled but reported: counting down or centred, repetition, slave modes, input capture. A
+/// counter starts with the write that enables it, not a clock later.
 class Timer final : public Peripheral, public ClockFollower {
  public:
   Timer(const Services& services, const TimerKind& kind);
@@ -34,15 +36,15 @@ class Timer final : public Peripheral, public ClockFollower {
   static constexpr unsigned kChannels = 4;
   using Ticks = std::int64_t;
 
-  /// What an output does from now on: `z` not driven, `0` or `1` steady, `p` pulses.
+  /// Level of an output from now on: `z` not driven, `0` or `1` steady, `p` pulses.
   struct Course {
     char kind = 'z';
     Ticks on = 0, period = 0;
     bool operator==(const Course&) const = default;
   };
   struct Channel {
-    std::uint32_t compare = 0;  // As the counter sees it.
-    std::uint32_t preload = 0;  // As written last.
+    std::uint32_t compare = 0;  // Value that the counter is compared with.
+    std::uint32_t preload = 0;  // Value that was last written.
     Course course;
   };
 
@@ -77,14 +79,15 @@ class Timer final : public Peripheral, public ClockFollower {
   std::uint32_t widest_;
   InterruptLine update_line_, compare_line_;
   Alarm alarm_;
-  std::array<std::uint32_t, 0x54 / 4> kept_{};  // Registers without a member of their own.
+  std::array<std::uint32_t, 0x54 / 4> kept_{};  // Values of registers without their own member.
   std::uint32_t control_ = 0, enables_ = 0, flags_ = 0;
   std::uint32_t prescaler_ = 0, prescaler_preload_ = 0;
   std::uint32_t reload_ = 0, reload_preload_ = 0;
-  bool misses_reload_ = false;  // Counts on to the widest value, as the reload has been passed.
-  Ticks origin_ = 0;            // Clock at which the counter was 0; counting only.
-  Ticks place_ = 0;             // Clocks since it was 0; standing still only.
-  Ticks seen_ = 0;              // Clock up to which matches are noted.
+  // Whether the counter has passed the reload value and counts on to its widest value.
+  bool misses_reload_ = false;
+  Ticks origin_ = 0;  // Clock at which the counter was 0, while it counts.
+  Ticks place_ = 0;   // Clocks since the counter was 0, while it is stopped.
+  Ticks seen_ = 0;    // Clock up to which matches have been recorded.
   std::array<Channel, kChannels> channels_{};
 };
 

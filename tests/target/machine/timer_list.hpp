@@ -6,7 +6,7 @@
 
 namespace machine {
 
-/// RM0090: table 1 (addresses), 7.3.13 and 7.3.14 (gates), table 61 (interrupts).
+/// The timers by RM0090: table 1 (addresses), 7.3.13 and 7.3.14 (gates), table 61 (interrupts).
 constexpr std::array<TimerKind, 14> kTimers = {{
     {{"TIM1", 0x4001'0000, {Bus::kApb2, 0}}, Bus::kApb2, 25, 27, 4, false, true},
     {{"TIM2", 0x4000'0000, {Bus::kApb1, 0}}, Bus::kApb1, 28, 28, 4, true},

@@ -13,11 +13,10 @@
 
 namespace machine {
 
-/// What happened and when: one line each of virtual time in ns, source and event, as README.md
-/// lists them.
+/// Record of events: one line each of virtual time in ns, source and event, as README.md describes.
 class Trace {
  public:
-  /// Without a file only misuse is told, and to the terminal only.
+  /// @param file without one, only misuse is reported, and only to the terminal
   explicit Trace(std::FILE* file) : file_{file} {}
 
   template <typename... Values>
@@ -28,12 +27,13 @@ class Trace {
     std::fputc('\n', file_);
   }
 
-  /// From now on these words of RAM are told, where they have changed, before what is driven.
+  /// From now on, changes of these words of RAM are traced, before the next change of a pin or of
+  /// pulses.
   void follow_words(const std::vector<std::uint32_t>& addresses) {
     for (const std::uint32_t address : addresses) words_.push_back({address, 0});
   }
   [[nodiscard]] bool follows_words() const { return !words_.empty(); }
-  /// Those that have changed.
+  /// Traces the words that have changed.
   void tell_words() {
     for (Word& word : words_) {
       std::uint32_t now = 0;
@@ -44,14 +44,14 @@ class Trace {
     }
   }
 
-  /// Something is driven: a pin, or what makes pulses on one.
+  /// Traces that a pin is driven, or a source of pulses on one.
   template <typename... Values>
   void driven(std::string_view source, fmt::format_string<Values...> form, Values&&... values) {
     tell_words();
     event(source, form, std::forward<Values>(values)...);
   }
 
-  /// The image did what the reference manual forbids or what is not modelled.
+  /// Reports an action of the image that the reference manual forbids or that is not modelled.
   template <typename... Values>
   void misuse(std::string_view source, fmt::format_string<Values...> form, Values&&... values) {
     const std::string text = fmt::format(form, std::forward<Values>(values)...);

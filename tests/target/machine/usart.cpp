@@ -5,7 +5,7 @@
 namespace machine {
 namespace {
 
-// Offsets.
+// Offsets of the registers.
 constexpr std::uint32_t kStatus = 0x00, kData = 0x04, kRate = 0x08, kControl1 = 0x0C;
 constexpr std::uint32_t kControl2 = 0x10, kControl3 = 0x14;
 // SR
@@ -16,7 +16,7 @@ constexpr std::uint32_t kClearedByReading = 0x1F;
 constexpr std::uint32_t kReceiver = 1U << 2U, kTransmitter = 1U << 3U, kEnabled = 1U << 13U;
 constexpr std::uint32_t kBreakAndParity = 0x0F03, kNineBits = 1U << 12U, kBy8 = 1U << 15U;
 
-constexpr std::uint32_t kUsual_baud = 115'200;  // Of a sender while BRR is 0.
+constexpr std::uint32_t kUsual_baud = 115'200;  // Baud rate of the sender while BRR is 0.
 
 }  // namespace
 
@@ -70,7 +70,7 @@ std::uint32_t Usart::transmitter_baud() const {
 }
 
 std::int64_t Usart::byte_ns(std::uint32_t baud) const {
-  // Half bits: start, data, and 1, 0.5, 2 or 1.5 stop bits.
+  // Length in half bits: start, data, and 1, 0.5, 2 or 1.5 stop bits.
   constexpr std::array<std::uint32_t, 4> kStops = {2, 1, 4, 3};
   const std::uint32_t halves =
       2 + ((control1_ & kNineBits) != 0 ? 18 : 16) + kStops[field(control2_, 12, 2)];
@@ -191,7 +191,7 @@ void Usart::write(std::uint32_t offset, std::uint32_t value) {
 
 void Usart::settle() {
   const std::uint32_t receive_causes = (status_ & kOverrun) != 0 ? kReceived : 0;
-  // The enables of IDLE, RXNE, TC and TXE have the places of their flags.
+  // The enable bits of IDLE, RXNE, TC and TXE have the same positions as their flags.
   constexpr std::uint32_t kEnables = kIdle | kReceived | kComplete | kEmpty;
   line_.set(((status_ | receive_causes) & control1_ & kEnables) != 0 &&
             (control1_ & kEnabled) != 0);

@@ -15,7 +15,7 @@ struct UsartKind {
   unsigned interrupt;
 };
 
-/// RM0090: table 1, 7.3.13, 7.3.14, table 61.
+/// Addresses, gates and interrupts of the USARTs (RM0090, table 1, 7.3.13, 7.3.14, table 61).
 constexpr std::array<UsartKind, Options::kSerialPorts> kUsarts = {{
     {{"USART1", 0x4001'1000, {Bus::kApb2, 4}}, Bus::kApb2, 37},
     {{"USART2", 0x4000'4400, {Bus::kApb1, 17}}, Bus::kApb1, 38},
@@ -25,10 +25,11 @@ constexpr std::array<UsartKind, Options::kSerialPorts> kUsarts = {{
     {{"USART6", 0x4001'1400, {Bus::kApb2, 5}}, Bus::kApb2, 71},
 }};
 
-/// An asynchronous receiver and transmitter (RM0090, 30): bytes take the time that BRR, word
-/// length and stop bits give them; a byte that comes while RXNE is up is lost and sets ORE; IDLE
-/// after one byte's time of silence; FE when the sender's rate is off by more than 4 %. Not
-/// modelled and told: parity, DMA, RTS and CTS, half duplex, synchronous modes, breaks.
+/// Model of an asynchronous receiver and transmitter (RM0090, 30). Bytes take the time by BRR, word
+/// length and stop bits. A byte that arrives while RXNE is set is lost and sets ORE. IDLE is set
+/// after one byte's time of silence, FE if the sender's rate is off by more than 4 %.
+///
+/// Not modelled but reported: parity, DMA, RTS and CTS, half duplex, synchronous modes, breaks.
 class Usart final : public Peripheral {
  public:
   Usart(const Services& services, const UsartKind& kind, const SerialOptions& options);
@@ -60,7 +61,8 @@ class Usart final : public Peripheral {
   SerialPeer peer_;
   InterruptLine line_;
   Alarm receive_, idle_, transmit_;
-  bool line_runs_ = false;  // The sender begins when it first finds a receiver.
+  // Whether the sender has begun, which it does when it first finds a receiver.
+  bool line_runs_ = false;
   std::uint32_t status_ = 0, rate_ = 0, control1_ = 0, control2_ = 0, control3_ = 0;
   bool status_was_read_ = false;
   std::uint8_t received_ = 0, waiting_ = 0, shifting_ = 0;

@@ -7,13 +7,13 @@
 
 namespace machine {
 
-/// Virtual time since the machine was switched on, ns. Under -icount it is the number of
-/// instructions times 2^shift, and a reset does not set it back.
+/// Returns the virtual time since power-on, ns. Under -icount it is the number of instructions
+/// times 2^shift. A reset does not set it back.
 [[nodiscard]] inline std::int64_t now_ns() { return qemu::qemu_clock_get_ns(qemu::kVirtualClock); }
 
 constexpr std::int64_t kSecond_ns = 1'000'000'000;
 
-/// Calls a function once, when virtual time has come to an instant.
+/// Calls a function once, at a given virtual time.
 class Alarm {
  public:
   explicit Alarm(std::function<void()> action);
@@ -21,7 +21,7 @@ class Alarm {
   Alarm& operator=(const Alarm&) = delete;
   ~Alarm() { cancel(); }
 
-  /// Instead of what was set before; an instant in the past is now.
+  /// Sets the time and replaces an earlier setting; a time in the past means now.
   void set(std::int64_t at_ns);
   void cancel();
   [[nodiscard]] bool is_set() const { return set_; }

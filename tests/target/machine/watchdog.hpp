@@ -8,9 +8,9 @@
 
 namespace machine {
 
-/// Independent watchdog (RM0090, 21): keys, prescaler, reload, and the reset when nobody reloads.
-/// What is written to PR and RLR counts from the next reload on, and PVU and RVU are up for five
-/// clocks of the slow oscillator after it.
+/// Model of the independent watchdog (RM0090, 21): keys, prescaler, reload, and the reset if
+/// nothing reloads it. Writes to PR and RLR apply from the next reload on; then PVU and RVU are set
+/// for five clocks of the slow oscillator.
 class Watchdog final : public Peripheral {
  public:
   Watchdog(const Services& services, std::uint32_t slow_hz, std::function<void()> bite)
@@ -70,7 +70,8 @@ class Watchdog final : public Peripheral {
   Alarm alarm_{[this] { bite_(); }};
   std::uint32_t prescaler_ = 0, reload_ = kWidest;
   bool unlocked_ = false, runs_ = false;
-  std::pair<std::int64_t, std::int64_t> updated_until_ns_;  // Of PR and of RLR.
+  // End of the update of PR and of RLR, ns.
+  std::pair<std::int64_t, std::int64_t> updated_until_ns_;
 };
 
 }  // namespace machine

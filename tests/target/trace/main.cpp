@@ -1,16 +1,18 @@
-/// The simulator's side of target.image_trace: a job with the bytes of each turn, and its edges.
+/// The simulator's side of target.image_trace: makes a job with the bytes of each cycle, and
+/// records its edges.
 ///
 ///   image_trace_jobs random SEED TURNS FOLDER
 ///   image_trace_jobs SETTINGS PROGRAM TURNS FOLDER
 ///   image_trace_jobs again LATE TURNS FOLDER
 ///
-/// Writes to FOLDER: `settings` for a machine that is new, `sent` and `times` (lines TURN BYTES),
-/// and `edges`: lines `TICK X Y Z COUNTS`, motor steps since power-up and the output as the
-/// image's timer takes it, at each tick at which one of them changed. Prints the turns it took.
+/// Writes to FOLDER: `settings` for a new machine, `sent` and `times` (lines TURN BYTES), and
+/// `edges`. The edges are lines `TICK X Y Z COUNTS`: motor steps since power-up, and the output as
+/// the count of the image's timer, at each tick at which one of them changed. Prints the number of
+/// cycles that the job took.
 ///
-/// The third form drives the job of FOLDER again, with the same bytes in the same turns, and with
-/// the main loop as late as the file LATE says: lines TURN BEHIND, boundaries and how many turns
-/// were due there and not over.
+/// The third form runs the job of FOLDER again, with the same bytes in the same cycles, and with
+/// the main loop as late as in the file LATE: lines TURN BEHIND, which are boundaries with the
+/// number of cycles that were due there and not finished.
 
 #include <fmt/core.h>
 #include <fmt/os.h>
@@ -35,7 +37,7 @@
 namespace trace {
 namespace {
 
-/// The image is up by then, whatever its store holds.
+/// Cycle by which the image has started, with any content of its store.
 constexpr std::uint32_t kFirstTurn = 60;
 constexpr std::uint32_t kPeriod = 168'000'000 / hal::stm32f405::kGeneric.power_hz;
 static_assert(kPeriod <= 65535, "the timer counts clocks undivided");
@@ -72,7 +74,7 @@ std::string text_of(const std::string& file) {
   return text;
 }
 
-/// `$N=value` lines; comments and what is no setting are left out.
+/// Returns the `$N=value` lines of a text; skips comments and everything else.
 std::string settings_in(const std::string& text) {
   std::string settings;
   for (std::size_t at = 0; at < text.size();) {
@@ -83,7 +85,7 @@ std::string settings_in(const std::string& text) {
   return settings;
 }
 
-/// Values as the image reads them: its decimals are rounded in their own way.
+/// Applies the settings with the values that the image reads, which rounds decimals in its own way.
 void apply_settings(const std::string& settings, cnc::Machine& machine) {
   for (std::size_t at = 0; at < settings.size(); at = settings.find('\n', at) + 1) {
     std::uint16_t number = 0;
@@ -101,7 +103,7 @@ void write(const std::string& file, const std::string& text) {
   std::ofstream{file, std::ios::binary} << text;
 }
 
-/// When the main loop was late.
+/// Boundaries at which the main loop was late.
 class LateTurns {
  public:
   explicit LateTurns(const std::string& file) {
@@ -110,7 +112,8 @@ class LateTurns {
     for (std::uint32_t behind = 0; stream >> boundary >> behind;) behind_[boundary] = behind;
   }
 
-  /// Whether a turn was over at no boundary up to this one, as one after it has found it missing.
+  /// Returns whether a cycle was not yet finished at this boundary: a later boundary has found it
+  /// missing.
   [[nodiscard]] bool still_missing(std::uint32_t turn, std::uint32_t boundary) const {
     return std::any_of(behind_.upper_bound(boundary), behind_.end(), [turn](const auto& late) {
       const std::uint32_t due = late.first - cnc::kTurnsToMotion;
@@ -119,7 +122,7 @@ class LateTurns {
   }
 
  private:
-  std::map<std::uint32_t, std::uint32_t> behind_;  ///< How many turns, by the boundary.
+  std::map<std::uint32_t, std::uint32_t> behind_;  ///< Number of late cycles by boundary.
 };
 
 std::vector<Burst> bursts_in(const std::string& file) {
@@ -129,8 +132,8 @@ std::vector<Burst> bursts_in(const std::string& file) {
   return bursts;
 }
 
-/// In which turn an alarm was raised, as the file `alarm`: it ends motion and light at once, and so
-/// within the millisecond of its turn, not at a tick.
+/// Records the cycle in which an alarm was raised, for the file `alarm`. An alarm ends motion and
+/// beam immediately, within the millisecond of its cycle, not at a certain tick.
 class AlarmWatch {
  public:
   void look(const cnc::Machine& machine, std::uint32_t turn) {
@@ -144,7 +147,8 @@ class AlarmWatch {
   std::optional<std::uint32_t> turn_;
 };
 
-/// A turn is run before the next boundary; one that is late, after the last that missed it.
+/// Runs the job again. A cycle runs before the next boundary; a late cycle runs after the last
+/// boundary that missed it.
 int run_again(const LateTurns& late, std::uint32_t turns, const std::string& folder) {
   RepeatedSender sender{text_of(folder + "/sent"), bursts_in(folder + "/times")};
   sim::VirtualController controller{sender, {}};

@@ -15,12 +15,13 @@ namespace {
 
 using proof::Random;
 
-constexpr std::size_t kAxes = 3;  ///< Of the image's board, as it is delivered.
+/// Number of axes of the image's board in its default configuration.
+constexpr std::size_t kAxes = 3;
 constexpr std::size_t kMaxBytes = 6000;
 constexpr std::string_view kLetters = "XYZ";
 constexpr std::string_view kOffsets = "IJK";
 
-/// Writes a program in distances, so that what is put in between moves the rest along.
+/// Writes a program in incremental distances, so that inserted lines shift the rest.
 class GcodeAuthor {
  public:
   explicit GcodeAuthor(Random& random) : random_{random} {}
@@ -151,7 +152,7 @@ std::vector<Injection> interruptions(Random& random, std::uint32_t first_turn) {
       found.push_back({turn, '~'});
     }
   }
-  // Whatever a hold that came while nothing moved waits for.
+  // Resumes a hold that came while nothing moved.
   for (int more = 0; more < 3; ++more) found.push_back({turn += 300, '~'});
   return found;
 }

@@ -13,15 +13,14 @@
 
 namespace trace {
 
-/// Sends again what was sent, in the same turns, and hears nothing.
+/// Sends recorded bytes again in the same cycles, and ignores the answers.
 class RepeatedSender final : public hal::ByteStream {
  public:
-  /// @param bursts all that is sent, in order of turns
+  /// @param bursts numbers of bytes in order of cycles
   RepeatedSender(std::string sent, std::vector<Burst> bursts)
       : sent_{std::move(sent)}, bursts_{std::move(bursts)} {}
 
-  /// From now on as much is there to be read as had arrived when this turn began, however late
-  /// it is run.
+  /// Begins a cycle: the bytes that had arrived by its due time can be read, however late it runs.
   void begin_turn(std::uint32_t turn) {
     for (; next_ < bursts_.size() && bursts_[next_].turn <= turn; ++next_) {
       arrived_ += bursts_[next_].bytes;
@@ -39,7 +38,7 @@ class RepeatedSender final : public hal::ByteStream {
  private:
   std::string sent_;
   std::vector<Burst> bursts_;
-  std::size_t next_ = 0;  ///< Burst.
+  std::size_t next_ = 0;  ///< Index of the next burst.
   std::size_t arrived_ = 0;
   std::size_t read_ = 0;
 };

@@ -12,30 +12,32 @@
 
 namespace trace {
 
-/// A byte that acts at once, to arrive in a set turn.
+/// A realtime byte that arrives in a given cycle.
 struct Injection {
   std::uint32_t turn = 0;
   char byte = 0;
 };
 
-/// So many bytes arrive between the boundary before this turn and its own.
+/// Number of bytes that arrive between the boundary before this cycle and the cycle's own boundary.
 struct Burst {
   std::uint32_t turn = 0;
   std::size_t bytes = 0;
 };
 
-/// A sender that counts characters, in turns: what it sends in each follows from the answers
-/// before, and is written down, so that the same bytes can arrive at the same ticks elsewhere.
+/// A sender that counts characters. Its bytes in each cycle follow from the answers before, and are
+/// recorded, so that the same bytes can arrive at the same ticks elsewhere.
 class TimedSender final : public hal::ByteStream {
  public:
-  static constexpr std::size_t kBurst = 80;    ///< Bytes of a turn: 0.8 ms at 1 Mbaud.
-  static constexpr std::size_t kWindow = 512;  ///< Bytes of lines without an answer.
+  /// Greatest number of bytes in a cycle: 0.8 ms at 1 Mbaud.
+  static constexpr std::size_t kBurst = 80;
+  /// Greatest number of bytes in lines without an answer.
+  static constexpr std::size_t kWindow = 512;
 
-  /// @param program lines, each with its end. @param injections in order of turns.
+  /// @param program lines, each with its line end @param injections in order of cycles
   TimedSender(std::string program, std::vector<Injection> injections)
       : program_{std::move(program)}, injections_{std::move(injections)} {}
 
-  /// What arrives before this turn's boundary.
+  /// Delivers the bytes that arrive before this cycle's boundary.
   void arrive_before(std::uint32_t turn);
 
   [[nodiscard]] std::size_t read(std::span<std::byte> into) override;
@@ -52,10 +54,10 @@ class TimedSender final : public hal::ByteStream {
 
   std::string program_;
   std::vector<Injection> injections_;
-  std::size_t next_ = 0;      ///< Byte of the program.
-  std::size_t injected_ = 0;  ///< Injections that have arrived.
+  std::size_t next_ = 0;      ///< Index of the next byte of the program.
+  std::size_t injected_ = 0;  ///< Number of injections that have arrived.
   bool in_line_ = false;
-  std::deque<std::size_t> lines_;  ///< Lengths of those without an answer.
+  std::deque<std::size_t> lines_;  ///< Lengths of the lines without an answer.
   std::size_t unanswered_ = 0;
   std::string sent_;
   std::size_t read_ = 0;

@@ -38,7 +38,7 @@ TEST(CanTiming, IsExactAndLooksNearSevenEighths) {
 }
 
 TEST(CanTiming, IsWrittenAsTheManualHasIt) {
-  // 14 quanta of 3 clocks: 1 + 11 + 2.
+  // A bit of 14 quanta (1 + 11 + 2) of 3 clocks.
   EXPECT_EQ(1U << 24 | 1U << 20 | 10U << 16 | 2U, can_timing(42'000'000, 1'000'000).word());
 }
 

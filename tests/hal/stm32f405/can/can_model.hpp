@@ -10,15 +10,15 @@
 
 namespace hal::stm32f405 {
 
-/// CAN1's registers on a desk, by the manual's numbers: handshakes, mailboxes, FIFOs and
-/// where filters are set; whether a frame passes them is the emulator's to say.
+/// Model of CAN1's registers by the reference manual: handshakes, mailboxes, FIFOs, and where
+/// filters are set. The filtering of frames is left to the emulator.
 struct CanModel {
   using Mail = std::array<std::uint32_t, 4>;
 
-  // What the test decides.
+  // Inputs that the test sets.
   bool answers = true;
 
-  // What it sees.
+  // Outputs that the test reads.
   std::vector<std::string> misuse;
   std::uint32_t master = 0x0001'0002, status = 0x0000'0C02, timing = 0x0123'0000, errors = 0;
   std::uint32_t interrupts = 0, transmitted = 0;
@@ -35,7 +35,7 @@ struct CanModel {
   [[nodiscard]] static bool has(std::uint32_t address) {
     return address >= 0x4000'6400 && address < 0x4000'6800;
   }
-  /// Others see the oldest request; the mailbox is empty again.
+  /// Returns the oldest request, as other nodes see it, and empties its mailbox.
   Mail take_sent() {
     const unsigned number = requested.front();
     requested.erase(requested.begin());

@@ -43,7 +43,7 @@ TEST_F(UsbEnumeration, RequestsGetWhatTheyAskForAndNoMore) {
   EXPECT_EQ((Bytes{0, 0}), desk.host.ask(request(0x81, 0, 0, 1, 2)));
   EXPECT_EQ((Bytes{1}), desk.host.ask(request(0x80, 8, 0, 0, 1)));
   EXPECT_EQ((Bytes{0}), desk.host.ask(request(0x81, 10, 0, 1, 1)));
-  // The string has 17 letters: 36 bytes, and one of 31 letters would be a full packet.
+  // The string has 17 letters, which makes 36 bytes. With 31 letters it would fill a packet.
   EXPECT_EQ(36U, desk.host.ask(request(0x80, 6, 0x302, 0x409, 255))->size());
 }
 
@@ -60,19 +60,19 @@ TEST_F(UsbEnumeration, WhatIsMalformedIsStalledAndTheNextIsHeard) {
   UsbDesk desk;
   ASSERT_TRUE(desk.ready());
   const std::array<Request, 17> to_host{
-      request(0x80, 6, 0x600, 0, 10),       // A qualifier: full speed only.
-      request(0x80, 6, 0x101, 0, 18),       // A second device.
-      request(0x80, 6, 0x201, 0, 9),        // A second configuration.
-      request(0x80, 6, 0x304, 0x409, 255),  // A string that is not there.
+      request(0x80, 6, 0x600, 0, 10),  // A device qualifier, which only high-speed devices have.
+      request(0x80, 6, 0x101, 0, 18),  // A second device.
+      request(0x80, 6, 0x201, 0, 9),   // A second configuration.
+      request(0x80, 6, 0x304, 0x409, 255),  // A string that does not exist.
       request(0x80, 6, 0x3FF, 0x409, 255),
-      request(0x80, 6, 0xF00, 0, 5),    // A BOS: USB 2.1 only.
+      request(0x80, 6, 0xF00, 0, 5),    // A BOS descriptor, which belongs to USB 2.1.
       request(0x81, 6, 0x2200, 0, 64),  // A report of a keyboard.
-      request(0x82, 0, 0, 0x02, 2),     // Endpoints that are not there.
+      request(0x82, 0, 0, 0x02, 2),     // Endpoints that do not exist.
       request(0x82, 0, 0, 0x83, 2),
       request(0x82, 0, 0, 0x1234, 2),
-      request(0x81, 0, 0, 2, 2),  // An interface that is not there.
+      request(0x81, 0, 0, 2, 2),  // An interface that does not exist.
       request(0x81, 10, 0, 7, 1),
-      request(0xA1, 0x21, 0, 1, 7),   // The line coding of the data.
+      request(0xA1, 0x21, 0, 1, 7),   // The line coding of the data interface.
       request(0xA1, 0x01, 0, 0, 8),   // An encapsulated response.
       request(0xC0, 0x51, 0, 0, 16),  // A vendor's request.
       request(0xFF, 0xFF, 0xFFFF, 0xFFFF, 0xFFFF),
@@ -83,17 +83,17 @@ TEST_F(UsbEnumeration, WhatIsMalformedIsStalledAndTheNextIsHeard) {
     EXPECT_TRUE(desk.host.ask(request(0x80, 6, 0x100, 0, 18)).has_value());
   }
   const std::array<Request, 13> to_device{
-      request(0x00, 5, 200, 0, 0),  // An address beyond 127; one while configured.
+      request(0x00, 5, 200, 0, 0),  // An address beyond 127, and an address while configured.
       request(0x00, 5, 9, 0, 0),
-      request(0x00, 9, 2, 0, 0),  // A configuration that is not there.
-      request(0x00, 3, 1, 0, 0),  // Remote wake-up, a test mode.
+      request(0x00, 9, 2, 0, 0),  // A configuration that does not exist.
+      request(0x00, 3, 1, 0, 0),  // Remote wake-up, and a test mode.
       request(0x00, 3, 2, 0x100, 0),
-      request(0x02, 3, 0, 0x84, 0),  // Halts that cannot be.
+      request(0x02, 3, 0, 0x84, 0),  // Halts of endpoints that do not exist.
       request(0x02, 3, 1, 0x81, 0),
       request(0x01, 11, 1, 1, 0),    // Another alternate setting.
-      request(0x21, 0x22, 3, 1, 0),  // States of no line.
+      request(0x21, 0x22, 3, 1, 0),  // Control lines of an interface that has none.
       request(0x21, 0x23, 100, 0, 0),
-      request(0x21, 0x20, 0, 0, 0),  // A line coding of no byte, and one of the data's.
+      request(0x21, 0x20, 0, 0, 0),  // A line coding without bytes, and one of the data interface.
       request(0x21, 0x20, 0, 1, 7),
       request(0x40, 1, 2, 3, 0)};
   for (const Request& odd : to_device) {
@@ -102,7 +102,8 @@ TEST_F(UsbEnumeration, WhatIsMalformedIsStalledAndTheNextIsHeard) {
     EXPECT_TRUE(desk.host.ask(request(0x80, 6, 0x100, 0, 18)).has_value());
   }
   EXPECT_FALSE(desk.host.tell(request(0x21, 0x20, 0, 0, 500), Bytes(500, 1)));
-  EXPECT_FALSE(desk.host.tell(request(0x21, 0x20, 0, 0, 7), Bytes(3, 1)));  // Fewer than said.
+  // Fewer bytes than announced.
+  EXPECT_FALSE(desk.host.tell(request(0x21, 0x20, 0, 0, 7), Bytes(3, 1)));
   EXPECT_EQ((Bytes{0x80, 0x25, 0, 0, 0, 0, 8}), desk.host.ask(request(0xA1, 0x21, 0, 0, 7)));
   EXPECT_NE(0U, desk.line.session());
 }

@@ -3,7 +3,8 @@
 #include <cstddef>
 #include <cstdint>
 
-/// Bits of the core's registers as RM0090, 34.16 has them, written out once more for the model.
+/// Bits of the core's registers by RM0090, 34.16, written again for the model, independently of the
+/// driver.
 namespace hal::stm32f405::otg_bits {
 
 constexpr std::uint32_t one(unsigned place) { return std::uint32_t{1} << place; }

@@ -1,4 +1,4 @@
-// What happens on the wire, one transaction at a time.
+// The wire's side of the core's model, one transaction at a time.
 
 #include "tests/hal/stm32f405/usb/otg_model.hpp"
 
@@ -8,7 +8,7 @@
 
 namespace hal::stm32f405 {
 
-using namespace otg_bits;  // NOLINT(google-build-using-namespace): this file is about them.
+using namespace otg_bits;  // NOLINT(google-build-using-namespace): this file uses these names.
 
 void OtgModel::enter(unsigned kind, unsigned endpoint, const Bytes& bytes) {
   Entry entry;
@@ -38,7 +38,7 @@ void OtgModel::bus_reset() {
     in_[i].control |= kEpNakking;
     out_[i].control |= kEpNakking;
   }
-  // The core forgets the address by itself only when told: the driver has to.
+  // The driver must clear the address: the core does not do it at a bus reset.
 }
 
 void OtgModel::suspend() {
@@ -69,7 +69,7 @@ OtgModel::Shake OtgModel::set_up(unsigned address, const std::array<std::uint8_t
   return Shake::kAck;
 }
 
-/// The first token after a request has its end noted.
+/// The end of a SETUP stage is recorded with the first token after it.
 void OtgModel::end_set_up() {
   if (!set_up_ends_) return;
   set_up_ends_ = false;
@@ -84,7 +84,8 @@ OtgModel::Shake OtgModel::out(unsigned address, unsigned number, bool data1, con
   if ((endpoint.control & kEpStall) != 0) return Shake::kStall;
   const bool ready = (endpoint.control & kEpEnabled) != 0 && (endpoint.control & kEpNakking) == 0;
   if (!ready || memory_used() + 2 + words_for(bytes.size()) > receive_words_) return Shake::kNak;
-  if (data1 != endpoint.data1) return Shake::kAck;  // Had before: its acknowledgement was lost.
+  // A repeated packet: its acknowledgement was lost.
+  if (data1 != endpoint.data1) return Shake::kAck;
   if (bytes.size() > bytes_left(endpoint.size)) {
     blame("a packet that its transfer has no room for");
     return Shake::kNak;
@@ -121,7 +122,7 @@ OtgModel::Fetched OtgModel::in(unsigned address, unsigned number, bool acknowled
     endpoint.control = (endpoint.control & ~kEpEnabled) | kEpNakking;
     endpoint.status |= kEpXfrc;
   }
-  // A new address holds from the end of the request on that gave it.
+  // A new address applies from the end of the request that set it.
   if (number == 0) address_ = device_ >> 4 & 0x7FU;
   return fetched;
 }

@@ -10,9 +10,9 @@
 
 namespace hal::stm32f405 {
 
-/// The full-speed core on a desk, from the reference manual and not from the
-/// driver: its registers to one side, the wire to the other. A transaction is one
-/// call; what software must not do is noted in `misuse`.
+/// Model of the full-speed core by the reference manual, independent of the driver: its registers
+/// on one side, the wire on the other. A transaction is one call. Actions that the manual forbids
+/// are recorded in `misuse`.
 ///
 /// Not modelled: DMA, isochronous transfers, host mode, times.
 class OtgModel {
@@ -25,25 +25,25 @@ class OtgModel {
     Bytes bytes{};
   };
 
-  // What the test decides.
-  bool answers = true;    ///< Otherwise the core is never idle, as without its clock.
-  int looks_as_host = 0;  ///< So often it is still in host mode.
+  // Inputs that the test sets.
+  bool answers = true;    ///< If false, the core never becomes idle, as without its clock.
+  int looks_as_host = 0;  ///< Number of reads that still show host mode.
   std::vector<std::string> misuse;
 
-  // The driver's side.
+  // Interface to the driver.
   [[nodiscard]] static bool has(std::uint32_t address) { return address >> 18 == 0x1400; }
   std::uint32_t read(std::uint32_t address);
   void write(std::uint32_t address, std::uint32_t value);
   [[nodiscard]] bool interrupts() const;
 
-  // The wire.
+  // Interface to the wire.
   [[nodiscard]] bool attached() const;
   void bus_reset();
   void suspend();
   void resume();
   Shake set_up(unsigned address, const std::array<std::uint8_t, 8>& request);
   Shake out(unsigned address, unsigned endpoint, bool data1, const Bytes& bytes);
-  /// @param acknowledged false: the host's answer is lost, or never given.
+  /// @param acknowledged false if the host's acknowledgement is lost or missing
   Fetched in(unsigned address, unsigned endpoint, bool acknowledged);
 
  private:
@@ -53,7 +53,7 @@ class OtgModel {
     std::uint32_t status = 0;
     std::uint32_t size = 0;
     bool data1 = false;
-    std::deque<std::uint32_t> fifo{};  ///< Words to be sent.
+    std::deque<std::uint32_t> fifo{};  ///< Words that wait to be sent.
   };
   struct Entry {
     std::uint32_t status = 0;
@@ -86,13 +86,14 @@ class OtgModel {
   std::array<Endpoint, kEndpoints> in_{};
   std::array<Endpoint, kEndpoints> out_{};
   std::deque<Entry> entries_;
-  std::deque<std::uint32_t> current_;  ///< Words of the entry that was popped last.
-  bool set_up_ends_ = false;           ///< Its end is entered with the next token.
+  std::deque<std::uint32_t> current_;  ///< Remaining words of the last popped entry.
+  /// Whether the end of the SETUP stage is still to be recorded, with the next token.
+  bool set_up_ends_ = false;
   bool suspended_ = false;
-  unsigned address_ = 0;  ///< That it listens to now.
+  unsigned address_ = 0;  ///< Address to which the core responds now.
 };
 
-/// The bus to the one chip there is, its USB core included.
+/// The bus to the only chip, including its USB core.
 struct UsbBus {
   static OtgModel& core() {
     static OtgModel model;

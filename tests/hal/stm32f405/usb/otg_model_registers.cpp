@@ -1,11 +1,11 @@
-// The driver's side of the core.
+// The driver's side of the core's model.
 
 #include "tests/hal/stm32f405/usb/otg_bits.hpp"
 #include "tests/hal/stm32f405/usb/otg_model.hpp"
 
 namespace hal::stm32f405 {
 
-using namespace otg_bits;  // NOLINT(google-build-using-namespace): this file is about them.
+using namespace otg_bits;  // NOLINT(google-build-using-namespace): this file uses these names.
 
 std::uint32_t OtgModel::max_bytes(const Endpoint& endpoint, unsigned number) {
   return number == 0 ? 64U >> (endpoint.control & 3U) : endpoint.control & 0x7FFU;
@@ -40,7 +40,7 @@ void OtgModel::look_at_clock() {
   if ((ModelBus::chip().cells[0x4002'3834] & one(7)) == 0) blame("a register without its clock");
 }
 
-/// Registers that keep what is written, and do nothing more.
+/// Returns a register that only keeps what is written to it.
 std::uint32_t* OtgModel::cell(std::uint32_t offset) {
   switch (offset) {
     case 0x008:

@@ -13,7 +13,7 @@
 
 namespace hal::stm32f405 {
 
-/// A serial line over USB, the core's model under it and a host before it.
+/// A serial line over USB on the core's model, connected to a host.
 class UsbDesk {
  public:
   using Line = UsbLine<kGeneric, UsbBus>;
@@ -27,7 +27,7 @@ class UsbDesk {
     line.set_up(clocks);
   }
 
-  /// The interrupt, as long as somebody asks for it.
+  /// Runs the interrupt until none is requested.
   void serve() {
     for (int calls = 0;; ++calls) {
       const auto asked = std::find(chip.pended.begin(), chip.pended.end(), Line::kInterrupt);
@@ -41,7 +41,7 @@ class UsbDesk {
     }
   }
 
-  /// What the main loop reads now.
+  /// Returns the bytes that the main loop reads now.
   std::string hear(std::size_t most = 4096) {
     std::string text(most, '\0');
     begin_turn();
@@ -54,7 +54,7 @@ class UsbDesk {
     serve();
     return taken;
   }
-  /// All that has come may be read.
+  /// Begins a cycle, from which on all arrived bytes may be read.
   void begin_turn() {
     line.note_turn(++turn_);
     line.begin_turn(turn_);
@@ -75,7 +75,7 @@ class UsbDesk {
 
 inline UsbDesk::Bytes bytes_in(std::string_view text) { return {text.begin(), text.end()}; }
 inline std::string text_of(const UsbDesk::Bytes& bytes) { return {bytes.begin(), bytes.end()}; }
-/// As a string descriptor has it.
+/// Returns the text of a string descriptor.
 inline std::string letters_of(const UsbDesk::Bytes& descriptor) {
   std::string text;
   for (std::size_t at = 2; at + 1 < descriptor.size(); at += 2) {
@@ -83,7 +83,7 @@ inline std::string letters_of(const UsbDesk::Bytes& descriptor) {
   }
   return text;
 }
-/// So many bytes, none like its neighbours.
+/// Returns `bytes` bytes, each different from its neighbours.
 inline std::string pattern(std::size_t bytes, unsigned from = 0) {
   std::string text(bytes, '\0');
   for (std::size_t at = 0; at < bytes; ++at) {
@@ -92,7 +92,7 @@ inline std::string pattern(std::size_t bytes, unsigned from = 0) {
   return text;
 }
 
-/// The driver did nothing that the manual forbids.
+/// Fails if the driver did anything that the manual forbids.
 class UsbTest : public testing::Test {
  protected:
   void TearDown() override {

@@ -40,7 +40,7 @@ bool UsbHost::request_stage(const Request& request) {
     last_ = core_.set_up(address_, request);
     between();
     if (last_ != Shake::kAck) continue;
-    // When its answer is lost, the same request comes once more, three times in all.
+    // If the answer is lost, the host repeats the same request, up to three times.
     if (++accepted == 3 || !chance(manner_.lost_answers_percent)) return true;
   }
   return false;
@@ -145,8 +145,9 @@ UsbHost::Bytes UsbHost::fetch_transfer() {
   return all;
 }
 
-/// hub.c reads 64 bytes of the device descriptor at address 0, resets once more, gives the address,
-/// reads it whole, the configuration's head and all of it, then the strings; cdc_acm sets 9600 8N1.
+/// hub.c reads 64 bytes of the device descriptor at address 0, resets again, sets the address, and
+/// reads the whole descriptor. Then it reads the head of the configuration, the whole configuration
+/// and the strings. cdc_acm sets 9600 8N1.
 bool UsbHost::enumerate() {
   reset_bus();
   if (!ask(request(0x80, 6, 0x100, 0, 64))) return false;

@@ -10,9 +10,9 @@
 
 namespace hal::stm32f405 {
 
-/// A host as its controller and its driver are: transactions with toggles, tried
-/// again after NAK and silence, duplicates dropped. Between transactions the device
-/// has its turn, always or as chance has it.
+/// Model of a host's controller and driver: transactions with toggles, repeated after NAK and
+/// silence; duplicates are dropped. Between transactions the device gets time to act, always or at
+/// random.
 class UsbHost {
  public:
   using Bytes = OtgModel::Bytes;
@@ -20,15 +20,17 @@ class UsbHost {
   using Request = std::array<std::uint8_t, 8>;
 
   struct Manner {
-    unsigned device_turns_percent = 100;  ///< Of transactions after which it has its turn.
-    unsigned lost_answers_percent = 0;    ///< Of handshakes, either way.
+    /// Percentage of transactions after which the device gets time to act.
+    unsigned device_turns_percent = 100;
+    /// Percentage of handshakes that are lost, in either direction.
+    unsigned lost_answers_percent = 0;
   };
 
   UsbHost(OtgModel& core, std::function<void()> device_turn, std::uint64_t seed = 1)
       : core_{core}, turn_{std::move(device_turn)}, random_{seed} {}
 
   void set_manner(Manner manner) { manner_ = manner; }
-  /// The host is unplugged after so many transactions: all are silent from then on.
+  /// Unplugs the host after this number of transactions: all later ones get no answer.
   void cut_after(long transactions) { left_ = transactions; }
   [[nodiscard]] bool cut() const { return left_ == 0; }
   [[nodiscard]] long transactions() const { return transactions_; }
@@ -37,23 +39,24 @@ class UsbHost {
 
   void reset_bus();
 
-  /// Data of a request to the host; none when it was stalled or never answered.
+  /// Sends a request for data; returns nothing if it was stalled or never answered.
   std::optional<Bytes> ask(Request request);
-  /// A request with data to the device or without; false when it was stalled or never answered.
+  /// Sends a request with data for the device, or without data; returns false if it was stalled or
+  /// never answered.
   bool tell(Request request, const Bytes& data = {});
   [[nodiscard]] bool stalled() const { return last_ == Shake::kStall; }
 
-  // Bulk: one packet, one try.
+  // Bulk transfers: each call tries one packet once.
   Shake send(const Bytes& packet);
-  /// None when there is nothing, or nothing new.
+  /// Returns a packet; nothing if there is none, or only a repeated one.
   std::optional<Bytes> fetch();
-  /// Until a packet was accepted; false when it never was.
+  /// Sends all bytes, and repeats each packet until it is accepted; returns false if one never was.
   bool send_all(const Bytes& bytes);
-  /// What comes until a packet that is not full.
+  /// Returns the data up to the first packet that is not full.
   Bytes fetch_transfer();
 
-  /// From reset to configured, in the order of Linux's hub and cdc_acm drivers; false at the first
-  /// request that fails.
+  /// Enumerates from reset to configured, in the order of Linux's hub and cdc_acm drivers. Returns
+  /// false at the first request that fails.
   bool enumerate();
   bool open();
   bool close();

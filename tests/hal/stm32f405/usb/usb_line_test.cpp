@@ -51,7 +51,7 @@ TEST_F(UsbLineTest, AHostThatSendsTooMuchWaits) {
   }
   EXPECT_EQ(UsbRings::kReceiveBytes, sent.size());
   for (int tries = 0; tries < 10; ++tries) EXPECT_EQ(Shake::kNak, desk_.host.send({1}));
-  // Less than a packet of room is none.
+  // Free space of less than a packet does not suffice.
   std::string heard = desk_.hear(63);
   EXPECT_EQ(Shake::kNak, desk_.host.send({1}));
   heard += desk_.hear(1);
@@ -67,7 +67,7 @@ TEST_F(UsbLineTest, AHostThatFetchesNothingStopsTheWriter) {
        said += pattern(taken, static_cast<unsigned>(said.size()))) {
     taken = desk_.say(pattern(100, static_cast<unsigned>(said.size())));
   }
-  EXPECT_EQ(UsbRings::kSendBytes + 64, said.size());  // And a packet with the core.
+  EXPECT_EQ(UsbRings::kSendBytes + 64, said.size());  // One packet more is in the core.
   EXPECT_FALSE(desk_.line.sent());
   EXPECT_EQ(said, text_of(desk_.host.fetch_transfer()));
   EXPECT_TRUE(desk_.line.sent());
@@ -142,7 +142,7 @@ TEST_F(UsbLineTest, ASuspendedBusAndAResetEndTheSession) {
 }
 
 TEST_F(UsbLineTest, AHaltedEndpointStallsAndBeginsAnew) {
-  ASSERT_TRUE(desk_.host.send_all({'a'}));  // Its next packet would be DATA1.
+  ASSERT_TRUE(desk_.host.send_all({'a'}));  // The endpoint's next packet would be DATA1.
   ASSERT_TRUE(desk_.host.tell(request(0x02, 3, 0, 0x01, 0)));
   EXPECT_EQ(Shake::kStall, desk_.host.send({'b'}));
   EXPECT_EQ((UsbDesk::Bytes{1, 0}), desk_.host.ask(request(0x82, 0, 0, 0x01, 2)));

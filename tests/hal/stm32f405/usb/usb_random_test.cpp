@@ -7,7 +7,7 @@ namespace {
 class UsbRandom : public UsbTest {};
 using Shake = UsbDesk::Shake;
 
-/// One long conversation with a host that does things in any order.
+/// One long conversation with a host that acts in random order.
 class Talk {
  public:
   explicit Talk(std::uint64_t seed) : desk_{seed} {
@@ -23,11 +23,11 @@ class Talk {
 
  private:
   void begin() {
-    // Where the nod to the address is lost, host and device disagree until the next reset.
+    // If the acknowledgement of the address is lost, host and device disagree until the next reset.
     bool ready = false;
     for (int tries = 0; tries < 20 && !ready; ++tries) ready = desk_.ready();
     ASSERT_TRUE(ready);
-    // What was on the way when the session ended is gone, to either side.
+    // Data that was under way at the end of the session is lost, in both directions.
     sent_ = heard_ = said_ = fetched_ = {};
     offered_ = {};
   }
@@ -55,7 +55,7 @@ class Talk {
     }
   }
 
-  /// A packet is offered until it is known to have arrived, as a controller does.
+  /// Offers a packet until its arrival is acknowledged, as a host controller does.
   void send() {
     if (offered_.empty()) {
       offered_ = pattern(1 + desk_.host.below(64), static_cast<unsigned>(sent_.size()));
@@ -72,7 +72,7 @@ class Talk {
     desk_.begin_turn();
     text.resize(desk_.line.read(std::as_writable_bytes(std::span{text})));
     heard_ += text;
-    // All of it, and of a packet whose acknowledgement was lost, too.
+    // Everything that was sent must arrive, including a packet whose acknowledgement was lost.
     const std::string all = sent_ + offered_;
     ASSERT_EQ(all.substr(0, heard_.size()), heard_);
   }
@@ -110,8 +110,7 @@ class Talk {
     desk_.serve();
     forget();
   }
-  /// What of the old session is left shows in the toggles alone: the next packets are the new
-  /// one's.
+  /// Clears the records and data toggles: the next packets belong to the new session.
   void forget() {
     sent_ = heard_ = said_ = fetched_ = {};
     offered_ = {};

@@ -9,12 +9,13 @@ constexpr Word kTiming = kCan1 + 0x1C, kMailbox = kCan1 + 0x180, kMail = kCan1 +
 constexpr Word kFilterMaster = kCan1 + 0x200, kFilterWide = kCan1 + 0x20C;
 constexpr Word kFilterActive = kCan1 + 0x21C, kFilterBank = kCan1 + 0x240;
 constexpr Word kRecoverAlone = 1U << 6U, kLoop = 1U << 30U;
-constexpr Word kTiming500k = 3U << 20U | 8U << 16U | 5U;  // 14 quanta of 6 clocks of 42 MHz.
+// A bit of 14 quanta of 6 clocks at 42 MHz.
+constexpr Word kTiming500k = 3U << 20U | 8U << 16U | 5U;
 constexpr unsigned kReceiveInterrupt = 20, kStatusInterrupt = 22;
 
 volatile Word received, sum, status_interrupts;
 
-/// Joins the bus; frames whose identifier fits `id` and `mask`, as filter words, are taken.
+/// Joins the bus. Accepts frames whose identifier matches `id` and `mask`, which are filter words.
 bool join(Word timing, Word control, Word id = 0, Word mask = 0) {
   at(kMaster) = 1;
   if (!wait_for(kMasterStatus, 3, 1)) return false;
@@ -44,7 +45,7 @@ void prepare() {
   });
 }
 
-/// Into the first mailbox that is empty; false when none becomes so.
+/// Puts a frame into the first empty mailbox; returns false if none becomes empty.
 bool send(Word id, Word low) {
   if (!wait_for(kTransmit, 1U << 26U, 1U << 26U)) return false;
   at(kMailbox + 4) = 4;
@@ -55,7 +56,7 @@ bool send(Word id, Word low) {
 
 }  // namespace
 
-/// Fifty frames to itself.
+/// Sends fifty frames to itself.
 void try_can_loop() {
   prepare();
   say("joined", join(kTiming500k | kLoop, kRecoverAlone) ? 1 : 0);
@@ -69,7 +70,7 @@ void try_can_loop() {
   say("counters", at(kErrors) >> 16U & 0xFFU, at(kErrors) >> 24U);
 }
 
-/// Takes those frames of others that have the identifier 0x2A5, and sends three.
+/// Receives the frames of other nodes with the identifier 0x2A5, and sends three frames.
 void try_can_bus() {
   prepare();
   say("joined", join(kTiming500k, kRecoverAlone, 0x2A5U << 21U, 0x7FFU << 21U | 6U) ? 1 : 0);
@@ -79,8 +80,8 @@ void try_can_bus() {
   say("counters", at(kErrors) >> 16U & 0xFFU, at(kErrors) >> 24U);
 }
 
-/// One frame that never gets through, alone or with all frames corrupted; then the way back, by
-/// initialisation and by itself.
+/// Sends one frame that never gets through, because the node is alone or all frames are corrupted.
+/// Then leaves bus-off, by initialisation and automatically.
 void try_can_off() {
   prepare();
   join(kTiming500k, 0);
@@ -92,7 +93,7 @@ void try_can_off() {
   say("interrupts", status_interrupts);
   wait_us(10'000);
   say("still_off", at(kErrors) >> 2U & 1U);
-  at(kTransmit) = 0x80;  // Withdrawn.
+  at(kTransmit) = 0x80;  // Withdraws the frame.
   at(kMaster) = 1;
   wait_for(kMasterStatus, 1, 1);
   Word begun_us = clock_us();

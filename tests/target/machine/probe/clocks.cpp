@@ -52,7 +52,8 @@ void wait_us(Word microseconds) {
   });
   at(kTim5 + kDier) = 1;
   at(kTim5 + kCr1) = 9;
-  // Masked between question and sleep, which an interrupt ends all the same.
+  // Interrupts are masked between the check and the sleep; an interrupt ends the sleep
+  // nevertheless.
   for (;;) {
     asm volatile("cpsid i" ::: "memory");
     if (over) break;
@@ -70,8 +71,9 @@ void start_clock() {
   at(kTim2 + kCr1) = 1;
 }
 
-/// A port without its clock reads 0; the crystal takes its time; TIM5 counts at the inner
-/// oscillator's 16 MHz before, and at 84 MHz after, which the core's own counter confirms.
+/// Checks that a port without its clock reads 0, that the crystal takes its time, and that TIM5
+/// counts at the inner oscillator's 16 MHz before and at 84 MHz after the switch, which the core's
+/// own counter confirms.
 void try_clocks() {
   say("cause", at(kCsr) >> 24U);
   say("without_clock", at(kGpioA));
@@ -83,7 +85,7 @@ void try_clocks() {
   say("forgotten_cause", at(kCsr) >> 24U);
   wait_us(1000);
   constexpr Word kResetControl = 0xE000'ED0C;
-  static volatile Word& again = at(0x2001'F000);  // Reset leaves memory as it is.
+  static volatile Word& again = at(0x2001'F000);  // Reset preserves memory.
   if (again != 0x600D) {
     again = 0x600D;
     at(kResetControl) = 0x05FA'0004;

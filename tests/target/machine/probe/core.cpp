@@ -1,4 +1,4 @@
-// Watchdog, memories, what the core has of its own.
+// Scenarios of the watchdog, the memories and the core's own peripherals.
 
 #include <initializer_list>
 
@@ -6,7 +6,7 @@
 
 namespace probe {
 
-/// Fed at 20 ms with 32 ms to live, and then no more.
+/// Feeds the watchdog at 20 ms with a timeout of 32 ms, and then stops feeding it.
 void try_watchdog() {
   constexpr Word kReloadValue = 255, kStatus = kWatchdog + 0x0C, kCause = kRcc + 0x74;
   run_at_168_mhz();
@@ -15,7 +15,7 @@ void try_watchdog() {
   if ((at(kCause) & 1U << 29U) != 0) return;
   at(kCause) = 1U << 24U;
   at(kGpioA) = 0xA800'0001;
-  at(kWatchdog + 0x08) = 1;  // Without the key: it stays 0xFFF.
+  at(kWatchdog + 0x08) = 1;  // Without the key, the write has no effect: the register stays 0xFFF.
   say("protected", at(kWatchdog + 0x08));
   at(kWatchdog) = 0x5555;
   at(kWatchdog + 0x04) = 0;
@@ -32,7 +32,8 @@ void try_watchdog() {
   for (;;) asm volatile("wfi");
 }
 
-/// Where memory is and where it ends, who the chip is, and its cycles against a timer.
+/// Prints where memory begins and ends, the chip's identity, and its cycles in comparison with a
+/// timer.
 void try_memory() {
   run_at_168_mhz();
   enable_clocks();
@@ -61,7 +62,7 @@ void try_memory() {
   say("cycles", at(kCycles), clock_us());
 }
 
-/// A word of memory that the driver has a bit turned over of.
+/// Watches a word of memory, of which the test script flips a bit.
 void try_flip() {
   run_at_168_mhz();
   enable_clocks();

@@ -1,4 +1,4 @@
-// The model of the core's cycles, on code whose cycles the manuals give.
+// Tests the model of the core's cycles on code whose cycles the manuals give.
 
 #include "tests/target/machine/probe/support.hpp"
 
@@ -9,8 +9,8 @@ constexpr Word kCounter = 0xE000'1000, kWarm = 3;
 
 Word cycles() { return at(kCounter + 4); }
 
-/// Runs the code several times and tells the cycles of the last, when its lines have been read,
-/// with the 1 of the store that ends the counting.
+/// Runs the code several times, and prints the cycles of the last run, when its lines are in the
+/// cache. The result includes 1 cycle for the store that ends the counting.
 void tell_cycles(const char* name, Routine code) {
   Word spent = 0;
   for (Word run = 0; run < kWarm; ++run) {
@@ -21,7 +21,7 @@ void tell_cycles(const char* name, Routine code) {
   say(name, spent);
 }
 
-// r0 to r3 and s0 to s3 are the code's own.
+// The code may use r0 to r3 and s0 to s3.
 #define TELL_CYCLES(name, code)                                                                  \
   tell_cycles(name, [] {                                                                         \
     asm volatile(                                                                                \
@@ -44,9 +44,10 @@ void try_cycles() {
   TELL_CYCLES("early_result", "vadd.f32 s0, s1, s2\n mov r0, r0\n vmul.f32 s3, s0, s1");
   TELL_CYCLES("loop", "movs r0, #10\n 1: subs r0, r0, #1\n bne 1b");
   TELL_CYCLES("short_row", ".rept 40\n mov.w r0, r0\n .endr");
-  // Longer than the 64 lines, so that each has to be read: ahead, while the one before it runs.
+  // Longer than the 64 lines of the cache, so that each line has to be read: ahead, while the line
+  // before it runs.
   TELL_CYCLES("long_row", ".rept 1999\n mov.w r0, r0\n .endr");
-  // Two jumps between lines that are not next to each other, and no more of them than 64.
+  // Two jumps between lines that are not adjacent, and that all fit into the 64 lines.
   TELL_CYCLES("jumps", "b 2f\n .balign 64\n 1: b 3f\n .balign 64\n 2: b 1b\n .balign 64\n 3: nop");
   end(true);
 }

@@ -9,7 +9,7 @@ constexpr Word kKey = kFlash + 0x04, kState = kFlash + 0x0C, kCommand = kFlash +
 constexpr Word kBusy = 1U << 16U, kLock = 1U << 31U, kByWord = 2U << 8U;
 constexpr Word kProgram = 1, kErase = 2, kStart = 1U << 16U, kEndInterrupt = 1U << 24U;
 constexpr Word kErrors = 0xF2;
-// Sector 2, and what comes before and after it.
+// Sector 2, with its first address and its size.
 constexpr Word kSector = 2, kFirst = 0x0800'8000, kSize = 0x4000;
 
 void unlock() {
@@ -17,7 +17,7 @@ void unlock() {
   at(kKey) = 0xCDEF'89AB;
 }
 
-/// The errors that a write leaves, which are cleared.
+/// Writes a value, and returns the error flags, which it clears.
 Word errors_of(Word control, Word address, Word value) {
   at(kCommand) = control;
   at(address) = value;
@@ -34,7 +34,7 @@ void erase_sector(Word more = 0) {
 
 }  // namespace
 
-/// Locks, sizes, what programming does to a word, what erasing does, and how long each takes.
+/// Tests locks, sizes, the effect of programming and erasing on a word, and the time of each.
 void try_flash() {
   run_at_168_mhz();
   enable_clocks();
@@ -52,7 +52,7 @@ void try_flash() {
   at(kCommand) = kProgram | kByWord;
   const Word before = clock_us();
   at(kFirst + 4) = 0;
-  at(kFirst + 8) = 0;  // While the first is not over.
+  at(kFirst + 8) = 0;  // While the first operation is in progress.
   say("while_busy", at(kState) & kErrors, at(kFirst + 8));
   wait_for(kState, kBusy, 0);
   say("program_us", clock_us() - before);
@@ -76,15 +76,15 @@ void try_flash() {
   say("locked", errors_of(kProgram | kByWord, kFirst, 1), at(kFirst));
 }
 
-/// One wrong key, and the right ones in vain.
+/// Unlocks with one wrong key, then with the right keys, which no longer work.
 void try_flash_keys() {
   at(kKey) = 0x4567'0124;
   unlock();
   say("locked", at(kCommand) / kLock);
 }
 
-/// Eight words into an empty sector, and its erasure: nine operations, each told when it is done.
-/// A sector that is not empty is shown and left as it is.
+/// Programs eight words into an empty sector and erases it: nine operations, each reported when it
+/// is done. A sector that is not empty is printed and left unchanged.
 void try_flash_cut() {
   run_at_168_mhz();
   bool empty = true;

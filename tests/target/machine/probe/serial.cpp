@@ -17,7 +17,7 @@ void start(Routine handler) {
   run_at_168_mhz();
   enable_clocks();
   on_interrupt(kInterrupt, handler);
-  at(kRate) = 729;  // 115,226 baud of 84 MHz.
+  at(kRate) = 729;  // Divider for 115,226 baud at 84 MHz.
   at(kControl) = 1U << 13U | kReceived | 1U << 3U | 1U << 2U;
 }
 
@@ -42,7 +42,7 @@ void take() {
 
 }  // namespace
 
-/// Takes bytes in the interrupt until the end mark or half a second; sends meanwhile.
+/// Receives bytes in the interrupt until the end mark or for half a second; sends meanwhile.
 void try_usart() {
   start(take);
   send("all of this goes out");
@@ -53,7 +53,7 @@ void try_usart() {
   say("errors", overruns, framing_errors);
 }
 
-/// Takes a byte every millisecond only: of bytes that come in 87 µs most are lost.
+/// Reads a byte only every millisecond: most of the bytes that arrive every 87 µs are lost.
 void try_usart_late() {
   start([] {});
   at(kControl) = at(kControl) & ~kReceived;
@@ -65,7 +65,7 @@ void try_usart_late() {
   say("errors", overruns, framing_errors);
 }
 
-/// Answers each line, as a controller does that takes 2 ms for it.
+/// Answers each line as a controller does that takes 2 ms per line.
 void try_lines() {
   start(take);
   for (Word answered = 0; !over || answered != lines;) {

@@ -12,7 +12,7 @@ extern std::uint32_t stack_top, data_load, data_begin, data_end, bss_begin, bss_
 void fault_at(std::uint32_t* frame);
 [[gnu::naked]] void fault();
 void interrupt();
-// The compiler makes calls of it where a loop fills memory.
+// The compiler generates calls of memset for loops that fill memory.
 void* memset(void* at, int value, std::size_t size);
 }
 
@@ -150,7 +150,7 @@ extern "C" void* memset(void* at, int value, std::size_t size) {
   return at;
 }
 
-/// Steps over an access that was expected to fault; ends the program otherwise.
+/// Skips an access that was expected to fault; any other fault ends the program.
 extern "C" void fault_at(std::uint32_t* frame) {
   using namespace probe;
   if (!fault_expected) {

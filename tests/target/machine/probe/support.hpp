@@ -1,8 +1,8 @@
 #pragma once
 
-// What the probes share: registers by address, interrupts, faults, words to the driver.
-// Freestanding and apart from the product, so that only the reference manual stands between this
-// and the model.
+// Common functions of the probes: registers by address, interrupts, faults, output to the test
+// script. They are freestanding and independent of the product, so that only the reference manual
+// links them to the model.
 
 #include <cstdint>
 
@@ -12,42 +12,43 @@ using Word = std::uint32_t;
 
 inline volatile Word& at(Word address) { return *reinterpret_cast<volatile Word*>(address); }
 
-// Bases (RM0090, table 1).
+// Base addresses (RM0090, table 1).
 constexpr Word kTim1 = 0x4001'0000, kTim2 = 0x4000'0000, kTim3 = 0x4000'0400;
 constexpr Word kTim5 = 0x4000'0C00, kRcc = 0x4002'3800, kPwr = 0x4000'7000;
 constexpr Word kFlash = 0x4002'3C00, kGpioA = 0x4002'0000, kGpioB = 0x4002'0400;
 constexpr Word kUsart1 = 0x4001'1000, kCan1 = 0x4000'6400, kWatchdog = 0x4000'3000;
 
-// Offsets of timers.
+// Offsets of the timers' registers.
 constexpr Word kCr1 = 0x00, kDier = 0x0C, kSr = 0x10, kEgr = 0x14, kCcmr1 = 0x18, kCcer = 0x20;
 constexpr Word kCnt = 0x24, kPsc = 0x28, kArr = 0x2C, kCcr1 = 0x34, kBdtr = 0x44;
 
 using Routine = void (*)();
 
-/// Calls `handler` in interrupt `number` (RM0090, table 61), which is enabled.
+/// Enables interrupt `number` (RM0090, table 61) and makes it call `handler`.
 void on_interrupt(unsigned number, Routine handler);
 
-/// Reads, or writes, where a bus fault may follow: whether it did.
+/// Read or write an address; return whether a bus fault occurred.
 bool read_faults(Word address);
 bool write_faults(Word address, Word value);
 
-/// `name value value…`, a line of it.
+/// Print a line `name value value…`.
 void say(const char* name);
 void say(const char* name, Word value);
 void say(const char* name, Word first, Word second);
 [[noreturn]] void end(bool good);
 
-/// Crystal, PLL, five wait states; 168 MHz, APB1 at 42 MHz, APB2 at 84 MHz. Each wait is bounded;
-/// false when one was in vain.
+/// Sets up crystal, PLL and five wait states: 168 MHz, APB1 at 42 MHz, APB2 at 84 MHz. Each wait is
+/// bounded; returns false if one of them failed.
 bool run_at_168_mhz();
-/// Clocks of GPIOA to C, TIM1, 2, 3, 5, USART1, CAN1.
+/// Enables the clocks of GPIOA to C, TIM1, 2, 3, 5, USART1 and CAN1.
 void enable_clocks();
 
-/// Until the register's masked bits are `wanted`; false after `tries`.
+/// Waits until the register's masked bits are `wanted`; returns false after `tries`.
 bool wait_for(Word address, Word mask, Word wanted, Word tries = 400'000);
-/// By TIM5 and its interrupt, which must not be in use; the core sleeps, other interrupts run.
+/// Waits by TIM5 and its interrupt, which must not be in use. The core sleeps; other interrupts
+/// run.
 void wait_us(Word microseconds);
-/// TIM2 as a clock of microseconds from now on, and what it says.
+/// Starts TIM2 as a clock of microseconds; clock_us() reads it.
 void start_clock();
 inline Word clock_us() { return at(kTim2 + kCnt); }
 

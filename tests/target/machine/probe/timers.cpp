@@ -13,7 +13,7 @@ constexpr Word kTurns = 400;
 volatile Word turns[3];
 volatile Word seen_count;
 
-/// Turns pin A`index` over, so that each interrupt is an edge in the trace.
+/// Toggles pin A`index`, so that each interrupt is an edge in the trace.
 template <Word kTimer, Word kIndex>
 void turn_over() {
   at(kTimer + kSr) = 0;
@@ -41,7 +41,7 @@ void prepare() {
 
 }  // namespace
 
-/// Three timers of different clocks and periods at once: 10 µs, 13.5 µs and 25 µs.
+/// Runs three timers with different clocks and periods together: 10 µs, 13.5 µs and 25 µs.
 void try_periods() {
   prepare();
   on_interrupt(kUpdateInterrupt2, turn_over<kTim2, 0>);
@@ -55,7 +55,7 @@ void try_periods() {
   say("turns", turns[0], turns[1]);
 }
 
-/// One pulse of 100 µs; then again with another length, 50 µs.
+/// Makes one pulse of 100 µs, then one of 50 µs.
 void try_one_pulse() {
   prepare();
   on_interrupt(kUpdateInterrupt2, [] {
@@ -74,7 +74,7 @@ void try_one_pulse() {
   }
 }
 
-/// Compare interrupts of a counter that runs freely, each set 5000 clocks after the last.
+/// Runs compare interrupts of a free-running counter, each 5000 clocks after the last.
 void try_compare() {
   prepare();
   on_interrupt(kInterrupt5, [] {
@@ -85,7 +85,7 @@ void try_compare() {
     at(kTim5 + kCcr1) = at(kTim5 + kCcr1) + 5000;
     turns[0] = turn + 1;
   });
-  at(kTim5 + kCnt) = ~0U - 20'000;  // It passes the widest count, too.
+  at(kTim5 + kCnt) = ~0U - 20'000;  // The counter also passes its widest value.
   at(kTim5 + kCcr1) = ~0U - 15'000;
   at(kTim5 + kDier) = 2;
   at(kTim5 + kCr1) = 1;
@@ -94,8 +94,8 @@ void try_compare() {
   say("compared", turns[0], seen_count);
 }
 
-/// A reload value below the count that is set at once: the counter goes on to its widest value.
-/// With preload it waits for the next overflow.
+/// Sets a reload value below the count. It applies immediately, so that the counter continues to
+/// its widest value. With preload it waits for the next overflow.
 void try_late_reload() {
   prepare();
   for (const Word control : {0x01U, 0x81U}) {
@@ -120,7 +120,8 @@ void try_late_reload() {
   }
 }
 
-/// TIM1 channel 1 as the beam's: 20 kHz at 168 MHz, compare preloaded, break register's MOE.
+/// Runs TIM1 channel 1 as for the beam: 20 kHz at 168 MHz, preloaded compare, MOE of the break
+/// register.
 void try_pwm() {
   prepare();
   at(kTim1 + kArr) = 8399;
@@ -128,7 +129,7 @@ void try_pwm() {
   at(kTim1 + kCcer) = 1;
   at(kTim1 + kEgr) = 1;
   at(kTim1 + kCr1) = 1;
-  at(kTim1 + kCcr1) = 2100;  // Nothing comes out yet.
+  at(kTim1 + kCcr1) = 2100;  // The output is still off.
   wait_us(200);
   at(kTim1 + kBdtr) = 1U << 15U;
   for (const Word compare : {0U, 4200U, 8400U, 2100U}) {
