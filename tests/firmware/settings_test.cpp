@@ -116,8 +116,8 @@ TEST(Configuration, ReadsRatesPerMinuteAndAccelerationPerSecond) {
   EXPECT_FLOAT_EQ(limits.junction_deviation_mm, 0.02F);
 }
 
-// 4 MHz: 5 µs are 20 ticks; a quarter of a microsecond is one.
-/// What plan and backlash have of an axis is what the axis has.
+// At 4 MHz, 5 µs are 20 ticks and 0.25 µs is one. The speed that taking up backlash uses is part of
+// the speed of the axis, so the plan has the rest.
 TEST(Configuration, LeavesRoomForTakingUpBacklash) {
   Settings settings;
   const motion::Limits whole = limits_from(settings);
@@ -151,7 +151,7 @@ TEST(Configuration, NeverShortensAPulseTime) {
   }
 }
 
-// A tenth of its slots, and the way of the interrupt to both edges: a microsecond each.
+// A tenth of the slots remains free, and the interrupt takes a microsecond to reach each edge.
 TEST(Configuration, LeavesEveryMotorTimeToSpareInItsSlots) {
   Settings settings;
   for (float microseconds = 1.0F; microseconds <= 12.0F; microseconds += 0.25F) {
