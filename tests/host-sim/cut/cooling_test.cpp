@@ -132,7 +132,7 @@ TEST(Cooling, PiercesKeepOffFreshHeat) {
     for (const CutPlan* each : {&plan, &as_ordered}) {
       double useless_s = 0.0;
       EXPECT_LE((CoolingOracle{*each, rules}.play(useless_s)), 1.0e-9);
-      // The distance at which heat acts is rounded up to the next sixteenth.
+      // The product rounds the distance of heat up to the next sixteenth of `distance_mm`.
       EXPECT_LE(useless_s, rules.cool_s);
     }
     waits_s += plan.safety.waits_s;

@@ -36,8 +36,8 @@ constexpr const char* kCurves =
     "<ellipse cx=\"30\" cy=\"28\" rx=\"9\" ry=\"5\" transform=\"rotate(25 30 28)\"/>"
     "<path d=\"M60 20C66 14 78 18 72 27C68 34 58 36 56 28C55 24 57 22 60 20Z\"/>";
 
-/// Returns an operator that changes the feed between 50 and 150 % all the time, when called each
-/// millisecond.
+/// Returns a function that acts as an operator. If it is called each millisecond, it often sets the
+/// feed to a random value from 50 to 150 %.
 auto turning_the_feed(proof::Random& random) {
   return [&random](cnc::Machine& machine) {
     if (!random.chance(0.01)) return;

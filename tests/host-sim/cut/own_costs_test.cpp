@@ -44,7 +44,7 @@ void find_costs(OwnCosts& costs, UnbegunCut& cut) {
 }
 
 /// Passing a corner at v takes (40 − v)² / (500 · 40) s longer than going straight on at 40 mm/s.
-/// Its rounding takes additional time. Together they are 0.068 s and 0.009 s at v = 3.1 mm/s, the
+/// Its rounding takes additional time. These times are 0.068 s and 0.009 s at v = 3.1 mm/s, the
 /// speed of a corner that is rounded within 8 µm. A beginning at the corner saves this time.
 TEST(OwnCosts, OfACornerAreLessThanOfAnEdge) {
   const OrderWish machine{};

@@ -106,7 +106,7 @@ TEST(ShopRules, NoTextCrashesTheReader) {
   }
 }
 
-/// Returns the radius of the smallest circle through two or three of the points that contains all
+/// Returns the diameter of the smallest circle through two or three of the points that contains all
 /// points.
 double smallest_by_trying(const std::vector<Place>& places) {
   double best = 1.0e9;
