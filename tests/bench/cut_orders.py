@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
-"""Orders of published problems and of nested sheets, measured; prints figures and judges nothing.
+"""Measures the ordering of published problems and of nested sheets; prints figures, judges nothing.
 
     cut_orders.py KERFLINE DATA [LINE…]
 
 DATA has the folders order, nest and laser: r1000.tsp, r35.tsp and precedence problems (*.pcglns),
 nested sheets (*.svg) and layouts (*.json). LINE is any of: tours, sheets_of_many, precedence,
-annealing, nests, prediction; all without. Each command is printed before it is run, alone, so that
-its processor time and memory are its own.
+annealing, nests, prediction; the default is all. Each command is printed, then run while no other
+command runs, so that the measured processor time and memory belong to it alone.
 """
 
 import json

@@ -1,12 +1,13 @@
 #!/usr/bin/env python3
-"""Drawings of many contours, read and cut; prints figures and judges nothing.
+"""Measures how fast drawings of many contours are read and cut; prints figures, judges nothing.
 
     drawing_speed.py KERFLINE
 
-For each kind of drawing and each command: processor microseconds and bytes of memory per element
-of a small drawing and of one of ten times as many elements, and how many times as long the large
-one takes: 10 where the work grows with the elements. Then the processor seconds of a box with
-finger joints, and how many times as long its cut takes with --check.
+For each kind of drawing and each command, prints the processor microseconds and the bytes of
+memory per element, for a small drawing and for one of ten times as many elements. Also prints the
+ratio of their times, which is 10 if the work is proportional to the number of elements. Then prints
+the processor seconds of a box with finger joints, and the ratio of its times with and without
+--check.
 """
 
 import math

@@ -1,5 +1,6 @@
-// Our offset beside the fastest open one, CavalierContours in Rust, on the same contours, in one
-// process, in turns: both as WebAssembly in Node.js, or both native. README.md says what it needs.
+// Compares our offset with the fastest open-source one, CavalierContours in Rust. Both run
+// alternately in one process on the same contours, as WebAssembly in Node.js or both native.
+// README.md lists the requirements.
 //
 // usage: node offset_peer.mjs [--native] [--pairs N] [--only CORPUS]
 

@@ -55,9 +55,9 @@ TEST(ContourOffset, SaysWhatIsNoNumber) {
   EXPECT_THROW(ContourOffset{}.offset(contour.view(), 1.0), std::invalid_argument);
 }
 
-/// Returns a plate whose upper edge turns back twice, each time with a common tangent except for an
-/// angle of a rounding error of the program that wrote it. The result is a needle of material and a
-/// needle-shaped slot.
+/// Returns a plate whose upper edge turns back twice. The tangents on both sides of each cusp are
+/// equal except for a rounding error of the program that wrote the contour. The result is a needle
+/// of material and a needle-shaped slot.
 Contour plate_with_cusps(proof::Random& random) {
   const double radius = random.between(0.05, 1.0);
   const double sweep = random.between(0.1, 0.6);

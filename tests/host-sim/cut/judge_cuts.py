@@ -1,24 +1,24 @@
-"""Judges the programs that `kerfline cut` makes of a folder of drawings, by geometry of its own.
+"""Judges the programs that `kerfline cut` makes of a folder of drawings, by independent geometry.
 
 usage: judge_cuts.py KERFLINE FOLDER [--only PATTERN] OPTION_OF_CUT …
 
-Not part of the test suite: it takes any folder of drawings of others. svgelements or ezdxf reads a drawing once
-more, shapely fills its closed contours by even-odd, or by the fill rule that a filled shape has, and of each program
-that is written it is looked
+Not part of the test suite: it accepts any folder of drawings. svgelements or ezdxf reads each drawing independently
+of kerfline. shapely fills its closed contours by the even-odd rule, or by the fill rule of a filled shape. For each
+program that is written, the judge checks
 
-* whether a path of the beam comes nearer to a part than half the kerf less 5 um, or less what the option --narrow
-  allows, or runs across it;
-* whether each edge of a part has a path beside it: what has none must be listed by the program's warnings;
-* whether two cuts go along the same line;
-* with the option --common-line, whether each line along which two parts lie against each other is cut once along
-  itself. At its ends, and where parts touch at a corner, a path may be nearer than half the kerf for two kerfs, but
-  nowhere within a part.
+* that no path of the beam runs across a part, or is nearer to it than half the kerf less 5 um, or less the distance
+  that the option --narrow allows;
+* that each edge of a part has a path along it, or is listed by the program's warnings;
+* that no two cuts run along the same line;
+* with the option --common-line, that each line along which two parts touch is cut once, along this line. At its ends,
+  and where parts touch at a corner, a path may be nearer than half the kerf over a length of two kerfs, but nowhere
+  within a part.
 
-Parts and holes of less than 0.02 mm2, or 0.01 mm of mean width, do not count, nor do needles and slits less than
-5 um wide, nor a line that is open and is cut as such. Prints a line for each drawing and the sums of drawings and of
-closed shapes, which are edges of parts and holes; a shape is cut as drawn where no path is too near to it and 95 % of
-it have one beside it. With the option --anyway of `cut`, shapes of refused drawings count, too. Exit status 1 if a
-drawing is wrong.
+The judge ignores parts and holes of less than 0.02 mm2 or 0.01 mm mean width, spikes and slits less than 5 um wide,
+and open lines that are cut as lines. It prints a line for each drawing, and the sums of drawings and of closed shapes,
+which are edges of parts and holes. A shape is cut as drawn if no path is too near to it and 95 % of it have a path
+along it. With the option --anyway of `cut`, shapes of refused drawings count, too. The exit status is 1 if a drawing is
+wrong.
 """
 import cmath
 import fnmatch

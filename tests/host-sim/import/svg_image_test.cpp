@@ -83,8 +83,8 @@ TEST(SvgImage, LiesWhereItIsDrawn) {
 TEST(SvgImage, FollowsAspectAndTransform) {
   struct Case {
     std::string attributes;
-    Place first;  ///< Position of its upper left corner.
-    Place last;   ///< Position of its lower right corner.
+    Place first;  ///< Position of the picture's upper left corner.
+    Place last;   ///< Position of the picture's lower right corner.
   };
   const std::array cases{
       Case{R"(width="40" height="40")", {0.0, 50.0}, {40.0, 30.0}},

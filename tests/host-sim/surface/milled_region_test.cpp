@@ -162,8 +162,9 @@ TEST(MilledRegion, SlopesOfARoofEndWhereTheBallLeavesItsRidge) {
   }
 }
 
-/// Returns how long the stretch around a point of a slice is in which the slope stays on one side
-/// of the limit: up to `most` on each side, and too long by 2 percent of `most` at most.
+/// Returns the length of the stretch around a point of a slice in which the slope stays on one side
+/// of the limit. The stretch ends at `most` on each side. The result is too long by at most
+/// 2 percent of `most`.
 template <typename Function>
 double length_of_stretch(const Function& is_steep, double along, double most) {
   constexpr int kSteps = 100;

@@ -69,9 +69,9 @@ TEST(RestRegion, IsNowhereOnAPlaneAndARoof) {
   }
 }
 
-/// Returns the least height that a tool leaves over a point. It takes the best of a dense grid of
-/// tool positions around the point, then of ever shorter steps from there, as steep surfaces
-/// require positions that are nearly exact.
+/// Returns the least height that a tool leaves over a point. It tries a dense grid of tool
+/// positions around the point, then ever shorter steps from the best one. Steep surfaces require
+/// nearly exact positions.
 double left_at(const DropCutter& cutter, const Vector2d& place) {
   const Profile& tool = cutter.profile();
   constexpr int kAcross = 40;

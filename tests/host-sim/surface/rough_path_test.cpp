@@ -193,8 +193,8 @@ bool may_be_around(const SurfaceTracer& tracer, const Vector2d& place, double le
   return true;
 }
 
-/// A pass must be within the clearing radius of each point of the stock at which, and a cell of the
-/// grid around which, the tool may be.
+/// If the tool may be at a point of the stock, and within a cell of the grid around it, the point
+/// is within the clearing radius of a pass.
 TEST(RoughPath, ClearsAllPlacesOfALevelInWhichTheToolMayBe) {
   const proof::Trials trials{30};
   std::size_t judged = 0;

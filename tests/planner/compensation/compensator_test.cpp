@@ -8,8 +8,8 @@
 namespace cnc::compensation {
 namespace {
 
-/// Point at which a straight entry of 10 mm along y that ends at the origin touches the circle of 1
-/// mm around its end, on the right.
+/// An entry of 10 mm along y ends at the origin. This is the point at which it touches the circle
+/// of 1 mm around its end, on the right.
 constexpr float kTouchX = 0.994987F;
 constexpr float kTouchY = -0.1F;
 

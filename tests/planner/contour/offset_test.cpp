@@ -12,7 +12,7 @@ namespace {
 
 using std::numbers::pi;
 
-/// An offset with all its storage, on the heap as in tests.
+/// An offset with all its storage, on the heap, which only tests may use.
 template <typename Scalar, std::size_t kElements = 512, std::size_t kCuts = 4096>
 class Bench {
  public:

@@ -13,7 +13,7 @@ struct Refused {
   std::string before;  ///< A line that is interpreted first; may be empty.
 };
 
-/// The longest accepted line without comments.
+/// The longest accepted line; comments do not count.
 const std::string kLongestAccepted = "G1 X1 F1" + std::string(248, ' ');
 
 const Refused kRefused[]{

@@ -20,8 +20,9 @@ struct MoveLimits {
 /// by the jerk, remains constant, and decreases, as the remaining change of speed allows. The
 /// second half mirrors the first.
 double stepped_time(double length, const MoveLimits& limits) {
-  // s. A step too late or too early at full acceleration is paid back where the acceleration ends,
-  // over sqrt(2 A kStep / J): 0.05 ms at A = 2,300 mm/s2 and J = 190,000 mm/s3.
+  // Length of a step, s. If full acceleration begins or ends a step too late or too early, the end
+  // of the acceleration moves by up to sqrt(2 A kStep / J): 0.05 ms at A = 2,300 mm/s2 and
+  // J = 190,000 mm/s3.
   constexpr double kStep = 1.0e-7;
   const auto half_way = [&](double top, double& seconds) {
     double speed = 0.0;

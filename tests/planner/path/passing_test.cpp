@@ -26,8 +26,8 @@ PathElement random_element(Random& random) {
   return element;
 }
 
-/// The passing of a point on an element, rounded to the nanometre, is found. Both parts then lie on
-/// the element.
+/// Finds a point on an element that is rounded to the nanometre. Both parts then lie on the
+/// element.
 TEST(Passing, FindsPlacesOnElementsAgain) {
   const proof::Trials trials{20'000};
   for (const std::uint64_t seed : trials) {

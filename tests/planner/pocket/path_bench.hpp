@@ -62,8 +62,8 @@ inline double flat_length(const PathPoint<double>& from, const PathPoint<double>
   return half_sweep < 1.0e-7 ? chord : chord * half_sweep / std::sin(half_sweep);
 }
 
-/// Returns the degrees between the directions in which one element ends and the next begins; 0 for
-/// vertical elements.
+/// Returns the degrees between the directions in which one element ends and the next begins. The
+/// elements must not be vertical.
 inline double kink_between(const PathPoint<double>& a,
                            const PathPoint<double>& b,
                            const PathPoint<double>& c) {

@@ -10,7 +10,7 @@
 
 namespace cnc::pocket {
 
-/// A pocket with storage for its passes, on the heap as in tests.
+/// A pocket with storage for its passes, on the heap, which only tests may use.
 class PocketBench {
  public:
   static constexpr std::size_t kElements = 8192;

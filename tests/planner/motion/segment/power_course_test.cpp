@@ -30,8 +30,8 @@ TEST(PowerCourse, OfATickIsItsMean) {
   }
 }
 
-/// For any slope over any slice, the stairs last at most 100 µs, pass through the middle of the
-/// slope, and are not outside of the two ends.
+/// For any slope over any slice, each stair lasts at most 100 µs and passes through the middle of
+/// the slope. No stair is outside of the two ends.
 TEST(PowerCourse, FollowsAnySlope) {
   std::mt19937 random{proof::test_seed()};
   std::uniform_real_distribution<float> duty{0.0F, 1.0F};
