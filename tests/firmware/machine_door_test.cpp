@@ -174,7 +174,7 @@ TEST_F(MachineDoorTest, SaysOfALostLinkHowMuchIsUncut) {
   expect_uncut(0.004 * dark_from, 0.004 * (port.position[0] - dark_from));
 }
 
-/// In this case the position at which the beam went off is known to a cycle.
+/// In these cases the position at which the beam went off is known within the distance of a cycle.
 TEST_F(MachineDoorTest, SaysHowFarTheMotorsCameWhereTheBrakingIsCutOff) {
   const std::vector<std::pair<const char*, std::function<void()>>> ends{
       {"reset", [this] { machine.reset(); }},

@@ -116,8 +116,8 @@ TEST(Configuration, ReadsRatesPerMinuteAndAccelerationPerSecond) {
   EXPECT_FLOAT_EQ(limits.junction_deviation_mm, 0.02F);
 }
 
-// At 4 MHz, 5 µs are 20 ticks and 0.25 µs is one. The speed that taking up backlash uses is part of
-// the speed of the axis, so the plan has the rest.
+// The rate and acceleration for taking up backlash are part of those of the axis. The plan has the
+// rest.
 TEST(Configuration, LeavesRoomForTakingUpBacklash) {
   Settings settings;
   const motion::Limits whole = limits_from(settings);
@@ -133,6 +133,7 @@ TEST(Configuration, LeavesRoomForTakingUpBacklash) {
   EXPECT_EQ(motor_stage_from(settings).backlash[1].steps, 0);
 }
 
+// At 4 MHz, 5 µs are 20 ticks and 0.25 µs is one.
 TEST(Configuration, ReadsPulseTimesInTicks) {
   Settings settings;
   EXPECT_EQ(step_timing_from(settings).pulse, 20U);

@@ -44,8 +44,8 @@ def bmp_of(rows):
 
 
 def burnt(trace, pixel, interval):
-    """Returns the seconds of full power by (column, row), from the step trace, and the seconds
-    outside of the rows.
+    """Returns the seconds of full power by (column, row), from the step trace; cells outside of
+    the picture count, too.
     """
     energy = collections.defaultdict(float)
     scale, before = None, None

@@ -92,8 +92,8 @@ TEST(DxfSplines, AHelixIsTheSplineThatItHolds) {
   EXPECT_THAT(kinds_of(drawn), ElementsAre(FaultKind::kOpen, FaultKind::kNote));
 }
 
-/// Returns, from one span to the next, the angle between their directions, and the jump of the
-/// second derivative relative to the chord.
+/// Returns the jumps of the first and the second derivative from one shape to the next. The
+/// parameters of the shapes are scaled by their chords, `left` and `right`.
 std::pair<double, double> jumps(const Shape& before,
                                 const Shape& after,
                                 double left,
