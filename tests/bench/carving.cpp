@@ -1,5 +1,6 @@
-/// Path that is carved per second by tools of 10 mm at 0.05 mm, as the simulator carves it: in
-/// chords of the tolerance to which it gathers steps.
+/// Measures the path in mm/s that the simulator's carver processes, with tools of 10 mm diameter on
+/// cells of 0.05 mm. The path consists of chords, as the simulator gathers its steps into chords
+/// within a tolerance.
 /// Run: build/release/tests/bench_carving
 
 #include <benchmark/benchmark.h>
@@ -20,7 +21,8 @@ using sim::stock::Stretch;
 constexpr double kCellMm = 0.05;
 constexpr double kToleranceMm = 0.25 * kCellMm;
 
-/// Rings of 10 to 30 mm radius round (50, 50), 5 mm deep, falling by `fall` per mm.
+/// Returns rings of 10 to 30 mm radius around (50, 50), 5 mm deep, which descend by `fall` mm per
+/// mm of path.
 std::vector<Stretch> rings(double fall) {
   std::vector<Stretch> stretches;
   for (const double radius : {10.0, 20.0, 30.0}) {

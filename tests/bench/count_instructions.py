@@ -16,7 +16,7 @@ import subprocess
 import sys
 import tempfile
 
-# (what is printed, unit, the function in which the stage happens)
+# (printed name, unit, function that performs the stage)
 STAGES = [
     ("read and parse", "line", "cnc::gcode::Interpreter::interpret("),
     ("take it into the path", "element", "cnc::path::PathStage::put("),
@@ -55,7 +55,7 @@ def arcs(count: int) -> str:
 
 
 def read_profile(path: pathlib.Path) -> dict[str, tuple[int, int]]:
-    """Callee name -> (calls, instructions with its own callees)."""
+    """Returns the number of calls and of instructions, callees included, by the callee's name."""
     names: dict[str, str] = {}
     totals: dict[str, list[int]] = collections.defaultdict(lambda: [0, 0])
     callee, calls = "", 0

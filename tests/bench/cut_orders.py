@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
-"""Orders of published problems and of nested sheets, measured; prints figures and judges nothing.
+"""Measures the ordering of published problems and of nested sheets; prints figures, judges nothing.
 
     cut_orders.py KERFLINE DATA [LINE…]
 
 DATA has the folders order, nest and laser: r1000.tsp, r35.tsp and precedence problems (*.pcglns),
 nested sheets (*.svg) and layouts (*.json). LINE is any of: tours, sheets_of_many, precedence,
-annealing, nests, prediction; all without. Each command is printed before it is run, alone, so that
-its processor time and memory are its own.
+annealing, nests, prediction; the default is all. Each command is printed, then run while no other
+command runs, so that the measured processor time and memory belong to it alone.
 """
 
 import json
@@ -23,7 +23,7 @@ import time
 STEEL = ("--material", "CSP 1N", "--thickness", "2")
 SEEDS = (1, 2, 3)
 R1000_BEST = 23297628
-# Proven optima of problems with precedence and choice of start.
+# Proven optima of the problems with precedence and choice of start.
 OPTIMA = {"e1x_6": 1513}
 
 
@@ -32,7 +32,7 @@ class Bench:
         self.kerfline, self.data, self.scratch = kerfline, data, scratch
 
     def run(self, *arguments):
-        """Output, status, wall and processor seconds, and MB of the largest child so far."""
+        """Returns output, status, wall and processor seconds, and the MB of the largest child so far."""
         print("  $ kerfline", *arguments, flush=True)
         before = resource.getrusage(resource.RUSAGE_CHILDREN)
         start = time.monotonic()
@@ -59,7 +59,7 @@ class Bench:
             return None
         return json.loads(report.read_text())
 
-    # The lines.
+    # The values of LINE: a method for each.
 
     def tours(self):
         for seed in SEEDS:
@@ -79,7 +79,7 @@ class Bench:
             print(f"    {100 * (result['cost'] / expected - 1):.3f} % above 0.7124 sqrt(n A)(1 + 0.33 / n)")
 
     def sheets_of_many(self):
-        """100,000 squares and discs in rows, and made_1000: free and fixed starts."""
+        """Orders 100,000 squares and discs in rows, and made_1000 with free and with fixed starts."""
         side = 317
         shapes = []
         for i in range(100_000):
@@ -145,7 +145,7 @@ class Bench:
                     self.print_order(self.cut(sheet, "--anyway", "--cost", cost, "--group", group))
 
     def prediction(self):
-        """The predicted time beside the simulated one, without and with a limit of jerk."""
+        """Prints the predicted and the simulated time, without and with a limit of jerk."""
         examples = pathlib.Path(__file__).parents[2] / "host-sim/examples"
         drawings = [*sorted(examples.glob("*.svg")), *sorted(examples.glob("*.dxf")), *self.sheets()]
         for drawing in drawings:

@@ -1,12 +1,13 @@
 #!/usr/bin/env python3
-"""Drawings of many contours, read and cut; prints figures and judges nothing.
+"""Measures how fast drawings of many contours are read and cut; prints figures, judges nothing.
 
     drawing_speed.py KERFLINE
 
-For each kind of drawing and each command: processor microseconds and bytes of memory per element
-of a small drawing and of one of ten times as many elements, and how many times as long the large
-one takes: 10 where the work grows with the elements. Then the processor seconds of a box with
-finger joints, and how many times as long its cut takes with --check.
+For each kind of drawing and each command, prints the processor microseconds and the bytes of
+memory per element, for a small drawing and for one of ten times as many elements. Also prints the
+ratio of their times, which is 10 if the work is proportional to the number of elements. Then prints
+the processor seconds of a box with finger joints, and the ratio of its times with and without
+--check.
 """
 
 import math
@@ -20,7 +21,7 @@ CUT = ("--kerf", "0.15", "--power", "60%", "--feed", "600", "--order", "file",
 
 
 def rounded(x, y, number):
-    """A pentagon with round corners, ten elements."""
+    """Returns a pentagon with round corners, which has ten elements."""
     del number
     corners = [(x + 4 * math.cos(2 * math.pi * k / 5 + 0.3), y + 4 * math.sin(2 * math.pi * k / 5 + 0.3))
                for k in range(5)]
@@ -35,7 +36,7 @@ def rounded(x, y, number):
 
 
 def wavy(x, y, number):
-    """A hundred lines around a place, no two alike."""
+    """Returns a hundred lines around a point, no two of the same shape."""
     places = [(4 + 0.1 * math.sin(37.0 * k + number), 2 * math.pi * k / 100) for k in range(100)]
     return "M" + "L".join(f"{x + r * math.cos(t):.5f} {y + r * math.sin(t):.5f}" for r, t in places) + "Z"
 
@@ -50,7 +51,9 @@ def nest(contours, path_of):
 
 
 def loose_lines(squares):
-    """Squares of four lines each, which touch each other nowhere, one side of all after the other."""
+    """Returns squares of four lines each, which do not touch each other. All first sides come
+    first, then all second sides, and so on.
+    """
     side = math.ceil(math.sqrt(squares))
     corners = ((1, 1), (9, 1), (9, 9), (1, 9))
     text = ["0\nSECTION\n2\nENTITIES\n"]
@@ -63,7 +66,9 @@ def loose_lines(squares):
 
 
 def box(panels=6, fingers=10, size=100.0, depth=3.0):
-    """Panels with fingers on all sides, whose corners are loops of a cubic curve as generators draw them."""
+    """Returns panels with fingers on all sides. Their corners are loops of a cubic curve, as box
+    generators draw them.
+    """
     paths = ""
     for number in range(panels):
         at = complex(20 + 120 * (number % 3), 20 + 120 * (number // 3))
@@ -98,7 +103,7 @@ DRAWINGS = {
 
 
 def measured(*arguments):
-    """Processor seconds and bytes of one run."""
+    """Returns the processor seconds and the bytes of memory of one run."""
     child = os.fork()
     if child == 0:
         with open(os.devnull, "w", encoding="utf-8") as nothing:

@@ -1,9 +1,9 @@
-/// Job times beside what the limits allow and what other controllers need.
+/// Compares job times with the times that the limits allow and that other controllers need.
 /// Run: build/release/tests/bench_job_times [RISE]
 ///
-/// With a rise, the seconds in which full acceleration is reached, the jerk settings
-/// are acceleration / rise and the optimum of motion with limited jerk is printed as well
-/// (jerk_time.hpp: a motion that keeps every limit, and a time that none can beat).
+/// RISE is the time in seconds in which full acceleration is reached. With it, the jerk settings
+/// are acceleration / RISE, and the optimum of motion with limited jerk is printed as well
+/// (jerk_time.hpp: a motion that keeps every limit, and a lower bound of the time).
 
 #include <cstdio>
 #include <cstdlib>

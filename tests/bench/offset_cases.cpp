@@ -1,8 +1,9 @@
-/// Prints contours of a corpus of offset_speed.cpp with their distances, for other programs that
-/// offset (peers/README.md). Run: build/release/tests/bench_offset_cases star100 400
+/// Prints contours of a corpus of offset_speed.cpp with their offset distances, as input for other
+/// offset programs (peers/README.md).
+/// Run: build/release/tests/bench_offset_cases star100 400
 ///
-/// A line for each case: distance in mm, loops, vertices of each loop, then x, y and bulge of each
-/// vertex, with all their digits.
+/// Each case is a line: distance in mm, number of loops, number of vertices of each loop, then x, y
+/// and bulge of each vertex, with all their digits.
 
 #include <cinttypes>
 #include <cstdio>

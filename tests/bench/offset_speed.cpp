@@ -1,5 +1,6 @@
-/// Input elements per second through the offset, family by family, and how it
-/// grows. Run: build/release/tests/bench_offset_speed
+/// Measures the input elements per second that the offset processes, for each family of contours,
+/// and how the time grows with the number of elements.
+/// Run: build/release/tests/bench_offset_speed
 
 #include <benchmark/benchmark.h>
 
@@ -37,7 +38,7 @@ void corpus(benchmark::State& state, proof::Corpus family, std::size_t count) {
   run_cases(state, cases);
 }
 
-/// Small teeth around a circle, so that elements meet as few others at any size.
+/// Measures small teeth around a circle. An element has equally few neighbours at any size.
 void growth(benchmark::State& state) {
   const auto count = static_cast<std::size_t>(state.range(0));
   proof::OffsetCase gear;

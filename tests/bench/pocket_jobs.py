@@ -1,13 +1,17 @@
 #!/usr/bin/env python3
-"""Random pockets milled by each strategy and carved by the simulator; prints what went wrong, and figures.
+"""Mills random pockets with each strategy, carves them with the simulator, and prints faults and
+figures.
 
     pocket_jobs.py KERFLINE [JOBS [SEED [STRATEGY…]]]
 
-A job is a star with islands, or a letter-like comb, with lines and arcs, random tool, levels, entry
-and step-over. Its program is simulated with a stock, which is compared with the drawing. A fault is a
-program refused for anything but that the tool fits in nowhere, or only straight down, an alarm, stock
-that is certainly gouged by more than two steps of the machine, or left by as much where the tool fits, a
-rapid in stock, or a plunge where none was asked for.
+A job is a star with islands, or a letter-like comb, with lines and arcs, random tool, levels,
+entry and step-over. Its program is simulated with a stock, which is compared with the drawing.
+Faults are:
+  * a program that is refused, unless the tool fits nowhere, or only straight down;
+  * an alarm;
+  * stock that is certainly gouged by more than two steps of the machine, or that remains by
+  more than two steps where the tool fits;
+  * a rapid in stock, or a plunge where none was requested.
 """
 
 import json
@@ -40,7 +44,7 @@ def star(rng, centre, least, most, clockwise):
 
 
 def comb(rng, tool):
-    """Rooms with necks, some narrower than the tool."""
+    """Returns areas that are joined by necks, some of which are narrower than the tool."""
     x, top = 20.0, []
     for _ in range(rng.randint(2, 4)):
         width, half = rng.uniform(1.2, 3) * tool, rng.uniform(0.8, 3) * tool
@@ -55,7 +59,7 @@ def comb(rng, tool):
 
 
 def polygon(loop):
-    """Places along a loop; its arcs are short and flat."""
+    """Returns points along a loop; its arcs are short and flat."""
     places = []
     for ((x, y), bulge), ((to_x, to_y), _) in zip(loop, loop[1:] + loop[:1]):
         for share in (0, 0.25, 0.5, 0.75):
@@ -65,7 +69,7 @@ def polygon(loop):
 
 
 def lies_in(island, wall):
-    """Whether all places of an island are within the wall."""
+    """Returns whether all points of an island are within the wall."""
     corners = polygon(wall)
     edges = list(zip(corners, corners[1:] + corners[:1]))
 

@@ -1,5 +1,6 @@
-/// Prints how long the passes of a pocket take, and how that grows: the pocket of paper 5, plates
-/// with more and more islands, and a wall of more and more short lines.
+/// Prints how long the passes of a pocket take, and how the time grows, for three pockets: that of
+/// paper 5, plates with a growing number of islands, and walls with a growing number of short
+/// lines.
 /// Run: build/release/tests/bench_pocket_speed
 
 #include <algorithm>
@@ -18,7 +19,7 @@ using cnc::contour::OffsetSizes;
 using cnc::contour::OffsetSpace;
 using Vertex = cnc::contour::Vertex<double>;
 
-/// Items of a kind that live as long as the run.
+/// Returns `count` items of one type, which `owners` keeps until the run ends.
 template <typename Item>
 cnc::contour::Slice<Item> items(std::vector<std::shared_ptr<void>>& owners, std::size_t count) {
   auto owner = std::shared_ptr<Item[]>(new Item[count]{});
@@ -26,7 +27,7 @@ cnc::contour::Slice<Item> items(std::vector<std::shared_ptr<void>>& owners, std:
   return {owner.get(), count};
 }
 
-/// Storage of the passes for so many elements and loops.
+/// Storage of the passes for a given number of elements and loops.
 class Storage {
  public:
   Storage(std::size_t elements, std::size_t loops) : elements_{elements}, loops_{loops} {}
@@ -91,7 +92,7 @@ Pocket paper_pocket() {
   return pocket;
 }
 
-/// Round islands of 6 mm on a grid of 40 mm.
+/// Returns a plate with round islands of 6 mm on a grid of 40 mm.
 Pocket plate(std::size_t side) {
   const double size = 40.0 * static_cast<double>(side);
   Pocket pocket{{{0, 0}, {size, 0}, {size, size}, {0, size}}, {}};
@@ -106,7 +107,7 @@ Pocket plate(std::size_t side) {
   return pocket;
 }
 
-/// A flower of short lines, of about 200 mm.
+/// Returns a flower of short lines, about 200 mm wide.
 Pocket flower(std::size_t elements) {
   Pocket pocket;
   for (std::size_t i = 0; i < elements; ++i) {

@@ -1,5 +1,6 @@
-/// Lines per second on the host, stage by stage, and how much faster than the
-/// machine the simulator runs. Run: build/release/tests/bench_stages
+/// Measures lines per second on the host, stage by stage, and the ratio of simulated time to real
+/// time.
+/// Run: build/release/tests/bench_stages
 
 #include <benchmark/benchmark.h>
 
@@ -27,7 +28,7 @@ struct Job {
   std::string text;
   std::vector<std::string_view> lines;
   std::vector<path::PathItem> items;
-  std::vector<path::PathPiece> pieces;  ///< What the path stage makes of them.
+  std::vector<path::PathPiece> pieces;  ///< Output of the path stage.
   std::vector<motion::Segment> segments;
 };
 
@@ -79,7 +80,7 @@ void interpret_lines(Job& job) {
   }
 }
 
-/// Short lines welded, corners rounded.
+/// Passes the job through the path stage: short lines are welded, corners are rounded.
 template <typename Sink>
 void round_off(const Job& job, Sink&& take) {
   path::PathStage stage{limits()};
@@ -98,7 +99,7 @@ void push(motion::BlockQueue& queue, const path::PathPiece& piece) {
   queue.push(motion::build_block(piece.request, limits()).value(), piece.joint);
 }
 
-/// Keeps the queue full, as a fast sender does.
+/// Plans a job with a queue that is always full, as behind a fast sender.
 template <typename Sink>
 void drive(const Job& job, Sink&& take) {
   motion::BlockQueueOf<motion::kLookAheadBlocks> queue;
@@ -112,7 +113,7 @@ void drive(const Job& job, Sink&& take) {
   }
 }
 
-/// Takes bytes through the pipeline as a fast sender does, and gives its segments to `take`.
+/// Passes bytes through the pipeline as a fast sender does, and passes its segments to `take`.
 template <typename Sink>
 void cut_text(std::string_view text, Sink&& take) {
   constexpr std::int32_t kCycleUs = 1000;
@@ -138,10 +139,11 @@ void cut_text(std::string_view text, Sink&& take) {
   }
 }
 
-/// The pins, and the generator that moves them.
+/// Simulated pins, and the step generator that drives them.
 class Motors {
  public:
-  /// Plays half of what waits where the queue is full: a motion that runs dry stays at rest.
+  /// Plays half of the waiting time when the queue is full: a motion that runs out of segments
+  /// would remain at rest.
   void take(const motion::Segment& segment) {
     while (generator_.full()) play(generator_.ticks_waiting() / 2);
     generator_.push(segment);
@@ -210,7 +212,7 @@ void weld(benchmark::State& state, const Job& (*of)()) {
       static_cast<double>(job.pieces.size()) / static_cast<double>(job.lines.size());
 }
 
-/// Blocks built and planned one by one with the queue full: the most a block costs.
+/// Builds and plans blocks one by one with the queue full, where a block costs most.
 void plan(benchmark::State& state, const Job& (*of)()) {
   const Job& job = of();
   for (auto _ : state) {
@@ -235,7 +237,7 @@ void plan_and_segment(benchmark::State& state, const Job& (*of)()) {
       static_cast<double>(job.segments.size()) / static_cast<double>(job.lines.size());
 }
 
-/// Text to segments, all stages taking turns as in the controller; nothing is stepped.
+/// Processes text to segments. All stages alternate as in the controller, without step pulses.
 void cut_from_text(benchmark::State& state, const Job& (*of)()) {
   const Job& job = of();
   for (auto _ : state) {
@@ -244,7 +246,7 @@ void cut_from_text(benchmark::State& state, const Job& (*of)()) {
   count_lines(state, job);
 }
 
-/// Text to step edges, all stages taking turns.
+/// Processes text to step edges. All stages alternate as in the controller.
 void step_from_text(benchmark::State& state, const Job& (*of)()) {
   const Job& job = of();
   for (auto _ : state) {
@@ -267,7 +269,7 @@ void step(benchmark::State& state, const Job& (*of)()) {
   count_lines(state, job);
 }
 
-/// Bytes to edges through the whole firmware, and the simulator's clock with it.
+/// Processes bytes to step edges through the complete firmware, including the simulator's clock.
 void everything(benchmark::State& state, const Job& (*of)()) {
   const Job& job = of();
   double machine_seconds = 0.0;

@@ -12,12 +12,12 @@
 namespace cnc {
 namespace {
 
-/// One answer for each line, and nothing else that a sender could take for one.
+/// Each line must have one answer, and a sender must not be able to take any other text for an
+/// answer.
 class AcknowledgementsTest : public ControllerTest {
  protected:
-  /// bCNC, LaserGRBL, Candle and Grbl's own stream.py look for these.
-  /// `[ERRORCODE:` is excepted: only senders that ask for `$EE` see it, and they
-  /// want it written so.
+  /// bCNC, LaserGRBL, Candle and Grbl's own stream.py search for these words. `[ERRORCODE:` is
+  /// excepted: only senders that request `$EE` receive it, and they require this form.
   static bool could_be_counted(std::string line) {
     if (line.rfind("[ERRORCODE:", 0) == 0) line.erase(0, 11);
     if (line == "ERRORCODE") return false;
@@ -87,7 +87,7 @@ TEST_F(AcknowledgementsTest, NoLineOfAnyListingCouldBeCountedOrIsCutOff) {
   }
 }
 
-// Every text between quotes in the sources that print.
+// Checks every text between quotes in the sources that print.
 TEST_F(AcknowledgementsTest, NoTextOfTheSourcesCouldBeCounted) {
   std::size_t texts = 0;
   for (const char* const folder : {"firmware", "planner/gcode"}) {
@@ -104,7 +104,7 @@ TEST_F(AcknowledgementsTest, NoTextOfTheSourcesCouldBeCounted) {
           at = end;
           ++texts;
           if (text == "ok" || text == "error:" || text == "error") continue;
-          // Whole answers of an image that refuses to run.
+          // These are complete answers of an image that refuses to run.
           if (text == R"(ok\r\n)" || text == R"(error:9\r\n)") continue;
           EXPECT_FALSE(could_be_counted(text)) << entry.path() << ": " << text;
         }
@@ -114,7 +114,7 @@ TEST_F(AcknowledgementsTest, NoTextOfTheSourcesCouldBeCounted) {
   EXPECT_GT(texts, 400U);
 }
 
-// CR, LF and CR LF, in any chunks the link may make of them.
+// CR, LF and CR LF may end a line, and the link may divide the bytes into any chunks.
 TEST_F(AcknowledgementsTest, EveryLineHasOneWhateverEndsItAndHoweverItArrives) {
   const char* const kinds[]{
       "", " ", "(comment)", "; ok?", "G21", "$G", "G1 X", "%", "$110", "$7=1"};
@@ -133,13 +133,13 @@ TEST_F(AcknowledgementsTest, EveryLineHasOneWhateverEndsItAndHoweverItArrives) {
     }
     for (int k = 0; k < 20; ++k) application.poll(hal::TickCount{0});
     ASSERT_EQ(answers().size(), 40U) << "KERFLINE_SEED=" << seed;
-    // A line that ended with CR must not swallow an LF that ends the next one.
+    // If a line ended with CR, an LF that ends the next line must not be dropped.
     link.incoming = "\r\n";
     application.poll(hal::TickCount{0});
   }
 }
 
-/// Senders ask for the status at any time, in the middle of a line's end, too.
+/// Senders may request the status at any time, even between CR and LF.
 TEST_F(AcknowledgementsTest, ALineHasOneWhateverActsBetweenItsCrAndLf) {
   for (const std::string byte : {"?", "~", "\x83", "\x87", "\x91", "\xA3", "\xC2\x91", "?\x91~"}) {
     link.outgoing.clear();
@@ -179,7 +179,7 @@ TEST_F(AcknowledgementsTest, AFailedProbeIsAnsweredAfterItsAlarm) {
   EXPECT_EQ(printed().front(), "ALARM:4");
 }
 
-/// Lines that a sender may get wrong, one for each number it can be told.
+/// Sends lines that are wrong, one for each error number.
 TEST_F(AcknowledgementsTest, EveryNumberOfTheTableIsGiven) {
   std::set<int> given;
   const auto note = [&] {
@@ -231,25 +231,25 @@ TEST_F(AcknowledgementsTest, EveryNumberOfTheTableIsGiven) {
     return false;
   };
   EXPECT_EQ(send("$H"), "ok") << link.outgoing;
-  send("$J=G91 X9999 F100");  // 15: the machine knows its travel now.
+  send("$J=G91 X9999 F100");  // 15: the travel of the machine is known from here on.
   note();
   send("G1 X-50 F300");
   run(20);
-  send("$22=0");  // 8: it moves.
+  send("$22=0");  // 8: the machine moves.
   stream("\x18");
   run(50);
   port.panel.door = true;
   run(50);
-  send("G0 X1");  // 9: the reset lost the place.
+  send("G0 X1");  // 9: after the reset the position is unknown.
   send("$X");     // 13: the door is open.
   note();
   port.panel.door = false;
   port.panel.emergency_stop = true;
   run(50);
-  send("$X");  // 79
+  send("$X");  // 79: an emergency stop is pressed.
   note();
-  given.insert(200);  // ToolChangeTest.AProbeThatMissesLosesNoJob
-  given.insert(7);    // StatementsTest.TellWhatTheStoreCannotKeep
+  given.insert(200);  // ToolChangeTest.AProbeThatMissesLosesNoJob causes error 200.
+  given.insert(7);    // StatementsTest.TellWhatTheStoreCannotKeep causes error 7.
   for (const CodeText& code : error_texts()) {
     EXPECT_TRUE(given.contains(code.number)) << int{code.number} << ": " << code.text;
     given.erase(code.number);

@@ -4,10 +4,10 @@
 namespace cnc {
 namespace {
 
-/// What a sender reads when something goes wrong, one alarm after the other.
+/// Tests the lines that a sender receives when an alarm is raised, one alarm after the other.
 class AlarmsTest : public ControllerTest {
  protected:
-  /// Switches that close beyond `steps`; a homing cycle that is quick.
+  /// Sets switches that close beyond `steps`, and a quick homing cycle.
   void prepare_homing(std::int32_t steps) {
     send_all({"$22=1", "$25=3000", "$24=500", "$26=5", "$130=20", "$131=20", "$132=20"});
     plate = [this, steps](const auto& position) {
@@ -27,7 +27,7 @@ class AlarmsTest : public ControllerTest {
   }
 };
 
-/// As after a power-up that found damage.
+/// A store as after a power-up that found damage.
 class DamagedStore final : public hal::host::MemoryStore {
  public:
   [[nodiscard]] bool damaged() const override { return true; }

@@ -34,13 +34,13 @@ class MemoryLink final : public hal::ByteStream {
 
   bool may_wait() const override { return waits; }
 
-  bool waits = true;  ///< False: as a serial line.
+  bool waits = true;  ///< If false, unread bytes may not wait, as on a serial line.
   std::string incoming;
   std::string outgoing;
-  std::size_t room = ~std::size_t{0};  ///< Bytes that can be queued until somebody fetches some.
+  std::size_t room = ~std::size_t{0};  ///< Bytes that can be queued before the test fetches some.
 };
 
-/// Tells of each save before it is done.
+/// Store in memory that calls `watcher` before each save.
 class WatchedStore final : public hal::host::MemoryStore {
  public:
   [[nodiscard]] bool save(std::uint16_t number, std::span<const std::byte> record) override {
@@ -53,7 +53,7 @@ class WatchedStore final : public hal::host::MemoryStore {
   int saves = 0;
 };
 
-/// What one look at the pins showed.
+/// The state of the pins after an interrupt.
 struct Sight {
   std::uint64_t tick;
   std::array<std::int32_t, 6> position;
@@ -62,13 +62,13 @@ struct Sight {
   bool spindle;
 };
 
-/// The whole controller on recording pins, with a pump for time: each
-/// millisecond a turn of the main loop, then the interrupts that are due.
+/// The complete controller on recording pins. The fixture advances the time: in each millisecond it
+/// runs a cycle of the main loop, then the interrupts that are due.
 class ControllerTest : public testing::Test {
  protected:
   static constexpr std::uint64_t kTicksPerMillisecond = motion::kTicksPerSecond / 1000;
 
-  /// Begins after the banner. Nobody polls here, so silence is none ($858).
+  /// Tests begin after the banner. As no sender polls here, the watchdog of the link ($858) is off.
   ControllerTest() {
     EXPECT_TRUE(machine.change_setting(setting::kLinkWatchdog, 0.0F).ok());
     store.watcher = [this] {
@@ -85,7 +85,7 @@ class ControllerTest : public testing::Test {
       run_interrupts(now + kTicksPerMillisecond);
     }
   }
-  /// Until nothing is left to do, but no longer than a minute.
+  /// Runs until the machine is idle, but at most for a minute.
   void run_until_idle() {
     int left = 60'000;
     do {
@@ -108,7 +108,7 @@ class ControllerTest : public testing::Test {
   /// Sends lines without waiting.
   void stream(std::string_view lines) { link.incoming.append(lines); }
 
-  /// The report to one request.
+  /// Returns the report that answers one request.
   std::string report(std::string_view request = "?") {
     link.outgoing.clear();
     stream(request);
@@ -117,7 +117,7 @@ class ControllerTest : public testing::Test {
     return lines.empty() ? "nothing" : lines.front();
   }
 
-  /// Acknowledgements so far, without the messages before them.
+  /// Returns the acknowledgements so far, without the messages before them.
   [[nodiscard]] std::vector<std::string> answers() const {
     std::vector<std::string> found;
     for (const std::string& line : printed()) {
@@ -148,8 +148,10 @@ class ControllerTest : public testing::Test {
   Application<hal::host::RecordingPort> application{port, port, port, store, link};
   Machine& machine{application.machine()};
   std::uint64_t now = 0;
-  std::vector<Sight> sights;  ///< After each interrupt that changed something.
-  std::function<bool(const std::array<std::int32_t, 6>&)> plate;  ///< Touched at this position?
+  std::vector<Sight> sights;  ///< The state of the pins after each interrupt that changed
+                              ///< something.
+  std::function<bool(const std::array<std::int32_t, 6>&)> plate;  ///< Returns whether the probe
+                                                                  ///< touches at this position.
 
  private:
   static constexpr std::uint64_t kNoInterrupt = ~std::uint64_t{0};

@@ -18,10 +18,10 @@ struct Edge {
 
   std::uint64_t tick;
   Kind kind;
-  std::uint32_t value;  ///< Mask, duty, or channel.
+  std::uint32_t value;  ///< Mask, duty or channel, by the kind of the edge.
 };
 
-/// Writes down every edge with its time, and feels a probe plate at will.
+/// Records every edge with its time, and simulates switches and a probe plate.
 class EdgePort {
  public:
   void set_direction(hal::AxisMask negative) noexcept {
@@ -68,9 +68,9 @@ class EdgePort {
   std::vector<Edge> edges;
   AxisArray<std::int32_t> position{};
   AxisArray<std::int32_t> second_position{};
-  std::int32_t switch_from = 1'000'000'000;  ///< The X switch is closed from this step on.
+  std::int32_t switch_from = 1'000'000'000;  ///< X step from which on the X switch is closed.
   std::int32_t second_switch_from = 1'000'000'000;
-  std::int32_t contact_from = 1'000'000'000;  ///< The probe touches from this X step on.
+  std::int32_t contact_from = 1'000'000'000;  ///< X step from which on the probe touches.
   std::uint16_t power = 0;
   std::uint16_t analog = 0;
   std::uint8_t digital = 0;
@@ -82,12 +82,12 @@ class EdgePort {
 };
 static_assert(hal::StepPort<EdgePort>);
 
-/// A generator of its own, with the timer played by the test.
+/// A step generator with a timer that the test drives.
 class StepGeneratorTest : public testing::Test {
  protected:
   using Kind = Edge::Kind;
 
-  /// Interrupts until the timer is stopped, or so many ticks are over.
+  /// Runs interrupts until the timer is stopped, or `ticks` ticks have passed.
   void run(std::uint64_t ticks = 1'000'000'000) {
     let_in(generator);
     if (port.started) next_ = port.now;
@@ -102,7 +102,7 @@ class StepGeneratorTest : public testing::Test {
     let_in(generator);
   }
 
-  /// `count` steps of one axis, evenly spread over `ticks`.
+  /// Returns a segment with `count` steps of one axis, evenly distributed over `ticks`.
   static motion::Segment even(std::uint32_t ticks, std::uint16_t count, std::size_t axis = 0) {
     motion::Segment segment{.ticks = ticks};
     const std::int32_t interval = static_cast<std::int32_t>(ticks << 16) / count;

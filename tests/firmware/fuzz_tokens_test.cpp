@@ -12,7 +12,7 @@ namespace {
 
 using FuzzTokens = ControllerTest;
 
-/// All that a fuzzer's bytes can stand for.
+/// Returns all tokens that the bytes of a fuzzer can select.
 std::vector<std::string> all_tokens() {
   std::vector<std::string> tokens{fuzz::kTokens.begin(), fuzz::kTokens.end()};
   for (unsigned which = 0; which < 256; ++which) {
@@ -39,13 +39,14 @@ TEST_F(FuzzTokens, HaveEveryStatement) {
     EXPECT_EQ(kinds.count(static_cast<StatementKind>(kind)), 1U) << kind;
   }
   EXPECT_EQ(fuzz::example_of(static_cast<StatementKind>(kinds.size())), "");
-  // Those of kerf tables are statements of their own.
+  // Listings of kerf tables have their own kinds of statements.
   for (int kind = 1; kind < static_cast<int>(ListingKind::kKerfTables); ++kind) {
     EXPECT_EQ(listings.count(static_cast<ListingKind>(kind)), 1U) << kind;
   }
 }
 
-/// Besides its standard value, and within its range.
+/// Each setting must have a token with a value that is within its range and is not its standard
+/// value.
 TEST_F(FuzzTokens, ChangeEverySetting) {
   const std::vector<std::string> tokens = all_tokens();
   for (const SettingInfo& info : setting_table()) {

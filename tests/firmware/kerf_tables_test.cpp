@@ -19,7 +19,7 @@ namespace {
 using kerf::OwnedTable;
 using testing::HasSubstr;
 
-/// `thicknesses` rows of one power, all as wide as `kerf_mm`.
+/// Returns a table with `thicknesses` rows of one power, all with the kerf `kerf_mm`.
 OwnedTable<float> flat_table(const std::string& name, std::size_t thicknesses, float kerf_mm) {
   OwnedTable<float> table{.name = name};
   for (std::size_t i = 0; i < thicknesses; ++i) {
@@ -59,7 +59,7 @@ class KerfStatements : public ControllerTest {
     }
     return answer;
   }
-  /// All that is said to a line, on one.
+  /// Returns all answers to a line, joined to one line.
   std::string said_to(std::string_view line) {
     link.outgoing.clear();
     send(line);
@@ -228,7 +228,7 @@ bool keep(KerfTables& tables, const OwnedTable<float>& table) {
   return !tables.check() && !tables.keep();
 }
 
-/// -1 where there is no such table.
+/// Returns the width in mm, or -1 if the table does not exist.
 float width_of(KerfTables& tables, std::string_view name) {
   const auto index = tables.find(name);
   if (!index.ok()) return -1.0F;
@@ -238,8 +238,9 @@ float width_of(KerfTables& tables, std::string_view name) {
   return kerf::kerf_width(table.value(), {1000, 1'000'000, 3'000'000}).value();
 }
 
-/// Of two tables one is replaced, forgotten and written again; the power goes at each operation of
-/// flash on the way: afterwards it is the old one or the new one, whole, and the other as it was.
+/// Replaces, deletes and rewrites one of two tables, and cuts the power at each flash operation in
+/// between. Afterwards the table is the complete old or the complete new one, and the other table
+/// is unchanged.
 TEST(KerfTablesInFlash, AreOldOrNewWhereverThePowerGoes) {
   using hal::host::CutKind;
   for (const CutKind kind :

@@ -53,7 +53,8 @@ TEST(LineAssembler, CountsEmptyLines) {
   EXPECT_EQ(texts_of("\r\n\r\n"), (Texts{"", ""}));
 }
 
-// Nobody ends a line with LF CR; what does is a line and an empty one.
+// No known sender ends a line with LF CR. LF CR counts as the ends of two lines, the second of
+// which is empty.
 TEST(LineAssembler, TakesFeedReturnForTwo) {
   EXPECT_EQ(texts_of("G0\n\rG1\n\r"), (Texts{"G0", "", "G1", ""}));
 }
@@ -110,14 +111,15 @@ TEST(LineAssembler, GivesBackEveryLineOfRandomText) {
   proof::Random random{seed};
   const char* const ends[]{"\r", "\n", "\r\n"};
   for (int trial = 0; trial < 2'000; ++trial) {
-    // One kind of end for a text: CR before an empty line that ends in LF is CR LF.
+    // A text uses one kind of line end: CR before an empty line that ends with LF would be CR LF.
     const std::string_view end = ends[random.below(3)];
     std::string bytes;
     std::vector<Line> wanted;
     for (std::size_t count = random.below(20); count > 0; --count) {
       std::string text(random.below(24), ' ');
       for (char& c : text) c = static_cast<char>(' ' + static_cast<char>(random.below(90)));
-      std::erase_if(text, [](char c) { return c == '(' || c == ';'; });  // No comments.
+      // Without comments, so that no text is removed from the line.
+      std::erase_if(text, [](char c) { return c == '(' || c == ';'; });
       bytes.append(text).append(end);
       wanted.push_back({text.substr(0, 16), text.size() > 16});
     }

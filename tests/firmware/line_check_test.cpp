@@ -21,7 +21,7 @@ std::string with_sum(const std::string& line) {
   return line + "*" + std::to_string(sum);
 }
 
-/// The controller as a sender of checked lines sees it.
+/// The controller as a sender of checked lines uses it.
 class CheckedLines : public ControllerTest {
  protected:
   std::vector<std::string> say(const std::string& bytes) {
@@ -51,7 +51,7 @@ TEST_F(CheckedLines, TakesMarlinsLinesAndAnswersAsMarlinDoes) {
   EXPECT_DOUBLE_EQ(x_mm(), 2.0);
 }
 
-/// A program that has numbers and sums of its own comes from a sender that can repeat nothing.
+/// A program that contains line numbers and checksums comes from a sender that cannot repeat lines.
 TEST_F(CheckedLines, WithoutM110NumbersAreTheProgramsOwn) {
   for (const char* line :
        {"N1 G1 X1 F600", "N10 G91", "N20 X1", "N20 X1", "N5 X1", "X1", "N6 X1 "}) {
@@ -105,7 +105,7 @@ TEST_F(CheckedLines, ACommentMayFollowTheCheck) {
   EXPECT_EQ(sum("N1 G1 X1 F600"), one("ok"));
 }
 
-/// Of a line that is too long the text of comments is dropped, and the check covers it.
+/// The text of comments in a line that is too long is dropped, but the check covers it.
 TEST_F(CheckedLines, TheCheckCoversAllThatIsDroppedOfALongLine) {
   const std::string comment = "(" + std::string(300, 'x') + "*7)";
   const std::string rest = ";" + std::string(300, 'y');
@@ -142,7 +142,7 @@ TEST_F(CheckedLines, UnderTheCrcALongLineIsTaken) {
 }
 
 TEST_F(CheckedLines, BeginAsOtherHostsSay) {
-  // OctoPrint, Repetier-Host, Printrun (whose first line is N0), a plain one.
+  // M110 as OctoPrint, Repetier-Host, Printrun (first line N0) and a plain sender write it.
   for (const char* begin :
        {"N0 M110 N0*125", "N0 M110*35", "M110 N0*35", "m110*93", "M110", "M110 N0"}) {
     say("\x18");
@@ -165,7 +165,7 @@ TEST_F(CheckedLines, UnderTheSumLinesWithoutANumberComeInBetween) {
   EXPECT_EQ(sum("G1 X9"), (std::vector<std::string>{"Resend: 2", "ok"})) << "lost its number";
   run_until_idle();
   EXPECT_DOUBLE_EQ(x_mm(), 2.0);
-  // Nobody who sums up knows of pairs.
+  // Senders that use the sum do not double their realtime bytes.
   EXPECT_EQ(sum("N2 G1 X50"), one("ok"));
   say("!");
   EXPECT_EQ(machine.state(), MachineState::kHold);
@@ -182,7 +182,8 @@ TEST_F(CheckedLines, EveryLineHasOneAnswer) {
         int answers = 0;
         for (const std::string& said : say(std::string(line) + "\n")) {
           const bool resend = said.starts_with("Resend:");
-          const bool marlins = resend && said.find('*') == std::string::npos;  // Its ok follows.
+          // In this case an `ok` follows.
+          const bool marlins = resend && said.find('*') == std::string::npos;
           if ((resend && !marlins) || said.starts_with("Dropped: ") || said.starts_with("error:") ||
               said == "ok") {
             ++answers;
@@ -217,7 +218,7 @@ TEST_F(CheckedLines, RefuseWhateverIsPlainOrOfTheOtherForm) {
   EXPECT_EQ(port.position[0], 0);
 }
 
-/// Of what is in flight behind a gap nothing is taken.
+/// Lines in flight behind a gap are not accepted.
 TEST_F(CheckedLines, OneGapIsAskedForOnce) {
   const auto asked = [this](const std::string& bytes) {
     auto said = say(bytes);
@@ -229,15 +230,15 @@ TEST_F(CheckedLines, OneGapIsAskedForOnce) {
   for (int n = 2; n < 20; ++n)
     flight += with_crc("N" + std::to_string(n) + " G91 G1 X1 F9000") + "\n";
   EXPECT_EQ(asked(flight), one(with_crc("Resend: 1")));
-  // The answer was lost with the resent line: the numbers begin again.
+  // The resent line was lost. As the numbers begin at 2 once more, the request is repeated.
   EXPECT_EQ(asked(flight), one(with_crc("Resend: 1")));
   const std::string first = with_crc("N1 G91 G1 X1 F9000") + "\n";
   EXPECT_EQ(say(first + flight).size(), 19U);
   run_until_idle();
   EXPECT_DOUBLE_EQ(x_mm(), 19.0);
-  // All of it again: taken already, and so it is said, once.
+  // All lines are sent once more. They were accepted before, which is reported once.
   EXPECT_EQ(asked(first + flight), one(with_crc("Resend: 20 N19")));
-  // What is missing behind what was repeated is asked for.
+  // The line that is missing behind the repeated lines is requested.
   EXPECT_EQ(crc("N21 G1 X1"), one(with_crc("Resend: 20")));
   run_until_idle();
   EXPECT_DOUBLE_EQ(x_mm(), 19.0);
@@ -265,7 +266,7 @@ TEST_F(CheckedLines, EndWithAResetAndWithSilence) {
   crc("N0 M110");
   run(5100);
   EXPECT_EQ(say("G1 X1 F600\n"), one("ok"));
-  // Whoever was only slow goes on counting.
+  // A sender that was only slow goes on counting.
   EXPECT_EQ(crc("N1 G1 X1"), one(with_crc("ok N1")));
   EXPECT_EQ(say("G1 X1 F600\n"), one(with_crc("Resend: 2")));
 }
@@ -282,7 +283,7 @@ TEST_F(CheckedLines, AreNotMissedWhileALineWaits) {
 TEST_F(CheckedLines, RealtimeBytesActInPairsBetweenLinesOnly) {
   crc("N0 M110");
   crc("N1 G1 X100 F600");
-  // Damage turns a 1 into !, X into 0x18, a blank into 0xA0.
+  // Here, damage changes a 1 to !, an X to 0x18, a blank to 0xA0.
   EXPECT_EQ(say("N2 G1 \x18"
                 "20 F6!!00\xA0\xA0(?)*12345678\n"),
             one(with_crc("Resend: 2")));

@@ -115,7 +115,7 @@ TEST_F(LineProtocolTest, RefusesSettingsOutOfRange) {
             "[MSG:6: value is below the range of this setting: 1.000 to 1000000.000 mm/min]");
 }
 
-// Senders take any line with one of these words for an acknowledgement.
+// Senders take any line that contains one of these words for an acknowledgement.
 TEST_F(LineProtocolTest, SaysOkAndErrorOnlyInAcknowledgements) {
   const char* const lines[]{"G1 X1",     "G0 X",         "G2 X1 I5 F9", "G2 X1 R0 F9",
                             "G6 X1",     "X1e5",         "((a)",        "(a",
@@ -143,7 +143,7 @@ TEST_F(LineProtocolTest, AnswersALineOnlyWhenItIsPlanned) {
   for (int k = 1; k <= 200; ++k) lines += "G1 F600 X" + std::to_string(k % 2) + "\n";
   stream(lines);
   run(20);
-  EXPECT_LT(answers().size(), 136U);  // 128 blocks, and a few that wait.
+  EXPECT_LT(answers().size(), 136U);  // 128 blocks, and a few that are waiting.
   run_until_idle();
   EXPECT_EQ(answers().size(), 200U);
 }
@@ -182,7 +182,8 @@ TEST_F(LineProtocolTest, AnswersRandomBytesLineByLine) {
 // ByteStream: a short count is backpressure, not an error.
 TEST_F(LineProtocolTest, LosesNoAnswerOnALinkThatIsBusy) {
   std::string lines;
-  for (int k = 0; k < 60; ++k) lines += "G1 X1\n";  // Refused: F is missing.
+  // The controller refuses the line because F is missing.
+  for (int k = 0; k < 60; ++k) lines += "G1 X1\n";
   stream(lines);
   for (int k = 0; k < 1000; ++k) {
     link.room = 64;  // Bytes per millisecond: 640 kBd.

@@ -7,7 +7,7 @@ namespace {
 
 using Change = LinkChoice::Change;
 
-/// A link in memory that somebody opens and closes.
+/// A link in memory that a test opens and closes.
 class MemorySession final : public hal::SessionStream {
  public:
   std::size_t read(std::span<std::byte> into) override { return number == 0 ? 0 : link.read(into); }
@@ -119,7 +119,7 @@ TEST_F(LinkChoiceTest, AResetIsHeardAlsoInTheRestOfALine) {
   EXPECT_EQ(heard(), "\x18?$\n");
 }
 
-/// The whole controller when senders come and go.
+/// Tests the complete controller while senders connect and disconnect.
 using SenderTest = ControllerTest;
 
 TEST_F(SenderTest, WhoComesIsGreetedAndNothingIsReset) {

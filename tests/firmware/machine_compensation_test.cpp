@@ -5,12 +5,12 @@
 namespace cnc {
 namespace {
 
-/// G41.1, G42.1 and G40, seen on the motors: 250 steps to a millimetre.
+/// Tests G41.1, G42.1 and G40 by the positions of the motors, at 250 steps/mm.
 class MachineCompensationTest : public ControllerTest {
  protected:
   MachineCompensationTest() { send_all({"$32=1", "$11=0", "F3000"}); }
 
-  /// mm from a place to the nearest that the tool has been to with the beam on.
+  /// Returns the distance in mm from a point to the nearest position of the tool with the beam on.
   [[nodiscard]] double nearest(double x, double y) const {
     double least = 1.0e9;
     for (const Sight& sight : sights) {
@@ -28,7 +28,7 @@ class MachineCompensationTest : public ControllerTest {
 
 TEST_F(MachineCompensationTest, DrivesHalfTheWidthBesideASquareAndBackOntoThePath) {
   send_all({"G0 X20 Y8", "M4 S1000", "G41.1 D4 G1 X20 Y0", "X40", "Y20", "X0", "Y0", "X20"});
-  // On the inside, from the waste.
+  // The entry is from the waste inside.
   EXPECT_EQ(send("G40 G1 X20 Y5"), "ok");
   run_until_idle();
   EXPECT_NEAR(x_mm(), 20.0, 0.01);
@@ -66,7 +66,7 @@ TEST_F(MachineCompensationTest, RefusesBeforeMotionWhatCannotBeCutWithItsLine) {
   EXPECT_NEAR(x_mm(), 1.0, 0.01);
 }
 
-/// More is held than is planned in a turn.
+/// The interpreter holds more actions than a cycle can plan.
 TEST_F(MachineCompensationTest, G40WaitsForRoomForAllThatIsHeld) {
   send_all({"G0 X30 Y0", "M4 S600 F6000", "G41.1 D1.5 G1 X32 Y6", "X10", "G2 X5 Y11 I0 J5"});
   send_all({"G1 Y40", "X40 Y44", "X55 Y6", "X32", "G40 G1 X34 Y0"});

@@ -12,7 +12,7 @@ class MachineDoorTest : public ControllerTest {
     port.panel.door = open;
     run(5);
   }
-  /// Until all is restored.
+  /// Runs until the machine has restored everything.
   void wait_while_restoring() {
     for (int left = 10'000; substate() == 3 && left > 0; --left) {
       run(1);
@@ -20,7 +20,8 @@ class MachineDoorTest : public ControllerTest {
     }
     EXPECT_NE(substate(), 3);
   }
-  /// `[MSG:17.204 mm are uncut from 12.000,…`, to 0.1 mm and a cycle of 0.1 mm.
+  /// Expects `[MSG:17.204 mm are uncut from 12.000,…` within 0.1 mm and the distance of a cycle,
+  /// 0.1 mm.
   void expect_uncut(double from_x, double length_mm) const {
     const std::string words = " mm are uncut from ";
     const std::size_t place = link.outgoing.find(words);
@@ -173,7 +174,7 @@ TEST_F(MachineDoorTest, SaysOfALostLinkHowMuchIsUncut) {
   expect_uncut(0.004 * dark_from, 0.004 * (port.position[0] - dark_from));
 }
 
-/// The place where the beam went dark is known to a cycle then.
+/// In these cases the position at which the beam went off is known within the distance of a cycle.
 TEST_F(MachineDoorTest, SaysHowFarTheMotorsCameWhereTheBrakingIsCutOff) {
   const std::vector<std::pair<const char*, std::function<void()>>> ends{
       {"reset", [this] { machine.reset(); }},
@@ -215,8 +216,8 @@ TEST_F(MachineDoorTest, NothingIsUncutWhereNothingWasToBeLit) {
   EXPECT_EQ(link.outgoing.find("uncut"), std::string::npos) << link.outgoing;
 }
 
-/// A slow shaper lets the light come long after the plan, and in that time more blocks go by than
-/// are kept.
+/// With a slow shaper, the beam follows long after the plan. In that time more blocks are finished
+/// than are kept.
 TEST_F(MachineDoorTest, HoldsWhereThePathIsNotKnownAnyMore) {
   send_all({"$32=1", "$120=20000", "$121=20000", "$810=2", "$820=10", "M3 S1000"});
   for (int line = 1; line <= 600; ++line) {

@@ -5,7 +5,7 @@ namespace {
 
 class MachineJogTest : public ControllerTest {
  protected:
-  /// Error number of a refused jog, 0 for one that is taken.
+  /// Returns the error number of a refused jog, 0 for an accepted one.
   int jog(std::string_view words) {
     for (int left = 10'000; machine.busy() && left > 0; --left) run(1);
     const auto refusal = machine.jog(words);

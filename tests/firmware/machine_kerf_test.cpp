@@ -8,15 +8,15 @@
 namespace cnc {
 namespace {
 
-/// Half of what 1800 W cut in 2 mm of CSP 1N (Park and Ahn 2007, Table 3, Q in J/mm) at a speed in
-/// mm/s, wherever somebody has cut (Table 2).
+/// Returns half of the kerf in mm that 1800 W cut in 2 mm of CSP 1N (Park and Ahn 2007, Table 3, Q
+/// in J/mm) at a speed in mm/s. The speed is limited to the range of the measured cuts (Table 2).
 double half_kerf(double speed) {
   return 0.5 * (0.0061 * 1800.0 / std::clamp(speed, 50.0, 250.0 / 3.0) + 0.560);
 }
 
 constexpr double kProgrammed = 4000.0 / 60.0;
 
-/// G41 and G42 by the kerf of a material, seen on the motors.
+/// Tests G41 and G42 with the kerf of a material by the positions of the motors.
 class MachineKerfTest : public ControllerTest {
  protected:
   MachineKerfTest() {
@@ -31,7 +31,7 @@ class MachineKerfTest : public ControllerTest {
     sights.clear();
   }
 
-  /// The edges of a hole, from the waste within, and out again.
+  /// Cuts the edges of a hole from the waste inside, and moves out of the edge.
   void cut_hole() {
     send_all({"G1 X30 Y0", "Y20", "X0", "Y0", "X15"});
     send_all({"G40 G1 X15 Y8"});
@@ -39,14 +39,14 @@ class MachineKerfTest : public ControllerTest {
   }
   [[nodiscard]] double x_of(const Sight& sight) const { return sight.position[0] / 1000.0; }
   [[nodiscard]] double y_of(const Sight& sight) const { return sight.position[1] / 1000.0; }
-  /// To the nearest edge of the hole, positive inside.
+  /// Returns the distance in mm to the nearest edge of the hole, positive inside.
   [[nodiscard]] double to_edge(const Sight& sight) const {
     const double x = x_of(sight);
     const double y = y_of(sight);
     return std::min({x, 30.0 - x, y, 20.0 - y});
   }
 
-  /// mm/s at a sight, over 5 ms; none at the ends.
+  /// Returns the speed in mm/s at a sight, over 5 ms; nothing at the ends.
   [[nodiscard]] std::optional<double> speed_at(std::size_t index) const {
     constexpr std::uint64_t kHalf = 10'000;  // ticks
     std::size_t from = index;
@@ -56,7 +56,7 @@ class MachineKerfTest : public ControllerTest {
     const double ticks = static_cast<double>(sights[to].tick - sights[from].tick);
     if (ticks < 2.0 * kHalf) return std::nullopt;
     double way = 0.0;
-    // Around a corner it is longer than the chord.
+    // Around a corner the path is longer than the chord.
     const Sight* last = &sights[from];
     for (const std::size_t next : {(from + index) / 2, index, (index + to) / 2, to}) {
       way += std::hypot(x_of(sights[next]) - x_of(*last), y_of(sights[next]) - y_of(*last));
@@ -64,12 +64,13 @@ class MachineKerfTest : public ControllerTest {
     }
     return way / (ticks / 4.0e6);
   }
-  /// The greatest difference between what is left to the edge and half of what is cut there.
+  /// Returns the greatest difference between the distance to the edge and half of the kerf at that
+  /// speed.
   [[nodiscard]] double worst_edge() const {
     double worst = 0.0;
     for (std::size_t i = 0; i < sights.size(); ++i) {
       const Sight& sight = sights[i];
-      // The speed over a corner is none of either edge.
+      // The speed around a corner belongs to neither edge.
       const bool corner = std::max(std::min(x_of(sight), 30.0 - x_of(sight)),
                                    std::min(y_of(sight), 20.0 - y_of(sight))) < 0.5;
       const bool entry_or_exit = std::abs(x_of(sight) - 15.0) < 3.0 && y_of(sight) < 10.0;
@@ -97,7 +98,8 @@ TEST_F(MachineKerfTest, KeepsTheKerfByThePowerOfTheSpeed) {
   EXPECT_NEAR(y_of(sights.back()), 8.0, 0.001);
 }
 
-/// Or it would be burnt where the exit begins; what comes after is as M3 says.
+/// At the start of the exit the power still follows the speed, as constant power would burn this
+/// point. The motions after the exit have the constant power of M3.
 TEST_F(MachineKerfTest, KeepsItAtTheStartOfTheExit) {
   send_all({"M3", "G41 G1 X15 Y0"});
   cut_hole();
@@ -151,7 +153,8 @@ TEST_F(MachineKerfTest, RoundACircleToo) {
   EXPECT_LT(worst, 0.005);
 }
 
-/// At three quarters of the feed the motors are beside the plan all the way, past joints, too.
+/// At three quarters of the feed the motors run beside the plan along the complete path, including
+/// joints.
 TEST_F(MachineKerfTest, PastTheJointsOfArcs) {
   send_all({"$860=1", "M3", "G41 G1 X20 Y8", "G3 X15 Y13 I-5", "G3 X15 Y3 J-5", "G3 X20 Y8 J5"});
   send_all({"G3 X15 Y13 I-5", "G40 G1 X15 Y11"});
@@ -169,7 +172,7 @@ TEST_F(MachineKerfTest, PastTheJointsOfArcs) {
   EXPECT_LT(worst, 0.005);
 }
 
-/// So that the corners of the hole are where they are drawn.
+/// The corners of the hole are exactly where they are drawn.
 TEST_F(MachineKerfTest, MeetsTheShiftedWayBehindACorner) {
   send_all({"$860=1", "M3", "G41 G1 X15 Y0"});
   cut_hole();

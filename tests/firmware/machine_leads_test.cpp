@@ -1,5 +1,5 @@
-// Programs with G41 and G42 as CAM programs and LinuxCNC's examples write them, in a small size,
-// from lines of text to the motors.
+// Tests small versions of programs with G41 and G42 as CAM programs and LinuxCNC's examples write
+// them, from lines of text to the motors.
 #include <cmath>
 
 #include "tests/firmware/controller_test.hpp"
@@ -7,7 +7,7 @@
 namespace cnc {
 namespace {
 
-/// 250 steps to a millimetre; a tool of 2 mm is number 4.
+/// The machine has 250 steps/mm. A tool of 2 mm is number 4.
 class MachineLeadsTest : public ControllerTest {
  protected:
   MachineLeadsTest() { send_all({"$11=0", "F3000", "G10 L1 P4 R1"}); }
@@ -18,7 +18,8 @@ class MachineLeadsTest : public ControllerTest {
     EXPECT_EQ(link.outgoing.find("ALARM"), std::string::npos) << link.outgoing;
     EXPECT_EQ(machine.interpreter().position(), machine.motion().target());
   }
-  /// mm from a point of the plane to the nearest at which the tool has been, at any height.
+  /// Returns the distance in mm from a point of the plane to the nearest position of the tool, at
+  /// any height.
   [[nodiscard]] double nearest(double x, double y) const {
     double least = 1.0e9;
     for (const Sight& sight : sights) {
@@ -200,7 +201,7 @@ TEST_F(MachineLeadsTest, D0WithoutAToolDrivesAsProgrammed) {
   EXPECT_LT(nearest(5.0, 5.0), 0.01);
 }
 
-/// Where the tool goes only up after G40 it stays beside the path.
+/// If the tool only rises after G40, it remains beside the path.
 TEST_F(MachineLeadsTest, AToolIsLiftedBeforeTheExit) {
   send_all({"G0 X-5 Y5", "G41.1 D2 G1 X0 Y5", "Y20", "G40", "G0 Z5"});
   run_until_idle();
@@ -210,7 +211,7 @@ TEST_F(MachineLeadsTest, AToolIsLiftedBeforeTheExit) {
   expect_driven({"G0 X30 Y0"});
 }
 
-/// So does nc_files/gmoccapy_2_tools….
+/// nc_files/gmoccapy_2_tools… does the same.
 TEST_F(MachineLeadsTest, AMotionToWhereTheProgramIsLeadsBack) {
   send_all({"G0 X-5 Y5", "G41.1 D2 G1 X0 Y5", "Y20", "G40", "G0 Z5"});
   run_until_idle();

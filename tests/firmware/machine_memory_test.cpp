@@ -15,7 +15,7 @@ namespace cnc {
 namespace {
 
 constexpr std::size_t kBytes = 32;
-constexpr int kMaxPieces = 128;  ///< Of a millisecond each on the chip.
+constexpr int kMaxPieces = 128;  ///< On the chip, a piece takes a millisecond.
 
 bool finds_damage(Machine& machine) {
   for (int piece = 0; piece < kMaxPieces; ++piece) {
@@ -24,7 +24,7 @@ bool finds_damage(Machine& machine) {
   return false;
 }
 
-/// As radiation does it: past the type.
+/// Flips a bit of an object, as radiation does, without regard to its type.
 template <typename Object>
 void turn(const Object& object, std::size_t byte, unsigned bit) {
   unsigned char value = 0;
@@ -34,7 +34,7 @@ void turn(const Object& object, std::size_t byte, unsigned bit) {
   std::memcpy(at, &value, 1);
 }
 
-/// Settings and places that turn over in memory while nobody changes them.
+/// Tests settings and positions whose bits change in memory without a command.
 class MachineMemoryTest : public ControllerTest {
  protected:
   bool is_found() { return finds_damage(machine); }
@@ -88,7 +88,7 @@ TEST_F(MachineMemoryTest, AChangeDoesNotHideWhatTurnedOverBefore) {
   EXPECT_TRUE(is_found());
 }
 
-/// Outputs that do something while settings are being applied.
+/// Outputs that call a function while settings are being applied.
 class BusyOutputs final : public hal::AuxiliaryOutputs {
  public:
   void set_spindle(bool, bool) override {
@@ -102,7 +102,8 @@ class BusyOutputs final : public hal::AuxiliaryOutputs {
   std::function<void()> meanwhile;
 };
 
-// A jerk of 0 that becomes a trace of one is of no range that would refuse it.
+// A jerk of 0 that turns into a tiny value violates no range, so the settings alone do not reveal
+// it.
 TEST(MachineMemory, WhatTurnsOverWhileSettingsAreAppliedIsNotTrusted) {
   for (std::size_t row = 0; row < setting_table().size(); ++row) {
     hal::host::RecordingPort port;
@@ -117,7 +118,7 @@ TEST(MachineMemory, WhatTurnsOverWhileSettingsAreAppliedIsNotTrusted) {
   }
 }
 
-// A jerk that became 2 mm/s³ would leave the beam lit on one place.
+// With a jerk of 2 mm/s³ the beam would stay on one point for long.
 TEST_F(MachineMemoryTest, IsFoundBeforeAnyMotionThatFollowsFromIt) {
   send_all({"$32=1", "M3 S500", "G1 X1 F3000"});
   run_until_idle();

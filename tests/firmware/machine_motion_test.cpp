@@ -33,7 +33,8 @@ TEST_F(MachineMotionTest, EndsArcsAndHelicesExactly) {
   EXPECT_EQ(port.position[2], 750);
 }
 
-// The chord of an arc is counted turned by 90 degrees, too: 20 m along Y in the steps of X.
+// The chord of an arc is also counted after a rotation by 90 degrees: 20 m along Y in the steps of
+// X.
 TEST_F(MachineMotionTest, GoesNoFartherThanTheFinestStepsOfALinearAxisReach) {
   send_all({"$100=100000", "$111=1000000", "$121=100000", "F900000"});
   EXPECT_EQ(send("G3 Y20000 R1000000"), "error:33");
@@ -61,7 +62,7 @@ TEST_F(MachineMotionTest, GoesOnWithHundredsOfBlocksWithoutStarving) {
   EXPECT_EQ(answers().size(), 400U);
 }
 
-// A main loop that planned on while it was late fell back by 19 turns, and motion was cut off.
+// A late main loop must not plan further, or it would fall behind until the motion is cut off.
 TEST_F(MachineMotionTest, TakesNothingNewWhileTheMainLoopCatchesUp) {
   for (int boundary = 0; boundary < 5; ++boundary) application.begin_turn();
   for (int turn = 0; turn < 3; ++turn) {
@@ -80,7 +81,7 @@ TEST_F(MachineMotionTest, TakesNothingNewWhileTheMainLoopCatchesUp) {
   EXPECT_LT(machine.motion().blocks_free(), free);
 }
 
-// What speeding up takes is next to nothing here, and must not be lost in it.
+// The distance for speeding up is very small here, and must not be lost by rounding.
 TEST_F(MachineMotionTest, DrivesSlowFeeds) {
   send_all({"G1 X0.5 F10"});
   run_until_idle();
@@ -96,7 +97,7 @@ TEST_F(MachineMotionTest, DrivesALongWaySlowly) {
   EXPECT_EQ(machine.alarm(), Alarm::kNone);
 }
 
-// At the end of a long way a rounded place must not leave a rest of speed.
+// At the end of a long path, a rounded position must not leave a residual speed.
 TEST_F(MachineMotionTest, EndsEveryWayAtRest) {
   for (const int millimetres : {1, 7, 30, 77, 150, 280}) {
     for (const int feed : {30, 60, 100, 300, 1000}) {
@@ -124,10 +125,10 @@ TEST_F(MachineMotionTest, WaitsOutADwellBetweenMoves) {
   }
 }
 
-// The main loop may have been away for a while when the dwell begins.
+// The main loop may have been delayed when the dwell begins.
 TEST_F(MachineMotionTest, NeverDwellsTooShortly) {
   run(1);
-  now += 30 * kTicksPerMillisecond;  // Writing to flash, say.
+  now += 30 * kTicksPerMillisecond;  // A delay such as by writing to flash.
   const double before = seconds();
   EXPECT_EQ(send("G4 P0.1"), "ok");
   EXPECT_GE(seconds() - before, 0.1);
@@ -152,8 +153,8 @@ TEST_F(MachineMotionTest, KeepsTheMotorsWhereTheyAreWhenTheirScaleChanges) {
   EXPECT_EQ(port.position[0], 5000);
 }
 
-/// Runs lines on a controller of its own, so that a contract that stops the
-/// machine fails this test and no other.
+/// Runs lines on a separate controller, so that a contract that stops the machine fails this test
+/// only.
 void lives_through(const std::vector<std::string_view>& lines) {
   class Desk : public ControllerTest {
     void TestBody() override {}

@@ -20,7 +20,7 @@ TEST_F(MachineOperatorTest, HoldsInTheMiddleOfAMoveAndGoesOn) {
   EXPECT_EQ(machine.state(), MachineState::kHold);
   run(400);
   EXPECT_FALSE(moves());
-  // 100 mm/s at 500 mm/s² are 10 mm, and up to 22 ms were cut already.
+  // Braking from 100 mm/s at 500 mm/s² takes 10 mm; up to 22 ms of motion were sliced before.
   EXPECT_NEAR(x_mm() - at_hold, 11.1, 1.3);
   machine.resume();
   EXPECT_EQ(machine.state(), MachineState::kRun);
@@ -190,7 +190,7 @@ TEST_F(MachineOperatorTest, AnswersTheLineThatAnAbortDropped) {
   EXPECT_EQ(answers().size(), 1U);
 }
 
-// A line that is acknowledged is driven, even the first one after an abort.
+// A line that is acknowledged is driven, even if it is the first one after an abort.
 TEST_F(MachineOperatorTest, DrivesTheLineThatComesRightAfterAnAbort) {
   run(10);
   machine.reset();

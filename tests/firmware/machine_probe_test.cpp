@@ -19,7 +19,7 @@ TEST_F(MachineProbeTest, LatchesThePlaceOfContactAndStops) {
   EXPECT_EQ(machine.alarm(), Alarm::kNone);
   ASSERT_TRUE(machine.last_probe().success);
   EXPECT_EQ(probed_x(), Coordinate{4'000'000});
-  // 10 mm/s at 500 mm/s² are 0.1 mm, and up to 22 ms were cut already.
+  // Braking from 10 mm/s at 500 mm/s² takes 0.1 mm; up to 22 ms of motion were sliced before.
   EXPECT_GE(port.position[0], 1000);
   EXPECT_LE(port.position[0], 1000 + 25 + 60);
   EXPECT_FALSE(application.steps().running());
@@ -126,7 +126,8 @@ TEST_F(MachineProbeTest, IsHeldAndResumedOnItsWay) {
   EXPECT_EQ(probed_x(), Coordinate{8'000'000});
 }
 
-// The hold came while the probe was stopping anyway: nothing moves until resumed.
+// The hold came while the probe was stopping after the contact. Nothing moves until the operator
+// resumes.
 TEST_F(MachineProbeTest, StaysHeldAfterAContact) {
   put_plate_at(1000);
   stream("G38.2 X20 F600\nG0 X0\n");
@@ -148,7 +149,7 @@ TEST_F(MachineProbeTest, IsAbortedOnItsWay) {
   run(10);
   EXPECT_EQ(machine.alarm(), Alarm::kAbortInMotion);
   machine.unlock();
-  send_all({"G1 X10 F600"});  // Touching is nothing to a line.
+  send_all({"G1 X10 F600"});  // A line without probing ignores the contact.
   run_until_idle();
   EXPECT_EQ(port.position[0], 2500);
 }

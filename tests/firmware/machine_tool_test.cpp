@@ -7,7 +7,7 @@ class MachineToolTest : public ControllerTest {
  protected:
   void use_laser() { send_all({"$32=1", "$30=1000"}); }
 
-  /// Greatest power seen while X was between these steps.
+  /// Returns the greatest power while X was between these steps.
   [[nodiscard]] std::uint16_t greatest_power(std::int32_t from, std::int32_t to) const {
     std::uint16_t greatest = 0;
     for (const Sight& sight : sights) {
@@ -33,7 +33,7 @@ TEST_F(MachineToolTest, TurnsTheSpindleOnAndOffInThePlaceOfTheProgram) {
   EXPECT_EQ(port.power, 32'768);
   send_all({"G1 X10 F600"});
   EXPECT_EQ(send("M5"), "ok");
-  EXPECT_EQ(port.position[0], 2500);  // It waited for the motion.
+  EXPECT_EQ(port.position[0], 2500);  // The command waited for the end of the motion.
   EXPECT_FALSE(port.spindle_enabled);
   EXPECT_EQ(port.power, 0);
 }
@@ -195,10 +195,11 @@ TEST_F(MachineToolTest, LosesALinkInALitDwellAsInACut) {
 
 TEST_F(MachineToolTest, ScalesADynamicLaserByItsSpeed) {
   use_laser();
-  send_all({"M4 S1000", "G1 X20 F6000"});  // 100 mm/s after 10 mm.
+  send_all({"M4 S1000", "G1 X20 F6000"});  // The feed of 100 mm/s is reached after 10 mm.
   run_until_idle();
   EXPECT_LT(greatest_power(0, 20), 65'535 / 5);
-  EXPECT_NEAR(greatest_power(620, 630), 65'535 / 2, 1000);  // 2.5 mm: half the speed.
+  // At 2.5 mm the speed is half of the feed.
+  EXPECT_NEAR(greatest_power(620, 630), 65'535 / 2, 1000);
   EXPECT_GT(greatest_power(2400, 2600), 64'000);
   EXPECT_LT(greatest_power(4980, 5000), 65'535 / 5);
 }
@@ -212,7 +213,7 @@ TEST_F(MachineToolTest, ChangesTheLaserWithTheMotionAndNotBefore) {
   EXPECT_EQ(greatest_power(5001, 7499), 0);
 }
 
-// Its power goes with the motion, and so must its enable.
+// The power of the laser follows the motion, so its enable output must do the same.
 TEST_F(MachineToolTest, KeepsTheLaserEnabledUntilItsLastCutIsDone) {
   use_laser();
   stream("M3 S200\nG1 X10 F3000\nM5\n");
@@ -257,7 +258,7 @@ TEST_F(MachineToolTest, SwitchesAnOutputExactlyAtTheStartOfTheNextMotion) {
     }
     if (brighter == 0 && sight.power == 52'428) brighter = sight.tick;
   }
-  // A tick is a quarter of a microsecond: one interrupt after the other.
+  // A tick is 0.25 µs, so the difference is one interrupt.
   EXPECT_NEAR(static_cast<double>(switched), static_cast<double>(brighter), 1.0);
   EXPECT_NEAR(place, 2500, 1);
 }

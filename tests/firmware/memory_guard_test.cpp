@@ -9,7 +9,7 @@
 namespace cnc {
 namespace {
 
-/// Settings and places of some bytes, watched and trusted.
+/// Tests a few bytes of settings and positions that are watched and trusted.
 class Guarded : public testing::Test {
  protected:
   Guarded() {
@@ -20,7 +20,7 @@ class Guarded : public testing::Test {
     guard_.trust_places(7);
   }
 
-  /// Returns whether rounds of small steps find nothing.
+  /// Returns whether rounds of small steps find no difference.
   bool stays_sound() {
     for (int i = 0; i < 100; ++i) {
       if (!guard_.check(8)) return false;

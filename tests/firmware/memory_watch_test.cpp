@@ -16,7 +16,7 @@ class MemoryWatchTest : public testing::Test {
     watch_.accept();
   }
 
-  /// Pieces until a difference is found; 0 where none is in two rounds.
+  /// Returns the number of pieces until a difference is found; 0 if two rounds find none.
   int pieces_until_found(std::size_t bytes) {
     const auto all = static_cast<int>(sizeof numbers_ + sizeof text_);
     for (int piece = 1; piece <= 2 * all; ++piece) {

@@ -79,7 +79,8 @@ TEST_F(MotorEnableTest, MotionWaitsForDriversThatWereOff) {
 
 class EnabledMachineTest : public ControllerTest {
  protected:
-  /// Milliseconds with current before it; a line that nothing follows waits for some in any case.
+  /// Returns the milliseconds with current before the first step. A line that no other line follows
+  /// is delayed in any case.
   int from_current_to_the_first_step() {
     int milliseconds = 0;
     for (int turn = 0; turn < 2000 && port.position[0] == 0; ++turn) {

@@ -28,7 +28,7 @@ TEST(PlaceTrail, KnowsNoDistanceAtFirst) {
   EXPECT_FALSE(trail.is_lit_after(0));
 }
 
-/// A motion that changes its speed within its limit, from any tick and any place on.
+/// Tests a motion that changes its speed within its limit, from any tick and position on.
 TEST(PlaceTrail, KnowsDistancesOfTheLastTenthOfASecond) {
   for (const std::uint64_t seed : proof::Trials{2000}) {
     proof::Random random{seed};
@@ -75,7 +75,7 @@ TEST(PlaceTrail, StandsStillWhileTheClockDoes) {
   EXPECT_NEAR(mm(trail.distance_since(4100, units(8.0))), 2.0, 1.0e-4);
 }
 
-/// While a long braking goes on.
+/// A long braking goes on meanwhile.
 TEST(PlaceTrail, KeepsWhereTheMotionWasWhileItIsHeld) {
   PlaceTrail trail;
   trail.begin(0, 0);
@@ -106,7 +106,7 @@ TEST(PlaceTrail, KnowsUntilWhenItIsLit) {
   trail.note_light(1000);
   EXPECT_TRUE(trail.is_lit_after(999));
   EXPECT_FALSE(trail.is_lit_after(1000));
-  // For longer than a difference of ticks can say.
+  // The time is longer than a difference of 32-bit ticks can represent.
   for (std::uint32_t i = 1; i < 4000; ++i) {
     const std::uint32_t tick = 1000 + i * 4'000'000;
     trail.add(tick, 0);

@@ -11,7 +11,7 @@
 namespace cnc {
 namespace {
 
-/// Writes down the level of every tick.
+/// Records the power level of every tick.
 struct LevelLog {
   std::vector<std::uint16_t> levels;
   void push(const PowerPiece& piece) {
@@ -82,7 +82,7 @@ TEST(PowerShift, NeverLightsBeforeTheMotionNorForItsEnd) {
   EXPECT_EQ(shifted({.off_delay = 4}, {lit(20)}), levels({lit(16), dark(4)}));
 }
 
-/// Any pieces, any timing: as long as the motion, and the steps' wait for it.
+/// With any pieces and any timing, the output is as long as the motion and the delay of the steps.
 TEST(PowerShift, KeepsTheLengthOfTheMotion) {
   std::mt19937 random{proof::test_seed()};
   const auto below = [&random](std::uint32_t limit) {

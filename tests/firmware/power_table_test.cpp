@@ -17,7 +17,7 @@ class PowerTableStatements : public ControllerTest {
     const std::string answer = send(line);
     return answer + " " + (printed().empty() ? "" : printed().front());
   }
-  /// Duty while a long line is driven at its feed.
+  /// Returns the duty while a long line is driven at its feed.
   double duty_at_speed(std::string_view spindle) {
     send_all({"$120=1000", "G21 G91 F3000", spindle, "G1 X20"});
     run(200);

@@ -11,7 +11,7 @@ class ProgressTest : public ControllerTest {
  protected:
   ProgressTest() { send_all({"$32=1", "$120=1000", "M4 S500", "G1 F6000"}); }
 
-  /// On the way to X40 in line 12, and then nobody is at the link any more.
+  /// Disconnects the sender during the motion to X40 in line 12.
   void lose_the_sender() {
     stream("N11 G1 X10\nN12 X40\nN13 Y20\n");
     run(400);
@@ -90,7 +90,7 @@ TEST_F(ProgressTest, OutlivesARestartInMemoryThatIsNotCleared) {
   MemoryLink other;
   Application<hal::host::RecordingPort> again{port, port, port, store, other, nullptr, &kept};
   EXPECT_EQ(again.machine().progress().noted(), progress);
-  // The supply that failed may go on failing: it is stored in the first turn.
+  // The supply may fail once more, so the progress is stored in the first cycle.
   again.poll(hal::TickCount{0});
   Application<hal::host::RecordingPort> later{port, port, port, store, other};
   EXPECT_EQ(later.machine().progress().noted(), progress);
@@ -102,7 +102,7 @@ TEST_F(ProgressTest, OutlivesARestartInMemoryThatIsNotCleared) {
   }
 }
 
-/// Another scale makes it forget, but not the scale that start-up loads.
+/// A change of the scale deletes the progress. Loading the scale at start-up does not.
 TEST_F(ProgressTest, OutlivesTheSettingsThatAreLoadedWithIt) {
   KeptProgress kept;
   const Progress progress{.line = 77, .steps = {1, -2, 3, -4, 5, -6}};

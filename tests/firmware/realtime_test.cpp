@@ -7,7 +7,7 @@
 namespace cnc {
 namespace {
 
-/// Commands, and requests for a report, in the middle of everything.
+/// Tests realtime commands and requests for a report during other activities.
 using RealtimeTest = ControllerTest;
 
 TEST_F(RealtimeTest, TheResetButtonForgetsTheLinesThatWait) {
@@ -54,7 +54,7 @@ TEST_F(RealtimeTest, IgnoresAJogCancelThatCancelsNothing) {
   EXPECT_EQ(x_mm(), 5.0);
 }
 
-// What bCNC does after every job.
+// bCNC sends this after every job.
 TEST_F(RealtimeTest, KeepsThePlaceThroughAResetWhileHeld) {
   send("G1 X5 F600");
   run(100);
@@ -115,7 +115,7 @@ TEST_F(RealtimeTest, SlipsReportsIntoListingsOnASlowLink) {
   EXPECT_EQ(answers(), std::vector<std::string>{"ok"});
 }
 
-// Whatever the machine is doing, a request has its report within 20 ms.
+// In every state of the machine, a request is answered by a report within 20 ms.
 TEST_F(RealtimeTest, AnswersEveryRequestAtOnceInEveryState) {
   const std::uint64_t seed = proof::test_seed();
   SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
@@ -140,7 +140,7 @@ TEST_F(RealtimeTest, AnswersEveryRequestAtOnceInEveryState) {
                              "\xA3",
                              "$H\n",
                              "M3 S100\n"};
-  send("$22=1");  // No switch is near: homing takes its time.
+  send("$22=1");  // No switch is near, so homing takes long.
   std::size_t asked = 0;
   std::set<std::string> states;
   for (; asked < 10'000; ++asked) {

@@ -19,7 +19,7 @@ bool take(Receiver& receiver, char& byte) {
   });
 }
 
-/// A receiver, and what it made of the bytes.
+/// A receiver, and the lines and commands that it made of the bytes.
 class ReceiverTest : public testing::Test {
  protected:
   void receive(std::string_view bytes) {
@@ -73,7 +73,8 @@ TEST_F(ReceiverTest, LetsNoCommentInAnyScriptAct) {
   }
 }
 
-// Outside a comment a letter such as ф (D1 84) is refused later, but no door opens.
+// Outside a comment, a letter such as ф (D1 84) is refused later, but does not act as the door
+// command.
 TEST_F(ReceiverTest, LetsNoCharacterOfTwoBytesActButTheLatinControls) {
   for (int code = 0xC0; code < 0x800; ++code) {
     const std::string utf8{static_cast<char>(0xC0 | code >> 6),
@@ -84,7 +85,8 @@ TEST_F(ReceiverTest, LetsNoCharacterOfTwoBytesActButTheLatinControls) {
 
 TEST_F(ReceiverTest, ActsOnRealtimeBytesRawAndAsUtf8) {
   for (int code = 0x80; code <= 0xBF; ++code) {
-    if (code == 0x80 || code == 0x87) continue;  // Reports, see below.
+    // 0x80 and 0x87 request reports, which a test below checks.
+    if (code == 0x80 || code == 0x87) continue;
     const char byte = static_cast<char>(code);
     receive({&byte, 1});
     EXPECT_EQ(commands(), std::vector<int>{code});
@@ -185,8 +187,8 @@ TEST_F(ReceiverTest, TellsTheAdvertisedRoomOnly) {
   EXPECT_EQ(receiver.advertised_room(), 0U);
 }
 
-// What a byte does depends on the bytes before it, not on how they were grouped;
-// and no byte takes more than its own room.
+// The effect of a byte depends on the bytes before it, not on how they were grouped. No byte
+// occupies more than its own space.
 TEST_F(ReceiverTest, GivesBackEveryLineByteOfRandomTextInOrder) {
   for (const std::uint64_t seed : proof::Trials{300}) {
     proof::Random random{seed};

@@ -14,7 +14,7 @@ class RestLightTest : public testing::Test {
 
   RestLightTest() { light.configure({.greatest_duty = kDuty, .longest_us = 100'000}); }
 
-  /// Milliseconds of light in so many turns.
+  /// Returns the milliseconds with the beam on during `turns` cycles.
   int lit_in(int turns, std::uint16_t duty = kDuty) {
     int lit = 0;
     for (int turn = 0; turn < turns; ++turn) {
@@ -85,14 +85,14 @@ TEST_F(RestLightTest, DotsComeWhenNothingHasMovedForAWhile) {
   EXPECT_FALSE(light.take_refusal());
 }
 
-// The watch of the chip counts by itself, and no longer than this late.
+// The chip's watch counts by itself, and allows at most the main loop's greatest lateness.
 TEST_F(RestLightTest, AllowsTheWatchItsTimeAndNoMore) {
   EXPECT_EQ(light.allowed(), 0);
   light.ask(Wish::kDwell);
   EXPECT_EQ(light.pass(kTurnUs, kDuty), kDuty);
   light.arm();
   unsigned periods = 0;
-  while (light.allowed() == kDuty) ++periods;  // The main loop hangs.
+  while (light.allowed() == kDuty) ++periods;  // The main loop hangs here.
   EXPECT_GE(periods, 100 * RestLight::kPeriodsPerMs);
   EXPECT_LE(periods, 104 * RestLight::kPeriodsPerMs);
   light.disarm();
@@ -102,7 +102,7 @@ TEST_F(RestLightTest, AllowsTheWatchItsTimeAndNoMore) {
 TEST_F(RestLightTest, AllowsTheWatchNothingLongerByGoingOn) {
   light.ask(Wish::kDwell);
   for (int turn = 0; turn < 50; ++turn) {
-    EXPECT_EQ(light.pass(0, kDuty), kDuty);  // Its own time does not pass.
+    EXPECT_EQ(light.pass(0, kDuty), kDuty);  // The time of the watch does not advance.
     light.arm();
     for (unsigned period = 0; period < RestLight::kPeriodsPerMs; ++period) {
       EXPECT_EQ(light.allowed(), kDuty);

@@ -116,8 +116,8 @@ TEST(Configuration, ReadsRatesPerMinuteAndAccelerationPerSecond) {
   EXPECT_FLOAT_EQ(limits.junction_deviation_mm, 0.02F);
 }
 
-// 4 MHz: 5 µs are 20 ticks; a quarter of a microsecond is one.
-/// What plan and backlash have of an axis is what the axis has.
+// The rate and acceleration for taking up backlash are part of those of the axis. The plan has the
+// rest.
 TEST(Configuration, LeavesRoomForTakingUpBacklash) {
   Settings settings;
   const motion::Limits whole = limits_from(settings);
@@ -133,6 +133,7 @@ TEST(Configuration, LeavesRoomForTakingUpBacklash) {
   EXPECT_EQ(motor_stage_from(settings).backlash[1].steps, 0);
 }
 
+// At 4 MHz, 5 µs are 20 ticks and 0.25 µs is one.
 TEST(Configuration, ReadsPulseTimesInTicks) {
   Settings settings;
   EXPECT_EQ(step_timing_from(settings).pulse, 20U);
@@ -151,7 +152,7 @@ TEST(Configuration, NeverShortensAPulseTime) {
   }
 }
 
-// A tenth of its slots, and the way of the interrupt to both edges: a microsecond each.
+// A tenth of the slots remains free, and the interrupt takes a microsecond to reach each edge.
 TEST(Configuration, LeavesEveryMotorTimeToSpareInItsSlots) {
   Settings settings;
   for (float microseconds = 1.0F; microseconds <= 12.0F; microseconds += 0.25F) {

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::uint32_t kTurnUs = 1000;
 
-/// Milliseconds as the watch sees them, beginning shortly before the ticks wrap.
+/// Drives the watch by milliseconds, beginning shortly before the ticks wrap.
 class SilenceWatchTest : public testing::Test {
  protected:
   void hear() { watch.hear(now()); }
@@ -25,7 +25,7 @@ class SilenceWatchTest : public testing::Test {
   }
   void answer() { watch.answer(now()); }
   [[nodiscard]] bool gone(bool owes = true) { return watch.gone(now(), allowed_ms, owes); }
-  /// The first millisecond from now at which it is, or -1.
+  /// Returns the first millisecond at which the sender counts as gone, or -1.
   int gone_after(int max_ms, bool owes = true) {
     for (int ms = 1; ms <= max_ms; ++ms) {
       ++now_ms;
@@ -109,7 +109,8 @@ TEST_F(SilenceWatchTest, OfAnHourOfSilenceNothingWrapsAround) {
   EXPECT_FALSE(watch.polls());
 }
 
-/// Lives by a schedule of its own: polls or does not, and has lines to say within a window.
+/// Simulates a sender that follows a schedule: it polls or does not, and has lines to send within a
+/// window.
 class SilenceWatchRandom : public SilenceWatchTest {
  protected:
   void begin(std::uint64_t seed) {
@@ -144,7 +145,8 @@ class SilenceWatchRandom : public SilenceWatchTest {
       next_line_ms = now_ms + below(250);
     }
   }
-  /// When it is gone, all being answered, if nothing comes any more.
+  /// Returns the time at which the sender must count as gone, if all its lines are answered and no
+  /// byte follows.
   [[nodiscard]] std::uint32_t expected_ms() const {
     if (!polls) return std::max(last_byte_ms, last_answer_ms) + 301;
     std::uint32_t longest_ms = 0;
@@ -163,8 +165,8 @@ class SilenceWatchRandom : public SilenceWatchTest {
   std::uint32_t next_poll_ms = 0, next_line_ms = 0, answer_ms = 0;
 };
 
-/// One that is alive is never gone. Once it is dead it is, in the time that follows from what it
-/// has shown, worked out here from the polls and the answers themselves.
+/// A sender that is alive must never count as gone. A dead sender must count as gone after a time
+/// that depends on its earlier polls and answers. The test computes this time independently.
 TEST_F(SilenceWatchRandom, TheLivingAreLeftAloneAndTheDeadAreNot) {
   for (const std::uint64_t seed : proof::Trials{300}) {
     SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);

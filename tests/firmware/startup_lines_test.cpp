@@ -10,7 +10,7 @@ namespace {
 
 using Lines = std::vector<std::string>;
 
-/// `$N0=` and `$N1=`: lines that are done at each start.
+/// Tests `$N0=` and `$N1=`, the lines that are executed at each start.
 class StartupLinesTest : public ControllerTest {
  protected:
   static constexpr std::string_view kWayOut =
@@ -22,7 +22,7 @@ class StartupLinesTest : public ControllerTest {
     stream("\x18");
     run(200);
   }
-  /// A reset and an unlock, as an operator does after an alarm.
+  /// Resets and unlocks, as an operator does after an alarm.
   void recover() {
     restart();
     EXPECT_EQ(send("$X"), "ok");
@@ -50,7 +50,8 @@ TEST_F(StartupLinesTest, RunAfterAReset) {
   EXPECT_EQ(printed(), (Lines{"Grbl 1.1h ['$' for help]"}));
 }
 
-/// Each begins well and fails later: the answer is an error or an alarm, and nothing of it is kept.
+/// Each line begins correctly and fails later. The answer is an error or an alarm, and no part of
+/// the line is stored.
 TEST_F(StartupLinesTest, AreNotKeptWhereTheyFailLater) {
   EXPECT_EQ(send("$N1=G91"), "ok");
   for (const std::string_view line : {"G41.1 D20 G1 X1 F600", "G38.2 X1 F600", "G38.4 X1 F600"}) {
@@ -87,7 +88,8 @@ TEST_F(StartupLinesTest, AreKeptOnceTheyWereDoneToTheirEnd) {
   EXPECT_EQ(stored_line(1), "G91 G1 X2 F600");
 }
 
-/// Such lines are in stores from elsewhere, or failed only since a setting was changed.
+/// A store can contain such lines if it came from another controller, or if a setting was changed
+/// afterwards.
 TEST_F(StartupLinesTest, ThatFailAtTheStartSayWhyAndLeaveAWayOut) {
   ASSERT_TRUE(StoredState{store}.save_startup_line(1, "G41.1 D20 G1 X1 F600"));
   for (int times = 0; times < 2; ++times) {

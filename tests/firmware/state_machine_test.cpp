@@ -7,14 +7,14 @@
 namespace cnc {
 namespace {
 
-/// The mode after these events, each of which must mean something.
+/// Returns the mode after these events, none of which may be ignored.
 Mode after(std::initializer_list<Event> events) {
   StateMachine machine;
   for (const Event event : events) EXPECT_TRUE(machine.take(event)) << static_cast<int>(event);
   return machine.mode();
 }
 
-/// Whether an event means nothing after these.
+/// Returns whether an event is ignored after these events.
 bool ignored(std::initializer_list<Event> events, Event event) {
   StateMachine machine;
   for (const Event each : events) machine.take(each);

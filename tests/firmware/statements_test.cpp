@@ -12,7 +12,7 @@ namespace {
 /// Statements that begin with `$`.
 class StatementsTest : public ControllerTest {
  protected:
-  /// What the line brings forth, its acknowledgement included.
+  /// Returns all lines that answer `line`, including its acknowledgement.
   std::vector<std::string> lines_of(std::string_view line) {
     link.outgoing.clear();
     send(line);
@@ -185,7 +185,7 @@ TEST_F(StatementsTest, SettingsThatDependOnEachOther) {
   EXPECT_EQ(lines_of("$20")[0], "$20=1") << "soft limits are never switched off silently";
 }
 
-// Whatever the order is in which a backup names its settings, they are the same afterwards.
+// Whatever the order of the settings in a backup, restoring it gives the same settings.
 TEST_F(StatementsTest, SettingsOfABackupInAnyOrder) {
   std::vector<std::string> backup;
   for (const SettingInfo& info : setting_table()) {
@@ -208,7 +208,8 @@ TEST_F(StatementsTest, SettingsOfABackupInAnyOrder) {
   }
 }
 
-// What is asked before homing is what homing requires: $22 without bit 1 homes all axes or none.
+// The requests correspond to the homing that is configured: $22 without bit 1 homes all axes or
+// none.
 TEST_F(StatementsTest, SingleAxesAreHomedOnlyWhereTheirBitAllowsIt) {
   for (const char* line : {"$HX", "$HXY", "$hx", "$H X", "$HZYXABC"}) {
     EXPECT_EQ(send(line), "error:5") << line;

@@ -54,7 +54,7 @@ TEST_F(StatusReportTest, ReportsTheFieldsThatAreChosen) {
   EXPECT_EQ(field(report(), "Bf"), "128,1024");
 }
 
-// Masks of Grbl and of its versions before 1.1, which have bits that 1.1 passes over.
+// Tests masks of Grbl 1.1 and of earlier versions, whose additional bits 1.1 ignores.
 TEST_F(StatusReportTest, KeepsSpeedOffsetAndOverridesForEveryValueOfGrbl) {
   for (int value = 0; value < 32; ++value) {
     send("$10=" + std::to_string(value));

@@ -14,10 +14,11 @@ TEST_F(StepGeneratorTest, ChangesPowerWhereTheSegmentStarts) {
   run();
   const auto changes = port.of_kind(Kind::kPower);
   ASSERT_EQ(changes.size(), 4U);
-  EXPECT_EQ(changes[0].value, 3U);  // At once, as nothing moves.
+  EXPECT_EQ(changes[0].value, 3U);  // The change is immediate, as nothing moves.
   EXPECT_EQ(changes[1].value, 100U);
   EXPECT_EQ(changes[2].value, 200U);
-  // From rest a tick later: the segment is gone over to first, in an interrupt of its own.
+  // From rest the change comes a tick later, because the transition to the segment takes a separate
+  // interrupt.
   EXPECT_NEAR(static_cast<double>(changes[2].tick - changes[1].tick), 4000.0, 1.0);
   EXPECT_EQ(changes[3].value, 3U);
   EXPECT_NEAR(static_cast<double>(changes[3].tick - changes[1].tick), 8000.0, 1.0);
@@ -43,7 +44,7 @@ TEST_F(StepGeneratorTest, ChangesPowerAtTheLevelsOfASegment) {
   EXPECT_EQ(port.position[0], 97);
 }
 
-/// Slow, so that the steps alone would not wake the interrupt often enough.
+/// The motion is so slow that the steps alone would not call the interrupt often enough.
 TEST_F(StepGeneratorTest, LetsThePowerClimbEveryHundredMicroseconds) {
   motion::Segment segment = last(even(4000, 1));
   segment.power = {.growth_q8 = 10 * 256, .first = 5, .interval = 400};
@@ -76,7 +77,7 @@ TEST_F(StepGeneratorTest, KeepsPulsesWholeWhereThePowerChanges) {
   }
 }
 
-/// Steps 40 ticks apart, 20 high and 20 low: whatever the phase, the output is not late.
+/// Steps are 40 ticks apart, 20 high and 20 low. At any phase the output must not be late.
 TEST_F(StepGeneratorTest, ChangesPowerInTheCourseOfASlot) {
   for (std::uint32_t ticks = 4000; ticks < 4040; ++ticks) {
     port = {};
@@ -170,7 +171,7 @@ TEST_F(StepGeneratorTest, SaysOfAnOutputBlockedAtRestThatTheLightEndedThere) {
   EXPECT_EQ(generator.light_ended(), 8000U);
 }
 
-/// The light is as late as the motors' steps have to wait for it.
+/// The power is delayed by the same time as the motors' steps.
 TEST_F(StepGeneratorTest, CountsTheBeamsDelaysAsLight) {
   generator.set_beam_timing({.lag = 1000, .on_delay = 0, .off_delay = 300});
   motion::Segment bright = even(4000, 40);

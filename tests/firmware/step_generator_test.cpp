@@ -38,7 +38,7 @@ TEST_F(StepGeneratorTest, IsNotStarvedByARestBetweenMoves) {
   EXPECT_EQ(port.position[0], 80);
 }
 
-/// The rest of a motion that was cut off would begin at full speed, and with its light.
+/// Otherwise the rest of a motion that was cut off would begin at full speed, with the beam on.
 TEST_F(StepGeneratorTest, StaysWhereItStarvedUntilItIsAborted) {
   motion::Segment segment = even(4000, 40);
   segment.power.first = 50'000;
@@ -86,7 +86,8 @@ TEST_F(StepGeneratorTest, KeepsATimeWithoutSteps) {
   EXPECT_NEAR(static_cast<double>(port.of_kind(Kind::kRaise).at(0).tick), 12'200.0, 1.0);
 }
 
-/// What memory that turned over may make of a segment: each would leave the beam on without a step.
+/// Tests values that a flipped bit in memory may give a segment. Each would leave the beam on
+/// without a step.
 TEST_F(StepGeneratorTest, PlaysNoSegmentLongerThanASlice) {
   motion::Segment segment = last(even(4000, 4));
   segment.ticks |= 1U << 16U;
@@ -128,7 +129,7 @@ TEST_F(StepGeneratorTest, AbortsAtOnceAndForgetsTheRest) {
 
 TEST_F(StepGeneratorTest, LeavesNoPulseHighAfterAnAbort) {
   generator.push(last(even(4000, 40)));
-  run(55);  // Within the first pulse.
+  run(55);  // This is within the first pulse.
   generator.abort();
   run();
   ASSERT_FALSE(port.of_kind(Kind::kRaise).empty());

@@ -11,8 +11,8 @@ namespace {
 
 constexpr std::int64_t kQ16 = 65'536;
 
-/// Random motion of all six motors, none of them asked for more than one step
-/// per slot; what it wants of each is written down.
+/// Random motion of all six motors with at most one step per slot for each. The fixture records the
+/// wanted time of each step.
 class RandomSegments : public StepGeneratorTest {
  protected:
   struct Wanted {
@@ -22,9 +22,9 @@ class RandomSegments : public StepGeneratorTest {
 
   struct Rules {
     bool reverses = false;
-    double shortest_ticks = 1.0;   ///< Of a segment.
-    double shortest_interval = 1;  ///< Of one motor, in ticks, if that is more than a slot / 0.9.
-    bool usual_timing = false;     ///< As delivered, else random.
+    double shortest_ticks = 1.0;   ///< Shortest duration of a segment, ticks.
+    double shortest_interval = 1;  ///< Shortest step interval, ticks; at least a slot / 0.9.
+    bool usual_timing = false;     ///< If true, the timing as delivered, else a random one.
   };
 
   void begin(std::uint64_t seed, const Rules& rules) {
@@ -41,7 +41,7 @@ class RandomSegments : public StepGeneratorTest {
     before = port.position;
   }
 
-  /// firmware/machine/configuration.cpp lets no motor use more than 9 of 10 slots.
+  /// firmware/machine/configuration.cpp limits each motor to 9 of 10 slots.
   [[nodiscard]] std::int64_t legal_q16() const {
     const double legal = std::max(2.0 * timing.pulse / 0.9, rules_.shortest_interval);
     return static_cast<std::int64_t>(std::ceil(legal * kQ16));
@@ -92,7 +92,8 @@ class RandomSegments : public StepGeneratorTest {
     run();
   }
 
-  /// Pushes a segment as soon as there is room: half of the time that waits may be few segments.
+  /// Pushes a segment as soon as there is space. Half of the waiting time may be only a few
+  /// segments.
   void push(const motion::Segment& segment) {
     while (generator.full()) run(generator.ticks_waiting() / 2);
     generator.push(segment);
@@ -126,7 +127,7 @@ class RandomSegments : public StepGeneratorTest {
   AxisArray<std::int64_t> not_before_q16_{};
 };
 
-/// Walks through the edges and keeps the rules of the motor drivers.
+/// Checks all edges against the timing rules of the motor drivers.
 void expect_legal_pulses(const std::vector<Edge>& edges, const StepTiming& timing) {
   std::uint64_t raised = 0;
   std::uint64_t lowered = 0;
@@ -187,7 +188,7 @@ TEST_F(RandomSegments, EmitEveryStepOnceInTheRightDirection) {
   }
 }
 
-// Segments as the planner makes them, but for the ends of phases and blocks.
+// Tests segments as the planner makes them, except for the ends of phases and blocks.
 TEST_F(RandomSegments, EmitEveryStepWithinASlotOfItsTime) {
   for (const std::uint64_t seed : proof::Trials{100}) {
     SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
@@ -197,9 +198,9 @@ TEST_F(RandomSegments, EmitEveryStepWithinASlotOfItsTime) {
   }
 }
 
-// The promise: 25 µs at up to 200 kHz of all motors together, down to segments
-// of two slots. (Blocks of a micrometre make shorter ones, but the look-ahead
-// then keeps them slow; tests/simulation drives those.)
+// Documented bound: 25 µs at up to 200 kHz of all motors together, for segments of two slots or
+// more. (Blocks of a micrometre make shorter segments, but the look-ahead keeps them slow;
+// tests/simulation drives such blocks.)
 TEST_F(RandomSegments, EmitEveryStepWithin25MicrosecondsDownToTwoSlots) {
   constexpr double kPromise = 100.0;
   for (const std::uint64_t seed : proof::Trials{100}) {

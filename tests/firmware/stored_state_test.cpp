@@ -59,11 +59,11 @@ TEST_F(StoredStateTest, TakesTheDeliveredStateForDamagedRecordsAndSaysSo) {
   ASSERT_TRUE(store.save(110, filled(3, 1)));
   EXPECT_EQ(state.load_setting(rate), std::nullopt);
   EXPECT_TRUE(state.damaged());
-  ASSERT_TRUE(store.save(110, filled(4, 0xFF)));  // No number at all.
+  ASSERT_TRUE(store.save(110, filled(4, 0xFF)));  // The bytes represent NaN.
   StoredState second{store};
   EXPECT_EQ(second.load_setting(rate), std::nullopt);
   EXPECT_TRUE(second.damaged());
-  ASSERT_TRUE(store.save(0x4000, filled(48, 0x7F)));  // Out of every range.
+  ASSERT_TRUE(store.save(0x4000, filled(48, 0x7F)));  // The values are out of every range.
   StoredState third{store};
   EXPECT_EQ(third.load_places(), gcode::StoredPlaces{});
   EXPECT_TRUE(third.damaged());

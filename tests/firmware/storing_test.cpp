@@ -8,7 +8,7 @@
 namespace cnc {
 namespace {
 
-/// Every save in any test on this fixture is watched: none while segments are queued.
+/// The fixture watches every save: none may occur while segments are queued.
 class StoringTest : public ControllerTest {
  protected:
   void expect_refused() {
@@ -100,7 +100,7 @@ TEST_F(StoringTest, KeepsAStartupLineBeforeItMovesAnything) {
   EXPECT_EQ(printed().front(), "$N0=G91 G1 X1 F300") << "and the one before stays";
 }
 
-/// With the places, by $# and after power-up.
+/// `$#` lists the radii with the positions, before and after power-up.
 TEST_F(StoringTest, KeepsTheRadiiOfTools) {
   send_all({"G10 L1 P3 R1.5", "G10 L1 P12 R.25"});
   run(20);

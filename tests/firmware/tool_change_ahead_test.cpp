@@ -12,14 +12,14 @@ namespace {
 
 enum class Dialect : std::uint8_t { kPlain, kSum, kCrc };
 
-/// M6 with a sender that is ahead of it by any number of lines, in any dialect.
+/// Tests M6 with a sender that has sent any number of lines behind it, in any dialect.
 class ToolChangeAheadTest : public ControllerTest {
  protected:
   using Lines = std::vector<std::string>;
 
   ToolChangeAheadTest() { link.waits = false; }
 
-  /// A line as its sender writes it, with the next number where the dialect has numbers.
+  /// Returns a line as its sender writes it, with the next number if the dialect has numbers.
   std::string line(const std::string& words) {
     if (dialect == Dialect::kPlain) return words + end;
     const std::string covered = "N" + std::to_string(number++) + " " + words;
@@ -32,7 +32,7 @@ class ToolChangeAheadTest : public ControllerTest {
     for (const char c : covered) sum ^= static_cast<unsigned char>(c);
     return covered + "*" + std::to_string(sum) + end;
   }
-  /// Under the CRC realtime bytes count twice in a row.
+  /// With the CRC, realtime bytes take effect only when sent twice in succession.
   std::string realtime(char byte) const {
     return std::string(dialect == Dialect::kCrc ? 2 : 1, byte);
   }
@@ -44,7 +44,7 @@ class ToolChangeAheadTest : public ControllerTest {
     stream(line("G21 G90 F6000"));
     stream(line("G1 X20"));
   }
-  /// Sends M6, and so many lines or this text behind it.
+  /// Sends M6, followed by `count` lines or by `ahead`.
   void run_to_tool(std::size_t count, std::string ahead = "") {
     stream(line("M6 T2"));
     ahead += lines_ahead(count);
@@ -61,7 +61,7 @@ class ToolChangeAheadTest : public ControllerTest {
       text += line(i % 2 == 0 ? "G1 X20.4 Y0.1" : "G1 X20.2 Y0.2");
     return text;
   }
-  /// Neither moves an axis of the program, nor answers one of its lines.
+  /// Expects that no axis of the program has moved, and that no line of it was answered.
   void expect_nothing_of_the_program() const {
     EXPECT_DOUBLE_EQ(x_mm(), 20.0);
     EXPECT_EQ(port.position[1], 0);
@@ -135,7 +135,7 @@ TEST_F(ToolChangeAheadTest, SaysWhyNoSpaceIsLeftForItsLines) {
   }
 }
 
-/// Realtime bytes of such a link overtake lines, of which some may not have come.
+/// Realtime bytes of such a link overtake lines, some of which may not have arrived.
 TEST_F(ToolChangeAheadTest, IsNotTakenApartFromTheLines) {
   link.waits = true;
   begin(Dialect::kPlain, "\n");
@@ -220,7 +220,7 @@ TEST_F(ToolChangeAheadTest, AnotherSenderGoesOnOrTakesPartItself) {
     stream("\xA3G0 Z5\n");
     run(1000);
     ASSERT_EQ(port.position[2], 1250);
-    stream("G0 X50\n");  // Of which the end is not heard.
+    stream("G0 X50\n");  // The sender is gone before its end.
     run(30);
     application.lose_sender();
     run(1000);

@@ -3,7 +3,7 @@
 namespace cnc {
 namespace {
 
-/// M6 with a sender that takes part (0xA3).
+/// Tests M6 with a sender that takes part in the change (0xA3).
 class ToolChangeTest : public ControllerTest {
  protected:
   using Lines = std::vector<std::string>;
@@ -13,7 +13,7 @@ class ToolChangeTest : public ControllerTest {
     return report.substr(1, report.find_first_of("|:>") - 1);
   }
 
-  /// Drives to X20 and asks for a tool; the lines after it are sent ahead.
+  /// Drives to X20 and requests a tool; the lines in `ahead` are sent behind M6.
   void run_to_tool(std::string_view ahead = "G1 X60 F3000\n") {
     send_all({"G21 G90", "M3 S800"});
     stream("G1 X20 F3000\nM6 T2\n");
@@ -27,7 +27,7 @@ class ToolChangeTest : public ControllerTest {
     stream("\xA3");
     run(20);
   }
-  /// What a line of the change brings forth.
+  /// Returns all lines that answer a line of the change.
   Lines lines_of(std::string_view line) {
     link.outgoing.clear();
     send(line);
@@ -46,7 +46,7 @@ TEST_F(ToolChangeTest, AcknowledgingItStartsNothing) {
   EXPECT_EQ(port.power, 0);
   EXPECT_DOUBLE_EQ(x_mm(), 20.0);
   link.outgoing.clear();
-  acknowledge();  // Once more means nothing.
+  acknowledge();  // A second acknowledgement is ignored.
   EXPECT_EQ(link.outgoing, "");
   stream("~");
   run_until_idle();
@@ -193,7 +193,7 @@ TEST_F(ToolChangeTest, StopsWhatMovesAndStaysOpen) {
     EXPECT_EQ(lines_of("$J=G91 X1 F600"), Lines{"ok"}) << "goes on from where it stands";
     stream("~");
     run(3);
-    stream(stop);  // On the way back, too.
+    stream(stop);  // The stop also acts on the way back.
     run(1000);
     EXPECT_EQ(state(), "Tool");
     EXPECT_FALSE(port.spindle_enabled);

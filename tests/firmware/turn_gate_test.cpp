@@ -9,7 +9,7 @@ namespace {
 
 class TurnGateTest : public testing::Test {
  protected:
-  /// A boundary: the turn's content that comes in, if any does.
+  /// Advances to a boundary. Returns the content of the cycle that is let in, if any.
   std::optional<std::uint32_t> boundary() {
     const Handover* const due = gate.due();
     const std::optional<std::uint32_t> segments =
@@ -69,7 +69,8 @@ TEST_F(TurnGateTest, TurnsAtWhoseBoundaryOneWasLateKnowIt) {
   EXPECT_FALSE(view.late);
 }
 
-/// A main loop that is behind for a while keeps the motors fed with what it has done.
+/// A main loop that is late for a while keeps the motors supplied with the content of finished
+/// cycles.
 TEST_F(TurnGateTest, WhatIsOverComesInWhileLaterTurnsAreLate) {
   for (int i = 0; i < 5; ++i) boundary();
   for (std::uint32_t turn = 0; turn < 50; ++turn) {
@@ -81,7 +82,7 @@ TEST_F(TurnGateTest, WhatIsOverComesInWhileLaterTurnsAreLate) {
   EXPECT_EQ(gate.late(), 2U + 50U);
 }
 
-/// After views that found no room there are turns that no one runs.
+/// After views that found no free space, there are cycles that are never run.
 TEST_F(TurnGateTest, TurnsThatAreNeverRunHoldNothingUp) {
   for (int i = 0; i < 20; ++i) boundary();
   std::uint32_t last = kNone;

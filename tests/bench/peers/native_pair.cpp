@@ -1,9 +1,11 @@
-/// Our offset beside its peer's, whose WebAssembly wasm2c has made C of: both native, in one
-/// process, in turns. offset_peer.mjs builds it, gives it the cases and prints what it finds.
+/// Compares our offset with that of a peer, whose WebAssembly wasm2c has translated to C. Both are
+/// native and run alternately in one process. offset_peer.mjs builds this program, passes the cases
+/// to it and prints the results.
 ///
 /// usage: native_pair PAIRS < CASES
-/// A case is a line: distance, vertices, and x, y and bulge of each vertex. Prints a line of JSON:
-/// cases whose areas differ by more than 1e-6 of what the distance sweeps, and elements a second.
+/// A case is a line: distance, number of vertices, and x, y and bulge of each vertex. Prints a line
+/// of JSON: the number of cases whose areas differ by more than 1e-6 of the area that the distance
+/// sweeps, and elements per second.
 
 #include <time.h>
 
@@ -24,8 +26,8 @@ int our_offset(int number, double distance_mm);
 double our_area();
 }
 
-// What the peer calls while it offsets: polylines are handed over one by one, by their address, to
-// a list that it makes first. Nothing else may be called.
+// Functions that the peer calls while it offsets: it hands over each polyline by its address, to a
+// list that it creates first. It must not call any other function.
 #define FROM_PEER(name) Z_Z2EZ2Fcavalier_contours_web_ffi_bgZ2EjsZ_##name
 #define HOST struct Z_Z2EZ2Fcavalier_contours_web_ffi_bgZ2Ejs_instance_t*
 namespace {
@@ -58,7 +60,8 @@ void FROM_PEER(__wbindgen_throw)(HOST, u32, u32) { std::abort(); }
 
 namespace {
 
-constexpr double kBlockSeconds = 0.6;  // So that the clock does not matter.
+// Long enough that the resolution of the clock does not matter.
+constexpr double kBlockSeconds = 0.6;
 
 struct Case {
   double distance_mm = 0.0;
@@ -96,7 +99,7 @@ bool read_case(std::vector<Case>& cases, std::size_t& elements) {
   return true;
 }
 
-/// Its left is positive.
+/// The peer's positive distance is to the left.
 void offset_by_peer(const Case& one) {
   handed_over.clear();
   Z_peerZ_polyline_parallelOffset(&peer, one.peers, -one.distance_mm, 0);
@@ -118,7 +121,7 @@ void run_ours(const std::vector<Case>& cases) {
   for (const Case& one : cases) our_offset(one.ours, one.distance_mm);
 }
 
-/// What it returns is freed at once.
+/// The peer's results are freed immediately.
 void run_peer(const std::vector<Case>& cases) {
   for (const Case& one : cases) {
     offset_by_peer(one);

@@ -1,5 +1,6 @@
-// Our offset beside the fastest open one, CavalierContours in Rust, on the same contours, in one
-// process, in turns: both as WebAssembly in Node.js, or both native. README.md says what it needs.
+// Compares our offset with the fastest open-source one, CavalierContours in Rust. Both run
+// alternately in one process on the same contours, as WebAssembly in Node.js or both native.
+// README.md lists the requirements.
 //
 // usage: node offset_peer.mjs [--native] [--pairs N] [--only CORPUS]
 
@@ -20,11 +21,12 @@ const { values: asked } = parseArgs({
   },
 });
 
-// As offset_speed.cpp measures them.
+// Numbers of elements as in offset_speed.cpp.
 const kCorpora = { nest: 400, mech: 400, glyphs: 400, spline: 400, star20: 400, star100: 400, star1000: 20 };
 const kGears = [100, 1000, 10_000, 100_000];
 
-const kBlockSeconds = 0.6; // So that the clock and the collector of garbage do not matter.
+// Long enough that the clock's resolution and the garbage collector do not matter.
+const kBlockSeconds = 0.6;
 
 const kPeerFile = 'node_modules/cavalier_contours_wasm/cavalier_contours_web_ffi_bg.wasm';
 const kNames = ['DONT_VECTORIZE', 'NO_MALLOC', 'NO_DEBUG', 'MAX_STATIC_ALIGN_BYTES=0'];
@@ -38,7 +40,7 @@ function call(...words) {
   execFileSync(words[0], words.slice(1), { cwd: repository, stdio: 'inherit' });
 }
 
-/// The planner's offset: the sources of the host's build that it is made of.
+/// Builds the planner's offset from the sources that the host's build uses for it.
 function buildOurs() {
   const sources = ['offset', 'raw_offset', 'clean_outline', 'crowd_trim', 'cutting', 'wide_meeting'];
   sources.push('runs', 'run_selection', 'loop_writer', 'curve');
@@ -54,8 +56,8 @@ function buildOurs() {
   return path.join(repository, program);
 }
 
-/// Ours is the release build's library; wasm2c makes C of the peer, which keeps the bounds of its
-/// memory by pages that may not be read, and so for nothing.
+/// Ours is the library of the release build. wasm2c translates the peer to C. The C code guards the
+/// bounds of its memory by pages that must not be read, which costs no time.
 function buildNative() {
   const inBuild = (name) => `build/peers/${name}`;
   call('wasm2c', '-n', 'peer', inBuild(kPeerFile), '-o', inBuild('peer.c'));
@@ -71,12 +73,12 @@ function buildNative() {
   return path.join(here, 'native_pair');
 }
 
-/// An import that a program must not call while it offsets.
+/// Returns a function for an import that a program must not call while it offsets.
 const refuse = (name) => () => {
   throw new Error(`called ${name}`);
 };
 
-/// Both offset a case by its number, and tell the area of what came out.
+/// Both classes offset the case of a given number, and return the area of the result.
 class Ours {
   name = 'kerfline';
 
@@ -113,9 +115,10 @@ class Ours {
   }
 }
 
-/// It keeps its index of boxes, tolerances and memory as they are by default; what it returns is
-/// freed at once, as a program in its own language would do. Its own wrapper would wrap every
-/// polyline in an object and is made for bundlers: this one has what the offset calls, and less to do.
+/// The peer's index of boxes, tolerances and memory have their default values. Each result is freed
+/// immediately, as a Rust program would do. The peer's own wrapper is made for bundlers and would
+/// wrap every polyline in an object. This class contains only the functions that the offset calls,
+/// and does less work.
 class Peer {
   name = 'cavalier_contours';
 
@@ -129,7 +132,7 @@ class Peer {
     this.wasm = new WebAssembly.Instance(module, imports).exports;
   }
 
-  /// Polylines are handed over one by one, by their address, to a list that it makes first.
+  /// The peer hands over each polyline by its address, to a list that it creates first.
   #provided(name) {
     if (name === '__wbg_polyline_new') return (address) => address;
     if (name.startsWith('__wbg_push_')) return (_, address) => this.found.push(address);
@@ -144,8 +147,8 @@ class Peer {
     return this.wasm.polyline_new(first, vertices.length, true);
   }
 
-  /// Its left is positive, ours right. Loops of the input that cross themselves are none of its
-  /// default's concern, nor of ours.
+  /// The peer's positive distance is to the left, ours to the right. Neither program, with its
+  /// default options, handles loops of the input that cross themselves.
   #offset(polyline, distance) {
     this.found.length = 0;
     this.wasm.polyline_parallelOffset(polyline, -distance, false);
@@ -172,7 +175,7 @@ class Peer {
   }
 }
 
-/// Without elements of no length, which the peer asks its callers to take out.
+/// Removes elements of length zero, which the peer requires its callers to do.
 function withoutRepeats(vertices) {
   return vertices.filter((_, i) => {
     const place = i - (i % 3);
@@ -181,7 +184,7 @@ function withoutRepeats(vertices) {
   });
 }
 
-/// The peer offsets one loop at a time, so that each loop of a contour is a case of its own.
+/// The peer offsets one loop at a time. Each loop of a contour therefore becomes a case.
 function readCases(corpus, count) {
   const program = path.join(repository, 'build/release/tests/bench_offset_cases');
   const text = execFileSync(program, [corpus, String(count)], { maxBuffer: 1 << 28, encoding: 'latin1' });
@@ -199,7 +202,7 @@ function readCases(corpus, count) {
     });
 }
 
-/// As `growth` in offset_speed.cpp: small teeth around a circle.
+/// Returns small teeth around a circle, as `growth` in offset_speed.cpp does.
 function gear(count) {
   const vertices = [];
   for (let i = 0; i < count; ++i) {
@@ -215,7 +218,7 @@ const cpuSeconds = () => {
   return (user + system) * 1e-6;
 };
 
-/// Of `rounds` through all cases.
+/// Returns the processor seconds of `rounds` rounds through all cases.
 function seconds(program, cases, rounds) {
   const { numbers } = cases.get(program);
   const distances = cases.get('distances');
@@ -229,7 +232,8 @@ function seconds(program, cases, rounds) {
 const median = (values) => values.toSorted((a, b) => a - b)[values.length >> 1];
 const million = (value) => (value * 1e-6).toFixed(2).padStart(8);
 
-/// How many of both areas differ by more than 1e-6 of what the distance sweeps.
+/// Returns the number of cases whose two areas differ by more than 1e-6 of the area that the
+/// distance sweeps.
 function disagreements(programs, cases, list) {
   const areas = programs.map((program) =>
     cases.get(program).numbers.map((number, i) => program.area(number, list[i].distance)),
@@ -245,7 +249,8 @@ function disagreements(programs, cases, list) {
   }).length;
 }
 
-/// Without the cases on which the peer panics: after that, its memory is of no more use.
+/// Returns the cases on which the peer does not panic. After a panic, the peer's memory is
+/// unusable.
 function withoutPanics(list, bytes) {
   let trial = new Peer(bytes);
   return list.filter(({ distance, vertices }) => {
@@ -277,7 +282,8 @@ function compareInNode(list, programs) {
   const elements = list.reduce((sum, { vertices }) => sum + vertices.length / 3, 0);
   const differ = disagreements(programs, cases, list);
   const rounds = programs.map((program) => {
-    seconds(program, cases, 1); // Compiled and grown by now.
+    // The code is compiled and the memory has grown when this round ends.
+    seconds(program, cases, 1);
     return Math.max(1, Math.round(kBlockSeconds / seconds(program, cases, 1)));
   });
   const rates = programs.map(() => []);
@@ -296,7 +302,7 @@ function compareNatively(list, program) {
   return JSON.parse(execFileSync(program, [asked.pairs], { input: lines.join('\n') }));
 }
 
-/// Nanoseconds of a call that does nothing.
+/// Returns the nanoseconds of a call that does nothing.
 function emptyCall(program, number) {
   const kCalls = 20_000_000;
   const begun = cpuSeconds();

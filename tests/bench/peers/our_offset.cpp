@@ -1,5 +1,5 @@
-/// The planner's offset behind plain functions, so that it can be called from JavaScript as its
-/// peer is: cases are put in once, then offset as often as is asked. See README.md.
+/// The planner's offset behind plain functions, so that JavaScript can call it as it calls the
+/// peer. Cases are added once, then offset any number of times. See README.md.
 
 #include <cmath>
 #include <cstdlib>
@@ -26,8 +26,8 @@ Slice<Item> all_of(std::vector<Item>& items) {
   return {items.data(), items.size()};
 }
 
-/// Storage that is used again and only grows, as that of sim::ContourOffset, which
-/// throws and so cannot be built here.
+/// Storage that is reused and only grows, as in sim::ContourOffset. That class throws exceptions,
+/// and cannot be compiled here.
 class Offsetter {
  public:
   Result<ContourView<double>, OffsetError> offset(const ContourView<double>& input,
@@ -95,7 +95,7 @@ class Offsetter {
   std::vector<std::uint32_t> result_ends_;
 };
 
-// What is put in stays until the program ends.
+// Cases that were added remain until the program ends.
 std::vector<Case>& cases() {
   static std::vector<Case> kept;
   return kept;
@@ -103,7 +103,7 @@ std::vector<Case>& cases() {
 
 ContourView<double> last_result;
 
-/// Between the chord of an arc and the arc, positive to the right of the chord.
+/// Returns the area between an arc and its chord, positive to the right of the chord.
 double segment_area(const Vertex<double>& from, const Vertex<double>& to) {
   const double quarter = std::atan(from.bulge);
   if (quarter == 0.0) return 0.0;
@@ -118,18 +118,18 @@ void cnc::contract_failed(const char*, const char*, int) { std::abort(); }
 
 extern "C" {
 
-/// A case of one loop with room for so many vertices; its number.
+/// Adds a case of one loop with space for `vertices` vertices, and returns its number.
 int our_add(std::uint32_t vertices) {
   cases().push_back({std::vector<Vertex<double>>(vertices), {vertices}});
   return static_cast<int>(cases().size()) - 1;
 }
 
-/// Where its vertices are written: x, y and bulge of each.
+/// Returns the address at which the case's vertices are to be written: x, y and bulge of each.
 Vertex<double>* our_vertices(int number) {
   return cases()[static_cast<std::size_t>(number)].vertices.data();
 }
 
-/// How many loops the offset has; less than 0 when there is none.
+/// Returns the number of loops of the offset, or a negative number if the offset failed.
 int our_offset(int number, double distance_mm) {
   static Offsetter offsetter;
   const Case& one = cases()[static_cast<std::size_t>(number)];
@@ -138,7 +138,7 @@ int our_offset(int number, double distance_mm) {
   return result.ok() ? static_cast<int>(last_result.loop_ends.size()) : -1;
 }
 
-/// What the last offset encloses, mm².
+/// Returns the area that the last offset encloses, mm².
 double our_area() {
   double area = 0.0;
   for (std::size_t loop = 0; loop < last_result.loop_ends.size(); ++loop) {
@@ -153,7 +153,7 @@ double our_area() {
   return area;
 }
 
-/// Nothing: what a call from outside costs.
+/// Does nothing; measures the cost of a call from outside.
 int our_nothing(int number) { return number; }
 
 }  // extern "C"

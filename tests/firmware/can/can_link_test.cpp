@@ -10,7 +10,7 @@
 namespace cnc {
 namespace {
 
-/// Frames in memory.
+/// A CAN port whose frames are kept in memory.
 class MemoryPort final : public hal::CanPort {
  public:
   bool receive(hal::CanFrame& frame) override {
@@ -34,7 +34,7 @@ class MemoryPort final : public hal::CanPort {
   std::vector<hal::CanFrame> outgoing;
   std::size_t most = 32;
   hal::CanHealth counted{};
-  std::vector<std::uint32_t> heard;  ///< Identifiers that are of use.
+  std::vector<std::uint32_t> heard;  ///< Identifiers that the link has requested to receive.
 };
 
 class CanLinkTest : public testing::Test {
@@ -66,7 +66,7 @@ class CanLinkTest : public testing::Test {
     for (std::byte byte{}; link.take_realtime(byte);) text += static_cast<char>(byte);
     return text;
   }
-  /// Frames with this identifier since the last look.
+  /// Returns the frames with this identifier since the last call.
   std::vector<hal::CanFrame> said(std::uint32_t id) {
     std::vector<hal::CanFrame> found;
     for (const hal::CanFrame& frame : port.outgoing) {
@@ -206,7 +206,7 @@ TEST_F(CanLinkTest, AlarmsAndTheirEndsAreToldOnce) {
   EXPECT_EQ(told[0].data[1], std::byte{0});
 }
 
-/// Whether the node of this number, and it alone, is there.
+/// Returns whether only the node of this number answers.
 TEST_F(CanLinkTest, AnotherNumberIsTakenOnWhenNobodyTalksToIt) {
   const auto is_node = [&](std::uint8_t node) {
     const auto wanted = can::heard_by_node(node);
@@ -246,7 +246,7 @@ TEST_F(CanLinkTest, AMasterGivesItANumberThatCountsFromTheNextReset) {
   EXPECT_EQ(answers[0].data[0], std::byte{0x11});
   EXPECT_EQ(answers[1].data[0], std::byte{0x17});
   EXPECT_EQ(link.session(), 0U) << "that is no sender";
-  link.want_node(0x42);  // As it is stored.
+  link.want_node(0x42);  // The number as it is stored.
   pass_ms(10);
   EXPECT_EQ(link.node(), kNode);
   hear(can::kNetwork, {0x82, 0});

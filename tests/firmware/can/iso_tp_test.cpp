@@ -37,7 +37,7 @@ std::size_t say(IsoTpSender& sender, std::string_view text) {
 class IsoTpTest : public testing::Test {
  protected:
   void take(const Bytes& payload) { receiver.take(payload, now); }
-  /// What the sender has to send, or nothing.
+  /// Returns the next payload that the sender has to send; empty if there is none.
   Bytes next() {
     const auto payload = sender.next(now);
     return payload ? Bytes(payload->span().begin(), payload->span().end()) : Bytes{};
@@ -48,7 +48,7 @@ class IsoTpTest : public testing::Test {
   IsoTpReceiver receiver;
   std::array<std::byte, 256> storage{};
   IsoTpSender sender{storage, 256};
-  TickCount now{0xFFFF'0000U};  // It wraps on the way.
+  TickCount now{0xFFFF'0000U};  // The tick count wraps during the transfer.
 };
 
 using IsoTpReceiving = IsoTpTest;
@@ -226,7 +226,7 @@ TEST(IsoTp, SeparationTimesAreThoseOfTheStandard) {
   }
 }
 
-/// Text from a sender to a receiver over wires that lose some frames.
+/// Transfers text from a sender to a receiver over wires that lose some frames.
 class Wires {
  public:
   Wires(proof::Random& random, double loss) : random_{random}, loss_{loss} {}
@@ -243,7 +243,8 @@ class Wires {
     }
   }
 
-  std::array<std::byte, 512> storage{};  // Longer than what the receiver takes at a time.
+  // The text is longer than the space that the receiver offers at a time.
+  std::array<std::byte, 512> storage{};
   IsoTpSender sender{storage, 512};
   IsoTpReceiver receiver;
 
@@ -277,7 +278,7 @@ TEST(IsoTp, TextPassesWhateverItsPiecesAndWhoeverReadsSlowly) {
   }
 }
 
-/// Each message is a run of one letter and a mark that says how long it is.
+/// Each message is a run of one letter, followed by a mark with its length.
 TEST(IsoTp, OfWhatIsLostNoPartIsEverRead) {
   const proof::Trials trials{2000};
   std::size_t whole = 0;

@@ -19,7 +19,7 @@ constexpr LssSlave::Identity kIdentity{.vendor = 0x12, .revision = 3, .serial = 
 /// Commands of CiA 305 by their numbers, as a master sends them.
 class LssSlaveTest : public testing::Test {
  protected:
-  /// The answer's bytes; empty for none.
+  /// Returns the bytes of the answer; empty if there is none.
   std::vector<int> say(std::initializer_list<int> bytes, std::uint8_t node = kNode) {
     std::vector<std::byte> payload;
     for (const int byte : bytes) payload.push_back(static_cast<std::byte>(byte));
@@ -102,7 +102,7 @@ TEST_F(LssSlaveTest, AsksOnceForItsNumberToBeStored) {
   EXPECT_EQ(LssSlave::stored(false)[1], std::byte{2});
 }
 
-/// A master that knows vendor and product only finds the serial number in 32 questions.
+/// A master that knows only vendor and product finds the serial number with 32 requests.
 TEST_F(LssSlaveTest, IsFoundByHalvingTheRangeOfSerialNumbers) {
   proof::Random random{proof::test_seed()};
   for (int round = 0; round < 100; ++round) {
@@ -129,7 +129,8 @@ TEST_F(LssSlaveTest, IsFoundByHalvingTheRangeOfSerialNumbers) {
   }
 }
 
-/// Frames of random bytes and lengths: no answer but the known ones, no number but a node's.
+/// Frames of random bytes and lengths must cause no answer but the known ones, and no number but
+/// that of a node.
 TEST_F(LssSlaveTest, OfGarbageNothingIsTaken) {
   proof::Random random{proof::test_seed()};
   for (int round = 0; round < 200'000; ++round) {

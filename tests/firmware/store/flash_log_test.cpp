@@ -94,7 +94,8 @@ TEST_F(FlashLogTest, LosesOfADamagedSectorOnlyWhatIsDamaged) {
   for (std::uint16_t number = 1; number <= 5; ++number) {
     EXPECT_TRUE(log.save(number, bytes(8, static_cast<unsigned char>(number))));
   }
-  // Each record is four words and its mark; any word of the second, of whatever value.
+  // Each record consists of four words and its mark. Any word of the second record is set to any
+  // value.
   std::mt19937 random{proof::test_seed()};
   for (int i = 0; i < 200; ++i) {
     FlashModel damaged = flash;
@@ -122,7 +123,7 @@ TEST_F(FlashLogTest, FallsBackToTheSectorBeforeWhenTheLastOneCannotBeRead) {
   EXPECT_TRUE(FlashLog{flash}.damaged());
 }
 
-/// Flips each bit of all words that are not erased, and of the two behind them.
+/// Flips each bit of all words that are not erased, and of the two words behind them.
 void expect_each_flip_harmless_or_noticed(const FlashModel& flash, const char* state) {
   FlashModel sound = flash;
   FlashLog whole{sound};
@@ -207,7 +208,7 @@ TEST_F(FlashLogTest, CountsErasesAndTakesTurns) {
 }
 
 TEST_F(FlashLogTest, IsFalseWhenFlashRefusesAndKeepsWhatItHad) {
-  // With room left, and where the save has to compact.
+  // Tests both a save with free space and a save that has to compact.
   for (const std::uint32_t room : {600U, 20U}) {
     std::uint64_t needed = 0;
     for (std::uint64_t operations = 0; operations < 40 && needed == 0; ++operations) {
@@ -233,7 +234,8 @@ TEST_F(FlashLogTest, IsFalseWhenFlashRefusesAndKeepsWhatItHad) {
 TEST_F(FlashLogTest, GoesOnInTheNextSectorWhenAWordIsWornOut) {
   FlashLog log{flash};
   EXPECT_TRUE(log.save(1, bytes(4, 1)));
-  flash.set_word(0, log_format::kFirstRecord + 4, 0);  // Programmed, it reads otherwise.
+  // The programmed word reads back with another value.
+  flash.set_word(0, log_format::kFirstRecord + 4, 0);
   EXPECT_TRUE(log.save(2, bytes(4, 2)));
   EXPECT_EQ(flash.erases(1), 1U);
   EXPECT_EQ(after_power_up(), (Values{{1, bytes(4, 1)}, {2, bytes(4, 2)}}));

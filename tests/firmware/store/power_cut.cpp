@@ -54,7 +54,7 @@ class Trial {
 
   Doubt next_save() {
     Doubt save{.number = static_cast<std::uint16_t>(random_() % kNumbers), .value = {}};
-    // Most are settings; words of all ones and of zeros are what flash has anyway.
+    // Most saves are settings. Words of all ones and of zeros occur in flash in any case.
     const std::size_t sizes[] = {4, 4, 4, 4, 0, 1, 12, 20};
     save.value.resize(sizes[random_() % std::size(sizes)]);
     const auto filler = static_cast<unsigned>(random_() % 4);
@@ -66,7 +66,7 @@ class Trial {
     return save;
   }
 
-  /// Goes on with a copy in which the power was cut at this operation.
+  /// Continues with a copy in which the power was cut at this operation.
   void cut(const FlashModel& before, const FlashOperation& next, int more_cuts) {
     if (testing::Test::HasFailure()) return;
     ++count_.cuts;

@@ -31,7 +31,7 @@ void run_and_tell(PowerCutTrial trial) {
 
 class PowerCut : public testing::TestWithParam<CutKind> {};
 
-/// More than 10,000 operations, hence so many saves.
+/// The number of saves gives more than 10,000 operations.
 TEST_P(PowerCut, AtEveryOperationLosesNothing) {
   run_and_tell({.kind = GetParam(), .saves = 2500, .cuts_of_recovery = 0});
 }
@@ -40,7 +40,7 @@ TEST_P(PowerCut, DuringTheRecoveryFromOneLosesNothing) {
   run_and_tell({.kind = GetParam(), .saves = 150, .cuts_of_recovery = 1});
 }
 
-/// Where a sector is half empty after a compaction, and as a controller has it.
+/// The sector has a usual size, and is half empty after a compaction.
 TEST_P(PowerCut, InASectorOfUsualSizeLosesNothing) {
   run_and_tell({.kind = GetParam(), .words = 4096, .saves = 4000, .every = 797});
 }

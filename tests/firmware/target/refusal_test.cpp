@@ -9,7 +9,8 @@
 namespace target {
 namespace {
 
-/// A line at a desk: what is to come in, what went out, and how much it takes at once.
+/// A serial line in memory: bytes to be read, bytes written, and the number of bytes that a write
+/// accepts.
 class DeskLine final : public hal::ByteStream {
  public:
   std::string incoming, outgoing;
@@ -33,7 +34,7 @@ constexpr std::string_view kReason = "[MSG:Nothing runs: a reason]\r\n";
 
 class RefusalTest : public testing::Test {
  protected:
-  /// What is said to these bytes.
+  /// Returns the answer to these bytes.
   std::string answer(const std::string& text) {
     line_.incoming = text;
     line_.outgoing.clear();

@@ -1,9 +1,10 @@
-"""`kerfline serve --can` and `kerfline send --can` on a CAN bus of a real kernel: User-Mode Linux runs
-uml_guest.sh, and what candump, isotpdump, the step traces and the logs of it say is judged here.
+"""Tests `kerfline serve --can` and `kerfline send --can` on a CAN bus of a real kernel. User-Mode
+Linux runs uml_guest.sh. This test checks the output of candump and isotpdump, the step traces
+and the logs.
 
     uml_can_test.py KERFLINE HAL_TESTS EXAMPLES
 
-Nothing is judged by the clock of this machine but that the whole ends within MOST_SECONDS.
+The clock of this machine decides nothing but whether the test ends within MOST_SECONDS.
 """
 import pathlib
 import re
@@ -19,9 +20,9 @@ NODE, TO, FROM, EMERGENCY = 17, "511", "491", "091"
 MILLISECOND = 1_000_000
 SLOT = 10_000  # A pulse up, a pulse down, of 5 us each.
 JOB = "sheet_8877.nc"
-# The guest's kernel has less room for a process's registers than the processor has registers.
+# The guest's kernel has less space for the registers of a process than this processor requires.
 UNKNOWN_PROCESSOR = "ptrace set fp regs failed"
-# A machine with too much else to do sends lines too late, and the plan is another one then.
+# An overloaded machine sends lines too late, which changes the plan.
 SPEEDS = (10, 4)
 
 
@@ -35,7 +36,7 @@ def reason_to_skip():
 
 
 def boot(folder, program, port_tests, examples, speed):
-    """Runs the guest to its end; what it said on its console."""
+    """Runs the guest to its end; returns the text of its console."""
     command = ["linux.uml", "mem=256M", "root=/dev/root", "rootfstype=hostfs", "rootflags=/", "rw",
                "quiet", f"init={HERE / 'uml_guest.sh'}", "con=null", "con0=fd:0,fd:1",
                f"KERFLINE={program}", f"PORT_TESTS={port_tests}", f"EXAMPLES={examples}",
@@ -47,7 +48,7 @@ def boot(folder, program, port_tests, examples, speed):
 
 
 def trace_rows(path):
-    """(time in ns, positions and duty) of each row."""
+    """Returns (time in ns, positions and duty) of each row."""
     rows = []
     for line in path.read_text().splitlines():
         if line[0].isdigit():
@@ -65,19 +66,19 @@ def places(row):
 
 
 def times_of(path, kinds, words=""):
-    """When this was exchanged, in the controller's ns."""
+    """Returns the times at which these messages were exchanged, in the controller's ns."""
     return [int(line.split(" ", 2)[1]) for line in path.read_text().splitlines()
             if line[0] in kinds and words in line]
 
 
 def frames_of(path):
-    """(identifier, bytes in hexadecimal) of each frame that candump saw."""
+    """Returns (identifier, bytes in hexadecimal) of each frame that candump recorded."""
     found = re.findall(r"vcan0\s+([0-9A-F]{3})\s+\[\d\]\s*((?:[0-9A-F]{2} ?)*)", path.read_text())
     return [(identifier, data.split()) for identifier, data in found]
 
 
 def steps_of(rows):
-    """Of each motor: (time, where it went, duty) of each of its steps."""
+    """Returns for each motor (time, new position, duty) of each of its steps."""
     steps, last = [[] for _ in range(6)], ["0"] * 6
     for time, rest in rows:
         *where, lit = rest.split(",")
@@ -89,10 +90,13 @@ def steps_of(rows):
 
 
 def driven_alike(served, simulated):
-    """Why two traces are not of one step stream, or an empty string. Each motor goes through the same
-    places, with the same light, and the time between two steps is the same but for a slot of $0, in
-    which steps of several motors go out together: what is planned with other lines at hand differs in
-    its last bits. A machine that rests may wait for its next line a turn longer."""
+    """Returns why two traces differ in their steps, or an empty string.
+
+    Each motor must go through the same positions with the same duty. Times between steps may
+    differ by a slot of $0, in which steps of several motors are sent together: a plan that was
+    computed with other lines in the queue differs in its last bits. A machine at rest may wait
+    a cycle longer for its next line.
+    """
     for motor, (ones, others) in enumerate(zip(steps_of(served), steps_of(simulated))):
         if [step[1] for step in ones] != [step[1] for step in others]:
             return f"motor {motor} goes elsewhere: {len(ones)} steps, not {len(others)}"

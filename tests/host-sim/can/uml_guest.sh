@@ -1,9 +1,9 @@
 #!/bin/sh
-# The first process of the User-Mode Linux that uml_can_test.py starts: a CAN bus of the kernel,
-# `kerfline serve` as a node of it, `kerfline send` as its host, and can-utils listening to both.
+# The first process of the User-Mode Linux that uml_can_test.py starts. It sets up a CAN bus of the
+# kernel with `kerfline serve` as a node, `kerfline send` as its host, and can-utils as listeners.
 #
-# From the kernel's command line: KERFLINE (program), PORT_TESTS (hal_tests), EXAMPLES, RESULTS (a
-# folder of the host's), SPEED (of the job that is driven to its end).
+# The kernel's command line sets KERFLINE (program), PORT_TESTS (hal_tests), EXAMPLES, RESULTS (a
+# folder of the host) and SPEED (speed of the job that runs to its end).
 export PATH=/usr/sbin:/usr/bin:/sbin:/bin
 mount -t proc proc /proc
 mount -t sysfs sys /sys
@@ -14,12 +14,12 @@ for module in net/can/can net/can/can-raw drivers/net/can/dev/can-dev drivers/ne
   insmod "$modules/$module.ko" || echo "$module" >>no_modules
 done
 ip link add dev vcan0 type vcan
-# Who listens misses no frame, however late a busy machine lets him read: 4 MB wait for each.
+# Buffers of 4 MB, so that a listener loses no frame if a busy machine lets it read late.
 echo 4194304 >/proc/sys/net/core/rmem_max
 echo 4194304 >/proc/sys/net/core/rmem_default
 exec >guest.log 2>&1 </dev/null
 
-# until_seen WORD FILES [TIMES]: at most a minute. A log that is being written is a hidden file.
+# until_seen WORD FILES [TIMES]: waits at most a minute. An unfinished log is a hidden file.
 writing='.kerfline-*.part'
 until_seen() {
   tries=600
@@ -30,7 +30,7 @@ until_seen() {
   done
 }
 
-# serve NAME ARGUMENTS…: candump and isotpdump listen from before it says its first word.
+# serve NAME ARGUMENTS…: candump and isotpdump listen before the server sends its first frame.
 serve() {
   name=$1
   shift
@@ -47,7 +47,7 @@ end_serving() {
   kill $served
   wait $served
   echo $? >"$name.status"
-  sleep 2  # For what they have yet to write.
+  sleep 2  # Time for their last writes.
   kill $candump $isotpdump
 }
 # send NAME JOB
@@ -72,7 +72,7 @@ serve job --speed "$SPEED"
 send job sheet_8877.nc
 end_serving
 
-# An emergency stop of the network, from somebody else, while the machine cuts.
+# Another node sends an emergency stop of the network while the machine cuts.
 serve stop --speed 2
 send stop sheet_8877.nc &
 sender=$!
@@ -81,8 +81,8 @@ cansend vcan0 000#0200
 wait $sender
 end_serving
 
-# The sender is killed, and then the bus goes down under one; each time another begins. A loss is
-# known after 50 ms of silence, which a busy machine makes longer: it gets 2 s.
+# First a sender is killed, then the bus goes down during another one; each time a new sender
+# follows. A loss is detected after 50 ms of silence. On a busy machine this takes longer: 2 s.
 serve lost --speed 2
 "$KERFLINE" send "$EXAMPLES/sheet_8877.nc" --can vcan0 --log killed.sent >/dev/null 2>&1 &
 sender=$!

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""`kerfline check` as its users call it: what it says of programs.
+"""`kerfline check` as its users call it: its reports about programs.
 
     check_command_test.py KERFLINE EXAMPLES
 """
@@ -17,7 +17,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "support"))
 from sanitized import is_sanitized  # noqa: E402
 
 KERFLINE = ""
-# What the libraries behind --png keep until exit; only a sanitized build reads it.
+# Leaks of the libraries behind --png; only a sanitized build reads this file.
 SUPPRESSIONS = pathlib.Path(__file__).with_name("leaks.supp")
 EXAMPLES = pathlib.Path()
 
@@ -56,8 +56,9 @@ class Check(unittest.TestCase):
         self.assertRegex(done.stdout, r"-:3:7: X needs 60\.000 mm of travel, \$130 allows 50")
 
     def test_check_needs_no_memory_for_lines_that_it_has_read(self):
-        """A file has 24 bytes a line; beside its text 20 bytes a line are allowed, 10^7 lines in 1 GB.
-        The release build is measured: a sanitizer keeps what is freed."""
+        """A line of the file has 24 bytes. Besides the text, 20 bytes per line are allowed: 10^7
+        lines in 1 GB. The release build is measured, because a sanitizer keeps freed memory.
+        """
         if is_sanitized(KERFLINE):
             return
         peaks = []
@@ -120,7 +121,7 @@ class Check(unittest.TestCase):
         self.assertIn("M99 is not supported", run("check", "-", text="G21\nM99\n").stdout)
 
     def test_block_delete_of_the_program_itself(self):
-        """As long as the machine rests: a controller takes no setting in motion."""
+        """The setting is changed while the machine rests: a controller accepts no setting in motion."""
         for first, told, bounds in (("", "skipped ($890, $B)", "no motion"),
                                     ("$890=0\n", "driven ($890=0)", "to 5.000"),
                                     ("$B\n", "driven ($890=0)", "to 5.000"), ("$890=1\n", "skipped", "no motion"),

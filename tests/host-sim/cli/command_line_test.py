@@ -13,7 +13,7 @@ import tempfile
 import unittest
 
 KERFLINE = ""
-# What the libraries behind --png keep until exit; only a sanitized build reads it.
+# Leaks of the libraries behind --png; only a sanitized build reads this file.
 SUPPRESSIONS = pathlib.Path(__file__).with_name("leaks.supp")
 EXAMPLES = pathlib.Path()
 
@@ -130,7 +130,7 @@ class CommandLine(unittest.TestCase):
         self.assertEqual(run("offset", dxf, "--distance", "1", "--fit", "best").returncode, 2)
 
     def test_offset_takes_parts_of_a_file_one_by_one(self):
-        """Parts of a nesting job all lie at their own zero."""
+        """All parts of a nesting job are drawn at their own origin."""
         square = [[0, 0], [10, 0], [10, 10], [0, 10], [0, 0]]
         cross = [[x - 3, y + 4] for x, y in square]
         items = [{"id": i, "demand": 1, "allowed_orientations": [0.0],
@@ -295,7 +295,9 @@ class CommandLine(unittest.TestCase):
         self.assertIn(f"{simulated:.1f} mm cut", svg.read_text())
 
     def test_a_picture_shows_what_matters_of_the_job(self):
-        """Depth of a mill, power of a relief, speed of a cut; only a laser has a kerf."""
+        """The picture shows the depth of a mill, the power of a relief, the speed of a cut; only a
+        laser has a kerf.
+        """
         rows = "".join(f"G1 X{x} S{37 * x % 1000} F6000\n" for x in range(1, 40))
         for text, options, heading, kerf in (
                 ("G21 G90\nM3 S500\nG1 Z-1 F600\nG1 X20\nZ-3\nX0\nM5\n", ("--set", "$32=0"), "Depth, mm", False),
@@ -329,7 +331,7 @@ class CommandLine(unittest.TestCase):
             self.assertEqual(run("offset", part, "-d", distance).returncode, 0)
 
     def test_an_offset_that_vanishes_in_parts_is_told(self):
-        """Frames, lobes, slots, gaps; no corner, however sharp it is, and no fillet."""
+        """Frames, lobes, slots and gaps are reported; corners, however sharp, and fillets are not."""
         part = self.folder / "part.txt"
         frame = "0 0\n40 0\n40 40\n0 40\n\n5 5\n35 5\n35 35\n5 35\n"
         lobe = "0 0\n40 0\n40 40\n21 40\n21 50\n19 50\n19 40\n0 40\n"
@@ -361,7 +363,9 @@ class CommandLine(unittest.TestCase):
         self.assertGreater(len(numbers), 1)
 
     def test_flat_arcs_are_drawn_where_they_are(self):
-        """100 mm with a rise of 0.2 mm: a circle of 6 m, whose centre renderers lose."""
+        """An arc of 100 mm with a rise of 0.2 mm is part of a circle of 6 m, whose centre
+        renderers compute wrongly.
+        """
         part, svg = self.folder / "part.txt", self.folder / "out.svg"
         part.write_text("0 0 0.004\n100 0\n100 50\n0 50\n")
         self.assertEqual(run("offset", part, "-d", "0", "--svg", svg).returncode, 0)

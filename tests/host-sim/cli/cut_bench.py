@@ -1,4 +1,4 @@
-"""What tests of `kerfline cut` share: drawings, calls, and how a call is refused."""
+"""Shared by the tests of `kerfline cut`: drawings, calls, and the check that a call is refused."""
 
 import pathlib
 import subprocess

@@ -92,7 +92,7 @@ class Cut(CutBench):
         self.assertIn("8 W at 20000 mm/min; engraved)", done.stdout)
         self.assertIn('engraved, path "mark"', done.stdout)
         self.assertIn("F20000S4.444\n", done.stdout)
-        # Without them a tenth of the power of the cut, at its feed.
+        # Without power and feed in the option of the layer, marking has a tenth of the power of the cut, at its feed.
         done = run("cut", self.plate, *STEEL, "--layer", "red: side=mark", "--mark-power", "5", "--power", "1400")
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertIn("S38.889\n", done.stdout)
@@ -113,7 +113,9 @@ class Cut(CutBench):
         self.assertIn(f"{length} mm cut", text)
 
     def test_colours_differ_for_the_colour_blind(self):
-        """Lines that may lie beside each other differ in lightness, whichever cones are missing."""
+        """Lines that may be next to each other differ in lightness, whichever cones of the eye are
+        missing.
+        """
         svg = self.folder / "out.svg"
         self.cut("--svg", svg, "--tabs", "3")
         paths = re.findall(r'<path d="[^"]*" fill="none" stroke="(#\w{6})"', svg.read_text())
@@ -146,7 +148,7 @@ class Cut(CutBench):
         self.assertIn("F3000S666.667", done.stdout)
 
     def test_a_scanned_outline_of_many_points_is_cut(self):
-        """200,000 places, 160 of them within half a kerf, a little off each."""
+        """The outline has 200,000 points, 160 of them within half a kerf, each with a small deviation."""
         count, places = 200_000, []
         for i in range(count):
             angle, radius = 2 * math.pi * i / count, 95 + 0.01 * math.sin(2.4 * i * i)

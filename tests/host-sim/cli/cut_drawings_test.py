@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""`kerfline cut` of drawings as people make them: what is sound is cut as it is seen, the rest is told.
+"""`kerfline cut` of drawings as users make them: sound contours are cut as drawn, all others are
+reported.
 
     cut_drawings_test.py KERFLINE
 """
@@ -18,7 +19,7 @@ KERF = ("--kerf", "0.2", "--power", "20W", "--feed", "600", "--full-power", "40"
 
 
 def box_with_loops() -> str:
-    """A slot whose corners have the tiny loops that box generators draw."""
+    """Returns a slot whose corners have the tiny loops that box generators draw."""
     return ("M 24 10 H 21 C 20.9 10 21 10.1 21 10 V 7 C 21 6.9 20.9 7 21 7 "
             "H 27 C 27.1 7 27 6.9 27 7 V 10 C 27 10.1 27.1 10 27 10 H 24 Z")
 
@@ -42,7 +43,7 @@ class CutDrawings(unittest.TestCase):
         return done
 
     def bounds(self):
-        """The least and greatest X and Y of the program, but for the origin, at which it ends."""
+        """Returns the least and greatest X and Y of the program, without the origin, at which it ends."""
         places = {"X": [], "Y": []}
         for axis, number in re.findall(r"([XY])(-?[\d.]+)", self.target.read_text()):
             places[axis] += [float(number)] * (float(number) != 0)
@@ -118,7 +119,8 @@ class CutDrawings(unittest.TestCase):
         self.assertIn("lies against other parts along 33.000 mm", done.stderr)
 
     def test_parts_that_touch_at_a_corner_of_a_shared_edge_are_cut_apart(self):
-        # The second part lies against the first one and reaches round to another corner of it.
+        # The second part touches the first one along an edge, and reaches around it to another
+        # corner.
         parts = '<path d="M10 10H30V20H20V30H10Z"/><path d="M30 10H40V40H5V30H10V35H30Z"/>'
         done = self.sound(parts, "--common-line", "0.2")
         self.assertEqual(self.cuts(done), 3, "the second part has what is between, and what is around")

@@ -31,7 +31,7 @@ def run(*arguments, text=None, folder=None):
 
 
 def hull_of(places):
-    """Andrew's monotone chain, anticlockwise."""
+    """Returns the convex hull, counter-clockwise, by Andrew's monotone chain."""
     def half(row):
         chain = []
         for place in row:
@@ -94,7 +94,9 @@ class Cut(unittest.TestCase):
             self.assertFalse(self.program.exists())
 
     def places(self, program, *, lit):
-        """Where the simulated machine stands, mm, along a program; with the beam on only."""
+        """Returns the positions of the simulated machine along a program, mm; if `lit`, only those
+        with the beam on.
+        """
         trace = self.folder / "trace"
         done = run("sim", program, "--trace", trace, *FINE_STEPS, "--set", "$32=1")
         self.assertEqual(done.returncode, 0, done.stderr)

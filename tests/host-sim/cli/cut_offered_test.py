@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""`kerfline cut` of a project of LightBurn, whose layers have settings of their own.
+"""`kerfline cut` of a LightBurn project, whose layers contain their settings.
 
     cut_offered_test.py KERFLINE
 """
@@ -42,7 +42,7 @@ BOX = project(CUT, FILL, square(0, 30, 30, 40), square(1, 30, 30, 10))
 
 
 def powers_of(program):
-    """(S, F) of all motions with the beam on."""
+    """Returns (S, F) of all motions with the beam on."""
     state, found = {"S": 0.0, "F": 0.0}, set()
     for line in program.splitlines():
         line = re.sub(r"\(.*?\)", "", line)

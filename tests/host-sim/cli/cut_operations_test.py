@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""`kerfline cut` without a laboratory: known kerfs, layers as operations, machines, places, recipes.
+"""`kerfline cut` without test cuts: known kerfs, layers as operations, machines, placement,
+recipes.
 
     cut_operations_test.py KERFLINE
 """
@@ -41,7 +42,7 @@ def run(*arguments, **more):
 
 
 def moves_of(program):
-    """(g, x, y, s, f) of each motion."""
+    """Returns (g, x, y, s, f) of each motion."""
     words, state, moves = {}, {"G": 0.0}, []
     for line in program.splitlines():
         line = re.sub(r"\(.*?\)", "", line)
@@ -159,7 +160,8 @@ class Operations(unittest.TestCase):
                 lit += math.dist((x, y), here)
                 places += [here, (x, y)]
             here = (x, y)
-        # Rows of 7.5 by 3.5, 6.5 by 2.5, 5.5 by 1.5 and 4.5 by 0.5 mm, and links of 0.5 mm between them.
+        # The rows have 7.5 by 3.5, 6.5 by 2.5, 5.5 by 1.5 and 4.5 by 0.5 mm, with links of 0.5 mm
+        # between them.
         self.assertAlmostEqual(lit, 2 * (11 + 9 + 7 + 5) + 3 * 0.5, 2)
         self.assertAlmostEqual(max(x for x, _ in places) - min(x for x, _ in places), 7.5, 3)
         self.cut(self.layered, "--recipe", saved)
@@ -316,7 +318,7 @@ class Operations(unittest.TestCase):
             self.assertTrue(done.returncode == 0 or done.stderr.startswith("kerfline: "), (text, done.stderr))
 
     def test_from_a_box_to_a_running_job(self):
-        """The walk through the README."""
+        """Follows the walk-through of the README."""
         box = self.file("box.svg", LAYERED.replace("M 20 20 h 20 M 20 25 q 10 5 20 0", "M 20 20 h 20 v 5 h -20 z"))
         self.assertEqual(run("drawing", box).returncode, 0)
         self.cut(box, "--machine", "k40", "--place", "corner", *GIVEN, *OPERATIONS, "--save-recipe",

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""What `kerfline cut` shows of a job: animation, job sheet, times and prices.
+"""Output of `kerfline cut` about a job: animation, job sheet, times and prices.
 
     cut_output_test.py KERFLINE
 """

@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""`kerfline cut` with pictures: where they are burnt and how dark, with what settings, and what is refused.
+"""`kerfline cut` with pictures: position, darkness and settings of the burnt picture, and
+refusals.
 
     cut_pictures_test.py KERFLINE
 """
@@ -59,7 +60,7 @@ class Pictures(unittest.TestCase):
         return done
 
     def energy(self):
-        """Seconds of full power by cells of a pixel, before the first cut."""
+        """Returns the seconds of full power before the first cut, by cells of the size of a pixel."""
         rows = self.program.read_text().split(": outer")[0]
         pictures = self.folder / "pictures.nc"
         pictures.write_text(rows[:rows.rindex("\n") + 1] + "M5\nM2\n")
@@ -69,7 +70,9 @@ class Pictures(unittest.TestCase):
         return burnt(trace, PIXEL, PIXEL)
 
     def expect_burnt(self, place, greys=None, power=lambda darkness: 0.8 * darkness):
-        """`place` maps the middle of a pixel, in pixels from the upper left corner, to mm on the machine."""
+        """Compares the burnt energy; `place` maps the middle of a pixel, in pixels from the upper
+        left corner, to mm on the machine.
+        """
         energy = self.energy()
         whole = PIXEL * 60.0 / FEED
         for row, line in enumerate(greys or GREYS):
@@ -77,7 +80,7 @@ class Pictures(unittest.TestCase):
                 x, y = place(column + 0.5, row + 0.5)
                 cell = (math.floor(x / PIXEL), math.floor(y / PIXEL))
                 wanted = power(1.0 - grey / 255.0)
-                # A step is 0.004 mm, and the neighbour's power may hold for one.
+                # A step is 0.004 mm, and the power of the neighbour pixel may last one step longer.
                 self.assertAlmostEqual(energy.pop(cell, 0.0) / whole, wanted, delta=0.03 * wanted + 0.009,
                                        msg=f"{column} {row}")
         self.assertLess(sum(energy.values()), 0.02 * whole)

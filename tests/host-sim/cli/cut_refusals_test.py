@@ -74,7 +74,7 @@ class Refusals(CutBench):
                 self.assertIn(f"{key}={number}: ", self.refused(self.plate, *STEEL, f"--{key}", number))
 
     def test_what_no_drawing_is_says_where_and_what_to_do(self):
-        """Every way to be broken: file, line, entity, reason and remedy."""
+        """Each kind of broken file is reported with file, line, entity, reason and remedy."""
         svg = '<svg width="40mm" height="40mm" viewBox="0 0 40 40">\n{}</svg>'
         dxf = "0\nSECTION\n2\nENTITIES\n0\n{}0\nENDSEC\n0\nEOF\n"
         for name, content, told in (
@@ -133,7 +133,7 @@ class Refusals(CutBench):
         self.assertIn("the contour is closed and has no area; it is read as a line", read.stdout)
 
     def test_hairs_are_not_said_to_have_no_area(self):
-        """They go 0.1 um apart to and fro."""
+        """The lines of these shapes run back 0.1 um apart."""
         places = [f"{100 + 0.0001 * i:.4f},{10 + i % 2 * (20 + i * i % 1000 / 50):.4f}" for i in range(30_000)]
         content = SHEET + '\n<polygon id="hair" points="{} 103,5 100,5"/></svg>'
         hair = self.drawn("hair.svg", content.format(" ".join(places)))

@@ -24,7 +24,7 @@ def run(*arguments):
 
 
 def crossings(program, boxes):
-    """Rapids of a program that enter the inside of one of the boxes that were cut before."""
+    """Returns the rapids of a program that enter a box that was cut before."""
     place, cut, found = (0.0, 0.0), 0, 0
     word = re.compile(r"([GXY])([-0-9.]+)")
     motion = 0
@@ -85,7 +85,7 @@ class Safety(unittest.TestCase):
         self.assertNotIn("Z", self.program.read_text().split("M4")[1])
 
     def test_without_a_way_there_is_no_program_or_the_head_is_lifted(self):
-        # Zero is in the part, and the way home with it.
+        # The origin is in the part, and so is the end of the way home.
         part = '<rect x="-20" y="80" width="40" height="40"/>'
         reach = ("--set", "$20=0")
         done = self.cut(part, "--avoid-freed", "--anyway", *reach)

@@ -85,7 +85,7 @@ class Sheets(unittest.TestCase):
         bounds = json.loads(checked.stdout)[0]["bounds_mm"]
         self.assertLess(bounds["X"][1], 300.0)
 
-    # To and fro, so that no short order is this one.
+    # The parts alternate between the two sides, so that no short order equals this one.
     TURNS = ({"drawing": "parts/key.svg", "name": "far", "x_mm": 240, "y_mm": 150},
              {"drawing": "parts/key.svg", "name": "near", "x_mm": 5, "y_mm": 5},
              {"drawing": "parts/key.svg", "name": "middle", "copies": 2, "step_x_mm": 60, "x_mm": 100, "y_mm": 80})

@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""The commands that the documents print: those of walk-throughs run, and every option exists.
+"""Tests the commands that the documents print. Those of walk-throughs are run; of all others,
+every option must exist.
 
     documents_test.py KERFLINE REPOSITORY
 """
@@ -19,18 +20,18 @@ from seeds import share_of  # noqa: E402
 
 KERFLINE = ""
 REPOSITORY = pathlib.Path()
-# Every command of these pages runs, from the root of the repository and in their order.
+# Every command of these pages is run in order, from the root of the repository.
 WALK_THROUGHS = ("README.md", "docs/laser.md", "docs/sheet-metal.md", "docs/mill.md")
 EXAMPLES = "host-sim/examples/"
-# Options that name a file which a command reads.
+# Options whose value is a file that the command reads.
 INPUTS = ("--settings", "--db", "--post", "--recipe", "--program", "--read", "--measured", "--stock-surface",
           "--stock-target", "--tools", "--boundary", "--rules", "--layers", "--beams", "--probe-surface")
-# These go on for ever, or need another program at the other end.
+# These commands never end, or require another program at the other end of a link.
 KEPT_RUNNING = ("serve", "send", "replay")
 
 
 def blocks_of(page):
-    """The commands that begin with `kerfline`, of each block of commands of a page."""
+    """Returns the commands that begin with `kerfline`, for each block of commands of a page."""
     text = page.read_text(encoding="utf-8")
     for block in re.findall(r"```sh\n(.*?)```", text, re.DOTALL):
         lines = block.replace("\\\n", " ").splitlines()
@@ -40,7 +41,9 @@ def blocks_of(page):
 
 
 def inputs_of(words):
-    """The files that a command reads: those without an option before them, and those of INPUTS."""
+    """Returns the files that a command reads: words that do not follow an option, and the values
+    of INPUTS.
+    """
     for before, word in zip(words, words[1:]):
         is_read = before in INPUTS or not before.startswith("-")
         if is_read and re.fullmatch(r"[\w./*-]+\.[a-z]+", word):
@@ -60,7 +63,7 @@ class Documents(unittest.TestCase):
         (self.folder / "host-sim").symlink_to(REPOSITORY / "host-sim")
 
     def files_of(self, word):
-        """The files that a pattern names, as a shell finds them; else the word."""
+        """Returns the files that match a pattern, as a shell does; the word itself if none does."""
         return sorted(glob.glob(word, root_dir=self.folder)) or [word]
 
     def run_here(self, page, words):
@@ -70,7 +73,7 @@ class Documents(unittest.TestCase):
         return done
 
     def send(self, page, words):
-        """Sends to a simulated machine in place of the port that the page names."""
+        """Runs `send` with a simulated machine instead of the port that the page names."""
         port = self.folder / "tty"
         with subprocess.Popen([KERFLINE, "serve", "--pty", port, "--machine", "k40", "--speed", "50"],
                               stdout=subprocess.DEVNULL) as machine:
@@ -98,7 +101,7 @@ class Documents(unittest.TestCase):
             self.assertEqual(sent, page in ("README.md", "docs/laser.md"), page)
 
     def test_examples_of_other_pages_run(self):
-        """Those whose files are there: the project's examples, and the files that a page makes."""
+        """Runs the commands whose files exist: the project's examples, and the files that a page creates."""
         pages = sorted(page for page in (REPOSITORY / "docs").rglob("*.md")
                        if page.relative_to(REPOSITORY).as_posix() not in WALK_THROUGHS and
                        any(EXAMPLES in word for block in blocks_of(page) for words in block for word in words))

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""What `kerfline drawing` and `cut` make of drawings of other programs: units, gaps, projects of LightBurn.
+"""`kerfline drawing` and `cut` with drawings of other programs: units, gaps, LightBurn projects.
 
     drawing_forms_test.py KERFLINE
 """
@@ -33,7 +33,7 @@ def loose_square(side, gap):
 
 
 def two_beziers():
-    """Inner knots that are there degree + 1 times, and a line that closes the curve."""
+    """Returns a spline with inner knots of multiplicity degree + 1, and a line that closes it."""
     knots = [0] * 4 + [0.5] * 4 + [1] * 4
     points = ((0, 0), (0, 10), (10, 10), (10, 0), (10, 0), (10, -10), (0, -10), (0, 0))
     return ("0\nSPLINE\n8\n0\n70\n8\n71\n3\n" + "".join(f"40\n{knot}\n" for knot in knots)
@@ -41,7 +41,7 @@ def two_beziers():
 
 
 def pdf_of(content):
-    """A page of 100 mm by 100 mm with these operators, and bytes that are no text."""
+    """Returns a page of 100 mm by 100 mm with these operators, and with bytes that are not text."""
     size = 100 * 72 / 25.4
     parts = ["<</Type/Catalog/Pages 2 0 R>>", "<</Type/Pages/Kids[3 0 R]/Count 1>>",
              f"<</Type/Page/Parent 2 0 R/MediaBox[0 0 {size:.4f} {size:.4f}]/Contents 4 0 R>>",

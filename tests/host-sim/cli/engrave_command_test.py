@@ -25,7 +25,7 @@ def run(*arguments):
 
 
 def png_of(rows):
-    """A grey PNG of 8 bits; rows from the top, 0 black to 255 white."""
+    """Returns a grey PNG of 8 bits; rows from the top, 0 black to 255 white."""
     def chunk(kind, data):
         return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
     header = struct.pack(">IIBBBBB", len(rows[0]), len(rows), 8, 0, 0, 0, 0)
@@ -35,7 +35,7 @@ def png_of(rows):
 
 
 def bmp_of(rows):
-    """A BMP of 24 bits."""
+    """Returns a BMP of 24 bits."""
     width, height = len(rows[0]), len(rows)
     padding = b"\0" * (-3 * width % 4)
     pixels = b"".join(b"".join(bytes([grey] * 3) for grey in row) + padding for row in reversed(rows))
@@ -44,7 +44,9 @@ def bmp_of(rows):
 
 
 def burnt(trace, pixel, interval):
-    """Seconds of full power by (column, row), from the step trace; and those beside all pixels' rows."""
+    """Returns the seconds of full power by (column, row), from the step trace; cells outside of
+    the picture count, too.
+    """
     energy = collections.defaultdict(float)
     scale, before = None, None
     for line in trace.read_text().splitlines():
@@ -104,7 +106,8 @@ class Engrave(unittest.TestCase):
                     darkness = 1.0 - grey / 255.0
                     power = least + (0.9 - least) * darkness ** gamma if darkness > 0.0 else 0.0
                     told = f"{more} {column} {row}"
-                    # A step is 0.004 mm, and the neighbour's power may hold for one.
+                    # A step is 0.004 mm, and the power of the neighbour pixel may last one step
+                    # longer.
                     self.assertAlmostEqual(energy.pop((column, row), 0.0) / whole, power, delta=0.03 * power + 0.014,
                                            msg=told)
             self.assertLess(sum(energy.values()), 0.01 * whole, more)  # The last step of a row.

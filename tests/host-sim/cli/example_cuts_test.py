@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""The programs in the folder `cut` of the examples are what the commands in their README make of the drawings there.
+"""Checks that the programs in the folder `cut` of the examples are those that the commands in
+their README make of the drawings there.
 
     example_cuts_test.py KERFLINE EXAMPLES
 """
@@ -18,7 +19,7 @@ CUT = EXAMPLES / "cut"
 
 
 def commands():
-    """Words of each `kerfline cut` in the README, by the name of the program that it writes."""
+    """Returns the words of each `kerfline cut` in the README, by the name of the program that it writes."""
     text = (EXAMPLES / "README.md").read_text(encoding="utf-8").replace("\\\n", " ")
     found = [shlex.split(line)[1:] for line in re.findall(r"^kerfline cut .*$", text, re.MULTILINE)]
     return {words[words.index("-o") + 1]: words for words in found}

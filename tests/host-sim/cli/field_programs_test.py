@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
-"""Programs as people and their CAM write them, as `check`, `sim` and `send` take them.
+"""Programs as users and their CAM software write them, with `check`, `sim` and `send`.
 
     field_programs_test.py KERFLINE
 
-Each stands for a kind of input that a controller of this kind once refused, misread or never ended on.
+Each case is a kind of input that a controller of this kind once refused, misread or processed
+without end.
 """
 
 import contextlib
@@ -26,7 +27,9 @@ SENT_IN_TEST = 8  # Of CASES; as many are sent to a controller in toolchain/test
 
 @dataclasses.dataclass
 class Case:
-    """`said` and `unsaid` are patterns of what `check` prints; `status` is of all three commands."""
+    """A program and the expected result: `said` and `unsaid` are patterns for the output of
+    `check`; `status` is that of all three commands.
+    """
     program: bytes
     said: tuple = ()
     unsaid: tuple = ()
@@ -135,7 +138,7 @@ class FieldPrograms(unittest.TestCase):
 
 @contextlib.contextmanager
 def serving():
-    """The address of a controller that runs in a hurry."""
+    """Runs a controller faster than real time, and yields its address."""
     with subprocess.Popen([KERFLINE, "serve", "--tcp", "0", "--speed", "100"], stdout=subprocess.PIPE,
                           text=True) as server:
         try:

@@ -1,7 +1,7 @@
-"""What the tests of files share: how each command is called, and a folder with its files.
+"""Shared by the tests of files: the call of each command, and a folder with its files.
 
-The table COMMANDS says how each command is called; which options there are is read from `--help`, so
-that a new command, or a new option with a file, has to be entered here.
+The table COMMANDS contains the call of each command. The options are read from `--help`, so
+that a new command, or a new option with a file, must be added here.
 """
 
 import ctypes
@@ -19,7 +19,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "support"))
 from seeds import name_of, share_of  # noqa: E402
 
 KERFLINE = [""]  # The program, as the tests are told.
-# What the libraries behind --png keep until exit; only a sanitized build reads it.
+# Leaks of the libraries behind --png; only a sanitized build reads this file.
 SUPPRESSIONS = pathlib.Path(__file__).with_name("leaks.supp")
 ENVIRONMENT = {"PATH": "/usr/bin:/bin", "LSAN_OPTIONS": f"suppressions={SUPPRESSIONS}"}
 SEED = random.SystemRandom().randrange(1 << 32)
@@ -53,8 +53,9 @@ PROBLEM = ("NAME: four\nTYPE: TSP\nDIMENSION: 4\nEDGE_WEIGHT_TYPE: EUC_2D\nNODE_
 
 @dataclasses.dataclass
 class Command:
-    """`call`: what it needs beside files; `inputs`: content by option; `updates`: the same of files that
-    are read and rewritten."""
+    """A command. `call`: its arguments other than files; `inputs`: contents by option; `updates`:
+    contents of the files that are read and rewritten.
+    """
     call: tuple
     inputs: dict
     outputs: tuple = ()
@@ -70,7 +71,8 @@ STEEL = ("--material", "CSP 1N")
 SETTINGS = "$110=1000\n"
 RECIPE = '{"kerfline_recipe": 1, "tabs": 1}'
 POST = "[format]\nblanks = yes\n"
-# A black pixel and a white one, as BMP; texts of files are UTF-8, which these bytes are.
+# A BMP with a black and a white pixel. Texts of files are written as UTF-8, and these bytes are
+# valid UTF-8.
 PICTURE = ("BM" + "\0" * 8 + "\x36\0\0\0\x28\0\0\0\x02\0\0\0\x01\0\0\0\x01\0\x18\0" + "\0" * 24 +
            "\0\0\0\x7f\x7f\x7f\0\0")
 COUPON = (*STEEL, "--thickness", "2", "--full-power", "2000", "--laser", "a")
@@ -136,7 +138,7 @@ COMMANDS = {
                            takes_stdin=True, empty_is_refused=("FILE", "--settings")),
     "send": Command((), {"file": PROGRAM}, ("--log",), takes_stdin=True, empty_is_refused=("file",)),
 }
-# Further ways to call a command, for options that exclude or need others.
+# Further calls of a command, for options that exclude or require others.
 FORM = Command((*COUPON, "--out", "/dev/null"), {}, ("--form",))
 HEIGHTS = Command(("--tool", "ball:4"), {"FILE": GRID, "--at": "1 2\n" * 9}, ("--heights",), takes_stdin=True,
                   empty_is_refused=("--at",))
@@ -166,15 +168,15 @@ CALLS = [*COMMANDS.items(), ("kerf calibrate", FORM), ("kerf calibrate", MEASURE
          ("surface", HEIGHTS), ("surface", PICTURED), ("sim", COMPARED), ("wall", CONES), ("wall", LAYERED),
          ("wall carve", SECTIONED)]
 CALLS_IN_TEST = 4  # Of CALLS; as many as each of the long tests tries in toolchain/test.sh.
-# Files of surfaces, which may be binary: their reader says what another encoding of a text is.
+# Files of surfaces, which may be binary. Their reader reports a text in another encoding.
 SURFACES = {"--probe-surface", "--stock-surface", "surface FILE", "wall FILE", "wall carve FILE"}
 NO_FILES = {"completion", "manual", "kerf", ""}
-# Devices, whose opening is the business of ports.
+# Devices: the tests of ports check how they are opened.
 DEVICES = {("send", "--port"), ("send", "--slcan")}
 
 
 def some_calls(test):
-    """The calls that one of the long tests tries."""
+    """Returns the calls that one of the long tests runs."""
     return share_of(CALLS, CALLS_IN_TEST, name_of(test))
 
 
@@ -184,7 +186,9 @@ def help_of(words):
 
 
 def file_options_in(text):
-    """Options whose value is a file by its type, and positionals but those of a closed set."""
+    """Returns the options whose value is a file, and the positionals that are not limited to a set
+    of words.
+    """
     found = set()
     for line in text.splitlines():
         if match := re.match(r" {2,4}(?:-\w,)?(--[\w-]+) (FILE|LINK|DEVICE)\b", line):
@@ -205,10 +209,10 @@ def commands_in(words=()):
 
 
 class Bench:
-    """A folder with all files of a command in their places."""
+    """A folder that contains all files of a command."""
 
     def __init__(self, folder, name, command, mark=""):
-        """`mark` becomes a part of every file's name."""
+        """Creates the files; `mark` becomes a part of each file's name."""
         self.folder, self.name, self.command, self.mark = folder, name, command, mark
         self.files = {}
         for option, content in (*command.inputs.items(), *command.updates.items()):
@@ -227,7 +231,9 @@ class Bench:
                 subprocess.run(fit, check=True, capture_output=True, env=ENVIRONMENT)
 
     def needed(self, *more):
-        """Its files without outputs and without what a server makes, but with `more`."""
+        """Returns the required files without outputs and without those that a server creates, and
+        with `more`.
+        """
         made = {"--store", "--pty", "--slcan"}
         return {option: file for option, file in self.files.items()
                 if option in more or option not in made.union(self.command.outputs)}
@@ -246,7 +252,7 @@ class Bench:
         return [*self.name.split(), *positionals, *self.command.call, *named]
 
     def contents(self):
-        """What every file in the folder is, links as what they lead to."""
+        """Returns the contents of every file in the folder; links are followed."""
         return {path.name: os.readlink(path) if path.is_symlink() else path.read_bytes()
                 for path in self.folder.iterdir() if path.is_symlink() or path.is_file()}
 
@@ -259,7 +265,7 @@ class Bench:
         return subprocess.Popen([KERFLINE[0], *words], **options)
 
     def run(self, files=None, stop_when_ready=True, **more):
-        """(status, standard output, standard error). A server is stopped when it is ready."""
+        """Returns (status, standard output, standard error). A server is stopped when it is ready."""
         process = self.start(self.files if files is None else files, **more)
         out = b""
         if self.name == "serve" and stop_when_ready and process.stdout:
@@ -272,7 +278,7 @@ class Bench:
 
 
 class Server:
-    """A machine that `send` can send to."""
+    """A simulated machine to which `send` can send."""
     port, process = 0, None
 
     @classmethod
@@ -288,14 +294,14 @@ class Server:
 
 
 def limit_files(size):
-    """For preexec_fn: files beyond `size` bytes fail as on a full disk."""
+    """For preexec_fn: makes writing beyond `size` bytes of a file fail, as on a full disk."""
     def limit():
         resource.setrlimit(resource.RLIMIT_FSIZE, (size, size))
     return limit
 
 
 def obey_modes():
-    """For preexec_fn: a file that must not be read cannot be, by root either."""
+    """For preexec_fn: makes files without read permission unreadable for root, too."""
     drop_capability = 24
     overrides = (1, 2)  # Of permissions, and of those to read and search.
     if os.geteuid() == 0:

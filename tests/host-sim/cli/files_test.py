@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Every file of every command: what cannot be read or written is told, and nothing is lost.
+"""Tests every file of every command: a file that cannot be read or written is reported, and no
+data is lost.
 
     files_test.py KERFLINE
 """
@@ -55,7 +56,7 @@ class Files(unittest.TestCase):
                 self.assertEqual([path.name for path in bench.folder.glob(".*")], [])
 
     def unreadable(self, bench, option=""):
-        """Names under which nothing can be read, for root as well, and what is said of each."""
+        """Returns names that nobody can read, not even root, and the expected message for each."""
         folder = bench.folder / "folder"
         folder.mkdir()
         dangling, loop = bench.folder / "dangling", bench.folder / "loop"
@@ -121,7 +122,7 @@ class Files(unittest.TestCase):
                 self.assertEqual(bench.contents(), before)
 
     def test_no_file_is_both_input_and_output(self):
-        """Also under another path, through links, and where it is not there yet."""
+        """This holds under another path and through links, too, and for files that do not exist yet."""
         for name, command in some_calls(self):
             files = (*command.inputs, *command.outputs, *command.kept)
             for one, two in itertools.combinations(files, 2):
@@ -164,7 +165,7 @@ class Files(unittest.TestCase):
                         self.assertEqual(bench.contents(), before)
 
     def test_a_disk_is_full_in_earnest(self):
-        """The same on a file system of 64 KiB, mounted in a name space of its own where it must be."""
+        """The same test on a file system of 64 KiB, mounted in a separate name space if necessary."""
         done = subprocess.run([sys.executable, "-B", __file__, "--on-full-disk", KERFLINE[0]],
                               capture_output=True, text=True, check=False)
         if done.returncode != 0:
@@ -221,10 +222,10 @@ class Files(unittest.TestCase):
 
     @staticmethod
     def read_by_pipe(bench, wanted, option):
-        """Status, and the bytes that come out of a named pipe."""
+        """Returns the status, and the bytes that come out of a named pipe."""
         pipe = bench.folder / "pipe"
         os.mkfifo(pipe)
-        # Into a file, as a picture is larger than what two pipes hold.
+        # The output goes into a file, as a picture is larger than the capacity of two pipes.
         with tempfile.TemporaryFile() as kept:
             with subprocess.Popen(["cat", pipe], stdout=kept):
                 done = bench.run({**wanted, option: pipe})
@@ -235,7 +236,7 @@ class Files(unittest.TestCase):
         return done
 
     def test_a_pipe_that_nothing_reads_is_told(self):
-        """All at once, as each waits some seconds for a reader."""
+        """All commands run at the same time, as each waits some seconds for a reader."""
         with contextlib.ExitStack() as stack:
             started = []
             for name, command in some_calls(self):
@@ -251,7 +252,9 @@ class Files(unittest.TestCase):
                     self.assertIn(f"nothing reads the pipe {pipe}", err.decode())
 
     def test_a_signal_leaves_nothing_behind(self):
-        """kill_test.py ends processes at each of their calls; here a signal lets them tidy up."""
+        """kill_test.py ends processes at each of their calls; here a signal lets them remove their
+        temporary files.
+        """
         choose = random.Random(SEED)
         for name, command in some_calls(self):
             for option in (*command.outputs, *command.updates):
@@ -273,7 +276,7 @@ class Files(unittest.TestCase):
     @staticmethod
     @contextlib.contextmanager
     def dead_output(kind):
-        """Arguments of a process whose standard output takes nothing, and the reason."""
+        """Returns the arguments of a process whose standard output fails, and the reason in its message."""
         if kind == "full":
             with open("/dev/full", "w", encoding="ascii") as full:
                 yield {"stdout": full}, "No space left on device"
@@ -308,7 +311,7 @@ class Files(unittest.TestCase):
 
 
 def try_full_disk():
-    """A trace that does not fit: status, message, and what is left."""
+    """Writes a trace that does not fit on the disk; returns status, message, and the remaining files."""
     with tempfile.TemporaryDirectory() as place:
         subprocess.run(["mount", "-t", "tmpfs", "-o", "size=64k", "none", place], check=True)
         try:

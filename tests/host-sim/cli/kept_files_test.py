@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Files that commands keep: the data base of cuts and the store of a served controller.
+"""Files that commands keep: the database of cuts and the store of a served controller.
 
     kept_files_test.py KERFLINE
 """
@@ -19,7 +19,7 @@ from files_bench import CUTS, ENVIRONMENT, KERFLINE, SEED, limit_files
 
 
 class DataBase(unittest.TestCase):
-    """The data base of cuts: SQLite's own care, and what the commands add to it."""
+    """The database of cuts: protection by SQLite, and by the commands."""
 
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
@@ -64,7 +64,7 @@ class DataBase(unittest.TestCase):
         self.assertFalse(fresh.exists())
 
     def test_what_a_killed_process_left_is_read_as_before(self):
-        """A journal that has to be rolled back, left by a process that ended within a change."""
+        """A process that ended during a change left a journal that has to be rolled back."""
         before = self.kerf("show", "--material", "tin", "--db", self.base).stdout
         child = os.fork()
         if child == 0:
@@ -82,7 +82,7 @@ class DataBase(unittest.TestCase):
 
 
 class Store(unittest.TestCase):
-    """`serve --store`."""
+    """Tests `serve --store`."""
 
     def setUp(self):
         folder = tempfile.TemporaryDirectory()

@@ -18,7 +18,7 @@ import zlib
 
 KERFLINE = ""
 EXAMPLES = pathlib.Path()
-# What the libraries behind --png keep until exit; only a sanitized build reads it.
+# Leaks of the libraries behind --png; only a sanitized build reads this file.
 SUPPRESSIONS = pathlib.Path(__file__).with_name("leaks.supp")
 
 # Table 2 (mm: W: mm/min) and Table 3 (mm: l1, l2) of Park and Ahn 2007, typed from the paper.
@@ -49,8 +49,9 @@ def advise(material, thickness, power, speed, *more):
 
 
 def cuts_of_the_paper(seconds):
-    """Every m/min of Table 2, with the widths of Table 3; Q in W/(mm/min) times `seconds`. Just
-    outside of each window a cut with too much dross."""
+    """Returns a cut at every m/min of Table 2, with the widths of Table 3; Q in W/(mm/min) times
+    `seconds`. Just outside of each window there is a cut with too much dross.
+    """
     for thickness, powers in TABLE_2.items():
         slope, intercept = TABLE_3[thickness]
         for power, (least, most) in powers.items():
@@ -200,7 +201,9 @@ class KerfCommand(unittest.TestCase):
         self.assertNotIn("not calibrated", advice.stdout)
 
     def filled_form(self, **more):
-        """A form of `calibrate`, widths measured with a calliper on all slots but the last."""
+        """Returns a form of `calibrate` with widths that were measured with a calliper on all
+        slots but the last.
+        """
         form, laser = self.folder / "form.csv", more.get("laser", ())
         done = kerf("calibrate", "--material", "acrylic", "--thickness", 3, "--full-power", 60, "--powers", "30,45,60",
                     "--speeds", "400,600,800", *laser, "--out", self.folder / "coupon.nc", "--form", form)
@@ -229,7 +232,7 @@ class KerfCommand(unittest.TestCase):
         self.assertEqual(len(cuts.splitlines()), 8)
 
     def test_asks_for_the_laser_where_the_form_names_none(self):
-        """Whether the data base has others or not."""
+        """The laser is required whether the database contains other lasers or not."""
         named, told = self.filled_form(laser=("--laser", "mine"))
         self.assertEqual(told, "")
         done = kerf("calibrate", "--measured", named, "--db", self.base)
@@ -277,7 +280,9 @@ class KerfCommand(unittest.TestCase):
             self.assertIn(f"did you mean {nearest}?", kerf("show", "--material", name).stderr)
 
     def test_reads_what_spreadsheets_save(self):
-        """Semicolons with decimal commas, tabs, empty columns at the end, lines of separators alone."""
+        """The files contain semicolons with decimal commas, tabs, empty columns at the end, and
+        lines of separators alone.
+        """
         good = [["tin", "a laser", "0.1", "1", str(power), str(speed), f"{.4 + power / speed:.3f}", "0.4", "", ""]
                 for power in (40, 60) for speed in (400, 500, 600)]
         for number, (separator, mark, tail, head) in enumerate(((";", ",", "", ""), (";", ".", ";;;", "sep=;\n"),

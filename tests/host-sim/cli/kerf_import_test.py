@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""`kerfline kerf import`: libraries of materials, and programs that say who measured what.
+"""`kerfline kerf import`: libraries of materials, and programs with the source of the
+measurements.
 
     kerf_import_test.py KERFLINE
 """

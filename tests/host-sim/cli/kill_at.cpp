@@ -1,9 +1,10 @@
-/// Preloaded into a program under test: ends it by SIGKILL at one of its calls that change files.
+/// A library that is preloaded into a program under test, and ends the program by SIGKILL at one of
+/// its calls that change files.
 ///
-/// KILL_FOLDER names the folder whose files count, KILL_AT the number of the call, from 1. A write
-/// that is hit has written half of its bytes. With KILL_COUNT instead, the number of calls is
-/// written to a file of that name after each. So a test ends a program at every moment that a file
-/// can be half written, without luck and without a debugger.
+/// KILL_FOLDER names the folder whose files count, KILL_AT is the number of the call, from 1. A
+/// write that is hit has written half of its bytes. With KILL_COUNT instead, the library writes the
+/// number of calls to the file of that name after each call. A test can thus end a program at every
+/// moment at which a file can be half written, without chance and without a debugger.
 
 #include <dlfcn.h>
 #include <fcntl.h>
@@ -20,7 +21,8 @@
 namespace {
 
 std::atomic<long> calls{0};
-thread_local bool within = false;  ///< Calls of this file itself do not count.
+thread_local bool within = false;  ///< True during the calls that this file itself makes, which do
+                                   ///< not count.
 
 template <typename Function>
 Function next(const char* name) {
@@ -49,7 +51,7 @@ void write_count(const char* name, long count) {
   ::close(file);
 }
 
-/// True where the program is to end at this call, after what the caller does before.
+/// Returns true if the program must end at this call. The caller ends it after its own actions.
 bool is_last() {
   const long number = ++calls;
   if (const char* const name = std::getenv("KILL_COUNT")) write_count(name, number);

@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
-"""A process that ends at any call that changes a file leaves the old file or the new one, whole.
+"""Tests that a process that ends at any call that changes a file leaves the complete old file or
+the complete new one.
 
     kill_test.py KERFLINE KILL_AT
 
-KILL_AT is the library of kill_at.cpp. Every output, store, data base and rewritten file of every command
-is tried at every write, rename, removal and flush; a write that is hit is half done.
+KILL_AT is the library of kill_at.cpp. Every output, store, database and rewritten file of every
+command is tested at every write, rename, removal and flush. A write that is hit is half done.
 """
 
 import contextlib
@@ -21,7 +22,7 @@ import unittest
 from files_bench import CUTS, ENVIRONMENT, KERFLINE, Bench, Server, some_calls
 
 LIBRARY = [""]
-# Of long files the first and the last calls, and some between them.
+# Of long files, the first and the last calls are tested, and some between them.
 MOST_CALLS = 40
 
 
@@ -30,7 +31,7 @@ def killing(folder, **more):
 
 
 def chosen(count):
-    """The calls at which a process ends."""
+    """Returns the numbers of the calls at which a process is ended."""
     if count <= MOST_CALLS:
         return range(1, count + 1)
     half = MOST_CALLS // 2
@@ -65,7 +66,7 @@ class Killed(unittest.TestCase):
                     for call in chosen(count):
                         file.write_bytes(old)
                         code, _, err = bench.run(wanted, env=killing(bench.folder, KILL_AT=str(call)))
-                        # Times in a log or a recording differ, and with them the number of calls.
+                        # Times in a log or a recording vary, and with them the number of calls.
                         timed = name in ("send", "serve")
                         self.assertTrue(code == -signal.SIGKILL or (timed and code == 0), (call, code, err))
                         found = file.read_bytes()
@@ -80,7 +81,9 @@ class Killed(unittest.TestCase):
 
     @staticmethod
     def is_whole(option, found, new):
-        """Begins and ends as one that was written in peace, and is about as long."""
+        """Returns whether a file begins and ends like one that was written without interruption,
+        and is about as long.
+        """
         last = found.rstrip(b"\n").rsplit(b"\n", 1)[-1]
         of_new = new.rstrip(b"\n").rsplit(b"\n", 1)[-1]
         if option == "--trace":
@@ -90,7 +93,7 @@ class Killed(unittest.TestCase):
         return found.endswith(b"\n") and found.count(b"\n") >= new.count(b"\n") // 2
 
     def test_data_base(self):
-        """Each change is there as a whole or not at all, and the data base is sound."""
+        """Each change is stored completely or not at all, and the database is sound."""
         more = CUTS.replace("tin", "zinc")
         with tempfile.TemporaryDirectory() as place, tempfile.TemporaryDirectory() as aside:
             folder, counter = pathlib.Path(place), pathlib.Path(aside) / "count"
@@ -101,7 +104,7 @@ class Killed(unittest.TestCase):
                                       capture_output=True, check=False, env=env or ENVIRONMENT)
 
             def state():
-                """Read by the product, then by SQLite itself."""
+                """The product reads the database first, then SQLite itself."""
                 shown = [kerf("show", "--material", material, "--cuts").stdout for material in ("tin", "zinc")]
                 connection = sqlite3.connect(base)
                 self.assertEqual(connection.execute("PRAGMA integrity_check").fetchone(), ("ok",))
@@ -144,7 +147,7 @@ class Killed(unittest.TestCase):
 
     @staticmethod
     def ask(port, line):
-        """What the server says to a line, until it ends or acknowledges."""
+        """Returns the server's lines after a request, until it ends or acknowledges."""
         said = b""
         with socket.create_connection(("127.0.0.1", port), timeout=10) as connection:
             with contextlib.suppress(OSError):
@@ -165,7 +168,7 @@ class Killed(unittest.TestCase):
         process.communicate(timeout=20)
 
     def test_store(self):
-        """What was acknowledged is kept; what was not is there as a whole or not at all."""
+        """Acknowledged changes are kept; others are stored completely or not at all."""
         with tempfile.TemporaryDirectory() as place, tempfile.TemporaryDirectory() as aside:
             store, counter = pathlib.Path(place) / "store", pathlib.Path(aside) / "count"
             process, port = self.serve(store)
@@ -196,7 +199,7 @@ class Killed(unittest.TestCase):
             self.assertLess(kept, count - begun, "a call before the rename leaves the old one")
 
     def test_store_that_is_created(self):
-        """A first start that ends anywhere leaves no store, or one that the next start takes."""
+        """A first start that is ended at any call leaves no store, or one that the next start can use."""
         with tempfile.TemporaryDirectory() as place, tempfile.TemporaryDirectory() as aside:
             store, counter = pathlib.Path(place) / "store", pathlib.Path(aside) / "count"
             process, _ = self.serve(store, KILL_COUNT=str(counter))

@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""kerfline order on problems of its own: costs counted again, precedence, the same result again.
+"""kerfline order on generated problems: recomputed costs, precedence, and equal results of equal
+calls.
 
     order_command_test.py KERFLINE
 """
@@ -23,7 +24,7 @@ def run(*arguments, text=None):
 
 
 class Sheet:
-    """Parts with holes in rows, some of them nested again, as a PCGLNS file."""
+    """Parts with holes in rows as a PCGLNS file; some holes contain further parts with holes."""
 
     def __init__(self, seed, parts, points=6):
         choose = random.Random(seed)

@@ -1,4 +1,4 @@
-"""Drawings of pockets, and calls of `kerfline pocket` whose programs the simulated machine takes."""
+"""Drawings of pockets, and calls of `kerfline pocket` whose programs the simulated machine accepts."""
 
 import json
 import pathlib

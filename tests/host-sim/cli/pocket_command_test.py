@@ -29,7 +29,8 @@ class PocketCommand(PocketTest):
         for line in ("G21 G90 G17 G94 G54", "S16000 M3", "M7", "M9", "M5", "M2"):
             self.assertIn(line + "\n", text)
         driven = self.simulated()
-        # Drawings have their Y upwards: 80 - 50 to 80 - 10; half the tool from each wall.
+        # The machine's Y points up, so the limits are 80 - 50 and 80 - 10, less half the tool at
+        # each wall.
         for axis, least, greatest in (("X", 13.0, 67.0), ("Y", 33.0, 67.0)):
             low, high = driven["bounds_mm"][axis]
             self.assertAlmostEqual(min(low, least), least if low > 0 else low, 2)
@@ -47,7 +48,7 @@ class PocketCommand(PocketTest):
         self.assertIn("passes in", again.stderr)
         piped = run("pocket", "-", "--tool", 6, "--depth", 2, *MILL, text=TRAY)
         self.assertEqual(piped.stdout.splitlines()[3:], again.stdout.splitlines()[3:])
-        # The drawing's digest is the same; its name is given from the folder of the program.
+        # The digest of the drawing is the same; its name is relative to the folder of the program.
         self.assertEqual(digest.search(written)[2], "tray.svg")
         self.assertEqual(digest.search(piped.stdout)[1], digest.search(written)[1])
 
@@ -96,7 +97,8 @@ class PocketCommand(PocketTest):
                 text = self.program.read_text()
                 self.assertEqual(text.count(code), 6)  # Two walls, two levels and the floor.
                 self.assertEqual(text.count("G40"), 6)
-                # A tool that is 0.1 mm wider, cut off by as much: the walls are where they were drawn.
+                # The tool is 0.1 mm wider and its path is compensated by that. The walls remain
+                # where they were drawn.
                 self.program.write_text("G10 L1 P2 R0.05\n" + text)
                 stock = self.simulated("--stock", "5,25,75,75,0,-8", "--tool", 6.1, "--stock-cell", 0.05)["stock"]
                 volume = 4 * (60 * 40 - (4 - math.pi) * 3.05 ** 2 - math.pi * 8 ** 2)
@@ -120,7 +122,8 @@ class PocketCommand(PocketTest):
                     self.assertAlmostEqual(self.simulated()["bounds_mm"]["Z"][0], -2.0, 2)
 
     def test_carves_all_that_the_tool_reaches_and_nothing_else(self):
-        # All but the corners of the walls, which have the tool's radius, and the island.
+        # The cleared area is all but the island and the corners of the walls, which have the tool's
+        # radius.
         volume = 4 * (60 * 40 - (4 - math.pi) * 3 ** 2 - math.pi * 8 ** 2)
         for more in ((), ("--conventional", "--stepover", 2), ("--entry", "ramp", "--corner", 0),
                      ("--finish", 0.3), ("--finish", 0.3, "--conventional"), ("--strategy", "spiral"),
@@ -167,13 +170,13 @@ class PocketCommand(PocketTest):
         self.assertIn("196.0 mm2 are too wide for 3 mm", done.stderr)
         self.assertTrue(picture.read_text().startswith("<"))
         stock = self.simulated("--stock", "5,35,65,75,0,-5", "--tool", "12,v,90", "--stock-cell", 0.05)["stock"]
-        # A groove like a roof, and the square's rim, down to a depth of 3 mm and up again.
+        # A groove like a roof, and the rim of the square, down to a depth of 3 mm and up again.
         groove = 4 * 2 / 2 * 26 + 4 ** 2 * 2 / 3
         rim = 4 * (20 * 3 ** 2 / 2 - 2 * 3 ** 3 / 3) + 4 * (14 * 3 ** 2 / 2 - 2 * 3 ** 3 / 6)
         self.assertLess(stock["removed_mm3"]["least"], groove + rim)
         self.assertGreater(stock["removed_mm3"]["most"], 0.998 * (groove + rim))
         self.assertLess(stock["removed_mm3"]["most"] - stock["removed_mm3"]["least"], 0.06 * (groove + rim))
-        # The tool as deep as its own width allows.
+        # The depth is limited by the width of the tool.
         done = self.pocket(TRAY, "--v-angle", 90, "--tool", 4, "--depth", 30, *MILL)
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertAlmostEqual(self.simulated()["bounds_mm"]["Z"][0], -2.0, 3)

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Slots, islands, depths of their own and open sides: what kerfline pocket makes of shapes.
+"""kerfline pocket with various shapes: slots, islands, separate depths and open sides.
 
     pocket_shapes_test.py KERFLINE
 """
@@ -16,7 +16,7 @@ OPEN_BOX = "0,0,100,80"  # A stock that pockets reach across the edge of, in pla
 
 
 def heights(ply):
-    """Returns (x, y): greatest z of the points of a carved stock, rounded to mm in the plane."""
+    """Returns {(x, y): greatest z} of the points of a carved stock, rounded to mm in the plane."""
     head, body = pathlib.Path(ply).read_bytes().split(b"end_header\n", 1)
     count = int(next(line for line in head.split(b"\n") if line.startswith(b"element vertex")).split()[2])
     found = {}
@@ -78,7 +78,7 @@ class PocketShapes(PocketTest):
         self.assertEqual(stock["rapids_in_stock"]["count"], 0)
         self.assertEqual(stock["plunges_in_stock"]["count"], 0)
         height = heights(ply)
-        # The drawing's Y points down.
+        # Y of the drawing points down.
         for place, z in (((5, 40), 0), ((15, 40), -4), ((30, 45), -6.5), ((55, 45), -1.5), ((87, 60), -6.5)):
             self.assertAlmostEqual(height[place], z, delta=0.01, msg=place)
 
@@ -106,7 +106,7 @@ class PocketShapes(PocketTest):
                     self.assertIn(f"at {place}", done.stderr)
                     self.assertIn("take them apart", done.stderr)
                     self.assertFalse(self.program.exists())
-        # A deeper pocket may have walls in common with the one around it.
+        # A deeper pocket may share walls with the pocket around it.
         done = self.pocket(svg(room, '<rect x="10" y="10" width="20" height="40" stroke="red"/>'), "--tool", 6,
                            "--depth", 2, "--depth-of", "red=4", *MILL)
         self.assertEqual(done.returncode, 0, done.stderr)
@@ -134,7 +134,8 @@ class PocketShapes(PocketTest):
 
     def test_mills_open_pockets_from_beside_the_stock(self):
         shapes = svg('<rect x="40" y="-5" width="20" height="45"/>', '<rect x="75" y="50" width="15" height="20"/>')
-        # Of the open one all, its corners within the stock rounded; of the closed one all but four corners.
+        # The open pocket is cleared completely, except for its rounded corners within the stock;
+        # the closed one except for four corners.
         corner = (1 - math.pi / 4) * 3 ** 2
         volume = 3 * (20 * 40 - 2 * corner + 15 * 20 - 4 * corner)
         for strategy in "contour", "spiral", "adaptive", "zigzag":

@@ -26,7 +26,7 @@ def scan():
 
 class Posts(PocketTest):
     def made(self, command, *more):
-        """The text of a program of a command."""
+        """Returns the text of the program that a command writes."""
         if command == "surface":
             (self.folder / "scan.xyz").write_text(scan())
             call = ("surface", self.folder / "scan.xyz", "--tool", "ball:3", "--step", 1, *MILL)
@@ -59,7 +59,7 @@ class Posts(PocketTest):
         self.assertRegex(text, r"\(kerfline digest post=[0-9a-f]{16} .*linuxcnc.post\)")
 
     def test_posted_programs_are_driven_as_the_plain_ones(self):
-        """To the step where the post changes the text alone."""
+        """If the post changes only the text, the steps are equal."""
         post = self.folder / "text.post"
         post.write_text("[format]\nblanks = yes\nrepeat = all\nline-numbers = 1 1\npoints = yes\n"
                         "comments = semicolon\nline-end = crlf\n[header]\n%\n[footer]\n%\n")
@@ -86,7 +86,7 @@ class Posts(PocketTest):
             for post in POSTS:
                 with self.subTest(command=command, post=post.name):
                     text = self.made(command, "--post", post)
-                    # This machine has no point to return to, and a header that names a program.
+                    # The simulated machine has no reference point to return to.
                     self.program.write_text(text.replace("G91 G28 Z0", "G0 Z5"))
                     for found, wanted in zip(bounds(), plain):
                         self.assertAlmostEqual(found, wanted, delta=0.03)

@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""kerfline surface probe-grid as its users call it: the circle from a surface to the grid probed of it.
+"""kerfline surface probe-grid as its users call it: from a surface to the probed grid of this
+surface.
 
     probe_grid_test.py KERFLINE
 """
@@ -86,12 +87,12 @@ class ProbeGrid(unittest.TestCase):
                         done = self.read()
                         self.assertEqual((done.returncode, done.stdout), (0, ""), done.stderr)
                         self.assert_on_plane(self.grid.read_text())
-        # The heights of the tip itself are above a slope.
+        # On a slope, the heights of the tip are above the surface.
         self.assertEqual(self.read("--tip", 0).returncode, 0)
         above = math.sqrt(1 + 0.3 ** 2 + 0.2 ** 2) - 1
         self.assert_on_plane(self.grid.read_text(), bound=above)
         self.assertLess(max(z - plane(x, y) for x, y, z in points_of(self.grid.read_text())), above + 0.001)
-        # What was probed is a surface to probe.
+        # The probed grid can be used as a surface to probe.
         done = run("sim", self.program, "--probe-surface", self.grid, "--answers", self.log)
         self.assertEqual(done.returncode, 0, done.stderr)
 
@@ -99,7 +100,7 @@ class ProbeGrid(unittest.TestCase):
         stl = self.folder / "part.stl"
         stl.write_bytes(plane_stl())
         self.write()
-        # The part's zero is at X 3, Y 2, Z -0.5 of the machine.
+        # The origin of the part is at X 3, Y 2, Z -0.5 of the machine.
         text = "G10 L2 P1 X3 Y2 Z-0.5\n" + self.program.read_text()
         moved = self.folder / "moved.nc"
         moved.write_text(text)

@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""The circle of a measured part: probed by a machine, milled from what was probed, carved, and compared.
+"""The complete cycle of a measured part: probed by a machine, milled from the probed grid, carved,
+and compared.
 
     probe_to_carve_test.py KERFLINE
 """
@@ -15,12 +16,13 @@ from pocket_bench import MACHINE, run
 STEPS_PER_MM = 320
 WIDTH, DEPTH = 16, 12
 TOLERANCE, SCALLOP = 0.005, 0.02
-# The machine may round corners and weld lines by so much.
+# Limit for rounding corners and welding lines in the machine, mm.
 CORNER = 0.001
 SETTINGS = (*MACHINE, "--set", f"$11={CORNER}", "--set", f"$12={CORNER}")
-# Of the coordinates in an answer and of the program's.
+# Rounding of the coordinates in an answer and in the program, mm.
 ROUNDING = 0.002
-# The carved stock has one height for a cell: on the steepest slope it is off by half of one.
+# The carved stock has one height per cell. On the steepest slope this height is wrong by half a
+# cell.
 CELL = 0.025
 CELL_ERROR = 0.5 * CELL * 0.9 * (0.35 + 0.3)
 
@@ -36,7 +38,7 @@ def part_grid(pitch=0.25, beyond=4):
 
 
 def upper_points(ply):
-    """The highest point of a binary PLY at each place in plan."""
+    """Returns the highest point of a binary PLY at each point of the plan."""
     head, _, body = ply.partition(b"end_header\n")
     count = int(head.split(b"element vertex ")[1].split()[0])
     heights = {}
@@ -57,7 +59,7 @@ class ProbeToCarve(unittest.TestCase):
         return result
 
     def carve(self, tip_mm):
-        """Returns the probed grid as a file, and the heights of what was carved by place."""
+        """Returns the probed grid as a file, and the heights of the carved stock by point."""
         part_file, probe, log, grid, program, rest = (
             self.folder / name for name in ("part.xyz", "probe.nc", "probe.log", "grid.xyz", "part.nc", "rest.ply"))
         part_file.write_text(part_grid())
@@ -72,7 +74,7 @@ class ProbeToCarve(unittest.TestCase):
         return grid, upper_points(rest.read_bytes())
 
     def heights_of(self, grid, places):
-        """Heights of the surface at places: those of the tip of a very small ball."""
+        """Returns the heights of the surface at points, found with the tip of a very small ball."""
         wanted = self.folder / "places.txt"
         wanted.write_text("".join(f"{x} {y}\n" for x, y in places))
         rows = self.done("surface", grid, "--tool", "ball:0.01", "--at", wanted).stdout.splitlines()
@@ -88,11 +90,12 @@ class ProbeToCarve(unittest.TestCase):
                 step = 1 / STEPS_PER_MM
                 print(f"tip {tip_mm} mm: {len(off)} places, {min(off):.4f} to {max(off):.4f} mm above the probed grid")
                 self.assertGreater(min(off), -step - CORNER - ROUNDING - CELL_ERROR)
-                # In a valley of facets a ball leaves what no ball of its size can reach.
+                # In a valley between facets, a ball leaves material that no ball of its size can
+                # reach.
                 most = 2 * TOLERANCE + SCALLOP + step + CORNER + ROUNDING + CELL_ERROR
                 self.assertLess(max(off), most + 0.5 ** 2 / (8 * 1.5))
                 meant = [height - part(*place) for place, height in zip(places, probed)]
-                # The grid has chords of 1 mm; the tip's curvature adds to the part's.
+                # The grid has chords of 1 mm. The curvature of the tip adds to that of the part.
                 self.assertLess(max(map(abs, meant)), 0.11 * 2 / 8 + step + ROUNDING)
 
 

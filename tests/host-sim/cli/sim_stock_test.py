@@ -17,7 +17,8 @@ KERFLINE = ""
 MILL = [word for setting in ("$32=0", "$30=24000", "$100=320", "$101=320", "$102=320", "$110=5000", "$111=5000",
                              "$112=2000", "$120=400", "$121=400", "$122=250")
         for word in ("--set", setting)]
-# 30 by 20 mm with corners of the tool's radius, 2 mm deep: ramped, then cleared in loops.
+# A pocket of 30 by 20 mm with corners of the tool's radius, 2 mm deep: entered by a ramp, then
+# cleared in loops.
 POCKET = """G21 G90 G17
 M3 S10000
 G0 Z5
@@ -59,7 +60,7 @@ class SimStock(unittest.TestCase):
         return json.loads(name.read_text())["stock"], done.stdout
 
     def test_the_volume_of_a_pocket_is_between_its_bounds(self):
-        # The path's outermost loop is 24 by 16 mm, the tool's radius 4 mm.
+        # The outermost loop of the path is 24 by 16 mm, the tool's radius is 4 mm.
         volume = 2 * (24 * 16 + 2 * 4 * (24 + 16) + math.pi * 16)
         gaps = []
         for cell in (0.1, 0.05):
@@ -147,12 +148,14 @@ class SimStock(unittest.TestCase):
         walls.write_text("4 2\n36 2\n36 26\n4 26\nclosed\n")
         stock, _ = self.carved(program, "--stock", "0,0,40,30,0,-8", "--tool", 8, "--stock-target", walls,
                                "--stock-depth", 2)
-        # Walls lie on the borders of cells, up to the last digit: their cells may go either way.
+        # Walls coincide with the borders of cells, up to the last digit, so their cells may count
+        # for either side.
         drawn, _ = self.pocket(program)
         for name in ("gouge_mm3", "rest_mm3"):
             for bound in ("least", "most"):
                 self.assertAlmostEqual(stock["pocket"][name][bound], drawn[name][bound], delta=112 * 0.05 * 2)
-        # A round one: the corners stand as rest of what it is not, and gouges of what it is.
+        # The walls are round here. The pocket's corners beyond them are gouges, and uncleared areas
+        # within them are rest.
         walls.write_text("36 14 1\n4 14 1\nclosed\n")
         stock, _ = self.carved(program, "--stock", "0,0,40,30,0,-8", "--tool", 8, "--stock-target", walls,
                                "--stock-depth", 2)
@@ -167,11 +170,12 @@ class SimStock(unittest.TestCase):
         good, text = self.pocket(program)
         self.assertLess(good["gouge_mm3"]["least"], 0.01)
         self.assertLess(good["rest_mm3"]["least"], 0.01)
-        # The bounds are apart by a cell on either side of 112 mm of walls, and in corners.
+        # The two bounds differ by a cell on either side of 112 mm of walls, and in corners.
         self.assertLess(good["gouge_mm3"]["most"], 2 * 112 * 0.2)
         self.assertLess(good["rest_mm3"]["most"], 2 * 112 * 0.2)
         self.assertNotIn("gouged", text)
-        # Without the last loop there is a rim of 4 mm; with a side 0.5 mm farther out a gouge, round at its ends.
+        # Without the last loop there is a rim of 4 mm. With one side 0.5 mm farther out there is a
+        # gouge, which is round at its ends.
         rest, _ = self.pocket(POCKET.format(loops=loops()[:loops().index("G1 X8.0 Y6.0")]))
         rim = 2 * (32 * 24 - 24 * 16)
         self.assertLess(rest["rest_mm3"]["least"], rim)

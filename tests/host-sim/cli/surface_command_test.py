@@ -28,7 +28,7 @@ def scan(rows=21, columns=31, pitch=0.5, height=lambda x, y: 2 * math.sin(0.5 * 
 
 
 def box_of_stl(side, top):
-    """A block as a binary STL, its bottom at Z 0."""
+    """Returns a block as a binary STL with its bottom at Z 0."""
     corners = [(x, y, z) for z in (0, top) for y in (0, side) for x in (0, side)]
     faces = ((0, 2, 1), (1, 2, 3), (4, 5, 6), (5, 7, 6), (0, 1, 4), (1, 5, 4), (2, 6, 3), (3, 6, 7), (0, 4, 2),
              (2, 4, 6), (1, 3, 5), (3, 7, 5))
@@ -104,7 +104,7 @@ class SurfaceCommand(unittest.TestCase):
         roughed = run("sim", self.program, *MACHINE, *stock, "--tool", "4,bull,0.5")
         self.assertEqual(roughed.returncode, 0, roughed.stderr)
         self.assertNotIn("a rapid cuts stock", roughed.stderr + roughed.stdout)
-        # A run that finds all of the stock there goes down to it slowly.
+        # A run that has the full stock in front of it enters slowly.
         self.assertEqual(self.surface("--tool", "ball:4", *below, *MILL).returncode, 0)
         raw = run("sim", self.program, *MACHINE, *stock, "--tool", "4,ball")
         self.assertNotIn("a rapid cuts stock", raw.stderr + raw.stdout)
@@ -113,7 +113,8 @@ class SurfaceCommand(unittest.TestCase):
         self.scan.write_text(scan(height=lambda x, y: -4.0))
         self.assertEqual(self.surface("--tool", 6, "--allowance", 0.3, *MILL).returncode, 0)
         low = self.simulated()["bounds_mm"]["Z"][0]
-        # A flat tool over a plane: the allowance, and the tolerance of 0.01 mm at most twice.
+        # The flat tool on a plane is above it by the allowance, and by the tolerance of 0.01 mm at
+        # most twice.
         self.assertGreaterEqual(low, -3.7)
         self.assertLessEqual(low, -3.6799)
         self.assertEqual(self.surface("--tool", 6, "--floor", -3.5, "--margin", 2, *MILL).returncode, 0)
@@ -140,7 +141,7 @@ class SurfaceCommand(unittest.TestCase):
         self.assertEqual(self.surface(*layers, *MILL, "--slot-feed", 432).returncode, 0)
         text = self.program.read_text()
         cuts = re.split(r"\nG0 ", text)
-        # Each layer begins with a slot, and the rows beside it are faster.
+        # Each layer begins with a slot; the rows next to it have a higher feed.
         self.assertIn("F432", text)
         self.assertIn("F1500", text)
         first = next(cut for cut in cuts if "F432" in cut)
@@ -154,7 +155,8 @@ class SurfaceCommand(unittest.TestCase):
                                 "--lines", *MILL, *ramp)
             self.assertEqual(done.returncode, 0, done.stderr)
             text = self.program.read_text()
-            # Motion straight down in the feed: only the last hundredths behind a ramp.
+            # Sums up motion straight down at the feed: only the last hundredths of a mm behind a
+            # ramp.
             drops, here = [], {}
             for line in text.splitlines():
                 words = dict(re.findall(r"([GXYZ])(-?[\d.]+)", line))
@@ -166,7 +168,7 @@ class SurfaceCommand(unittest.TestCase):
             milled = run("sim", self.program, *MACHINE, *stock, "--tool", "4")
             self.assertEqual(milled.returncode, 0, milled.stderr)
             self.assertNotIn("a rapid cuts stock", milled.stderr + milled.stdout)
-            # A run of less than 0.2 mm has no room for one.
+            # A run of less than 0.2 mm is too short for a ramp.
             deep = sum(drop > 0.03 for drop in drops)
             if ramp:
                 self.assertLessEqual(deep, 2)
@@ -186,7 +188,8 @@ class SurfaceCommand(unittest.TestCase):
         part = self.folder / "block.stl"
         part.write_bytes(box_of_stl(10, 4))
         places = self.folder / "places.txt"
-        # From the side, the block is 10 mm high and lies from X 0 to 4; from below, Y is the other way round.
+        # From the side, the block is 10 mm high and extends from X -4 to 0. From below, Y is
+        # reversed.
         for approach, place, height in (("-1,0,0", "-2 5", 10), ("0,0,1", "5 -5", 0), ("0,0,-1", "5 5", 4)):
             places.write_text(place + "\n")
             done = run("surface", part, "--approach", approach, "--tool", "ball:1", "--at", places)
@@ -205,7 +208,7 @@ class SurfaceCommand(unittest.TestCase):
         done = run("surface", self.scan, "--tool", "ball:4", "--at", places, "--mesh", mesh)
         self.assertEqual(done.returncode, 0, done.stderr)
         rows = [line.split() for line in done.stdout.splitlines()]
-        # A ball on a slope: its centre is 2 mm from it, at right angles.
+        # On a slope, the centre of the ball is at right angles to it at a distance of 2 mm.
         lift = 2.0 * math.hypot(1.0, 0.5) - 2.0
         self.assertAlmostEqual(float(rows[0][2]), 2.5 + lift, 12)
         self.assertAlmostEqual(float(rows[1][2]), 3.625 + lift, 12)

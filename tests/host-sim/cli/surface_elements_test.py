@@ -1,8 +1,10 @@
 #!/usr/bin/env python3
-"""Arcs beside chords over sculptured grids: how many motion lines, and how long the machine takes.
+"""Compares arcs with chords on sculptured grids: the number of motion lines, and the time of the
+machine.
 
     surface_elements_test.py KERFLINE
-    KERFLINE_GRID=100 surface_elements_test.py KERFLINE     grids of 100 x 100, at 0.1, 0.01 and 0.001 mm
+    KERFLINE_GRID=100 surface_elements_test.py KERFLINE    grids of 100 x 100, at 0.1, 0.01 and
+    0.001 mm
 """
 
 import json
@@ -25,11 +27,12 @@ SURFACES = {
         -((x - 15) ** 2 + (y - 12) ** 2) / 10),
     "propeller": lambda x, y: 3 * math.tanh(0.25 * (y - 9)) * math.sin(0.15 * x + 0.5),
 }
-# Waves too short for the pitch: the facets of the grid dominate, and no element spans more than one.
+# The waves are too short for the pitch: the facets of the grid dominate, and no element spans two
+# facets.
 COARSE = {
     "ripples": lambda x, y: 0.8 * math.sin(0.12 * ((x - 4) ** 2 + (y - 5) ** 2) ** 0.75),
 }
-# Settings of a machine that neither rounds corners nor welds lines by more than a step.
+# Settings of a machine that rounds corners and welds lines by at most a step.
 SETTINGS = (*MACHINE, "--set", "$11=0.003", "--set", "$12=0.003")
 
 
@@ -40,7 +43,7 @@ class Elements(unittest.TestCase):
         self.folder = pathlib.Path(folder.name)
 
     def job(self, tolerance, *more):
-        """Returns the number of motion lines and the time of a program, s."""
+        """Returns the number of motion lines and the duration of a program, s."""
         program, report, simulated = (self.folder / name for name in ("scan.nc", "scan.json", "sim.json"))
         decimals = 5 if tolerance < 0.005 else 4
         done = run("surface", self.folder / "scan.xyz", "--tool", "ball:4", "--step", PITCH, "--tolerance", tolerance,

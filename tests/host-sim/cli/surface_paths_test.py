@@ -35,7 +35,7 @@ class SurfacePaths(unittest.TestCase):
         return [line for line in self.program.read_text().splitlines() if not line.startswith("(")]
 
     def carved(self, *options):
-        """Heights of what a program leaves, by place."""
+        """Returns the heights of the stock that a program leaves, by point."""
         done = self.surface("--tool", "ball:3", "--tolerance", TOLERANCE, "--stock-top", 0, *options)
         self.assertEqual(done.returncode, 0, done.stderr)
         rest = self.folder / "rest.ply"
@@ -46,7 +46,7 @@ class SurfacePaths(unittest.TestCase):
         return upper_points(rest.read_bytes())
 
     def off_the_part(self, carved):
-        """How far what was carved is above the part."""
+        """Returns the heights of the carved stock above the part."""
         places = [(x, y) for x, y in carved if 2 < x < WIDTH - 2 and 2 < y < DEPTH - 2][::7]
         wanted = self.folder / "places.txt"
         wanted.write_text("".join(f"{x} {y}\n" for x, y in places))
@@ -59,7 +59,8 @@ class SurfacePaths(unittest.TestCase):
         least = 1 / STEPS_PER_MM + CORNER + ROUNDING + CELL_ERROR
         off = self.off_the_part(self.carved("--paths", "contour", "--step", 0.4))
         self.assertGreater(min(off), -least)
-        # Half a step and a tenth of that from a line, beside what a ball leaves in a valley of facets.
+        # The bound is for 0.55 of a step from a line, plus the material that a ball leaves in a
+        # valley of facets.
         self.assertLess(max(off), 0.22 ** 2 / (2 * 1.5) + 2 * TOLERANCE + least + 0.5 ** 2 / (8 * 1.5))
         off = self.off_the_part(self.carved("--paths", "waterline", "--step", 0.05))
         self.assertGreater(min(off), -least)
@@ -75,7 +76,7 @@ class SurfacePaths(unittest.TestCase):
             self.assertEqual(done.returncode, 0, done.stderr)
             figures = json.loads(self.report.read_text())
             self.assertEqual(figures["lifts"], 1)
-            # Round a block of 20 mm at 3 mm, three times.
+            # The rows run around a block of 20 mm at a distance of 3 mm, three times.
             self.assertAlmostEqual(figures["row_length_mm"], 3 * (80 + 6 * 3.14159), delta=0.5)
             self.assertLess(figures["arcs"] + figures["lines"], 60)
             self.assertNotRegex(self.program.read_text(), r"\nG1[89]\n")
@@ -98,7 +99,9 @@ class SurfacePaths(unittest.TestCase):
         self.assertGreater(lengths[1], 1.5 * lengths[0])
 
     def roughed(self, *options):
-        """The figures of a program that roughs a block with a dome, and what the simulated machine prints."""
+        """Returns the figures of a program that roughs a block with a dome, and the output of the
+        simulated machine.
+        """
         dome = self.folder / "dome.xyz"
         dome.write_text("".join(f"{x} {y} {max(-9.0, -(x - 14) ** 2 / 16 - (y - 12) ** 2 / 12):.4f}\n"
                                 for y in range(25) for x in range(33)))
@@ -126,7 +129,7 @@ class SurfacePaths(unittest.TestCase):
             self.assertEqual(figures["arcs"] == 0, options == ("--lines",))
             program = self.program.read_text()
             self.assertFalse(re.search(r"\nG1[89]\n", program))
-            # From beside the stock no pass has stock on both sides.
+            # If the tool enters from outside of the stock, no pass has stock on both sides.
             self.assertEqual("F700" in program, "--stock-margin" not in options, options)
             self.assertTrue("roughing in levels of 3 mm" in program)
             self.assertIn("rest", printed)

@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Pictures of kerfline surface, and its programs against the surface on the simulated machine.
+"""Tests pictures of kerfline surface, and compares its programs with the surface on the simulated
+machine.
 
     surface_pictures_test.py KERFLINE
 """
@@ -97,7 +98,7 @@ class SurfacePictures(unittest.TestCase):
         self.assertGreater(found["cells"], 35_000)
         self.assertEqual(chart.read_bytes()[:4], b"\x89PNG")
         self.assertNotIn("gouged", done.stdout + done.stderr)
-        # Each edge of the body is that of two triangles, once in each direction.
+        # Each edge of the body belongs to two triangles, once in each direction.
         edges = collections.Counter()
         for a, b, c in stl_triangles(body):
             edges.update([(a, b), (b, c), (c, a)])

@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""kerfline surface where rows are limited: drawings, slopes, rests of a larger tool, direction; and valleys.
+"""kerfline surface with limited rows: drawings, slopes, rests of a larger tool, direction; and
+valleys.
 
     surface_regions_test.py KERFLINE
 """
@@ -33,7 +34,7 @@ class SurfaceRegions(unittest.TestCase):
         self.folder = pathlib.Path(folder.name)
         self.program = self.folder / "part.nc"
         self.surface = self.folder / "part.xyz"
-        # A groove along Y, with sides of 45 degrees, in a plane.
+        # The surface is a plane with a groove along Y, whose sides have 45 degrees.
         self.surface.write_text(grid(lambda x, y: max(-4.0, min(0.0, abs(x - 10) - 4))))
         self.drawing = self.folder / "part.svg"
         self.drawing.write_text(CIRCLE.format(""))
@@ -64,7 +65,7 @@ class SurfaceRegions(unittest.TestCase):
         ring = self.mill("--boundary", self.drawing)
         self.assertEqual(whole["lifts"], 1)
         self.assertLessEqual(ring["lifts"], 3)
-        # The sides of the groove are as much steeper in both.
+        # The groove's sides lengthen the rows by the same factor with and without the island.
         share = (6 ** 2 - 3 ** 2) / 6 ** 2
         self.assertAlmostEqual(ring["row_length_mm"] / whole["row_length_mm"], share, 1)
         self.assertLess(ring["row_length_mm"], whole["row_length_mm"])
@@ -82,7 +83,8 @@ class SurfaceRegions(unittest.TestCase):
     def test_mills_what_a_larger_tool_has_left(self):
         whole = self.mill()["row_length_mm"]
         rest = self.mill("--rest-of", "ball:6")
-        # From the bottom of the groove to (3 - 1) sin 45 on both sides, and an eighth of the radius.
+        # The rows extend from the bottom of the groove to (3 - 1) sin 45 on both sides, and an
+        # eighth of the radius farther.
         rows = 41
         width = 2 * (2 * math.sin(math.pi / 4) + 0.125)
         self.assertLess(rest["row_length_mm"], rows * width * math.sqrt(2.0))
@@ -108,7 +110,7 @@ class SurfaceRegions(unittest.TestCase):
         self.assertIn("(along valleys sharper than 20 degrees", self.program.read_text())
         bounds = self.bounds()
         self.assertAlmostEqual(bounds["X"][1], 10, 1)
-        # A ball of 1 mm between two sides of 45 degrees.
+        # A ball of 1 mm touches two sides of 45 degrees.
         self.assertAlmostEqual(bounds["Z"][0], -4 + math.sqrt(2) - 1, 1)
         done = run("surface", self.surface, *pencil, "--boundary", self.drawing)
         self.assertEqual(done.returncode, 0, done.stderr)

@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""kerfline surface --smooth: noise of a scan is not milled, nothing is cut into, and what makes no sense is refused.
+"""kerfline surface --smooth: noise of a scan is not milled, the surface is not gouged, and invalid
+values are refused.
 
     surface_smooth_test.py KERFLINE
 """
@@ -43,7 +44,7 @@ class SurfaceSmooth(unittest.TestCase):
         return json.loads(self.report.read_text())
 
     def heights_above_touch(self):
-        """How far ends of moves are above the place where the tool touches."""
+        """Returns the heights of the ends of moves above the position in which the tool touches."""
         position, ends = {}, []
         for line in self.program.read_text().splitlines():
             words = {word[0]: float(word[1:]) for word in re.findall(r"[GXYZF]-?[\d.]+", line)}

@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""No byte that a terminal obeys comes out of a command, wherever it was put in.
+"""Tests that no command outputs a control byte for the terminal, whichever input contained it.
 
     terminal_test.py KERFLINE
 
-Names of files, programs, drawings, data bases, recordings and answers of a controller are tried with
-every command of the table in files_bench.py.
+Names of files, programs, drawings, databases, recordings and answers of a controller are tried
+with every command of the table in files_bench.py.
 """
 
 import concurrent.futures
@@ -26,19 +26,21 @@ import unittest
 from files_bench import (CALLS, COMMANDS, CUTS, ENVIRONMENT, KERFLINE, NO_FILES, PLATE, PROGRAM, Bench, Server,
                          some_calls)
 
-# Colour, title, CSI of one byte, DEL, and a line that looks like one of the program's own.
+# Colour, title, CSI of one byte, DEL, and a line that looks like a message of the program.
 EVIL = b"\x1b[31mred\x1b]0;title\x07\x9b1m\x7f\xc2\x9b2J\r\nspoof: fine\b"
 NAME = os.fsdecode(EVIL.replace(b"\x00", b""))
 OBEYED = re.compile(r"[\x00-\x08\x0b-\x1f\x7f-\x9f]")
 
 
 def text_of(data):
-    """Bytes that are no UTF-8 become what an 8-bit terminal takes them for."""
+    """Decodes bytes; those that are not UTF-8 become the characters that an 8-bit terminal shows."""
     return data.decode("utf-8", "surrogateescape").translate({0xDC00 + i: i for i in range(128, 256)})
 
 
 def bad_text(name):
-    """A text for the file that `name` reads, of which all that can be named in a message is evil."""
+    """Returns a text for the file that `name` reads, in which every name that a message can quote
+    contains control bytes.
+    """
     evil = EVIL.decode("latin-1").replace("\n", "").replace("\r", "")
     return {
         "sim": f"G21\n(MSG,{evil})\nG1 X1 F100 {evil}\nG{evil}\n",
@@ -90,7 +92,7 @@ class Terminal(unittest.TestCase):
             yield Bench(pathlib.Path(folder), name, command, NAME)
 
     def test_names_of_files(self):
-        """Of every file of every command: where all is well, and where each is missing or a folder."""
+        """For every file of every command, the file is correct, missing, or a folder."""
         for name, command in some_calls(self):
             with self.bench(name, command) as bench:
                 self.judge(*self.run_bench(bench))
@@ -130,7 +132,7 @@ class Terminal(unittest.TestCase):
                     self.judge(out, err, "\\x")
 
     def test_drawings(self):
-        """Layers, entities, identifiers and texts."""
+        """Control bytes are in layers, entities, identifiers and texts."""
         evil = EVIL.decode("latin-1").replace("\n", "").replace("\r", "")
         for suffix, content in (("dxf", DXF.format(evil).encode("latin-1")), ("svg", SVG.encode()),
                                 ("json", JSON.encode())):
@@ -148,7 +150,7 @@ class Terminal(unittest.TestCase):
                     self.assertNotEqual(done.stdout + done.stderr, b"")
 
     def test_data_bases(self):
-        """The laser's name is any text."""
+        """The name of the laser may be any text."""
         base = self.folder / f"{NAME}.db"
         evil = EVIL.decode("latin-1").replace("\n", "").replace("\r", "")
         material = ("--material", "tin", "--db", str(base))
@@ -170,7 +172,7 @@ class Terminal(unittest.TestCase):
         self.judge(done.stdout, done.stderr)
 
     def answer(self, listener, answers):
-        """A controller that says `answers` to whatever comes."""
+        """Runs a controller that sends `answers` to each line."""
         connection, _ = listener.accept()
         with connection:
             connection.sendall(b"\r\nGrblHAL 1.1f ['$' or '$HELP' for help]\r\n")
@@ -205,7 +207,7 @@ class Terminal(unittest.TestCase):
                 self.judge(out, err)
 
     def said_of(self, job, said):
-        """What `send` prints when a controller says this and nothing else, and the user gives up."""
+        """Returns the output of `send` when a controller sends only `said`, and the user stops."""
         listener, thread, process = self.send(str(job), said, "--stop-when-held")
         with contextlib.suppress(subprocess.TimeoutExpired):
             process.wait(timeout=3)
@@ -219,7 +221,7 @@ class Terminal(unittest.TestCase):
         return texts
 
     def test_progress_on_a_terminal(self):
-        """The bar is the only one that moves the cursor."""
+        """Only the progress bar moves the cursor."""
         job = self.folder / f"job{NAME}.nc"
         job.write_text("G21 G91\nM4 S500\n" + "G1 X1 F1000\nG1 X-1\n" * 20000)
         for words in (["check", str(job)], ["sim", str(job)]):

@@ -23,7 +23,7 @@ CALL = ("--material", "birch ply", "--thickness", "3", "--power", "20:80", "--fe
 
 
 def paths_of(program):
-    """(comment, S, F, [places]) of each path with the beam on."""
+    """Returns (comment, S, F, [points]) of each path with the beam on."""
     found, state, comment, path = [], {}, "", None
     for line in program.splitlines():
         if line.startswith("("):

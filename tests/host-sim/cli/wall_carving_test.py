@@ -21,7 +21,7 @@ def run(*arguments):
 
 
 def pit_stl():
-    """A block with a square pit as a binary STL, its top at Z 0."""
+    """Returns a block with a square pit as a binary STL, its top at Z 0."""
     def ring(half, z):
         return [(-half, -half, z), (half, -half, z), (half, half, z), (-half, half, z)]
     floor, rim = ring(HALF, -DEPTH), ring(HALF, 0)
@@ -38,7 +38,7 @@ def pit_stl():
 
 
 def tips(layers=50, samples=8):
-    """For each layer and wall a list of tips along it."""
+    """Returns a list of tips along each wall, for each layer."""
     corners = [(-HALF, -HALF), (HALF, -HALF), (HALF, HALF), (-HALF, HALF)]
     for layer in range(1, layers + 1):
         for (ax, ay), (bx, by) in zip(corners, corners[1:] + corners[:1]):
@@ -64,7 +64,7 @@ class WallCarving(unittest.TestCase):
             "\n".join(f"{x:.9g} {y:.9g} {z:.9g} 0 0 1" for x, y, z in stroke) for stroke in tips()))
 
     def leaning(self, *more):
-        """The beams of least tilt at the same tips."""
+        """Returns the beams of least tilt at the same tips."""
         strokes = list(tips())
         places = self.file("tips.txt", "".join(f"{x:.9g} {y:.9g} {z:.9g}\n" for s in strokes for x, y, z in s))
         done = run("wall", self.part, "--half-angle", 7, "--at", places, *more)
@@ -90,7 +90,7 @@ class WallCarving(unittest.TestCase):
         self.assertIn("leaning.txt: 4 walls carved, off the drawn angle by", err)
         self.assertIn("; 4 not carved", err)
         self.assertEqual(picture.read_text().count('fill="#aab2bd"'), 2)
-        # What is left is a closed body, a part as any other.
+        # The carved stock is a closed body, which can be used as a part.
         done = run("wall", carved, "--half-angle", 7, "--at", self.file("at", "0 0 1\n"))
         self.assertEqual(done.returncode, 0, done.stderr)
 
@@ -111,7 +111,8 @@ class WallCarving(unittest.TestCase):
                 self.assertAlmostEqual(float(row[6]), 0, delta=0.5)
 
     def test_fits_the_response_of_several_gains(self):
-        # Heat of 10 degrees, of which a lean takes 80 % of itself away; the last wall tells nothing.
+        # The wall is 10 degrees wider by heat, and a lean reduces this by 80 % of the lean. The
+        # last wall gives no information.
         cuts = self.file("cuts.txt", "# drawn carved gain\n0 10\n2 12 0\n0 4.4 1\n2 6.4 1\n30 30 1\n")
         done = run("wall", "taper", cuts, "--half-angle", 7)
         self.assertEqual(done.returncode, 0, done.stderr)

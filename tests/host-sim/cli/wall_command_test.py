@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""kerfline wall as its users call it: beams that lean away from walls, cones that anybody judges, and refusals.
+"""kerfline wall as its users call it: beams that lean away from walls, cones that other programs
+can check, and refusals.
 
     wall_command_test.py KERFLINE
 """
@@ -21,7 +22,7 @@ def run(*arguments, text=None):
 
 
 def pocket_stl(inner=20, outer=60, depth=2, open_floor=False):
-    """A block with a square pocket as a binary STL: its floor at Z 0, its top at Z `depth`."""
+    """Returns a block with a square pocket as a binary STL: its floor at Z 0, its top at Z `depth`."""
     def ring(half, z):
         return [(-half, -half, z), (half, -half, z), (half, half, z), (-half, half, z)]
     floor, rim = ring(inner / 2, 0), ring(inner / 2, depth)
@@ -70,7 +71,8 @@ class WallCommand(unittest.TestCase):
         done = self.beams("10 10 0\n0 0 0\n", "--max-tilt", 9)
         self.assertEqual(done.returncode, 1)
         self.assertIn("# 10 10 0 is out of reach\n0 0 0 ", done.stdout)
-        # Within the part nothing reaches a tip, and in the wall by less than 1 um it is on the wall.
+        # A beam cannot reach a tip within the part. A tip less than 1 um within the wall counts as
+        # on the wall.
         done = self.beams("12 0 0\n10.0005 0 0\n")
         self.assertEqual(done.stdout.count("out of reach"), 1, done.stdout)
 

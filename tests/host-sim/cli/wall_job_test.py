@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""kerfline wall --layer: the program is driven here, and its cone is compared with the walls that the part has.
+"""kerfline wall --layer: the program is interpreted here, and its cone is compared with the walls
+of the part.
 
     wall_job_test.py KERFLINE
 """
@@ -41,7 +42,7 @@ def ring(half, z, half_y=None):
 
 
 def pocket(half, half_y=None, depth=0.5):
-    """A block with a pocket: its floor is at Z 0, its top at Z `depth`."""
+    """Returns a block with a pocket: its floor is at Z 0, its top at Z `depth`."""
     floor, rim = ring(half, 0, half_y), ring(half, depth, half_y)
     top, bottom = ring(4, depth), ring(4, -1)
     quads = [floor, bottom[::-1]]
@@ -53,7 +54,7 @@ def pocket(half, half_y=None, depth=0.5):
 
 
 def block(rings):
-    """A stack of rings as a solid."""
+    """Returns a stack of rings as a solid."""
     quads = [rings[0][::-1], rings[-1]]
     for low, high in zip(rings, rings[1:]):
         quads += [[low[i], low[(i + 1) % 4], high[(i + 1) % 4], high[i]] for i in range(4)]
@@ -68,7 +69,7 @@ def axis_of(tilt, turn, is_ac):
 
 
 def cone(axis, count=180):
-    """Directions along the side of a beam."""
+    """Returns directions along the side of a beam."""
     x, y, z = axis
     across = math.hypot(x, z)
     one = (z / across, 0.0, -x / across)
@@ -80,7 +81,7 @@ def cone(axis, count=180):
 
 
 class Drive:
-    """A program as a machine drives it: `cuts` are pairs of (tip, tilt, turn)."""
+    """A program as a machine executes it: `cuts` are pairs of (tip, tilt, turn)."""
 
     def __init__(self, program):
         self.cuts, self.rapids, self.s, self.feed = [], [], set(), set()
@@ -103,7 +104,7 @@ class Drive:
         return (now["X"], now["Y"], now["Z"], now["A" if self.is_ac else "B"], now["C"])
 
     def states(self, parts=4):
-        """Tips and axes along all cuts."""
+        """Yields tips and axes along all cuts."""
         for begin, end in self.cuts:
             for i in range(parts + 1):
                 here = [a + (b - a) * i / parts for a, b in zip(begin, end)]
@@ -111,7 +112,7 @@ class Drive:
 
 
 def deepest_in_pocket(drive, half, half_y, depth):
-    """How deep the side of the beam is in the walls of a pocket anywhere, mm."""
+    """Returns the greatest depth of the beam's side in the walls of a pocket, mm."""
     worst = -1e9
     for tip, axis in drive.states():
         for way in cone(axis):
@@ -160,7 +161,7 @@ class WallJob(unittest.TestCase):
                 self.assertEqual(len(rows), figures["beams"])
                 for row in rows:
                     self.assertAlmostEqual(math.hypot(*row[3:]), 1, delta=1e-12)
-                # All of the program's places are beams of the list.
+                # All positions of the program are beams of the list.
                 places = {tuple(round(value, 4) + 0.0 for value in row[:3]) for row in rows}
                 for _, end in drive.cuts:
                     self.assertIn(tuple(round(value, 4) + 0.0 for value in end[:3]), places)
@@ -176,9 +177,10 @@ class WallJob(unittest.TestCase):
         self.assertIn("2 layers of 0.25 mm", done.stdout)
         drive = Drive(self.output.read_text())
         length = sum(math.dist(begin[:3], end[:3]) for begin, end in drive.cuts)
-        # Lines 0.2 mm apart over 16 mm2 less the 4 mm2 of the part, and 8 mm around it, in two layers.
+        # In each of two layers, lines 0.2 mm apart cover 16 mm2 less the 4 mm2 of the part, and
+        # 8 mm run around the part.
         self.assertAlmostEqual(length, 2 * (12 / 0.2 + 8), delta=0.1)
-        # The border of the stock is no wall.
+        # The border of the stock is not a wall.
         self.assertFalse(any(begin[0] == end[0] and abs(end[0]) == 2 for begin, end in drive.cuts))
         self.job(block([ring(1, 0), ring(1, 0.5)]), "--layer", 0.25, "--hatch", 0.2, "--stock-margin", 1,
                  "--no-contour", "--hatch-angle", 90)
@@ -203,7 +205,8 @@ class WallJob(unittest.TestCase):
         self.assertIn(f"{lost} tips are out of reach", done.stderr)
         done = self.job(slot, "--layer", 0.25, "--beams", beams, "--allow-lean")
         self.assertEqual(beams.read_text().count("is out of reach"), 0)
-        # From one wall at the depth of 0.5 mm a beam fits up to the rim of the other, 0.08 mm away.
+        # At the depth of 0.5 mm at one wall, a beam fits up to the rim of the other wall, 0.08 mm
+        # away.
         left = 7 - math.degrees(math.atan(0.08 / 0.5)) / 2
         self.assertIn("beams enter the part, by up to", done.stderr)
         self.assertAlmostEqual(float(re.search(r"by up to ([\d.]+)", done.stderr)[1]), left, delta=0.02)
@@ -221,7 +224,7 @@ class WallJob(unittest.TestCase):
             {"power_w": 10, "feed_mm_min": 1200, "depth_mm": 0.1},
             {"power_w": 10, "feed_mm_min": 400, "depth_mm": 0.4}]}))
         done = self.job(pocket(1), "--record", record)
-        # 1 J/mm is half way from 0.5 to 1.5.
+        # 1 J/mm is in the middle between 0.5 and 1.5.
         self.assertIn("2 layers of 0.25 mm", done.stdout)
 
     def test_refuses_with_reason_and_remedy_and_writes_nothing(self):

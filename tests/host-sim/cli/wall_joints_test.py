@@ -25,7 +25,9 @@ def run(*arguments):
 
 
 def tip_of(place):
-    """The tip over the part for axes, by hand: A turns about X through the pivot, C about Z."""
+    """Returns the tip above the part for positions of the axes, computed by hand: A turns about X
+    through the pivot, C about Z.
+    """
     x, y, z, a, _, c = place
     a, c = math.radians(a), math.radians(c)
     z += PIVOT
@@ -73,7 +75,7 @@ class WallJoints(unittest.TestCase):
         for row in rows:
             x, y, z = tip_of(row[1:])
             self.assertLess(abs(z), 1e-3)
-            # Corners are rounded within $11, 0.01 mm.
+            # Corners are rounded within 0.01 mm ($11).
             off = abs(y) if row[6] == 0 else abs(math.hypot(x, y) - 20) if row[6] <= 180 else abs(x + 20)
             self.assertLess(off, 0.0105, row)
 

@@ -14,7 +14,7 @@ namespace {
 
 using drawing::Place;
 
-/// Teeth whose offsets cross each other: a crowd in one place, and some at another.
+/// Returns teeth whose offsets cross each other: many at one point, and some at another.
 Contour teeth() {
   Contour contour;
   for (int i = 0; i < 10; ++i) contour.vertices.push_back({4.0 * i, 4.0 * (i % 2), 0.0});
@@ -57,8 +57,9 @@ TEST(ContourOffset, SaysWhatIsNoNumber) {
   EXPECT_THROW(ContourOffset{}.offset(contour.view(), 1.0), std::invalid_argument);
 }
 
-/// A plate whose upper edge turns back upon itself twice, with one tangent each time but for an
-/// angle that is a rounding of whatever wrote it: a needle of material beside one of a slot.
+/// Returns a plate whose upper edge turns back twice. The tangents on both sides of each cusp are
+/// equal except for a rounding error of the program that wrote the contour. The result is a needle
+/// of material and a needle-shaped slot.
 Contour plate_with_cusps(proof::Random& random) {
   const double radius = random.between(0.05, 1.0);
   const double sweep = random.between(0.1, 0.6);

@@ -21,7 +21,7 @@ inline std::vector<drawing::Shape> shapes_of(const std::vector<ContourVertex>& l
   return shapes;
 }
 
-/// Returns the distance of the farthest place of one row from the chords of another, mm.
+/// Returns the distance of the farthest point of one row from the chords of another, mm.
 inline double farthest(const std::vector<drawing::Place>& from,
                        const std::vector<drawing::Place>& chords) {
   double greatest = 0.0;
@@ -39,8 +39,8 @@ inline double farthest(const std::vector<drawing::Place>& from,
   return greatest;
 }
 
-/// Returns the distance between a contour and arcs, both ways, mm: by chords within a hundredth of
-/// the tolerance.
+/// Returns the distance between a contour and arcs in both directions, mm. Chords deviate from both
+/// by a hundredth of the tolerance at most.
 inline double deviation(const drawing::DrawnContour& drawn,
                         const std::vector<ContourVertex>& loop,
                         double tolerance) {

@@ -22,7 +22,7 @@ using drawing::Line;
 using drawing::Place;
 using drawing::Shape;
 
-/// Curves that follow each other smoothly, from zero.
+/// Returns curves that follow each other smoothly, from the origin on.
 std::vector<Bezier> random_row(proof::Random& random, std::size_t curves) {
   std::vector<Bezier> row;
   Place at{0.0, 0.0};
@@ -43,7 +43,7 @@ std::vector<Bezier> random_row(proof::Random& random, std::size_t curves) {
   return row;
 }
 
-/// A map of the plane: a turn by quarters or a mirror, then a shift.
+/// A map of the plane: a rotation by quarter turns or a mirroring, then a shift.
 struct Placing {
   std::size_t quarters = 0;
   bool is_mirrored = false;
@@ -56,7 +56,7 @@ struct Placing {
   }
 };
 
-/// A closed contour: the row and a way back by lines.
+/// Returns a closed contour: the row, and lines back to its beginning.
 DrawnContour placed(const std::vector<Bezier>& row, const Placing& placing, bool has_stem) {
   DrawnContour contour;
   contour.closed = true;
@@ -90,7 +90,7 @@ struct Wish {
   OutlineOptions options;
 };
 
-/// Few rows, each in many places, with those that are nearly the same.
+/// Returns few rows, each at many positions, and rows that are nearly equal to them.
 std::vector<Wish> random_wishes(proof::Random& random) {
   std::vector<Wish> wishes;
   const double tolerance = random.magnitude(0.002, 0.2);
@@ -136,7 +136,7 @@ TEST(KnownRows, GiveTheArcsOfEachContourAloneInAnyOrder) {
   }
 }
 
-/// Returns how many numbers the rows of these contours need.
+/// Returns how many rows are kept after these contours.
 std::size_t kept_after(const std::vector<DrawnContour>& contours) {
   KnownRows rows;
   for (const DrawnContour& contour : contours) static_cast<void>(arcs_of(contour, {}, rows));
@@ -148,7 +148,8 @@ TEST(KnownRows, KeepARowInManyPlacesOnce) {
   const auto row = random_row(random, 3);
   std::vector<DrawnContour> contours;
   for (std::size_t i = 0; i < 20; ++i) {
-    // Whole multiples of 1/64 mm move the binary digits of a place as drawings do.
+    // The shifts are multiples of 1/64 mm, which change the binary digits of a point as drawings
+    // do.
     const Place shift{1.25 * static_cast<double>(i), 300.0 - 0.015625 * static_cast<double>(i)};
     contours.push_back(placed(row, {.quarters = 0, .is_mirrored = false, .shift = shift}, false));
   }

@@ -26,7 +26,7 @@ using drawing::Place;
 
 double degrees(double radians) { return radians * 180.0 / std::numbers::pi; }
 
-/// Loop number `loop`, its first vertex once more at its end.
+/// Returns loop number `loop`, with its first vertex repeated at the end.
 std::vector<ContourVertex> closed_loop(const Contour& contour, std::size_t loop) {
   const auto view = contour.view();
   std::vector<ContourVertex> vertices{contour.vertices.begin() + view.loop_begin(loop),
@@ -35,7 +35,7 @@ std::vector<ContourVertex> closed_loop(const Contour& contour, std::size_t loop)
   return vertices;
 }
 
-/// Degrees by which the way turns at the end of element `index`.
+/// Returns the degrees by which the path turns at the end of element `index`.
 double kink_after(const std::vector<ContourVertex>& loop, std::size_t index) {
   const auto direction = [&](std::size_t i, double sign) {
     const Place chord = loop[i + 1].point() - loop[i].point();
@@ -80,7 +80,7 @@ TEST(Outline, DividesArcsOfMoreThanHalfATurn) {
   EXPECT_NEAR(loop[1].bulge, 1.0, 1.0e-12);
 }
 
-// A circle of four curves as programs write it: tangents agree to its three decimals only.
+// A circle of four curves as programs write it: its tangents agree only to three decimals.
 TEST(Outline, GoesSmoothlyOverJointsOfCurvesAndWhereTheContourBegins) {
   const Drawing drawn = read_path(
       "M40 50 C40 44.477 44.477 40 50 40 C55.523 40 60.001 44.477 60 50 "
@@ -93,7 +93,7 @@ TEST(Outline, GoesSmoothlyOverJointsOfCurvesAndWhereTheContourBegins) {
 TEST(Outline, KeepsCornersAndTheTangentsOfLinesBesideCurves) {
   const Drawing drawn = read_path("M10 10 L30 10 C40 10 40 30 30 30 L10 30 C20 25 20 15 10 10 Z");
   const auto loop = closed_loop(outline_of(drawn).contour, 0);
-  EXPECT_EQ(corners_of(loop), 2U);  // Both ends of the line above.
+  EXPECT_EQ(corners_of(loop), 2U);  // The corners are both ends of the line above.
   for (const Place& corner : {Place{10.0, 90.0}, Place{10.0, 70.0}}) {
     EXPECT_TRUE(std::any_of(loop.begin(), loop.end(), [&](const ContourVertex& vertex) {
       return vertex.point() == corner;
@@ -119,7 +119,8 @@ TEST(Outline, NamesTheContourOfEachLoopAndPutsMaterialOnTheLeft) {
   }
 }
 
-// Three control points in one place: the curve, which runs the other way, has no direction there.
+// Three control points coincide: the curve, which reverses its direction there, has no tangent at
+// that point.
 TEST(Outline, NamesEntityAndPlaceOfWhatItCannotFit) {
   const Drawing drawn = read_path("M10 10 C10 10 10 10 30 20 L10 40 Z");
   const Outline outline = outline_of(drawn);
@@ -150,7 +151,8 @@ TEST(Outline, OfAnOpenContourEndsWhereTheContourEnds) {
   EXPECT_EQ(fitted.vertices.back().point(), drawing::end_of(drawn.contours[0].shapes.back()));
 }
 
-/// Closed: lines, arcs and curves of all kinds about a place, some joined smoothly.
+/// Returns a closed path of lines, arcs and curves of all kinds around a point, some joined
+/// smoothly.
 std::string random_path(proof::Random& random) {
   const std::size_t count = 3 + random.below(5);
   std::string path;
@@ -215,8 +217,8 @@ TEST(Outline, StaysWithinTheToleranceBothWaysForRandomPaths) {
   std::printf("%zu contours, %zu elements: %.4f of the tolerance\n", contours, arcs, worst);
 }
 
-// Paper 1, figure 13: 120 arcs with the corners' at 0.28 mm and 0.1 mm, for control points that are
-// not printed; these thirteen splines are like them.
+// Paper 1, figure 13, has 120 arcs with those of the corners, at 0.28 mm and 0.1 mm. It does not
+// print the control points; these thirteen splines are similar.
 TEST(Outline, OfThirteenSplinesIsOffsetByFewerArcsThanThePaperTakes) {
   nlohmann::json data;
   std::ifstream{KERFLINE_CONTOUR_DATA "/k13_synthetic.json"} >> data;

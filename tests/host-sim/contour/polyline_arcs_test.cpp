@@ -25,7 +25,7 @@ double distance_to_chords(const std::vector<Place>& places, const Place& place) 
   return least;
 }
 
-/// A curve that turns a little at each place, and sometimes sharply.
+/// Returns points of a curve that turns a little at each point, and sometimes sharply.
 std::vector<Place> random_row(proof::Random& random) {
   std::vector<Place> places{{0.0, 0.0}};
   double angle = random.between(0.0, drawing::kFullTurn);

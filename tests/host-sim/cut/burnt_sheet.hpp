@@ -8,7 +8,8 @@
 
 namespace sim::cut {
 
-/// The material that the beam leaves of a sheet of 100 mm, in small squares and pieces of them.
+/// The material that the beam leaves of a sheet of 100 mm, as small squares that form connected
+/// pieces.
 class BurntSheet {
  public:
   explicit BurntSheet(const CutPlan& plan) : pieces_(kCells * kCells, kMaterial) {
@@ -22,13 +23,13 @@ class BurntSheet {
     }
   }
 
-  /// Returns whether both places are in one piece of material.
+  /// Returns whether both points are in one piece of material.
   [[nodiscard]] bool are_one(const Place& a, const Place& b) const {
     return pieces_[cell(a)] != kBurnt && pieces_[cell(a)] == pieces_[cell(b)];
   }
 
  private:
-  static constexpr double kCell = 0.05;  ///< mm.
+  static constexpr double kCell = 0.05;  ///< Side of a square, mm.
   static constexpr std::size_t kCells = 2000;
   static constexpr int kMaterial = -1;
   static constexpr int kBurnt = 0;
@@ -48,7 +49,7 @@ class BurntSheet {
     }
   }
 
-  /// Gives a number to all material that is joined to a square.
+  /// Assigns a piece's number to all material that is connected to a square.
   void fill(std::size_t from, int piece) {
     std::vector<std::size_t> open{from};
     const auto take = [&](bool is_inside, std::size_t there) {

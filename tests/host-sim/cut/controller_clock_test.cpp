@@ -53,7 +53,8 @@ TEST(ControllerClock, GivesATimeToEachMotionInTheOrderOfTheProgram) {
   EXPECT_TRUE(clock.finish().empty());
 }
 
-/// A row of lines and arcs of any size, some hardly longer than a digit.
+/// Returns a row of lines and arcs of any size, some hardly longer than the last digit of a
+/// coordinate.
 std::vector<Stroke> random_row(proof::Random& random) {
   std::vector<Stroke> row;
   Place here{random.between(-100.0, 100.0), random.between(-100.0, 100.0)};
@@ -97,7 +98,7 @@ TEST(WrittenPath, IsThePathThatAReaderOfTheProgramDrives) {
         }
         text.erase(0, end + 1);
       }
-      if (&stroke == &row.front()) read.erase(read.begin());  // The rapid.
+      if (&stroke == &row.front()) read.erase(read.begin());  // Removes the rapid to the start.
       const std::vector<cnc::PathElement>& driven = path.next(stroke);
       ASSERT_EQ(driven.size(), read.size());
       for (std::size_t i = 0; i < read.size(); ++i) {

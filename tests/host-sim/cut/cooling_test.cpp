@@ -15,19 +15,20 @@
 namespace sim::cut {
 namespace {
 
-/// Where the beam was at a time.
+/// Position of the beam at a time.
 struct BurntPlace {
   Place place;
   double time_s;
 };
 
-/// Plays a plan with a clock of its own and keeps every place that the beam cut, 0.02 mm apart.
+/// Plays a plan with its own clock and records the points that the beam cut, 0.02 mm apart.
 class CoolingOracle {
  public:
   CoolingOracle(const CutPlan& plan, const CoolingRules& rules) : plan_{plan}, rules_{rules} {}
 
-  /// Returns by how much the pierce that comes too early does so, s; 0 or less where all wait.
-  /// @param useless_s how much longer than needed the longest wait is
+  /// Returns the greatest time by which a pierce comes too early, s; 0 or less if all wait long
+  /// enough.
+  /// @param useless_s greatest excess of a wait over the required time
   double play(double& useless_s) {
     double early = -1.0e9;
     useless_s = 0.0;
@@ -89,7 +90,7 @@ bool keeps_precedence(const CutPlan& plan) {
   return true;
 }
 
-/// Pairs of contours of which the first is cut before the second.
+/// Returns pairs of contours; the first one of each must be cut before the second.
 std::vector<std::pair<std::size_t, std::size_t>> wanted_pairs(const CutPlan& plan) {
   std::vector<std::pair<std::size_t, std::size_t>> pairs;
   for (const Cut& cut : plan.cuts) {
@@ -131,7 +132,7 @@ TEST(Cooling, PiercesKeepOffFreshHeat) {
     for (const CutPlan* each : {&plan, &as_ordered}) {
       double useless_s = 0.0;
       EXPECT_LE((CoolingOracle{*each, rules}.play(useless_s)), 1.0e-9);
-      // Heat is rounded up to the next sixteenth of the distance.
+      // The product rounds the distance of heat up to the next sixteenth of `distance_mm`.
       EXPECT_LE(useless_s, rules.cool_s);
     }
     waits_s += plan.safety.waits_s;
@@ -174,7 +175,7 @@ TEST(Cooling, TheBeamIsOffWhileItWaits) {
   EXPECT_THAT(program(false), testing::ContainsRegex("\nG0X[^\n]*\nM5\nG4 P9[.0-9]*\nM3\nG"));
 }
 
-/// A cut of another layer is not overtaken: the user orders these.
+/// A cut does not move before a cut of an earlier layer: the user sets the order of the layers.
 TEST(Cooling, KeepsTheOrderOfLayers) {
   const auto drawn =
       drawing::read(drawing::svg_of("<circle cx=\"10\" cy=\"10\" r=\"3\" stroke=\"red\"/>"

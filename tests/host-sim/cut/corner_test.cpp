@@ -14,7 +14,8 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-/// Five outer corners and an inner one, and a hole with four inner ones; and four rounds.
+/// A part with five outer corners and an inner one, a hole with four inner corners, and a part with
+/// four rounded corners.
 constexpr const char* kAngle =
     "<path d=\"M10 20H40V60H70V80H10Z\"/><rect x=\"15\" y=\"25\" width=\"10\" height=\"10\"/>"
     "<rect x=\"50\" y=\"20\" width=\"12\" height=\"12\" rx=\"2\"/>";
@@ -49,8 +50,9 @@ TEST(Corners, BelowTheAngleAreNone) {
   EXPECT_EQ(figures_of(planned(kHexagon, {.corner_angle_deg = 61.0})).corners, 0U);
 }
 
-/// Straight on, three quarters of a turn to the right, straight on: 2 (h + R) more than the way to
-/// where the kerf's lines meet, and 3/2 π R, instead of a quarter turn of h.
+/// A loop continues straight on, makes three quarters of a turn to the right, and continues
+/// straight on. It replaces a quarter turn of radius h. Its lines are 2 (h + R) longer than the
+/// path to the intersection of the kerf's lines, and its arc is 3/2 π R.
 TEST(CornerLoops, PassOuterCornersAndInnerOnesRest) {
   constexpr double kRadius = 2.0;
   const CutPlan plan = planned(

@@ -22,7 +22,7 @@ CutPlan plan_of_svg(const std::string& content) {
   return plan_of(drawing::read(drawing::svg_of(content)));
 }
 
-/// All drawn edges of a drawing as places not farther apart than 0.05 mm.
+/// Returns points on all drawn edges of a drawing, at most 0.05 mm apart.
 std::vector<Place> places_of_edges(const drawing::Drawing& drawn) {
   std::vector<Place> places;
   for (const auto& contour : drawn.contours) {
@@ -54,7 +54,7 @@ double nearest(const Place& place, const std::vector<Place>& others) {
   return std::sqrt(least);
 }
 
-/// The length of edges that warnings say stay uncut, mm.
+/// Returns the length of edges that, by the warnings, stay uncut, mm.
 double told_uncut_mm(const CutPlan& plan) {
   double sum = 0.0;
   for (const drawing::Fault& warning : plan.warnings) {
@@ -94,8 +94,8 @@ TEST(Crowd, PartsSideBySideAreStillRefused) {
   EXPECT_THAT(plan.faults[0].reason, HasSubstr("takes 0.200 mm off"));
 }
 
-/// Shapes near each other, touching at corners, and crossing: no path takes anything off a part,
-/// and each edge is cut, or a warning says how much of it is not.
+/// Shapes are close to each other, touch at corners, and cross. No path may remove material of a
+/// part. Each edge must be cut, or a warning must give its uncut length.
 TEST(Crowd, EveryPathIsClearAndEveryEdgeIsCutOrNamed) {
   const proof::Trials trials{150};
   std::size_t shared = 0;

@@ -16,7 +16,7 @@
 namespace sim::cut {
 namespace {
 
-/// Between samples of a drawn curve its chords leave it by less, mm.
+/// Upper bound of the distance between a drawn curve and the chords of its samples, mm.
 constexpr double kChordSlack = 2.0e-4;
 constexpr int kSamples = 2'000;
 constexpr double kPageMm = 100.0;
@@ -30,7 +30,7 @@ Place at(double turn, double radius) {
           three_decimals(50.0 + radius * std::sin(turn))};
 }
 
-/// About the middle of the page, with and without corners.
+/// Returns an outline around the middle of the page, with and without corners.
 std::vector<Bezier> random_outline(proof::Random& random) {
   const std::size_t count = 3 + random.below(5);
   const double step = 2.0 * std::numbers::pi / static_cast<double>(count);
@@ -62,7 +62,7 @@ std::string svg_path_of(const std::vector<Bezier>& outline) {
   return "<path id=\"p\" d=\"" + data + "Z\"/>";
 }
 
-/// By de Casteljau.
+/// Returns points of the outline, by de Casteljau's algorithm.
 Outline sampled(const std::vector<Bezier>& outline) {
   Outline places;
   for (const Bezier& curve : outline) {
@@ -78,7 +78,7 @@ Outline sampled(const std::vector<Bezier>& outline) {
   return places;
 }
 
-/// A cubic spline that ends where it begins, as DXF has it; knots are whole numbers.
+/// A cubic spline that ends where it begins, as DXF stores it; its knots are integers.
 struct Spline {
   std::vector<Place> points;
 
@@ -90,7 +90,7 @@ struct Spline {
     return knots;
   }
 
-  /// By de Boor.
+  /// Returns points of the spline, by de Boor's algorithm.
   [[nodiscard]] Outline sampled() const {
     const std::vector<double> knot = knots();
     Outline places;
@@ -141,8 +141,8 @@ double area_of(const Outline& outline) {
   return 0.5 * std::abs(twice);
 }
 
-/// How far the distance of contour strokes from a drawn curve is from half a kerf at most; leads
-/// may be farther away, not nearer.
+/// Returns the greatest deviation of the distance between contour strokes and a drawn curve from
+/// half a kerf. Leads may be farther away, but not nearer.
 double worst_distance(const CutPlan& plan, const Outline& drawn) {
   double worst = 0.0;
   for (const Cut& cut : plan.cuts) {
@@ -157,14 +157,14 @@ double worst_distance(const CutPlan& plan, const Outline& drawn) {
   return worst;
 }
 
-/// What all random drawings come to.
+/// Sums and extremes of all random drawings.
 struct Tally {
   std::size_t parts = 0;
   std::size_t strokes = 0;
-  double worst = 0.0;  ///< Of the tolerance.
+  double worst = 0.0;  ///< Greatest deviation, as a fraction of the tolerance.
 
   void look(const drawing::Drawing& drawn, const Outline& curve, proof::Random& random) {
-    // Some outlines cross themselves.
+    // Some outlines cross themselves, and are skipped.
     if (drawn.has_errors()) return;
     const OutlineOptions curves{.tolerance_mm = random.magnitude(0.002, 0.1),
                                 .method = random.chance(0.8) ? cnc::contour::FitMethod::kFewest
@@ -182,7 +182,7 @@ struct Tally {
   }
 };
 
-/// The path against the drawn curve itself, which is sampled here by its own formula.
+/// Compares the path with the drawn curve itself, which is sampled here by its own formula.
 TEST(CutCurves, KeepHalfAKerfAwayWithinTheTolerance) {
   const proof::Trials trials{8};
   Tally outlines;
@@ -226,7 +226,7 @@ TEST(CutCurves, AreFollowedOnTheLineToTheEndsOfOpenOnes) {
   }
 }
 
-// Three control points in one place: the curve has no direction there that arcs could follow.
+// Three control points coincide: the curve has no direction there that arcs could follow.
 TEST(CutCurves, AreNamedWithTheirPlaceWhereNoArcsFollowThem) {
   const auto drawn =
       drawing::read(drawing::svg_of("<path id=\"odd\" d=\"M10 10C10 10 10 10 30 20L10 40Z\"/>"

@@ -12,7 +12,7 @@
 namespace sim::cut {
 namespace {
 
-/// Parts in rows, with holes in some, and red lines anywhere, in any order.
+/// Returns parts in rows, some with holes, and red lines at any position, in any order.
 std::string random_content(proof::Random& random) {
   std::string content;
   const auto add = [&](const std::string& text) {
@@ -50,7 +50,7 @@ std::vector<LayerPlan> with_red_on_the_line(const drawing::Drawing& drawn) {
   return layers;
 }
 
-/// By the crossings of a ray.
+/// Returns whether a point is inside, by the crossings of a ray.
 bool is_inside(const Outline& outline, const Place& place) {
   bool inside = false;
   for (std::size_t i = 0; i < outline.size(); ++i) {
@@ -64,7 +64,7 @@ bool is_inside(const Outline& outline, const Place& place) {
   return inside;
 }
 
-/// Length of a cut inside of an outline, mm.
+/// Returns the length of a cut inside of an outline, mm.
 double length_in(const Outline& outline, const Cut& cut) {
   constexpr double kEvery = 0.05;
   double sum = 0.0;
@@ -93,7 +93,7 @@ TEST(CutPrecedence, LinesThatReachIntoAPartComeBeforeItIsFree) {
       for (std::size_t k = 0; k < plan.cuts.size(); ++k) {
         const drawing::DrawnContour& contour = drawn.contours[plan.cuts[k].contour];
         if (!contour.closed) continue;
-        // The reader looks at lines every two millimetres.
+        // The product samples lines every two millimetres.
         if (length_in(outline_of(contour.shapes, 0.01), plan.cuts[i]) < 2.2) continue;
         EXPECT_LT(i, k) << "a line comes after " << contour.entity.name;
         ++inside;
@@ -104,7 +104,7 @@ TEST(CutPrecedence, LinesThatReachIntoAPartComeBeforeItIsFree) {
   EXPECT_GT(inside, 0U);
 }
 
-/// A contour that is cut on its line frees nothing.
+/// A contour that is cut on its line separates no part.
 TEST(CutPrecedence, LinesInAFrameThatIsNoPartBelongToWhatIsAroundIt) {
   const auto drawn = drawing::read(drawing::svg_of(
       "<rect id=\"part\" x=\"5\" y=\"5\" width=\"80\" height=\"80\"/>"

@@ -16,7 +16,7 @@ namespace {
 
 using testing::HasSubstr;
 
-/// Lines that are drawn with these paths.
+/// Returns a drawing of lines with these paths.
 drawing::Drawing lines(const std::string& paths) {
   return drawing::read(drawing::svg_of("<g stroke='red' fill='none'>" + paths + "</g>"));
 }
@@ -93,8 +93,8 @@ TEST(DoubledLines, TheDeepestCutGoesBefore) {
   }
 }
 
-/// Stretches of one line at random, in both directions: what is driven has the length of all of
-/// them together, which a count of small steps knows.
+/// Random stretches of one line have both directions. The driven length must equal the length of
+/// their union, which a count of small steps measures.
 TEST(DoubledLines, RandomStretchesOfALineAreDrivenOnce) {
   constexpr std::size_t kPlaces = 200;
   for (const std::uint64_t seed : proof::Trials{2'000}) {

@@ -17,26 +17,27 @@
 namespace sim::cut {
 namespace {
 
-constexpr double kEdgeTolerance = 0.005;  ///< mm: what the product promises.
-constexpr double kHeatTolerance = 0.05;   ///< Of P / V.
+constexpr double kEdgeTolerance = 0.005;  ///< Documented tolerance of edges, mm.
+constexpr double kHeatTolerance = 0.05;   ///< Tolerance of P / V, as a fraction.
 constexpr double kFullPowerW = 2800.0;
 
-/// Straights, large and small arcs, outer and inner corners, sharp and blunt.
+/// Straight lines, large and small arcs, outer and inner corners, sharp and blunt.
 constexpr const char* kShapes =
     "<path d=\"M10 10H60A15 15 0 0 1 75 25V50H60V44A6 6 0 0 0 48 44V50H30L22 38L16 50H10Z\"/>"
     "<circle cx=\"24\" cy=\"22\" r=\"7\"/><circle cx=\"62\" cy=\"24\" r=\"1.2\"/>"
     "<rect x=\"38\" y=\"18\" width=\"12\" height=\"9\"/><rect x=\"40\" y=\"32\" width=\"5\" "
     "height=\"5\" rx=\"1\"/>";
 
-/// An outline of Béziers with corners and without, a line among them; in it an ellipse that is
-/// turned, and a hole of Béziers.
+/// An outline of Béziers with and without corners and with a line. It contains an ellipse that is
+/// rotated, and a hole of Béziers.
 constexpr const char* kCurves =
     "<path d=\"M10 10C25 2 35 18 50 10S80 5 88 14C96 25 82 30 86 45L60 48C50 52 40 40 30 47"
     "Q18 52 12 44C4 35 16 22 10 10Z\"/>"
     "<ellipse cx=\"30\" cy=\"28\" rx=\"9\" ry=\"5\" transform=\"rotate(25 30 28)\"/>"
     "<path d=\"M60 20C66 14 78 18 72 27C68 34 58 36 56 28C55 24 57 22 60 20Z\"/>";
 
-/// An operator who turns the feed between 50 and 150 % all the time; asked once a millisecond.
+/// Returns a function that acts as an operator. If it is called each millisecond, it often sets the
+/// feed to a random value from 50 to 150 %.
 auto turning_the_feed(proof::Random& random) {
   return [&random](cnc::Machine& machine) {
     if (!random.chance(0.01)) return;
@@ -45,7 +46,7 @@ auto turning_the_feed(proof::Random& random) {
   };
 }
 
-/// A plan for 2 mm steel at 1800 W, by the law whose kerf changes with the speed.
+/// Tests a plan for 2 mm steel at 1800 W, by the law in which the kerf depends on the speed.
 class CutEdges : public testing::Test {
  protected:
   CutEdges() { make_plan({}); }
@@ -74,7 +75,7 @@ class CutEdges : public testing::Test {
     return program_of(job.plan, job.drawn, job.beam, cnc::gcode::PrintGrid{4}, {});
   }
 
-  /// Drives a program, with `touch` once a millisecond, and looks at it as a job.
+  /// Runs a program, calls `touch` each millisecond, and measures the edges of the job.
   template <typename Touch>
   EdgeFigures drive(const CutJob& job,
                     const std::string& program,
@@ -135,8 +136,8 @@ TEST_F(CutEdges, AreWithinFiveMicrometresOnStraightsArcsAndCorners) {
   EXPECT_GT(figures.max_left.mm, -kEdgeTolerance);
 }
 
-/// Loops are as wide as the feed asks for under the acceleration: the beam passes corners at speed,
-/// which under constant power is what keeps them from burning.
+/// The feed and the acceleration set the size of the loops: the beam passes corners at full speed.
+/// Under constant power this prevents burns.
 TEST_F(CutEdges, KeepTheirSizeWithLoopsAndDwellsAtCorners) {
   drawn = drawing::read(drawing::svg_of("<path d=\"M20 20H60L75 45L20 70Z\"/>"));
   make_plan({});
@@ -149,7 +150,7 @@ TEST_F(CutEdges, KeepTheirSizeWithLoopsAndDwellsAtCorners) {
     const CutJob job = job_of(follows);
     const EdgeFigures figures = drive(job, text_of(job), [](cnc::Machine&) {});
     tell(follows ? "with loops, M4" : "with loops, M3", figures);
-    // Under constant power the start, from standstill, is as wide as ever.
+    // Under constant power, the kerf at the start from standstill is as wide as without loops.
     EXPECT_LT(follows ? figures.max_off.mm : figures.mean_mm,
               follows ? kEdgeTolerance : 0.6 * burnt.mean_mm);
     EXPECT_GT(figures.max_left.mm, -kEdgeTolerance);
@@ -184,14 +185,15 @@ TEST_F(CutEdges, StayThereUnderFeedOverrides) {
     const CutJob other = job_of(false);
     const EdgeFigures constant = drive(other, text_of(other), touch);
     tell("50 to 150 %, M3", constant);
-    // Constant power heats less than the model only where the override drives faster.
+    // Constant power heats less than the model requires only where the override increases the
+    // speed.
     EXPECT_LT(constant.min_heat_ratio, 0.9);
     EXPECT_GT(constant.greatest_heat_ratio, 1.5);
     EXPECT_GT(std::abs(constant.max_off_model.mm), kEdgeTolerance);
   }
 }
 
-/// The controller is given the drawn outlines, material and thickness, and an operator turns the
+/// The controller receives the drawn outlines, material and thickness, and an operator changes the
 /// feed between 50 and 150 %.
 TEST_F(CutEdges, StayThereWhereTheControllerFindsTheWayBesideThem) {
   make_plan_for(
@@ -203,9 +205,9 @@ TEST_F(CutEdges, StayThereWhereTheControllerFindsTheWayBesideThem) {
   CutJob job = job_of(false);
   job.beam.kerf_table = 1;
   const std::string program = "$PC=100:2800\n" + text_of(job);
-  // Three of 45 seeds are off by 5.0 to 5.2 um beside a slant, 3699319255 the farthest.
+  // Known fault: some seeds exceed the tolerance slightly beside a slanted line, 3699319255 most.
   const proof::Trials trials{1, proof::Trials::Range::kKnownFault};
-  // Two jobs each, and half a minute under sanitizers: from other seeds on by KERFLINE_SEED.
+  // Each seed runs two jobs, which is slow under sanitizers. KERFLINE_SEED selects other seeds.
   constexpr std::uint64_t kMaxTrials = 4;
   std::uint64_t tried = 0;
   for (const std::uint64_t seed : trials) {
@@ -235,8 +237,8 @@ TEST_F(CutEdges, StayThereWhereTheControllerFindsTheWayBesideThem) {
   EXPECT_LT(std::abs(even.max_off_known.mm), kEdgeTolerance);
 }
 
-/// The edges are measured against the drawn curves, so a wide tolerance is seen, and a narrow one
-/// leaves the motion's error.
+/// The edges are compared with the drawn curves. A wide tolerance is visible in the result; with a
+/// narrow one, only the error of the motion remains.
 TEST_F(CutEdges, OfCurvesAreWithinTheToleranceAndFiveMicrometres) {
   drawn = drawing::read(drawing::svg_of(kCurves));
   for (const double tolerance : {0.05, 0.01, 0.001}) {
@@ -256,7 +258,7 @@ TEST_F(CutEdges, OfCurvesAreWithinTheToleranceAndFiveMicrometres) {
   }
 }
 
-/// The check sees what it should: work that lies 20 um beside its place.
+/// Tests the check itself with work that lies 20 um beside its position.
 TEST_F(CutEdges, AreFoundOffWhereTheyAre) {
   const std::string program = text_of(job_of(true));
   drawn = drawing::read(

@@ -14,7 +14,7 @@ namespace {
 
 using Loops = std::vector<std::vector<Stroke>>;
 
-/// A closed loop of lines and arcs through random places; it may cross itself.
+/// Returns a closed loop of lines and arcs through random points, which may cross itself.
 std::vector<Stroke> random_fill_loop(proof::Random& random) {
   std::vector<Place> corners(3 + random.below(5));
   for (Place& corner : corners) corner = {random.between(-20.0, 20.0), random.between(-20.0, 20.0)};
@@ -26,7 +26,7 @@ std::vector<Stroke> random_fill_loop(proof::Random& random) {
   return loop;
 }
 
-/// Whether an odd number of loops is around a place, by chords of the strokes.
+/// Returns whether an odd number of loops encloses a point, by chords of the strokes.
 bool is_filled(const std::vector<Outline>& outlines, const Place& place) {
   bool inside = false;
   for (const Outline& outline : outlines) {
@@ -61,9 +61,10 @@ double filled_mm(const std::vector<Stroke>& path) {
   return sum;
 }
 
-/// Every lit line is inside all along, and every gap between two lines of a row outside.
+/// Expects that every line with the beam on is inside completely, and that every gap between two
+/// lines of a row is outside.
 void expect_in_area(const std::vector<Stroke>& path, const Loops& loops, double overscan_mm) {
-  constexpr double kRim = 0.01;  // Chords of the oracle are off by less.
+  constexpr double kRim = 0.01;  // Upper bound of the error of the oracle's chords, mm.
   constexpr std::size_t kEvery = 5;
   const std::vector<Outline> outlines = chords_of(loops);
   Place before{0.0, 0.0};
@@ -74,7 +75,7 @@ void expect_in_area(const std::vector<Stroke>& path, const Loops& loops, double 
     const bool is_between = !has_beam(stroke.purpose) && i > 0 && i + 1 < path.size() &&
                             has_beam(path[i - 1].purpose) && has_beam(path[i + 1].purpose);
     if (!is_between && !has_beam(stroke.purpose)) continue;
-    // Without overscan the step to the next row lies between two lines, too.
+    // Without overscan, the step to the next row is between two lines, too.
     if (is_between && overscan_mm == 0.0) continue;
     if (i % kEvery != 0) continue;
     for (const double share : {0.1, 0.5, 0.9}) {
@@ -86,7 +87,7 @@ void expect_in_area(const std::vector<Stroke>& path, const Loops& loops, double 
   }
 }
 
-/// Area that an odd number of loops is around, by a raster.
+/// Returns the area that an odd number of loops encloses, by a raster.
 double area_by_raster(const Loops& loops) {
   constexpr double kCell = 0.5;
   const std::vector<Outline> outlines = chords_of(loops);
@@ -125,7 +126,7 @@ TEST(FillArea, HasTheAreaAsLengthTimesInterval) {
   }
 }
 
-/// Rows that go through corners and along edges.
+/// Rows pass through corners and along edges.
 TEST(FillArea, CountsCornersOnRowsOnce) {
   const auto square = [](double low, double high) {
     return std::vector<Stroke>{{{low, low}, {high, low}},
@@ -143,7 +144,8 @@ TEST(FillArea, CountsCornersOnRowsOnce) {
                                     {{-3.5, 0.0}, {0.0, -3.5}}};
   const auto rows = fill_path({diamond}, {.interval_mm = 1.0}, 0.0);
   ASSERT_TRUE(rows.has_value());
-  // Rows at 0.5, 1.5 and 2.5 are 6, 4 and 2 wide, and those below as well; at 3.5 is the corner.
+  // Rows at 0.5, 1.5 and 2.5 are 6, 4 and 2 wide; the rows below have the same widths. At 3.5 is
+  // the corner.
   EXPECT_NEAR(filled_mm(*rows), 2.0 * (6.0 + 4.0 + 2.0), 1.0e-9);
 }
 
@@ -173,7 +175,7 @@ TEST(FillArea, GroupsContoursWhoseBoxesMeet) {
   EXPECT_EQ(groups[1], (std::vector<std::size_t>{1, 3}));
 }
 
-/// A plan fills a letter with its hole in one go, and before the part around it is cut.
+/// A plan fills a letter and its hole with one path, and before it cuts the part around it.
 TEST(FillArea, IsPlannedBeforeThePartIsCut) {
   const drawing::Drawing drawn = drawing::read(
       drawing::svg_of("<rect x=\"10\" y=\"10\" width=\"60\" height=\"40\" stroke=\"red\"/>"

@@ -15,7 +15,7 @@ namespace {
 
 using Loops = std::vector<std::vector<Stroke>>;
 
-/// A closed loop of lines and arcs through random places; it may cross itself.
+/// Returns a closed loop of lines and arcs through random points, which may cross itself.
 std::vector<Stroke> random_loop(proof::Random& random, double reach) {
   std::vector<Place> corners(3 + random.below(5));
   const Place middle{random.between(-2.0, 2.0), random.between(-2.0, 2.0)};
@@ -30,10 +30,10 @@ std::vector<Stroke> random_loop(proof::Random& random, double reach) {
   return loop;
 }
 
-/// A picture of an area and of what a beam covers in it, in square cells.
+/// A picture of an area and of the part of it that a beam covers, in square cells.
 class Raster {
  public:
-  static constexpr double kReach = 14.0;  ///< mm, of the picture to all sides.
+  static constexpr double kReach = 14.0;  ///< Half the side of the picture, mm.
 
   explicit Raster(double cell_mm)
       : cell_{cell_mm}, side_{static_cast<std::size_t>(2.0 * kReach / cell_mm)} {}
@@ -45,7 +45,7 @@ class Raster {
   [[nodiscard]] std::size_t side() const { return side_; }
   [[nodiscard]] double cell() const { return cell_; }
 
-  /// Returns by cell whether an odd number of loops is around its middle.
+  /// Returns for each cell whether an odd number of loops encloses its middle.
   [[nodiscard]] std::vector<bool> inside(const Loops& loops) const {
     std::vector<bool> inside(side_ * side_);
     for (std::size_t row = 0; row < side_; ++row) {
@@ -66,8 +66,8 @@ class Raster {
     return inside;
   }
 
-  /// Returns by cell the distance of its middle from the nearest of some places, mm, where it is
-  /// at most `reach_mm`; else twice that.
+  /// Returns for each cell the distance of its middle from the nearest of the points, mm. Distances
+  /// above `reach_mm` are returned as twice `reach_mm`.
   [[nodiscard]] std::vector<double> distances(const std::vector<Place>& places,
                                               double reach_mm) const {
     std::vector<double> distances(side_ * side_, 2.0 * reach_mm);
@@ -116,11 +116,12 @@ std::vector<Place> places_of(const Loops& rows, double every_mm, bool lit_only) 
   return all;
 }
 
-/// What a raster says of a filled area.
+/// Results of the raster for a filled area.
 struct Judgement {
-  std::size_t reachable = 0;    ///< Cells that a disc in the area reaches.
-  double farthest_mm = 0.0;     ///< Of those, from the beam's path.
-  std::size_t beyond_half = 0;  ///< Of those, farther than half the interval.
+  std::size_t reachable = 0;    ///< Cells that a disc within the area reaches.
+  double farthest_mm = 0.0;     ///< Greatest distance of a reachable cell from the beam's path, mm.
+  std::size_t beyond_half = 0;  ///< Reachable cells that are farther from the path than half the
+                                ///< interval.
   double nearest_edge_mm = 1.0e9;
   std::size_t outside = 0;
 };
@@ -130,12 +131,12 @@ Judgement judge(const Loops& loops, const ContourFill& fill, double interval) {
   const Raster raster{0.05 * interval};
   const std::vector<bool> inside = raster.inside(loops);
   const auto edge = raster.distances(places_of(loops, 0.02 * interval, false), 0.8 * interval);
-  // Middles of discs that are in the area with all of the disc.
+  // Middles of all discs that lie completely in the area.
   std::vector<Place> middles;
   for (std::size_t i = 0; i < inside.size(); ++i) {
     const double depth = edge[i];
     if (!inside[i] || depth < half + 0.05 * interval) continue;
-    // What is deep inside is reached in any case.
+    // Discs deep inside are reached in any case.
     if (depth > half + 0.15 * interval) continue;
     middles.push_back(raster.place(i % raster.side(), i / raster.side()));
   }
@@ -188,7 +189,8 @@ std::vector<Stroke> circle(double radius) {
   return {{{radius, 0.0}, {-radius, 0.0}, 1.0}, {{-radius, 0.0}, {radius, 0.0}, 1.0}};
 }
 
-/// Right angles need no more than rows; these are 9, 7, 5, 3 and 1 wide, with links of 1 between.
+/// Right angles require nothing beyond the rows. These are 9, 7, 5, 3 and 1 wide, with links of 1
+/// between them.
 TEST(FillContours, FillsASquareInOnePathFromTheMiddle) {
   const ContourFill fill = contour_fill({rectangle(0.0, 0.0, 10.0, 10.0)}, 1.0);
   ASSERT_EQ(fill.paths.size(), 1U);
@@ -200,8 +202,8 @@ TEST(FillContours, FillsASquareInOnePathFromTheMiddle) {
   EXPECT_EQ(fill.paths[0].back().to.cwiseMin(Place{1.0, 1.0}).minCoeff(), 0.5);
 }
 
-/// Radii are 4.5 to 0.5; in a circle of 5.7 the last row, of 0.2, leaves nothing, in one of 5.4 a
-/// place that is 0.4 wide: one short line more.
+/// The radii are 4.5 to 0.5. In a circle of 5.7, the last row of radius 0.2 covers the middle. In a
+/// circle of 5.4, an area 0.4 wide remains, which one short line fills.
 TEST(FillContours, KeepsArcsAndFillsTheMiddle) {
   const ContourFill round = contour_fill({circle(5.0)}, 1.0);
   ASSERT_EQ(round.paths.size(), 1U);
@@ -218,7 +220,7 @@ TEST(FillContours, KeepsArcsAndFillsTheMiddle) {
               1.0e-4);
 }
 
-/// What lies just as far from both edges as a row is filled by one line in the middle.
+/// If a strip is equally far from both edges, one line in the middle fills it.
 TEST(FillContours, FillsAStripInItsMiddle) {
   const ContourFill strip = contour_fill({rectangle(0.0, 0.0, 20.0, 3.0)}, 1.0);
   ASSERT_EQ(strip.paths.size(), 1U);

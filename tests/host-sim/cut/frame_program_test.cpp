@@ -13,7 +13,7 @@
 namespace sim::cut {
 namespace {
 
-/// A plan of random strokes, as of one cut.
+/// Returns a plan of random strokes that form one cut.
 CutPlan random_strokes(std::uint64_t seed) {
   proof::Random random{seed};
   CutPlan plan;
@@ -53,7 +53,7 @@ TEST(Frame, HoldsAllStrokesAndIsNowhereFarFromThem) {
         }
       }
     }
-    // Each direction reaches as far as the strokes do.
+    // The support in each direction is exactly the reach of the strokes.
     for (std::size_t k = 0; k < support.size(); ++k) {
       double reach = -1.0e9;
       for (const Place& corner : frame) {

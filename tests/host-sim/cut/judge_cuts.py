@@ -1,24 +1,24 @@
-"""Judges the programs that `kerfline cut` makes of a folder of drawings, by geometry of its own.
+"""Judges the programs that `kerfline cut` makes of a folder of drawings, by independent geometry.
 
 usage: judge_cuts.py KERFLINE FOLDER [--only PATTERN] OPTION_OF_CUT …
 
-Not part of the test suite: it takes any folder of drawings of others. svgelements or ezdxf reads a drawing once
-more, shapely fills its closed contours by even-odd, or by the fill rule that a filled shape has, and of each program
-that is written it is looked
+Not part of the test suite: it accepts any folder of drawings. svgelements or ezdxf reads each drawing independently
+of kerfline. shapely fills its closed contours by the even-odd rule, or by the fill rule of a filled shape. For each
+program that is written, the judge checks
 
-* whether a path of the beam comes nearer to a part than half the kerf less 5 um, or less what the option --narrow
-  allows, or runs across it;
-* whether each edge of a part has a path beside it: what has none must be listed by the program's warnings;
-* whether two cuts go along the same line;
-* with the option --common-line, whether each line along which two parts lie against each other is cut once along
-  itself. At its ends, and where parts touch at a corner, a path may be nearer than half the kerf for two kerfs, but
-  nowhere within a part.
+* that no path of the beam runs across a part, or is nearer to it than half the kerf less 5 um, or less the distance
+  that the option --narrow allows;
+* that each edge of a part has a path along it, or is listed by the program's warnings;
+* that no two cuts run along the same line;
+* with the option --common-line, that each line along which two parts touch is cut once, along this line. At its ends,
+  and where parts touch at a corner, a path may be nearer than half the kerf over a length of two kerfs, but nowhere
+  within a part.
 
-Parts and holes of less than 0.02 mm2, or 0.01 mm of mean width, do not count, nor do needles and slits less than
-5 um wide, nor a line that is open and is cut as such. Prints a line for each drawing and the sums of drawings and of
-closed shapes, which are edges of parts and holes; a shape is cut as drawn where no path is too near to it and 95 % of
-it have one beside it. With the option --anyway of `cut`, shapes of refused drawings count, too. Exit status 1 if a
-drawing is wrong.
+The judge ignores parts and holes of less than 0.02 mm2 or 0.01 mm mean width, spikes and slits less than 5 um wide,
+and open lines that are cut as lines. It prints a line for each drawing, and the sums of drawings and of closed shapes,
+which are edges of parts and holes. A shape is cut as drawn if no path is too near to it and 95 % of it have a path
+along it. With the option --anyway of `cut`, shapes of refused drawings count, too. The exit status is 1 if a drawing is
+wrong.
 """
 import cmath
 import fnmatch
@@ -52,13 +52,13 @@ SECONDS = 300
 
 
 class Row(list):
-    """Places of a path in their order, and the shape that it is of where that is filled by the rule nonzero."""
+    """Points of a path in order; if its shape is filled by the rule nonzero, also that shape."""
 
     shape = None
 
 
 def curve(segment) -> list:
-    """Points along a segment of svgelements, without its start, within the chord error."""
+    """Returns points along a segment of svgelements, without its start, within the chord error."""
     if type(segment).__name__ in ("Line", "Close"):
         return [complex(segment.end.x, segment.end.y)]
     length = segment.length(error=1e-3)
@@ -67,7 +67,7 @@ def curve(segment) -> list:
 
 
 def rows_of_svg(file: pathlib.Path) -> list:
-    """The subpaths of all shapes that are seen, in mm, y upwards."""
+    """Returns the subpaths of all visible shapes, in mm, y upwards."""
     import svgelements  # pylint: disable=import-outside-toplevel
     # The region of flowing text is not drawn.
     text = re.sub(rb"<flowRoot\b.*?</flowRoot>", b"", file.read_bytes(), flags=re.S)
@@ -98,7 +98,7 @@ def is_seen(paint) -> bool:
 
 
 def rows_of_dxf(file: pathlib.Path) -> list:
-    """The entities of the model space that are curves, in mm, joined."""
+    """Returns the entities of the model space that are curves, in mm, joined."""
     from ezdxf import disassemble, recover, units  # pylint: disable=import-outside-toplevel
     document, _ = recover.readfile(str(file))  # Coordinates in any order, too.
     unit = document.header.get("$INSUNITS", 0)
@@ -114,7 +114,7 @@ def rows_of_dxf(file: pathlib.Path) -> list:
 
 
 def joined(pieces: list, gap_mm: float) -> list:
-    """Rows of pieces whose ends meet within a gap."""
+    """Returns rows of pieces whose ends meet within a gap."""
     rows, left = [], pieces[:]
     while left:
         row = left.pop()
@@ -132,7 +132,7 @@ def joined(pieces: list, gap_mm: float) -> list:
 
 
 def is_closed(row: list) -> bool:
-    """Whether the ends of a row meet, or nearly do beside its length."""
+    """Returns whether the ends of a row meet exactly, or nearly in comparison with its length."""
     apart = abs(row[0] - row[-1])
     length = sum(abs(b - a) for a, b in zip(row, row[1:]))
     return apart <= 0.01 or (apart <= NEARLY_CLOSED_MM and apart <= NEARLY_CLOSED_SHARE * length)
@@ -143,7 +143,7 @@ def line(row: list) -> LineString:
 
 
 def without_copies(rows: list) -> list:
-    """Rows that are not drawn before at the same place, within 10 um."""
+    """Returns the rows without those that repeat an earlier row within 10 um."""
     kept, known = [], {}
     for row in rows:
         one = line(row)
@@ -156,7 +156,7 @@ def without_copies(rows: list) -> list:
 
 
 def without_needles(part: Polygon) -> list:
-    """A part without points, and slits, that are narrower than NEEDLE_MM."""
+    """Returns a part without spikes and slits that are narrower than NEEDLE_MM."""
     mitre = {"join_style": 2, "mitre_limit": 10}
     half = NEEDLE_MM / 2
     slim = part.buffer(-half, **mitre).buffer(2 * half, **mitre).buffer(-half, **mitre)
@@ -169,7 +169,7 @@ def is_worth(ring) -> bool:
 
 
 def parts_of(rows: list) -> list:
-    """Polygons of what closed rows fill by even-odd."""
+    """Returns polygons of the area that closed rows fill by the even-odd rule."""
     closed = without_copies([ring_of(row) for row in rows if is_closed(row)])
     faces = list(polygonize(unary_union([line(row) for row in closed])))
     around = [Polygon(line(row)) for row in closed]
@@ -199,7 +199,7 @@ def ring_of(row: list) -> Row:
 
 
 def turns_round(row: numpy.ndarray, place: Point) -> int:
-    """How many times a closed row of complex places goes round a place, to the left."""
+    """Returns how many times a closed row of complex points winds around a point, counter-clockwise."""
     crossing = numpy.flatnonzero((row.imag[:-1] > place.y) != (row.imag[1:] > place.y))
     a, b = row[crossing], row[crossing + 1]
     beside = place.x < a.real + (place.y - a.imag) * (b.real - a.real) / (b.imag - a.imag)
@@ -207,7 +207,7 @@ def turns_round(row: numpy.ndarray, place: Point) -> int:
 
 
 def arc(start: complex, end: complex, centre: complex, left: bool) -> list:
-    """Points along an arc, without its start."""
+    """Returns points along an arc, without its start."""
     turn = cmath.phase((end - centre) / (start - centre))
     if left and turn <= 1e-12:
         turn += 2 * math.pi
@@ -220,7 +220,7 @@ def arc(start: complex, end: complex, centre: complex, left: bool) -> list:
 
 
 def beam_rows(program: str) -> list:
-    """The paths with the beam on, each from a rapid to the next."""
+    """Returns the paths with the beam on, each from a rapid to the next."""
     rows, place, motion = [], 0j, 0
     for text in program.splitlines():
         text = re.sub(r"\(.*?\)|;.*", "", text)
@@ -242,7 +242,7 @@ def beam_rows(program: str) -> list:
 
 
 def strokes_of(rows: list) -> list:
-    """Short line strings, which a tree tells apart, with the number of their row."""
+    """Returns short line strings, which a tree can separate, with the number of their row."""
     strokes = []
     for i, row in enumerate(rows):
         for k in range(0, len(row) - 1, 16):
@@ -256,7 +256,7 @@ def places_along(one: LineString, every_mm: float = EVERY_MM) -> list:
 
 
 class Nearest:
-    """Distances to many lines."""
+    """Computes distances to many lines."""
 
     def __init__(self, lines: list) -> None:
         self.tree = STRtree(lines) if lines else None
@@ -266,7 +266,7 @@ class Nearest:
 
 
 class Shapes:
-    """Which edges of parts and holes are cut as they are drawn."""
+    """Edges of parts and holes, and which of them are cut as drawn."""
 
     def __init__(self) -> None:
         self.count = self.right = 0
@@ -283,7 +283,7 @@ class Shapes:
 
 
 class SharedLines:
-    """Lines along which two contours with parts on both sides lie against each other, and where they touch."""
+    """Lines along which two contours with parts on both sides touch, and points where they touch."""
 
     def __init__(self, rows: list, parts: list) -> None:
         rings = [line(row) for row in without_copies([ring_of(row) for row in rows if is_closed(row)])]
@@ -301,7 +301,7 @@ class SharedLines:
 
     @staticmethod
     def common_of(rings: list) -> list:
-        """Lines of rings that are within TOUCHES_MM of a later ring."""
+        """Returns lines of rings that are within TOUCHES_MM of a later ring."""
         tree, number, found = STRtree(rings), {id(ring): i for i, ring in enumerate(rings)}, []
         for i, ring in enumerate(rings):
             for other in tree.query(ring.buffer(TOUCHES_MM)):
@@ -330,7 +330,7 @@ class SharedLines:
 
 
 def judged(file: pathlib.Path, program: str, told: str, shapes: Shapes, options: list) -> str:
-    """The faults of a program, or an empty text."""
+    """Returns the faults of a program, or an empty text."""
     narrow = float(options[options.index("--narrow") + 1]) if "--narrow" in options else 0.0
     nearest = -narrow - SLACK_MM
     kerf = float(re.search(r"kerf ([\d.]+) mm", program)[1])
@@ -382,7 +382,7 @@ def judged(file: pathlib.Path, program: str, told: str, shapes: Shapes, options:
 
 
 def cut_twice(cuts: list) -> float:
-    """The length that two cuts go along within 10 um; not where they only cross."""
+    """Returns the length along which two cuts run within 10 um; crossings do not count."""
     tree = STRtree([stroke for _, stroke in cuts]) if cuts else None
     owner = {id(stroke): i for i, stroke in cuts}
     length = 0.0
@@ -398,13 +398,13 @@ def cut_twice(cuts: list) -> float:
 
 
 def count_uncut(file: pathlib.Path, shapes: Shapes) -> None:
-    """Counts the shapes of a drawing of which there is no program."""
+    """Counts the shapes of a drawing that has no program."""
     rows = rows_of_svg(file) if file.suffix == ".svg" else rows_of_dxf(file)
     shapes.count += sum(1 + len(part.interiors) for part in parts_of(rows))
 
 
 def verdict_on(kerfline: str, file: pathlib.Path, options: list, shapes: Shapes) -> tuple:
-    """`right`, `wrong`, `refused` or `not judged`, and why."""
+    """Returns `right`, `wrong`, `refused` or `not judged`, and the reason."""
     with tempfile.TemporaryDirectory() as scratch:
         target = pathlib.Path(scratch) / "job.nc"
         try:

@@ -18,7 +18,7 @@ Place random_place(proof::Random& random, double size) {
   return {random.between(-size, size), random.between(-size, size)};
 }
 
-/// A star about zero whose edges are lines and arcs, some of more than half a turn.
+/// Returns a star around the origin, whose edges are lines and arcs, some of more than half a turn.
 std::vector<Stroke> random_loop(proof::Random& random) {
   const std::size_t corners = 3 + random.below(6);
   std::vector<Stroke> loop;
@@ -34,7 +34,7 @@ std::vector<Stroke> random_loop(proof::Random& random) {
   return loop;
 }
 
-/// By the angles under which a place sees the loop, chord by chord.
+/// Returns whether a loop encloses a point, by the angles under which the point sees the chords.
 bool goes_round(const std::vector<Stroke>& loop, const Place& place) {
   double angle = 0.0;
   for (const Stroke& stroke : loop) {
@@ -67,7 +67,7 @@ TEST(LoopArea, ContainsWhatTheLoopGoesRound) {
   EXPECT_GT(inside, 1000U);
 }
 
-/// Places on chords, and level with corners, are where places mostly are in drawings.
+/// In drawings, points often lie on chords or level with corners.
 TEST(LoopArea, ContainsItsMiddleWhateverItsArcs) {
   for (const double turn : {0.0, 0.5 * M_PI, M_PI, 1.5 * M_PI, 0.3}) {
     const Place from = 5.0 * drawing::direction(turn);

@@ -55,7 +55,7 @@ TEST(NarrowLines, CutASlotOnceAlongItsMiddle) {
     ASSERT_THAT(plan.cuts, SizeIs(2));
     const Cut& cut = plan.cuts.front();
     EXPECT_TRUE(cut.is_hole);
-    // The beam reaches to the ends of the slot.
+    // The beam reaches the ends of the slot.
     EXPECT_NEAR(length_of(cut.strokes), length - kTestKerf, 0.02);
     const Place along = drawing::direction(-angle * std::numbers::pi / 180.0);
     const Place middle = 0.5 * (cut.start() + cut.end());
@@ -93,7 +93,7 @@ TEST(NarrowLines, GoThroughAHoleSmallerThanTheKerf) {
       << "farther into the edge than allowed";
 }
 
-/// As arcs, the outlines of these lenses turn back by a hair at a tip.
+/// In the outlines of these lenses as arcs, a tip turns back by a tiny distance.
 TEST(NarrowLines, StayInAHoleWhoseOutlineTurnsBackByAHair) {
   struct Lens {
     double angle_deg;
@@ -145,7 +145,7 @@ TEST(NarrowLines, PartNeighboursThatAreNearerThanTheKerf) {
   EXPECT_THAT(refused.faults[0].remedy, HasSubstr("--narrow 0.100"));
 }
 
-/// A star of random corners, which may be long and thin, in a cell of a plate.
+/// Returns a star of random corners, which may be long and thin, in a cell of a plate.
 std::vector<Place> random_star(proof::Random& random, const Place& middle) {
   std::vector<Place> corners(3 + random.below(6));
   const double first = random.between(0.0, drawing::kFullTurn);
@@ -165,7 +165,8 @@ std::string path_of(const std::vector<Place>& corners) {
   return path + "Z\" fill=\"none\" stroke=\"black\"/>";
 }
 
-/// With no limit all edges of holes of any shape are cut. No cut is nearer to an edge than allowed.
+/// Without a limit, all edges of holes of any shape are cut. No cut is nearer to an edge than
+/// allowed.
 TEST(NarrowLines, CutAllEdgesOfRandomHolesAsFarAsAllowed) {
   proof::Trials trials{30};
   for (const auto trial : trials) {

@@ -10,16 +10,18 @@
 
 namespace sim::cut {
 
-/// How random sheets of nested parts are drawn.
+/// Sizes of random sheets of nested parts.
 struct NestingSize {
   int columns = 4;
   int rows = 3;
   double pitch_mm = 40.0;
-  double min_gap_mm = 0.8;  ///< Between neighbours.
-  int levels = 3;           ///< Of parts with a hole in which the next part lies.
+  double min_gap_mm = 0.8;  ///< Least distance between neighbours, mm.
+  int levels = 3;           ///< Levels of parts that lie in the hole of the part of the level
+                            ///< before.
 };
 
-/// Draws an outline about a middle: a circle, a polygon, or a rectangle with or without rounds.
+/// Returns an outline around a centre: a circle, a polygon, or a rectangle with or without rounded
+/// corners.
 inline std::string nested_shape(proof::Random& random, double x, double y, double size) {
   const std::size_t kind = random.below(4);
   if (kind == 0) return fmt::format("<circle cx=\"{}\" cy=\"{}\" r=\"{}\"/>", x, y, 0.5 * size);
@@ -33,7 +35,7 @@ inline std::string nested_shape(proof::Random& random, double x, double y, doubl
                        side,
                        rounds);
   }
-  // The corners stay on the circle of this size, so that nothing leaves the cell.
+  // The corners stay on the circle of this size, so that no part leaves its cell.
   const int corners = kind == 2 ? 6 : 9;
   std::string data = "M";
   for (int i = 0; i < corners; ++i) {
@@ -44,8 +46,9 @@ inline std::string nested_shape(proof::Random& random, double x, double y, doubl
   return "<path d=\"" + data + "z\"/>";
 }
 
-/// Returns an SVG of parts in a grid, each with a hole that has a part in it, and so on. No two
-/// outlines are nearer to each other than 0.65 mm, or than the least gap where that is less.
+/// Returns an SVG of parts in a grid. Each part has a hole that contains a part, down to the last
+/// level. No two outlines are nearer to each other than 0.65 mm, or than the least gap if that is
+/// less.
 inline std::string nested_sheet(proof::Random& random, const NestingSize& size) {
   const double width = size.pitch_mm * size.columns;
   const double height = size.pitch_mm * size.rows;
@@ -61,8 +64,9 @@ inline std::string nested_sheet(proof::Random& random, const NestingSize& size) 
     if (random.chance(0.5)) extent -= random.between(0.0, 6.0);
     for (int level = 0; level < 2 * size.levels && extent > 2.0; ++level) {
       text += nested_shape(random, x, y, extent);
-      // The next outline fits into any of the shapes, of which the square has the least room, and
-      // is farther from it than a kerf: else a cut along one of them would be in the other.
+      // The next outline fits into any of the shapes, of which the square has the least space. The
+      // gap is greater than a kerf, as a cut along one outline would otherwise be in the other
+      // part.
       constexpr double kNearest = 0.65;
       const double inside = M_SQRT1_2 * extent - 2.0 * kNearest;
       extent = std::min(0.68 * extent - random.between(1.0, 2.0), inside);

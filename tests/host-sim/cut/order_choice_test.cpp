@@ -21,7 +21,7 @@ namespace {
 
 using order::OrderMethod;
 
-/// Small squares with beginnings at some places of their edge, without leads.
+/// Returns a small square with beginnings at some points of its edge, without leads.
 UnbegunCut square_at(const Place& corner, double side, std::size_t beginnings) {
   const Place right{side, 0.0};
   const Place up{0.0, side};
@@ -44,7 +44,7 @@ std::vector<UnbegunCut> squares_anywhere(proof::Random& random, std::size_t coun
   for (std::size_t i = 0; i < count; ++i) {
     const Place corner{random.between(0.0, 200.0), random.between(0.0, 200.0)};
     cuts.push_back(square_at(corner, random.between(1.0, 20.0), 1 + random.below(3)));
-    // Exits beside entries, as of leads.
+    // Exits are next to the entries, as with leads.
     for (Beginning& beginning : cuts.back().beginnings) {
       beginning.exit += Place{random.between(-2.0, 2.0), random.between(-2.0, 2.0)};
     }
@@ -61,7 +61,8 @@ double cost_of_order(const std::vector<OrderedCut>& order, const OrderWish& wish
   return wish.cost == OrderCost::kTime ? sum.time_s : sum.length_mm;
 }
 
-/// The same in the units of RapidCost, with what the cuts themselves cost.
+/// Returns the cost of an order in the units of RapidCost, including the costs of the cuts
+/// themselves.
 double whole_cost_of(const std::vector<OrderedCut>& order,
                      const std::vector<UnbegunCut>& cuts,
                      const OrderWish& wish) {
@@ -189,7 +190,7 @@ TEST(OrderChoice, KeepsPrecedenceAndGroupsAndIsTheSameEachTime) {
   }
 }
 
-/// Whatever the cost, an order is no worse than that of the nearest with the same beginnings.
+/// At any cost, an order is no worse than the nearest-neighbour order with the same beginnings.
 TEST(OrderChoice, IsNoWorseThanTheNearestNeighbour) {
   for (const std::uint64_t seed : proof::Trials{4}) {
     proof::Random random{seed};
@@ -204,7 +205,7 @@ TEST(OrderChoice, IsNoWorseThanTheNearestNeighbour) {
   }
 }
 
-/// Beginnings that move along their squares make rapids shorter by what is returned.
+/// Moving the beginnings along their squares shortens the rapids by the returned length.
 TEST(OrderChoice, RefinesBeginningsByWhatItSays) {
   for (const std::uint64_t seed : proof::Trials{100}) {
     proof::Random random{seed};
@@ -230,7 +231,8 @@ TEST(OrderChoice, RefinesBeginningsByWhatItSays) {
   }
 }
 
-/// Cuts of a few parts, in each of which some come after others; seldom after those of other parts.
+/// Returns cuts of a few parts. Within a part, some cuts must come after others; between parts,
+/// this is rare.
 std::vector<UnbegunCut> parts_anywhere(proof::Random& random, std::size_t count) {
   std::vector<UnbegunCut> cuts = squares_anywhere(random, count);
   const std::size_t parts = 1 + count / 3;
@@ -279,8 +281,8 @@ TEST(OrderChoice, KeepsThePartsTogetherThatAreToBe) {
   }
 }
 
-/// Parts are ordered as a whole: never worse than bringing them together afterwards, and near the
-/// best of all orders.
+/// Parts are ordered as units. The result is never worse than bringing their cuts together
+/// afterwards, and near the best of all orders.
 TEST(OrderChoice, OfPartsIsNoWorseThanBringingThemTogether) {
   double excess = 0.0;
   double count = 0.0;
@@ -319,9 +321,8 @@ TEST(OrderChoice, OfPartsIsNoWorseThanBringingThemTogether) {
   EXPECT_GT(better, 0U);
 }
 
-/// Two parts of which each has a cut after one of the other are one unit.
-/// A search that takes a stretch for as cheap in the other direction, where it is not, finds gains
-/// again and again that are none.
+/// A search that assumes equal costs in both directions of a stretch would find false gains without
+/// end.
 TEST(OrderChoice, EndsSoonForLinesThatCostMoreInOneDirection) {
   std::vector<UnbegunCut> cuts;
   for (std::size_t i = 0; i < 12; ++i) {
@@ -341,6 +342,7 @@ TEST(OrderChoice, EndsSoonForLinesThatCostMoreInOneDirection) {
   EXPECT_EQ(chosen.cuts.size(), cuts.size());
 }
 
+/// Two parts are one unit if each of them has a cut that must come after a cut of the other.
 TEST(PartUnits, JoinPartsThatWaitForEachOther) {
   proof::Random random{proof::test_seed()};
   std::vector<UnbegunCut> cuts = squares_anywhere(random, 5);

@@ -23,7 +23,7 @@ OrderFigures figures() {
 TEST(OrderReport, ComparesOrdersByStraightWays) {
   OrderFigures order = figures();
   EXPECT_THAT(lines_of(order, 5), Not(Contains(HasSubstr("straight"))));
-  order.rapids = {.length_mm = 350.0, .time_s = 70.0};  // Led round what has fallen.
+  order.rapids = {.length_mm = 350.0, .time_s = 70.0};  // The rapids lead around freed areas.
   const auto lines = lines_of(order, 5);
   EXPECT_THAT(lines[0], HasSubstr("350.0 mm and 70.0 s"));
   EXPECT_THAT(lines[1], HasSubstr("straight rapids: 300.0 mm and 60.0 s"));

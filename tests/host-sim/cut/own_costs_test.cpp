@@ -15,8 +15,8 @@ namespace {
 
 constexpr double kSide = 40.0;
 
-/// A square on its line, turned by an angle, with beginnings at a corner and in the middle of two
-/// edges.
+/// Returns a square that is cut on its line and rotated by `angle`, with beginnings at a corner and
+/// in the middle of two edges.
 UnbegunCut square_on_line(const Place& corner, double angle) {
   const Place along{kSide * std::cos(angle), kSide * std::sin(angle)};
   const Place aside{-along.y(), along.x()};
@@ -43,9 +43,9 @@ void find_costs(OwnCosts& costs, UnbegunCut& cut) {
   });
 }
 
-/// Passing a corner at v takes (40 − v)² / (500 · 40) s longer than going straight on at 40 mm/s,
-/// and its round as long as it is: 0.068 s and 0.009 s at the 3.1 mm/s of a corner that is rounded
-/// within 8 µm. The beginning at the corner saves that.
+/// Passing a corner at v takes (40 − v)² / (500 · 40) s longer than going straight on at 40 mm/s.
+/// Its rounding takes additional time. These times are 0.068 s and 0.009 s at v = 3.1 mm/s, the
+/// speed of a corner that is rounded within 8 µm. A beginning at the corner saves this time.
 TEST(OwnCosts, OfACornerAreLessThanOfAnEdge) {
   const OrderWish machine{};
   OwnCosts costs{machine};
@@ -70,7 +70,7 @@ TEST(OwnCosts, AreTheSameForCopiesAndBetweenBeginnings) {
     find_costs(costs, copy);
     ASSERT_EQ(copy.own_cost.size(), 3U);
     for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(copy.own_cost[i], first.own_cost[i], 0.02);
-    // The listed one, the nearest on the same edge, the most expensive one.
+    // The order is: the listed beginning, the nearest one on the same edge, the most expensive one.
     EXPECT_EQ(own_cost_at(copy, copy.beginnings[0]), copy.own_cost[0]);
     EXPECT_EQ(own_cost_at(copy, {.way_mm = 0.3 * kSide}), copy.own_cost[1]);
     EXPECT_EQ(own_cost_at(copy, {.way_mm = 1.3 * kSide}),
@@ -78,7 +78,7 @@ TEST(OwnCosts, AreTheSameForCopiesAndBetweenBeginnings) {
   }
 }
 
-/// On a diagonal both axes speed the machine up, so standing costs less.
+/// On a diagonal both axes accelerate the machine, so a stop costs less.
 TEST(OwnCosts, AreLessWhereBothAxesMove) {
   const OrderWish machine{};
   OwnCosts costs{machine};

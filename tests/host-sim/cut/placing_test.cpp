@@ -114,7 +114,7 @@ TEST(Placing, KeepsArcsAndSizesUnderAnyChange) {
 TEST(Placing, MirrorsTheSideThatItNames) {
   drawing::Drawing drawn = drawing::read(drawing::svg_of("<path d=\"M10 10H20L10 40Z\"/>"));
   static_cast<void>(place_drawing(drawn, {.mirror = MirrorAlong::kX}, nullptr, 1.0));
-  // The long side was at the left.
+  // The long side was at the left in the drawing.
   bool has_right_side = false;
   for (const drawing::Shape& shape : drawn.contours[0].shapes) {
     const Place from = start_of(shape);
@@ -133,7 +133,7 @@ TEST(MachineProfile, SaysHowFarAJobLeavesTheBed) {
   const CutPlan plan = plan_of(drawn, {.lead_in = {}});
   const std::vector<drawing::Fault> faults = off_the_bed(plan, drawn, profile);
   ASSERT_EQ(faults.size(), 2U);
-  // The circle of 20 mm ends at X305 and Y1, and the beam half a kerf beyond.
+  // The circle of 20 mm ends at X305 and Y1, and the beam extends half a kerf beyond.
   EXPECT_THAT(faults[0].reason, testing::ContainsRegex("by 5.(299|300) mm at its right"));
   EXPECT_THAT(faults[1].reason, testing::ContainsRegex("by 1.(299|300) mm at its back"));
   EXPECT_EQ(faults[0].entity.name, "circle \"c\"");
@@ -157,7 +157,7 @@ TEST(MachineProfile, HasSettingsAndPower) {
                                    testing::Pair(32, 1.0F)));
 }
 
-/// A damaged file is read or refused with its name, and nothing else happens.
+/// A damaged file is read, or refused with its name. No other effect is allowed.
 TEST(MachineProfile, SurvivesDamage) {
   const std::string whole =
       R"({"kerfline_machine": 1, "name": "a", "bed_mm": [300, 200], "origin": "centre",

@@ -47,7 +47,7 @@ TEST(CutPlan, CutsWhatLiesInsideFirst) {
               1.0e-6);
 }
 
-/// A layout lists parts by themselves, and a small one may lie in the hole of another.
+/// A layout lists parts separately, and a small part may lie in the hole of another one.
 TEST(CutPlan, CutsAPartThatLiesInTheHoleOfAnotherBeforeTheHole) {
   constexpr const char* kRing =
       R"({"partid": "ring", "paths": [[[0,0,1],[90,0,1],[0,0]], [[10,0,-1],[80,0,-1],[10,0]]]})";
@@ -97,8 +97,8 @@ TEST(CutPlan, RefusesToCutOnePartOffAnother) {
   EXPECT_THAT(plan.faults[0].reason, testing::HasSubstr("takes 0.200 mm off rect"));
 }
 
-/// Wherever along the cut the tip comes too near to it, and by however little: both are cut as one
-/// part then, and the user is told.
+/// The tip may come too near at any point of the cut, and by any small distance. In each case both
+/// are cut as one part, and the user is informed.
 TEST(CutPlan, FindsTheTipThatACutTouches) {
   for (int i = 0; i < 10; ++i) {
     const auto plan = [i](double gap_mm) {
@@ -130,7 +130,7 @@ TEST(CutPlan, CutsOnTheLineWhatItsLayerSays) {
   }
 }
 
-/// The last tab ends where the cut begins: nothing is cut there that would free the part.
+/// The last tab ends where the cut begins. No cut is made there that would free the part.
 TEST(CutPlan, EndsAtATab) {
   for (const unsigned tabs : {1U, 3U}) {
     const LayerSettings settings{
@@ -177,7 +177,7 @@ TEST(CutPlan, SaysWhichLayersAreCutLaterThanTheirRank) {
   EXPECT_THAT(plan.warnings[0].reason, testing::HasSubstr("(and 1 more contour)"));
 }
 
-/// A frame that is not cut is no part, and what is in it is no hole.
+/// A frame that is not cut is not a part, and a contour in it is not a hole.
 TEST(CutPlan, KnowsPartsInAFrameThatIsSkipped) {
   const auto drawn = drawing_of(
       "<rect x=\"0\" y=\"0\" width=\"90\" height=\"90\" stroke=\"red\"/>"
@@ -215,7 +215,7 @@ TEST(CutPlan, LeavesTabsOvercutsAndPierces) {
   }
 }
 
-/// A sheet of plates at random places, with holes, islands and round corners.
+/// Returns a sheet of plates at random positions, with holes, islands and rounded corners.
 std::string random_plates(proof::Random& random) {
   std::string content;
   for (int column = 0; column < 3; ++column) {
@@ -250,8 +250,8 @@ std::string random_plates(proof::Random& random) {
   return content;
 }
 
-/// Nowhere does the beam come nearer to a drawn line than half a kerf, leads included; and
-/// along each line it is no farther, but in the corners that it cannot reach.
+/// The beam, leads included, never comes nearer to a drawn line than half a kerf. Along each line
+/// it is no farther away, except in corners that it cannot reach.
 TEST(CutPlan, NeverCutsIntoAPart) {
   const proof::Trials trials{12};
   double nearest = 1.0;
@@ -273,7 +273,7 @@ TEST(CutPlan, NeverCutsIntoAPart) {
     settings.corner_angle_deg = random.between(5.0, 120.0);
     const CutPlan plan = plan_of(drawn, settings);
     for (const auto& fault : plan.faults) {
-      // Only holes and corners that cross each other in the random sheet.
+      // In the random sheet, only holes and corners cross each other.
       EXPECT_TRUE(fault.kind == FaultKind::kCrossing || fault.kind == FaultKind::kTooSmall);
     }
     if (!plan.faults.empty() || drawn.has_errors()) continue;

@@ -9,11 +9,12 @@
 
 namespace sim::cut {
 
-/// A sheet of rows of rectangles with rounded corners, some with a round hole and a disc in that.
+/// A sheet of rows of rectangles with rounded corners. Some of them have a round hole that contains
+/// a disc.
 struct RandomSheet {
   std::string content{};
   std::size_t plain = 0;
-  std::size_t with_hole = 0;  ///< Each has a disc as well.
+  std::size_t with_hole = 0;  ///< Number of parts with a hole; each hole contains a disc.
 };
 
 inline RandomSheet random_sheet(proof::Random& random, int columns, int rows) {

@@ -106,7 +106,8 @@ TEST(ShopRules, NoTextCrashesTheReader) {
   }
 }
 
-/// Of all circles through two or three of the places that hold all, the smallest.
+/// Returns the diameter of the smallest circle through two or three of the points that contains all
+/// points.
 double smallest_by_trying(const std::vector<Place>& places) {
   double best = 1.0e9;
   const auto look = [&](const Place& centre, double radius) {
@@ -158,7 +159,8 @@ constexpr const char* kShopPart =
     "<rect id=\"slot\" x=\"50\" y=\"20\" width=\"3\" height=\"4\"/>"
     "<circle id=\"big\" cx=\"70\" cy=\"30\" r=\"8\"/>";
 
-/// Power and feed as they are asked for, else 1800 W and 4000 mm/min, and a kerf of 0.6 mm.
+/// Returns a condition with the requested power and feed, else 1800 W and 4000 mm/min, and a kerf
+/// of 0.6 mm.
 Condition chosen(const LayerSettings& settings) {
   Condition condition{{2000, 1'800'000, 4'000'000}, kTestKerf, 0.01};
   if (settings.feed_mm_min && *settings.feed_mm_min < 1000.0)
@@ -174,7 +176,7 @@ struct Ruled {
   drawing::Drawing drawn;
   CutPlan plan;
 
-  /// Names of the contours to which a rule applied.
+  /// Returns the names of the contours to which a rule applied.
   [[nodiscard]] std::vector<std::string> names(std::size_t rule) const {
     std::vector<std::string> names;
     for (const std::size_t contour : plan.recipes.applied.at(rule).contours) {

@@ -19,10 +19,10 @@ namespace {
 
 constexpr double kMargin = 0.1;
 constexpr double kSampleEvery = 0.05;
-/// Chords of the oracle's polygons leave their arcs by less, mm.
+/// Upper bound of the distance between chords of the oracle's polygons and their arcs, mm.
 constexpr double kPolygonSlack = 0.01;
 
-/// A drawn outline as a polygon, looked at place by place.
+/// A drawn outline as a polygon, tested point by point.
 struct PolygonArea {
   Outline outline{};
   Place least{0.0, 0.0};
@@ -51,7 +51,8 @@ struct PolygonArea {
   }
 };
 
-/// Every place of every rapid, against the drawn outlines of all that is free by then.
+/// Checks every point of every rapid against the drawn outlines of all parts that are free at that
+/// time.
 class RapidOracle {
  public:
   RapidOracle(const drawing::Drawing& drawn, const CutPlan& plan) : plan_{plan} {
@@ -60,8 +61,8 @@ class RapidOracle {
     for (const Cut& cut : plan.cuts) ++loops_left_[cut.contour];
   }
 
-  /// Expects that no rapid is in a freed area. Returns how many rapids would be, were they
-  /// straight.
+  /// Expects that no rapid is in a freed area. Returns the number of rapids that would be in one if
+  /// they were straight.
   std::size_t judge() {
     std::size_t straight_ones = 0;
     for (std::size_t i = 0; i <= plan_.cuts.size(); ++i) {
@@ -84,7 +85,8 @@ class RapidOracle {
     if (--loops_left_[cut.contour] == 0) free_.push_back(cut.contour);
   }
 
-  /// How many places are in an area; of that just cut, those after the beam left it.
+  /// Returns how many points are in a freed area. In the area that cut `i` - 1 has freed, points
+  /// count only after the beam has left it.
   std::size_t places_inside(std::size_t i, const std::vector<Place>& way) const {
     std::size_t inside = 0;
     bool has_left = false;
@@ -144,7 +146,7 @@ TEST(RouteRapids, NeverCrossWhatIsFreeButThePieceJustCut) {
     rapids += plan.cuts.size() + 1;
     longer_mm += plan.safety.longer_mm;
     rapids_mm += before_mm;
-    // The shortest order may end a cut where no way leads on, which is told.
+    // The shortest order may end a cut at a point from which no way leads on. This is reported.
     CutPlan searched = plan_of(drawn, settings);
     const std::size_t faults = searched.faults.size();
     route_rapids(searched, drawn, {.margin_mm = kMargin});
@@ -161,7 +163,8 @@ TEST(RouteRapids, NeverCrossWhatIsFreeButThePieceJustCut) {
   EXPECT_LT(longer_mm, 0.5 * rapids_mm);
 }
 
-/// Rows of parts a kerf apart, whose lines are cut once: a part is free with its last open cut.
+/// The parts are in rows a kerf apart, and their common lines are cut once. A part is free when its
+/// last open cut is done.
 TEST(RouteRapids, NeverCrossWhatSharedLinesHaveFreed) {
   const proof::Trials trials{40};
   std::size_t straight = 0;
@@ -191,7 +194,7 @@ TEST(RouteRapids, NeverCrossWhatSharedLinesHaveFreed) {
   EXPECT_GT(straight, 0U);
 }
 
-/// Of parts in a row, those in the middle lie between the last one and zero.
+/// In a row of parts, the middle ones lie between the last one and the origin.
 constexpr const char* kRow =
     "<rect x=\"5\" y=\"40\" width=\"20\" height=\"20\"/>"
     "<rect x=\"30\" y=\"40\" width=\"20\" height=\"20\"/>"
@@ -214,7 +217,7 @@ TEST(RouteRapids, LeaveWhatTabsHold) {
   EXPECT_TRUE(plan.way_home.empty());
 }
 
-/// Four parts, a kerf apart, enclose a fifth one: once they are cut, nothing leads there.
+/// Four parts, a kerf apart, enclose a fifth one. When they are cut, no way leads to the fifth one.
 constexpr const char* kRing =
     "<rect x=\"10\" y=\"10\" width=\"39.4\" height=\"20\"/>"
     "<rect x=\"50\" y=\"10\" width=\"20\" height=\"39.4\"/>"
@@ -222,7 +225,7 @@ constexpr const char* kRing =
     "<rect x=\"10\" y=\"30.6\" width=\"20\" height=\"39.4\"/>"
     "<rect id=\"core\" x=\"35\" y=\"35\" width=\"10\" height=\"10\"/>";
 
-/// The plan of the ring with the core last.
+/// Returns the plan of the ring in which the core is cut last.
 CutPlan ring_plan(const drawing::Drawing& drawn) {
   CutPlan plan = foreseen_plan_of(drawn);
   const auto is_core = [&](const Cut& cut) {
@@ -262,7 +265,7 @@ TEST(RouteRapids, LiftTheHeadWhereThereIsNoWay) {
               testing::Not(testing::HasSubstr("Z")));
 }
 
-/// A frame on its line does not fall before what is drawn inside of it is cut.
+/// A frame that is cut on its line does not fall before all contours inside of it are cut.
 TEST(RouteRapids, KeepClosedCutsOnTheLineUntilTheirInsideIsCut) {
   const auto drawn =
       drawing::read(drawing::svg_of("<rect x=\"5\" y=\"5\" width=\"90\" height=\"90\"/>"

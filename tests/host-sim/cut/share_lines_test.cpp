@@ -35,8 +35,8 @@ std::string text_of(const Rectangle& r) {
 
 enum class Gap { kKerf, kNone };
 
-/// Rows of parts, a kerf apart or a little more, or edge to edge; their sides may stand above each
-/// other or not.
+/// Returns rows of parts, a kerf apart or a little more, or edge to edge. Their sides may be
+/// aligned with those of the next row or not.
 std::vector<Rectangle> random_rows(proof::Random& random, Gap wanted = Gap::kKerf) {
   std::vector<Rectangle> parts;
   const bool is_grid = random.chance(0.5);
@@ -55,7 +55,7 @@ std::vector<Rectangle> random_rows(proof::Random& random, Gap wanted = Gap::kKer
     }
     y += height + gap;
   }
-  // In any order.
+  // The parts are listed in random order.
   for (std::size_t i = parts.size(); i > 1; --i) std::swap(parts[i - 1], parts[random.below(i)]);
   return parts;
 }
@@ -78,7 +78,8 @@ double lit_mm(const CutPlan& plan) {
   return sum;
 }
 
-/// In the drawing, y goes up from the lower edge of a sheet of 100 mm; the sheet above begins here.
+/// In the drawing, y points up from the lower edge of a sheet of 100 mm; in the parts, y points
+/// down from its upper edge.
 Place middle_of(const Rectangle& part) {
   return {part.x + 0.5 * part.width, 100.0 - part.y - 0.5 * part.height};
 }
@@ -92,7 +93,8 @@ TEST(ShareLines, FreeAllPartsAndCutNoneAndNoLineTwice) {
     SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
     proof::Random random{seed};
     std::vector<Rectangle> parts = random_rows(random);
-    for (Rectangle& part : parts) part.y += 45.0;  // To the lower left of the sheet.
+    // Moves the parts to the lower left of the sheet.
+    for (Rectangle& part : parts) part.y += 45.0;
     const auto drawn = drawing_of(parts);
     const CutPlan plan = plan_of(drawn, sharing());
     const CutPlan whole = plan_of(drawn);
@@ -115,7 +117,7 @@ TEST(ShareLines, FreeAllPartsAndCutNoneAndNoLineTwice) {
         EXPECT_FALSE(sheet.are_one(middle_of(parts[i]), middle_of(parts[k]))) << i << " and " << k;
       }
     }
-    // Also shorter by rounds between four corners, at most so many.
+    // The beam's path is also shorter by the rounds between four corners, at most by this length.
     const double saved = lit_mm(whole) - lit_mm(plan) - plan.shared.length_mm;
     EXPECT_GE(saved, -1.0e-6);
     EXPECT_LE(saved, static_cast<double>(4 * parts.size()) * M_PI_2 * kHalf + 0.1);
@@ -133,7 +135,7 @@ TEST(ShareLines, FreeAllPartsAndCutNoneAndNoLineTwice) {
   EXPECT_GT(lines, 0U);
 }
 
-/// Two squares: three sides of the second one are left, without leads.
+/// Of two squares, three sides of the second one remain, without leads.
 TEST(ShareLines, LeaveAnOpenCutOfTheLaterPart) {
   const auto drawn = drawing_of({{10.0, 10.0, 20.0, 20.0}, {30.0 + kTestKerf, 10.0, 20.0, 20.0}});
   const CutPlan plan = plan_of(drawn, sharing());
@@ -151,8 +153,8 @@ TEST(ShareLines, LeaveAnOpenCutOfTheLaterPart) {
   EXPECT_EQ(closed[1], plan.cuts[1].loop);
 }
 
-/// Without the setting, with a gap that is too wide for it, or with other power each part has its
-/// own lines; with a gap that is too narrow the fault says so.
+/// Each part has separate lines without the setting, with a gap that is too wide for it, or with
+/// different power. If the gap is too narrow, a fault reports it.
 TEST(ShareLines, AreForAlikeCutsAKerfApartOnly) {
   const auto pair = [](double gap) {
     return drawing_of({{10.0, 10.0, 20.0, 20.0}, {30.0 + gap, 10.0, 20.0, 20.0}});
@@ -173,7 +175,8 @@ TEST(ShareLines, AreForAlikeCutsAKerfApartOnly) {
   EXPECT_EQ(plan_of(layered, sharing()).shared.lines, 0U);
 }
 
-/// Edge to edge there is no room for a cut: the fault says where, and what to do.
+/// If parts lie edge to edge, no space remains for a cut: the fault reports the position and a
+/// remedy.
 TEST(ShareLines, AreAskedForWherePartsLieAgainstEachOther) {
   const CutPlan whole =
       plan_of(drawing_of({{10.0, 10.0, 20.0, 20.0}, {30.0, 10.0, 20.0, 20.0}}), {});
@@ -189,7 +192,7 @@ TEST(ShareLines, AreAskedForWherePartsLieAgainstEachOther) {
     EXPECT_NEAR(fault.place_mm->x(), 30.0, 1.0e-6);
     EXPECT_NEAR(fault.place_mm->y(), 80.0, 1.0e-6);
   }
-  // A small part in the middle of a long side, and one in a hole of its own shape.
+  // A small part lies at the middle of a long side, and one in a hole of its own shape.
   const CutPlan shifted =
       plan_of(drawing_of({{10.0, 10.0, 40.0, 20.0}, {20.0, 30.005, 15.0, 9.0}}), {});
   ASSERT_EQ(shifted.faults.size(), 2U);
@@ -204,7 +207,7 @@ TEST(ShareLines, AreAskedForWherePartsLieAgainstEachOther) {
   EXPECT_NE(round.faults[0].reason.find("lies against"), std::string::npos);
 }
 
-/// Returns how deep a place is within a part, mm; none where it is outside.
+/// Returns the depth of a point within a part, mm; nothing if it is outside.
 double depth_in(const Rectangle& part, const Place& place) {
   const double top = 100.0 - part.y;
   return std::max(0.0,
@@ -214,7 +217,8 @@ double depth_in(const Rectangle& part, const Place& place) {
                             top - place.y()}));
 }
 
-/// Returns the distance of a place from what is left of a part when all its edges give half a kerf.
+/// Returns the distance of a point from the remainder of a part after all its edges have lost half
+/// a kerf.
 double distance_to_core(const Rectangle& part, const Place& place) {
   const double top = 100.0 - part.y;
   const auto beyond = [](double value, double from, double to) {
@@ -224,7 +228,7 @@ double distance_to_core(const Rectangle& part, const Place& place) {
                     beyond(place.y(), top - part.height, top));
 }
 
-/// Returns places of a part's edge that are far from all other parts.
+/// Returns points of a part's edge that are far from all other parts.
 std::vector<Place> free_edge(const std::vector<Rectangle>& parts, std::size_t number) {
   const Rectangle& part = parts[number];
   const double left = part.x;
@@ -248,7 +252,7 @@ std::vector<Place> free_edge(const std::vector<Rectangle>& parts, std::size_t nu
   return places;
 }
 
-/// Returns whether two parts are nearer than the kerf without touching: at corners, across a gap.
+/// Returns whether two parts are nearer than the kerf without touching, at corners or across a gap.
 bool are_too_near(const Rectangle& a, const Rectangle& b) {
   const double x = std::max({a.x - b.x - b.width, b.x - a.x - a.width, 0.0});
   const double y = std::max({a.y - b.y - b.height, b.y - a.y - a.height, 0.0});
@@ -256,8 +260,8 @@ bool are_too_near(const Rectangle& a, const Rectangle& b) {
   return apart > 1.0e-6 && apart < kTestKerf + 1.0e-3;
 }
 
-/// Parts edge to edge are cut along their edges, once: no cut takes more than half a kerf off a
-/// part, free edges keep half a kerf from all cuts, and everything comes apart.
+/// Parts that lie edge to edge are cut along their edges, once. No cut removes more than half a
+/// kerf of a part, free edges are half a kerf away from all cuts, and all parts come apart.
 TEST(ShareLines, AreTheDrawnEdgesOfPartsThatLieAgainstEachOther) {
   const proof::Trials trials{15};
   std::size_t lines = 0;
@@ -305,7 +309,7 @@ TEST(ShareLines, AreTheDrawnEdgesOfPartsThatLieAgainstEachOther) {
   EXPECT_GT(warnings, 0U);
 }
 
-/// A disc in a round recess: arcs beside arcs.
+/// A disc lies in a round recess, so arcs are common lines.
 TEST(ShareLines, AreArcsToo) {
   const auto drawn =
       drawing::read(drawing::svg_of("<path d=\"M10 10H30A10.6 10.6 0 0 0 51.2 10H70V40H10Z\"/>"
@@ -316,7 +320,7 @@ TEST(ShareLines, AreArcsToo) {
   EXPECT_NEAR(plan.shared.length_mm, M_PI * (10.0 + kHalf), 1.0e-3);
 }
 
-/// Tabs stay, and what has tabs pierces and goes forwards: a tab of the other part may be there.
+/// Tabs remain. A cut with tabs pierces and runs forwards, as the other part may have a tab there.
 TEST(ShareLines, KeepTabsAndPierces) {
   const auto drawn = drawing_of({{10.0, 10.0, 20.0, 20.0}, {30.0 + kTestKerf, 10.0, 20.0, 20.0}});
   LayerSettings settings = sharing();

@@ -20,10 +20,10 @@ namespace {
 using testing::IsEmpty;
 
 constexpr double kWidestGap = 0.02;
-constexpr double kEvery = 0.05;  ///< Places along edges and paths, mm.
+constexpr double kEvery = 0.05;  ///< Distance of points along edges and paths, mm.
 constexpr double kChord = 1.0e-4;
 
-/// A part as SVG draws it, and as a polygon; y goes up from the lower edge of a sheet of 100 mm.
+/// A part as SVG draws it, and as a polygon; y points up from the lower edge of a sheet of 100 mm.
 struct Part {
   std::string path{};
   Outline outline{};
@@ -37,7 +37,7 @@ struct Part {
     path += fmt::format("L{:.9f} {:.9f}", place.x(), 100.0 - place.y());
     outline.push_back(place);
   }
-  /// Along a circle, from one angle to another one by less than half a turn.
+  /// Appends an arc around `centre`, from one angle to another one, of less than half a turn.
   void turn(const Place& centre, double radius, double from, double to) {
     const Place end = centre + radius * drawing::direction(to);
     path += fmt::format("A{0:.9f} {0:.9f} 0 0 {1} {2:.9f} {3:.9f}",
@@ -79,7 +79,7 @@ Part sector(double inner, double outer, double from, double to) {
   return part;
 }
 
-/// Returns limits of bricks in a row, from 0 on.
+/// Returns the limits of bricks in a row, from 0 on.
 std::vector<double> random_splits(proof::Random& random, double length, double least) {
   std::vector<double> splits{0.0};
   const double most = random.between(1.5, 4.0) * least;
@@ -95,8 +95,8 @@ void shuffle(std::vector<Part>& parts, proof::Random& random) {
   for (std::size_t i = parts.size(); i > 1; --i) std::swap(parts[i - 1], parts[random.below(i)]);
 }
 
-/// Rows of bricks: corners meet, or stand in the middle of edges; ends are flush or not; some
-/// bricks are missing, so that others touch at corners only.
+/// Returns rows of bricks. Corners meet each other or the middle of edges, and ends are flush or
+/// not. Some bricks are missing, so that others touch only at corners.
 std::vector<Part> random_wall(proof::Random& random) {
   const double angle =
       random.chance(0.3) ? 0.0 : random.between(-std::numbers::pi, std::numbers::pi);
@@ -121,7 +121,7 @@ std::vector<Part> random_wall(proof::Random& random) {
   return parts;
 }
 
-/// The same in rings, whose bricks have arcs in common.
+/// Returns similar bricks in rings, which have arcs in common.
 std::vector<Part> random_rings(proof::Random& random) {
   const bool is_grid = random.chance(0.3);
   const double span = random.between(1.0, 5.5);
@@ -165,7 +165,7 @@ bool holds_place(const Outline& outline, const Place& place) {
   return inside;
 }
 
-/// A place on a drawn edge.
+/// A point on a drawn edge.
 struct EdgePoint {
   Place place{0.0, 0.0};
   bool is_shared = false;
@@ -187,7 +187,7 @@ std::vector<EdgePoint> points_of(const std::vector<Part>& parts) {
   return points;
 }
 
-/// The strokes of a plan that cut contours, and all of them.
+/// The strokes of a plan that cut contours, and all its strokes.
 struct Driven {
   std::vector<Stroke> contours{};
   std::vector<Place> places{};
@@ -218,7 +218,7 @@ double nearest_shared(const std::vector<EdgePoint>& points, const Place& place) 
   return nearest;
 }
 
-/// Returns the length that is driven along a line once more, mm.
+/// Returns the length of line that is driven a second time, mm.
 double length_twice(const std::vector<Stroke>& strokes) {
   double twice = 0.0;
   for (std::size_t i = 0; i < strokes.size(); ++i) {
@@ -242,7 +242,7 @@ double length_twice(const std::vector<Stroke>& strokes) {
   return twice;
 }
 
-/// Judges a plan by the polygons of the parts alone.
+/// Checks a plan with the polygons of the parts alone.
 void judge(const std::vector<Part>& parts, const CutPlan& plan) {
   ASSERT_THAT(plan.faults, IsEmpty()) << plan.faults.front().reason;
   const Driven driven = driven_of(plan);
@@ -251,7 +251,7 @@ void judge(const std::vector<Part>& parts, const CutPlan& plan) {
     const EdgePoint& point = points[i];
     const double nearest = nearest_of(driven.contours, point.place);
     if (point.is_shared) {
-      // Where only a corner touches nothing need be cut.
+      // Where only corners touch, no cut is necessary.
       const bool is_line =
           i > 0 && i + 1 < points.size() && points[i - 1].is_shared && points[i + 1].is_shared;
       ASSERT_LT(nearest, is_line ? 1.0e-3 : kHalf + 1.0e-3) << point.place.transpose();
@@ -294,7 +294,7 @@ TEST(EdgesOfParts, AreCutOnceBetweenBricks) {
     SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
     proof::Random random{seed};
     const std::vector<Part> parts = random_wall(random);
-    // Between bricks with a gap beside them that is narrower than the kerf nothing can be cut.
+    // If a gap next to two bricks is narrower than the kerf, no cut is possible between them.
     const auto is_near_another = [&parts](const Part& part) {
       return std::ranges::any_of(parts, [&part](const Part& other) {
         return are_too_near(part, other) || are_too_near(other, part);

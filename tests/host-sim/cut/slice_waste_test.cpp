@@ -16,7 +16,7 @@
 namespace sim::cut {
 namespace {
 
-/// The sheet after the job, in cells of which each is there or burnt.
+/// The sheet after the job, in cells that are whole or burnt.
 class RasterSheet {
  public:
   static constexpr double kCell = 0.15;
@@ -33,7 +33,8 @@ class RasterSheet {
     }
   }
 
-  /// Returns width and height of the largest connected piece that is not `spared`, of each.
+  /// Returns width and height of the largest connected piece that is not `spared`, each as a
+  /// maximum over all pieces.
   template <typename Spared>
   Place largest_piece(const Spared& spared) {
     Place largest{0.0, 0.0};
@@ -112,7 +113,7 @@ bool has_inside(const Outline& outline, const Place& place) {
   return inside;
 }
 
-/// In a raster of the burnt sheet no piece of waste is larger than was asked for.
+/// In a raster of the burnt sheet, no piece of waste may be larger than requested.
 TEST(SliceWaste, LeavesNoLargerPiece) {
   const proof::Trials trials{8};
   std::size_t slices = 0;

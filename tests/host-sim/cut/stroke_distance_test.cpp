@@ -22,7 +22,8 @@ Stroke stroke_anywhere(proof::Random& random) {
   return stroke;
 }
 
-/// The distance by samples: never below the exact one, and above it by half a spacing at most.
+/// Returns the distance by samples: never less than the exact distance, and greater by half a
+/// spacing at most.
 double sampled_distance(const Stroke& a, const Stroke& b, int count) {
   double least = 1.0e9;
   for (int i = 0; i <= count; ++i) {
@@ -55,7 +56,7 @@ TEST(StrokeDistance, IsThatOfTheNearestSamples) {
   EXPECT_GE(apart, (crossings + apart) / 19);
 }
 
-/// The tree leaves out nothing that is near.
+/// The tree must not omit a stroke that is near.
 TEST(StrokeDistance, TellsWhatIsClearAsMeasuringAllDoes) {
   const proof::Trials trials{2'000};
   std::size_t clear = 0;
@@ -95,7 +96,8 @@ TEST(StrokeDistance, HasItsEndsAtShares0And1) {
   }
 }
 
-/// The stroke nearest to the last place is where a search begins; it need not be the result.
+/// A search begins at the stroke that was nearest to the previous point, which need not be the
+/// result.
 TEST(StrokeDistance, FindsTheNearestFromTheLastPlaceOn) {
   for (const std::uint64_t seed : proof::Trials{500}) {
     proof::Random random{seed};

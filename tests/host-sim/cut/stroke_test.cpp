@@ -12,7 +12,7 @@
 namespace sim::cut {
 namespace {
 
-/// An arc by its centre, and the stroke that should be it.
+/// An arc by its centre, and the stroke that should represent it.
 struct KnownArc {
   Place centre;
   double radius;
@@ -82,7 +82,8 @@ TEST(Strokes, AreCutOutOfARowByTheirLength) {
   EXPECT_NEAR(length_of(measured.stretch(-1.0, 99.0)), length_of(row), 1.0e-12);
 }
 
-/// A half disc: what begins anywhere on it is all of it, and knows how it is come to and left.
+/// A half disc: a row that begins at any point of it contains all of it, and has the right
+/// directions at its beginning and end.
 TEST(Strokes, OfAClosedRowBeginAnywhere) {
   const std::vector<Stroke> row{{{-5, 0}, {5, 0}, 0.0}, {{5, 0}, {-5, 0}, 1.0}};
   const MeasuredRow measured{row};
@@ -97,7 +98,8 @@ TEST(Strokes, OfAClosedRowBeginAnywhere) {
   }
 }
 
-/// Work and not time: as close together as they may lie, few are measured to find the nearest.
+/// Counts the work instead of the time: even if strokes are very close together, few distances are
+/// computed to find the nearest.
 TEST(Clearance, MeasuresFewStrokesHoweverManyLieClose) {
   for (const std::size_t count : {1'000U, 10'000U, 100'000U}) {
     SCOPED_TRACE(count);
@@ -113,7 +115,8 @@ TEST(Clearance, MeasuresFewStrokesHoweverManyLieClose) {
     for (std::size_t i = 0; i < kQuestions; ++i) {
       looks += clearance.nearest(place(i * count / kQuestions, 10.3)).looks;
     }
-    // Within reach are 3 of 100; the boxes of those that are as near grow with the root only.
+    // 3 of 100 strokes are within reach. The number of boxes that are as near grows only with the
+    // root.
     const double most = 2.0 * std::sqrt(static_cast<double>(count));
     EXPECT_LT(static_cast<double>(looks), most * static_cast<double>(kQuestions));
   }

@@ -14,7 +14,7 @@ namespace sim::cut {
 inline constexpr double kTestKerf = 0.6;
 inline constexpr double kHalf = 0.5 * kTestKerf;
 
-/// The same settings for all layers of a drawing, and a kerf of 0.6 mm.
+/// Returns the same settings for all layers of a drawing, and a kerf of 0.6 mm.
 inline std::vector<LayerPlan> layers_with(const drawing::Drawing& drawn,
                                           const LayerSettings& settings) {
   const LayerPlan layer{settings, {{2000, 1'800'000, 4'000'000}, kTestKerf, 0.01}};
@@ -25,14 +25,15 @@ inline CutPlan plan_of(const drawing::Drawing& drawn, const LayerSettings& setti
   return plan_cuts(drawn, layers_with(drawn, settings));
 }
 
-/// The nearest next, each cut with its usual beginning: a plan whose order a test can foresee.
+/// Returns a plan whose order a test can foresee: always the nearest cut next, each with its usual
+/// beginning.
 inline CutPlan foreseen_plan_of(const drawing::Drawing& drawn, LayerSettings settings = {}) {
   settings.start = StartAt::kUsual;
   const OrderWish wish{.method = order::OrderMethod::kNearest};
   return plan_cuts(drawn, layers_with(drawn, settings), {}, WayBeside::kHere, {}, wish);
 }
 
-/// Both ways of a drawing by itself: a polygon as places, a circle as many.
+/// An outline in the tests' own form, by points: a polygon by its corners, a circle by many points.
 using Outline = std::vector<Place>;
 
 inline double distance_to_chord(const Place& a, const Place& b, const Place& place) {
@@ -43,7 +44,7 @@ inline double distance_to_chord(const Place& a, const Place& b, const Place& pla
   return drawing::distance(a + share * way, place);
 }
 
-/// To the nearest chord of closed outlines, by looking at every one.
+/// Returns the distance to the nearest chord of closed outlines, by checking each chord.
 inline double distance_to_all(const std::vector<Outline>& outlines, const Place& place) {
   double least = 1.0e9;
   for (const Outline& outline : outlines) {
@@ -55,7 +56,7 @@ inline double distance_to_all(const std::vector<Outline>& outlines, const Place&
   return least;
 }
 
-/// Places along a stroke, no farther apart than so much.
+/// Returns points along a stroke, at most `every_mm` apart.
 inline std::vector<Place> places_along(const Stroke& stroke, double every_mm) {
   const int count = 1 + static_cast<int>(length_of(stroke) / every_mm);
   std::vector<Place> places;

@@ -14,7 +14,8 @@
 namespace sim::cut {
 namespace {
 
-/// Discs along a path that turns now and then, as a beam leaves them, and a few anywhere.
+/// Returns discs along a path that turns at times, as a beam leaves them, and a few at random
+/// points.
 std::vector<std::pair<Place, double>> random_discs(proof::Random& random) {
   std::vector<std::pair<Place, double>> discs;
   Place at{random.between(-1.0, 1.0), random.between(-1.0, 1.0)};
@@ -53,7 +54,7 @@ TEST(SweptArea, OfNothingIsOutOfReachEverywhere) {
   EXPECT_EQ(PlannedArea{}.depth_of({1.0, 2.0}), -SweptArea::kReachMm);
 }
 
-/// Discs half a micrometre apart leave an edge that is hardly another one.
+/// Discs half a micrometre apart have an edge that hardly differs from that of the strokes.
 TEST(PlannedArea, IsThatOfDiscsAlongItsStrokes) {
   constexpr double kSpacingMm = 0.0005;
   for (const std::uint64_t seed : proof::Trials{200}) {
@@ -76,8 +77,9 @@ TEST(PlannedArea, IsThatOfDiscsAlongItsStrokes) {
     for (int i = 0; i < 50; ++i) {
       const Place place{random.between(-2.0, 2.0), random.between(-2.0, 2.0)};
       const double depth = area.depth_of(place);
-      // The edge between two discs is less deep by s² / 8 (1 / d + 1 / r), d from the centre line
-      // of an arc of radius r: near the line by half the spacing s.
+      // The edge between two discs is less deep by s² / 8 (1 / d + 1 / r), d being the distance
+      // from the centre line of an arc of radius r. Near the centre line it is less deep by half
+      // the spacing s.
       const double slack = depth > 0.03 ? 0.5 * kSpacingMm : 2.0e-5;
       ASSERT_GE(depth, discs.depth_of(place) - 1.0e-9) << "KERFLINE_SEED=" << seed;
       ASSERT_LE(depth, discs.depth_of(place) + slack) << "KERFLINE_SEED=" << seed;

@@ -51,8 +51,8 @@ TEST(CutTimeline, LosesNoTimeAndNoPlaceBetweenItsSteps) {
   }
 }
 
-/// Long jobs are predicted in ranges of cuts. A job that is driven as a whole takes the same time
-/// for each of its motions.
+/// The time of a long job is predicted in ranges of cuts. Predicting the complete job at once gives
+/// the same time for each motion.
 TEST(CutTimeline, IsThatOfTheWholeJobHoweverLongItIs) {
   std::string content;
   for (int i = 0; i < 1'100; ++i) {
@@ -85,7 +85,8 @@ TEST(CutTimeline, IsThatOfTheWholeJobHoweverLongItIs) {
   }
 }
 
-/// Written by the program's own writer and driven by the simulated controller.
+/// Returns the duration of a plan, written by the program's writer and run by the simulated
+/// controller.
 double driven_seconds(const drawing::Drawing& drawn,
                       const CutPlan& plan,
                       const std::vector<SettingChange>& settings) {
@@ -101,7 +102,7 @@ double driven_seconds(const drawing::Drawing& drawn,
 struct AxisLimits {
   double rate_mm_min = 0.0;
   double acceleration_mm_s2 = 0.0;
-  double jerk_mm_s3 = 0.0;  ///< 0: none.
+  double jerk_mm_s3 = 0.0;  ///< Jerk limit, mm/s³; 0 for none.
 
   [[nodiscard]] std::vector<SettingChange> settings() const {
     std::vector<SettingChange> changes{parse_setting("$32=1", "test")};
@@ -121,7 +122,8 @@ struct AxisLimits {
   }
 };
 
-/// @param jerk_mm_s3 least jerk; none half of the time
+/// Returns random limits.
+/// @param jerk_mm_s3 least jerk; half of the results have no limit
 AxisLimits random_limits(proof::Random& random, double jerk_mm_s3) {
   constexpr double kMaxJerk = 1.0e6;
   return {random.magnitude(6'000.0, 15'000.0),
@@ -129,7 +131,7 @@ AxisLimits random_limits(proof::Random& random, double jerk_mm_s3) {
           random.chance(0.5) ? 0.0 : random.magnitude(jerk_mm_s3, kMaxJerk)};
 }
 
-/// Predicts and drives a sheet. Returns the difference as a share of the driven time.
+/// Predicts and runs a sheet. Returns the difference as a fraction of the duration of the run.
 double excess_of_prediction(const std::string& content,
                             const LayerSettings& settings,
                             const AxisLimits& limits) {
@@ -141,7 +143,7 @@ double excess_of_prediction(const std::string& content,
   return predicted / driven_seconds(drawn, plan, limits.settings()) - 1.0;
 }
 
-/// Four polygons and ellipses in rows of two.
+/// Returns four polygons and ellipses in rows of two.
 std::string cornered_sheet(proof::Random& random) {
   std::string content;
   for (int i = 0; i < 4; ++i) {
@@ -180,8 +182,8 @@ TEST(CutTimeline, IsWithinOnePercentOfTheDrivenJob) {
   }
 }
 
-/// Rests at corners and short rapids leave the controller little time to read on, and which window
-/// it chooses then is an estimate.
+/// Stops at corners and short rapids leave the controller little time to read ahead, and the window
+/// that it then chooses is an estimate.
 TEST(CutTimeline, IsWithinTwoPercentWhereThePathHasCorners) {
   for (const std::uint64_t seed : proof::Trials{20}) {
     proof::Random random{seed};

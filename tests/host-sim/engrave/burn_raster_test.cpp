@@ -23,7 +23,7 @@ double mean_of(const std::vector<float>& values) {
   return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 
-/// Whatever the size, no light is lost.
+/// At any size of the raster, the sum of light is kept.
 TEST(BurnRaster, KeepsTheMeanOfThePicture) {
   for (const std::uint64_t seed : proof::Trials{300}) {
     proof::Random random{seed};

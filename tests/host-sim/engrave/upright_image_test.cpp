@@ -28,7 +28,7 @@ double sum_of(const std::vector<float>& values) {
   return std::accumulate(values.begin(), values.end(), 0.0);
 }
 
-/// Returns the darkness of an upright picture at a place, mm.
+/// Returns the darkness of an upright picture at a point, mm.
 double darkness_at(const UprightImage& seen, const Place& place) {
   const Place size = seen.high_mm - seen.low_mm;
   const double across = (place.x() - seen.low_mm.x()) / size.x();
@@ -38,7 +38,7 @@ double darkness_at(const UprightImage& seen, const Place& place) {
   return static_cast<double>(seen.image.darkness.at(row * seen.image.width + column));
 }
 
-/// Each pixel is where the map puts its middle, whatever the map.
+/// With any map, each pixel is at the point to which the map moves its middle.
 TEST(UprightImage, HasEachPixelInItsPlace) {
   for (const std::uint64_t seed : proof::Trials{300}) {
     proof::Random random{seed};
@@ -61,7 +61,7 @@ TEST(UprightImage, HasEachPixelInItsPlace) {
   }
 }
 
-/// A turned picture has the area and the light of the picture, and nothing beside it.
+/// A rotated picture has the area and the light of the original picture, and no more.
 TEST(UprightImage, TurnedKeepsAreaAndLight) {
   for (const std::uint64_t seed : proof::Trials{60}) {
     proof::Random random{seed};
@@ -81,7 +81,7 @@ TEST(UprightImage, TurnedKeepsAreaAndLight) {
   }
 }
 
-/// What is beside a turned picture is not burnt, inverted or not.
+/// The area outside of a rotated picture is not burnt, inverted or not.
 TEST(UprightImage, BurnsNothingBesideThePicture) {
   const picture::GreyImage white{4, 4, std::vector<float>(16), {}};
   const UprightImage seen = upright(white, drawing::turned_by(0.25 * std::numbers::pi), 0.1);

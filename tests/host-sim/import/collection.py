@@ -2,10 +2,11 @@
 
 usage: collection.py KERFLINE FOLDER [--compare] [OPTION of `kerfline drawing` …]
 
-Not part of the test suite: it takes any folder of drawings of others. `read` are drawings without a
-word, `reported` those with notes, `refused` those with faults, whose kinds are counted. With
-`--compare`, svgelements reads SVG drawings, too, and the sums of all lengths are compared: what differs
-by more than one in a thousand and has no note or fault is `silent`.
+Not part of the test suite: it accepts any folder of drawings. `read` are drawings without a
+message, `reported` those with notes, `refused` those with faults, whose kinds are counted. With
+`--compare`, svgelements also reads SVG drawings, and the sums of all lengths are compared. A
+drawing is `silent` if its sum differs by more than one in a thousand and it has no note or
+fault.
 """
 import collections
 import json
@@ -20,7 +21,7 @@ CHORDS = 64  # Within 0.05 % of a circle.
 
 
 def read(kerfline: str, file: pathlib.Path, options: list) -> tuple:
-    """The status and the drawing as `kerfline drawing --json` has it."""
+    """Returns the status, and the drawing as `kerfline drawing --json` prints it."""
     try:
         done = subprocess.run([kerfline, "drawing", file, "--json", *options],
                               capture_output=True, text=True, timeout=SECONDS, check=False)
@@ -35,7 +36,7 @@ def read(kerfline: str, file: pathlib.Path, options: list) -> tuple:
 
 
 def is_seen(shape) -> bool:
-    """Whether a shape of svgelements has a stroke or a fill."""
+    """Returns whether a shape of svgelements has a stroke or a fill."""
     values = shape.values
     if values.get("visibility") in ("hidden", "collapse") or values.get("display") == "none":
         return False
@@ -43,7 +44,7 @@ def is_seen(shape) -> bool:
 
 
 def length_of(segment) -> float:
-    """The length of a segment along CHORDS chords, px."""
+    """Returns the length of a segment along CHORDS chords, px."""
     if segment.start is None or segment.end is None:
         return 0.0
     count = 1 if type(segment).__name__ in ("Line", "Close") else CHORDS
@@ -52,7 +53,7 @@ def length_of(segment) -> float:
 
 
 def length_by_svgelements(file: pathlib.Path) -> float:
-    """The length of all that is drawn, mm."""
+    """Returns the length of all drawn shapes, mm."""
     import svgelements  # pylint: disable=import-outside-toplevel
     total = 0.0
     document = svgelements.SVG.parse(str(file), reify=True, ppi=96)
@@ -64,7 +65,7 @@ def length_by_svgelements(file: pathlib.Path) -> float:
 
 
 def difference(file: pathlib.Path, drawn: dict) -> str:
-    """How our length differs from that of the other reader, as text."""
+    """Returns the difference between our length and that of the other reader, as text."""
     try:
         theirs = length_by_svgelements(file)
     except Exception as error:  # pylint: disable=broad-except

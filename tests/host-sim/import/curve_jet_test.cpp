@@ -52,11 +52,12 @@ Shape random_shape(proof::Random& random) {
   }
 }
 
-// Central differences over h are off by h² / 6 of the next derivative but one.
+// The error of central differences over h is h² / 6 times the derivative two orders higher.
 TEST(CurveJet, HasTheDerivativesOfItsPlaces) {
   const proof::Trials trials{4'000};
   constexpr double kStep = 1.0e-4;
-  constexpr double kOff = 2.0e-4;  // Of what the derivative is, or the size of the drawing.
+  // Tolerance, as a fraction of the derivative or of the size of the drawing.
+  constexpr double kOff = 2.0e-4;
   for (const std::uint64_t seed : trials) {
     proof::Random random{seed};
     const Shape shape = random_shape(random);

@@ -18,7 +18,7 @@ using testing::IsEmpty;
 using testing::Not;
 using testing::SizeIs;
 
-/// Bytes of a binary DXF file, with codes of one byte (Release 12) or of two.
+/// Builds the bytes of a binary DXF file, with codes of one byte (Release 12) or of two.
 class BinaryDxf {
  public:
   explicit BinaryDxf(std::size_t code_bytes) : code_bytes_{code_bytes} {}
@@ -241,7 +241,7 @@ TEST(DxfFaces, SolidsTurnAndFacesHideEdges) {
   EXPECT_NEAR(hidden.contours[0].length_mm, 27.0, 1e-9);
 }
 
-/// A drawing of a block with lines, clipped as the filter says.
+/// Returns a drawing of a block with lines, which the filter clips.
 Drawing clipped_block(const std::string& filter, const std::string& insert = "10\n0\n20\n0\n") {
   const auto line = [](const std::string& from, const std::string& to, const std::string& y) {
     return "0\nLINE\n8\n0\n10\n" + from + "\n20\n" + y + "\n11\n" + to + "\n21\n" + y + "\n";
@@ -256,7 +256,7 @@ Drawing clipped_block(const std::string& filter, const std::string& insert = "10
               filter + "0\nENDSEC\n0\nEOF\n");
 }
 
-/// The two matrices of a boundary that lies `x` `y` of the block's origin.
+/// Returns the two matrices of a boundary that lies `x` `y` from the block's origin.
 std::string matrices_of(const std::string& x, const std::string& y) {
   const std::string one = "40\n1\n40\n0\n40\n0\n40\n";
   const std::string rest = "40\n0\n40\n1\n40\n0\n40\n";
@@ -278,7 +278,7 @@ TEST(DxfClips, InsideIsKeptOutsideIsNotedAcrossIsAFault) {
 }
 
 TEST(DxfClips, BoundariesGoWithTheBlockWhereverItIs) {
-  // As it was when the block was at 100 0, and half as large now.
+  // The boundary was set when the block was at 100 0; now the block is half as large.
   const std::string polygon =
       "70\n4\n10\n100\n20\n0\n10\n120\n20\n0\n10\n120\n20\n5.5\n10\n100\n20\n5.5\n71\n1\n";
   const Drawing drawn = clipped_block(polygon + matrices_of("-100", "0"),
@@ -290,7 +290,8 @@ TEST(DxfClips, BoundariesGoWithTheBlockWhereverItIs) {
   EXPECT_THAT(kinds_of(drawn), Not(Contains(FaultKind::kBadEntity)));
 }
 
-/// The boundary belongs to a dictionary of filters, that to one of the entity, that to the entity.
+/// The boundary belongs to a dictionary of filters, which belongs to a dictionary of the entity,
+/// which belongs to the entity.
 TEST(DxfInserts, ClippedOnesAndThoseOfOtherFilesAreFaults) {
   const auto drawn_by = [](const std::string& is_on) {
     const std::string block = "0\nBLOCK\n2\nA\n" + circle_on("0") + "0\nENDBLK\n";

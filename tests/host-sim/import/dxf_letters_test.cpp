@@ -22,7 +22,7 @@ Drawing dxf_lettered(const std::string& entities, TextMode mode = TextMode::kOut
   return read_drawing("f", kStyle + dxf_of(entities), {.text = mode});
 }
 
-/// A TEXT of 10 mm at 100 50 in the style S, and what else is said of it.
+/// Returns a TEXT of 10 mm height at 100 50 in the style S, with the groups in `more`.
 std::string text_of(const std::string& words, const std::string& more = {}) {
   return "0\nTEXT\n8\n0\n7\nS\n40\n10\n10\n100\n20\n50\n1\n" + words + "\n" + more;
 }

@@ -30,7 +30,7 @@ Place bezier_at(const std::vector<Place>& p, double t) {
   return p[0] * (s * s * s) + p[1] * (3 * s * s * t) + p[2] * (3 * s * t * t) + p[3] * (t * t * t);
 }
 
-/// The knots of Béziers in a row, each with end knots of its own.
+/// The knots are those of consecutive Béziers, each with separate end knots.
 TEST(DxfSplines, AKnotOfDegreeAndOnePartsTheSpline) {
   const std::vector<Place> left{{0, 0}, {0, 10}, {10, 10}, {10, 0}};
   std::vector<Place> points = left;
@@ -46,7 +46,7 @@ TEST(DxfSplines, AKnotOfDegreeAndOnePartsTheSpline) {
     EXPECT_NEAR(distance(jet(shapes[0], 0, t).place, bezier_at(left, t)), 0.0, 1e-12);
     EXPECT_NEAR(distance(jet(shapes[1], 0, t).place, bezier_at(right, t)), 0.0, 1e-12);
   }
-  // Where the parts do not meet they are contours of their own.
+  // If the parts do not meet, they are separate contours.
   for (std::size_t i = 4; i < 8; ++i) points[i].x() += 5.0;
   EXPECT_THAT(read(dxf_of(spline(3, knots, points))).contours, SizeIs(2));
 }
@@ -72,7 +72,7 @@ TEST(DxfSplines, EveryDegreeIsReadAndWhatIsWrongIsSaid) {
   EXPECT_THAT(wrong(3, {0, 0, 0, 0, 1, 1, 1}), HasSubstr("3 control points make no spline"));
 }
 
-/// Only the part within the inner knots is drawn.
+/// Only the part between the inner knots is drawn.
 TEST(DxfSplines, KnotsNeedNotBeClamped) {
   const Drawing drawn =
       read(dxf_of(spline(2, {0, 1, 2, 3, 4, 5, 6}, {{0, 0}, {10, 0}, {10, 10}, {0, 10}})));
@@ -92,8 +92,8 @@ TEST(DxfSplines, AHelixIsTheSplineThatItHolds) {
   EXPECT_THAT(kinds_of(drawn), ElementsAre(FaultKind::kOpen, FaultKind::kNote));
 }
 
-/// Returns the turn of the way and the jump of the second derivative by the chord, from span to
-/// span.
+/// Returns the jumps of the first and the second derivative from one shape to the next. The
+/// parameters of the shapes are scaled by their chords, `left` and `right`.
 std::pair<double, double> jumps(const Shape& before,
                                 const Shape& after,
                                 double left,

@@ -31,7 +31,7 @@ TEST(DxfReader, ABulgeOfOneIsHalfACircle) {
   EXPECT_EQ(drawn.layers.at(0).name, "Cut");
 }
 
-/// Its ends are near, but the circle that it nearly is reaches beyond all numbers.
+/// The ends are near, but the circle that the arc nearly completes extends beyond all numbers.
 TEST(DxfReader, AnArcThatIsNearlyAHugeCircleIsTooFar) {
   const auto bulged = [](const char* bulge) {
     return read(dxf_of(std::string{"0\nLWPOLYLINE\n8\n0\n90\n2\n70\n1\n10\n0\n20\n0\n42\n"} +
@@ -44,7 +44,7 @@ TEST(DxfReader, AnArcThatIsNearlyAHugeCircleIsTooFar) {
     EXPECT_THAT(drawn.faults[0].reason, HasSubstr("farther than 10 km from the origin"));
     EXPECT_THAT(drawn.contours, IsEmpty());
   }
-  // The centre of a flat one may be anywhere.
+  // The centre of a flat arc may be at any point.
   EXPECT_THAT(bulged("1e-9").faults, IsEmpty());
 }
 
@@ -77,7 +77,8 @@ TEST(DxfReader, BlocksOfBlocksAreExpandedInRowsAndColumnsAndNotInCircles) {
   EXPECT_NEAR(drawn.contours[5].length_mm, 4.0 * kHalfTurn, 1e-9);
 }
 
-/// Copies without a spacing lie on each other: as many as a number can say are told, not drawn.
+/// Copies without a spacing coincide. Their number is reported, even if it is the greatest possible
+/// one, but only one is drawn.
 TEST(DxfReader, CopiesWithoutASpacingAreOne) {
   const std::string block =
       "0\nBLOCK\n2\nA\n0\nELLIPSE\n10\n0\n20\n0\n11\n4\n21\n0\n40\n0.5\n0\nENDBLK\n";
@@ -95,7 +96,7 @@ TEST(DxfReader, CopiesWithoutASpacingAreOne) {
   EXPECT_THAT(inserted("70\n2\n71\n2\n44\n10\n45\n10\n").faults, IsEmpty());
 }
 
-/// What it may take is a share of what a drawing may take: here of 500,000 entities.
+/// The effort for copies is limited to a fraction of that for a drawing, here of 500,000 entities.
 TEST(DxfReader, CopiesBeyondTheEffortAreLeftOutAndToldSo) {
   const std::string text =
       dxf_of("0\nINSERT\n2\nA\n70\n900\n44\n5\n", "0\nBLOCK\n2\nA\n0\nCIRCLE\n40\n1\n0\nENDBLK\n");
@@ -104,7 +105,7 @@ TEST(DxfReader, CopiesBeyondTheEffortAreLeftOutAndToldSo) {
   EXPECT_THAT(part.contours, SizeIs(49));
   ASSERT_THAT(kinds_of(part), ElementsAre(FaultKind::kTooMuch));
   EXPECT_THAT(part.faults[0].reason, HasSubstr("more than 100 entities"));
-  // Where the copy itself is the one too many.
+  // In this case the copy itself exceeds the limit.
   const Drawing odd = read_drawing("f", text, {.effort = 0.0002021});
   EXPECT_THAT(odd.contours, SizeIs(50));
   ASSERT_THAT(kinds_of(odd), ElementsAre(FaultKind::kTooMuch));

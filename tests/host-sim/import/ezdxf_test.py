@@ -1,7 +1,10 @@
 #!/usr/bin/env python3
-"""DXF by a second reader: ezdxf writes random drawings and flattens them, and kerfline must draw the same.
+"""Compares kerfline with a second reader of DXF: ezdxf writes random drawings and flattens them,
+and kerfline must draw the same.
 
-    ezdxf_test.py KERFLINE        KERFLINE_TRIALS=N: drawings, KERFLINE_SEED=N: one of them
+    ezdxf_test.py KERFLINE
+
+KERFLINE_TRIALS=N: number of drawings; KERFLINE_SEED=N: a single drawing
 """
 
 import json
@@ -35,7 +38,7 @@ def distance_to(place, row):
 
 
 class Drawer:
-    """Random entities, each far from the others so that none are joined."""
+    """Draws random entities, each far from the others so that none are joined."""
 
     def __init__(self, seed):
         self.random = random.Random(seed)
@@ -91,7 +94,7 @@ class Drawer:
     def flattened(self):
         rows = []
         for entity in self.space:
-            # Of a stretched polyline, edge by edge.
+            # A stretched polyline is drawn edge by edge.
             parts = entity.virtual_entities() if entity.dxftype() == "INSERT" else [entity]
             for part in parts:
                 rows.append([(p.x, p.y) for p in self.flatten(part)])
@@ -108,7 +111,9 @@ class Drawer:
 
 
 class FormDrawer(Drawer):
-    """The same of any release, in ASCII or binary: nested blocks, arrays, tilted planes, knots of any kind."""
+    """Draws entities of any release, in ASCII or binary: nested blocks, arrays, tilted planes, any
+    kind of knots.
+    """
 
     VERSIONS = ("R12", "R2000", "R2004", "R2007", "R2010", "R2013", "R2018")
 
@@ -117,7 +122,7 @@ class FormDrawer(Drawer):
         self.version = self.random.choice(self.VERSIONS)
         self.form = self.random.choice(("asc", "bin"))
         self.document = ezdxf.new(self.version, units=4)
-        # Release 12 has no $INSUNITS in what ezdxf writes.
+        # In Release 12, ezdxf writes no $INSUNITS.
         self.space = self.document.modelspace()
         self.contours = 0
 
@@ -128,7 +133,7 @@ class FormDrawer(Drawer):
         outer.add_blockref("inner", (5, 5), dxfattribs={"rotation": self.number(-180, 180), "xscale": -1.0})
         for i in range(6):
             self.form_of(self.space, (200 * i, 0))
-        # A block that is turned in a stretched one is sheared, which an INSERT of ezdxf cannot be.
+        # A rotated block in a stretched one is sheared, which an INSERT of ezdxf cannot represent.
         size = self.number(0.5, 2)
         self.space.add_blockref("OUTER", (0, 400), dxfattribs={
             "rotation": self.number(-180, 180), "xscale": size, "yscale": self.random.choice([size, -size]),
@@ -161,7 +166,9 @@ class FormDrawer(Drawer):
             self.spline(space, at, self.random.randint(1, 10) if kind == 5 else 3)
 
     def spline(self, space, at, degree):
-        """Knots at random, clamped or not, each inner one up to degree times, or fit points of a closed curve."""
+        """Adds a spline with random knots, clamped or not, inner ones up to `degree` times, or
+        with the fit points of a closed curve.
+        """
         count = degree + 1 + self.random.randrange(8)
         knots = [0.0] * (degree + 1)
         while len(knots) < count:
@@ -193,7 +200,7 @@ class FormDrawer(Drawer):
 
 
 def is_filled(read):
-    """Whether contours cross, and are read as the outlines of what they fill."""
+    """Returns whether contours cross, and are read as the outlines of the area that they fill."""
     return any(fault["kind"] == "mended" for fault in read["faults"])
 
 
@@ -228,7 +235,9 @@ class ByEzdxf(unittest.TestCase):
             self.assertTrue(any(other is outline for other in near), "a contour that ezdxf does not have")
 
     def compare_lines(self, theirs, ours, read):
-        """Outlines of what crossing contours fill are the drawn lines, but for loops that are left out."""
+        """Checks that outlines of crossing contours are the drawn lines, except for loops that are
+        left out.
+        """
         for row in ours:
             for place in row[::max(1, len(row) // 40)]:
                 self.assertLess(min(distance_to(place, other) for other in theirs), TOLERANCE_MM, place)
@@ -243,12 +252,12 @@ class ByEzdxf(unittest.TestCase):
                     step_mm = max(step_mm, math.dist(place, after))
         loops = sum(int(found[1]) for fault in read["faults"]
                     for found in [re.search(r"(\d+) (?:loops? )?of less than", fault["reason"])] if found)
-        # A loop that is left out is less than 2 mm long, as its area and width are.
+        # A loop that is left out is shorter than 2 mm, by the limits of its area and width.
         self.assertLessEqual(far_mm, (2 + step_mm) * loops, far)
         self.assertTrue(all(nearest < 2 for _, nearest in far), far)
 
     def test_random_drawings_are_the_same_curves(self):
-        # At seed 1314348124 both readers differ by 0.096 mm.
+        # Known fault: at seed 1314348124 the two readers differ.
         seeds = seeds_of(self, 60, known_fault=True)
         with tempfile.TemporaryDirectory() as folder:
             for seed in seeds:

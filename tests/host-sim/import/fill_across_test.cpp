@@ -19,7 +19,7 @@ using testing::ElementsAre;
 using testing::IsEmpty;
 using testing::SizeIs;
 
-/// A plate and a slot across its edge, in two colours, and a hole that both leave alone.
+/// A plate, a slot across its edge in another colour, and a hole that does not touch either.
 const std::string kNotched =
     "<g fill='none'><rect stroke='#000' x='10' y='10' width='40' height='30'/>"
     "<rect stroke='#00f' x='28' y='5' width='4' height='12'/>"
@@ -70,7 +70,7 @@ TEST(FillAcross, WhatIsDrawnTwiceDoesNotCancel) {
   EXPECT_FALSE(drawn.contours[0].lies_on.has_value());
 }
 
-/// A curve between other curves, drawn twice and backwards: the two lines are one.
+/// A curve between other curves is drawn twice, in opposite directions: both lines are removed.
 TEST(Filling, CurvesThatAreDrawnTwiceAmongOthersCancel) {
   const proof::Trials trials{200};
   for (const std::uint64_t seed : trials) {
@@ -78,7 +78,7 @@ TEST(Filling, CurvesThatAreDrawnTwiceAmongOthersCancel) {
     const auto number = [&](double least, double most) {
       return std::to_string(random.between(least, most));
     };
-    // Two lobes on both sides of a curve from A to B, which both outlines go along.
+    // Two lobes lie on both sides of a curve from A to B, which is part of both outlines.
     const std::string middle = number(48, 52) + " " + number(30, 40) + " " + number(48, 52) + " " +
                                number(50, 60) + " 50 70";
     const std::string back_of = [&] {
@@ -93,7 +93,8 @@ TEST(Filling, CurvesThatAreDrawnTwiceAmongOthersCancel) {
     }();
     const std::string left = "C 20 " + number(60, 80) + " 20 " + number(10, 30) + " 50 20";
     const std::string right = "C 80 " + number(10, 30) + " 80 " + number(60, 80) + " 50 70";
-    // One path: down the middle, round the left, down the middle again, back up round the right.
+    // One path: down the middle, around the left lobe, down the middle once more, and back up
+    // around the right lobe.
     const std::string path = "M50 20C" + middle + left + right + "C" + back_of + "Z";
     const Drawing drawn = read(svg_of("<path fill='none' stroke='red' d='" + path + "'/>"));
     double area = 0.0;

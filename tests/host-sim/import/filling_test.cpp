@@ -17,7 +17,7 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::SizeIs;
 
-/// Lines that fill nothing.
+/// Returns lines without a fill.
 Drawing strokes(const std::string& d) {
   return read(svg_of("<path fill='none' stroke='red' d='" + d + "'/>"));
 }
@@ -43,7 +43,7 @@ TEST(Filling, TheCornerLoopsOfABoxGeneratorAreLeftOutInOneNote) {
   EXPECT_FALSE(drawn.contours[1].is_filled) << "what crosses nothing stays as it is drawn";
 }
 
-/// Slanted hairs: the box around each meets the box around each other one.
+/// The lines are narrow and slanted, so that the boxes around all of them intersect.
 TEST(Filling, AnOutlineThatIsTooDenseIsToldWithPlaceAndLimit) {
   std::string points;
   for (int i = 0; i < 400; ++i) {

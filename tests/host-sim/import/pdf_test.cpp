@@ -23,7 +23,7 @@ cairo_status_t keep(void* text, const unsigned char* bytes, unsigned int count) 
   return CAIRO_STATUS_SUCCESS;
 }
 
-/// A PDF of 100 mm by 80 mm, with y upwards and mm as units.
+/// Returns a PDF of 100 mm by 80 mm, with y upwards and mm as units.
 std::string pdf_of(const std::function<void(cairo_t*)>& draw) {
   std::string pdf;
   cairo_surface_t* const surface =
@@ -51,7 +51,7 @@ TEST(Pdf, StrokesAndFillsArePathsInTheirPlace) {
   EXPECT_NEAR(drawn.contours[0].area_mm2, 1200.0, 0.01);
   Place least{100.0, 100.0};
   for (const Shape& shape : drawn.contours[0].shapes) least = least.cwiseMin(start_of(shape));
-  // The size of the page has three decimals of a point.
+  // The size of the page is rounded to three decimals of a point.
   EXPECT_NEAR(distance(least, {10.0, 20.0}), 0.0, 2e-3);
   EXPECT_EQ(drawn.layers.at(drawn.contours[0].entity.layer).name, "");
   EXPECT_EQ(drawn.layers.at(drawn.contours[0].entity.layer).colour, "#ff0000");

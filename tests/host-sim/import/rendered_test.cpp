@@ -1,5 +1,5 @@
-/// An independent reader of SVG: librsvg draws the document, cairo the outlines
-/// that we read of it, and both pictures have to be the same.
+/// Compares our reader of SVG with an independent one: librsvg draws the document, cairo draws the
+/// outlines that our reader returns, and both pictures must be equal.
 
 #include <cairo.h>
 #include <fmt/format.h>
@@ -18,10 +18,10 @@
 namespace sim::drawing {
 namespace {
 
-constexpr int kPixels = 400;  ///< For 100 mm.
+constexpr int kPixels = 400;  ///< Width of the picture, pixels for 100 mm.
 
-// cairo, which draws for librsvg, leaves curves by up to a tenth of a pixel, always
-// to the same side; half of that on average.
+// cairo, which draws for librsvg, deviates from curves by up to a tenth of a pixel, always to the
+// same side; by half of that on average.
 constexpr double kChordPx = 0.05;
 
 double outline_px(const Drawing& drawn) {
@@ -30,7 +30,8 @@ double outline_px(const Drawing& drawn) {
   return length * kPixels / 100.0;
 }
 
-/// At most the area of loops that notes say are left out, as narrower than any beam.
+/// Returns an upper bound of the area of loops that notes report as left out, because they are
+/// narrower than any beam.
 double left_out_px(const Drawing& drawn) {
   constexpr double kPxPerMm2 = kPixels * kPixels / 1.0e4;
   static const std::regex kLoops{"(\\d+) (?:loops? )?of less than .* of ([0-9.]+) mm2"};
@@ -44,7 +45,7 @@ double left_out_px(const Drawing& drawn) {
   return area * kPxPerMm2;
 }
 
-/// Coverage of black on nothing, 0…255 a pixel.
+/// Coverage of black on an empty ground, 0…255 for each pixel.
 class Canvas {
  public:
   Canvas()

@@ -104,7 +104,7 @@ TEST(SvgStructure, NestedDocumentsHaveTheirOwnUnits) {
       svg_of("<svg x='10' width='50%' height='20' viewBox='0 0 100 40'><rect width='50%' "
              "height='10%'/></svg><svg id='s' x='0' y='50' width='8' height='8' viewBox='0 0 2 2'>"
              "<rect width='1' height='1'/></svg><use href='#s' x='20' width='4' height='4'/>"));
-  // 50 × 20 for 100 × 40: a half; then 4 for 1, and 2 for 1.
+  // The scales are 50 × 20 for 100 × 40, one half; then 4 for 1, and 2 for 1.
   EXPECT_NEAR(whole_area_of(drawn), 25.0 * 2.0 + 16.0 + 4.0, 1e-9);
 }
 

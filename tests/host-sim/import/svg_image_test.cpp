@@ -17,7 +17,7 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::SizeIs;
 
-/// A BMP of one row: its first pixel is black, the others are white.
+/// Returns a BMP of one row: its first pixel is black, the others are white.
 std::string bmp(std::size_t width = 2) {
   std::string header{
       "BM\x3E\0\0\0\0\0\0\0\x36\0\0\0\x28\0\0\0\x02\0\0\0\x01\0\0\0\x01\0\x18\0\0\0\0\0\x08\0\0\0"
@@ -34,7 +34,7 @@ std::string data_uri(std::size_t width = 2) {
   return "data:image/bmp;base64," + picture::base64_encoded(bmp(width));
 }
 
-/// A page of 100 x 60 mm whose units are mm.
+/// Returns a page of 100 x 60 mm whose units are mm.
 std::string page(const std::string& body) {
   return R"(<svg xmlns="http://www.w3.org/2000/svg" xmlns:xlink="http://www.w3.org/1999/xlink" )"
          R"(width="100mm" height="60mm" viewBox="0 0 100 60">)" +
@@ -83,8 +83,8 @@ TEST(SvgImage, LiesWhereItIsDrawn) {
 TEST(SvgImage, FollowsAspectAndTransform) {
   struct Case {
     std::string attributes;
-    Place first;  ///< Where its upper left corner is.
-    Place last;   ///< Where its lower right corner is.
+    Place first;  ///< Position of the picture's upper left corner.
+    Place last;   ///< Position of the picture's lower right corner.
   };
   const std::array cases{
       Case{R"(width="40" height="40")", {0.0, 50.0}, {40.0, 30.0}},

@@ -113,7 +113,7 @@ TEST(SvgStyle, SizesAndTransformsMayBeStyled) {
       "<rect x='1' y='2'/>");
   ASSERT_THAT(drawn.contours, SizeIs(1));
   EXPECT_NEAR(drawn.contours[0].area_mm2, 200.0, 1e-9);
-  // About (50, 50): the corner (1, 2) goes to (98, 1), 5 to the right.
+  // Rotated about (50, 50), the corner (1, 2) goes to (98, 1); the shift is 5 to the right.
   const Place corner = start_of(drawn.contours[0].shapes[0]);
   EXPECT_NEAR(distance(corner, {103.0, 99.0}), 0.0, 1e-9);
 }

@@ -15,7 +15,7 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::SizeIs;
 
-// The package of these fonts is one that Kerfline needs.
+// Kerfline requires the package of these fonts in any case.
 constexpr const char* kFontFile = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf";
 
 Drawing lettered(const std::string& content, TextMode mode = TextMode::kOutline) {

@@ -17,7 +17,7 @@ using testing::IsEmpty;
 using testing::Not;
 using testing::SizeIs;
 
-/// A square of four lines, each that far from the next.
+/// Returns a square of four lines, each `gap` away from the next.
 std::string loose_square(double x, double side, double gap) {
   const auto line = [](double x1, double y1, double x2, double y2) {
     return fmt::format("0\nLINE\n8\nA\n10\n{}\n20\n{}\n11\n{}\n21\n{}\n", x1, y1, x2, y2);

@@ -128,7 +128,7 @@ TEST(Check, SeesTheBytesThatTheControllerGets) {
               ElementsAre(HasSubstr("f:1:6: byte 195")));
 }
 
-/// The heads and words of foreign posts, each with the end of X.
+/// Heads and words of other programs' post-processors, each with the last X.
 TEST(Check, ReadsWhatTheControllerTakes) {
   struct Program {
     std::string text;

@@ -16,7 +16,7 @@ TEST(FaultPlace, IsTheFirstWordBehindTheNumberOfTheLine) {
   EXPECT_EQ(first_word("G1\n", 7), 0U);
 }
 
-/// A path that cannot be driven keeps its reason, its motions, line and column.
+/// For a path that cannot be driven, the fault has its reason, motions, line and column.
 TEST(FaultPlace, OfAPathBesideIsTheMotionThatCannotBeDriven) {
   Job job;
   job.file = "part.nc";

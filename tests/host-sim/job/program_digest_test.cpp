@@ -19,7 +19,7 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 
 TEST(ProgramDigests, TheHashIsFnv1a) {
-  // Test vectors of the authors of FNV.
+  // Test vectors from the authors of FNV.
   EXPECT_EQ(digest_of(""), "cbf29ce484222325");
   EXPECT_EQ(digest_of("a"), "af63dc4c8601ec8c");
   EXPECT_EQ(digest_of("foobar"), "85944171f73967e8");

@@ -30,7 +30,7 @@ std::vector<std::string> texts(const std::string& program,
   return judge_program("f", program, standpoint).texts();
 }
 
-/// A list that ends at the first faults hides the motion behind them.
+/// A list that ends after the first faults must not hide motion beyond the travel behind them.
 TEST(ProgramJudge, NamesTheTravelBehindAnyNumberOfFaultsAndCountsTheRest) {
   std::string program;
   for (int line = 0; line < 135; ++line) program += "G7\n";
@@ -53,7 +53,7 @@ TEST(ProgramJudge, TakesArcsByTheirFarSide) {
               ElementsAre(HasSubstr("X needs 202.000 mm"), HasSubstr("Y needs 202.000 mm")));
 }
 
-/// The tool goes 5 mm outside of what is programmed.
+/// The tool runs 5 mm outside of the programmed path.
 TEST(ProgramJudge, TakesTheOffsetPath) {
   const std::string contour = "X0 Y196\nX196 Y196\nX196 Y0\nX0 Y0\nG40 X20 Y-8\n";
   EXPECT_THAT(texts("G1 F600 X20 Y-8\nX0 Y0\n" + contour), ElementsAre(HasSubstr("Y needs 204")))
@@ -113,7 +113,7 @@ TEST(ProgramJudge, GivesUpWhenItIsCancelled) {
   EXPECT_TRUE(judge_program("f", "G7\n", standpoint_of(machine()), &cancelled).fine());
 }
 
-/// One path and one travel for check, too: here the program homes.
+/// `check` uses the same path and the same travel: here the program homes.
 TEST(ProgramJudge, HasTheTravelOfCheck) {
   const Job job{.file = "f",
                 .text = "$H\nG91 G0 X10\n",

@@ -25,10 +25,10 @@ using proof::five_axes::kKinds;
 using proof::five_axes::settings_of;
 
 constexpr double kLengthMm = 30.0;
-/// Error of the tip by the digits of places and angles, at levers up to 0.6 m, mm.
+/// Error of the tip by the digits of coordinates and angles, at levers up to 0.6 m, mm.
 constexpr double kDigits = 1.0e-4;
 
-/// A program of the tip with lines, arcs, turns alone, rapids and a beam.
+/// Returns a program for the tip with lines, arcs, pure rotations, rapids and a beam.
 std::string random_program(proof::Random& random, int kind) {
   const char tilting = kind % 2 == 1 ? 'A' : 'B';
   std::string text = fmt::format("G21 G90 G94\nG43.4 Z{}\nM4 S0\n", kLengthMm);
@@ -62,7 +62,7 @@ std::string random_program(proof::Random& random, int kind) {
   return text + "M5\nG49\nM2\n";
 }
 
-/// Pieces of a program, and whether its places are those of the tip.
+/// Returns the pieces of a program, and whether its positions are those of the tip.
 std::vector<PathPiece> pieces_of(const std::string& text, const FiveAxisModel& model) {
   ReadOptions options;
   options.tool_centre = [&model](const Point& place, double /*length*/, bool begins) {
@@ -79,14 +79,14 @@ double seconds_of(const PathPiece& piece) {
   return (linear > 0.0 ? linear : piece.curve.length()) / piece.feed;
 }
 
-/// Whether two places are the same but for the digits of a program.
+/// Returns whether two positions are equal except for the digits of a program.
 bool is_same_place(const Point& one, const Point& other) {
   constexpr double kAngleDigits = 2.0e-5;
   return distance(one, other) < kDigits && std::abs(one[3] - other[3]) < kAngleDigits &&
          std::abs(one[4] - other[4]) < kAngleDigits && std::abs(one[5] - other[5]) < kAngleDigits;
 }
 
-/// Follows the moves of the axes along one motion of the tip. Returns the index behind them.
+/// Checks the moves of the axes along one motion of the tip. Returns the index behind these moves.
 std::size_t follow(const PathPiece& motion,
                    const std::vector<PathPiece>& moves,
                    std::size_t first,

@@ -58,8 +58,8 @@ TEST(KerfFit, FindsTheLawOfTheMeanOfTopAndBottom) {
 
 TEST(KerfFit, PermitsTheLongestRunWithoutARejectedCut) {
   auto cuts = cuts_of({1000, 2000, 3000, 4000, 5000, 6000}, lawful);
-  cuts[1].rejection = "dross";                    // 2000 at 1000 W.
-  cuts.push_back(cut_at(1.0, 1000, 6000, 0.45));  // One of two cuts at 6000 is bad.
+  cuts[1].rejection = "dross";                    // A speed of 2000 at 1000 W.
+  cuts.push_back(cut_at(1.0, 1000, 6000, 0.45));  // One of two cuts at 6000 is rejected.
   cuts.back().rejection = "dross";
   const MaterialRecord record = fit_record(cuts, kJoules);
   EXPECT_EQ(record.thicknesses[0].powers[0].speeds_um_min.least, 3'000'000U);
@@ -68,7 +68,7 @@ TEST(KerfFit, PermitsTheLongestRunWithoutARejectedCut) {
   EXPECT_EQ(record.thicknesses[0].samples, 3U + 6U) << "others are not fitted to";
 }
 
-/// Width that jumps with the power: not a function of Q at all.
+/// Returns a width that jumps with the power: it is not a function of Q.
 double lawless(double power, double) { return power > 1200.0 ? 0.7 : 0.4; }
 
 TEST(KerfFit, KeepsTheWidthsWhereTheLawDoesNotHold) {
@@ -83,7 +83,8 @@ TEST(KerfFit, KeepsTheWidthsWhereTheLawDoesNotHold) {
 }
 
 TEST(KerfFit, HoldsItsCriterionOnBothSides) {
-  // A bump of one mean: its residual is about 0.56 of it, the line bending towards it.
+  // One mean is raised by a bump. Its residual is about 0.56 of the bump, as the line bends towards
+  // it.
   const auto with_bump = [](double bump) {
     return fit_record(cuts_of({3000, 4000, 5000},
                               [bump](double power, double speed) {
@@ -118,10 +119,12 @@ TEST(KerfFit, RefusesWhatDoesNotBelongTogether) {
   EXPECT_THROW(static_cast<void>(fit_record(cuts, kJoules)), std::invalid_argument);
 }
 
-/// Of new cuts with the same scatter 95 % are within the interval, few samples or many.
+/// 95 % of new cuts with the same scatter must be within the interval, for few and for many
+/// samples.
 TEST(KerfFit, ItsIntervalHoldsNinetyFiveOfAHundredCuts) {
   const proof::Trials trials{3000};
-  constexpr double kScatterMm = 0.03;  // More than the measuring error, which is a floor.
+  // The scatter is greater than the measuring error, which is a lower bound.
+  constexpr double kScatterMm = 0.03;
   std::size_t within = 0;
   for (const std::uint64_t seed : trials) {
     proof::Random random{seed};

@@ -285,7 +285,7 @@ TEST(Operations, DaysAreOfTheCalendar) {
 TEST_F(KnowledgeBaseTest, UndoesWhatWasNotCommitted) {
   KnowledgeBase base{file_.path(), SqlFile::Mode::kCreate};
   const SqlFile sql{file_.path(), SqlFile::Mode::kWrite};
-  // The second row breaks a rule of the schema: the first must be gone as well.
+  // The second row violates a rule of the schema: the first row must not remain either.
   sql.run("CREATE UNIQUE INDEX once ON cut (line)");
   auto cuts = two_cuts();
   cuts[1].line = cuts[0].line;

@@ -14,13 +14,13 @@ namespace {
 
 namespace kerf = cnc::kerf;
 
-/// Standard normal, by Box and Muller.
+/// Returns a standard normal number, by the method of Box and Muller.
 double normal(proof::Random& random) {
   const double radius = std::sqrt(-2.0 * std::log(1.0 - random.unit()));
   return radius * std::cos(6.283185307179586 * random.unit());
 }
 
-/// Any condition of a thickness's region is as likely as the next; Q in `unit`.
+/// Returns Q in `unit`; each condition in the region of a thickness is equally likely.
 double any_heat(const ThicknessRecord& row, kerf::HeatUnit unit, proof::Random& random) {
   const PowerRecord& power = row.powers[random.below(row.powers.size())];
   const auto speed = static_cast<std::uint32_t>(
@@ -42,12 +42,12 @@ constexpr Table3 kTable3[]{
     {0.0097, 0.398, 0.93}, {0.0085, 0.441, 0.94}, {0.0053, 0.546, 0.91}, {0.0061, 0.560, 0.90}};
 
 constexpr double kNoiseMm = 0.01;
-// Half of the last digit that the paper prints.
+// Half a unit of the last digit that the paper prints.
 constexpr double kSlopeDigit = 0.5e-4;
 constexpr double kInterceptDigit = 0.5e-3;
 
-/// In J/mm, with as many samples that four standard errors of both coefficients are less than half
-/// a printed digit: then a fit that is right rounds to Table 3 in all but some of 10,000 runs.
+/// In J/mm, there are so many samples that four standard errors of both coefficients are less than
+/// half a printed digit. A correct fit then rounds to Table 3 in all but a few of 10,000 runs.
 TEST(Regression, ReturnsTable3FromNoisySamplesInJoulesPerMillimetre) {
   constexpr std::size_t kSamples = 400'000;
   const MaterialRecord record = csp(kerf::HeatUnit::kJoulesPerMillimetre);
@@ -69,7 +69,7 @@ TEST(Regression, ReturnsTable3FromNoisySamplesInJoulesPerMillimetre) {
     EXPECT_NEAR(std::round(line.slope * 1e4) / 1e4, kTable3[i].slope, 1e-9);
     EXPECT_NEAR(std::round(line.intercept * 1e3) / 1e3, kTable3[i].intercept, 1e-9);
     EXPECT_NEAR(line.residual_sd, kNoiseMm, 0.0001);
-    // What slope, spread and noise make r to be.
+    // Value of r that follows from slope, spread and noise.
     const double signal = line.slope * std::sqrt(line.squares_x / kSamples);
     const double expected = signal / std::hypot(signal, kNoiseMm);
     EXPECT_NEAR(line.correlation, expected, 0.001);
@@ -80,9 +80,9 @@ TEST(Regression, ReturnsTable3FromNoisySamplesInJoulesPerMillimetre) {
   }
 }
 
-/// With Q as printed the widths of a thickness are 2 µm apart: the same noise leaves no
-/// correlation, and no number of cuts that anybody makes gives back the digits. Without noise they
-/// come back.
+/// With Q as printed, all widths of a thickness are within 2 µm. The same noise then leaves no
+/// correlation, and no practical number of cuts reproduces the digits. Without noise, the fit
+/// reproduces them.
 TEST(Regression, ShowsThatThePrintedUnitCannotHaveBeenFitted) {
   const MaterialRecord record = csp(kerf::HeatUnit::kWattMinutesPerMillimetre);
   for (std::size_t i = 0; i < 4; ++i) {
@@ -102,7 +102,7 @@ TEST(Regression, ShowsThatThePrintedUnitCannotHaveBeenFitted) {
   }
 }
 
-/// The residual that a shipped record derives from the printed r gives that r back.
+/// From the residual that a shipped record derives from the printed r, the same r must result.
 TEST(Regression, GivesThePrintedCorrelationForTheResidualThatItImplies) {
   const MaterialRecord record = csp(kerf::HeatUnit::kJoulesPerMillimetre);
   for (std::size_t i = 0; i < 4; ++i) {
@@ -113,7 +113,7 @@ TEST(Regression, GivesThePrintedCorrelationForTheResidualThatItImplies) {
     for (const PowerRecord& power : row.powers) {
       cuts += 1.0 + (power.speeds_um_min.most - power.speeds_um_min.least) / 1'000'000;
     }
-    // Of so few cuts two degrees of freedom are the line's.
+    // With so few cuts, the line uses two degrees of freedom.
     const double scatter = row.residual_sd_mm * std::sqrt((cuts - 2.0) / cuts);
     for (int repeat = 0; repeat < 5000; ++repeat) {
       for (const PowerRecord& power : row.powers) {
@@ -141,7 +141,7 @@ TEST(Regression, KnowsStudentsT) {
                                                             {120, 1.980},
                                                             {0, 1.960}};
   for (const auto& [degrees, t] : printed) EXPECT_NEAR(student_t95(degrees), t, 5.1e-4) << degrees;
-  // Where the series takes over; t falls by 6e-5 there.
+  // From here on a series is used, where t decreases by 6e-5.
   EXPECT_NEAR(student_t95(201), student_t95(200) - 6e-5, 2e-5);
 }
 

@@ -5,7 +5,7 @@
 namespace sim {
 namespace {
 
-/// CSP 1N of 2 mm with Q in J/mm, at 1800 W and 4 m/min.
+/// A cut of 2 mm CSP 1N with Q in J/mm, at 1800 W and 4 m/min.
 constexpr CutCondition kCut{
     .table = 1, .thickness_mm = 2.0, .spindle_speed = 900.0, .feed_mm_min = 4000.0};
 

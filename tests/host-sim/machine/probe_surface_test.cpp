@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kProbedStepMm = 1.0 / 250.0;
 
-/// A roof whose ridge is X 10 at height 0, with slopes of 45 degrees down to −10.
+/// Returns a roof whose ridge is at X 10 and height 0, with slopes of 45 degrees down to −10.
 surface::Mesh roof() {
   return {
       .points =
@@ -43,7 +43,8 @@ TEST(ProbeSurface, IsTheSurfaceItselfForAPoint) {
 
 TEST(ProbeSurface, HoldsABallAwayFromASlope) {
   const ProbeSurface surface{roof(), 2.0};
-  // The ball of radius 1 touches where its normal is that of the slope: √2 − 1 higher.
+  // The ball of radius 1 touches at the point where its normal is that of the slope. Its tip is √2
+  // − 1 higher.
   EXPECT_NEAR(height_of(surface, 5.0, 0.0), -5.0 + std::sqrt(2.0) - 1.0, 1.0e-12);
   EXPECT_NEAR(height_of(surface, 10.0, 0.0), 0.0, 1.0e-12);
 }
@@ -74,7 +75,7 @@ TEST(ProbeModel, FindsAContactWhereverItComesFrom) {
   ProbeModel probe{machine};
   const cnc::Settings settings;
   probe.place(settings);
-  // Where the circuit is open, no way of so many steps closes it.
+  // If the circuit is open, no motion of this number of steps closes it.
   for (std::int32_t z = -3000; z < 3000; z += 7) {
     PlayModel::Steps axes{};
     axes[0] = 1000 + z / 5;

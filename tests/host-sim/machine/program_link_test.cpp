@@ -7,7 +7,7 @@
 namespace sim {
 namespace {
 
-/// Reads until the sender waits for an answer or has nothing left.
+/// Reads until the sender waits for an answer or has no more lines.
 std::string read_some(ProgramLink& link) {
   std::string text;
   std::byte byte{};

@@ -26,8 +26,8 @@ TEST(Simulator, DrivesToTheStep) {
 }
 
 TEST(Simulator, TakesTheTimeOfATrapezoid) {
-  // 100 mm at 100 mm/s with 500 mm/s²: 100/100 + 100/500 s.
-  // Its end is said, a turn later: else the machine waits some ms for more.
+  // 100 mm at 100 mm/s with 500 mm/s² take 100/100 + 100/500 s. M2 announces the end a cycle later;
+  // otherwise the machine would wait some ms for further lines.
   Simulator simulator{"G1 X100 F6000\nM2\n", {}};
   constexpr double kToMotion = 1.0e-6 * cnc::kTurnsToMotion * cnc::kTurnUs;
   EXPECT_NEAR(simulator.run().job_time_s, kToMotion + 1.2, 0.003);
@@ -74,7 +74,7 @@ TEST(Simulator, ProbesThePlate) {
   EXPECT_EQ(result.alarm, 0);
   ASSERT_TRUE(simulator.machine().last_probe().success);
   EXPECT_EQ(simulator.machine().last_probe().place[2].nanometres(), -4'000'000);
-  // 2 mm/s with 500 mm/s² overrun by 4 µm, plus what was queued.
+  // Braking from 2 mm/s with 500 mm/s² takes 4 µm, plus the queued motion.
   EXPECT_LE(result.final_position[2], -1000);
   EXPECT_GE(result.final_position[2], -1015);
 }

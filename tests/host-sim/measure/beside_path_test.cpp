@@ -23,7 +23,8 @@ void expect_ends(const ProgrammedPath& path, const std::vector<std::array<double
   }
 }
 
-/// Where an entry from (10, −30) to (10, −10) touches the circle about its end, on the right.
+/// Returns the point at which an entry from (10, −30) to (10, −10) touches the circle around its
+/// end, on the right.
 std::array<double, 2> touch(double radius) {
   const double sine = radius / 20.0;
   return {10.0 + radius * std::sqrt(1.0 - sine * sine), -10.0 - radius * sine};
@@ -34,7 +35,7 @@ TEST(BesidePath, IsThePathWhereNothingIsBeside) {
   expect_ends(path, {{10.0, 0.0}, {10.0, 5.0}});
 }
 
-/// An entry at right angles from the waste ends in the corner of both offsets.
+/// An entry at right angles from the waste ends in the corner of both offset lines.
 TEST(BesidePath, RunsWithinASquareAndBackOntoThePath) {
   const ProgrammedPath path = beside_path(read_program(
       "F60 G0 X20 Y8\nG41.1 D4 G1 X20 Y0\nX40\nY20\nX0\nY0\nX20\nG40 G1 X20 Y5\nX30\n"));
@@ -69,7 +70,8 @@ TEST(BesidePath, GoesRoundOuterCornersInArcs) {
   EXPECT_NEAR(path.pieces[4].curve.circle()->radius, 1.0, 1.0e-6);
 }
 
-/// The exit goes round the corner at which it begins, and a tool that only rises stays beside.
+/// The exit leads around the corner at which it begins. A tool that only rises remains offset from
+/// the path.
 TEST(BesidePath, LeavesAsTheMachineDoes) {
   const ProgrammedPath path = beside_path(
       read_program("F60 G0 X-2 Y0\nG42.1 D2 G1 X0 Y0\nX10\nY10\nX0\nY0\nG40\nG0 Z5\nG0 Y-3\n"));
@@ -133,7 +135,7 @@ TEST(BesidePath, AsksForTheKerfOfTheMaterial) {
   EXPECT_EQ(asked[0].thickness_mm, 2.0);
   EXPECT_EQ(asked[0].spindle_speed, 900.0);
   EXPECT_NEAR(asked[0].feed_mm_min, 4000.0, 1.0e-9);
-  // With $860=0 the power goes with the speed beside the edge, under M3, too.
+  // With $860=0 the power follows the speed along the edge, even under M3.
   EXPECT_EQ(path.pieces[3].spindle, SpindleState::kDynamic);
   EXPECT_EQ(path.pieces[4].spindle, SpindleState::kDynamic) << "the exit";
   EXPECT_EQ(path.pieces[5].spindle, SpindleState::kConstant);

@@ -13,7 +13,7 @@ namespace {
 
 using cnc::Plane;
 
-/// Least distance over 20,000 points of the curve.
+/// Returns the least distance over 20,000 points of the curve.
 double searched_distance(const Curve& curve, const Point& to, double from) {
   double least = distance(to, curve.end());
   for (int i = 0; i <= 20'000; ++i) {
@@ -68,17 +68,17 @@ TEST(Curve, TheOtherWayRoundIsThreeQuarters) {
 }
 
 TEST(Curve, MovesTheCentreToTheBisectorOfTheChord) {
-  // The end should be (0, 10) about the origin, and is rounded.
+  // The exact end is (0, 10) about the origin, but the coordinates are rounded.
   const Curve arc = Curve::arc({10, 0}, {0, 10.02}, Plane::kXY, {0, 0}, false);
   const auto [x, y] = arc.circle()->centre;
   EXPECT_NEAR(std::hypot(10.0 - x, y), std::hypot(x, 10.02 - y), 1e-12);
-  // Moved along the chord only.
+  // The centre moves only at right angles to the chord.
   EXPECT_NEAR(x * 10.02 + y * 10.0, 0.0, 1e-9);
   EXPECT_EQ(arc.point_at(1.0), (Point{0, 10.02}));
 }
 
 TEST(Curve, HelixInTheOtherPlanes) {
-  // G18 G3: counter-clockwise from Z to X, with Y alongside.
+  // With G18, G3 is counter-clockwise from Z to X; Y moves at the same time.
   const Curve zx = Curve::arc({0, 0, 5}, {5, 12, 0}, Plane::kZX, {0, 0}, false);
   EXPECT_NEAR(zx.circle()->sweep, std::numbers::pi / 2.0, 1e-12);
   EXPECT_NEAR(zx.length(), std::hypot(2.5 * std::numbers::pi, 12.0), 1e-12);
@@ -111,7 +111,7 @@ TEST(Curve, NearestPointAgreesWithASearch) {
   RandomCurves random{seed};
   for (int trial = 0; trial < 300; ++trial) {
     const Curve curve = random.curve();
-    // Far away, and as near as a machine should be.
+    // Odd trials use a point far away, even ones a point as near as a machine should be.
     Point to = random.point(30.0);
     if (trial % 2 == 0) {
       to = curve.point_at(random.number(0.0, 1.0));

@@ -9,7 +9,7 @@
 namespace sim {
 namespace {
 
-/// A machine that goes along X at 50 mm/s, with the beam as a test wants it.
+/// Tests a machine that moves along X at 50 mm/s, with the power that a test sets.
 class EnergyMeterTest : public testing::Test {
  protected:
   static constexpr double kSpeed = 50.0;
@@ -24,7 +24,7 @@ class EnergyMeterTest : public testing::Test {
     auto rows = machine.rows(
         [length](double time) { return Point{std::clamp(kSpeed * time, 0.0, length)}; },
         length / kSpeed + 1.0e-3);
-    // Rows for the beam too: it is steady for 10 µs at a time.
+    // There are rows for the beam, too: it is constant for 10 µs at a time.
     std::vector<TraceRow> all;
     std::uint64_t next = 0;
     for (const TraceRow& row : rows) {
@@ -38,7 +38,7 @@ class EnergyMeterTest : public testing::Test {
       all.back().duty = all.size() > 1 ? all[all.size() - 2].duty : 0.0F;
     }
     all.push_back(all.back());
-    all.back().time_ns += 25'000;  // Half a step.
+    all.back().time_ns += 25'000;  // Adds the time of half a step.
     all.back().duty = 0.0F;
     PathDeviation deviation{path, machine.steps_per_mm};
     EnergyMeter meter{path, deviation, machine.steps_per_mm, std::move(options)};

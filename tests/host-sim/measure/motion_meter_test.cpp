@@ -22,7 +22,7 @@ MotionMeter measured(const SyntheticMachine& machine,
   return meter;
 }
 
-/// Along one axis: ramps at `acceleration` to `speed` and back, at rest at both ends.
+/// Motion along one axis: ramps at `acceleration` to `speed` and back, at rest at both ends.
 struct Ramps {
   double acceleration;
   double speed;
@@ -39,7 +39,7 @@ struct Ramps {
   }
 };
 
-/// Three phases of constant jerk up to the speed, then constant speed.
+/// Returns the distance: three phases of constant jerk up to the speed, then constant speed.
 double jerk_limited(double jerk, double time) {
   const double phase = 0.1;
   if (time < phase) return jerk * time * time * time / 6.0;
@@ -52,12 +52,13 @@ double jerk_limited(double jerk, double time) {
 }
 
 TEST(MotionMeter, ConstantSpeedHasNoAcceleration) {
-  // Two ramps of 5 mm/s², and 50 mm/s in between. The trace rounds to 1 ns: 4 v ε / window².
+  // Two ramps of 5 mm/s², and 50 mm/s between them. The trace is rounded to 1 ns, which gives an
+  // error of 4 v ε / window².
   const Ramps ramps{5.0, 50.0, 600.0};
   const auto meter = measured(
       {}, [&](double t) { return Point{ramps.at(t)}; }, ramps.end_s() + 0.1);
   EXPECT_LE(meter.axis(Axis::kX).greatest_acceleration, 5.0 + 4.0 * 50.0 * 0.7e-9 / 1.0e-4);
-  // The course is less certain at the ends: a tenth of step / window².
+  // At the ends the motion is less certain: by a tenth of step / window².
   EXPECT_LT(meter.greatest_path_acceleration(), 5.0 + 0.1 * 125.0);
 }
 
@@ -79,7 +80,7 @@ TEST(MotionMeter, ConstantSpeedIsExact) {
 }
 
 TEST(MotionMeter, SeesSuddenStartsAndStops) {
-  // 50 mm/s from and to rest at once, over windows of 10 ms: about 5000 mm/s² each.
+  // 50 mm/s begins and ends without a ramp: over windows of 10 ms, about 5000 mm/s² each.
   const auto course = [](double t) { return Point{50.0 * std::clamp(t - 0.5, 0.0, 0.4)}; };
   const auto meter = measured({}, course, 1.0);
   EXPECT_GT(meter.axis(Axis::kX).greatest_acceleration, 0.9 * 5000.0);
@@ -99,8 +100,8 @@ TEST(MotionMeter, RampsOfConstantAcceleration) {
 }
 
 TEST(MotionMeter, NothingSpuriousAtLowSpeed) {
-  // 4 steps a second, ramps of 1 mm/s²: differences of plain samples of the motor over 10 ms
-  // would show a step in a window, 125 mm/s².
+  // 4 steps a second, with ramps of 1 mm/s². Differences of plain samples of the motor over 10 ms
+  // would contain a step in a window, which appears as 125 mm/s².
   const Ramps ramps{1.0, 0.05, 1.0};
   const auto meter = measured(
       {}, [&](double t) { return Point{ramps.at(t)}; }, ramps.end_s() + 1.0);
@@ -110,7 +111,8 @@ TEST(MotionMeter, NothingSpuriousAtLowSpeed) {
 }
 
 TEST(MotionMeter, JerkOfThreePhases) {
-  // Up to 100 mm/s, out at that speed, and back to rest the same way.
+  // The motion accelerates to 100 mm/s, moves out at that speed, and returns to rest with the same
+  // profile.
   const auto course = [](double t) {
     const double way = jerk_limited(10'000.0, 0.5);
     return Point{t < 0.5 ? jerk_limited(10'000.0, t)
@@ -118,13 +120,14 @@ TEST(MotionMeter, JerkOfThreePhases) {
   };
   const AxisMotion x = measured({}, course, 1.1).axis(Axis::kX);
   EXPECT_NEAR(x.greatest_speed, 100.0, 0.01);
-  EXPECT_NEAR(x.greatest_acceleration / 1000.0, 1.0, 0.06);  // A peak shorter than two windows.
+  // The peak is shorter than two windows.
+  EXPECT_NEAR(x.greatest_acceleration / 1000.0, 1.0, 0.06);
   EXPECT_NEAR(x.greatest_jerk / 10'000.0, 1.0, 0.005);
   EXPECT_LE(x.greatest_jerk, 10'000.0 * (1.0 + 1.0e-3));
 }
 
-/// Four turns of a circle; on the ramps the tangential acceleration is a twentieth of
-/// the centripetal one, which adds a thousandth to the norm.
+/// Motion around a circle, four revolutions. On the ramps, the tangential acceleration is a
+/// twentieth of the centripetal one, which adds a thousandth to the norm.
 Ramps round_the_circle(double radius, double speed) {
   return {speed * speed / radius / 20.0, speed, radius * 8.0 * std::numbers::pi};
 }
@@ -142,7 +145,7 @@ TEST(MotionMeter, CentripetalAccelerationOfCircles) {
     double steps_per_mm;
     double window_s;
   };
-  // Where steps are coarse or the circle is small, the window is chosen to suit.
+  // If steps are coarse or the circle is small, the window is chosen accordingly.
   for (const Case c : {Case{20.0, 100.0, 80.0, 0.010},
                        Case{20.0, 100.0, 400.0, 0.010},
                        Case{5.0, 50.0, 160.0, 0.010},
@@ -160,7 +163,7 @@ TEST(MotionMeter, CentripetalAccelerationOfCircles) {
         << "R " << c.radius << " v " << c.speed << " steps/mm " << c.steps_per_mm;
     EXPECT_NEAR(meter.greatest_path_speed() / c.speed, 1.0, 0.01);
     EXPECT_NEAR(meter.path_length() / (8.0 * std::numbers::pi * c.radius), 1.0, 0.01);
-    // Proven by the pulses of one axis: never more than there was.
+    // The pulses of one axis prove a lower bound: it is never greater than the true acceleration.
     EXPECT_LE(meter.axis(Axis::kX).greatest_acceleration, centripetal * 1.0001);
     EXPECT_GE(meter.axis(Axis::kX).greatest_acceleration, centripetal * 0.98);
   }

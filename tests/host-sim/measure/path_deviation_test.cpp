@@ -12,7 +12,7 @@
 namespace sim {
 namespace {
 
-/// Where a machine is that goes along the path at 50 mm/s without ever stopping.
+/// Positions of a machine that moves along the path at 50 mm/s without ever stopping.
 class Along {
  public:
   explicit Along(const ProgrammedPath& path) : path_{path} {
@@ -59,7 +59,7 @@ TEST(PathDeviation, AnIdealMachineIsWithinHalfAStep) {
 
 TEST(PathDeviation, OutAndBackOverTheSameLine) {
   expect_ideal(read_program("F3000\nG1X10Y3\nG1X0Y0\nG1X10Y3\nG1X5Y1.5\nG1X10Y3\nG1X10Y10\n"));
-  // The tip lies between two places of the motors.
+  // The tip lies between two positions of the motors.
   expect_ideal(read_program("F3000\nG1X1.0061Y0.3019\nG1X0Y0\nG1X1.0063\nG1X-2\n"));
 }
 
@@ -163,8 +163,8 @@ TEST(PathDeviation, ChordsInsteadOfArcsShowTheirSagitta) {
   EXPECT_NEAR(deviation.greatest_distance().value, 10.0 * (1.0 - std::cos(0.15708)), 0.001);
 }
 
-/// Legs that meet with the given turn, and the same with the arc that is 0.5 mm from
-/// the corner.
+/// Expects the same deviation for legs that meet with the given turn, and for the arc that is 0.5
+/// mm away from the corner.
 void expect_place_round_corner(double turn) {
   SCOPED_TRACE(testing::Message() << "turn " << turn);
   const auto place = [](double x, double y) {
@@ -187,7 +187,7 @@ void expect_place_round_corner(double turn) {
   PathDeviation deviation{asked, machine.steps_per_mm};
   const Along along{done};
   play(machine.rows(along, along.end_s()), deviation);
-  // The middle of the arc is as far from both legs as any place of it.
+  // The middle of the arc is its point farthest from both legs.
   EXPECT_NEAR(deviation.greatest_distance().value, radius * (1.0 - half), 0.004);
   EXPECT_TRUE(deviation.reached_last_piece());
 }
@@ -217,7 +217,7 @@ TEST(PathDeviation, LongProgramsTakeTimeLinearInTheirRows) {
   const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - begin;
   EXPECT_EQ(rows, 200'000U);
   EXPECT_LE(deviation.greatest_axis_excess().value, 1.0e-6);
-  // 0.1 s, or 3 s with sanitizers on a busy machine; were it quadratic, minutes.
+  // The limit allows for sanitizers on a busy machine; quadratic work would take minutes.
   EXPECT_LT(spent.count(), 20.0);
 }
 

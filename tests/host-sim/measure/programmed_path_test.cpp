@@ -22,7 +22,7 @@ Point near(const Point& point) {
   return rounded;
 }
 
-/// Where the pieces end, rounded to 1e-9 mm.
+/// Returns the ends of the pieces, rounded to 1e-9 mm.
 std::vector<Point> ends(const ProgrammedPath& path) {
   std::vector<Point> ends;
   for (const PathPiece& piece : path.pieces) ends.push_back(near(piece.curve.end()));
@@ -50,7 +50,7 @@ TEST(ReadProgram, LinesAndRapids) {
   EXPECT_EQ(path.pieces[1].travel, Travel::kFeed);
   EXPECT_DOUBLE_EQ(path.pieces[1].feed, 10.0);
   EXPECT_EQ(path.pieces[2].line, 3);
-  // F holds for X Y Z; the sixth-axis length is longer.
+  // F is the speed in X Y Z; the length in six axes is greater.
   EXPECT_NEAR(path.pieces[2].path_feed(), 10.0 * std::hypot(3.0, 90.0) / 3.0, 1e-9);
 }
 
@@ -114,7 +114,7 @@ TEST(ReadProgram, IncrementalAndInches) {
               ElementsAre(Point{25.4, 0, 0, 5}, Point{30, 0, 0, 5}, Point{30, 0, 0, 6}));
   EXPECT_DOUBLE_EQ(path.pieces[0].feed, 25.4);
   EXPECT_DOUBLE_EQ(path.pieces[1].feed, 25.4);
-  EXPECT_DOUBLE_EQ(path.pieces[2].feed, 1.0);  // Degrees know no inches.
+  EXPECT_DOUBLE_EQ(path.pieces[2].feed, 1.0);  // The feed in degrees is not converted from inches.
 }
 
 TEST(ReadProgram, WorkOffsetsAndMachineCoordinates) {
@@ -127,7 +127,7 @@ TEST(ReadProgram, WorkOffsetsAndMachineCoordinates) {
 TEST(ReadProgram, ShiftOfG92) {
   EXPECT_THAT(ends("G0 X10\nG92 X0\nX5\nG92.2\nX5\nG92.3\nX5\nG92.1\nX1\nG92.3\nX2\n"),
               ElementsAre(Point{10}, Point{15}, Point{5}, Point{15}, Point{1}, Point{2}));
-  // The shift is of the work offset that holds, and moves with it.
+  // The shift of G92 belongs to the active work offset, and moves with it.
   EXPECT_THAT(ends("G10 L2 P1 X100\nG92 X50\nG0 X51\nG55 X0\n"),
               ElementsAre(Point{1}, Point{-150}));
 }
@@ -148,7 +148,7 @@ TEST(ReadProgram, HomesByWayOfAPoint) {
 }
 
 TEST(ReadProgram, InverseTime) {
-  // 10 mm in half a minute; the rotary axis takes as long.
+  // 10 mm in half a minute; the rotary axis takes the same time.
   const ProgrammedPath path = read_program("G93\nG1 X10 F2\nA90 F6\nG94 F120\nX0\n");
   EXPECT_DOUBLE_EQ(path.pieces[0].feed, 10.0 / 30.0);
   EXPECT_DOUBLE_EQ(path.pieces[1].feed, 9.0);
@@ -161,7 +161,7 @@ TEST(ReadProgram, ArcsInAllPlanes) {
   const ProgrammedPath xy = read_program("G1 F1 X10\nG3 X0 Y10 I-10\n");
   EXPECT_NEAR(xy.pieces[1].curve.circle()->sweep, std::numbers::pi / 2.0, 1e-9);
   EXPECT_NEAR(xy.pieces[1].curve.point_at(0.5)[0], 10.0 / std::sqrt(2.0), 1e-9);
-  // ZX: counter-clockwise seen against Y goes from Z to X.
+  // In ZX, a counter-clockwise arc as seen against Y runs from Z to X.
   const ProgrammedPath zx = read_program("G1 F1 Z10\nG18 G3 X10 Z0 K-10\n");
   EXPECT_NEAR(zx.pieces[1].curve.circle()->sweep, std::numbers::pi / 2.0, 1e-9);
   EXPECT_NEAR(zx.pieces[1].curve.point_at(0.5)[2], 10.0 / std::sqrt(2.0), 1e-9);
@@ -188,7 +188,7 @@ TEST(ReadProgram, ArcsByRadius) {
   EXPECT_EQ(longer.pieces.size(), 2U);
   const ProgrammedPath left = read_program("F1 G3 X10 Y10 R10\n");
   EXPECT_NEAR(left.pieces[0].curve.circle()->centre[1], 10.0, 1e-9);
-  // A chord a little longer than the diameter: half a turn.
+  // The chord is a little longer than the diameter: the arc is half a turn.
   EXPECT_NEAR(total_sweep(read_program("F1 G3 X20.001 R10\n")), std::numbers::pi, 1e-9);
   const ProgrammedPath inches = read_program("F1 G20 G2 X1 Y1 R1\n");
   EXPECT_NEAR(inches.pieces[0].curve.circle()->radius, 25.4, 1e-9);
@@ -211,7 +211,7 @@ TEST(ReadProgram, TurnsMakeHelices) {
 }
 
 TEST(ReadProgram, RoundedArcsSpiralBetweenTheirRadii) {
-  // Three quarters of a turn from radius 10 to radius 10.1: one inner division.
+  // Three quarters of a turn from radius 10 to radius 10.1 have one inner division.
   const ProgrammedPath path = read_program("F1 G3 X-10 Y-10.1 I-10\n");
   ASSERT_EQ(path.pieces.size(), 2U);
   const double angle = 0.75 * std::numbers::pi;

@@ -28,7 +28,7 @@ TEST(ShapingMeter, MeasuresFromThePathAndNotFromThePlaceInTime) {
 
 TEST(PlayModel, LeavesAnAxisUntilItsPlayIsCrossed) {
   MachineModel model;
-  model.backlash_mm[0] = 0.04;  // Ten steps at the 250 per mm of a new controller.
+  model.backlash_mm[0] = 0.04;  // Ten steps at 250 steps/mm, the default of a new controller.
   PlayModel play{model};
   play.place(cnc::Settings{});
   EXPECT_EQ(play.follow({-5})[0], -5) << "homing pulls off towards minus";

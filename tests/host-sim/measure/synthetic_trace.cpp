@@ -14,7 +14,8 @@ long motor_place(const SyntheticMachine& machine, const Point& point, std::size_
   return std::lround(point[axis] * machine.steps_per_mm[axis]);
 }
 
-/// When the motor leaves this place, within a scan before `until`; to 0.2 ns.
+/// Returns the time at which the motor leaves this step, within one scan interval before `until`,
+/// to 0.2 ns.
 double crossing(const SyntheticMachine& machine,
                 const std::function<Point(double)>& course,
                 std::size_t axis,
@@ -35,7 +36,7 @@ std::vector<TraceRow> SyntheticMachine::rows(const std::function<Point(double)>&
                                              double end_s) const {
   std::mt19937 random{seed};
   std::uniform_real_distribution<double> late{0.0, jitter_s};
-  std::map<std::uint64_t, cnc::AxisArray<std::int32_t>> changes;  // Steps at each instant.
+  std::map<std::uint64_t, cnc::AxisArray<std::int32_t>> changes;  // Steps at each time.
   cnc::AxisArray<long> places{};
   const long scans = std::lround(std::ceil(end_s / kScan));
   for (long scan = 1; scan <= scans; ++scan) {

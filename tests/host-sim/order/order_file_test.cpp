@@ -26,7 +26,7 @@ const std::string kTriangle =
     "NAME : three\nTYPE: TSP\nCOMMENT: of: no use\nDIMENSION : 3\nEDGE_WEIGHT_TYPE: EUC_2D\n"
     "NODE_COORD_SECTION\n1 0 0\n2 1.5 0\n3 0 2\nEOF\n";
 
-/// Two contours with a hole each, on a line; home is group 1.
+/// Returns two contours with a hole each, on a line; the home is group 1.
 std::string nested(const std::string& ordering, const std::string& more = "") {
   return fmt::format(
       "NAME : nested\nTYPE : PCGLNS\nDIMENSION : 6\nGTSP_SETS : 5\nEDGE_WEIGHT_TYPE : EXPLICIT\n"
@@ -67,7 +67,7 @@ TEST(OrderFileTest, ReadsPlacesAndRoundsDistances) {
   EXPECT_EQ(problem.name, "three");
   EXPECT_EQ(problem.metric, Metric::kRoundedPlane);
   EXPECT_THAT(problem.first_candidate, ElementsAre(0, 1, 2, 3));
-  // 1.5 is rounded up to 2, and 2.5 to 3, as TSPLIB's nint does.
+  // Costs are rounded as by TSPLIB's nint: 1.5 to 2, and 2.5 to 3.
   EXPECT_EQ(solved(problem, OrderMethod::kOurs).cost, 2.0 + 3.0 + 2.0);
   EXPECT_EQ(solved(read(replaced(kTriangle, "1.5", "1.4")), OrderMethod::kNearest).cost, 5.0);
   EXPECT_EQ(solved(read(replaced(kTriangle, "EUC_2D", "CEIL_2D")), OrderMethod::kFile).cost, 7.0);

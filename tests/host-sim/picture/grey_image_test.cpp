@@ -33,7 +33,7 @@ TEST(GreyImage, IsTurnedAsACameraSays) {
   EXPECT_EQ(exif_orientation("\xFF\xD8"), 1);
 }
 
-/// A picture that is cut short or damaged is refused or read, and nothing else happens.
+/// A picture that is truncated or damaged is refused or read. No other effect is allowed.
 TEST(GreyImage, SurvivesDamage) {
   const std::string bmp{
       "BM\x46\0\0\0\0\0\0\0\x36\0\0\0\x28\0\0\0\x02\0\0\0\x02\0\0\0\x01\0\x18\0\0\0\0\0"

@@ -33,7 +33,7 @@ TEST(ToolPathPicture, HasAPathForEachStretchOfOneUseAndDepth) {
   rows.end_row();
   const Contour walls = contour_from_text("0 0\n10 0\n10 10\n0 10\nclosed\n", "test");
   const std::string picture = draw_tool_path(walls, rows.path(), "a < b");
-  // Both passes at one depth; the link; the pass below. The plunge is a point.
+  // Both passes at one depth, the link, and the pass below. The plunge is a point.
   EXPECT_EQ(count_of(picture, kRowPath), 3U) << picture;
   EXPECT_EQ(count_of(picture, "stroke-dasharray"), 1U);
   EXPECT_NE(picture.find("a &lt; b"), std::string::npos);

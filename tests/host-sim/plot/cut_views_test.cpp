@@ -21,7 +21,7 @@
 namespace sim {
 namespace {
 
-/// A drawing, how it is cut, and when.
+/// A drawing with its plan and its times.
 struct ViewedJob {
   drawing::Drawing drawn;
   cut::CutPlan plan;
@@ -121,7 +121,8 @@ std::vector<double> numbers_in(const std::string& list) {
   return numbers;
 }
 
-/// Every animation of a document: times from 0 on, never back, one for each value.
+/// Expects that in every animation of a document the times begin at 0, never decrease, and match
+/// the number of values.
 void expect_sound_animations(const pugi::xml_document& document, const std::string& duration) {
   std::size_t count = 0;
   for (const auto& found : document.select_nodes("//animate|//animateTransform")) {
@@ -163,7 +164,8 @@ TEST(CutAnimation, RunsForwardToTheEndOfTheJob) {
   }
 }
 
-/// Squares in rows: a plan without a drawing, as fast to make as it is large.
+/// Returns squares in rows: a plan without a drawing, which takes little time to create at any
+/// size.
 ViewedJob many_squares(std::size_t count) {
   ViewedJob job;
   job.drawn.layers.push_back({"", "black"});

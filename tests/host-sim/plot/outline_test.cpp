@@ -14,7 +14,7 @@ namespace {
 
 using cnc::gcode::Interpreter;
 
-// Chords leave the arc by one tolerance, thinned points the chords by another.
+// Chords deviate from the arc by one tolerance, and thinned points from the chords by another one.
 constexpr double kWidthMm = 0.02;
 
 struct Vertex {
@@ -38,7 +38,7 @@ std::vector<Vertex> drawn(std::string_view program, const Interpreter& reader = 
   return vertices_of(outline);
 }
 
-/// A controller that has read these lines.
+/// Returns a controller that has read these lines.
 Interpreter after(std::string_view line) {
   Interpreter reader;
   EXPECT_TRUE(reader.interpret(line).ok()) << line;
@@ -77,7 +77,7 @@ TEST(Outline, FollowsArcsInEveryPlane) {
           << program;
     }
   }
-  // From above a vertical half circle is a line, over its end and back.
+  // Seen from above, a vertical half circle is a line, which extends beyond its end and returns.
   const auto vertical = drawn("G18 G2 X0 Z0 I5 K0 F600");
   double farthest = 0.0;
   for (const Vertex& vertex : vertical) {
@@ -89,7 +89,7 @@ TEST(Outline, FollowsArcsInEveryPlane) {
 }
 
 TEST(Outline, FollowsSplines) {
-  // A parabola: y = x · (10 − x) / 10 · 2.
+  // The curve is a parabola: y = x · (10 − x) / 10 · 2.
   const std::vector<Vertex> vertices = drawn("G1 X0 F600\nG5.1 X10 I5 J10\n");
   ASSERT_GT(vertices.size(), 10U);
   double greatest = 0.0;

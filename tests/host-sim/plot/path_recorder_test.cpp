@@ -13,7 +13,7 @@ namespace {
 constexpr cnc::AxisArray<float> kScale{80.0F, 80.0F, 80.0F, 10.0F, 10.0F, 10.0F};
 constexpr double kStepMm = 1.0 / 80.0;
 
-/// A recorder and the machine that it looks at.
+/// A recorder, and the machine that it records.
 struct Recording {
   PathRecorder recorder{kScale};
   StepPen pen{recorder, 80.0};
@@ -88,7 +88,7 @@ TEST(PathRecorder, TellsFeedRapidAndCutWhenTold) {
   recording.recorder.on_motion_kind(false);
   recording.pen.line({10.0, 0.0}, 50.0, 1'000.0);
   recording.recorder.on_motion_kind(true);
-  recording.pen.set_duty(0.5F);  // A mill's spindle keeps turning.
+  recording.pen.set_duty(0.5F);  // The spindle of a mill keeps turning.
   recording.pen.line({20.0, 0.0}, 50.0, 1'000.0);
   recording.recorder.on_motion_kind(false);
   recording.pen.line({30.0, 0.0}, 50.0, 1'000.0);
@@ -130,8 +130,8 @@ TEST(PathRecorder, StandsWhenOnlyZMoves) {
   for (const PathVertex& vertex : recording.vertices()) EXPECT_EQ(vertex.x_mm, 0.0);
 }
 
-// A motor that moves one step at a time to and fro, the beam flickering: no
-// window ever fills by distance and every row changes the kind of move.
+// A motor alternates by single steps while the beam flickers. No window is ever filled by distance,
+// and every row changes the kind of move.
 TEST(PathRecorder, IsBoundedOnTheWorstJob) {
   PathRecorder recorder{kScale};
   TraceRow row;

@@ -30,7 +30,7 @@ double distance_to_path(const PathVertex& point, const Vertices& path) {
   return least;
 }
 
-/// A walk that mixes smooth curves, corners and turns on the spot.
+/// Returns a random path with smooth curves, corners and reversals.
 Vertices random_walk(std::uint64_t seed, double stride_mm) {
   std::mt19937 random{seed};
   std::normal_distribution<double> turn{0.0, 0.15};
@@ -90,7 +90,8 @@ TEST(PathSimplifier, FollowsTheSpeed) {
   for (const PathVertex& vertex : path) EXPECT_NEAR(vertex.speed_mm_s, vertex.x_mm, 5.01);
 }
 
-// Property: the promise of the header, over walks from far below to far above the tolerance.
+// Property: the bound in the header holds for paths with steps from far below to far above the
+// tolerance.
 TEST(PathSimplifier, StaysWithinTheTolerance) {
   constexpr double kToleranceMm = 0.01;
   for (const std::uint64_t seed : proof::Trials{60}) {

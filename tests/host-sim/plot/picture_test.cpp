@@ -114,7 +114,8 @@ TEST(Picture, StaysBelowTwoMegabytesForTheLongestPath) {
   EXPECT_TRUE(is_well_formed(svg));
 }
 
-/// A straight cut of 100 mm at 50 mm/s, with one scattered stretch and some steps in the dark.
+/// Returns a straight cut of 100 mm at 50 mm/s, with one scattered stretch and some steps with the
+/// beam off.
 std::vector<PathVertex> scattered_line() {
   return {{},
           {50.0, 0.0, 50.4F, Move::kCut},
@@ -159,7 +160,7 @@ TEST(View, RoundsStepsUpToOneTwoFive) {
   EXPECT_DOUBLE_EQ(round_step(600.0), 1000.0);
 }
 
-/// The colours of a PNG file; empty when it cannot be decoded.
+/// Returns the colours of a PNG file; none if it cannot be decoded.
 std::set<std::uint32_t> colours_of(const std::string& file, int& width_px) {
   cairo_surface_t* image = cairo_image_surface_create_from_png(file.c_str());
   std::set<std::uint32_t> colours;

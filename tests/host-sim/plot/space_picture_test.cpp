@@ -29,7 +29,7 @@ SpaceBox box_to(const Vector3d& most) {
   return box;
 }
 
-/// A square of the plan at a height.
+/// Returns a square of the plan at a height.
 surface::Mesh square(double side, double height) {
   return {.points = {{0, 0, height}, {side, 0, height}, {side, side, height}, {0, side, height}},
           .facets = {{0, 1, 2}, {0, 2, 3}}};
@@ -48,7 +48,7 @@ TEST(Axonometry, FitsABoxIntoThePictureAndKeepsRightAngles) {
     EXPECT_LE(seen.right_mm, kPicture.right_px() + 1.0e-6);
     EXPECT_GE(seen.bottom_mm, kPicture.top_px - 1.0e-6);
     EXPECT_LE(seen.top_mm, kPicture.bottom_px() + 1.0e-6);
-    // Lengths at right angles to the view keep the scale, and the distance grows along it.
+    // Lengths at right angles to the view keep the scale. Along the view, the distance grows.
     const double azimuth = viewpoint.azimuth_deg * std::numbers::pi / 180.0;
     const Vector3d right{-std::sin(azimuth), std::cos(azimuth), 0.0};
     const SeenPoint from = axonometry.seen(box.least);
@@ -77,7 +77,8 @@ TEST(HiddenLines, AreLeftOutBehindASurfaceAndStayOnIt) {
   EXPECT_EQ(path({4.0, 4.0, 0.0}, {6.0, 6.0, 0.0}), "");
   EXPECT_THAT(path({4.0, 4.0, 3.0}, {6.0, 6.0, 3.0}), HasSubstr("L"));
   EXPECT_THAT(path({1.0, 1.0, 2.0}, {9.0, 9.0, 2.0}), HasSubstr("L"));
-  // A line through the surface is seen above it only: one part of about half.
+  // Of a line through the surface, only the part above it is visible: one part of about half its
+  // length.
   const std::string through = path({5.0, 5.0, 0.0}, {5.0, 5.0, 4.0});
   EXPECT_EQ(through.find('M'), 0U);
   EXPECT_EQ(through.rfind('M'), 0U);

@@ -14,11 +14,12 @@ struct PenPoint {
   double z_mm = 0.0;
 };
 
-/// Makes the trace of a machine that follows curves from standstill to
-/// standstill with a trapezoidal speed: enough truth to judge pictures by.
+/// Generates the trace of a machine that follows curves from standstill to standstill with a
+/// trapezoidal speed. Pictures are compared with this trace.
 class StepPen {
  public:
-  using Curve = std::function<PenPoint(double)>;  ///< Point at a distance along the curve, mm.
+  using Curve = std::function<PenPoint(double)>;  ///< Returns the point at a distance along the
+                                                  ///< curve, mm.
 
   StepPen(TraceSink& sink, double steps_per_mm) : sink_{sink}, steps_per_mm_{steps_per_mm} {}
 
@@ -52,7 +53,7 @@ class StepPen {
     follow(curve, length, speed_mm_s, acceleration_mm_s2);
   }
 
-  /// Counter-clockwise about a centre, from where the pen is.
+  /// Moves counter-clockwise around a centre, from the pen's position.
   void arc(const PenPoint& centre, double turns, double speed_mm_s, double acceleration_mm_s2) {
     const PenPoint from = at_;
     const double radius = std::hypot(from.x_mm - centre.x_mm, from.y_mm - centre.y_mm);

@@ -27,7 +27,7 @@ class Pixels {
   Pixels(const Pixels&) = delete;
   Pixels& operator=(const Pixels&) = delete;
 
-  /// How many are the colour.
+  /// Returns the number of pixels of this colour.
   [[nodiscard]] int count(const Colour& colour) const {
     int found = 0;
     const int height = cairo_image_surface_get_height(surface_);

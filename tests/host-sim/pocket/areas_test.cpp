@@ -30,7 +30,7 @@ TEST(PocketAreas, HaveNoHoleOutsideOfThem) {
   EXPECT_THROW(static_cast<void>(areas_of(contour_from_text(stray, "test"))), NoPocketPath);
 }
 
-/// A path of one row from one place to another.
+/// Returns a path of one row from one point to another.
 PathRows row_between(const cnc::WideVec2& from, const cnc::WideVec2& to) {
   PathRows rows;
   rows.points = {{.x = from.x(), .y = from.y()}, {.x = to.x(), .y = to.y()}};

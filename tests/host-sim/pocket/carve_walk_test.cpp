@@ -12,7 +12,7 @@
 namespace sim::pocket {
 namespace {
 
-/// Straight pieces between nodes.
+/// Tests graphs of nodes that straight pieces connect.
 class CarveWalkTest : public ::testing::Test {
  protected:
   void node(double x, double y) { graph_.nodes.push_back({{x, y}, 1.0}); }
@@ -42,7 +42,7 @@ TEST_F(CarveWalkTest, FollowsALoopWithoutLifting) {
 }
 
 TEST_F(CarveWalkTest, ReturnsFromADeadEndThatIsShort) {
-  // A comb: a back of three nodes, a tooth at the middle one.
+  // A comb has a back of three nodes and a tooth at the middle one.
   node(0, 0);
   node(10, 0);
   node(20, 0);

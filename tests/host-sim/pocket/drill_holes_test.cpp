@@ -11,11 +11,11 @@ TEST(DrillHoles, AreWhereAPathPlungesToTheDeepestFloorInPecks) {
   const PathRows path{{{.x = 9.0, .y = 1.0, .use = Use::kEntry},
                        {.x = 9.0, .y = 1.0, .z = -2.0},
                        {.x = 9.0, .y = 5.0, .z = -2.0},
-                       // The same place, one level below.
+                       // The same point, one level below.
                        {.x = 9.0, .y = 1.0, .z = -2.0, .use = Use::kEntry},
                        {.x = 9.0, .y = 1.0, .z = -4.0},
                        {.x = 9.0, .y = 5.0, .z = -4.0},
-                       // Cleared already, and a ramp.
+                       // An area that is already cleared, and a ramp.
                        {.x = 2.0, .y = 2.0, .use = Use::kLink},
                        {.x = 2.0, .y = 2.0, .z = -4.0},
                        {.x = 3.0, .y = 2.0, .z = -4.0, .use = Use::kEntry},
@@ -24,7 +24,8 @@ TEST(DrillHoles, AreWhereAPathPlungesToTheDeepestFloorInPecks) {
                        {.x = 1.0, .y = 1.0, .z = -1.0}},
                       {3, 6, 10, 12}};
   const PathRows holes = drill_holes(path.path(), 1.5);
-  // One peck here, and three there; the places are as far from X0 Y0 one way as the other.
+  // One hole has one peck, the other one three. The round trip from X0 Y0 is equally long in both
+  // directions, so either hole may be the first.
   ASSERT_EQ(holes.row_ends.size(), 4U);
   double here = 0.0;
   double there = 0.0;

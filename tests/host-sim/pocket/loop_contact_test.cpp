@@ -26,19 +26,19 @@ TEST(LoopContact, IsAlongAStretchAtACornerOrWhereAnArcTouches) {
   const std::string room = kTouchedRoom;
   EXPECT_FALSE(contact(room));
   EXPECT_FALSE(contact(room + "20 10\n20 30\n40 30\n40 10\nclosed\n"));
-  // Part of a wall, with no vertex in common.
+  // The loops share part of a wall, but no vertex.
   EXPECT_TRUE(contact(room + "0 10\n0 20\n5 20\n5 10\nclosed\n"));
-  // All of a wall, and both loops the same.
+  // The loops share a complete wall; then both loops are equal.
   EXPECT_TRUE(contact(room + "0 0\n60 0\n60 10\n0 10\nclosed\n"));
   EXPECT_TRUE(contact(room + room));
-  // A corner on a wall, and a wall's corner on an edge of the island.
+  // A corner touches a wall, and a corner of a wall touches an edge of the island.
   EXPECT_TRUE(contact(room + "0 10\n5 15\n5 5\nclosed\n"));
   EXPECT_TRUE(contact(room + "30 20\n50 35\n60 40\n40 30\nclosed\n"));
-  // A circle of two halves that touches the lower wall, and one that crosses it.
+  // A circle of two halves touches the lower wall, and another one crosses it.
   EXPECT_TRUE(contact(room + "25 5 1\n35 5 1\nclosed\n"));
   EXPECT_TRUE(contact(room + "25 4 1\n35 4 1\nclosed\n"));
   EXPECT_FALSE(contact(room + "25 5.001 1\n35 5.001 1\nclosed\n"));
-  // An arc of more than half a turn, and circles that touch from without.
+  // The loops are an arc of more than half a turn, and circles that touch from outside.
   EXPECT_TRUE(contact(room + "29 0.1 4\n31 0.1\nclosed\n"));
   EXPECT_TRUE(contact(room + "20 10 1\n30 10 1\nclosed\n30 10 1\n40 10 1\nclosed\n"));
 }

@@ -13,7 +13,7 @@
 namespace sim::pocket {
 namespace {
 
-/// The axis of contours that are written as text.
+/// The medial axis of contours that are given as text.
 class Drawn {
  public:
   explicit Drawn(std::string_view text)
@@ -24,7 +24,7 @@ class Drawn {
   [[nodiscard]] const MedialAxis& axis() const { return axis_; }
   [[nodiscard]] const OwnedArea& area() const { return area_; }
 
-  /// The radius of a node, or −1 if there is none.
+  /// Returns the radius of a node, or −1 if there is none.
   [[nodiscard]] double radius_at(double x, double y) const {
     for (const AxisPoint& node : axis_.nodes) {
       if ((node.place - cnc::WideVec2{x, y}).norm() < 1.0e-3) return node.radius;
@@ -58,7 +58,7 @@ TEST(MedialAxis, OfARectangleHasARidge) {
 
 TEST(MedialAxis, BendsInAParabolaAroundACornerThatPointsIn) {
   const Drawn angle{"0 0\n20 0\n20 8\n8 8\n8 20\n0 20\nclosed\n"};
-  // As far from (8, 8) as from both sides.
+  // The node is as far from (8, 8) as from both sides.
   const double middle = 8.0 * std::sqrt(2.0) / (1.0 + std::sqrt(2.0));
   EXPECT_NEAR(angle.radius_at(middle, middle), middle, kNear_mm);
   EXPECT_EQ(angle.axis().chains.size(), 7U);
@@ -108,10 +108,10 @@ TEST(MedialAxis, EndsInTheMiddleOfARoundEnd) {
 }
 
 TEST(MedialAxis, LeadsIntoABayBetweenTwoCornersOfOneArc) {
-  // The bay is round (20, 23), open to a channel above.
+  // The bay is round about (20, 23), and open to a channel above it.
   const Drawn block{"0 26\n16 26 2\n24 26\n40 26\n40 36\n0 36\nclosed\n"};
   EXPECT_NEAR(block.radius_at(20, 23), 5.0, kNear_mm);
-  // An arc of a third of a turn, in one piece: above its middle, its ends alone are nearest.
+  // An arc of a third of a turn is one piece: above its middle, only its ends are nearest.
   const Drawn shallow{"0 26\n16 26 0.5773502691896258\n24 26\n40 26\n40 46\n0 46\nclosed\n"};
   EXPECT_NEAR(shallow.radius_at(20, 26 + 4 / std::sqrt(3.0)), 8 / std::sqrt(3.0), kNear_mm);
 }

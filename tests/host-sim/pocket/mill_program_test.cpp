@@ -46,7 +46,8 @@ TEST(MillProgram, SwitchesSpindleAndCoolantOnAndOff) {
 }
 
 TEST(MillProgram, DescendsNoFasterThanAPlunge) {
-  // Half a turn of radius 2 that falls by its own length, and a flat ramp.
+  // The first path is half a turn of radius 2 that descends by its own length, the second a flat
+  // ramp.
   const double length = 2.0 * 3.14159265358979;
   const Rows rows{{{.z = 0.0, .bulge = 1.0, .use = Use::kEntry},
                    {.x = 4.0, .z = -length, .use = Use::kEntry},
@@ -80,7 +81,7 @@ TEST(MillProgram, ReturnsInRapidsThatKeepTheirDistanceFromCuts) {
                    {.x = 12.0, .y = 12.9, .z = -2.0}},
                   {5}};
   const std::string text = written(rows, mill());
-  // The short one and the one that goes down are driven at the feed.
+  // The short link and the link that descends are driven at the feed.
   EXPECT_NE(text.find("G1Z-1F100\nX1F600\nG0X9\nG1X10\nX12\nY2.9\nY12.9Z-2\n"), std::string::npos)
       << text;
 }

@@ -65,7 +65,7 @@ TEST(Strategies, AdaptivePassesAreLight) {
                                    [](const auto& point) { return point.use == Use::kLight; }));
 }
 
-/// The least distance of rows from the walls of kRoom.
+/// Returns the least distance of rows from the walls of kRoom.
 double min_distance(const MilledPocket& path, std::size_t first_row, std::size_t end_row) {
   double least = 1.0e9;
   for (std::uint32_t i = path.path().row_begin(first_row); i < path.row_ends[end_row - 1]; ++i) {
@@ -83,14 +83,15 @@ TEST(Strategies, LeaveWhatPassesAlongTheWallsTakeOff) {
     options.finish_mm = 0.3;
     const MilledPocket path = StrategyPlanner{options}.mill(pocket.view(), 3.0);
     const std::size_t rows = path.row_ends.size();
-    // One for each level.
+    // There is one row for each level.
     EXPECT_NEAR(min_distance(path, 0, rows - 3), 3.3, 1.0e-9);
     for (std::size_t row = rows - 3; row < rows; ++row) {
       EXPECT_NEAR(min_distance(path, row, row + 1), 3.0, 1.0e-9);
       const auto& first = path.points[path.path().row_begin(row)];
       const auto& arc = path.points[path.path().row_begin(row) + 1];
       const auto& last = path.points[path.row_ends[row] - 1];
-      // Down in the cleared middle, and an arc of a quarter turn to the wall; at the end another.
+      // The tool descends in the cleared middle, follows an arc of a quarter turn to the wall, and
+      // leaves by another one.
       EXPECT_EQ(first.point(), arc.point());
       EXPECT_EQ(first.use, Use::kLink);
       EXPECT_NEAR(arc.bulge, std::sqrt(2.0) - 1.0, 1.0e-9);
@@ -110,7 +111,7 @@ TEST(Strategies, TakeTheAllowanceOfTheFloorOffInALevelOfItsOwn) {
     options.floor_mm = 1.0;
     options.finish_mm = 0.3;
     StrategyPlanner planner{options};
-    for (int i = 0; i < 2; ++i) {  // The depth is the same again.
+    for (int i = 0; i < 2; ++i) {  // The depth is the same once more.
       const MilledPocket path = planner.mill(pocket.view(), 3.0);
       EXPECT_EQ(path.levels, 3U);
       std::set<double> floors;
@@ -135,7 +136,8 @@ TEST(Strategies, HaveLinesBeforeTheirLeadsWhereACompensationNeedsThem) {
     const std::uint32_t end = path.row_ends[row];
     EXPECT_EQ(path.points[begin + 1].use, Use::kLeadIn);
     EXPECT_EQ(path.points[end - 2].use, Use::kLeadOut);
-    // Both lines touch their arcs: a right angle to the wall, and as long as the tool is wide.
+    // Both lines are tangent to their arcs, at right angles to the wall, and as long as the tool is
+    // wide.
     const cnc::WideVec2 in = path.points[begin + 2].point() - path.points[begin + 1].point();
     const cnc::WideVec2 out = path.points[end - 1].point() - path.points[end - 2].point();
     EXPECT_NEAR(in.norm(), 3.0, 1.0e-9);
@@ -163,9 +165,9 @@ TEST(FittingRadius, IsALittleLessInSlotsAsWideAsTheTool) {
   };
   constexpr double kTight = 3.0 - 0.0005;
   EXPECT_EQ(fitting("0 0\n60 0\n60 6\n0 6\nclosed\n"), kTight);
-  EXPECT_EQ(fitting("0 0\n60 0 1\n60 6\n0 6 1\nclosed\n"), kTight);  // Round at its ends.
+  EXPECT_EQ(fitting("0 0\n60 0 1\n60 6\n0 6 1\nclosed\n"), kTight);  // A slot with round ends.
   EXPECT_EQ(fitting("3 0 1\n-3 0 1\nclosed\n"), kTight);
-  // A slot as an arm of a room, and between two islands and the walls.
+  // A slot as an arm of a room, and slots between two islands and the walls.
   EXPECT_EQ(fitting("0 0\n30 0\n30 10\n60 10\n60 16\n30 16\n30 30\n0 30\nclosed\n"), kTight);
   EXPECT_EQ(fitting("0 0\n60 0\n60 40\n0 40\nclosed\n6 6\n6 34\n54 34\n54 6\nclosed\n"), kTight);
   EXPECT_EQ(fitting("0 0\n60 0\n60 5.99\n0 5.99\nclosed\n"), 0.0);

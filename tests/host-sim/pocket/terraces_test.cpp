@@ -40,7 +40,7 @@ TEST(Terraces, OfAPocketInAPocketGoOnWithinIt) {
 }
 
 TEST(Terraces, OfAPocketAtTheWallOfAnotherGoOnWithinIt) {
-  // Three of its walls, and all of its vertices, are on the walls of the outer one.
+  // Three walls of the inner loop, and all of its vertices, are on the walls of the outer one.
   const Contour contours =
       contour_from_text("0 0\n60 0\n60 40\n0 40\nclosed\n0 40\n0 0\n20 0\n20 40\nclosed\n", "test");
   const auto pockets = terraces_of(contours, {{}, 6.0}, 4.0);
@@ -78,7 +78,7 @@ TEST(Terraces, AreNoneWhereAllIsAsHighAsTheStock) {
   EXPECT_TRUE(terraces_of({}, {}, 4.0).empty());
 }
 
-/// Circles that do not cross, and the floor at each place by trying all of them.
+/// Circles that do not cross, and the floor at each point by trying all of them.
 struct RandomCircles {
   struct Circle {
     cnc::WideVec2 centre;

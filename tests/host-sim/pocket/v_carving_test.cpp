@@ -24,7 +24,7 @@ VCarving carved(std::string_view text, const VCarveOptions& options = {}) {
 
 constexpr std::string_view kSquare = "0 0\n10 0\n10 10\n0 10\nclosed\n";
 
-/// The depth that the tool cuts at a place, as far as it is a point of the path.
+/// Returns the depth that the tool cuts at a point, if it is a point of the path.
 double depth_at(const VCarving& carving, double x, double y) {
   double depth = -1.0;
   for (const auto& point : carving.points) {
@@ -59,7 +59,7 @@ TEST(VCarving, GoesAroundWhatIsTooWideForTheGreatestDepth) {
   EXPECT_NEAR(carving.depth_mm, 2.0, 1.0e-9);
   EXPECT_NEAR(carving.wide_area_mm2, 36.0, 1.0e-6);
   EXPECT_EQ(carving.wide.vertices.size(), 4U);
-  EXPECT_EQ(carving.row_ends.size(), 5U);  // Four corners and the loop.
+  EXPECT_EQ(carving.row_ends.size(), 5U);  // The rows are four corners and the loop.
   for (const double x : {2.0, 8.0}) {
     for (const double y : {2.0, 8.0}) EXPECT_NEAR(depth_at(carving, x, y), 2.0, kDepth_mm);
   }
@@ -93,7 +93,7 @@ TEST(VCarving, ReturnsAlongWhatItHasCut) {
   EXPECT_EQ(carving.row_ends.size(), 1U);
   EXPECT_GT(count_of(carving, Use::kLink), 0U);
   const VCarving lifted = carved(kSquare, {.return_limit_mm = 0.0});
-  EXPECT_EQ(lifted.row_ends.size(), 2U);  // Two diagonals.
+  EXPECT_EQ(lifted.row_ends.size(), 2U);  // The rows are two diagonals.
   EXPECT_EQ(count_of(lifted, Use::kLink), 0U);
 }
 
@@ -108,7 +108,8 @@ TEST(VCarving, PlungesWhereARowBeginsAtADepth) {
 
 TEST(VCarving, TakesFewPointsForCurves) {
   const VCarving ring = carved("10 0 1\n-10 0 1\nclosed\n3 0 -1\n-3 0 -1\nclosed\n");
-  // A third of 0.005 mm beside a circle of 6.5 mm: 2π / (2 √(2 · 0.005 / 3 / 6.5)) = 139 chords.
+  // With a chord error of a third of 0.005 mm, a circle of 6.5 mm has 2π / (2 √(2 · 0.005 / 3 /
+  // 6.5)) = 139 chords.
   EXPECT_GT(ring.points.size(), 100U);
   EXPECT_LT(ring.points.size(), 230U);
 }

@@ -35,7 +35,7 @@ std::string refusal_of(const std::string& text) {
   return "none";
 }
 
-/// Rapids do not cut, and a descent does.
+/// Rapids are not cuts; a descent is one.
 TEST(Post, WritesLinesBeforeAndAfterEachCut) {
   const Post post = read_post(
       "[words]\nM4 =\nM5 =\n[before-cut]\nM62 P1\nG4 P0.2\n\n[after-cut]\nM63 P1\n", "my.post");
@@ -84,8 +84,8 @@ std::string random_program(std::uint64_t seed) {
   return text + "M2\n";
 }
 
-/// Returns how far the motions of a program are off those of another one, whose pieces each are
-/// driven in one piece or several.
+/// Returns the greatest distance between the motions of two programs. Each piece of `wanted` may be
+/// one or several pieces of the other program.
 double distance_of(const ProgrammedPath& wanted, const ProgrammedPath& found) {
   constexpr double kEnd = 1.0e-3;  // Three digits of three axes.
   constexpr int kSamples = 16;
@@ -153,7 +153,7 @@ TEST(Post, IsReadAsTheSameMotionByAnotherReader) {
     EXPECT_LT(distance_of(wanted, read_program(posted(program, post))), 1.0e-9);
     post = Post{.decimals = 3, .repeat = Repeat::kAll};
     EXPECT_LT(distance_of(wanted, read_program(posted(program, post))), 2.0e-3);
-    // A reader finds the centre from ends and a radius that are rounded.
+    // A reader computes the centre from rounded ends and a rounded radius.
     post = Post{.arcs = ArcForm::kRadius};
     EXPECT_LT(distance_of(wanted, read_program(posted(program, post))), 1.0e-3);
     post = Post{.arcs = ArcForm::kLines, .arc_tolerance_mm = 0.02};
@@ -167,7 +167,7 @@ TEST(Post, IsReadAsTheSameMotionByAnotherReader) {
 TEST(Post, WritesLinesThatAreNoCloserThanNeeded) {
   const std::string program = "G21 G90 G17 G94 G54\nG0X10Y0Z0\nG3X-10Y0I-10F600\nM2\n";
   const Post post{.arcs = ArcForm::kLines, .arc_tolerance_mm = 0.01};
-  // Half a turn of 10 mm in chords of 2 acos(1 - 0.001).
+  // Half a turn of 10 mm has chords of 2 acos(1 - 0.001).
   const double chords = std::ceil(std::numbers::pi / (2.0 * std::acos(0.999)));
   const std::string text = posted(program, post);
   EXPECT_EQ(std::ranges::count(text, '\n'), static_cast<std::ptrdiff_t>(chords) + 3);

@@ -182,7 +182,7 @@ TEST(DurationText, IsSaidAsPeopleSayIt) {
   EXPECT_EQ(duration_text(7'501.0), "2 h 05 min 01 s");
 }
 
-/// A terminal obeys DEL and C1, which JSON may hold as they are.
+/// A terminal obeys DEL and C1, which JSON may contain without escapes.
 TEST(ReportJson, HoldsNoByteThatATerminalObeys) {
   const std::string evil =
       "a\x1B[31m\n\x7F\xC2\x9B"

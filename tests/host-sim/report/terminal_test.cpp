@@ -20,7 +20,7 @@ using namespace std::chrono_literals;
 TEST(Utf8, KnowsTheColumnsOfATerminal) {
   EXPECT_EQ(display_width(""), 0U);
   EXPECT_EQ(display_width("größe"), 5U);
-  EXPECT_EQ(display_width("gro\u0308ße"), 5U);  // ö as o and combining diaeresis
+  EXPECT_EQ(display_width("gro\u0308ße"), 5U);  // Here, ö consists of o and a combining diaeresis.
   EXPECT_EQ(display_width("切割"), 4U);
   EXPECT_EQ(display_width("mm/s² → 🔥"), 10U);
 }
@@ -50,7 +50,7 @@ TEST(TextTable, LinesUpAndEndsWithoutSpaces) {
             "  x      1234  last\n");
 }
 
-/// A stream that keeps what a terminal would get, and a clock that is set by hand.
+/// A stream that records the output to a terminal, and a clock that the test sets.
 class ProgressBarTest : public testing::Test {
  protected:
   ~ProgressBarTest() override { std::fclose(stream_); }
@@ -84,7 +84,7 @@ TEST_F(ProgressBarTest, ShowsTheShareAndClearsItself) {
   {
     ProgressBar bar{stream_, true, start_};
     bar.update(0.5, "part.nc", start_ + 600ms);
-    bar.update(0.6, "part.nc", start_ + 601ms);  // Too soon to be seen.
+    bar.update(0.6, "part.nc", start_ + 601ms);  // This update is too early to be shown.
     bar.update(7.0, "part.nc", start_ + 800ms);
   }
   const std::string text = shown();
@@ -94,7 +94,7 @@ TEST_F(ProgressBarTest, ShowsTheShareAndClearsItself) {
   EXPECT_THAT(text, EndsWith("\r\033[K"));
 }
 
-/// A line that wraps could not be removed again.
+/// A line that wraps could not be removed later.
 TEST_F(ProgressBarTest, FitsTheTerminal) {
   const std::string name = "a/folder/with/a/long/name/größe_切割.nc";
   for (std::size_t columns = 12; columns <= 120; ++columns) {
@@ -114,7 +114,7 @@ TEST_F(ProgressBarTest, FitsTheTerminal) {
   }
 }
 
-/// Too few columns for a bar have the percent alone, or a part of it.
+/// With too few columns for a bar, the percentage is shown alone, or a part of it.
 TEST_F(ProgressBarTest, FitsTheNarrowestTerminal) {
   for (std::size_t columns = 1; columns < 12; ++columns) {
     {
@@ -129,7 +129,7 @@ TEST_F(ProgressBarTest, FitsTheNarrowestTerminal) {
   }
 }
 
-/// The name of a file, or the state that a controller sends.
+/// The text is the name of a file, or the state that a controller sends.
 TEST_F(ProgressBarTest, ShowsNothingThatATerminalObeys) {
   const std::string evil = "a\x1B[31mb\x07\nc\xC2\x9B";
   {
@@ -170,7 +170,7 @@ TEST_F(ProgressLinesTest, AreSilentUnlessAskedFor) {
 
 TEST_F(ProgressLinesTest, PrintShareAndTimeEveryFiveSeconds) {
   ProgressLines lines{stream_, true, start_};
-  lines.update(0.1, "part.nc", start_ + 4900ms);  // A job that soon ends prints nothing.
+  lines.update(0.1, "part.nc", start_ + 4900ms);  // A job that ends soon prints nothing.
   lines.update(0.25, "part.nc", start_ + 5s);
   lines.update(0.3, "part.nc", start_ + 9900ms);
   lines.update(7.0, "part.nc", start_ + 10200ms);

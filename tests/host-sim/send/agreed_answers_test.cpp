@@ -13,7 +13,7 @@ namespace {
 
 using proof::Trials;
 
-/// The answers of a machine with the settings as delivered, and `$RESUME`'s.
+/// Returns the answers of a machine with default settings, and that of `$RESUME`.
 std::vector<std::string> answers() {
   std::vector<std::string> lines;
   for (const cnc::SettingInfo& info : cnc::setting_table()) {
@@ -34,7 +34,7 @@ std::vector<std::string> answers() {
   return lines;
 }
 
-/// The facts that `answers()` states, in the order of AgreedAnswers::lines().
+/// Returns the facts that `answers()` contains, in the order of AgreedAnswers::lines().
 std::vector<std::string> facts() {
   AgreedAnswers agreed{true};
   for (int time = 0; time < 3; ++time) {
@@ -43,7 +43,7 @@ std::vector<std::string> facts() {
   return agreed.lines();
 }
 
-/// One byte in `one_in` is lost, or another one.
+/// Loses or changes one byte in `one_in`.
 std::string damaged(std::string line, int one_in, std::mt19937_64& random) {
   for (std::size_t at = 0; at < line.size(); ++at) {
     if (std::uniform_int_distribution{1, one_in}(random) > 1) continue;
@@ -98,7 +98,7 @@ TEST(AgreedAnswers, MissesWhatAControllerDoesNotHaveAfterFourRoundsOnly) {
   EXPECT_TRUE(agreed.open().empty()) << "no [G59.2: and [G59.3:";
 }
 
-// [G59.1: with one bit damaged.
+// One damaged bit changes the name to [G59.1:.
 TEST(AgreedAnswers, MissesWhatDamageHasMadeOfAnotherNameAfterEightRounds) {
   AgreedAnswers agreed{false};
   agreed.read("[G59.3:0.000,0.000,0.000]");

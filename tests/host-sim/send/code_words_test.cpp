@@ -30,7 +30,7 @@ TEST(CodeWords, HaveARemedyForEachNumberOfTheFirmwareAndForNoOther) {
   }
 }
 
-/// The firmware's table itself has every alarm.
+/// Texts of alarms come from the firmware's own table, which contains every alarm.
 TEST(CodeWords, KnowTheLastAlarm) {
   EXPECT_THAT(alarm_words(static_cast<std::uint32_t>(cnc::Alarm::kStoreDamaged)),
               testing::StartsWith("The store is damaged."));

@@ -5,7 +5,7 @@ import threading
 
 
 class Relay:
-    """Carries bytes to a server and back, and damages or drops some of them, one in `one_in`."""
+    """Forwards bytes to a server and back, and damages or drops one in `one_in`."""
 
     def __init__(self, port, one_in, seed):
         self.listener = socket.create_server(("127.0.0.1", 0))
@@ -45,8 +45,9 @@ class Relay:
 
 
 class Rewriter(Relay):
-    """Damages nothing but certain words, in order and each once: pairs (word, other word) of what goes
-    to the sender, and to the machine."""
+    """Replaces only certain words, in order and each once: pairs (word, other word), one list for
+    bytes to the sender and one for bytes to the machine.
+    """
 
     def __init__(self, port, to_sender=(), to_machine=()):
         self.to_sender, self.to_machine = list(to_sender), list(to_machine)

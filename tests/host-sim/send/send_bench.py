@@ -1,4 +1,4 @@
-"""What tests of `kerfline send` share: programs to send, and a sender that is started and looked at."""
+"""Shared by the tests of `kerfline send`: programs to send, and a sender that is started and observed."""
 import pathlib
 import signal
 import subprocess
@@ -18,7 +18,7 @@ class SendBench(served.ServeTest):
         return path
 
     def square(self, times):
-        """Ends where it says, and only if every line was done once."""
+        """Returns a program that ends at a known position only if every line was executed once."""
         lines = ["(a square, and a step aside each time)", "G21 G91 F6000 M4 S500"]
         for _ in range(times):
             lines += ["G1 X3", "G1 Y2", "G1 X-2 ; back", "", "G1 Y-2"]

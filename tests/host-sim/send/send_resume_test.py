@@ -1,4 +1,4 @@
-"""`kerfline send` that is killed or falls silent, and goes on or begins within a job."""
+"""`kerfline send` that is killed or disconnected, and then resumes or begins within a job."""
 import concurrent.futures
 import signal
 import subprocess
@@ -40,7 +40,7 @@ class SendResumeTest(SendBench):
                 self.check_dark_when_killed(server, *where)
 
     def ring(self):
-        """A part whose path comes nowhere near itself; and its length in mm."""
+        """Returns a part whose path never comes near itself, and its length in mm."""
         lines = ["G21 G90 M4 S500 F2400"]
         for row in range(8):
             ends = (0, 20) if row % 2 == 0 else (20, 0)
@@ -48,7 +48,7 @@ class SendResumeTest(SendBench):
         return self.program_file(lines + ["G2 X5 Y26 I0 J5", "M5", "M2"])
 
     def burnt(self, trace):
-        """Steps that were lit, place by place, and how often each."""
+        """Returns the positions of the steps with the beam on, and the number of such steps at each."""
         places = {}
         last = None
         for row in trace.read_text().splitlines():
@@ -77,14 +77,14 @@ class SendResumeTest(SendBench):
                 self.assertNotIn("begins with line 1\n", out)
                 self.assertEqual(stopped, 0)
                 burnt = self.burnt(self.folder / f"{link}.csv")
-                # 250 steps are a millimetre; 40 mm/s are 10 steps in a millisecond.
+                # 250 steps are a millimetre, so 40 mm/s are 10 steps per millisecond.
                 left = [place for place in expected if place not in burnt]
                 twice = [place for place in burnt if burnt[place] > expected.get(place, 0)]
                 self.assertLess(len(left), 12)
                 self.assertLess(len(twice), 40)
 
     def kill_and_resume(self, job, link, form):
-        """Status, output and errors of the sender that goes on, and the server's status in the end."""
+        """Returns status, output and errors of the sender that resumes, and the server's final status."""
         options = ("--pty", self.link) if link == "pty" else ("--tcp", 0)
         server = self.serve(*options, "--trace", self.folder / f"{link}.csv", *SETTINGS)
         where = ("--port", self.link) if link == "pty" else ("--tcp", f"127.0.0.1:{server.port('tcp')}")

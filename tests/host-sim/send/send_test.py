@@ -34,9 +34,11 @@ class SendTest(SendBench):
 
     @staticmethod
     def oks(lines, form):
-        """For the lines of a job; an empty one, $I, $$, $# and $G for the questions before it, an
-        empty one and $I before the job itself. Checked, the questions are put three times, and M110
-        stands around each round and the job."""
+        """Returns the number of `ok` for the lines of a job. They include an empty line, $I, $$,
+        $# and $G for the requests before it, and an empty line and $I before the job itself.
+        With checked lines, the requests are sent three times, and M110 is sent around each
+        round and the job.
+        """
         return lines + 5 + 2 + (2 * 5 + 8) * len(form)
 
     def test_sends_over_a_can_adapter(self):

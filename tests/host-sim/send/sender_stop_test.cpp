@@ -30,11 +30,11 @@ class DirectLink final : public hal::ByteStream {
   std::string outgoing;
 };
 
-/// A controller and a sender in steps of a millisecond.
+/// Runs a controller and a sender in steps of a millisecond.
 class StopBench {
  public:
   explicit StopBench(const std::vector<std::string>& lines) {
-    set(22, 1.0F);  // Homing.
+    set(22, 1.0F);  // Enables homing.
     std::vector<JobLine> job;
     for (const std::string& line : lines) job.push_back({.text = line, .number = job.size() + 1});
     sender.emplace(job, SendOptions{}, now_);
@@ -56,7 +56,7 @@ class StopBench {
     sender->attend(now_);
     ++now_;
   }
-  /// Milliseconds until it holds; more than a minute for never.
+  /// Returns the milliseconds until `done` holds; more than a minute if it never does.
   int until(const std::function<bool()>& done) {
     int waited = 0;
     for (; !done() && waited < 60'001; ++waited) turn();
@@ -76,11 +76,11 @@ class StopBench {
 
 struct StopCase {
   const char* name;
-  const char* state;  ///< In which the job is stopped.
+  const char* state;  ///< State of the machine in which the job is stopped.
   std::vector<std::string> lines;
-  int max_ms;  ///< That the stop may last.
+  int max_ms;  ///< Greatest duration of the stop, ms.
   bool door = false;
-  /// Homing alone cannot end without a cut that costs the position.
+  /// True for homing alone: it can end only with an alarm, which loses the position.
   bool alarm = false;
 };
 
@@ -112,7 +112,7 @@ TEST_P(SenderStop, LeavesNothingThatCouldGoOn) {
   for (int ms = 0; ms < 50; ++ms) bench.turn();
   EXPECT_EQ(bench.controller.machine().state(),
             wanted.alarm  ? cnc::MachineState::kAlarm
-            : wanted.door ? cnc::MachineState::kDoor  // It was open at the reset.
+            : wanted.door ? cnc::MachineState::kDoor  // The door was open at the reset.
                           : cnc::MachineState::kIdle);
   const auto stood = bench.controller.port().position;
   bench.link.incoming += "~";
@@ -135,7 +135,7 @@ INSTANTIATE_TEST_SUITE_P(
                     StopCase{"Dwell", "Run", {"G91F6000", "G4P60", "G1X5", "G1X5"}, 300}),
     [](const auto& each) { return std::string{each.param.name}; });
 
-/// An idle report may have been on its way since before the first line.
+/// An idle report may have been sent before the first line.
 TEST(SenderStopAtOnce, DoesNotCutAMotionOffThatHasJustBegun) {
   StopBench bench{{"G91F3000", "G1X100", "G1X100"}};
   ASSERT_LE(bench.until([&] { return bench.moves(); }), 60'000);
@@ -146,7 +146,7 @@ TEST(SenderStopAtOnce, DoesNotCutAMotionOffThatHasJustBegun) {
       << "held first: no alarm, the position is known";
 }
 
-/// A machine that never comes to rest is reset all the same.
+/// A machine that never stops is reset in any case.
 TEST(SenderStopAtOnce, ResetsAControllerThatDoesNotObey) {
   Sender sender{{{.text = "G1X1", .number = 1}}, {}, milliseconds{0}};
   std::string sent;

@@ -13,7 +13,8 @@ namespace {
 
 using std::chrono::milliseconds;
 
-/// A serial line: so many bytes in a millisecond, each of which may be damaged or lost.
+/// A serial line that transfers a number of bytes per millisecond, each of which may be damaged or
+/// lost.
 class SerialWire {
  public:
   SerialWire(double bytes_per_ms, double bit_errors, double drops, std::uint64_t seed)
@@ -22,7 +23,7 @@ class SerialWire {
     draw_drop();
   }
 
-  /// What an adapter takes before it makes the writer wait.
+  /// Bytes that an adapter queues before the writer must wait.
   static constexpr std::size_t kQueue = 64;
 
   [[nodiscard]] std::size_t room() const {
@@ -30,7 +31,7 @@ class SerialWire {
   }
   void send(std::string_view bytes) { waiting_ += bytes; }
 
-  /// What arrives in a millisecond.
+  /// Returns the bytes that arrive in a millisecond.
   std::string pass() {
     due_ += rate_;
     const auto count = std::min(waiting_.size(), static_cast<std::size_t>(due_));
@@ -71,7 +72,7 @@ class SerialWire {
   double drops_;
   double due_ = 0.0;
   std::mt19937_64 random_;
-  std::uint64_t to_bit_ = 0;  ///< Bits before the next wrong one.
+  std::uint64_t to_bit_ = 0;  ///< Number of bits before the next damaged bit.
   std::uint64_t to_drop_ = 0;
   std::string waiting_;
 };
@@ -94,8 +95,8 @@ class WiredLink final : public hal::ByteStream {
   std::string outgoing;
 };
 
-/// One motor after the other turns by some steps: which, and how far, is the job, in its order,
-/// whatever the time each takes.
+/// One motor after the other turns by a number of steps. The job is the sequence of these motors
+/// and steps, whatever the time each takes.
 struct MotorTurn {
   std::size_t axis = 0;
   int steps = 0;
@@ -118,8 +119,8 @@ class TurnRecorder final : public TraceSink {
   void on_end(std::uint64_t) override {}
 
   std::vector<MotorTurn> turns;
-  std::uint64_t first_ns = 0;  ///< Of the first step,
-  std::uint64_t last_ns = 0;   ///< and of the last.
+  std::uint64_t first_ns = 0;  ///< Time of the first step, ns.
+  std::uint64_t last_ns = 0;   ///< Time of the last step, ns.
 
  private:
   std::array<int, 3> position_{};
@@ -130,7 +131,7 @@ struct TurningJob {
   std::vector<MotorTurn> turns;
 };
 
-/// Lines of the length that a CAM program has, each of which turns another motor.
+/// Returns lines of the length that a CAM program has, each of which turns another motor.
 TurningJob random_job(std::size_t count, std::uint64_t seed) {
   TurningJob job;
   std::mt19937_64 random{seed};
@@ -147,7 +148,7 @@ TurningJob random_job(std::size_t count, std::uint64_t seed) {
   return job;
 }
 
-/// A row of pixels of 0.1 mm, each with its power, as short as it can be written.
+/// Returns a row of pixels of 0.1 mm, each with its power, in the shortest notation.
 TurningJob raster_row(std::size_t pixels) {
   TurningJob job;
   job.lines = {{.text = "G91G1F6000M4", .number = 1}};
@@ -158,21 +159,21 @@ TurningJob raster_row(std::size_t pixels) {
 }
 
 struct WireRate {
-  double bytes_per_ms = 11.52;  ///< 115,200 baud.
+  double bytes_per_ms = 11.52;  ///< Rate of 115,200 baud.
   double bit_errors = 0.0;
   double drops = 0.0;
   std::uint64_t seed = 1;
 };
 
-/// An operator who lets a held machine go on after a while: before lines are numbered, a damaged
-/// byte may hold it. Presses hold once by himself where the test says when.
+/// An operator that resumes a held machine after a while: before lines are numbered, a damaged byte
+/// may hold it. The operator also presses hold once, if the test sets a time for it.
 struct Operator {
   milliseconds patience{1000};
   milliseconds hold_at{milliseconds::max()};
 
   void look(Sender& sender, milliseconds now) {
     if (now == hold_at) sender.hold();
-    // A damaged report may name a state that does not exist, so only these two count.
+    // A damaged report may contain a state that does not exist, so only these two states count.
     const bool goes = sender.machine_state() == "Run" || sender.machine_state() == "Idle";
     if (goes) since = now;
     if (now - since < patience) return;
@@ -190,7 +191,7 @@ struct SendOutcome {
   std::size_t injected = 0;
   std::size_t carried = 0;
   std::size_t resent = 0;
-  double motion_seconds = 0.0;  ///< From the first step to the last.
+  double motion_seconds = 0.0;  ///< Time from the first step to the last, s.
   std::vector<MotorTurn> turns;
 };
 
@@ -257,7 +258,7 @@ TEST(Sender, SendsCheckedLinesToTheEnd) {
   EXPECT_EQ(outcome.resent, 0U);
 }
 
-/// Numbers end somewhere, and lines do not.
+/// Numbers have a greatest value, but a job may have more lines.
 TEST(Sender, CountsAnewAfterTheGreatestNumber) {
   const TurningJob job = random_job(1000, 3);
   const SendOutcome outcome =
@@ -277,7 +278,7 @@ TEST(Sender, KeepsASerialLineFull) {
   }
 }
 
-/// At 100 mm/s a pixel lasts a millisecond, in which eleven bytes pass.
+/// At 100 mm/s a pixel lasts a millisecond, in which the line transfers eleven bytes.
 TEST(Sender, KeepsARasterAtSpeed) {
   constexpr std::size_t kPixels = 5000;
   const SendOutcome outcome = run(raster_row(kPixels), {}, {});
@@ -288,7 +289,7 @@ TEST(Sender, KeepsARasterAtSpeed) {
   EXPECT_LT(outcome.motion_seconds, 1.005 * seconds);
 }
 
-/// Whatever the wires do to bytes in both directions: the job, the whole job, in its order.
+/// Whatever happens to bytes in both directions, the complete job is executed, in its order.
 TEST(Sender, CheckedLinesMoveRightOnADamagingLine) {
   constexpr std::size_t kLines = 20'000;
   std::size_t injected = 0;
@@ -303,7 +304,7 @@ TEST(Sender, CheckedLinesMoveRightOnADamagingLine) {
     EXPECT_TRUE(outcome.turns == job.turns);
     injected += outcome.injected;
     damaged_s += outcome.seconds;
-    // Jobs differ little in their length.
+    // Jobs differ little in length, so the first one represents all.
     if (clean_s == 0.0) clean_s = run(job, {.checked = true}, {}).seconds;
     ++rounds;
   }
@@ -312,7 +313,7 @@ TEST(Sender, CheckedLinesMoveRightOnADamagingLine) {
   EXPECT_GE(throughput, 0.8);
 }
 
-/// The same by the dozen, so that errors meet in one line, and in its repetition.
+/// The same test with many more errors, so that several of them hit one line and its repetition.
 TEST(Sender, CheckedLinesMoveRightOnATerribleLine) {
   std::size_t injected = 0;
   for (const std::uint64_t seed : proof::Trials{60}) {
@@ -326,7 +327,8 @@ TEST(Sender, CheckedLinesMoveRightOnATerribleLine) {
   std::printf("%zu errors\n", injected);
 }
 
-/// A machine on hold takes no line, so none may be sent again and again until its link is full.
+/// A machine on hold accepts no line. So no line may be repeated until the link of the machine is
+/// full.
 TEST(Sender, WaitsThroughALongHoldOnATerribleLine) {
   for (const std::uint64_t seed : proof::Trials{20}) {
     const TurningJob job = random_job(1000, seed);

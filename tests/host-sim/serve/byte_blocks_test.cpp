@@ -11,7 +11,8 @@
 namespace sim {
 namespace {
 
-// No length divides the text, so that every place of it looks different near every edge.
+// Returns a part of a periodic text. No block length is a multiple of the period, so that the text
+// differs near every block edge.
 std::string bytes_from(std::size_t begin, std::size_t count) {
   std::string bytes(count, ' ');
   for (std::size_t i = 0; i < count; ++i) bytes[i] = static_cast<char>((begin + i) % 251);

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-"""`kerfline serve --slcan` as python-can meets it: a controller on a CAN bus. Messages of ISO 15765-2
-are put together here, independently of the firmware.
+"""`kerfline serve --slcan` with python-can as its peer: a controller on a CAN bus. This test
+assembles messages of ISO 15765-2 independently of the firmware.
 
     can_test.py KERFLINE
 """
@@ -24,7 +24,7 @@ LSS_TO, LSS_FROM = 0x7E5, 0x7E4
 
 
 class Host:
-    """A node that speaks to the controller. Hears until what it waits for has come."""
+    """A node that talks to the controller. It reads until the expected answer has come."""
 
     def __init__(self, address, beats=True):
         self.bus = can.Bus(interface="slcan", channel=address, sleep_after_open=0.1)
@@ -121,7 +121,8 @@ class Host:
 
 class Can(ServeTest):
     def open(self, *arguments, beats=True):
-        # What is tried here is the bus: a host that beats and says nothing more is none of $858's.
+        # The bus is tested here. For $858, a host that sends only heartbeats would count as gone,
+        # so $858 is off.
         served = self.serve("--slcan", self.link, "--node", NODE, *LASER, "--set", "$858=0",
                             *arguments)
         self.served = served
@@ -156,7 +157,7 @@ class Can(ServeTest):
             time.sleep(0.3)
 
     def test_a_master_finds_it_and_gives_it_a_number(self):
-        """As CiA 305 has it, by the frames; the simulator's serial number is that of its node."""
+        """The frames follow CiA 305; the simulator's serial number is that of its node."""
         store = self.folder / "store"
         host = self.open("--store", store)
 

@@ -7,8 +7,8 @@
 
 namespace sim {
 
-/// A client's frame of a WebSocket (RFC 6455, 5.2) that begins with this byte: FIN, RSV bits and
-/// opcode. `mask` is the bytes that the payload is masked with.
+/// Returns a client's frame of a WebSocket (RFC 6455, 5.2) that begins with the byte `first`: FIN,
+/// RSV bits and opcode. `mask` contains the bytes that mask the payload.
 inline std::string client_frame(std::uint8_t first,
                                 std::string_view payload,
                                 std::string_view mask = "\x37\xfa\x21\x3d") {

@@ -8,22 +8,22 @@
 
 namespace sim {
 
-/// A sender's end of a link that waits for nothing but the link itself: it writes as far ahead
-/// as the link lets it.
+/// A sender's end of a link. It does not wait for answers, and writes as far ahead as the link lets
+/// it.
 class FarSender {
  public:
   enum class Way { kTcp, kPty, kWebSocket };
-  /// How it goes away.
+  /// How the sender ends the connection.
   enum class End { kClose, kReset };
 
-  /// Throws std::system_error.
+  /// Opens a connection; throws std::system_error.
   static FarSender over_tcp(const InternetAddress& address);
   static FarSender over_pty(const std::string& device);
   static FarSender over_web_socket(const InternetAddress& address);
 
-  /// Returns when the link has taken all of it. Reads meanwhile.
+  /// Returns when the link has accepted all bytes. Reads meanwhile.
   void send(std::string_view bytes);
-  /// What has come, with what came before; waits for `words`. False after 20 s.
+  /// Reads until `words` have come, now or before. Returns false after 20 s.
   [[nodiscard]] bool hears(std::string_view words);
   void forget() { heard_.clear(); }
   void leave(End how);
@@ -35,7 +35,8 @@ class FarSender {
   void read();
 
   hal::host::Descriptor link_;
-  bool frames_ = false;  ///< As WebSocket's; what comes is searched with its frame heads.
+  bool frames_ = false;  ///< True for WebSocket; received bytes are searched with their frame
+                         ///< heads.
   std::string heard_;
 };
 

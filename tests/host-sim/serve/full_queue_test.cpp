@@ -24,12 +24,14 @@ using Clock = ServerBench::Clock;
 using Way = FarSender::Way;
 using Milliseconds = std::chrono::duration<double, std::milli>;
 
-/// The product has 20 ms. Code that a sanitizer instruments takes up to five times as long.
+/// The product must react within 20 ms. Code that a sanitizer instruments takes up to five times as
+/// long.
 constexpr Milliseconds kLimit{proof::kSanitized ? 100.0 : 20.0};
-/// From less than the controller announces to more than any buffer on the way holds.
+/// The sizes are from less than the controller announces to more than all buffers on the path
+/// contain.
 constexpr std::array<std::size_t, 6> kFills{600, 3'000, 5'000, 20'000, 200'000, 8'000'000};
 
-/// Lines that keep the machine cutting for longer than the test lasts.
+/// Returns lines that keep the machine cutting for longer than the test lasts.
 std::string lines_of(std::size_t bytes) {
   std::string text = "G21 G90 M3 S500 F1200\n";
   for (int line = 0; text.size() < bytes; ++line) {
@@ -38,7 +40,7 @@ std::string lines_of(std::size_t bytes) {
   return text;
 }
 
-/// A sender far ahead of a machine that cuts, with pages beside it.
+/// A sender far ahead of a machine that cuts, while pages are connected.
 class Ahead {
  public:
   Ahead(Way way, std::size_t fill) {
@@ -79,9 +81,10 @@ class Ahead {
 using Act = std::function<void(Ahead&)>;
 using Done = std::function<bool(Ahead&)>;
 
-/// By the wall clock, from before the first byte, worst of all tries. Where other work keeps the
-/// processors busy, the time for which the threads of loop and test were ready and waited for one
-/// is allowed on top: a loop that blocks, or works for too long, gets nothing of it.
+/// Measures the worst of all tries by the wall clock, from before the first byte. If other work
+/// keeps the processors busy, the limit is greater by the time for which the threads of loop and
+/// test were ready and waited for a processor. This does not excuse a loop that blocks, or that
+/// works for too long.
 void expect_at_once(Way way, const std::string& what, const Act& act, const Done& done) {
   constexpr int kTries = 2;
   Milliseconds worst{0.0};
@@ -151,7 +154,7 @@ TEST_P(FullQueue, NoticesAtOnceThatTheSenderIsGone) {
       "close",
       [](Ahead& ahead) { ahead.sender->leave(FarSender::End::kClose); },
       [](Ahead& ahead) { return !ahead.bench->lit() && !ahead.bench->has_sender(); });
-  if (GetParam() == Way::kPty) return;  // Has no other end.
+  if (GetParam() == Way::kPty) return;  // A pty has no other end to close.
   expect_at_once(
       GetParam(),
       "reset of the connection",

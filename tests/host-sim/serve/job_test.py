@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Jobs of the page of `kerfline serve`, over HTTP as the page orders them: which page may order
-which program, what is judged and how long that holds up the loop.
+"""Tests jobs of the page of `kerfline serve` over HTTP, as the page orders them: which page may
+order which program, what is judged, and how long the judgement delays the loop.
 
     job_test.py KERFLINE
 """
@@ -31,7 +31,7 @@ class Page:
             self.socket.until(BANNER)
 
     def order(self, what, program, **more):
-        """(status, answer) of an order, asked again while the program is being judged."""
+        """Returns (status, answer) of an order, repeated while the program is being judged."""
         body = json.dumps({"id": program["id"], "page": self.key, **more}).encode()
         while True:
             status, answer = post(self.port, f"/job/{what}", body)
@@ -242,8 +242,10 @@ class Job(ServeTest):
 
     @staticmethod
     def waits(served):
-        """Seconds for which each thread of the server, and this one, was ready and waited for a
-        processor. Those that load a program may keep a lock of the memory meanwhile."""
+        """Returns the seconds for which each thread of the server, and this one, was ready and
+        waited for a processor. The threads that load a program may keep a lock of the memory
+        meanwhile.
+        """
         waits = {}
         for one in (*pathlib.Path(f"/proc/{served.process.pid}/task").iterdir(),
                     pathlib.Path(f"/proc/self/task/{threading.get_native_id()}")):

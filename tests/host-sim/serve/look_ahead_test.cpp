@@ -88,7 +88,7 @@ TEST_F(LookAheadTest, NothingActsWithinACheckedLine) {
   EXPECT_EQ(beside, "!");
 }
 
-/// M6, behind which a sender has sent any number of lines before it says 0xA3.
+/// Tests M6 with a sender that has sent any number of lines behind it before it sends 0xA3.
 class ToolChangeBehindLookAhead : public LookAheadTest {
  protected:
   [[nodiscard]] const cnc::Machine& machine() { return session.controller().machine(); }
@@ -145,7 +145,7 @@ TEST_F(ToolChangeBehindLookAhead, WhatComesAtOnceIsDoneInItsOrder) {
 
 TEST_F(ToolChangeBehindLookAhead, WithoutLinesRealtimeBytesStillAct) {
   run_to_tool(0, "\n");
-  hear("\xA3~G1 X5\n");  // Of a page that may send no lines now.
+  hear("\xA3~G1 X5\n");  // These bytes are from a page that may not send lines now.
   EXPECT_EQ(look_ahead.take_lines(session), "\xA3~G1 X5\n");
   EXPECT_EQ(beside, "\xA3~");
   turn(100);

@@ -35,7 +35,8 @@ bool send_all(const Descriptor& link, std::string_view bytes) {
   return true;
 }
 
-/// Waits for bytes; how many came, 0 for none yet, less at the end.
+/// Waits for bytes. Returns the number of bytes; 0 if none have come, negative at the end of the
+/// connection.
 ssize_t read_some(const Descriptor& link) {
   constexpr int kPatienceMs = 50;
   pollfd state{link.number(), POLLIN, 0};

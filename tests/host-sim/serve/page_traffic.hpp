@@ -8,8 +8,8 @@
 
 namespace sim {
 
-/// Pages that keep a server busy while they live: one watches, one reads the page and the picture,
-/// and sends programs to be outlined and judged.
+/// Pages that keep a server busy while this object lives. One watches the machine. Another one
+/// reads the page and the picture, and sends programs to be outlined and judged.
 class PageTraffic {
  public:
   explicit PageTraffic(InternetAddress address);
@@ -17,7 +17,7 @@ class PageTraffic {
   PageTraffic& operator=(const PageTraffic&) = delete;
   ~PageTraffic();
 
-  /// Requests that were answered, and bytes of news.
+  /// Numbers of answered requests, and of bytes of news.
   [[nodiscard]] unsigned answered() const { return answered_; }
   [[nodiscard]] std::size_t news() const { return news_; }
 

@@ -148,8 +148,8 @@ TEST(PtyTransport, LeavesTheLinkOfAServerThatRuns) {
   EXPECT_NE(first.accept(), nullptr) << "and the first is heard as before";
 }
 
-/// The kernel gives the least number that is free, so a server that was killed left a link to the
-/// very pty that its successor gets.
+/// The kernel assigns the least free number, so that the link of a server that was killed may point
+/// to the same pty that its successor receives.
 TEST(PtyTransport, TakesOverTheLinkOfAServerThatWasKilled) {
   const ScratchFile link{".tty"};
   const PtyMaster master;

@@ -13,14 +13,15 @@ namespace {
 
 using std::chrono::milliseconds;
 
-/// What a sender at the other end of a connection sees and does.
+/// Bytes and events at a sender's end of a connection.
 struct Wire {
   std::string to_controller;
   std::string from_controller;
   bool open = true;
   bool ended = false;
   bool hung_up = false;
-  std::function<void()> on_look{};  ///< Called once, when the server looks for its end.
+  std::function<void()> on_look{};  ///< Called once, when the server checks whether the connection
+                                    ///< has ended.
 };
 
 class FakeConnection final : public Connection {
@@ -138,7 +139,8 @@ TEST_F(ReceptionTest, LetsOneInThatComesRightAfterTheFirstHasGone) {
   EXPECT_EQ(second.from_controller, "Grbl 1.1h ['$' for help]\r\n");
 }
 
-/// The controller reads the first stream, whose end shows behind it, and meanwhile the next comes.
+/// The controller reads the first stream, which has already ended, and meanwhile the next sender
+/// connects.
 TEST_F(ReceptionTest, LetsOneInThatComesWhileTheLastIsBeingRead) {
   arriving = {&first};
   wait(200);

@@ -13,7 +13,7 @@
 namespace sim {
 namespace {
 
-/// A session that is recorded, with a sender who may be slow to read.
+/// A recorded session with a sender that may be slow to read.
 class RecordedSession {
  public:
   RecordedSession() {
@@ -89,7 +89,7 @@ TEST(Replay, SaysTheSameAtTheSameTimes) {
   }
 }
 
-/// Which came over a bus, beside all that is said, in the middle of a motion.
+/// The stop came over a bus, separately from all other bytes, in the middle of a motion.
 TEST(Replay, StopsWhereTheMachineWasStopped) {
   RecordedSession talk;
   talk.send("G91 G1 X100 F600\n");

@@ -8,9 +8,9 @@
 
 namespace sim {
 
-/// Milliseconds that a thread of this process was ready to run and waited for a processor, from the
-/// kernel's own account. On a machine that is busy with other work it rises; a thread that blocks,
-/// sleeps or works does not add to it.
+/// Returns the milliseconds for which a thread of this process was ready to run and waited for a
+/// processor, by the kernel's accounting. Other work on the machine increases this time; a thread
+/// that blocks, sleeps or works does not.
 inline std::chrono::duration<double, std::milli> scheduling_delay(pid_t thread) {
   std::ifstream account{fmt::format("/proc/self/task/{}/schedstat", thread)};
   double worked_ns = 0.0;

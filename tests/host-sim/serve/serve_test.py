@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""`kerfline serve` as senders, browsers and scripts meet it: over pty, TCP and WebSocket.
+"""`kerfline serve` with senders, browsers and scripts as its users: over pty, TCP and WebSocket.
 
     serve_test.py KERFLINE
 """

@@ -1,4 +1,4 @@
-"""The bench of the tests of `kerfline serve`: a running server, and a sender's end of it."""
+"""Shared by the tests of `kerfline serve`: a running server, and a sender's end of a connection."""
 import os
 import pathlib
 import signal
@@ -54,7 +54,7 @@ class Stream:
 
 
 class Served:
-    """A running server and what it said about its ways in."""
+    """A running server and the addresses that it printed."""
 
     def __init__(self, program, *arguments):
         self.process = subprocess.Popen(
@@ -112,7 +112,9 @@ class ServeTest(unittest.TestCase):
 
 
 class Loader(unittest.TestLoader):
-    """Loads about `in_test` tests of each class in toolchain/test.sh, others with each commit."""
+    """Loads about `in_test` tests of each class for toolchain/test.sh, a different choice with
+    each commit.
+    """
 
     def __init__(self, in_test):
         super().__init__()
@@ -124,6 +126,8 @@ class Loader(unittest.TestLoader):
 
 
 def main(in_test=1000):
-    """`in_test`: about as many tests of each class run in toolchain/test.sh."""
+    """Runs the tests; `in_test` is the approximate number of tests of each class that
+    toolchain/test.sh runs.
+    """
     ServeTest.program = sys.argv.pop(1)
     unittest.main(testLoader=Loader(in_test))

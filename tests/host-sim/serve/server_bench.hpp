@@ -17,14 +17,15 @@
 
 namespace sim {
 
-/// The state of the machine and its sender, as the loop has it in each cycle.
+/// State of the machine and of its sender, as the loop has it in each cycle.
 struct LoopState {
   std::atomic<cnc::MachineState> machine{cnc::MachineState::kIdle};
   std::atomic<bool> lit{false};
   std::atomic<bool> has_sender{false};
 };
 
-/// Looks at the loop from within: it is asked for senders in each cycle, and has none.
+/// Observes the loop from inside: in each cycle the loop calls this transport for new senders, and
+/// receives none.
 class LoopProbe final : public Transport {
  public:
   LoopProbe(LoopState& state, const Session& session, const Reception& reception)
@@ -46,12 +47,12 @@ class LoopProbe final : public Transport {
   const Reception& reception_;
 };
 
-/// `Server::run` in a thread of its own, on a laser, with a way in for a sender and the page.
+/// `Server::run` in a separate thread, with a laser, a connection for a sender, and the page.
 class ServerBench {
  public:
   using Clock = std::chrono::steady_clock;
 
-  /// @param way null where the sender comes over the page's port
+  /// @param way transport of the sender; null if it connects to the page's port
   explicit ServerBench(std::unique_ptr<Transport> way) {
     if (way) reception_.add(std::move(way));
     auto web = std::make_unique<WebTransport>(InternetAddress{}, routes_);
@@ -69,7 +70,7 @@ class ServerBench {
   ServerBench(const ServerBench&) = delete;
   ServerBench& operator=(const ServerBench&) = delete;
   ~ServerBench() {
-    ::kill(::getpid(), SIGTERM);  // Blocked, and read by the loop.
+    ::kill(::getpid(), SIGTERM);  // SIGTERM is blocked, and the loop reads it.
     loop_.join();
   }
 
@@ -78,7 +79,7 @@ class ServerBench {
   [[nodiscard]] bool lit() const { return state_.lit; }
   [[nodiscard]] bool has_sender() const { return state_.has_sender; }
   [[nodiscard]] pid_t loop_thread() const { return loop_thread_; }
-  /// Waits until `done` holds; false after 20 s.
+  /// Waits until `done` holds; returns false after 20 s.
   template <typename Done>
   [[nodiscard]] static bool wait(Done&& done) {
     const auto end = Clock::now() + std::chrono::seconds{20};
@@ -106,7 +107,7 @@ class ServerBench {
   InternetAddress page_{};
   LoopState state_{};
   std::atomic<pid_t> loop_thread_{0};
-  std::thread loop_;  ///< The last member: it uses the others.
+  std::thread loop_;  ///< The last member, because it uses the others.
 };
 
 }  // namespace sim

@@ -63,7 +63,8 @@ TEST(SheetView, TellsWhatLiesBadly) {
   EXPECT_THAT(fault(json{{{"x_mm", 90}, {"y_mm", 5}}}, 0.0), HasSubstr("stock"));
 }
 
-/// A drawing that is missing is named, and the other parts are placed; the sheet comes back whole.
+/// A missing drawing is reported by its name, the other parts are placed, and the sheet is returned
+/// completely.
 TEST(SheetView, PlacesWhatIsHere) {
   json sheet = sheet_with({{{"x_mm", 10}, {"y_mm", 5}}});
   sheet["parts"].push_back(

@@ -30,11 +30,11 @@ class KeepingService final : public PageService {
   std::string content = "fine";
 };
 
-/// A web server on loopback whose clock stands still unless a test moves it, with clients' ends of
-/// its connections. One thread.
+/// A web server on loopback with clients' ends of its connections. Its clock stands still unless a
+/// test moves it. Runs in one thread.
 class WebBench {
  public:
-  /// A client's end, and what came there.
+  /// A client's end of a connection, and the bytes that it received.
   struct Client {
     hal::host::Descriptor link;
     std::string heard;
@@ -58,22 +58,22 @@ class WebBench {
     return client;
   }
 
-  /// `{}` in the text stands for the server's address.
+  /// Sends a text, in which `{}` stands for the server's address.
   void send(Client& client, std::string text) const {
     const std::size_t at = text.find("{}");
     if (at != std::string::npos) text.replace(at, 2, transport.address());
     for (std::string_view rest = text; !rest.empty();) {
       const ssize_t count = ::send(client.link.number(), rest.data(), rest.size(), MSG_NOSIGNAL);
-      if (count <= 0) return;  // The server has closed already.
+      if (count <= 0) return;  // The server has already closed the connection.
       rest.remove_prefix(static_cast<std::size_t>(count));
     }
   }
 
-  /// One cycle of the server's loop.
+  /// Runs one cycle of the server's loop.
   void turn() {
     while (auto connection = transport.accept()) senders.push_back(std::move(connection));
   }
-  /// Some cycles, in which a server on loopback has done all that it can.
+  /// Runs several cycles, in which a server on loopback can do all its work.
   void turns() {
     for (int count = 0; count < 20; ++count) {
       turn();
@@ -85,7 +85,7 @@ class WebBench {
     turns();
   }
 
-  /// Takes what comes until the words are there or the server closes; false after 5 s.
+  /// Reads until the words have come or the server closes; returns false after 5 s.
   bool hears(Client& client, std::string_view words) {
     const auto end = std::chrono::steady_clock::now() + std::chrono::seconds{5};
     while (client.heard.find(words) == std::string::npos && !client.closed) {
@@ -103,7 +103,7 @@ class WebBench {
     static_cast<void>(hears(client, "nothing of the kind comes"));
     return client.closed;
   }
-  /// Takes what has come by now.
+  /// Reads the bytes that have come so far.
   void hear(Client& client) {
     turns();
     std::array<char, 4096> part{};
@@ -112,7 +112,7 @@ class WebBench {
     client.closed = client.closed || count == 0;
   }
 
-  /// All that a connection answers to these bytes.
+  /// Returns all bytes with which a connection answers these bytes.
   std::string answer_to(std::string request) {
     Client client = connect();
     send(client, std::move(request));
@@ -125,7 +125,8 @@ class WebBench {
            " HTTP/1.1\r\nHost: {}\r\nUpgrade: websocket\r\nConnection: Upgrade\r\n"
            "Sec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\nSec-WebSocket-Version: 13\r\n\r\n";
   }
-  /// A client whose WebSocket is open; of what it heard the handshake is left out.
+  /// Returns a client whose WebSocket is open; the handshake is removed from the bytes that it
+  /// received.
   Client open_socket(const std::string& path = "/") {
     Client client = connect();
     send(client, handshake(path));
@@ -133,7 +134,7 @@ class WebBench {
     client.heard.erase(0, client.heard.find("\r\n\r\n") + 4);
     return client;
   }
-  /// What the first sender has sent.
+  /// Returns the bytes that the first sender has sent.
   std::string sent() {
     turns();
     std::string text;
@@ -150,7 +151,7 @@ class WebBench {
  public:
   KeepingService service;
   WebTransport transport{InternetAddress{}, service, [this] { return now_; }};
-  std::vector<std::unique_ptr<Connection>> senders;  ///< That were accepted.
+  std::vector<std::unique_ptr<Connection>> senders;  ///< Accepted connections.
 };
 
 }  // namespace sim

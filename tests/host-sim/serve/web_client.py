@@ -1,4 +1,4 @@
-"""As much of a WebSocket client and of HTTP as the tests of `kerfline serve` need."""
+"""The parts of a WebSocket client and of HTTP that the tests of `kerfline serve` require."""
 import base64
 import os
 import re
@@ -9,14 +9,14 @@ TEXT, BINARY, CLOSE = 1, 2, 8
 
 
 def http(port, path="/", **names):
-    """(status, whole answer as bytes) of a GET."""
+    """Returns (status, whole answer as bytes) of a GET."""
     status, answer, link = request(port, path, **names)
     link.close()
     return status, answer
 
 
 def post(port, path, body, length=None, **names):
-    """(status, body of the answer) of a POST that announces this length, or the body's own."""
+    """Returns (status, body of the answer) of a POST that announces `length`, or the length of its body."""
     extra = f"Content-Length: {len(body) if length is None else length}\r\n"
     status, answer, link = request(port, path, method="POST", extra=extra, body=body, **names)
     link.close()
@@ -24,7 +24,7 @@ def post(port, path, body, length=None, **names):
 
 
 def head(port, path="/"):
-    """(head, what follows it) of a HEAD, until the server hangs up."""
+    """Returns (head, following bytes) of a HEAD request, until the server closes the connection."""
     link = socket.create_connection(("127.0.0.1", port), timeout=20)
     link.sendall(f"HEAD {path} HTTP/1.1\r\nHost: 127.0.0.1:{port}\r\n\r\n".encode())
     answer = b""
@@ -35,7 +35,7 @@ def head(port, path="/"):
 
 
 def request(port, path, host=None, origin=None, extra="", method="GET", body=b""):
-    """The same and the socket, still open."""
+    """Returns the answer and the socket, still open."""
     link = socket.create_connection(("127.0.0.1", port), timeout=120)
     lines = [f"{method} {path} HTTP/1.1", f"Host: {host or f'127.0.0.1:{port}'}"]
     if origin:
@@ -82,7 +82,7 @@ class WebSocket:
         return data
 
     def frame(self):
-        """(opcode, payload) of the next frame."""
+        """Returns (opcode, payload) of the next frame."""
         first, size = self.exactly(2)
         if size == 126:
             size, = struct.unpack(">H", self.exactly(2))
@@ -91,7 +91,7 @@ class WebSocket:
         return first & 15, self.exactly(size)
 
     def until(self, words):
-        """Text up to and with these words."""
+        """Returns the text up to and including these words."""
         while words not in self.text:
             opcode, data = self.frame()
             if opcode in (TEXT, BINARY):

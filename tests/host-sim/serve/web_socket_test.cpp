@@ -47,7 +47,7 @@ TEST(WebSocketServer, RefusesHandshakesThatAreNone) {
   EXPECT_TRUE(bench.senders.empty());
 }
 
-/// Found by a fuzzer: the handshake was answered by HTTP 1.0.
+/// Found by a fuzzer: the answer to the handshake was one of HTTP 1.0.
 TEST(WebSocketServer, AnswersAHandshakeOfHttp10AsIfItWereNone) {
   WebBench bench;
   std::string text = WebBench::handshake();
@@ -97,7 +97,7 @@ TEST(WebSocketServer, ClosesWhenTheClientDoesOrBreaksTheRules) {
   struct Case {
     const char* name;
     std::string bytes;
-    std::string close;  ///< The payload of the close frame.
+    std::string close;  ///< Payload of the close frame.
   };
   const std::string fault = "\x03\xea";
   for (const Case& one : {

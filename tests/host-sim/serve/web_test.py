@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""`kerfline serve --ws` as browsers and other senders of WebSocket meet it.
+"""`kerfline serve --ws` with browsers and other WebSocket senders.
 
     web_test.py KERFLINE
 """
@@ -41,7 +41,7 @@ class Web(ServeTest):
         for watcher in watchers:
             states, points, place = set(), 0, None
             end = time.monotonic() + 10
-            # The first news of the run may still tell the place where it begins.
+            # The first news of the run may still contain the position where it begins.
             while time.monotonic() < end and not (
                     place == [0, 0, 0] and points > 1 and "Run" in states):
                 news = json.loads(watcher.frame()[1])
@@ -104,7 +104,8 @@ class Web(ServeTest):
         large = 64 << 20
         status, answer = post(port, "/outline", b"", length=large + 1)
         self.assertEqual((status, answer), (413, b"The request is longer than 64 MiB."))
-        # All of it is taken; reading ends at its first line, which is what makes this fast.
+        # The server accepts the complete body. Reading ends at its first line, which makes this
+        # fast.
         status, answer = post(port, "/outline", b"nonsense\n".ljust(large))
         self.assertEqual((status, json.loads(answer)["refused"]["line"]), (200, 1))
         self.assertEqual(http(port, "/outline")[0], 405)
@@ -163,8 +164,9 @@ class Web(ServeTest):
         self.assertIn("state", json.loads(again.frame()[1]))
 
     def order(self, served, what, page=None, accepted=()):
-        """An order for the program that the server has, of a page that is connected, or of none;
-        again while the program is being judged."""
+        """Orders the program that the server has, as a connected page or as none. Repeats the
+        order while the program is being judged.
+        """
         known = page and re.search(r"\[PAGE:(\w+)\]", page.said)
         status, answer = http(served.port("ws"), "/job")
         program = json.loads(answer.split(b"\r\n\r\n", 1)[1]) if status == 200 else {}
@@ -178,7 +180,7 @@ class Web(ServeTest):
             time.sleep(0.02)
 
     def job(self, watcher):
-        """The job as the next news has it."""
+        """Returns the job from the next news."""
         return json.loads(watcher.frame()[1])["job"]
 
     def until_job(self, watcher, state):

@@ -30,7 +30,7 @@ const TestFiles kPartFiles{
     {"bad.svg", drawing::svg_of(R"(<path id="open" d="M10 10H20V20"/>)")},
     {"sheet.json", sheet_with(R"({"drawing": "key.svg"})")}};
 
-/// A map of one place, by the angle alone.
+/// Returns the map of a point, computed from the angle alone.
 drawing::Place mapped(const Placing& placing, const drawing::Place& place) {
   const double angle = placing.angle_deg * std::numbers::pi / 180.0;
   const double x = placing.mirror ? -place.x() : place.x();

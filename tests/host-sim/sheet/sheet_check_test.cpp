@@ -61,7 +61,7 @@ TEST(SheetCheck, PartsLieInHolesButNotOnMaterial) {
   EXPECT_THAT(wrong_places(R"({"drawing": "square.svg", "name": "big", "x_mm": 1, "y_mm": 1},
                               {"drawing": "frame.svg", "name": "f"})"),
               ElementsAre(HasSubstr("overlaps big")));
-  // Wholly on the material, without a crossing.
+  // The part is completely on the material, without a crossing.
   const TestFiles files{
       {"plate.svg", drawing::svg_of(R"(<rect x="0" y="20" width="80" height="80"/>)")},
       {"square.svg", kCheckFiles.at("square.svg")}};
@@ -83,7 +83,7 @@ TEST(SheetCheck, PartsBeyondTheStockAreToldByTheFarthestPlace) {
               ElementsAre(HasSubstr("disc at -0.500 10.000: is 0.500 mm beyond the left edge")));
 }
 
-/// Distance and overlap of two convex or bowed outlines by looking at all of their places.
+/// Distance and overlap of two convex or bowed outlines, found by trying all of their points.
 struct Looked {
   double distance_mm = 1.0e9;
   bool overlap = false;
@@ -121,7 +121,8 @@ double distance_to_segment(const drawing::Place& at,
   return drawing::distance(at, from + share * way);
 }
 
-/// From corners to edges: one of two polygons that do not cross is nearest to the other there.
+/// Returns the distance from corners to edges. Of two polygons that do not cross, a corner of one
+/// is nearest to an edge of the other.
 double distance_from_corners(const std::vector<drawing::Place>& corners,
                              const std::vector<drawing::Place>& edges) {
   double least = 1.0e9;
@@ -168,7 +169,8 @@ TEST(SheetCheck, AgreesWithLookingAtEveryPlace) {
     const std::vector<PartPair> pairs = near_parts(drawn, edges_of(drawn), 10);
     constexpr double kLookSlack = 2.0 * kSheetChordMm;
     if (looked.overlap) {
-      // What overlaps by less than the places looked at may be told as too near.
+      // An overlap that is smaller than the spacing of the points may be reported as a distance
+      // that is too small.
       ASSERT_EQ(pairs.size(), 1U) << seed;
     } else if (looked.distance_mm < 0.5 - kLookSlack) {
       ASSERT_EQ(pairs.size(), 1U) << seed;

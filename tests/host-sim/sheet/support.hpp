@@ -12,7 +12,7 @@
 
 namespace sim::sheet {
 
-/// The text of a sheet of 200 mm by 100 mm.
+/// Returns the text of a sheet of 200 mm by 100 mm.
 inline std::string sheet_with(const std::string& parts, const std::string& more = {}) {
   return fmt::format(
       R"({{"kerfline_sheet": 1, "stock": {{"width_mm": 200, "height_mm": 100}}{}, "parts": [{}]}})",
@@ -32,7 +32,7 @@ inline drawing::Drawing placed(const std::string& text, const TestFiles& files) 
   return place_parts(read_sheet("test.json", text), read, {});
 }
 
-/// All closed contours are edges with a kerf of 0.5 mm.
+/// Returns uses in which all closed contours are edges with a kerf of 0.5 mm.
 inline std::vector<ContourUse> edges_of(const drawing::Drawing& drawn) {
   std::vector<ContourUse> uses;
   for (const auto& contour : drawn.contours) uses.push_back({true, contour.closed, 0.5});

@@ -14,7 +14,8 @@
 namespace sim::stock {
 namespace {
 
-/// The tool's lower surface as a drawing of it has it, widened to all sides by `more_mm`.
+/// Returns the height of the tool's lower surface as in a drawing, widened by `more_mm` to all
+/// sides.
 double surface_of(const Cutter& cutter, double distance, double more_mm) {
   const double radius = 0.5 * cutter.diameter_mm;
   if (distance > radius + more_mm) return std::numeric_limits<double>::infinity();
@@ -33,16 +34,17 @@ double surface_of(const Cutter& cutter, double distance, double more_mm) {
   return height - more_mm;
 }
 
-/// A job with all poses of its tool, close to each other.
+/// A job as a dense sequence of poses of its tool.
 struct DenseJob {
   Cutter cutter;
   StockBox box;
   double cell_mm = 0.0;
   std::vector<Stretch> stretches;
   std::vector<Pose> poses;
-  double farthest_mm = 0.0;  ///< From any point of the way to the next of the poses.
+  double farthest_mm = 0.0;  ///< Greatest distance from any point of the path to the nearest pose,
+                             ///< mm.
 
-  /// Height over a point; a bound from above of the true one, from below if `below`.
+  /// Returns a bound of the height over a point: a lower bound if `below`, else an upper bound.
   [[nodiscard]] double height(double x, double y, bool below) const {
     double least = box.top;
     for (const Pose& pose : poses) {
@@ -118,7 +120,7 @@ class RandomJob {
     return stretch;
   }
 
-  /// The tool waves to and fro within the slack.
+  /// The tool oscillates within the slack.
   void add_poses(const Stretch& stretch, DenseJob& job) {
     constexpr int kPoses = 300;
     const double phase = between(0.0, 6.0);
@@ -157,7 +159,7 @@ TEST(Carver, BoundsTheTrueHeightAtEveryPointOfEachCell) {
       for (int column = 0; column < stock.columns(); ++column) {
         const Cell cell = stock.cell(column, row);
         ASSERT_LE(cell.lower_nm, cell.upper_nm);
-        // Corners are the hardest points for the upper bound.
+        // For the upper bound, corners are the hardest points.
         const bool at_corner = (row + column) % 3 == 0;
         const double x =
             job.box.x_min +
@@ -175,7 +177,7 @@ TEST(Carver, BoundsTheTrueHeightAtEveryPointOfEachCell) {
   }
 }
 
-/// The volume that dense poses remove, by the heights at the centres of the cells.
+/// Returns the volume that dense poses remove, by the heights at the centres of the cells.
 double removed_by_poses(const DenseJob& job, const Stock& stock) {
   double sum = 0.0;
   for (int row = 0; row < stock.rows(); ++row) {
@@ -188,7 +190,7 @@ double removed_by_poses(const DenseJob& job, const Stock& stock) {
   return sum * stock.cell_x_mm() * stock.cell_y_mm();
 }
 
-// Bounds that say nothing would be true, too.
+// Bounds that are far apart would be valid, too, but useless.
 TEST(Carver, BoundsThatAreNear) {
   for (const std::uint64_t seed : proof::Trials{300}) {
     RandomJob random{seed};
@@ -202,7 +204,8 @@ TEST(Carver, BoundsThatAreNear) {
       carver.sweep(stretch);
       way += std::hypot(stretch.to.x_mm - stretch.from.x_mm, stretch.to.y_mm - stretch.from.y_mm);
     }
-    // Two walls along each stretch and round its ends, a cell or two wide; floors may be steep.
+    // There are two walls along each stretch and around its ends, a cell or two wide; floors may be
+    // steep.
     const double height = job.box.top - job.box.bottom;
     const double walls = 4.0 * (2.0 * way + 12.0 * job.cutter.diameter_mm);
     EXPECT_LE(stock.removed().max_mm3 - stock.removed().min_mm3, walls * height * job.cell_mm)
@@ -219,7 +222,7 @@ TEST(Carver, CountsWhatASweepSurelyRemoves) {
     double sure = 0.0;
     for (const Stretch& stretch : job.stretches) sure += carver.sweep(stretch);
     EXPECT_LE(sure, stock.removed().min_mm3 + 1.0e-9) << "seed " << seed;
-    // Centres of cells against all of them: near enough to tell a sum from a wrong one.
+    // Centres represent complete cells here, which is exact enough to detect a wrong sum.
     const double removed = removed_by_poses(job, stock);
     EXPECT_LE(sure, 1.02 * removed + 0.05) << "seed " << seed;
   }

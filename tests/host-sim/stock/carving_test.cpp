@@ -7,7 +7,7 @@ namespace {
 
 constexpr double kTrailMm = 0.01;
 
-/// What a tool of 6 mm reports that goes straight down to a depth.
+/// Returns the figures for a tool of 6 mm that moves straight down to a depth.
 CarvingFigures driven_down_to(double depth_mm, Drive drive) {
   Stock stock{{0.0, 0.0, 20.0, 20.0, 0.0, -5.0}, 0.1};
   Carving carving{stock, {.diameter_mm = 6.0}, kTrailMm};
@@ -16,8 +16,8 @@ CarvingFigures driven_down_to(double depth_mm, Drive drive) {
   return carving.figures();
 }
 
-// The line of the program that a step belongs to is known but for a few steps: the first of a ramp
-// may be taken for the last of the plunge before it.
+// The line of the program to which a step belongs is known only within a few steps: the first step
+// of a ramp may count for the plunge before it.
 TEST(Carving, ReportsNoPlungeAndNoRapidByASkin) {
   EXPECT_EQ(driven_down_to(0.5 * kTrailMm, Drive::kFeed).plunges.count, 0U);
   EXPECT_EQ(driven_down_to(0.5 * kTrailMm, Drive::kRapid).rapids.count, 0U);

@@ -23,7 +23,7 @@ Ring rectangle(double x_min, double y_min, double x_max, double y_max) {
   return {{x_min, y_min}, {x_max, y_min}, {x_max, y_max}, {x_min, y_max}};
 }
 
-/// Clears a rectangle of poses by lines along X, and goes round it.
+/// Clears a rectangle of poses by lines along X, and follows its border.
 void clear(Carver& carver, const StockBox& poses, double step_mm) {
   const double z = poses.bottom;
   const int lines = static_cast<int>(std::ceil((poses.y_max - poses.y_min) / step_mm - 1.0e-9));
@@ -49,7 +49,7 @@ TEST(Comparison, OfAGoodPocketFindsNothingForSure) {
     EXPECT_EQ(figures.rest.min_mm3, 0.0);
     EXPECT_EQ(figures.deepest_gouge.min_mm, 0.0);
     EXPECT_EQ(figures.tallest_scallop.min_mm, 0.0);
-    // The bounds are apart along 140 mm of walls.
+    // The bounds differ along 140 mm of walls.
     EXPECT_LE(figures.gouge.max_mm3, 140.0 * kDepth * 2.5 * cell_mm);
     EXPECT_LE(figures.rest.max_mm3, 140.0 * kDepth * 4.0 * cell_mm);
     if (walls > 0.0) {
@@ -65,7 +65,7 @@ TEST(Comparison, FindsARibBetweenTwoLines) {
   StockBox low = kPoses;
   StockBox high = kPoses;
   low.y_max = 12.0;
-  high.y_min = 17.0;  // A rib from 14 to 15, which is wider at its ends: the tool is round.
+  high.y_min = 17.0;  // The rib from 14 to 15 is wider at its ends, because the tool is round.
   clear(carver, low, 2.5);
   clear(carver, high, 2.5);
   const PocketFigures figures = compared(stock, kFlat4, kPocket);
@@ -91,7 +91,8 @@ TEST(Comparison, FindsAGougeOfTheFloorAndOfAWall) {
   EXPECT_GE(figures.gouge.min_mm3, 0.9 * slot);
   EXPECT_NEAR(figures.deepest_gouge.min_mm, 0.3, 1.0e-5);
   EXPECT_NEAR(figures.deepest_gouge.y_mm, 10.0, 2.0);
-  carver.sweep({{10.0, 28.4, kFloor}, {30.0, 28.4, kFloor}});  // 0.4 mm into the upper wall.
+  // The cut is 0.4 mm into the upper wall.
+  carver.sweep({{10.0, 28.4, kFloor}, {30.0, 28.4, kFloor}});
   const double before = figures.gouge.min_mm3;
   figures = compared(stock, kFlat4, kPocket);
   EXPECT_NEAR(figures.gouge.min_mm3 - before, 20.0 * 0.4 * kDepth, 5.0);
@@ -110,20 +111,22 @@ TEST(Comparison, FindsTheScallopsOfABall) {
     const PocketFigures figures = compared(stock, kBall4, kPocket);
     EXPECT_EQ(figures.gouge.min_mm3, 0.0);
     EXPECT_LE(figures.tallest_scallop.min_mm, scallop + 1.0e-6);
-    // The ridge is as steep as its half angle: a cell away from it it is lower by that.
+    // The ridge is as steep as its half angle: a cell away, it is lower by the corresponding
+    // height.
     EXPECT_GE(figures.tallest_scallop.min_mm, scallop - 1.5 * cell_mm * 0.5 * kStep / 2.0);
     EXPECT_GE(figures.tallest_scallop.max_mm, scallop);
     const double strip = 0.5 * kStep;
     const double under =
         2.0 * strip - (strip * std::sqrt(4.0 - strip * strip) / 2.0 + 2.0 * std::asin(strip / 2.0));
-    const double ridges = 2.0 * under / kStep * 36.0 * 26.0;  // Where poses are on both sides.
+    // There are ridges where poses are on both sides.
+    const double ridges = 2.0 * under / kStep * 36.0 * 26.0;
     EXPECT_LE(figures.rest.min_mm3, ridges * 1.25);
     EXPECT_GE(figures.rest.max_mm3, ridges);
   }
 }
 
 TEST(Comparison, CallsNoRestWhereTheToolDoesNotFit) {
-  // A neck of 3 mm behind which there is room again, and an island of the same kind.
+  // A neck of 3 mm leads to a wider area, and an island forms a neck of the same kind.
   const Ring outline{{0.0, 0.0},
                      {16.0, 0.0},
                      {16.0, 13.5},
@@ -139,7 +142,7 @@ TEST(Comparison, CallsNoRestWhereTheToolDoesNotFit) {
   const PocketTarget target{{outline, rectangle(6.0, 10.0, 10.0, 20.0)}, kDepth};
   Stock stock{kSlab, 0.1};
   PocketFigures figures = compared(stock, kFlat4, target);
-  // Nothing is cut: both rooms are rest, the neck and the corners are none.
+  // Nothing is cut: both wide areas are rest, but not the neck and the corners.
   const double corners = (4.0 - std::numbers::pi) * 8.0;
   const double rooms = 2.0 * 16.0 * 30.0 - 40.0 - corners;
   EXPECT_LE(figures.rest.min_mm3, rooms * kDepth);
@@ -147,13 +150,13 @@ TEST(Comparison, CallsNoRestWhereTheToolDoesNotFit) {
   EXPECT_GE(figures.rest.max_mm3, rooms * kDepth);
   EXPECT_LE(figures.rest.max_mm3, 1.05 * rooms * kDepth);
   EXPECT_EQ(figures.gouge.max_mm3, 0.0);
-  // A tool that fits nowhere leaves no rest.
+  // For a tool that fits nowhere, no rest is reported.
   const Cutter large{.kind = CutterKind::kFlat, .diameter_mm = 35.0};
   EXPECT_EQ(compared(stock, large, target).rest.max_mm3, 0.0);
 }
 
 TEST(Comparison, TakesTheRadiusOfATaperedToolWithinTheStock) {
-  // A V of 90 degrees that is 3 mm deep reaches 3 mm to each side, though it is 20 mm wide.
+  // A V of 90 degrees that is 3 mm deep extends 3 mm to each side, although the tool is 20 mm wide.
   const Cutter cutter{.kind = CutterKind::kV, .diameter_mm = 20.0, .included_angle_deg = 90.0};
   const PocketTarget target{{rectangle(0.0, 0.0, 40.0, 8.0)}, kDepth};
   Stock stock{kSlab, 0.05};
@@ -166,7 +169,7 @@ TEST(Comparison, TakesTheRadiusOfATaperedToolWithinTheStock) {
   EXPECT_EQ(cleared.gouge.min_mm3, 0.0);
 }
 
-/// Whether a place is in a ring, by the angle that the ring turns round it.
+/// Returns whether a point is in a ring, by the angle by which the ring turns around it.
 bool is_in(const Ring& ring, double x, double y) {
   double turned = 0.0;
   for (std::size_t i = 0; i < ring.size(); ++i) {
@@ -188,7 +191,8 @@ TEST(PlanRegion, KnowsEveryPointOfCellsThatNoRingCuts) {
       const double angle = 2.0 * std::numbers::pi * (i + 0.8 * share(random)) / corners;
       const double radius = 2.0 + 13.0 * share(random);
       ring.push_back({20.0 + radius * std::cos(angle), 15.0 + radius * std::sin(angle)});
-      if (seed % 3 == 0) ring.back()[1] = std::round(ring.back()[1]);  // On lines between cells.
+      // The corner lies on lines between cells.
+      if (seed % 3 == 0) ring.back()[1] = std::round(ring.back()[1]);
     }
     const Stock stock{kSlab, 0.25 + share(random)};
     const PlanRegion region{{ring}, stock};

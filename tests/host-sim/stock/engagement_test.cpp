@@ -29,13 +29,13 @@ TEST(Engagement, OfASlotIsHalfATurn) {
     const Pose from{20.0, 20.0, -3.0};
     carver.sweep({from, from});
     expect_about(greatest_engagement(stock, kRadius, {from, to}), 180.0, 0.5);
-    // On the way, too, and not on the way back.
+    // Farther along the path it is half a turn, too; on the way back it is zero.
     carver.sweep({from, to});
     const Pose on{2.0 * to.x_mm - from.x_mm, 2.0 * to.y_mm - from.y_mm, to.z_mm};
     expect_about(greatest_engagement(stock, kRadius, {to, on}), 180.0, 0.5);
     const Engagement back = greatest_engagement(stock, kRadius, {to, from});
     EXPECT_EQ(back.min_deg, 0.0);
-    // Cells of the walls are cut in part: either side may be a cell and a half wide.
+    // Cells of the walls are cut in part: the error at either side may be one and a half cells.
     EXPECT_LE(back.max_deg, 2.0 * degrees(std::acos(1.0 - 0.075 / kRadius)));
   }
 }
@@ -45,7 +45,7 @@ TEST(Engagement, OfAStepOverIsThatOfTheFormula) {
     for (const double slant : {0.0, 0.17}) {
       Stock stock{kPlate, 0.05};
       Carver carver{stock, kFlat10};
-      // Beside a slot, far from its ends.
+      // The tool runs beside a slot, far from its ends.
       carver.sweep({{-20.0, 10.0 - 20.0 * slant, -3.0}, {80.0, 10.0 + 80.0 * slant, -3.0}});
       const double off = step * std::hypot(1.0, slant);
       const Pose from{20.0, 10.0 + 20.0 * slant + off, -3.0};
@@ -80,7 +80,7 @@ TEST(Carving, NamesRapidsAndPlungesInStockByLine) {
   carving.take(driven({10, 10, 5}, {10, 10, 0}, 1, true, 1.0));
   carving.take(driven({10, 10, 0}, {10, 10, -3}, 2, false, 2.0));  // Plunge.
   carving.take(driven({10, 10, -3}, {30, 10, -3}, 3, false, 3.0));
-  carving.take(driven({30, 10, -3}, {10, 10, -3}, 4, true, 4.0));  // In its own slot.
+  carving.take(driven({30, 10, -3}, {10, 10, -3}, 4, true, 4.0));  // Back in its own slot.
   carving.take(driven({10, 10, -3}, {10, 10, 5}, 5, true, 5.0));
   carving.take(driven({10, 10, 5}, {30, 30, -1}, 6, true, 6.0));    // Into the plate.
   carving.take(driven({30, 30, -1}, {35, 30, -5}, 7, false, 7.0));  // A ramp.

@@ -64,7 +64,7 @@ std::vector<Face> read_ply(const std::string& bytes) {
   return faces;
 }
 
-/// The signed volume of the body that the faces enclose, about the origin.
+/// Returns the signed volume, about the origin, of the body that the faces enclose.
 double volume_of(const std::vector<Face>& faces) {
   double sum = 0.0;
   for (const auto& [a, b, c] : faces) {
@@ -78,7 +78,8 @@ double volume_of(const std::vector<Face>& faces) {
   return sum / 6.0;
 }
 
-/// Each edge of a closed body belongs to two faces, which go along it in opposite directions.
+/// Expects that each edge belongs to two faces, which run along it in opposite directions, as in a
+/// closed body.
 void expect_closed(const std::vector<Face>& faces) {
   std::map<std::pair<Corner, Corner>, int> edges;
   for (const Face& face : faces) {

@@ -51,7 +51,7 @@ TEST(StepStretches, TakeChordsOfACircleAsLongAsTheToleranceAllows) {
         on_steps(kArcRadius * std::cos(angle), kArcRadius * std::sin(angle), 0.0), {}, 0.0);
   }
   stretches.finish();
-  // Steps take some of the tolerance.
+  // The steps use a part of the tolerance.
   const double chord = std::sqrt(8.0 * kArcRadius * 0.0125);
   const double ideal = 6.0 * kArcRadius / chord;
   EXPECT_LE(static_cast<double>(recorded.stretches.size()), 1.6 * ideal);
@@ -73,7 +73,7 @@ TEST(StepStretches, KeepOriginsApart) {
   EXPECT_EQ(recorded.stretches[2].stretch.from.x_mm, recorded.stretches[1].stretch.to.x_mm);
 }
 
-/// The least excess of a pose over the slacks of a stretch, at places along it.
+/// Returns the least excess of a pose over the slacks of a stretch, at points along it.
 double excess_over(const Stretch& stretch, const Pose& pose) {
   double least = 1.0e9;
   constexpr int kPlaces = 4'000;

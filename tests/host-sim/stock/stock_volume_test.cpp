@@ -25,8 +25,8 @@ VolumeBounds carved(const Cutter& cutter, const Stretch& stretch, double cell_mm
   return stock.removed();
 }
 
-/// The volume is between the bounds, which come nearer to each other about as fast as the cells
-/// become smaller, and both to it.
+/// Expects that the volume is between the bounds. Both bounds must approach it about in proportion
+/// to the size of the cells.
 void expect_volume(const Cutter& cutter, const Stretch& stretch, double volume_mm3) {
   double gap_before = 0.0;
   for (const double cell_mm : {0.2, 0.1, 0.05}) {
@@ -72,7 +72,7 @@ TEST(StockVolume, OfAVWithAFlatTip) {
   expect_volume(cutter, {{20.0, 10.0, 1.0}, {20.0, 10.0, -2.0}}, volume);
 }
 
-// Over each point of a slanted way down the last pose that reaches it cuts deepest.
+// Over each point of a slanted path downwards, the last pose that reaches it cuts deepest.
 TEST(StockVolume, OfASlantedRamp) {
   expect_volume(kFlat6, {{10.0, 10.0, 0.0}, {30.0, 10.0, -4.0}}, 3.0 * 20.0 * 4.0 + 9.0 * pi * 4.0);
   expect_volume(kFlat6, {{30.0, 10.0, -4.0}, {10.0, 10.0, 0.0}}, 3.0 * 20.0 * 4.0 + 9.0 * pi * 4.0);
@@ -95,7 +95,8 @@ TEST(StockVolume, OfAGrooveByAV) {
 }
 
 TEST(StockVolume, EndsAtTheRimAndAtTheBottom) {
-  // Along the lower side, over both ends and through the bottom: half a slot is left out.
+  // The path runs along the lower side, over both ends and through the bottom: half a slot is
+  // outside.
   const Stretch along{{-5.0, 0.0, -15.0}, {45.0, 0.0, -15.0}};
   for (const double cell_mm : {0.3, 0.1, 0.05}) {  // 0.3 does not divide the sides.
     const VolumeBounds removed = carved(kFlat6, along, cell_mm);
@@ -132,7 +133,7 @@ TEST(StockVolume, TakesMemoryForTouchedTilesOnly) {
   Stock stock{{0.0, 0.0, 2'000.0, 1'000.0, 0.0, -20.0}, 0.05};
   Carver carver{stock, kFlat6};
   carver.sweep({{1'000.0, 500.0, -1.0}, {1'010.0, 500.0, -1.0}});
-  // 16 by 6 mm on tiles of 3.2 mm.
+  // The carved area is 16 by 6 mm, on tiles of 3.2 mm.
   EXPECT_LE(stock.carved_bytes(), std::size_t{6} * 3 * 32'768);
   EXPECT_GE(stock.carved_bytes(), std::size_t{5} * 2 * 32'768);
 }

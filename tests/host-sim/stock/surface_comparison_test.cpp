@@ -18,14 +18,15 @@ namespace {
 constexpr StockBox kComparedBlock{0.0, 0.0, 12.0, 8.0, 1.0, -6.0};
 constexpr double kComparedCell = 0.05;
 
-/// Returns a plane over the block, whose height is that of its origin and rises along X.
+/// Returns a plane over the block, with height `height` at the origin and slope `rise` along X.
 surface::Mesh plane(double height, double rise) {
   const auto corner = [&](double x, double y) { return Eigen::Vector3d{x, y, height + rise * x}; };
   return {.points = {corner(-1, -1), corner(13, -1), corner(13, 9), corner(-1, 9)},
           .facets = {{0, 1, 2}, {0, 2, 3}}};
 }
 
-/// Carves rows of a flat tool at a height above a plane; the rim of the tool touches first.
+/// Carves rows of a flat tool at a height above a plane, at which the rim of the tool touches
+/// first.
 Stock rows_over(double height, double rise, const Cutter& cutter) {
   Stock stock{kComparedBlock, kComparedCell};
   Carver carver{stock, cutter};
@@ -78,7 +79,8 @@ TEST(SurfaceComparison, MeasuresAtRightAnglesOnASlope) {
   const Cutter cutter{.kind = CutterKind::kFlat, .diameter_mm = 3.0};
   for (const double rise : {0.25, 0.1, -0.2}) {
     const double base = rise < 0.0 ? -1.0 : -4.0;
-    // The rim leads where the plane rises along the rows, and trails where it falls.
+    // The rim at the front touches where the plane rises along the rows, the rim at the back where
+    // it falls.
     Stock stock{kComparedBlock, kComparedCell};
     Carver carver{stock, cutter};
     const double above = 0.3;
@@ -94,7 +96,7 @@ TEST(SurfaceComparison, MeasuresAtRightAnglesOnASlope) {
 }
 
 TEST(SurfaceComparison, TellsWhatAToolLeavesWhereItDoesNotFit) {
-  // A groove of 90 degrees: a ball of 4 mm stays (√2 - 1) 2 mm above its bottom.
+  // In a groove of 90 degrees, a ball of 4 mm stops (√2 - 1) 2 mm above the bottom.
   const surface::Mesh groove{
       .points = {{-1, -1, 0}, {13, -1, 0}, {13, 4, -5}, {-1, 4, -5}, {13, 9, 0}, {-1, 9, 0}},
       .facets = {{0, 1, 2}, {0, 2, 3}, {3, 2, 4}, {3, 4, 5}}};
@@ -118,7 +120,7 @@ TEST(SurfaceComparison, TellsWhatAToolLeavesWhereItDoesNotFit) {
 }
 
 TEST(SurfaceComparison, SeesAWallBesideACellAsNear) {
-  // A step of 3 mm, and stock that stands 0.2 mm beside it.
+  // A step of 3 mm, with stock that remains 0.2 mm beside it.
   const surface::Mesh step{
       .points = {{-1, -1, -4},
                  {6, -1, -4},
@@ -132,7 +134,7 @@ TEST(SurfaceComparison, SeesAWallBesideACellAsNear) {
   const Cutter cutter{.kind = CutterKind::kFlat, .diameter_mm = 2.0};
   Stock stock{kComparedBlock, kComparedCell};
   Carver carver{stock, cutter};
-  // Behind it a rest of 0.2 mm in thickness.
+  // Beside the step a rest of 0.2 mm in thickness remains.
   for (double x = 4.8; x > -2.0; x -= 0.7) carver.sweep({{x, -2.0, -4.0}, {x, 10.0, -4.0}});
   for (double x = 6.0; x < 14.0; x += 0.7) carver.sweep({{x, -2.0, -1.0}, {x, 10.0, -1.0}});
   const SurfaceFigures figures = compared(stock, cutter, step).figures;
@@ -161,12 +163,13 @@ TEST(SurfaceComparison, BoundsHoldTheTrueDifferenceOnRandomPlanes) {
     const Cutter cutter{.kind = CutterKind::kFlat, .diameter_mm = 2.0};
     Stock stock{{0.0, 0.0, 12.0, 8.0, 1.0, -12.0}, 0.1};
     Carver carver{stock, cutter};
-    // Rows along Y: the stock is a staircase whose steps are those of the rows.
+    // The rows run along Y, so that the stock is a staircase with a step for each row.
     const double x = 6.0;
     const double tip = base + rise * x + above;
     carver.sweep({{x, -2.0, tip}, {x, 10.0, tip}});
     const SurfaceFigures figures = compared(stock, cutter, plane(base, rise)).figures;
-    const double deepest = -above + std::abs(rise);  // At the upper rim of the slot.
+    // The deepest point is at the upper rim of the slot.
+    const double deepest = -above + std::abs(rise);
     EXPECT_LE(figures.deepest_gouge.min_mm, std::max(0.0, deepest) + 1.0e-5);
     EXPECT_GE(figures.deepest_gouge.max_mm, figures.deepest_gouge.min_mm);
     EXPECT_GE(figures.deepest_gouge.min_mm, deepest - 0.2 * std::abs(rise) - 1.0e-5);

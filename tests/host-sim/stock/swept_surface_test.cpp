@@ -15,10 +15,11 @@
 namespace sim::stock {
 namespace {
 
-/// mm: what the rounding of doubles may cost in this range of coordinates.
+/// Upper bound of the rounding error of doubles in this range of coordinates, mm.
 constexpr double kRounding = 1.0e-9;
 
-/// Random tools and the paths of ramps, helices and plunges: short and long, gentle and steep.
+/// Generates random tools, and paths of ramps, helices and plunges: short and long, gentle and
+/// steep.
 class RandomSweep {
  public:
   explicit RandomSweep(std::uint64_t seed) : random_{seed} {}
@@ -52,8 +53,8 @@ class RandomSweep {
   std::mt19937_64 random_;
 };
 
-/// A sweep with the plain way to its height: the least over all poses, by thirds, as the height is
-/// convex over the poses that reach a point.
+/// A sweep whose height is computed in the simplest way: the least over all poses, found by thirds,
+/// as the height is convex over the poses that reach a point.
 struct PlainSweep {
   Profile profile;
   Pose from;
@@ -117,7 +118,7 @@ Case random_case(RandomSweep& random) {
   return {plain, surface};
 }
 
-/// A point in the plan of a sweep or near it.
+/// Returns a point in the plan of a sweep or near it.
 Pose point_near(const PlainSweep& plain, RandomSweep& random) {
   const Pose at = plain.pose(random.between(0.0, 1.0));
   const double far = 1.1 * plain.profile.radius_mm;
@@ -142,8 +143,8 @@ TEST(SweptSurface, HeightIsThatOfTheLowestPose) {
   }
 }
 
-/// A point that the last pose, or one just before it, sweeps lowest: there the profile's rise
-/// balances the climb.
+/// Returns a point at which the last pose, or one just before it, sweeps lowest: there the rise of
+/// the profile balances the climb of the path.
 Pose point_of_last_pose(const PlainSweep& plain, RandomSweep& random) {
   const double dx = plain.to.x_mm - plain.from.x_mm;
   const double dy = plain.to.y_mm - plain.from.y_mm;
@@ -165,7 +166,7 @@ TEST(SweptSurface, HeightIsNoGreaterThanThatOfTheLastPose) {
     if (surface.is_empty() || plain.from.z_mm == plain.to.z_mm) continue;
     for (int i = 0; i < 50; ++i) {
       const auto [x, y, unused] = point_of_last_pose(plain, random);
-      if (!std::isfinite(x)) continue;  // The path is upright.
+      if (!std::isfinite(x)) continue;  // Such a path is vertical.
       ASSERT_LE(surface.height(x, y), plain.height_of(1.0, x, y) + kRounding) << "seed " << seed;
     }
   }
@@ -212,13 +213,13 @@ TEST(SweptSurface, LeavesOutOnlyWhatTheFirstPoseSweepsLowest) {
       if (surface.falls() && least < 100.0) ++left_out_of_falling;
     }
   }
-  // Among twenty cases there is at times none of it.
+  // In twenty cases, this may not occur.
   if (trials.judges_shares()) {
     EXPECT_GT(left_out_of_falling, 0);
   }
 }
 
-/// Stretches one after the other, with slack that changes.
+/// Returns consecutive stretches with different slacks.
 std::vector<Stretch> random_stretches(RandomSweep& random) {
   std::vector<Stretch> stretches;
   const Pose at{random.between(0.0, 9.0), random.between(0.0, 7.0), random.between(-3.0, 0.0)};
@@ -233,7 +234,7 @@ std::vector<Stretch> random_stretches(RandomSweep& random) {
   return stretches;
 }
 
-/// The least bounds that a cell has in any of some stocks.
+/// Returns the least bounds that a cell has in any of the stocks.
 Cell min_bounds(const std::deque<Stock>& stocks, int column, int row) {
   Cell least;
   for (const Stock& stock : stocks) {
@@ -243,7 +244,7 @@ Cell min_bounds(const std::deque<Stock>& stocks, int column, int row) {
   return least;
 }
 
-// A carver that cuts a stretch into an uncut stock leaves nothing out.
+// A carver that cuts a stretch into an uncut stock does not omit any part.
 TEST(SweptSurface, LeavingOutWhatIsCutLoosensNoBound) {
   for (const std::uint64_t seed : proof::Trials{300}) {
     RandomSweep random{seed};

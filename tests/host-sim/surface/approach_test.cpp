@@ -23,7 +23,7 @@ TEST(Approach, TurnsTheDirectionDownAndKeepsShapes) {
     EXPECT_LT((turn * direction.normalized() + Vector3d::UnitZ()).norm(), 1.0e-11);
     EXPECT_LT((turn * turn.transpose() - Matrix3d::Identity()).norm(), 1.0e-11);
     EXPECT_NEAR(turn.determinant(), 1.0, 1.0e-11);
-    // The shortest turn is about a level axis, at right angles to the direction.
+    // The shortest rotation is about a horizontal axis, at right angles to the direction.
     const Vector3d axis = direction.cross(Vector3d::UnitZ()).normalized();
     EXPECT_LT((turn * axis - axis).norm(), 1.0e-9);
   }

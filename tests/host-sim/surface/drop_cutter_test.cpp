@@ -16,7 +16,7 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-/// Over all facets, with all their edges.
+/// Returns the height over all facets, including all their edges.
 double height_by_trying_all(const Mesh& mesh,
                             const cnc::surface::Profile& profile,
                             const Vector2d& place) {
@@ -54,14 +54,14 @@ TEST(DropCutter, FindsTheHighestOfAllContacts) {
         EXPECT_EQ(hinted, wanted) << "KERFLINE_SEED=" << seed;
         continue;
       }
-      // An edge has two directions, from which its ends differ by their last digits.
+      // An edge may be computed from either end; the results differ in their last digits.
       EXPECT_NEAR(found, wanted, 1.0e-12 * (1.0 + std::abs(wanted))) << "KERFLINE_SEED=" << seed;
       EXPECT_NEAR(hinted, wanted, 1.0e-12 * (1.0 + std::abs(wanted))) << "KERFLINE_SEED=" << seed;
     }
   }
 }
 
-/// Returns facets in any place and direction, some of them upright or without area.
+/// Returns facets in any position and direction, some of them vertical or without area.
 Mesh random_facets(proof::Random& random) {
   Mesh mesh;
   const double size = random.magnitude(1.0, 30.0);
@@ -79,7 +79,7 @@ Mesh random_facets(proof::Random& random) {
   return mesh;
 }
 
-/// Returns a measured grid, hills with walls, or a heap of facets.
+/// Returns a measured grid, hills with walls, or a set of random facets.
 Mesh any_mesh(proof::Random& random) {
   switch (random.below(3)) {
     case 0:
@@ -91,7 +91,7 @@ Mesh any_mesh(proof::Random& random) {
   }
 }
 
-// A million heights are those of KERFLINE_TRIALS=10000.
+// KERFLINE_TRIALS=10000 compares a million heights.
 TEST(DropCutter, HasTheHeightsOfAnotherWayToTellThem) {
   constexpr double kAllowedMm = 1.0e-6;
   // On the rim of a flat or bull-nose tool the height jumps, and the last digits decide.

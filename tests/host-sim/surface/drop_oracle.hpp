@@ -14,14 +14,15 @@
 
 namespace proof {
 
-/// The height of a tool over a mesh, told without the code that it judges: parts of edges under
-/// the tool by searching a concave function, the inside of facets by the tool's point of the same
-/// slope, and facets from cells of the plan instead of a tree. Lengths are mm.
+/// Computes the height of a tool over a mesh without the code that it checks. Parts of edges under
+/// the tool are tested by searching a concave function, and the inside of facets by the tool's
+/// point of the same slope. Facets are found by cells of the plan instead of a tree. Lengths are
+/// mm.
 class DropOracle {
  public:
   static constexpr double kNothing = -std::numeric_limits<double>::infinity();
 
-  /// @pre the mesh outlives this
+  /// @pre the mesh outlives this object
   DropOracle(const sim::surface::Mesh& mesh, const cnc::surface::Profile& profile)
       : mesh_{mesh}, tool_{profile} {
     for (const Eigen::Vector3d& point : mesh.points) {
@@ -34,8 +35,8 @@ class DropOracle {
     for (std::uint32_t i = 0; i < mesh.facets.size(); ++i) add(i);
   }
 
-  /// Returns the height of the tip, kNothing where no facet is under the tool.
-  /// @param radius_change of the tool's rim, for contacts that lie on it
+  /// Returns the height of the tip, or kNothing if no facet is under the tool.
+  /// @param radius_change change of the tool's rim, for contacts that lie on the rim
   [[nodiscard]] double height(const Eigen::Vector2d& place, double radius_change = 0.0) const {
     const double radius = tool_.radius_mm + radius_change;
     const Eigen::Array2i low = cell_of(place.array() - radius);
@@ -82,7 +83,7 @@ class DropOracle {
     }
   }
 
-  /// Returns the tool's height above its tip at a distance from its axis.
+  /// Returns the height of the tool's lower side above its tip at a distance from its axis.
   [[nodiscard]] double lower_side(double distance) const {
     const double out = distance - tool_.flat_mm;
     if (out <= 0.0) return tool_.tip_mm;
@@ -107,7 +108,7 @@ class DropOracle {
     return height;
   }
 
-  /// The edge's height less the tool's is concave over the part that is under the tool.
+  /// The height of the edge minus that of the tool is concave over the part that is under the tool.
   [[nodiscard]] double on_edge(const Eigen::Vector3d& from,
                                const Eigen::Vector3d& to,
                                const Eigen::Vector2d& place,
@@ -132,7 +133,7 @@ class DropOracle {
       const Eigen::Vector3d point = from + share * (to - from);
       return point.z() - lower_side(std::min((point.head<2>() - place).norm(), radius));
     };
-    // No tool but a round one is steeper than 1 in 20, and a round one is smooth where it touches.
+    // Only a round tool is steeper than 1 in 20, and a round tool is smooth where it touches.
     const double steepest = std::abs(to.z() - from.z()) + 20.0 * way.norm();
     double best = std::max(above(low), above(high));
     while ((high - low) * steepest > 1.0e-9 && high - low > 1.0e-15) {
@@ -150,7 +151,8 @@ class DropOracle {
     return best;
   }
 
-  /// Returns the height where the inside of the facet touches the tool's point of its own slope.
+  /// Returns the height at which the inside of the facet touches the point of the tool with the
+  /// same slope.
   [[nodiscard]] double inside(const Corners& corners,
                               const Eigen::Vector2d& place,
                               double radius) const {
@@ -177,7 +179,7 @@ class DropOracle {
     return corners[0].z() + gradient.dot(point - corners[0].head<2>()) - lower_side(distance);
   }
 
-  /// Returns how far from the axis the tool is as steep as the slope.
+  /// Returns the distance from the axis at which the tool is as steep as the slope.
   [[nodiscard]] double touching(double slope) const {
     if (tool_.corner_mm > 0.0) {
       return tool_.flat_mm + tool_.corner_mm * std::sin(std::atan(slope));

@@ -11,7 +11,7 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::StartsWith;
 
-/// A regular grid of 1 mm over a saddle.
+/// Returns a regular grid of 1 mm over a saddle.
 PointGrid saddle(std::size_t rows = 12, std::size_t columns = 15) {
   PointGrid grid{.rows = rows, .columns = columns, .points = {}};
   for (std::size_t i = 0; i < rows * columns; ++i) {
@@ -40,7 +40,7 @@ TEST(GridCheck, FoldsAreRefused) {
       refusal_of(xyz_of(grid, "\n"), {.repair = true}),
       StartsWith("f:6: 2 quadrilaterals are flipped as seen from above, the first at row 1, "
                  "column 6; row 2, column 6; sort the points"));
-  // All rows run back between the same columns.
+  // All rows reverse between the same columns.
   PointGrid back{3, 5, {}};
   for (std::size_t i = 0; i < 15; ++i) {
     const std::array<double, 5> x{0, 2, 4, 3, 5};
@@ -156,7 +156,7 @@ TEST(GridCheck, RowsThatLackAreFilled) {
   const SurfaceInput input = read_surface(xyz_of(grid), "f", {.repair = true});
   ASSERT_EQ(input.grid->rows, 30U);
   EXPECT_THAT(input.notes, ElementsAre(HasSubstr("75 missing heights are filled")));
-  // The mean over a hole at the sides is level where the saddle is not.
+  // Over a hole at the border, the mean is horizontal, while the saddle is not.
   EXPECT_NEAR(input.grid->points[15 * 12 + 7].z(), sound.points[15 * 12 + 7].z(), 0.1);
 }
 

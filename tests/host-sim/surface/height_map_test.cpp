@@ -11,7 +11,7 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::StartsWith;
 
-/// Whole heights, row by row, the first row having the greatest Y.
+/// Integer heights, row by row; the first row has the greatest Y.
 struct Heights {
   std::size_t rows = 0;
   std::size_t columns = 0;
@@ -28,7 +28,7 @@ Heights random_heights(std::uint64_t seed, int greatest) {
   return heights;
 }
 
-/// Expects the heights as a grid of 0.5 mm from 0, 0, scaled.
+/// Expects the scaled heights as a grid of 0.5 mm from 0, 0.
 void expect_grid(const SurfaceInput& input, const Heights& heights, double scale) {
   ASSERT_EQ(input.grid->rows, heights.rows);
   ASSERT_EQ(input.grid->columns, heights.columns);
@@ -95,7 +95,7 @@ TEST(AscReader, GridsAreReadBack) {
   const proof::Trials trials{500};
   for (const std::uint64_t seed : trials) {
     Heights heights = random_heights(seed, 9);
-    // A smooth grid: of heights at random, single ones are outliers.
+    // The grid must be smooth: among random heights, single ones would be outliers.
     for (std::size_t i = 0; i < heights.values.size(); ++i) {
       heights.values[i] = heights.values[i] % 2 + static_cast<int>(i % heights.columns);
     }

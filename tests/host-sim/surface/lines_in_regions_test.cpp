@@ -15,13 +15,13 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-/// A disc, as of a drawing, or all but it.
+/// A disc, as from a drawing, or its complement.
 class Disc final : public MilledRegion {
  public:
   Disc(const Vector2d& middle, double radius, bool is_hole)
       : middle_{middle}, radius_{radius}, is_hole_{is_hole} {}
 
-  /// Returns how far a place is outside.
+  /// Returns the distance of a point from the region, if it is outside.
   [[nodiscard]] double outside(const Vector2d& place) const {
     const double beyond = (place - middle_).norm() - radius_;
     return is_hole_ ? -beyond : beyond;
@@ -45,8 +45,7 @@ class Disc final : public MilledRegion {
   bool is_hole_;
 };
 
-/// The length of motions below `top`, which are those at the surface, and how much is within a
-/// disc.
+/// Length of the motions below `top`, which are those at the surface, and the length within a disc.
 struct Lengths {
   double all = 0.0;
   double within = 0.0;
@@ -87,9 +86,9 @@ TEST(LinesInRegions, StayInThemAndMillMostOfThem) {
     const Lengths whole = lengths_of(made(), options, *disc);
     options.regions = {disc};
     const Lengths cut = lengths_of(made(), options, *disc);
-    // Between two places of a line, an arc may leave the region by its height.
+    // Between two points of a line, an arc may leave the region by its height.
     EXPECT_LT(cut.farthest_out, 0.01);
-    // Lines end before its border by less than the distance of their places.
+    // Lines end before the border of the region by less than the distance of their points.
     EXPECT_GT(cut.all, 0.75 * whole.within);
     EXPECT_LT(cut.all, 1.1 * whole.within + 1.0);
   }

@@ -41,7 +41,7 @@ Slice random_slice(proof::Random& random, double reach_mm) {
           .length = random.between(1.0, 3.0 * reach_mm)};
 }
 
-/// Returns whether an odd number of loops is around a place.
+/// Returns whether an odd number of loops encloses a point.
 bool is_inside(const Contour& contour, const Vector2d& place) {
   int loops = 0;
   for (std::size_t loop = 0; loop < contour.loop_ends.size(); ++loop) {
@@ -50,7 +50,7 @@ bool is_inside(const Contour& contour, const Vector2d& place) {
   return loops % 2 == 1;
 }
 
-/// A star of lines and flat arcs with an island of one circle now and then, whose loops do not
+/// Returns a star of lines and flat arcs, sometimes with an island of one circle; its loops do not
 /// cross.
 Contour random_star_with_island(proof::Random& random) {
   Contour contour;
@@ -126,7 +126,7 @@ TEST(MilledRegion, TangentsOfABoundaryAreNotInIt) {
   }
 }
 
-/// A roof of two planes that fall by `fall` from its ridge along Y.
+/// Returns a roof of two planes that descend by `fall` from a ridge along Y.
 Mesh roof(double fall) {
   Mesh mesh;
   for (const double y : {-20.0, 20.0}) {
@@ -142,14 +142,15 @@ TEST(MilledRegion, SlopesOfARoofEndWhereTheBallLeavesItsRidge) {
   constexpr double kDegree = std::numbers::pi / 180.0;
   const Mesh mesh = roof(1.0);
   const Slice slice{{-15.0, 1.0}, {1.0, 0.0}, 30.0};
-  // On the ridge the slope is that of the ball where the ridge touches it: x = r sin(slope).
+  // On the ridge the slope is that of the ball at the point where the ridge touches it: x = r
+  // sin(slope).
   for (const double low : {10.0, 20.0, 35.0}) {
     const double border = radius * std::sin(low * kDegree);
     const SlopeRegion steep{mesh, ball, {}, {low * kDegree, 90.0 * kDegree}};
     const SlopeRegion shallow{mesh, ball, {}, {0.0, low * kDegree}};
     const SliceParts steep_parts = steep.parts_of(slice, 0.0, slice.length);
     const SliceParts shallow_parts = shallow.parts_of(slice, 0.0, slice.length);
-    // A gap of less than twice the overlap is none.
+    // A gap of less than twice the overlap disappears.
     if (border > 2.0 * 0.125 * radius) {
       ASSERT_EQ(steep_parts.size(), 2U);
       EXPECT_NEAR(steep_parts[0].second, 15.0 - border + 0.125 * radius, 1.0e-5);
@@ -161,8 +162,9 @@ TEST(MilledRegion, SlopesOfARoofEndWhereTheBallLeavesItsRidge) {
   }
 }
 
-/// Returns how far around a place a slice is as steep, or as shallow, as it is there: up to
-/// `most` on each side, and too much by 2 percent of that at most.
+/// Returns the length of the stretch around a point of a slice in which the slope stays on one side
+/// of the limit. The stretch ends at `most` on each side. The result is too long by at most
+/// 2 percent of `most`.
 template <typename Function>
 double length_of_stretch(const Function& is_steep, double along, double most) {
   constexpr int kSteps = 100;
@@ -176,7 +178,8 @@ double length_of_stretch(const Function& is_steep, double along, double most) {
   return same * most / kSteps;
 }
 
-/// Each place is in one of two ranges with a common limit, and those of a range are in its region.
+/// Each point has a slope in one of two ranges with a common limit. The points of a range must be
+/// in its region.
 TEST(MilledRegion, SlopesOfHillsAreInTheRangeOrNearIt) {
   for (const std::uint64_t seed : proof::Trials{300}) {
     SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
@@ -200,7 +203,7 @@ TEST(MilledRegion, SlopesOfHillsAreInTheRangeOrNearIt) {
       const double along = random.between(0.0, slice.length);
       EXPECT_TRUE(has(in_steep, along) || has(in_shallow, along));
       if (has(is_steep(along) ? in_steep : in_shallow, along)) continue;
-      // A stretch between two samples may be missed: an eighth of the radius is their distance.
+      // A stretch between two samples, an eighth of the radius apart, may be missed.
       EXPECT_LT(length_of_stretch(is_steep, along, 0.125 * radius), 0.13 * radius) << along;
     }
   }

@@ -57,8 +57,7 @@ TEST(ParallelPath, NeverCutsInAndHasNoMoreAirThanTwiceTheTolerance) {
   std::printf("cuts in by %.3g mm, %zu paths\n", worst, paths);
 }
 
-/// Known fault: at about one new seed in two hundred a place is farther, as 0.57 steps at
-/// 632064006.
+/// Known fault: at few seeds, such as 632064006, a point is farther away.
 TEST(ParallelPath, LeavesNoPlaceFartherThanHalfAStepFromALine) {
   double farthest = 0.0;
   for (const std::uint64_t seed : proof::Trials(10, proof::Trials::Range::kKnownFault)) {

@@ -9,8 +9,9 @@
 
 namespace sim::surface::patch {
 
-/// Distances of points from a surface by trying every patch: 9 × 9 samples of each, and from the
-/// best samples of all that could hold the nearest point steps that shrink to nothing.
+/// Computes distances of points from a surface by trying every patch. It takes 9 × 9 samples of
+/// each patch. From the best samples of all patches that could contain the nearest point, it
+/// searches with steps that shrink to zero.
 class BruteDistance {
  public:
   explicit BruteDistance(const PatchSurface& surface) : surface_{surface} {}

@@ -11,7 +11,7 @@
 namespace sim::surface::patch {
 namespace {
 
-/// Splits cells at random, more of them near a corner.
+/// Returns a tree whose cells are divided at random, more often near a corner.
 CellTree random_tree(proof::Random& random, std::size_t rows, std::size_t columns) {
   CellTree tree{rows, columns};
   const std::size_t splits = random.below(100);
@@ -73,7 +73,7 @@ TEST(PatchCells, ACornerHangsInACoarserCellAlone) {
   }
 }
 
-/// A polynomial of degree 3 in each parameter, as a point for each row and column.
+/// A polynomial of degree 3 in each parameter, with a point as its value for each row and column.
 struct Polynomial {
   std::array<std::array<Eigen::Vector3d, 4>, 4> factors;
 
@@ -84,7 +84,7 @@ struct Polynomial {
       }
     }
   }
-  /// Returns the derivative of an order by row and by column.
+  /// Returns the derivative of order `by_row` and `by_column`.
   [[nodiscard]] Eigen::Vector3d at(double row, double column, int by_row, int by_column) const {
     const auto term = [](double x, int power, int order) {
       if (order == 0) return std::pow(x, power);

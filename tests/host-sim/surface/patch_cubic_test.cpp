@@ -12,7 +12,7 @@ namespace {
 
 /// Returns the Bernstein coefficients of scale (t − a) (t − b) (t − c).
 Cubic cubic_of_roots(double scale, double a, double b, double c) {
-  // The blossom of the product is the mean over all orders of the factors.
+  // The blossom of a product is the mean of the factors' products over all orders.
   const auto blossom = [&](double r, double s, double t) {
     return scale / 6.0 *
            ((r - a) * (s - b) * (t - c) + (r - a) * (t - b) * (s - c) +
@@ -85,7 +85,7 @@ TEST(PatchCubic, NoneOrTwoOfADoubleRoot) {
     const Parameters found = sign_changes(cubic_of_roots(1.0, twice, twice, once));
     ASSERT_TRUE(found.count == 0 || found.count == 2) << "KERFLINE_SEED=" << seed;
     for (std::size_t i = 0; i < found.count; ++i) {
-      // Half the digits are left of a double root.
+      // Of a double root, half the digits remain.
       EXPECT_NEAR(found.values[i], twice, 1.0e-7) << "KERFLINE_SEED=" << seed;
     }
   }
@@ -105,7 +105,7 @@ TEST(PatchCubic, RangeHoldsAllValuesAndIsReached) {
     const double size = size_of(cubic);
     EXPECT_GE(sampled.lowest, range.lowest - 1.0e-14 * size) << "KERFLINE_SEED=" << seed;
     EXPECT_LE(sampled.highest, range.highest + 1.0e-14 * size) << "KERFLINE_SEED=" << seed;
-    // Second derivative · step² / 8.
+    // The error is the second derivative times step² / 8.
     EXPECT_NEAR(sampled.lowest, range.lowest, 4.0e-6 * size) << "KERFLINE_SEED=" << seed;
     EXPECT_NEAR(sampled.highest, range.highest, 4.0e-6 * size) << "KERFLINE_SEED=" << seed;
   }

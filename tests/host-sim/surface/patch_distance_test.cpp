@@ -21,8 +21,8 @@ double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-/// A fit whose points are tested against another tolerance than that of the fit, so that some of
-/// them are beyond it.
+/// A fit whose points are checked against another tolerance than that of the fit, so that some of
+/// them exceed it.
 struct Verification {
   PointGrid grid;
   PatchSurface surface;
@@ -34,7 +34,7 @@ Verification random_verification(proof::Random& random) {
   const double size = (result.grid.points.back() - result.grid.points.front()).norm();
   const double tolerance = size * random.magnitude(1.0e-4, 0.05);
   result.surface = fitted_surface(result.grid, tolerance);
-  // Some points are moved after the fit: along the surface, off it, and far away.
+  // Some points are moved after the fit: along the surface, away from it, and far away.
   for (Vector3d& point : result.grid.points) {
     if (random.chance(0.1)) point += random_vector(random, tolerance * random.magnitude(0.1, 30.0));
   }
@@ -42,7 +42,7 @@ Verification random_verification(proof::Random& random) {
   return result;
 }
 
-/// Numbers of all fits.
+/// Totals of all fits.
 struct Totals {
   std::size_t points = 0;
   std::size_t beyond = 0;
@@ -50,7 +50,7 @@ struct Totals {
   double brute_s = 0.0;
 };
 
-/// Compares the number of points beyond the tolerance with those of all distances.
+/// Compares the number of points beyond the tolerance with the number by all distances.
 void check_verdicts(const Verification& fit, Totals& totals) {
   Clock::time_point start = Clock::now();
   const std::size_t beyond = points_beyond(fit.surface, fit.grid, fit.tolerance_mm);
@@ -111,7 +111,7 @@ TEST(PatchDistance, NearestIsThatOfAllDistances) {
       const SurfacePoint nearest = distance.nearest(point);
       const Vector3d found = surface.patches[nearest.patch].shape.at(nearest.u, nearest.v);
       EXPECT_NEAR((found - point).norm(), nearest.distance_mm, 1.0e-12 * (1.0 + size));
-      // The steps of the other search may end at a point that is the nearest of its patch alone.
+      // The other search may end at a point that is the nearest only within its patch.
       EXPECT_LE(nearest.distance_mm, brute.distance(point) + 2.0e-7) << "KERFLINE_SEED=" << seed;
     }
   }

@@ -6,8 +6,8 @@
 
 namespace sim::surface::patch {
 
-/// Returns the extremes of a patch along a normal: exact along v, and at 33 values of u, for which
-/// the range is too narrow by a hundredth at most.
+/// Returns the extremes of a patch along a normal: exactly along v, and at 33 values of u. The
+/// range is too narrow by a hundredth at most.
 inline Range exact_range(const BezierPatch& patch, const Eigen::Vector3d& normal) {
   Range range{.lowest = normal.dot(patch.control(0, 0)), .highest = range.lowest};
   for (int i = 0; i <= 32; ++i) {

@@ -13,7 +13,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Tolerance of a random fit: from a patch for all to a patch for each quadrilateral.
+/// Returns a tolerance that gives from one patch for all to one patch for each quadrilateral.
 double random_tolerance(proof::Random& random, const PointGrid& grid) {
   const double size = (grid.points.back() - grid.points.front()).norm();
   return size * random.magnitude(1.0e-5, 0.1);

@@ -46,7 +46,7 @@ TEST(PatchFlatness, DegeneratePatchesHaveANormal) {
   BezierPatch patch;
   EXPECT_EQ(normal_of(patch), Vector3d::UnitZ());
   EXPECT_EQ(fat_plane(patch, FlatnessTest::kBothOrders).flatness(), 0.0);
-  // Diagonals of the same direction, as in a patch that is pulled to a triangle and folded.
+  // Diagonals have the same direction, as in a patch that is pulled to a triangle and folded.
   for (std::size_t i = 0; i < 4; ++i) {
     for (std::size_t j = 0; j < 4; ++j) {
       const auto x = static_cast<double>(i);
@@ -56,7 +56,7 @@ TEST(PatchFlatness, DegeneratePatchesHaveANormal) {
   EXPECT_NEAR(std::abs(normal_of(patch).z()), 1.0, 1.0e-12);
 }
 
-/// Checks that pieces are flat, cover the patch once, and are its surface.
+/// Checks that pieces are flat, cover the patch once, and lie on its surface.
 void check_pieces(const GridPatch& patch,
                   const std::vector<GridPatch>& pieces,
                   const FlatnessLimit& limit) {

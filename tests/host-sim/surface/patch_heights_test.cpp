@@ -24,7 +24,7 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 using patch::PatchHeights;
 
-/// Returns patches of several sizes over a random grid; nothing where they fold.
+/// Returns patches of several sizes over a random grid; nothing if they fold.
 std::optional<PatchHeights> random_heights(proof::Random& random) {
   const PointGrid grid = patch::random_point_grid(random, 24);
   const double tolerance = 0.02 * (grid.at(0, 1) - grid.at(0, 0)).norm();
@@ -70,7 +70,8 @@ TEST(PatchHeights, AreThoseOfThePatchesFromAnyHint) {
   std::printf("%zu heights within %.3g\n", looked, worst);
 }
 
-/// Beside a bent rim several continuations may pass a place: the same one is taken from any hint.
+/// Outside of a bent rim, several continuations may cover a point. From any hint, the same one must
+/// be used.
 TEST(PatchHeights, BesideTheRimDependOnThePlaceAlone) {
   const proof::Trials trials{200};
   for (const std::uint64_t seed : trials) {
@@ -96,7 +97,7 @@ TEST(PatchHeights, BesideTheRimDependOnThePlaceAlone) {
   }
 }
 
-/// A way over patches of several sizes, T-joints between them and the rim has no step and no gap.
+/// A path over patches of several sizes, T-joints and the rim has no step and no gap.
 TEST(PatchHeights, GoOnAcrossJointsAndBesideTheRim) {
   const proof::Trials trials{60};
   std::size_t with_joints = 0;
@@ -111,7 +112,7 @@ TEST(PatchHeights, GoOnAcrossJointsAndBesideTheRim) {
     try {
       fitted.emplace(patch::fitted_surface(grid, random.magnitude(0.003, 0.1)));
     } catch (const std::invalid_argument& refusal) {
-      // Points that lie too unevenly at a corner are refused, see RefusesPatchesThatFold.
+      // Patches are refused if the points at a corner are too uneven; see RefusesPatchesThatFold.
       ASSERT_THAT(refusal.what(), testing::HasSubstr("fold near row"));
       ASSERT_FALSE(is_regular);
       ++refused;
@@ -123,7 +124,7 @@ TEST(PatchHeights, GoOnAcrossJointsAndBesideTheRim) {
       sizes.insert(patch.u.to - patch.u.from);
     }
     if (sizes.size() > 1) ++with_joints;
-    // Farther beside a rim that is bent the heights have steps.
+    // Farther outside of a bent rim, the heights have steps.
     const double beside = is_regular ? 2.0 : 0.1;
     const Vector2d from{-beside, random.between(-beside, 19.0 + beside)};
     const Vector2d to{19.0 + beside, random.between(-beside, 19.0 + beside)};
@@ -136,7 +137,7 @@ TEST(PatchHeights, GoOnAcrossJointsAndBesideTheRim) {
       const std::optional<double> height = heights.height(place, hint);
       ASSERT_TRUE(height) << place.transpose();
       const double slope = (*height - before) / ((to - from).norm() / kLooks);
-      // One tangent plane: between looks 1 µm apart the slope changes little.
+      // The tangent plane is continuous: between samples 1 µm apart the slope changes little.
       if (i > 1) {
         ASSERT_NEAR(slope, slope_before, 0.1) << place.transpose();
       }
@@ -150,7 +151,7 @@ TEST(PatchHeights, GoOnAcrossJointsAndBesideTheRim) {
   }
 }
 
-/// A grid in whose middle a quadrilateral is turned over in the plan.
+/// In the middle of the grid, a quadrilateral is turned over in the plan.
 TEST(PatchHeights, RefusesPatchesThatFold) {
   proof::Random random{1};
   PointGrid grid = patch::SculpturedSurface{random, 2, 1.0}.grid(6, 6, 1.0);

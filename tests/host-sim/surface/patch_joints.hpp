@@ -11,7 +11,7 @@
 
 namespace sim::surface::patch {
 
-/// A patch as the export states it, read and evaluated without the product's code.
+/// A patch as the export writes it, read and evaluated without the product's code.
 struct ReadPatch {
   double u0 = 0.0, u1 = 0.0, v0 = 0.0, v1 = 0.0;
   std::array<std::array<Eigen::Vector3d, 4>, 4> points{};
@@ -36,7 +36,7 @@ inline std::vector<ReadPatch> read_patches(const std::string& text) {
   return patches;
 }
 
-/// The point of a cubic and its derivative, by de Casteljau.
+/// The point of a cubic and its derivative, by de Casteljau's algorithm.
 struct CurvePoint {
   Eigen::Vector3d point = Eigen::Vector3d::Zero();
   Eigen::Vector3d slope = Eigen::Vector3d::Zero();
@@ -52,7 +52,7 @@ inline CurvePoint casteljau(std::array<Eigen::Vector3d, 4> b, double t) {
 /// Point and normal of a patch at a row and column.
 struct Tangency {
   Eigen::Vector3d point = Eigen::Vector3d::Zero();
-  Eigen::Vector3d normal = Eigen::Vector3d::Zero();  ///< Of length 1, or 0 where there is none.
+  Eigen::Vector3d normal = Eigen::Vector3d::Zero();  ///< Unit normal, or 0 if there is none.
 };
 
 inline Tangency tangency_at(const ReadPatch& patch, double row, double column) {
@@ -72,15 +72,15 @@ inline Tangency tangency_at(const ReadPatch& patch, double row, double column) {
   return {along_u.point, normal.norm() > least ? normal.normalized() : Eigen::Vector3d::Zero()};
 }
 
-/// The worst of all joints.
+/// Greatest errors of all joints.
 struct JointErrors {
   std::size_t joints = 0;
-  std::size_t joints_of_two_sizes = 0;  ///< Patches there are of different length.
+  std::size_t joints_of_two_sizes = 0;  ///< Joints of patches with different lengths.
   double gap_mm = 0.0;
-  double angle = 0.0;  ///< Between the normals, in radians.
+  double angle = 0.0;  ///< Angle between the normals, radians.
 };
 
-/// Compares two patches along a border of both, from one row and column to another.
+/// Compares two patches along a common border, from one row and column to another.
 inline void compare_joint(const ReadPatch& a,
                           const ReadPatch& b,
                           const Eigen::Vector2d& from,
@@ -98,7 +98,7 @@ inline void compare_joint(const ReadPatch& a,
   }
 }
 
-/// Returns the errors at all borders that two patches share by equality of their numbers.
+/// Returns the errors at all borders that two patches share with equal numbers.
 inline JointErrors joint_errors(const std::vector<ReadPatch>& patches) {
   JointErrors errors;
   for (const ReadPatch& a : patches) {

@@ -18,8 +18,9 @@
 #include "tests/support/trials.hpp"
 
 /// The experiment of paper 4, figures 10 to 14: 100 × 100 points, a ball of 4 mm, a fit within 1 mm
-/// and pieces that are flat to 0.5 mm. The paper's surface is not printed: these are random ones of
-/// 49.5 mm with 5 to 8 spans and heights that make about as many pieces as there.
+/// and pieces that are flat to 0.5 mm. The paper does not print its surface. These are random
+/// surfaces of 49.5 mm with 5 to 8 spans and heights that give about as many pieces as in the
+/// paper.
 namespace sim::surface::patch {
 namespace {
 
@@ -28,7 +29,7 @@ using Eigen::Vector3d;
 constexpr double kFitMm = 1.0;
 constexpr double kFlatMm = 0.5;
 
-/// Returns the heights of the middle of a ball of 4 mm over the points, less its radius.
+/// Returns the heights of the centre of a ball of 4 mm over the points, less its radius.
 PointGrid offset_by_ball(const PointGrid& grid) {
   const DropCutter cutter{triangulated(grid), {.radius_mm = 2.0, .flat_mm = 0.0, .corner_mm = 2.0}};
   PointGrid offset = grid;
@@ -145,7 +146,7 @@ TEST(PatchPaper, PathsCoverTheSurface) {
     for (const std::vector<SlicePath>& paths : job.paths) {
       for (const SlicePath& path : paths) {
         longest = std::max(longest, (path.points.back() - path.points.front()).norm());
-        // The bound exceeds the tolerance where the surface is all but parallel to the plane alone.
+        // The bound exceeds the tolerance only where the surface is nearly parallel to the plane.
         EXPECT_LE(path.error_bound_mm, 20.0 * options.chord_tolerance_mm);
       }
     }

@@ -15,7 +15,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// A surface of flat pieces and parallel planes that cut it.
+/// A surface of flat pieces, and parallel planes that cut it.
 struct SliceCase {
   PointGrid grid;
   PatchSurface surface;
@@ -37,7 +37,7 @@ SliceCase random_case(proof::Random& random) {
   }
   for (int i = 0; i < 5; ++i) {
     const Vector3d& through = example.grid.points[random.below(example.grid.points.size())];
-    // Through a corner of pieces, or anywhere.
+    // The plane passes through a corner of pieces, or is at a random position.
     example.distances.push_back(example.normal.dot(through) +
                                 (random.chance(0.5) ? random.between(-1.0, 1.0) : 0.0));
   }
@@ -68,8 +68,8 @@ bool is_on_rim(const PatchSurface& surface, const Vector3d& point) {
   return false;
 }
 
-/// Returns the distance, within the plane and across the chord, of a point of a chord from the
-/// surface, by Newton's method from the nearest point on; nothing where it does not converge.
+/// Returns the distance of a point of a chord from the surface, within the plane and across the
+/// chord. Uses Newton's method from the nearest point on; returns nothing if it does not converge.
 std::optional<double> distance_in_plane(const PatchSurface& surface,
                                         const SurfacePoint& start,
                                         const Vector3d& point,
@@ -93,7 +93,7 @@ std::optional<double> distance_in_plane(const PatchSurface& surface,
   return std::nullopt;
 }
 
-/// Checks points along the chords of a path. Returns how many it measured within the plane.
+/// Checks points along the chords of a path. Returns how many of them it measured within the plane.
 std::size_t check_chords(const SliceCase& example, const SlicePath& path, double distance) {
   const SurfaceDistance to_surface{example.surface};
   std::size_t measured = 0;
@@ -146,7 +146,8 @@ TEST(PatchSlices, ChordsAreNearTheSurfaceAndHaveNoGaps) {
   EXPECT_GE(measured, 10000U);
 }
 
-/// Off its height a saddle is cut in two branches: along Y above it, along X below.
+/// At a height other than its own, a saddle is cut in two branches: along Y above it, along X
+/// below.
 TEST(PatchSlices, SaddleHasTwoBranchesOnTheirSides) {
   PointGrid grid{.rows = 9, .columns = 9, .points = {}};
   for (int row = -4; row <= 4; ++row) {
@@ -156,7 +157,7 @@ TEST(PatchSlices, SaddleHasTwoBranchesOnTheirSides) {
   }
   const PatchSurface surface = fitted_surface(grid, 1.0e-3);
   const std::vector<double> heights{-0.4, -0.01, 0.0, 0.01, 0.4};
-  // In one piece, whose border is cut four times, and in many.
+  // The surface is one piece, whose border is cut four times, or many pieces.
   for (const double tolerance : {4.0, 0.1}) {
     const PieceNet net{flat_pieces(surface, {.tolerance_mm = tolerance})};
     EXPECT_EQ(net.pieces().size() == 1, tolerance == 4.0);

@@ -35,8 +35,8 @@ inline BezierPatch random_patch(proof::Random& random) {
   return patch;
 }
 
-/// A twice continuously differentiable surface: uniform cubic B-splines with random heights, as
-/// many spans along X as along Y.
+/// A twice continuously differentiable surface: uniform cubic B-splines with random heights, and
+/// the same number of spans along X and Y.
 class SculpturedSurface {
  public:
   SculpturedSurface(proof::Random& random, std::size_t spans, double amplitude_mm) : spans_{spans} {
@@ -57,7 +57,7 @@ class SculpturedSurface {
     return sum;
   }
 
-  /// Returns points on the surface; `stir` is the share of the pitch by which X and Y are moved.
+  /// Returns points on the surface; `stir` is the fraction of the pitch by which X and Y are moved.
   [[nodiscard]] PointGrid grid(std::size_t rows,
                                std::size_t columns,
                                double pitch_mm,

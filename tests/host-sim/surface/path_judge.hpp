@@ -25,8 +25,8 @@ inline std::string text_of(const SurfacePath& path, const RowOptions& options) {
   return program_of(path, mill_settings(), cnc::gcode::PrintGrid{decimals}, {});
 }
 
-/// Calls a function with places of the tip along all feeds of a program, as another reader
-/// understands it; of descents with the lowest place alone, also where no feed follows.
+/// Calls a function with positions of the tip along all feeds of a program, as an independent
+/// reader interprets it. Of descents, it passes only the lowest position, even if no feed follows.
 template <typename Function>
 void for_places(const std::string& program, double every_mm, const Function& function) {
   for (const PathPiece& piece : read_program(program).pieces) {
@@ -45,7 +45,7 @@ void for_places(const std::string& program, double every_mm, const Function& fun
   }
 }
 
-/// Calls a function with places of the tip along the level lines of a path.
+/// Calls a function with positions of the tip along the level lines of a path.
 template <typename Function>
 void for_level_places(const SurfacePath& path, double every_mm, const Function& function) {
   for (const SurfaceStretch& stretch : path.stretches) {
@@ -63,7 +63,7 @@ void for_level_places(const SurfacePath& path, double every_mm, const Function& 
   }
 }
 
-/// Judges tips by the exact heights of the tool and by the air that is allowed.
+/// Checks positions of the tip with the exact heights of the tool and the allowed air.
 class Judge {
  public:
   /// @param smooth_mm band of a smooth surface that the path follows
@@ -76,12 +76,13 @@ class Judge {
     floor_ = options.floor_mm.value_or(lowest) + options.allowance_mm;
   }
 
-  /// Returns how far the tip cuts in there, vertically; negative above.
+  /// Returns the depth by which the tip gouges the surface, vertically; negative above the surface.
   [[nodiscard]] double gouge(const Eigen::Vector3d& tip) const {
     return height(tip.head<2>()) - tip.z();
   }
 
-  /// Returns whether no place within the allowed air touches: then there is too much air.
+  /// Returns whether the tool does not touch at any point within the allowed air, so that there is
+  /// too much air.
   [[nodiscard]] bool is_too_high(const Eigen::Vector3d& tip) const {
     const double most = max_air_ + 1.0e-9;
     if (tip.z() - height(tip.head<2>()) <= most) return false;

@@ -26,7 +26,7 @@ RowOptions ball_options(double radius) {
   return options;
 }
 
-/// A grid of points at heights of a function, with two facets for each square.
+/// Returns a grid of points at the heights of a function, with two facets for each square.
 template <typename Height>
 Mesh mesh_of(double size, std::uint32_t count, const Height& height) {
   Mesh mesh;
@@ -41,7 +41,7 @@ Mesh mesh_of(double size, std::uint32_t count, const Height& height) {
   return mesh;
 }
 
-/// Returns places of the tip along all stretches.
+/// Returns positions of the tip along all stretches.
 std::vector<Vector3d> tips_of(const SurfacePath& path) {
   std::vector<Vector3d> tips;
   for (const SurfaceStretch& stretch : path.stretches) {
@@ -89,7 +89,7 @@ TEST(PencilPath, FollowsTheBottomOfAGrooveInAnyDirection) {
     const PencilPath pencil = pencil_path(mesh, options, {});
     expect_no_gouge(mesh, options, pencil.path);
     EXPECT_EQ(pencil.path.runs.size(), 1U);
-    // The ball hangs over the ends of the groove.
+    // The ball extends beyond the ends of the groove.
     EXPECT_GE(plan_length_of(pencil.path), 20.0 - 1.0e-3);
     for (const Vector3d& tip : tips_of(pencil.path)) {
       EXPECT_LE(std::abs(across.dot(tip.head<2>())), options.tolerance_mm);
@@ -109,7 +109,7 @@ TEST(PencilPath, FollowsNothingOnAHillAndInABowlOfFineFacets) {
   }
 }
 
-/// A box of 10 mm on a plane of 30 mm, with upright walls.
+/// Returns a box of 10 mm on a plane of 30 mm, with vertical walls.
 Mesh box_on_plane(double height) {
   Mesh mesh;
   for (const auto& [half, z] :
@@ -139,7 +139,7 @@ TEST(PencilPath, GoesAllRoundTheFootOfABox) {
     const PencilPath pencil = pencil_path(mesh, options, {});
     expect_no_gouge(mesh, options, pencil.path);
     EXPECT_EQ(pencil.path.runs.size(), 1U);
-    // Beside a low box the ball touches its upper edge.
+    // Beside a low box, the ball touches its upper edge.
     const double beside =
         height > 1.5 ? 1.5 : std::sqrt(1.5 * 1.5 - (1.5 - height) * (1.5 - height));
     const double around = 40.0 + 2.0 * std::numbers::pi * beside;
@@ -149,7 +149,7 @@ TEST(PencilPath, GoesAllRoundTheFootOfABox) {
 }
 
 TEST(PencilPath, FollowsAllBranchesOfCrossingGrooves) {
-  // A groove along X and one along Y of the same depth: four arms from the middle.
+  // A groove along X and one along Y of the same depth form four arms from the middle.
   const auto height = [](double x, double y) { return std::min(std::abs(x), std::abs(y)); };
   const Mesh mesh = mesh_of(20.0, 81, height);
   const RowOptions options = ball_options(1.0);
@@ -175,14 +175,14 @@ TEST(PencilPath, NeverCutsInOnHills) {
     const Mesh mesh = random_hills(random);
     RowOptions options = ball_options(random.magnitude(0.3, 2.0));
     if (random.chance(0.3)) options.floor_mm = 0.5;
-    // A fine grid over a large mesh takes long.
+    // A fine grid over a large mesh would take long.
     if (options.tool.radius_mm < 0.03 * mesh.points.back().x()) continue;
     try {
       const PencilPath pencil = pencil_path(mesh, options, {.angle_rad = 0.35, .min_mm = 0.5});
       expect_no_gouge(mesh, options, pencil.path);
       ++found;
     } catch (const std::invalid_argument&) {
-      // It has no valley.
+      // The surface has no valley.
     }
   }
   EXPECT_GT(found, 0U);

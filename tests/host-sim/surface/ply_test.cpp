@@ -88,7 +88,7 @@ TEST(PlyReader, StripsAreTriangles) {
   const SurfaceInput input = read_surface(start + "9 0 1 2 3 -1 2 3 4 5\n", "f", {});
   EXPECT_THAT(input.mesh.facets,
               ElementsAre(Facet{0, 1, 2}, Facet{2, 1, 3}, Facet{2, 3, 4}, Facet{4, 3, 5}));
-  // Two strips in one, joined by corners that are equal.
+  // Two strips are read as one, because they share equal corners.
   const SurfaceInput joined = read_surface(start + "10 0 1 2 3 3 2 2 3 4 5\n", "f", {});
   EXPECT_EQ(joined.mesh.facets, input.mesh.facets);
   EXPECT_THAT(refusal_of(start + "3 0 1 -2\n"), HasSubstr("facet 1 has point -2"));

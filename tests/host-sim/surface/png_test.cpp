@@ -64,7 +64,7 @@ int guess_of(std::size_t filter, int a, int b, int c) {
   return filter == 0 ? 0 : filter == 1 ? a : filter == 2 ? b : (a + b) / 2;
 }
 
-/// Returns the rows behind their filters, of which each takes the next.
+/// Returns the filtered rows; each row uses the next filter.
 std::string filtered(const Picture& picture) {
   const std::size_t step = (picture.kind == 4 ? 2U : 1U) * picture.depth / 8U;
   std::string bytes;

@@ -18,7 +18,7 @@
 #include "host-sim/surface/probed_points.hpp"
 #include "tests/host-sim/surface/support.hpp"
 
-// The circle from a surface to the grid that the simulated machine probes of it.
+// Tests the complete cycle from a surface to the grid that the simulated machine probes on it.
 
 namespace sim::surface {
 namespace {
@@ -27,16 +27,16 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 
 constexpr double kZStepMm = 1.0 / 250.0;
-constexpr double kReportMm = 0.5e-3;  ///< Rounding of [PRB:…].
+constexpr double kReportMm = 0.5e-3;  ///< Rounding of the coordinates in [PRB:…].
 constexpr double kMeshPitchMm = 0.25;
 
-/// A surface over X and Y from −8 to 28, whose mesh is below it by `chord_mm` at most and nowhere
-/// above it by more.
+/// A surface over X and Y from −8 to 28. Its mesh is at most `chord_mm` below and above it.
 struct Shape {
   const char* name;
   std::function<double(const Vector2d&)> height;
   double chord_mm;
-  double radius_mm;  ///< Of a dome, positive; of a bowl, negative; 0: a plane or a ridge.
+  double radius_mm;  ///< Radius, mm: positive for a dome, negative for a bowl, 0 for a plane or a
+                     ///< ridge.
 };
 
 Mesh mesh_of(const Shape& shape) {
@@ -49,14 +49,15 @@ Mesh mesh_of(const Shape& shape) {
   return triangulated(grid);
 }
 
-/// A cap whose middle is at X and Y 10.
+/// Returns a cap with its middle at X and Y 10.
 Shape cap(double radius_mm) {
   const double sense = radius_mm > 0.0 ? 1.0 : -1.0;
   const auto height = [=](const Vector2d& at) {
     const double square = radius_mm * radius_mm - (at - Vector2d{10, 10}).squaredNorm();
     return sense * (std::sqrt(square) - std::abs(radius_mm));
   };
-  // At most 26 mm from the middle; a cell's diagonal is a chord of its slope there.
+  // The points are at most 26 mm from the middle. The diagonal of a cell is a chord, whose error
+  // the slope there increases.
   const double steep = 1.0 - 26.0 * 26.0 / (radius_mm * radius_mm);
   const double chord =
       kMeshPitchMm * kMeshPitchMm / (4.0 * std::abs(radius_mm) * std::pow(steep, 1.5));
@@ -105,7 +106,7 @@ ProbedPoints probed_by(const ProbeProgram& program, const std::string& text) {
   return probed_points(log, plan_for(program, log), "log");
 }
 
-/// The points of touch through the file that the command writes.
+/// Returns the touched points, read back from the file that the command writes.
 PointGrid grid_of(const ProbeProgram& program, const ProbedPoints& probed) {
   const auto points = touched_points(program.grid, probed.points, program.tip_mm);
   SurfaceInput input =
@@ -123,7 +124,7 @@ ProbeProgram program_for(double tip_mm, double pitch_mm) {
           .tip_mm = tip_mm};
 }
 
-/// How far a point of touch may be above a cap or a plane: as touched_points() says.
+/// Returns how far a touched point may be above a cap or a plane, as touched_points() documents.
 double max_above(const Shape& shape, const ProbeProgram& program, const Vector2d& at) {
   const double r = 0.5 * program.tip_mm;
   const double pitch = program.grid.min_pitch_mm();
@@ -131,8 +132,8 @@ double max_above(const Shape& shape, const ProbeProgram& program, const Vector2d
   double steep = 0.5;
   double dome = 0.0;
   if (shape.radius_mm != 0.0) {
-    const double q = std::abs(shape.radius_mm + r);  // Of the tip's own cap.
-    // A pitch farther out, where neighbours are.
+    const double q = std::abs(shape.radius_mm + r);  // For the cap of the tip itself.
+    // The neighbours are one pitch farther out.
     const double away = (at - Vector2d{10, 10}).norm() + 2.0 * pitch;
     third = 3.0 * away * q * q / std::pow(q * q - away * away, 2.5);
     steep = away / std::sqrt(q * q - away * away);
@@ -215,7 +216,7 @@ TEST(ProbedCircle, IsNeverBelowARidgeThatIsSharperThanTheBall) {
 
 TEST(ProbedCircle, GoesOnBehindPointsThatItMisses) {
   Mesh mesh = mesh_of(slope());
-  // A hole through the part about X 8, Y 4.
+  // The part has a hole about X 8, Y 4.
   std::erase_if(mesh.facets, [&](const Facet& facet) {
     return std::ranges::any_of(facet, [&](std::uint32_t corner) {
       return (mesh.points[corner].head<2>() - Vector2d{8, 4}).norm() < 2.0;
@@ -228,7 +229,7 @@ TEST(ProbedCircle, GoesOnBehindPointsThatItMisses) {
   EXPECT_THAT(probed.faults,
               testing::ElementsAre(testing::HasSubstr(
                   "row 2, column 3 (X 8, Y 4) touched nothing down to Z -16.000")));
-  // The reader of surfaces names the gap, and fills it if it may.
+  // The reader of surfaces reports the gap, and fills it if it is allowed to.
   const std::string text = text_of_probe_rows(program.grid, probed.points, {});
   EXPECT_THAT(refusal_of(text), testing::HasSubstr("row 2, column 3"));
   const SurfaceInput repaired = read_surface(text, "f", {.repair = true});
@@ -236,7 +237,7 @@ TEST(ProbedCircle, GoesOnBehindPointsThatItMisses) {
 }
 
 TEST(ProbedCircle, IsStoppedByAWallOnItsWay) {
-  // A step of 10 mm at X 9.
+  // The surface has a step of 10 mm at X 9.
   const Shape step{"step", [](const Vector2d& at) { return at.x() < 9.0 ? -10.0 : 0.0; }, 0.0, 0.0};
   ProbeProgram program = program_for(2.0, 4.0);
   program.hop_mm = 2;

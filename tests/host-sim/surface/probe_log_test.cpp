@@ -29,7 +29,7 @@ ProbePlan plan_3_by_2() {
 
 double plane(const Eigen::Vector2d& at) { return -1.0 + 0.1 * at.x() + 0.02 * at.y(); }
 
-/// The answers of a grid, all touched, in the order of the program.
+/// Returns the answers for a grid that was touched at all points, in the order of the program.
 std::vector<std::string> good_lines(const ProbePlan& plan) {
   std::vector<std::string> lines;
   for (std::size_t turn = 0; turn < plan.grid.size(); ++turn) {
@@ -136,9 +136,9 @@ TEST(ProbedPoints, BuildsRowsInOneDirection) {
 
 TEST(ProbedPoints, NamesPointsThatLack) {
   std::vector<std::string> lines = good_lines(plan_3_by_2());
-  lines[1] = "[PRB:10.000,0.000,-9.000:0]";  // Missed.
-  lines[3] = "[PRB:20.000,9.0";              // Cut off.
-  lines[5] = "[PRB:0.600,10.000,0.000:1]";   // Beside its place.
+  lines[1] = "[PRB:10.000,0.000,-9.000:0]";  // The probe did not touch.
+  lines[3] = "[PRB:20.000,9.0";              // The line is cut off.
+  lines[5] = "[PRB:0.600,10.000,0.000:1]";   // The position is not that of the point.
   const ProbedPoints probed = read(joined(lines));
   EXPECT_THAT(
       probed.faults,
@@ -196,7 +196,8 @@ TEST(ProbedPoints, NotesPointsThatAreProbedTwice) {
 TEST(ProbedPoints, TakesAListingOfTheLastAnswerForNoSecondOne) {
   std::vector<std::string> lines = good_lines(plan_3_by_2());
   lines.insert(lines.begin() + 2, lines[1]);
-  lines.insert(lines.begin(), "[PRB:0.000,0.000,0.000:0]");  // Of `$#` before all.
+  // The answer to `$#` comes before all others.
+  lines.insert(lines.begin(), "[PRB:0.000,0.000,0.000:0]");
   const ProbedPoints probed = read(joined(lines));
   EXPECT_THAT(probed.faults, IsEmpty());
   EXPECT_THAT(probed.notes, IsEmpty());
@@ -245,7 +246,7 @@ TEST(ProbedPoints, ReadsAHundredThousandAnswers) {
   EXPECT_EQ(probed.points.size(), 100'000U);
 }
 
-// Any bytes: nothing but a refusal, or a grid with a height or a fault for each point.
+// Any bytes must give a refusal, or a grid with a height or a fault for each point.
 TEST(ProbedPoints, TakesAnyLog) {
   std::mt19937_64 random{7};
   const std::string good = joined(good_lines(plan_3_by_2()));

@@ -39,7 +39,7 @@ std::string heading_refusal(const std::string& text) {
   return {};
 }
 
-/// The program without its comments.
+/// Returns the program without its comments.
 std::string motions(const ProbeProgram& program) {
   const std::string text = text_of_probe_program(program);
   return text.substr(text.find("\nM5\n") + 1);
@@ -170,7 +170,7 @@ TEST(ProbeProgram, RefusesDamagedHeadings) {
     damaged.replace(damaged.find(from), std::string{from}.size(), to);
     EXPECT_THAT(heading_refusal(damaged), HasSubstr("name the file that probe-grid wrote")) << to;
   }
-  // However it is cut, it is read as a whole or refused.
+  // A program that is cut off anywhere is read completely or refused.
   const std::size_t end = text.find("\nM5\n");
   for (std::size_t length = 0; length < end; ++length) {
     EXPECT_NE(heading_refusal(text.substr(0, length)), "") << length;

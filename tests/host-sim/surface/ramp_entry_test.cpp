@@ -13,7 +13,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Returns a stretch above X that goes up and down in arcs and lines.
+/// Returns a stretch above X that rises and descends in arcs and lines.
 SurfaceStretch random_stretch(proof::Random& random) {
   SurfaceStretch stretch{.plane = Slice{{1.0, 2.0}, {0.6, 0.8}, 100.0}, .vertices = {}};
   double way = 0.0;
@@ -29,7 +29,7 @@ SurfaceStretch random_stretch(proof::Random& random) {
   return stretch;
 }
 
-/// Returns the height of a stretch at a way along its slice.
+/// Returns the height of a stretch at a distance along its slice.
 double height_at_way(const SurfaceStretch& stretch, double way) {
   double nearest = 1.0e9;
   double height = 0.0;

@@ -19,7 +19,7 @@ inline void add_facets(std::uint32_t rows, std::uint32_t columns, Mesh& mesh) {
   }
 }
 
-/// Hills on a grid whose points are moved about, with an upright wall now and then.
+/// Returns hills on a grid whose points are displaced at random, sometimes with a vertical wall.
 inline Mesh random_hills(proof::Random& random) {
   const std::uint32_t rows = 2 + static_cast<std::uint32_t>(random.below(20));
   const std::uint32_t columns = 2 + static_cast<std::uint32_t>(random.below(20));
@@ -38,7 +38,7 @@ inline Mesh random_hills(proof::Random& random) {
   return mesh;
 }
 
-/// Waves on a regular grid, as of a smooth part that was measured.
+/// Returns waves on a regular grid, as of a smooth part that was measured.
 inline Mesh random_waves(proof::Random& random, std::uint32_t count, double pitch_mm) {
   Mesh mesh;
   const double length = random.between(8.0, 30.0);

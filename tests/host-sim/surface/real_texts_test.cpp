@@ -11,7 +11,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-/// The grid that all of these texts hold.
+/// The grid that all of these texts contain.
 const std::vector<Eigen::Vector3d> kSix{
     {0, 0, 1.5}, {1, 0, -2}, {2, 0, 3}, {0, 1, 4}, {1, 1, 5.25}, {2, 1, 6}};
 

@@ -24,7 +24,7 @@ Profile ball_of(double radius) {
   return {.radius_mm = radius, .flat_mm = 0.0, .corner_mm = radius};
 }
 
-/// A groove of two planes that rise by `rise` from its bottom along Y.
+/// Returns a groove of two planes that rise by `rise` from its bottom along Y.
 Mesh groove(double rise) {
   Mesh mesh;
   for (const double y : {-20.0, 20.0}) {
@@ -34,8 +34,8 @@ Mesh groove(double rise) {
   return mesh;
 }
 
-/// A larger ball touches both sides of a groove at R sin(angle) from its bottom; a smaller one that
-/// touches a side nearer to the bottom is (R - r) sin(angle) from it.
+/// A larger ball of radius R touches both sides of a groove at R sin(angle) from its bottom. A
+/// smaller one that touches a side nearer to the bottom is (R - r) sin(angle) from the bottom.
 TEST(RestRegion, IsTheBottomOfAGrooveThatALargerBallDoesNotReach) {
   for (const double rise : {0.3, 1.0, 2.5}) {
     const double larger = 4.0;
@@ -49,7 +49,7 @@ TEST(RestRegion, IsTheBottomOfAGrooveThatALargerBallDoesNotReach) {
     const double half = (larger - smaller) * std::sin(std::atan(rise));
     const double overlap = 0.125 * smaller;
     EXPECT_LE(0.5 * (parts[0].second - parts[0].first), half + overlap + 1.0e-6);
-    // Near the place where it touches a side the larger ball leaves less than the depth.
+    // Near the point where it touches a side, the larger ball leaves less than the depth.
     const double less = 2.0 * std::sqrt(2.0 * depth * (larger - smaller));
     EXPECT_GE(0.5 * (parts[0].second - parts[0].first), half - less + overlap);
     EXPECT_NEAR(parts[0].first + parts[0].second, 30.0, 0.02);
@@ -69,8 +69,9 @@ TEST(RestRegion, IsNowhereOnAPlaneAndARoof) {
   }
 }
 
-/// Returns the least height of tools over a place: the best of a dense grid of their places around
-/// it, then of ever shorter steps from there, as steep surfaces need places that are near to exact.
+/// Returns the least height that a tool leaves over a point. It tries a dense grid of tool
+/// positions around the point, then ever shorter steps from the best one. Steep surfaces require
+/// nearly exact positions.
 double left_at(const DropCutter& cutter, const Vector2d& place) {
   const Profile& tool = cutter.profile();
   constexpr int kAcross = 40;
@@ -105,11 +106,11 @@ double left_at(const DropCutter& cutter, const Vector2d& place) {
   return least;
 }
 
-/// Known fault: rests are looked for at 37 points of the tool, and between them a rest of up to
-/// twice the depth may be missed, at one new seed in fifty, as 2896298570.
+/// Known fault: rests are searched at 37 points of the tool. Between these points, a rest of up to
+/// twice the depth may be missed, as at seed 2896298570.
 ///
-/// Outside of the region no point of the tool is below what the larger one leaves, by more than the
-/// depth; inside it, for most of its length some point is.
+/// Outside of the region, no point of the tool may be more than the depth below the surface that
+/// the larger tool leaves. Inside the region, for most of its length, some point must be.
 TEST(RestRegion, HoldsAllThatALargerToolLeavesAndLittleElse) {
   const proof::Trials trials{20, proof::Trials::Range::kKnownFault};
   std::size_t inside = 0;
@@ -131,7 +132,7 @@ TEST(RestRegion, HoldsAllThatALargerToolLeavesAndLittleElse) {
     const SliceParts parts = region.parts_of(slice, 0.0, slice.length);
     std::vector<double> ways;
     for (int i = 0; i < 3; ++i) ways.push_back(random.between(0.0, slice.length));
-    // The most that may be left outside is just beside the region.
+    // Outside, most material may remain just beside the region.
     for (const auto& [begin, end] : parts) {
       if (begin > 0.01) ways.push_back(begin - 0.01);
       if (end < slice.length - 0.01) ways.push_back(end + 0.01);
@@ -161,10 +162,10 @@ TEST(RestRegion, HoldsAllThatALargerToolLeavesAndLittleElse) {
   }
 }
 
-/// A smaller flat tool goes into the inner corner of walls, and not along them.
+/// A smaller flat tool enters the inner corner of walls, but does not run along them.
 TEST(RestRegion, OfFlatToolsIsTheCornerBetweenUprightWalls) {
   Mesh mesh;
-  // A floor of 20 mm with walls of 5 mm at X 0 and at Y 0.
+  // A floor of 20 mm with walls of 5 mm height at X 0 and at Y 0.
   for (const auto& [x, y, z] : {std::array{-5.0, -5.0, 5.0},
                                 {20.0, -5.0, 5.0},
                                 {20.0, 0.0, 5.0},

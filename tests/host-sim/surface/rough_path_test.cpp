@@ -28,7 +28,7 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-/// Calls a function with places of the tip along stretches.
+/// Calls a function with positions of the tip along stretches.
 template <typename Function>
 void for_tips(const SurfaceStretch& stretch, double every_mm, const Function& function) {
   for (std::size_t i = 0; i + 1 < stretch.vertices.size(); ++i) {
@@ -63,7 +63,7 @@ struct Job {
     const double size = std::max(box.x1 - box.x0, box.y1 - box.y0);
     do {
       options.tool = proof::random_cutter(random);
-      // A steep cone needs a dense grid.
+      // A steep cone requires a dense grid.
     } while (options.tool.radius_mm > size || options.tool.radius_mm < 0.04 * size ||
              options.tool.rise > 3.0);
     options.tolerance_mm = random.magnitude(options.tool.rise > 0.0 ? 0.04 : 0.004, 0.1);
@@ -82,13 +82,13 @@ struct Job {
     if (random.chance(0.3)) add_boundary(random, box);
   }
 
-  /// Returns the path, or an empty one where the surface has none for good reason.
+  /// Returns the path, or an empty one if the surface has none for an expected reason.
   [[nodiscard]] SurfacePath path() const {
     try {
       return rough_path(mesh, options, rough);
     } catch (const std::invalid_argument& error) {
       const std::string reason = error.what();
-      // Lines that cross beside a sharp corner have no area, which is refused.
+      // Lines that cross beside a sharp corner enclose no area, and are refused.
       const bool is_expected =
           reason.starts_with("no part of the surface") || reason.starts_with("the level at") ||
           reason.starts_with("the tool fits into no level") || reason.starts_with("a tolerance of");
@@ -98,7 +98,7 @@ struct Job {
   }
 
  private:
-  /// Draws a circle about a place of the box.
+  /// Draws a circle around a point of the box.
   void add_boundary(proof::Random& random, const pocket::StockBox& box) {
     const double width = box.x1 - box.x0;
     const double x = box.x0 + random.between(0.2, 0.8) * width;
@@ -138,7 +138,7 @@ TEST(RoughPath, NeverCutsIn) {
   std::printf("cuts in by %.3g mm; %zu paths, %zu runs\n", worst, paths, runs);
 }
 
-/// Places of a path by their level, in squares of the plan.
+/// Positions of a path by their level, in squares of the plan.
 class PlacesByLevel {
  public:
   PlacesByLevel(const SurfacePath& path, double square_mm) : square_mm_{square_mm} {
@@ -152,7 +152,7 @@ class PlacesByLevel {
 
   [[nodiscard]] const auto& levels() const { return levels_; }
 
-  /// Returns the distance of the nearest place of a level, up to a square's length.
+  /// Returns the distance of the nearest position at a level, up to the length of a square.
   [[nodiscard]] double distance(double level, const Vector2d& place) const {
     const auto& squares = levels_.at(level);
     double least = square_mm_;
@@ -180,7 +180,7 @@ class PlacesByLevel {
   std::map<double, std::map<Square, std::vector<Vector2d>>> levels_;
 };
 
-/// Whether the grown tool may be at a level in a place and all around it.
+/// Returns whether the grown tool may be at a level at a point and all around it.
 bool may_be_around(const SurfaceTracer& tracer, const Vector2d& place, double level, double mm) {
   PathHeights::Hint hint;
   for (int i = 0; i < 16; ++i) {
@@ -193,8 +193,8 @@ bool may_be_around(const SurfaceTracer& tracer, const Vector2d& place, double le
   return true;
 }
 
-/// A place within the stock at which the tool may be, and a cell of the grid around it, is within
-/// the clearing radius of a pass.
+/// If the tool may be at a point of the stock, and within a cell of the grid around it, the point
+/// is within the clearing radius of a pass.
 TEST(RoughPath, ClearsAllPlacesOfALevelInWhichTheToolMayBe) {
   const proof::Trials trials{30};
   std::size_t judged = 0;
@@ -226,7 +226,7 @@ TEST(RoughPath, ClearsAllPlacesOfALevelInWhichTheToolMayBe) {
   std::printf("%zu places\n", judged);
 }
 
-/// The height of a stock over points of the plan, that a tool carves.
+/// The height of a stock over points of the plan, which a tool carves.
 class PointStock {
  public:
   PointStock(const pocket::StockBox& box, double top_mm, const cnc::surface::Profile& tool)
@@ -243,7 +243,7 @@ class PointStock {
     }
   }
 
-  /// Returns how deep a tool would be in the stock.
+  /// Returns the depth by which a tool would be in the stock.
   [[nodiscard]] double overlap(const Vector3d& tip) const {
     double most = -1.0e9;
     for (const Vector3d& point : points_) {
@@ -280,7 +280,7 @@ TEST(RoughPath, BeginsRunsWhereNoStockIsAboveWhatTheySay) {
     for (const SurfaceRun& run : path.runs) {
       Vector3d start = path.stretches[begin].start();
       start.z() = run.stock_mm;
-      // Places along passes are a hundredth of the radius apart.
+      // Points along passes are a hundredth of the radius apart.
       EXPECT_LE(stock.overlap(start), 1.0e-3 * (1.0 + job.options.layer_mm)) << start.transpose();
       worst = std::max(worst, stock.overlap(start));
       for (; begin < run.end; ++begin) {

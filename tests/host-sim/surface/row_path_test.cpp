@@ -31,7 +31,7 @@ using Eigen::Vector3d;
 RowOptions random_options(proof::Random& random, const cnc::surface::Profile& tool) {
   RowOptions options;
   options.tool = tool;
-  // A cone's tip may be sharp, so that it is looked at as often as the tolerance asks for.
+  // The tip of a cone may be sharp, so that the tolerance sets the distance of samples.
   options.tolerance_mm = random.magnitude(tool.rise > 0.0 ? 0.02 : 0.002, 0.1);
   options.digit_mm = options.tolerance_mm < 0.005 ? 1.0e-5 : 1.0e-4;
   options.step_mm = tool.radius_mm * random.between(0.2, 1.5);
@@ -47,7 +47,7 @@ RowOptions random_options(proof::Random& random, const cnc::surface::Profile& to
   return options;
 }
 
-/// A circle in the middle of a mesh, with another in it now and then.
+/// Returns a circle in the middle of a mesh, sometimes with another circle in it.
 Contour random_circles(proof::Random& random, const Mesh& mesh) {
   const Vector2d middle = 0.5 * mesh.points.back().head<2>();
   Contour contour;
@@ -108,8 +108,8 @@ TEST(RowPath, NeverCutsInAndHasNoMoreAirThanTwiceTheTolerance) {
   std::printf("cuts in by %.3g mm\n", worst);
 }
 
-/// Each run of a layer begins below no more stock than its path says, and goes no deeper than a
-/// layer below the top that all rows before it have left.
+/// Each run of a layer begins below at most the stock that its path declares. It is at most a layer
+/// deeper than the surface that all rows before it have left.
 TEST(RowPath, MillsLayersFromTheTopOfTheStockToTheSurface) {
   const proof::Trials trials{100};
   for (const std::uint64_t seed : trials) {
@@ -138,13 +138,13 @@ TEST(RowPath, MillsLayersFromTheTopOfTheStockToTheSurface) {
     }
     RowOptions at_once = options;
     at_once.layer_mm = 0.0;
-    // A depth of that little below a layer's bottom stays.
+    // A depth of this small amount below the bottom of a layer remains.
     const double deepest = figures_of(row_path(mesh, at_once)).lowest_mm;
     EXPECT_LE(figures_of(path).lowest_mm, deepest + 5.0 * options.tolerance_mm);
   }
 }
 
-/// Returns the height that tools leave whose tips are at these places.
+/// Returns the height that a tool leaves if its tip passes these points.
 double left_at(const std::vector<Vector3d>& tips,
                const cnc::surface::Profile& tool,
                const Vector2d& place) {
@@ -158,7 +158,7 @@ double left_at(const std::vector<Vector3d>& tips,
   return left;
 }
 
-/// Returns the height that the tool would leave from everywhere around a place.
+/// Returns the height that the tool would leave from all positions around a point.
 double ideal_at(const DropCutter& exact, const Vector2d& place) {
   const cnc::surface::Profile& tool = exact.profile();
   constexpr int kRings = 40;
@@ -175,8 +175,8 @@ double ideal_at(const DropCutter& exact, const Vector2d& place) {
   return left;
 }
 
-/// Known fault: at about one new seed in two hundred a bull nose leaves more at one place, as 1.18
-/// of the scallop at 3143353862.
+/// Known fault: at few seeds, such as 3143353862, a bull nose leaves more than the scallop at one
+/// point.
 TEST(RowPath, LeavesScallopsNoHigherThanAskedFor) {
   const proof::Trials trials{8, proof::Trials::Range::kKnownFault};
   for (const std::uint64_t seed : trials) {
@@ -213,7 +213,8 @@ TEST(RowPath, LeavesScallopsNoHigherThanAskedFor) {
   }
 }
 
-/// Rows and links stay in a drawn region, and rows are those of the whole surface, cut to it.
+/// Rows and links stay in a drawn region. Rows are those of the complete surface, cut off at the
+/// region.
 TEST(RowPath, StaysWithinADrawnRegionAndMillsAllRowsThere) {
   for (const std::uint64_t seed : proof::Trials{100}) {
     SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
@@ -247,7 +248,7 @@ TEST(RowPath, StaysWithinADrawnRegionAndMillsAllRowsThere) {
   }
 }
 
-/// Over a level surface each layer has one row with stock on both sides, the first.
+/// Over a level surface, each layer has one row with stock on both sides, the first.
 TEST(RowPath, HasOneSlotInEachLayerOfAPlane) {
   Mesh mesh{{{0, 0, 0}, {20, 0, 0}, {20, 12, 0}, {0, 12, 0}}, {{0, 1, 2}, {0, 2, 3}}};
   RowOptions options;
@@ -271,7 +272,8 @@ TEST(RowPath, HasOneSlotInEachLayerOfAPlane) {
   }
 }
 
-/// With a direction all rows go one way, and rows that come later are on its side.
+/// With a given direction, all rows run in this direction, and later rows are on the same side of
+/// them.
 TEST(RowPath, KeepsTheStockOnOneSide) {
   proof::Random random{proof::test_seed()};
   const Mesh mesh = random_waves(random, 12, 1.0);

@@ -30,7 +30,7 @@ struct SmoothJob {
   double band_mm = 0.0;
 };
 
-/// Returns a job over a random grid; its options name no smooth surface where patches fold.
+/// Returns a job over a random grid; its options contain no smooth surface if patches fold.
 SmoothJob random_job(proof::Random& random) {
   SmoothJob job{.grid = patch::random_point_grid(random, 16), .options = {}};
   const double pitch = (job.grid.at(0, 1) - job.grid.at(0, 0)).norm();
@@ -111,8 +111,8 @@ TEST(SmoothPath, HasNoGapBetweenRowsAndLinks) {
   }
 }
 
-/// Lines of one height and of one distance keep the same promise. Known fault: at about one new
-/// seed in a hundred a place has more air below it, as at 344438104 and 344438178.
+/// Contours of equal height and of equal distance satisfy the same bounds. Known fault: at few
+/// seeds, such as 344438104 and 344438178, a point has more air below it.
 TEST(SmoothPath, KeepsItsPromiseAlongContours) {
   const proof::Trials trials{12, proof::Trials::Range::kKnownFault};
   for (const std::uint64_t seed : trials) {
@@ -142,7 +142,7 @@ TEST(SmoothPath, KeepsItsPromiseAlongContours) {
   }
 }
 
-/// Returns the greatest turn of a path from one element to the next, radians.
+/// Returns the greatest change of direction of a path from one element to the next, radians.
 double greatest_turn(const SurfacePath& path) {
   double greatest = 0.0;
   for (const SurfaceStretch& stretch : path.stretches) {
@@ -164,7 +164,7 @@ double elements_of(const SurfacePath& path) {
   return static_cast<double>(figures.arcs + figures.lines);
 }
 
-/// Noise within half of the band is not milled: rows have fewer elements and no corners, each goes
+/// Noise within half of the band is not milled. Rows have fewer elements and no corners, each runs
 /// from one side of the surface to the other, and the tip stays in the band.
 TEST(SmoothPath, PassesOverNoiseInFewArcs) {
   const proof::Trials trials{10};

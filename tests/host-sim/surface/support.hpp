@@ -19,7 +19,7 @@ namespace sim::surface {
 
 using Facet = std::array<std::uint32_t, 3>;
 
-/// Returns the message of the refusal of `bytes`; an empty one if they are read.
+/// Returns the message with which `bytes` are refused; an empty text if they are read.
 inline std::string refusal_of(const std::string& bytes, const ReadOptions& options = {}) {
   try {
     static_cast<void>(read_surface(bytes, "f", options));
@@ -47,7 +47,7 @@ inline PointGrid random_grid(std::uint64_t seed, std::size_t rows, std::size_t c
   return grid;
 }
 
-/// Returns the rows as text; `between` stands behind each row but the last.
+/// Returns the rows as text; `between` is added after each row but the last.
 inline std::string xyz_of(const PointGrid& grid,
                           const std::string& between = "",
                           const std::string& separator = " ") {
@@ -79,7 +79,7 @@ std::string big(Number value) {
   return {bytes.rbegin(), bytes.rend()};
 }
 
-/// Returns a mesh with coordinates that a float holds.
+/// Returns a mesh with coordinates that a float represents exactly.
 inline Mesh random_mesh(std::uint64_t seed, std::size_t rows = 4, std::size_t columns = 5) {
   Mesh mesh = triangulated(random_grid(seed, rows, columns));
   for (Eigen::Vector3d& point : mesh.points) point = point.cast<float>().cast<double>();
@@ -112,7 +112,8 @@ inline std::string ascii_stl_of(const Mesh& mesh) {
   return text + "endsolid part\n";
 }
 
-/// Returns the corners of all facets in their order, for meshes that number points otherwise.
+/// Returns the corners of all facets in their order, to compare meshes that number their points
+/// differently.
 inline std::vector<std::array<double, 9>> corners_of(const Mesh& mesh) {
   std::vector<std::array<double, 9>> all;
   for (const auto& facet : mesh.facets) {

@@ -81,7 +81,8 @@ TEST(SurfaceView, TheCarvedBlockHasNoGougeAndALowerPathHas) {
     };
     const stock::SurfaceFigures sound = figures_after(path);
     EXPECT_EQ(sound.gouge.min_mm3, 0.0);
-    EXPECT_TRUE(sound.worst_gouges.empty());  // Though bounds leave some open on slopes.
+    // No gouge is certain, although bounds are apart on slopes.
+    EXPECT_TRUE(sound.worst_gouges.empty());
     EXPECT_GT(sound.gouge.max_mm3, 0.0);
     EXPECT_GT(sound.cells, 20'000U);
     ASSERT_FALSE(sound.worst_rests.empty());
@@ -121,7 +122,7 @@ TEST(SurfaceView, PatchesAreDrawnWithAllTheirBorders) {
   const SpaceScene scene = patch_scene(fitted);
   EXPECT_EQ(scene.lines.at(0).lines.size(), 4 * fitted.patches.size());
   EXPECT_EQ(scene.colours.size(), scene.mesh.points.size());
-  // Points of patches of different size have colours of their own.
+  // Points of patches of different size have different colours.
   EXPECT_GE(scene.key.samples.size(), 1U);
   EXPECT_THAT(draw_space("patches.svg", scene, {}), HasSubstr("border"));
 }

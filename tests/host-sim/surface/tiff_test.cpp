@@ -20,7 +20,7 @@
 namespace sim::surface {
 namespace {
 
-/// Heights as a TIFF file has them.
+/// Heights as a TIFF file contains them.
 struct Image {
   std::uint32_t rows = 2;
   std::uint32_t columns = 3;
@@ -29,8 +29,8 @@ struct Image {
   std::uint16_t samples = 1;
   std::uint16_t compression = COMPRESSION_NONE;
   std::uint16_t orientation = ORIENTATION_TOPLEFT;
-  std::uint32_t tile = 0;  ///< Rows and columns of tiles; 0: strips.
-  std::string mode = "w";  ///< With the order of bytes, and 8 for a BigTIFF.
+  std::uint32_t tile = 0;  ///< Rows and columns of a tile; 0 for strips.
+  std::string mode = "w";  ///< Mode of libtiff with the order of bytes, and 8 for a BigTIFF.
   std::vector<double> scale{};
   std::vector<std::uint16_t> keys{};
   std::string no_data{};
@@ -50,7 +50,7 @@ void add_fields(TIFF* tiff) {
 }
 
 std::string sample_of(const Image& image, double height) {
-  // In the order of bytes of this machine: libtiff turns them.
+  // The bytes are in the order of this machine; libtiff reorders them.
   if (image.format == SAMPLEFORMAT_IEEEFP) {
     return image.bits == 32 ? little(static_cast<float>(height)) : little(height);
   }
@@ -195,7 +195,7 @@ TEST(Tiff, RefusesWhatHasNoHeights) {
   EXPECT_NE(refusal({.orientation = ORIENTATION_BOTLEFT}).find("first pixel"), std::string::npos);
   EXPECT_NE(refusal({}).find("--pitch"), std::string::npos);
   EXPECT_NE(refusal({.scale = {0, 0, 0}}).find("not above 0"), std::string::npos);
-  // A key of three numbers behind the header: the model is geographic.
+  // A key of three numbers behind the header declares a geographic model.
   const Image degrees{.scale = {0.001, 0.001, 0}, .keys = {1, 1, 0, 1, 1'024, 0, 1, 2}};
   EXPECT_NE(refusal(degrees).find("degrees"), std::string::npos);
   EXPECT_NE(refusal({.rows = 1, .heights = {1, 2, 3}}).find("1 rows"), std::string::npos);
@@ -211,7 +211,8 @@ TEST(Tiff, IsRefusedWhereItIsCutOffOrDamaged) {
   for (const std::uint64_t seed : trials) {
     std::string damaged = whole;
     damaged[seed * 31 % damaged.size()] = static_cast<char>(seed % 251);
-    static_cast<void>(refusal_of(damaged));  // Read or refused, and nothing else.
+    // The file is read or refused; no other effect is allowed.
+    static_cast<void>(refusal_of(damaged));
   }
 }
 

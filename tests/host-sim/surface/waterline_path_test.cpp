@@ -39,7 +39,7 @@ RowOptions random_levels(proof::Random& random, const cnc::surface::Profile& too
   return options;
 }
 
-/// Takes about a tenth of the facets out.
+/// Removes about a tenth of the facets.
 void make_holes(proof::Random& random, Mesh& mesh) {
   const auto facets = mesh.facets;
   mesh.facets.clear();
@@ -67,7 +67,7 @@ TEST(WaterlinePath, NeverCutsInAndHasNoMoreAirThanTwiceTheTolerance) {
     try {
       path = waterline_path(mesh, options);
     } catch (const std::invalid_argument&) {
-      continue;  // No level has a line.
+      continue;  // No level contains a line.
     }
     ++paths;
     runs += path.runs.size();
@@ -92,13 +92,14 @@ TEST(WaterlinePath, NeverCutsInAndHasNoMoreAirThanTwiceTheTolerance) {
       "cuts in by %.3g mm; %zu paths, %zu runs, %zu stretches\n", worst, paths, runs, stretches);
 }
 
-/// Part of a ring of a round tube about the Z axis, or of a ball where its middle is on the axis.
+/// Returns the upper part of a ring of a round tube about the Z axis; of a ball, if the tube's
+/// middle is on the axis.
 Mesh upper_ring(double middle_mm, double tube_mm) {
   constexpr int kSectors = 720;
   constexpr int kRings = 360;
   Mesh mesh;
   for (int ring = 0; ring <= kRings; ++ring) {
-    const double share = middle_mm > 0.0 ? 1.0 : 0.5;  // Share of half a turn.
+    const double share = middle_mm > 0.0 ? 1.0 : 0.5;  // Fraction of half a turn.
     const double angle = std::numbers::pi * share * ring / kRings;
     const double out = middle_mm + tube_mm * std::cos(angle);
     for (int i = 0; i < kSectors; ++i) {
@@ -126,7 +127,7 @@ TEST(WaterlinePath, GoesRoundABallAndATorusAtTheirDistance) {
   options.margin_mm = 3.0;
   options.floor_mm = 0.0;
   constexpr double kTube = 5.0;
-  constexpr double kFacets = 1.0e-4;  // Chords are within the round form.
+  constexpr double kFacets = 1.0e-4;  // The chords of the facets are inside of the round form.
   for (const double middle : {0.0, 12.0}) {
     const SurfacePath path = waterline_path(upper_ring(middle, kTube), options);
     std::size_t places = 0;
@@ -166,7 +167,7 @@ void add_box(double low, double high, double top, Mesh& mesh) {
   for (const auto& [a, b, c] : kFacets) mesh.facets.push_back({first + a, first + b, first + c});
 }
 
-/// Levels lie in the top of the lower box and in the floor.
+/// One level lies in the top of the lower box, and one in the floor.
 TEST(WaterlinePath, GoesRoundUprightWallsAndKeepsLevelsInFlatBottoms) {
   Mesh mesh;
   add_box(0.0, 20.0, 2.0, mesh);
@@ -191,7 +192,8 @@ TEST(WaterlinePath, GoesRoundUprightWallsAndKeepsLevelsInFlatBottoms) {
     for_level_places(path, 0.02, [&](const Vector3d& tip) {
       const double half = tip.z() > 1.5 ? 5.0 : 10.0;
       const Vector2d beyond = ((tip.head<2>().array() - 10.0).abs() - half).max(0.0);
-      // The corner touches the edge at the top of the box, or the tool's side its wall.
+      // The corner of the tool touches the edge at the top of the box, or the tool's side touches
+      // its wall.
       const double over = tip.z() + corner - (tip.z() > 1.5 ? 4.0 : 2.0);
       const bool is_corner = over > 0.0;
       const double radius = is_corner ? corner : options.tool.radius_mm;
@@ -203,7 +205,7 @@ TEST(WaterlinePath, GoesRoundUprightWallsAndKeepsLevelsInFlatBottoms) {
   }
 }
 
-/// Whether five by five nodes of a grid are all above a level, or all not.
+/// Returns whether five by five nodes of a grid are all above a level, or all below it.
 bool is_block(const TipGrid& tips, std::size_t middle, double level_mm, bool is_high) {
   const std::size_t columns = tips.grid().columns();
   for (std::size_t row = 0; row < 5; ++row) {
@@ -215,8 +217,8 @@ bool is_block(const TipGrid& tips, std::size_t middle, double level_mm, bool is_
   return true;
 }
 
-/// Looks at a denser grid: wherever the tip goes from well above a level to well below it, or back,
-/// a line is near.
+/// Compares with a denser grid: if the tip changes from well above a level to well below it, or
+/// back, a line must be near.
 TEST(WaterlinePath, LosesNoLine) {
   std::size_t crossings = 0;
   for (const std::uint64_t seed : proof::Trials{20}) {
@@ -273,11 +275,12 @@ TEST(WaterlinePath, KeepsTheStockOnTheSideOfItsDirection) {
       area += cnc::cross(before, seen);
       before = seen;
     });
-    EXPECT_EQ(area < 0.0, milling == cnc::pocket::Milling::kClimb);  // Clockwise round a boss.
+    // Climb milling runs clockwise around a boss.
+    EXPECT_EQ(area < 0.0, milling == cnc::pocket::Milling::kClimb);
   }
 }
 
-/// On a slope of 45 degrees the passes of a ball are farther apart than their levels, and a flat
+/// On a slope of 45 degrees, the passes of a ball are farther apart than their levels, and a flat
 /// tool leaves steps.
 TEST(WaterlinePath, HasLevelsAsNearAsAScallopAsksOnSteepSlopes) {
   constexpr double kScallop = 0.02;

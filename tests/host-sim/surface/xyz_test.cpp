@@ -29,7 +29,7 @@ TEST(XyzReader, GridsAreReadBackInAllSeparators) {
   }
 }
 
-/// Returns the grid with every other row turned round.
+/// Returns the grid with every other row reversed.
 PointGrid serpentine(PointGrid grid) {
   for (std::size_t row = 1; row < grid.rows; row += 2) {
     const auto begin = grid.points.begin() + static_cast<std::ptrdiff_t>(row * grid.columns);

@@ -55,7 +55,7 @@ TEST(InputFile, RefusesWhatIsNoText) {
   }
 }
 
-/// They are for the reader of the text, which names their line.
+/// The reader of the text handles control bytes, and reports their line.
 TEST(InputFile, LeavesStrayControlBytesToTheReader) {
   ScratchFile file{".nc"};
   const std::string text{"G0 X1\0\n\x13G1 X2 F100\n", 20};

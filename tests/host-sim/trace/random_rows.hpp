@@ -7,8 +7,8 @@
 
 namespace sim {
 
-/// Rows as a machine makes them: time increases, motors take single steps in
-/// either direction, sometimes several motors at once, and the output changes now and then.
+/// Returns rows as a machine generates them. Time increases, motors make single steps in either
+/// direction, sometimes several motors at the same time, and the output changes at times.
 inline std::vector<TraceRow> random_rows(unsigned seed, std::size_t count) {
   std::mt19937 random{seed};
   std::uniform_int_distribution<std::uint64_t> wait_ns{2, 6'000};

@@ -11,13 +11,14 @@
 
 namespace sim {
 
-/// A file of the running test's own, removed afterwards.
+/// A file with a name unique to the running test, removed afterwards.
 class ScratchFile {
  public:
   explicit ScratchFile(const std::string& ending) {
     const auto* test = testing::UnitTest::GetInstance()->current_test_info();
     std::string name = std::string{test->test_suite_name()} + "." + test->name();
-    std::replace(name.begin(), name.end(), '/', '.');  // Of a test with parameters.
+    // Names of tests with parameters contain `/`.
+    std::replace(name.begin(), name.end(), '/', '.');
     path_ = testing::TempDir() + name + "." + std::to_string(::getpid()) + ending;
   }
   ~ScratchFile() { std::remove(path_.c_str()); }

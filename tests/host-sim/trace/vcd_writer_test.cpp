@@ -16,7 +16,7 @@ namespace {
 
 using testing::HasSubstr;
 
-/// All variables at one instant, by name such as `X.position`.
+/// Values of all variables at one time, by name such as `X.position`.
 using Values = std::map<std::string, double>;
 
 /// A small reader of Value Change Dumps: scopes, wires, vectors and reals.
@@ -28,7 +28,7 @@ class VcdFile {
     if (has_time_) states_[now_ns_] = values_;
   }
 
-  /// The values from each written time on.
+  /// Returns the values from each written time on.
   [[nodiscard]] const std::map<std::uint64_t, Values>& states() const { return states_; }
   [[nodiscard]] bool is_in_order() const { return is_in_order_; }
 
@@ -111,8 +111,8 @@ TEST(VcdWriter, SeparatesPulsesThatTouch) {
   EXPECT_EQ(file.states().at(3'000).at("X.step"), 1);
 }
 
-// Property: whatever the rows, the file tells their positions and output at
-// every time, and no time is written twice or out of order.
+// Property: for any rows, the file contains their positions and output at every time, and no time
+// is written twice or out of order.
 TEST(VcdWriter, TellsEveryRow) {
   const auto seed = static_cast<unsigned>(proof::test_seed());
   SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
@@ -134,8 +134,8 @@ TEST(VcdWriter, TellsEveryRow) {
   }
 }
 
-// Property: counting rising edges by direction gives the positions, which is
-// what a logic analyser's user would do.
+// Property: counting rising edges by direction gives the positions, as the user of a logic analyser
+// would count.
 TEST(VcdWriter, HasOneRisingEdgeForEachStep) {
   const auto seed = static_cast<unsigned>(proof::test_seed());
   SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);

@@ -26,7 +26,7 @@ BeamPose random_pose(proof::Random& random, double most_tilt) {
           random.chance(0.5) ? random.between(0.0, 0.4) : 0.0};
 }
 
-/// Returns a stroke whose axis stays, or turns.
+/// Returns a stroke whose axis is constant, or turns.
 BeamStroke random_stroke(proof::Random& random, double most_tilt) {
   const bool turns = random.chance(0.3);
   const bool is_level = random.chance(0.5);
@@ -41,7 +41,7 @@ BeamStroke random_stroke(proof::Random& random, double most_tilt) {
   return stroke;
 }
 
-/// Returns how far a point is within what the strokes burn, mm; below 0 beside it.
+/// Returns the depth of a point within the volume that the strokes burn, mm; negative outside.
 double burned_depth(const std::vector<BeamStroke>& strokes,
                     const BurningBeam& beam,
                     const Vector3d& point) {
@@ -76,7 +76,7 @@ TEST(BeamCarver, BurnsThePointsThatBruteForceBurns) {
       const double z = random.between(-2.0, 0.0);
       const double depth =
           burned_depth(strokes, beam, {columns.x_of(column), columns.y_of(row), z});
-      // Swings burn a little more, never less.
+      // Swings burn a little more than the exact volume, never less.
       constexpr double kRounding = 1.0e-7;
       constexpr double kSwing = 4.0 * kSwingErrorMm;
       const bool is_left = columns.has(column, row, z);

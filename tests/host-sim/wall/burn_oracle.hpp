@@ -8,8 +8,8 @@
 
 namespace sim::wall::burn_oracle {
 
-/// Returns how far a point is within what one pose burns, mm, measured across the axis; below 0
-/// beside it.
+/// Returns the depth of a point within the volume that one pose burns, mm, measured across the
+/// axis; negative outside.
 inline double depth_of(const BeamPose& pose,
                        const BurningBeam& beam,
                        const Eigen::Vector3d& point) {
@@ -23,7 +23,7 @@ inline double depth_of(const BeamPose& pose,
   return std::max(above, below);
 }
 
-/// Returns the pose at a share of a move. Each tilts in the plane of both axes.
+/// Returns the pose at a fraction of a move. Each move tilts in the plane of both axes.
 inline BeamPose at(const BeamPose& from, const BeamPose& to, double share) {
   BeamPose pose{
       (1.0 - share) * from.tip + share * to.tip, from.axis, std::max(from.depth_mm, to.depth_mm)};
@@ -36,7 +36,7 @@ inline BeamPose at(const BeamPose& from, const BeamPose& to, double share) {
   return pose;
 }
 
-/// Returns the greatest depth along a stroke: at many shares of each move, and near the best one
+/// Returns the greatest depth along a stroke: at many fractions of each move, and near the best one
 /// by ever smaller steps.
 inline double depth_of(const BeamStroke& stroke,
                        const BurningBeam& beam,

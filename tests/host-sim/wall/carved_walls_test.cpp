@@ -43,15 +43,15 @@ Loop rectangle(double width, double length, double turn_rad) {
   return loop;
 }
 
-/// Returns an L, whose inner corner is convex in a pit and an inside corner at a post.
+/// Returns an L. Its inner corner is convex in a pit, and concave at a post.
 Loop angle_iron() {
   return {{-0.5, -0.5}, {0.5, -0.5}, {0.5, 0.1}, {0.1, 0.1}, {0.1, 0.5}, {-0.5, 0.5}};
 }
 
-/// How a part's walls lean when they are carved.
+/// The carved part: its walls, and the lean of each.
 struct CarvedPart {
   std::vector<DrawnWall> walls;
-  std::vector<WallLean> leans;  ///< Of each wall.
+  std::vector<WallLean> leans;  ///< Lean of each wall.
   std::size_t strokes = 0;
 };
 
@@ -105,7 +105,7 @@ std::vector<NamedPart> named_parts() {
           {"slot narrower than the cone at the rim", rectangle(0.14, 0.8, 0.0), false}};
 }
 
-/// Drafts that leave the part something at its rim.
+/// Returns whether a draft leaves material at the rim of the part.
 bool has_rim(const NamedPart& part, double draft_deg) {
   return !part.is_post || part.name != "thin wall" || draft_deg < 3.0;
 }
@@ -134,7 +134,7 @@ TEST(CarvedWalls, HaveALargeDraftAsDrawn) { expect_walls_as_drawn(12.0); }
 TEST(CarvedWalls, LeanByTheHalfAngleUnderAnUprightBeam) {
   for (const double draft_deg : {0.0, 2.0, 12.0}) {
     for (const NamedPart& named : named_parts()) {
-      // Nothing is left of a thin wall that is burned from both sides.
+      // A thin wall that is burned from both sides disappears.
       if (named.name == "thin wall") continue;
       SCOPED_TRACE(testing::Message() << named.name << ", draft " << draft_deg);
       const WalledPart part =

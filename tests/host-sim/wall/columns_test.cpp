@@ -114,7 +114,7 @@ TEST(Section, CutsTheFacetsThatItPasses) {
   EXPECT_NEAR(lines[0][1].x(), 2.0, 1.0e-12);
   EXPECT_NEAR(lines[0][0].y(), 1.0, 1.0e-12);
   EXPECT_TRUE(section_of(mesh, {{-1.0, 3.0}, {3.0, 3.0}}).empty());
-  // Ends are those of the section.
+  // The ends are those of the section.
   const auto part = section_of(mesh, {{0.5, 1.0}, {3.0, 1.0}});
   ASSERT_EQ(part.size(), 1U);
   EXPECT_NEAR(part[0][0].x(), 0.0, 1.0e-12);

@@ -33,7 +33,7 @@ double area_of(const std::vector<Contour>& areas) {
   return 0.5 * twice;
 }
 
-/// Returns whether a place is in one of some areas, and how far it is from their borders.
+/// Returns whether a point is in one of some areas, and its distance from their borders.
 std::pair<bool, double> seen_in(const std::vector<Contour>& areas, const Vector2d& place) {
   double nearest = 1.0e9;
   bool is_in = false;
@@ -72,7 +72,7 @@ TEST(LayerRegions, AroundAPostReachToTheMarginOfTheStock) {
 }
 
 TEST(LayerRegions, LeaveWhatAnOverhangHides) {
-  // A mushroom: a stem of 2 mm below a hat of 6 mm.
+  // A mushroom: a stem of 2 mm below a cap of 6 mm.
   surface::Mesh mesh;
   const auto foot = square_at(1.0, 0.0);
   const auto neck = square_at(1.0, 2.0);
@@ -101,7 +101,7 @@ TEST(LayerRegions, HoldThePlacesThatNothingIsAbove) {
     SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
     proof::Random random{seed};
     const surface::Mesh mesh = random_lump(random);
-    // Layers of 1 mm end at heights of the mesh's points.
+    // Layers of 1 mm end at heights of points of the mesh.
     LayerRegions regions{
         mesh, {.layer_mm = random.chance(0.5) ? 1.0 : random.between(1, 3), .margin_mm = 1.0}};
     for (std::size_t i = 0; i < regions.count(); ++i) {

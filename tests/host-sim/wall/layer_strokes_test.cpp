@@ -44,7 +44,7 @@ TEST(LayerStrokes, CoverTheAreasOfLumpsAndFollowTheirWalls) {
       const std::vector<Stroke> strokes = laid.strokes_of(layer, i);
       for (const Contour& area : layer.areas) {
         const pocket::OwnedArea owned{area.view()};
-        // No stroke leaves the area, nor is it nearer to its border than the waist.
+        // No stroke may leave the area, or be nearer to its border than the waist.
         for (const Stroke& stroke : strokes) {
           for (const Vector2d& place : stroke.places) {
             const double depth = owned->depth({place.x(), place.y()});
@@ -59,7 +59,7 @@ TEST(LayerStrokes, CoverTheAreasOfLumpsAndFollowTheirWalls) {
           for (const Stroke& stroke : strokes) least = std::min(least, distance_to(stroke, place));
           EXPECT_LE(least, 0.5 * options.hatch_mm + 1e-6);
         }
-        // A wall has a stroke at the waist's distance from the middle of each of its sides.
+        // Each side of a wall has a stroke at the waist's distance from the middle of the side.
         if (options.waist_mm > 0.0) continue;
         for (const ContourVertex& vertex : area.vertices) {
           const Vector2d corner{vertex.x, vertex.y};

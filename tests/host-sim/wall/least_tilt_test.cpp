@@ -17,7 +17,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// A wall upright through the tip, whose normal is at an angle from X.
+/// Returns a vertical wall through the tip, whose normal is at an angle from X.
 Triangle wall_beside(double angle_rad) {
   const Vector3d along{-std::sin(angle_rad), std::cos(angle_rad), 0.0};
   return {-50.0 * along, 50.0 * along, Vector3d{0.0, 0.0, 100.0}};
@@ -32,7 +32,7 @@ TEST(LeastTilt, OfNothingIsUpright) {
 TEST(LeastTilt, BesideAnEndlessWallIsTheHalfAngle) {
   const double half = 7.0 * kDegree;
   LeastTilt tilt{{0, 0, 0}, {.half_angle_rad = half, .max_rad = 1.0}};
-  // Its upper rim is far away, but no wall is endless: the beam would pass above it.
+  // The upper rim is far away, but the wall is not infinite: the beam would pass above it.
   tilt.add({{0, -5000, -1}, {0, 5000, -1}, {0, 0, 9000}});
   ASSERT_TRUE(tilt.beam().has_value());
   EXPECT_NEAR(tilt_of(*tilt.beam()), half, 1.0e-9);
@@ -63,7 +63,7 @@ TEST(LeastTilt, KeepsToTheGreatestTilt) {
   EXPECT_FALSE(tilt.beam().has_value());
 }
 
-/// Whether a ray from the tip along an axis meets a triangle.
+/// Returns whether a ray from the tip along an axis intersects a triangle.
 bool is_hit(const Vector3d& axis, const Triangle& triangle) {
   const auto side = [&](const Vector3d& from, const Vector3d& to) {
     return from.cross(to).dot(axis);
@@ -75,8 +75,9 @@ bool is_hit(const Vector3d& axis, const Triangle& triangle) {
   return first * towards > 0.0 && second * towards > 0.0 && third * towards > 0.0;
 }
 
-/// The least angle between an axis and the points of an edge, seen from the tip, by a search in
-/// equal angles, since points at equal distances lie far apart where the edge passes the tip.
+/// Returns the least angle between an axis and the points of an edge, seen from the tip. The search
+/// takes equal angles: where the edge passes close to the tip, points at equal distances would have
+/// greatly different directions.
 double searched_angle(const Vector3d& axis, const Vector3d& from, const Vector3d& to) {
   constexpr int kSteps = 180;
   const Vector3d first = from.normalized();
@@ -91,7 +92,7 @@ double searched_angle(const Vector3d& axis, const Vector3d& from, const Vector3d
   return std::acos(std::clamp(most, -1.0, 1.0));
 }
 
-/// The least angle between an axis and a triangle's points, seen from the tip.
+/// Returns the least angle between an axis and the points of a triangle, seen from the tip.
 double searched_angle(const Vector3d& axis, const Triangle& triangle) {
   if (is_hit(axis, triangle)) return 0.0;
   return std::min({searched_angle(axis, triangle.a, triangle.b),
@@ -99,7 +100,8 @@ double searched_angle(const Vector3d& axis, const Triangle& triangle) {
                    searched_angle(axis, triangle.c, triangle.a)});
 }
 
-/// The least tilt that a dense search of axes finds; more than a right angle where there is none.
+/// Returns the least tilt that a dense search of axes finds; more than a right angle if there is
+/// none.
 double searched_tilt(const std::vector<Triangle>& obstacles, double half_angle, double most) {
   constexpr double kTiltStep = 0.5 * kDegree;
   for (double tilt = 0.0; tilt <= most; tilt += kTiltStep) {
@@ -137,7 +139,7 @@ TEST(LeastTilt, IsNoMoreThanThatOfASearchAndClear) {
       tilt.add(obstacles.back());
     }
     const std::optional<Beam> beam = tilt.beam();
-    // Axes of the search are as near to each other as that, and its points of triangles, too.
+    // Neighbouring axes of the search, and its points of triangles, are less than this apart.
     const double surely = rules.half_angle_rad + 2.5 * kDegree;
     if (!beam) {
       EXPECT_GT(searched_tilt(obstacles, surely, rules.max_rad), rules.max_rad);

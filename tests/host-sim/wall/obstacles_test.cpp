@@ -14,7 +14,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Returns the same as Obstacles::nearest() by trying all facets.
+/// Returns the result of Obstacles::nearest(), computed by trying all facets.
 double nearest_of_all(const surface::Mesh& mesh, const Beam& beam) {
   double least = std::numeric_limits<double>::infinity();
   for (const auto& [a, b, c] : mesh.facets) {
@@ -48,8 +48,8 @@ TEST(Obstacles, TellWhatAllFacetsTell) {
   }
 }
 
-/// Returns a pocket with upright walls: its floor at Z 0, its rim at Z `height`, and the level
-/// top of the part around it.
+/// Returns a pocket with vertical walls. Its floor is at Z 0 and its rim at Z `height`; the part
+/// around it has a level top.
 surface::Mesh pocket(double side, double height) {
   surface::Mesh mesh;
   for (const double z : {0.0, height}) {
@@ -77,23 +77,24 @@ TEST(Obstacles, LeanABeamAwayFromTheWallsOfAPocketOnly) {
   const TiltRules rules{.half_angle_rad = 7.0 * kDegree, .max_rad = 30.0 * kDegree};
   const auto tilt_at = [&](const Vector3d& tip) { return least_tilt(obstacles, tip, rules); };
   EXPECT_EQ(tilt_at({10, 10, 0})->axis, Vector3d::UnitZ());
-  EXPECT_EQ(tilt_at({0.3, 10, 0})->axis, Vector3d::UnitZ());  // 2 mm tan 7 degrees is 0.2456 mm.
+  // The tip is farther away from the wall than 2 mm · tan(7 degrees) = 0.2456 mm.
+  EXPECT_EQ(tilt_at({0.3, 10, 0})->axis, Vector3d::UnitZ());
   const std::optional<Beam> at_wall = tilt_at({0, 10, 0});
   EXPECT_NEAR(tilt_deg(*at_wall), 7.0, 1.0e-6);
   EXPECT_GT(at_wall->axis.x(), 0.0);
   EXPECT_NEAR(tilt_deg(*tilt_at({0, 0, 0})), 9.9244, 1.0e-3);
-  // Beside the wall by 0.1 mm the rim is at an angle of atan 0.05.
+  // At 0.1 mm from the wall, the rim is at an angle of atan 0.05.
   EXPECT_NEAR(tilt_deg(*tilt_at({0.1, 10, 0})), 7.0 - std::atan(0.05) / kDegree, 1.0e-3);
-  // At the rim nothing is in the way.
+  // At the rim, there is no obstacle.
   EXPECT_EQ(tilt_at({0, 10, 2})->axis, Vector3d::UnitZ());
-  // As rounding leaves it, on both sides of the wall.
+  // Rounding may place the tip on either side of the wall.
   EXPECT_NEAR(tilt_deg(*tilt_at({-1.0e-7, 10, 0})), 7.0, 0.01);
   EXPECT_NEAR(tilt_deg(*tilt_at({1.0e-7, 10, 0})), 7.0, 0.01);
 }
 
 TEST(Obstacles, LeaveNoBeamInASlotNarrowerThanIt) {
   const TiltRules rules{.half_angle_rad = 7.0 * kDegree, .max_rad = 60.0 * kDegree};
-  // 20 mm deep and 0.5 mm wide: a beam is wider than 4.9 mm at the rim.
+  // The slot is 20 mm deep and 0.5 mm wide. A beam is wider than 4.9 mm at the rim.
   EXPECT_FALSE(least_tilt(Obstacles{pocket(0.5, 20.0)}, {0.25, 0.25, 0}, rules));
   EXPECT_TRUE(least_tilt(Obstacles{pocket(0.5, 1.0)}, {0.25, 0.25, 0}, rules));
 }

@@ -24,7 +24,7 @@ double area_within(const std::vector<SectionLoop>& loops) {
   return 0.5 * twice;
 }
 
-/// Returns how many times the loops turn left around a place.
+/// Returns how many times the loops wind around a point, counter-clockwise.
 int winding(const std::vector<SectionLoop>& loops, const Vector2d& place) {
   int turns = 0;
   for (const SectionLoop& loop : loops) {
@@ -47,7 +47,8 @@ TEST(SectionSweep, OfAPocketHasTheOutlineAndTheHole) {
   const auto loops = sweep.loops_at(1.0);
   EXPECT_EQ(loops.size(), 2U);
   EXPECT_NEAR(area_within(loops), 64.0 - 16.0, 1e-12);
-  // A point at the height of the plane counts as below it: the floor is no part yet.
+  // A point at the height of the plane counts as below it, so the floor is not yet part of the
+  // section.
   EXPECT_NEAR(area_within(sweep.loops_at(0.0)), 64.0 - 16.0, 1e-12);
   EXPECT_NEAR(area_within(sweep.loops_at(-1e-9)), 64.0, 1e-12);
   EXPECT_TRUE(sweep.loops_at(-5.1).empty());
@@ -66,7 +67,7 @@ TEST(SectionSweep, HoldsThePlacesThatUprightLinesSayAreInTheSolid) {
       const auto loops = sweep.loops_at(z);
       for (int i = 0; i < 20; ++i) {
         const Vector2d place{random.between(-12, 12), random.between(-12, 12)};
-        // The section is that just above the plane, where its points count as below.
+        // The section is the one just above the plane, as points in the plane count as below it.
         const int balance = passed_above(mesh, {place.x(), place.y(), z + 1e-10}).balance;
         EXPECT_EQ(winding(loops, place), balance) << place.transpose() << " " << z;
       }

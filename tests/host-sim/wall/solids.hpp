@@ -14,7 +14,7 @@
 /// Closed solids for tests, mm.
 namespace sim::wall {
 
-/// Appends a quadrilateral that turns left as seen from outside.
+/// Appends a quadrilateral that is counter-clockwise as seen from outside.
 inline void add_quad(surface::Mesh& mesh, const std::array<Eigen::Vector3d, 4>& corners) {
   std::array<std::uint32_t, 4> numbers{};
   for (std::size_t i = 0; i < corners.size(); ++i) {
@@ -34,7 +34,7 @@ inline std::array<Eigen::Vector3d, 4> square_at(double half, double height) {
           Eigen::Vector3d{-half, half, height}};
 }
 
-/// Appends the sides between two squares: outwards for a solid within them.
+/// Appends the sides between two squares, with normals outwards for a solid within them.
 inline void add_sides(surface::Mesh& mesh,
                       const std::array<Eigen::Vector3d, 4>& low,
                       const std::array<Eigen::Vector3d, 4>& high) {
@@ -62,7 +62,7 @@ inline surface::Mesh pocket_solid(double inner, double outer, double depth) {
   return mesh;
 }
 
-/// Returns an upright prism over a convex polygon that turns left.
+/// Returns a vertical prism over a convex counter-clockwise polygon.
 inline surface::Mesh prism_solid(const std::vector<Eigen::Vector2d>& polygon,
                                  double low,
                                  double high) {
@@ -82,8 +82,8 @@ inline surface::Mesh prism_solid(const std::vector<Eigen::Vector2d>& polygon,
   return mesh;
 }
 
-/// Returns a lump: a ball of rings whose points are moved to and fro, on whole numbers, so that
-/// many are at one height.
+/// Returns a lump: a ball of rings whose points are displaced at random to integer coordinates, so
+/// that many are at one height.
 inline surface::Mesh random_lump(proof::Random& random) {
   constexpr std::uint32_t kRings = 5;
   constexpr std::uint32_t kPoints = 7;
@@ -115,14 +115,14 @@ inline surface::Mesh random_lump(proof::Random& random) {
   return mesh;
 }
 
-/// The facets that an upright line passes above a height.
+/// Facets that a vertical line passes above a height.
 struct Passed {
-  int balance = 0;  ///< Facets that look up less those that look down.
+  int balance = 0;  ///< Facets that face up minus those that face down.
   int count = 0;
 };
 
-/// Returns those above a point: a balance above 0 for one within the solid. Lines through edges
-/// are not meant.
+/// Returns the facets above a point. For a point within the solid, the balance is above 0. The line
+/// must not pass through edges.
 inline Passed passed_above(const surface::Mesh& mesh, const Eigen::Vector3d& point) {
   Passed passed;
   for (const auto& [a, b, c] : mesh.facets) {

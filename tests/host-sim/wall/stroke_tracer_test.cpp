@@ -21,7 +21,8 @@ BeamRules beam_rules() {
   return {.tilt = {.half_angle_rad = kHalfAngle, .max_rad = 45.0 * kDegree}};
 }
 
-/// How deep a beam is in the facets of a part, each tried; those through its tip count from there.
+/// Returns the greatest depth of a beam in the facets of a part, found by trying each facet. Facets
+/// through the tip count from the tip on.
 double depth_in(const surface::Mesh& mesh, const TipBeam& tip_beam) {
   const Beam beam = Beam::along(tip_beam.tip, tip_beam.axis, kHalfAngle, 1.0e4);
   double depth = -1.0e9;
@@ -36,7 +37,7 @@ double angle_between(const Vector3d& one, const Vector3d& other) {
   return std::atan2(one.cross(other).norm(), one.dot(other));
 }
 
-/// Checks beams, those between them, and how fast they turn.
+/// Checks beams and interpolated beams, and how fast they turn.
 void expect_clear_and_slow(const surface::Mesh& mesh,
                            const std::vector<BeamRun>& runs,
                            const TurnRules& rules) {
@@ -48,7 +49,7 @@ void expect_clear_and_slow(const surface::Mesh& mesh,
       const TipBeam& last = run.beams[i - 1];
       const TipBeam& next = run.beams[i];
       const double length = (next.tip - last.tip).norm();
-      // Where there is no room to turn in time, tips are dense.
+      // If there is no space to turn in time, tips are close together.
       const double angle = angle_between(last.axis, next.axis);
       EXPECT_TRUE(angle <= rules.turn_rate_rad_per_mm * length + 1e-8 ||
                   (length <= StrokeTracer::kGapMm && angle <= rules.swing_rad))
@@ -88,7 +89,8 @@ TEST(RotaryWords, AreThoseOfTheAxisAndNearTheLast) {
 
 TEST(RotaryWords, OfAnUprightAxisKeepC) {
   EXPECT_EQ(words_of(RotaryAxes::kAC, Vector3d::UnitZ(), {3.0, 77.0}).turn, 77.0);
-  // Through the upright to the other side C stays, and the tilt changes its sign.
+  // When the axis passes through the vertical to the other side, C stays and the tilt changes its
+  // sign.
   const RotaryWords over = words_of(RotaryAxes::kAC, axis_of(RotaryAxes::kAC, {2, 190}), {1, 10});
   EXPECT_NEAR(over.tilt, -2.0, 1e-9);
   EXPECT_NEAR(over.turn, 10.0, 1e-9);
@@ -99,7 +101,7 @@ TEST(StrokeTracer, LeansInTimeBesideAWall) {
   const Obstacles obstacles{mesh};
   const TurnRules rules{.step_mm = 0.1, .turn_rate_rad_per_mm = 20.0 * kDegree};
   const StrokeTracer tracer{{obstacles, beam_rules()}, rules};
-  // At the first layer the wall above the tip is so low that the least tilt changes within 2 um.
+  // At the first layer, the wall above the tip is so low that the least tilt changes within 2 um.
   for (const double height : {1.99, 1.0, 0.0}) {
     const auto runs = tracer.runs_of({StrokeUse::kHatch, {{-2, 0.3}, {2, 0.3}}}, height);
     ASSERT_EQ(runs.size(), 1U);
@@ -174,7 +176,7 @@ TEST(StrokeTracer, KeepsClearAndSlowOnRandomLinesBesideRandomPrisms) {
                           .step_mm = random.magnitude(0.02, 0.5),
                           .turn_rate_rad_per_mm = random.magnitude(10.0, 300.0) * kDegree};
     const StrokeTracer tracer{{obstacles, beam_rules()}, rules};
-    // From a wall's middle away from it, or along a wall.
+    // The stroke runs from the middle of a wall away from it, or along a wall.
     const std::size_t side = random.below(corners);
     const Vector2d from = polygon[side];
     const Vector2d to = polygon[(side + 1) % corners];

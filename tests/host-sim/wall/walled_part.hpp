@@ -15,14 +15,15 @@ namespace sim::wall {
 
 using Loop = std::vector<Eigen::Vector2d>;
 
-/// A pit in a block, or a post on a plate: walls between a loop at the floor and one at the rim,
-/// Z 0, over the same angles. Loops are counter-clockwise and see zero from everywhere.
+/// A pit in a block, or a post on a plate. Its walls connect a loop at the floor with one at the
+/// rim, at Z 0, over the same angles. Loops are counter-clockwise, and all their points are visible
+/// from the origin.
 struct WalledPart {
   Loop floor;
   Loop rim;
   double depth_mm = 1.0;
   bool is_post = false;
-  double size_mm = 1.0;  ///< Half a side of the block.
+  double size_mm = 1.0;  ///< Half the side of the block, mm.
 
   /// Returns the loop of the walls at a height between the floor and the rim.
   [[nodiscard]] Loop loop_at(double z) const {
@@ -34,12 +35,12 @@ struct WalledPart {
     return loop;
   }
 
-  /// Returns the part as a closed mesh, facets outwards; its plate or block is as thick below the
-  /// floor as the pit is deep.
+  /// Returns the part as a closed mesh, facets outwards. The plate or block below the floor is as
+  /// thick as the pit is deep.
   [[nodiscard]] surface::Mesh mesh() const;
 };
 
-/// Returns a loop whose edges are farther out by a distance; below 0 farther in.
+/// Returns a loop whose edges are moved outwards by a distance, inwards if negative.
 inline Loop offset_loop(const Loop& loop, double distance_mm) {
   Loop moved;
   for (std::size_t i = 0; i < loop.size(); ++i) {
@@ -54,7 +55,7 @@ inline Loop offset_loop(const Loop& loop, double distance_mm) {
   return moved;
 }
 
-/// Returns a part whose walls lean by an angle: the post is wider below, the pit narrower.
+/// Returns a part whose walls lean by an angle: a post is wider at its bottom, a pit narrower.
 inline WalledPart walled_part(const Loop& floor, bool is_post, double depth_mm, double draft_rad) {
   const double wider = (is_post ? -1.0 : 1.0) * depth_mm * std::tan(draft_rad);
   return {.floor = floor,
@@ -95,16 +96,16 @@ inline surface::Mesh WalledPart::mesh() const {
   return mesh;
 }
 
-/// How a part's walls are milled.
+/// Parameters for milling the walls of a part.
 struct WallMilling {
   double half_angle_rad = 0.0;
   double layer_mm = 0.01;
-  bool avoids = false;      ///< With the axes of least tilt; else upright.
-  std::size_t samples = 8;  ///< Tips on each edge of a layer.
+  bool avoids = false;      ///< True for axes of least tilt; false for vertical axes.
+  std::size_t samples = 8;  ///< Number of tips on each edge of a layer.
 };
 
-/// Returns the strokes of a part's walls: in each layer one along each edge of the loop there, and
-/// without the tips that are out of reach.
+/// Returns the strokes of a part's walls: in each layer one along each edge of the loop at this
+/// height, without the tips that are out of reach.
 inline std::vector<BeamStroke> strokes_of(const WalledPart& part, const WallMilling& milling) {
   const Obstacles obstacles{part.mesh()};
   const TiltRules rules{.half_angle_rad = milling.half_angle_rad,
@@ -122,7 +123,7 @@ inline std::vector<BeamStroke> strokes_of(const WalledPart& part, const WallMill
         const Eigen::Vector3d tip{at.x(), at.y(), z};
         std::optional<Beam> beam = Beam::along(tip, Eigen::Vector3d::UnitZ(), 0.1, 1.0);
         if (milling.avoids) beam = least_tilt(obstacles, tip, rules);
-        // The axis swings with the beam off, as around a corner that sticks out.
+        // The axis swings with the beam off, as around a convex corner.
         constexpr double kSwingCosine = 0.9903;
         const bool swings = beam && !strokes.back().empty() &&
                             beam->axis.dot(strokes.back().back().axis) < kSwingCosine;

@@ -20,7 +20,7 @@ std::uint32_t crc_of(std::string_view text) {
 
 TEST(Crc32, IsThatOfTheStandard) {
   EXPECT_EQ(crc_of(""), 0U);
-  EXPECT_EQ(crc_of("123456789"), 0xCBF4'3926U);  // The check value that catalogues give.
+  EXPECT_EQ(crc_of("123456789"), 0xCBF4'3926U);  // The check value that catalogues of CRCs list.
   EXPECT_EQ(crc_of("The quick brown fox jumps over the lazy dog"), 0x414F'A339U);
 }
 
@@ -32,7 +32,7 @@ TEST(Crc32, TakesAWordAsFourBytesLowestFirst) {
   EXPECT_EQ(words.value(), crc_of("123456789"));
 }
 
-// Bit by bit, as the polynomial says it.
+// Computes the CRC bit by bit, as the polynomial defines it.
 std::uint32_t crc_by_bits(std::span<const std::byte> bytes) {
   std::uint32_t state = ~0U;
   for (const std::byte byte : bytes) {

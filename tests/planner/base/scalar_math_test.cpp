@@ -44,7 +44,7 @@ TEST(SinCos, KeepsItsBoundEvenlyOverTheWholeRange) {
   }
 }
 
-// Where the quarter is decided, and where sine or cosine is all rounding.
+// At these angles the quarter is decided, and sine or cosine consists of rounding errors only.
 TEST(SinCos, KeepsItsBoundAroundEveryEighthOfATurn) {
   for (int eighth = -1273; eighth <= 1273; ++eighth) {
     const auto near = static_cast<float>(eighth * (std::numbers::pi / 4.0));
@@ -96,7 +96,7 @@ TEST(AtanUnit, KeepsItsBoundWhereTheFormulaChanges) {
   }
 }
 
-// The greatest error of all floats in [0, 1], found by trying every one.
+// The greatest error of all floats in [0, 1]; a search over every float found its argument.
 TEST(AtanUnit, KeepsItsBoundAtItsWorstArgument) {
   EXPECT_LE(atan_error(0x1.bb454ep-2F), kAtanError);
 }
@@ -192,7 +192,7 @@ TEST(SinCosInDouble, KeepsItsBoundForEveryMagnitude) {
   }
 }
 
-// Where the quarter is decided, and where sine or cosine is all rounding.
+// At these angles the quarter is decided, and sine or cosine consists of rounding errors only.
 TEST(SinCosInDouble, KeepsItsBoundAroundEveryEighthOfATurn) {
   for (int eighth = -127'000; eighth <= 127'000; eighth += 7) {
     double angle = eighth * (std::numbers::pi / 4.0);

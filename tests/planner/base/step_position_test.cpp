@@ -19,7 +19,7 @@ __extension__ using Int128 = __int128;
 constexpr std::int64_t kFarthest = Coordinate::kFarthestNanometres;
 constexpr std::int64_t kOneStep = std::int64_t{1} << 32;
 
-// A half rounds up, on either side of null.
+// A half rounds up, on either side of zero.
 static_assert(StepPosition{}.nearest_step() == 0);
 static_assert(StepPosition{kOneStep / 2 - 1}.nearest_step() == 0);
 static_assert(StepPosition{kOneStep / 2}.nearest_step() == 1);
@@ -39,12 +39,12 @@ TEST(StepPosition, NearestStepIsNeverMoreThanHalfAStepAway) {
   }
 }
 
-/// steps_per_mm · 2^40: a whole number for every float ≥ 2^-16.
+/// Returns steps_per_mm · 2^40, which is an integer for every float ≥ 2^-16.
 Int128 fixed_resolution(float steps_per_mm) {
   return static_cast<Int128>(std::ldexp(static_cast<long double>(steps_per_mm), 40));
 }
 
-/// 2^32 · nm · steps_per_mm / 10^6, truncated towards null.
+/// Returns 2^32 · nm · steps_per_mm / 10^6, truncated towards zero.
 Int128 exact_q32(std::int64_t nm, float steps_per_mm) {
   return Int128{nm} * fixed_resolution(steps_per_mm) / (Int128{1'000'000} << 8);
 }
@@ -107,7 +107,7 @@ TEST_F(AxisScaleOfRandomResolution, FindsItsWayBackToTheStep) {
   }
 }
 
-// |place · steps_per_mm − step| ≤ half a nanometre's worth, in whole numbers.
+// The condition |position · steps_per_mm − step| ≤ half a nanometre, in integers.
 TEST_F(AxisScaleOfRandomResolution, PutsAStepAtTheNearestNanometre) {
   for (int trial = 0; trial < 200'000; ++trial) {
     const AxisScale scale{any_resolution()};

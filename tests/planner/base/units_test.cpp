@@ -8,7 +8,7 @@
 #include "planner/base/axes.hpp"
 #include "planner/base/coordinate.hpp"
 
-// Facts the compiler can check are not unit tests.
+// The compiler checks these facts, so they are not unit tests.
 namespace cnc {
 namespace {
 

@@ -8,12 +8,12 @@
 namespace cnc::compensation {
 namespace {
 
-/// Where a straight entry of 10 mm along y that ends at the origin touches the circle of 1 mm about
-/// it, on the right.
+/// An entry of 10 mm along y ends at the origin. This is the point at which it touches the circle
+/// of 1 mm around its end, on the right.
 constexpr float kTouchX = 0.994987F;
 constexpr float kTouchY = -0.1F;
 
-/// A program on one side, and what came of it.
+/// A program on one side, and the compensated elements.
 class Bench {
  public:
   explicit Bench(float offset_mm, float x = 0.0F, float y = 0.0F, Plane plane = Plane::kXY) {
@@ -86,7 +86,7 @@ class Bench {
 };
 
 TEST(Compensator, GoesRoundASquareOnItsOutside) {
-  // Clockwise, and the path on its left.
+  // The path is clockwise, with the tool on its left.
   Bench bench{-1.0F, -10.0F, 0.0F};
   bench.to(0, 0).to(0, 10).to(10, 10).to(10, 0).to(0, 0).end();
   bench.expect_ends({{-1, 1}, {-1, 10}, {0, 11}, {10, 11}, {11, 10}, {11, 0}, {10, -1}, {0, -1}});
@@ -167,7 +167,7 @@ TEST(Compensator, RefusesAnArcNarrowerThanTheOffset) {
 
 TEST(Compensator, RefusesASlotNarrowerThanTwiceTheOffset) {
   Bench bench{-1.0F, -10.0F, 0.0F};
-  // Into a slot of 1.9 mm and out again, the path inside of it.
+  // The path enters a slot of 1.9 mm and leaves it, inside of the slot.
   bench.to(0, 0).to(10, 0).to(10, -10).to(11.9F, -10).to(11.9F, 0).to(30, 0).end();
   ASSERT_TRUE(bench.fault);
   EXPECT_TRUE(bench.given.empty());
@@ -194,7 +194,7 @@ TEST(Compensator, RefusesAnExitThroughThePart) {
   EXPECT_EQ(fault->other, 2U);
 }
 
-// In floats, both ends of a short element are one point as seen from metres away.
+// In floats, both ends of a short element are one point if the origin is metres away.
 TEST(Compensator, TakesElementsOfANanometreFarFromTheOthers) {
   for (const std::int64_t nanometres : {1, 3, 20, 100}) {
     for (const float bulge : {0.0F, 0.5F, -1.0F}) {

@@ -1,4 +1,4 @@
-// Leads, and motions of other axes: what G41 and G42 are given around an outline.
+// Tests leads and motions of other axes, which G41 and G42 receive before and after an outline.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -96,7 +96,7 @@ void expect_place(const Position& place, float x, float y, float z = 0.0F) {
   EXPECT_NEAR(place[2].mm(), z, 2e-5F);
 }
 
-/// Round a rectangle from (0, 15), clockwise, the tool outside.
+/// Appends a rectangle from (0, 15), clockwise, with the tool outside.
 Path& rectangle(Path& path) { return path.to(0, 30).to(40, 30).to(40, 0).to(0, 0).to(0, 15); }
 
 TEST(Leads, ArcsInAndOutMayCrossOneAnother) {
@@ -107,7 +107,7 @@ TEST(Leads, ArcsInAndOutMayCrossOneAnother) {
   EXPECT_FALSE(path.compensator.leave(path.at(-20, 25), false));
 }
 
-/// The same leads without a closed outline between them are no leads.
+/// Without a closed outline between them, the same elements are not leads.
 TEST(Leads, OfAnOpenPathAreEdges) {
   Path path{-10.0F, -5.0F, -3.0F};
   path.to(-10, 5).to(0, 15, kQuarter).to(0, 30).to(40, 30).to(40, 0).to(0, 0).to(0, 14);
@@ -118,14 +118,14 @@ TEST(Leads, OfAnOpenPathAreEdges) {
 }
 
 TEST(Leads, CutNothingOfTheOutline) {
-  // The lead-in arc of 12 mm passes beside the far wall of a pocket 10 mm wide.
+  // The lead-in arc of 12 mm passes the far wall of a pocket 10 mm wide.
   Path path{-7.0F, 12.0F, -2.0F};
   path.to(-7, 11).to(5, 0, 0.5F).to(5, 10).to(-5, 10).to(-5, -20).to(5, -20).to(5, 0).end();
   ASSERT_TRUE(path.fault);
   EXPECT_TRUE(path.way.empty());
 }
 
-/// The lead-out ends above the floor of a recess, along which the path has come.
+/// The lead-out ends above the floor of a recess that the path has passed before.
 TEST(Leads, OfALongOutlineAreSeenWhenItCloses) {
   Path path{-20.0F, 12.0F, -3.0F};
   path.to(-10, 5).to(0, 15, kQuarter).to(0, 30);
@@ -135,7 +135,8 @@ TEST(Leads, OfALongOutlineAreSeenWhenItCloses) {
 }
 
 TEST(Leads, AnArcIsTheEntryMotion) {
-  // From the centre of a bore of 20 mm and back, as two circles are milled in nc_files/gmoccapy.
+  // The path runs from the centre of a bore of 20 mm and back, as nc_files/gmoccapy mills two
+  // circles.
   Path path{0.0F, 0.0F, -3.0F};
   path.to(20, 0, 1.0F).to(-20, 0, 1.0F).to(20, 0, 1.0F).to(0, 0, 1.0F).end();
   ASSERT_FALSE(path.fault) << path.fault_text();
@@ -146,7 +147,7 @@ TEST(Leads, AnArcIsTheEntryMotion) {
 }
 
 TEST(Leads, AnEntryDoesNotCutTheCornerAtItsEnd) {
-  // To the corner of a square along its edge.
+  // The entry leads to the corner of a square along its edge.
   Path path{0.0F, -2.0F};
   path.to(0, 0).to(0, 10).to(10, 10).to(10, 0).to(0, 0).end();
   ASSERT_FALSE(path.fault) << path.fault_text();
@@ -167,14 +168,14 @@ TEST(Leads, AnExitDoesNotCutTheCornerWhereItBegins) {
 }
 
 TEST(Leads, WhatIsDrivenTwiceMayBeRoundedOtherwise) {
-  // Over the start of a slanted edge once more, to three decimals.
+  // The path covers the start of a slanted edge once more, rounded to three decimals.
   Path path{-4.0F, 4.0F};
   path.to(0, 1).to(7, 10).to(20, 0).to(-7, -8).to(0, 1).to(0.7F, 1.901F).to(-2, 5).end();
   EXPECT_FALSE(path.fault) << path.fault_text();
 }
 
 TEST(Leads, OtherAxesMoveAlong) {
-  // A thread: three turns of a helix between quarter arcs, 2 mm inside.
+  // The path is a thread: three turns of a helix between quarter arcs, 2 mm inside.
   Path path{0.0F, 0.0F, -2.0F};
   path.to(5, -5).to(10, 0, kQuarter);
   for (int turn = 0; turn < 3; ++turn) {

@@ -34,7 +34,8 @@ class ArcSplineFit : public testing::Test {
     return pieces;
   }
 
-  /// Degrees that the last bits of its ends turn an arc by, of the few too short for them.
+  /// Returns the greatest angle in degrees by which the rounding of its ends rotates an arc that is
+  /// too short for its coordinates; 0 for longer arcs.
   static double unrepresented(const ChainArc& arc) {
     constexpr double kLongEnough = 1.0e-4;
     const double chord = (arc.end - arc.start).norm();
@@ -42,7 +43,8 @@ class ArcSplineFit : public testing::Test {
     constexpr double kBits = 4.0 * std::numeric_limits<double>::epsilon();
     return kBits * arc.start.cwiseAbs().maxCoeff() / chord * 180.0 / std::numbers::pi;
   }
-  /// Each arc begins as the one before ends, so that it adds up.
+  /// Returns the sum of these angles. They accumulate, as each arc begins in the direction in which
+  /// the one before ends.
   static double unrepresented(std::span<const ChainArc> chain) {
     double sum = 0.0;
     for (const ChainArc& arc : chain) sum += 2.0 * unrepresented(arc);

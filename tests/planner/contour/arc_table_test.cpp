@@ -16,13 +16,13 @@
 namespace cnc::contour {
 namespace {
 
-/// How many arcs each way of fitting takes, of one kind of curve or of several.
+/// Numbers of arcs that each method of fitting requires, for one kind of curve or several.
 struct ArcCounts {
-  std::size_t tangents = 0;  ///< kFewest, tangents at both ends kept.
-  std::size_t places = 0;    ///< kFewest, places of both ends kept.
-  std::size_t paper = 0;     ///< kBisecting.
-  std::size_t greedy = 0;    ///< The longest optimal biarc, one after the other.
-  std::size_t bound = 0;     ///< The longest arcs that need not even meet.
+  std::size_t tangents = 0;  ///< Method kFewest, with the tangents at both ends kept.
+  std::size_t places = 0;    ///< Method kFewest, with the end points kept.
+  std::size_t paper = 0;     ///< Method kBisecting.
+  std::size_t greedy = 0;    ///< The longest optimal biarcs, one after the other.
+  std::size_t bound = 0;     ///< Lower bound: the longest arcs, which need not meet.
   double milliseconds = 0.0;
 
   void add(const ArcCounts& other) {
@@ -106,8 +106,8 @@ class ArcTable : public testing::Test {
     return arcs;
   }
 
-  /// Arcs that begin anywhere in the band across the place where the one before ended, in any
-  /// direction: fewer can cover no curve.
+  /// Returns the number of arcs that each begin at any point in the band across the end of the arc
+  /// before, in any direction. No chain that covers the curve has fewer arcs.
   static std::size_t disjoint_arcs(const ToleranceBand& band) {
     std::size_t arcs = 0;
     for (double at = 0.0; at < band.last(); ++arcs) {
@@ -139,8 +139,9 @@ class ArcTable : public testing::Test {
 
 void print_head(const char* name) { std::printf("%-30s  tang place  grdy paper bound\n", name); }
 
-// A fit that kinks by up to 57 degrees took 146, 306 and 649 arcs where the bound was 119, 247
-// and 543, on curves of the same classes. Without a kink there are no more of them.
+// Published fits that kink by up to 57 degrees took 146, 306 and 649 arcs for a bound of 119, 247
+// and 543, on curves of the same classes. Our fits, which have no kinks, must not have a greater
+// ratio to their bound.
 TEST_F(ArcTable, TakesNoMoreArcsThanTheBestFitWithKinks) {
   constexpr std::array<double, 3> kTolerances{0.1, 0.01, 0.001};
   constexpr std::array<double, 3> kPeers{146.0 / 119.0, 306.0 / 247.0, 649.0 / 543.0};
@@ -164,8 +165,8 @@ TEST_F(ArcTable, TakesNoMoreArcsThanTheBestFitWithKinks) {
   }
 }
 
-// Paper 1, figure 13: 120 arcs, corners' included. Its control points are not printed; these
-// curves are like them.
+// Paper 1, figure 13, has 120 arcs, including those of corners. It does not print the control
+// points; these curves are similar.
 TEST_F(ArcTable, FitsTheOffsetOfAnOutlineOfThirteenCurvesByFortyEightArcs) {
   nlohmann::json outline;
   std::ifstream{KERFLINE_CONTOUR_DATA "/k13_synthetic.json"} >> outline;

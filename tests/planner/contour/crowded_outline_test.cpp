@@ -20,7 +20,7 @@ Slice<Item> all_of(std::vector<Item>& items) {
   return {items.data(), items.size()};
 }
 
-/// The working storage of one offset, with room for so many cuts.
+/// Working storage of one offset, with capacity for a given number of cuts.
 class Room {
  public:
   Room(std::size_t elements, std::size_t cuts) : sizes_{elements, cuts} {}
@@ -59,7 +59,7 @@ class Room {
   std::vector<std::uint32_t> queue_ = std::vector<std::uint32_t>(sizes_.nodes());
 };
 
-/// An offset, and whether it was done with the cuts that it had.
+/// Result of an offset, and whether the capacity for cuts was sufficient.
 struct Done {
   Result<ContourView<double>, OffsetError> result;
   Vertices vertices;
@@ -78,7 +78,8 @@ Done offset_with(const Vertices& outline, double distance, std::size_t cuts) {
   return done;
 }
 
-/// A star with round points as a scanner draws it: many places, each a little off.
+/// Returns a star with rounded tips as a scanner draws it: many points, each with a small
+/// deviation.
 Vertices scanned(std::size_t count, double radius, double roughness, proof::Random& random) {
   Vertices outline;
   for (std::size_t i = 0; i < count; ++i) {
@@ -91,8 +92,9 @@ Vertices scanned(std::size_t count, double radius, double roughness, proof::Rand
   return outline;
 }
 
-/// The work of an offset is in what its moved elements meet: without taking off what corners
-/// nearby cover, 32,000 places with 1,000 of them within the distance need 16,000,000 cuts.
+/// The work of an offset is proportional to the intersections of moved elements. Sections that
+/// nearby corners cover are removed first. Otherwise 32,000 points with 1,000 of them within the
+/// distance would require 16,000,000 cuts.
 TEST(CrowdedOutline, MeetsNoMoreOfItselfHoweverCloselyItIsDrawn) {
   proof::Random random{proof::test_seed()};
   for (const std::size_t count : {2'000U, 8'000U, 32'000U, 128'000U}) {
@@ -128,7 +130,7 @@ bool is_inside(const Vertices& outline, double x, double y) {
   return inside;
 }
 
-/// To the nearest arc of a result, looked at in small steps of each.
+/// Returns the distance to the nearest arc of a result, checked in small steps along each arc.
 double distance_to_result(const ContourView<double>& result, double x, double y) {
   double least = 1.0e9;
   for (std::size_t loop = 0; loop < result.loop_ends.size(); ++loop) {
@@ -143,8 +145,8 @@ double distance_to_result(const ContourView<double>& result, double x, double y)
   return least;
 }
 
-/// Both ways, by looking at everything: what is written is at the distance, and no place that is
-/// at the distance, on this side, is missing.
+/// Checks both directions by trying all points. Each point of the result is at the distance, and no
+/// point at the distance on this side is missing.
 TEST(CrowdedOutline, IsWhereLookingAtEverythingSaysThatItIs) {
   const proof::Trials trials{40};
   std::size_t found = 0;

@@ -22,12 +22,12 @@ std::vector<CurvePiece> divided(const PlaneCurve& curve,
   return pieces;
 }
 
-/// y = x² / 2 over −3…3, whose greatest curvature is 1, at the origin.
+/// Returns y = x² / 2 over −3…3, whose greatest curvature is 1, at the origin.
 CurveJet parabola(double x) {
   return {.place = {x, 0.5 * x * x}, .first = {1.0, x}, .second = {0.0, 1.0}};
 }
 
-// κ d = −1 where (1 + x²)^1.5 = |d|, and the offset runs backwards between.
+// κ d = −1 where (1 + x²)^1.5 = |d|. Between these points the offset runs backwards.
 TEST(CurvePieces, AreDividedAtTheCuspsOfAParabolasOffset) {
   for (const std::size_t spans : {1U, 2U, 7U}) {
     const exact::FunctionCurve curve{parabola, -3.0, 3.0, spans};
@@ -44,7 +44,7 @@ TEST(CurvePieces, AreDividedAtTheCuspsOfAParabolasOffset) {
   }
 }
 
-// At the vertex κ d = −1.0000005 leaves two cusps 0.0012 mm apart.
+// At the vertex, κ d = −1.0000005 leaves two cusps 0.0012 mm apart.
 TEST(CurvePieces, AreDividedAtTwoCuspsNearEachOther) {
   const exact::FunctionCurve curve{parabola, -3.0, 3.2, 1};
   EXPECT_EQ(divided(curve, -1.0000005).size(), 3U);
@@ -87,7 +87,7 @@ TEST(CurvePieces, AreDividedAtCornersBetweenSpansThatAreLargeEnough) {
     return std::vector<WideVec2>{
         {0.0, 0.0}, {1.0, 0.0}, {2.0, 0.0}, {3.0, bend}, {4.0, 2.0 * bend}};
   };
-  // A knot as often as the degree is a corner at the middle point.
+  // A knot whose multiplicity is the degree is a corner at the middle point.
   const std::vector<double> knots{0.0, 0.0, 0.0, 1.0, 1.0, 2.0, 2.0, 2.0};
   const exact::OwnedNurbs small{2, exact::OwnedNurbs::with_weights(bent(1.0e-3)), knots};
   const exact::OwnedNurbs large{2, exact::OwnedNurbs::with_weights(bent(0.1)), knots};
@@ -109,7 +109,7 @@ TEST(CurvePieces, SayWhenThereIsNoRoomOrNoDirection) {
   EXPECT_EQ(none.error(), SplitError::kNoDirection);
 }
 
-// Where control points at an end coincide the first derivative vanishes.
+// If control points at an end coincide, the first derivative vanishes there.
 TEST(CurvePieces, HaveTheTangentOfTheCurveWhereTheFirstDerivativeVanishes) {
   const exact::OwnedNurbs curve{3, {{0.0, 0.0}, {0.0, 0.0}, {3.0, 4.0}, {3.0, 4.0}}};
   const auto pieces = divided(curve.curve(), 0.0);

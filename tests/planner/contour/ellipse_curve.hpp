@@ -4,13 +4,13 @@
 
 namespace cnc::contour {
 
-/// An arc of an ellipse: centre + cos t · major + sin t · minor, t from `start`
-/// to `end` in radians; clockwise where `end` is below. So DXF writes its
-/// ELLIPSE (minor: major turned left, times the ratio) and so are SVG's elliptical
-/// arcs once their centre is known.
+/// An arc of an ellipse: centre + cos t · major + sin t · minor, with t from `start` to `end` in
+/// radians; clockwise if `end` is less than `start`. DXF stores its ELLIPSE in this form (minor:
+/// major rotated to the left, times the ratio). SVG's elliptical arcs have this form as soon as
+/// their centre is computed.
 struct Ellipse {
   WideVec2 centre{0.0, 0.0};  ///< mm.
-  WideVec2 major{1.0, 0.0};   ///< From the centre, mm.
+  WideVec2 major{1.0, 0.0};   ///< Vector from the centre, mm.
   WideVec2 minor{0.0, 1.0};
   double start = 0.0;
   double end = 6.28318530717958648;
@@ -18,10 +18,10 @@ struct Ellipse {
 
 class EllipseCurve final : public PlaneCurve {
  public:
-  /// @pre start and end differ, by at most kWideSinCosRange.
+  /// @pre start and end differ, by at most kWideSinCosRange
   explicit EllipseCurve(const Ellipse& ellipse);
 
-  /// A span for each eighth of a turn, or part of one.
+  /// A span covers an eighth of a turn, or the remaining part of one.
   [[nodiscard]] std::size_t span_count() const override { return span_count_; }
   [[nodiscard]] CurveJet at(std::size_t span, double share) const override;
 

@@ -12,7 +12,7 @@
 
 namespace cnc::contour::exact {
 
-/// An arc by both ends and its bulge; two vertices in a row.
+/// An arc by both ends and its bulge, as two consecutive vertices store it.
 struct ChainArc {
   WideVec2 start{0.0, 0.0};
   WideVec2 end{0.0, 0.0};
@@ -27,7 +27,7 @@ inline std::vector<ChainArc> arcs_between(std::span<const Vertex<double>> vertic
   return arcs;
 }
 
-/// Of a place from a straight edge, squared.
+/// Returns the squared distance of a point from a straight edge.
 inline double to_edge(const WideVec2& place, const WideVec2& from, const WideVec2& to) {
   const WideVec2 edge = to - from;
   const WideVec2 seen = place - from;
@@ -36,7 +36,7 @@ inline double to_edge(const WideVec2& place, const WideVec2& from, const WideVec
   return (seen - share * edge).squaredNorm();
 }
 
-/// Distances from an arc by its centre and angles, with the library's trigonometry.
+/// Computes distances from an arc by its centre and angles, with the library's trigonometry.
 class PlainArc {
  public:
   explicit PlainArc(const ChainArc& arc)
@@ -76,8 +76,8 @@ class PlainArc {
   bool straight_ = false;
 };
 
-/// How far a chain of arcs and a piece of curve are from each other, both ways, by nothing that
-/// the fit computes with: centres, angles and the library's trigonometry.
+/// Computes the distances between a chain of arcs and a piece of a curve, in both directions. It
+/// uses none of the fit's functions, but centres, angles and the library's trigonometry.
 class BothWays {
  public:
   BothWays(const CurvePiece& piece, std::span<const ChainArc> chain, double tolerance)
@@ -96,7 +96,7 @@ class BothWays {
     return greatest;
   }
 
-  /// What the chords between the curve's places may add is `fine()`.
+  /// The chords between the curve's points increase the result by `fine()` at most.
   [[nodiscard]] double chain_to_curve() const {
     double greatest = 0.0;
     for (const PlainArc& circle : circles_) {
@@ -113,7 +113,7 @@ class BothWays {
   }
   [[nodiscard]] double fine() const { return fine_; }
 
-  /// Degrees, of the directions in which an arc begins and ends.
+  /// Returns the direction in which an arc begins, degrees; arriving(), in which it ends.
   [[nodiscard]] static double leaving(const ChainArc& arc) {
     return direction(arc) - 2.0 * degrees(std::atan(arc.bulge));
   }
@@ -133,7 +133,7 @@ class BothWays {
     return degrees(std::atan2(chord.y(), chord.x()));
   }
 
-  /// By paper 1, eq. 3, from the derivatives.
+  /// Returns the point by paper 1, eq. 3, from the derivatives.
   [[nodiscard]] WideVec2 place_at(double spans) const {
     const double last = std::max(std::floor(piece_.from), std::ceil(piece_.to) - 1.0);
     const double span = std::min(std::floor(spans), last);
@@ -160,7 +160,7 @@ class BothWays {
   void refine(double from, const WideVec2& before, double to, const WideVec2& after, int depth) {
     const double middle = 0.5 * (from + to);
     const WideVec2 between = place_at(middle);
-    // Half way alone says nothing of a curve that bends one way and then the other.
+    // The middle alone does not represent a curve that bends in both directions.
     const auto off = [&](double share) {
       return to_edge(place_at(from + share * (to - from)), before, after);
     };

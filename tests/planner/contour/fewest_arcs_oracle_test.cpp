@@ -15,10 +15,10 @@
 namespace cnc::contour {
 namespace {
 
-/// The least number of arcs of all smooth chains of biarcs whose ends lie on a lattice: some
-/// stations along the curve, some places across the band there, some directions. By dynamic
-/// programming, so that no chain of the lattice is missed; the distance is judged from the curve
-/// only, which lets more chains pass than a fit may use.
+/// Finds the least number of arcs in smooth chains of biarcs whose ends lie on a lattice: some
+/// stations along the curve, some positions across the band there, some directions. Dynamic
+/// programming misses no chain of the lattice. The distance is checked only from the curve, so that
+/// more chains pass than a fit may use.
 class LatticeOracle {
  public:
   LatticeOracle(const CurvePiece& piece, double tolerance) : tolerance_{tolerance} {
@@ -56,7 +56,7 @@ class LatticeOracle {
     std::size_t arcs = kNever;
   };
 
-  /// At both ends the curve's own place and tangent only.
+  /// At both ends, only the curve's own point and tangent are allowed.
   [[nodiscard]] std::vector<Node> nodes_at(int station) const {
     const WayPoint& point = looks_[static_cast<std::size_t>(station * kLooksOfStation)];
     if (station == 0 || station == kStations) return {{point.place, point.tangent}};
@@ -97,8 +97,8 @@ class LatticeOracle {
   std::vector<WayPoint> looks_;
 };
 
-// The oracle judges one way and between few places, and the search is no proof: of 300 curves one
-// has an arc more (KERFLINE_SEED=18).
+// The oracle checks one direction and few points, and the search is not proven optimal: with
+// KERFLINE_SEED=18, a curve has one arc more.
 TEST(FewestArcs, AreFewerThanDynamicProgrammingFindsOnALatticeAndNeverTwoMore) {
   const proof::Trials trials{30};
   std::vector<CurveSample> samples(20'000);

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kAnyValue = -1.0e30;
 
-/// Two valleys and a slope.
+/// A function with two valleys and a slope.
 struct Valleys {
   explicit Valleys(proof::Random& random)
       : first{random.between(-1.0, 1.0)},

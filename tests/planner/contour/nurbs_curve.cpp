@@ -31,7 +31,8 @@ bool all_ascend(std::span<const double> knots) {
   return true;
 }
 
-/// Within the curve at most `degree` times, or there would be a gap.
+/// Returns whether each inner knot has a multiplicity of at most `degree`. Otherwise the curve
+/// would have a gap.
 bool holds_together(std::span<const double> knots, std::size_t degree) {
   for (std::size_t i = 1; i + degree + 1 < knots.size(); ++i) {
     if (knots[i + degree] <= knots[i]) {
@@ -68,8 +69,8 @@ Result<NurbsCurve, NurbsError> NurbsCurve::make(std::size_t degree,
   return curve;
 }
 
-/// Two steps before de Boor's triangle has narrowed to a point, what is left of it
-/// are the differences that make the second derivative.
+/// Two steps before de Boor's triangle has narrowed to a point, its remaining differences give the
+/// second derivative.
 CurveJet NurbsCurve::at(std::size_t span, double share) const {
   CNC_ASSERT(span < span_count_);
   const std::size_t knot = spans_[span];
@@ -84,7 +85,7 @@ CurveJet NurbsCurve::at(std::size_t span, double share) const {
   Homogeneous second{};
   Homogeneous first{};
   for (std::size_t level = 1; level <= degree_; ++level) {
-    const std::size_t left = degree_ - level;  // The last index of the row to come.
+    const std::size_t left = degree_ - level;  // Last index of the next row.
     const auto reach = [&](std::size_t i) {
       return knots_[knot + i + 1] - knots_[knot + i + level - degree_];
     };
@@ -102,7 +103,7 @@ CurveJet NurbsCurve::at(std::size_t span, double share) const {
       row[i] = mixed(row[i], row[i + 1], (u - begin) / reach(i));
     }
   }
-  // The quotient rule, with the span's own share instead of the knots' parameter.
+  // Uses the quotient rule, with the fraction of the span instead of the knots' parameter.
   const double inverse = 1.0 / row[0].weight;
   CurveJet jet{};
   jet.place = inverse * row[0].place;

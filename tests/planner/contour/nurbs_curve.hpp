@@ -10,31 +10,30 @@
 
 namespace cnc::contour {
 
-/// What draws a curve towards it.
+/// A control point with its weight, which attracts the curve.
 struct WeightedPlace {
   WideVec2 place{0.0, 0.0};  ///< mm.
   double weight = 1.0;
 };
 
 enum class NurbsError : std::uint8_t {
-  kDegree,        ///< Not 1…kHighestDegree.
-  kTooFewPoints,  ///< Fewer than the order.
-  kKnotCount,     ///< Not points + order.
-  kKnotOrder,     ///< A knot below the one before it, or none a number.
-  kKnotRepeated,  ///< So often that the curve falls apart there.
-  kWeight,        ///< Not above 0.
-  kTooManySpans,  ///< More than kMaxSpans.
-  kNotAPlace,     ///< A control point that is no number.
+  kDegree,        ///< The degree is not in 1…kHighestDegree.
+  kTooFewPoints,  ///< There are fewer points than the order.
+  kKnotCount,     ///< The number of knots is not points + order.
+  kKnotOrder,     ///< A knot is less than the one before it, or not a number.
+  kKnotRepeated,  ///< A knot is repeated so often that the curve has a gap.
+  kWeight,        ///< A weight is not greater than 0.
+  kTooManySpans,  ///< There are more than kMaxSpans spans.
+  kNotAPlace,     ///< A coordinate of a control point is not a number.
 };
 
-/// A rational B-spline over any knots. A Bézier curve, quadratic or cubic, is one
-/// over the knots 0 … 0, 1 … 1; a B-spline one with all weights equal; a circle
-/// as CAD systems write it one of degree 2.
+/// A rational B-spline over any knots. Special cases are a quadratic or cubic Bézier curve (knots 0
+/// … 0, 1 … 1), a B-spline (equal weights), and a circle as CAD systems store it (degree 2).
 ///
-/// Control points and knots stay the caller's and must outlive it.
+/// The caller owns control points and knots, which must outlive this object.
 ///
-/// Guarantee: the place is within kNurbsError of the greatest coordinate, the
-/// derivatives those of the very curve (de Boor in homogeneous coordinates).
+/// Guarantee: the error of the point is at most kNurbsError times the greatest coordinate. The
+/// derivatives are those of the same curve (de Boor in homogeneous coordinates).
 class NurbsCurve final : public PlaneCurve {
  public:
   static constexpr std::size_t kHighestDegree = 11;
@@ -57,7 +56,7 @@ class NurbsCurve final : public PlaneCurve {
   std::span<const double> knots_;
   std::size_t degree_;
   std::size_t span_count_ = 0;
-  std::array<std::uint16_t, kMaxSpans> spans_{};  ///< The knot at which each begins.
+  std::array<std::uint16_t, kMaxSpans> spans_{};  ///< Knot at which each span begins.
 };
 
 inline constexpr double kNurbsError = 1.0e-13;

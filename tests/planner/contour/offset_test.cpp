@@ -12,7 +12,7 @@ namespace {
 
 using std::numbers::pi;
 
-/// An offset with everything that it needs, on the heap as tests have one.
+/// An offset with all its storage, on the heap, which only tests may use.
 template <typename Scalar, std::size_t kElements = 512, std::size_t kCuts = 4096>
 class Bench {
  public:
@@ -114,8 +114,8 @@ TEST(Offset, SplitsAtANeck) {
   EXPECT_EQ(result.value().loop_ends.size(), 2U);
 }
 
-// Where a neck has just closed two arcs end in a tip without an angle, of which the sign is a
-// rounding error. It is no end of a slot, about which there would be half a circle.
+// At the moment when a neck closes, two arcs end in a tip with an angle of zero, whose sign is a
+// rounding error. This tip is not the end of a slot, which would receive half a circle.
 TEST(Offset, NothingIsBeyondATipWithoutAnAngle) {
   const double tip = 5.932936430626526;
   const double quarter = std::sqrt(2.0) - 1.0;
@@ -138,8 +138,8 @@ TEST(Offset, ANeckOfTwiceTheDistanceIsClosed) {
   const auto result = bench.offset(-1.0);
   ASSERT_TRUE(result.ok());
   EXPECT_EQ(result.value().loop_ends.size(), 2U);
-  // Each half is a square of 8 mm and, towards the neck, what two quarter circles
-  // of 1 mm about its corners leave of 2 mm × 1 mm.
+  // Each half is a square of 8 mm. Towards the neck it also has 2 mm × 1 mm, less two quarter
+  // circles of 1 mm around the neck's corners.
   EXPECT_NEAR(area(result.value()), 2.0 * (64.0 + 2.0 - pi / 2.0), 1e-9);
 }
 

@@ -13,7 +13,7 @@
 
 namespace cnc::contour::exact {
 
-/// A curve by its formula, of a parameter that runs over equal spans.
+/// A curve by a formula, with a parameter that increases evenly over equal spans.
 class FunctionCurve final : public PlaneCurve {
  public:
   using Function = std::function<CurveJet(double)>;
@@ -38,14 +38,14 @@ class FunctionCurve final : public PlaneCurve {
   std::size_t spans_;
 };
 
-/// A NURBS curve with what it is made of.
+/// A NURBS curve that owns its control points and knots.
 class OwnedNurbs {
  public:
   OwnedNurbs(std::size_t degree, std::vector<WeightedPlace> points, std::vector<double> knots)
       : points_{std::move(points)},
         knots_{std::move(knots)},
         curve_{NurbsCurve::make(degree, points_, knots_).value()} {}
-  /// Uniform knots, clamped at both ends.
+  /// Creates uniform knots, clamped at both ends.
   OwnedNurbs(std::size_t degree, const std::vector<WideVec2>& points)
       : OwnedNurbs{degree, with_weights(points), uniform(degree, points.size())} {}
   OwnedNurbs(const OwnedNurbs&) = delete;
@@ -75,15 +75,15 @@ inline WideVec2 polar(double radius, double angle) {
   return {radius * std::cos(angle), radius * std::sin(angle)};
 }
 
-/// A curve of the comparison with other fits, and by how much it is offset.
+/// A curve of the comparison with other fits, with its name and its offset distance.
 struct NamedCurve {
   const char* name;
   const PlaneCurve* curve;
   double offset_mm;
 };
 
-/// The eight classes of curves by which fits are compared: smooth ones of 40…200 mm, always the
-/// same. Control points come from SplitMix64 with the seed 2026.
+/// Eight classes of curves for comparing fits: smooth ones of 40…200 mm, always the same. Control
+/// points come from SplitMix64 with the seed 2026.
 class EightCurves {
  public:
   EightCurves() {
@@ -149,7 +149,8 @@ class EightCurves {
   FunctionCurve sine_{sine, 0.0, 100.0, 20};
 };
 
-/// B-splines of any degree and knots, Bézier curves, rational ones, arcs of ellipses.
+/// Generates B-splines of any degree and knots, Bézier curves, rational curves and arcs of
+/// ellipses.
 class RandomCurve {
  public:
   explicit RandomCurve(proof::Random& random) {

@@ -8,7 +8,7 @@ namespace {
 
 class AcceptedLines : public InterpreterTest {};
 
-// Each spelling of the same move from (0, 0) to (10.5, -0.25).
+// Each text is a spelling of the same move from (0, 0) to (10.5, -0.25).
 TEST_F(AcceptedLines, ManySpellingsOfOneMove) {
   const std::string spellings[]{
       "G1 X10.5 Y-0.25 F600",
@@ -55,7 +55,7 @@ TEST_F(AcceptedLines, ManySpellingsOfOneMove) {
   }
 }
 
-// Senders give back the words of [GC:…] in one line.
+// Senders return the words of [GC:…] in one line.
 TEST_F(AcceptedLines, AnArcWordAloneSetsTheMode) {
   EXPECT_FALSE(take("G2 G54 G17 G21 G90 G94 M5 M9 T0 F600 S0").empty());
   EXPECT_EQ(interpreter.state().motion, MotionMode::kArcClockwise);

@@ -17,7 +17,7 @@ long double length_mm(PlaneVector v) {
   return std::hypot(static_cast<long double>(v.first), static_cast<long double>(v.second)) * 1e-6L;
 }
 
-/// Vectors of 100 nm … 1 km, in all directions.
+/// Generates vectors of 100 nm … 1 km in all directions.
 class RandomVectors {
  public:
   explicit RandomVectors(unsigned seed) : random_{seed} {}
@@ -54,7 +54,7 @@ TEST(RadiusDeviation, IsExactOnTheCircle) {
   EXPECT_EQ(radius_deviation({0, 0}, {3, 4}), 0.0F);
   EXPECT_EQ(radius_deviation({20'000'000, 0}, {10'000'000, 0}), 0.0F);
   EXPECT_EQ(radius_deviation({2'000'000'000'000, 0}, {1'000'000'000'000, 0}), 0.0F);
-  // A nanometre off a half circle of 100 mm.
+  // The end deviates by a nanometre from a half circle of 100 mm.
   EXPECT_FLOAT_EQ(radius_deviation({200'000'001, 0}, {100'000'000, 0}), 1.0e-6F);
 }
 
@@ -106,7 +106,7 @@ TEST(CentreByRadius, ShorterArcForPositiveLongerForNegative) {
   EXPECT_GT(centre_by_radius(east, -10'000'000, true).centre.second, 0);
 }
 
-// R a nanometre more than half the chord: with floats, h would be 0 or 100 µm.
+// R is a nanometre greater than half the chord. With floats, h would be 0 or 100 µm.
 TEST(CentreByRadius, HalfCirclesKeepTheirDigits) {
   const auto found = centre_by_radius({20'000'000, 0}, 10'000'001, false);
   EXPECT_EQ(found.centre.first, 10'000'000);

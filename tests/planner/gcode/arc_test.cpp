@@ -17,7 +17,7 @@ struct Circle {
   const char* line;
   Plane plane;
   bool clockwise;
-  std::array<std::int64_t, 2> centre_um;  ///< In the order of the plane's axes.
+  std::array<std::int64_t, 2> centre_um;  ///< Centre in the order of the plane's axes, µm.
   Position end;
   int turns = 1;
 };
@@ -41,7 +41,7 @@ class ArcWords : public InterpreterTest {
   }
 };
 
-// All from (1, 2, 3).
+// All circles begin at (1, 2, 3).
 const Circle kCircles[]{
     {"G2 X11 Y2 I5", Plane::kXY, true, {6000, 2000}, {mm(11), mm(2), mm(3)}},
     {"G3 X11 Y2 I5", Plane::kXY, false, {6000, 2000}, {mm(11), mm(2), mm(3)}},
@@ -71,7 +71,7 @@ const Circle kCircles[]{
     {"G20 G2 X1 Y1 R50", Plane::kXY, true, {-1, -1}, {um(25'400), um(25'400), mm(3)}},
 };
 
-// The far side of a circle may lie along an axis of which the line has no word.
+// The far side of a circle may extend along an axis for which the line has no word.
 TEST_F(ArcWords, NameTheAxisThatTheFarSideIsBeyond) {
   Options options{};
   options.reach.fill(mm(100));
@@ -130,8 +130,8 @@ TEST_F(ArcWords, AFlatArcOnALargeCircleStaysWhereItsEndsAre) {
   EXPECT_EQ(ArcElements{programmed}.count(), 1U);
 }
 
-/// The elements of an accepted arc stay within the reach that the interpreter has checked: later on
-/// nothing can refuse them.
+/// The elements of an accepted arc stay within the reach that the interpreter has checked, so no
+/// later stage can refuse them.
 TEST_F(ArcWords, OfAnySizeHaveTheirElementsWithinReach) {
   const proof::Trials trials{20'000};
   Options options{};
@@ -197,7 +197,7 @@ TEST_F(ArcWords, ASmallestCircleIsACircle) {
 
 TEST_F(ArcWords, TheFarthestCentreIsAtTheEndOfTheRange) {
   start_at_origin();
-  // A short arc about it stays in range; the whole circle does not.
+  // A short arc around this centre stays in range; the complete circle does not.
   const Action& arc = take_one("G3 X0.5 Y-1000 I1000000");
   EXPECT_EQ(arc.centre[0], mm(1'000'000));
   start_at_origin();
@@ -241,7 +241,7 @@ TEST_F(ArcWords, ToleranceCanBeSetButNotBelowGrbls) {
   EXPECT_EQ(refusal_number("G2 X10 I4.7"), 33);
 }
 
-/// Arcs as CAM writes them: exact geometry, each number rounded to `decimals`.
+/// Arcs as CAM programs write them: exact geometry, with each number rounded to `decimals`.
 class RoundedArcs : public ArcWords {
  protected:
   void check(int decimals, double smallest_radius) {

@@ -5,7 +5,7 @@
 namespace cnc::gcode {
 namespace {
 
-/// G40, G41.1 and G42.1.
+/// Tests G40, G41.1 and G42.1.
 class CompensationWords : public InterpreterTest {
  protected:
   FaultDetail refused(std::string_view line) { return refuse(line).detail; }
@@ -92,14 +92,14 @@ TEST_F(CompensationWords, TakeTheWidthOfATool) {
   EXPECT_FLOAT_EQ(take_one("G41 D12").compensation.width_mm, 3.175F);
 }
 
-/// Of the tool that is in, where D names none.
+/// Without D, the width is that of the loaded tool.
 TEST_F(CompensationWords, TakeTheWidthOfTheToolThatIsIn) {
   static_cast<void>(take("G10 L1 P2 R2"));
   static_cast<void>(take("T2 M6"));
   EXPECT_EQ(take("G41").back().compensation.width_mm, 4.0F);
 }
 
-/// D0 is the tool that is in; without one, and as a width, the path as it is programmed.
+/// D0 selects the loaded tool. Without a tool, or with D0 as a width, the path is as programmed.
 TEST_F(CompensationWords, TakeNoToolAndNoWidth) {
   const CutterCompensation none{.side = CutterSide::kLeft, .width_mm = 0.0F};
   EXPECT_EQ(take_one("G41 D0").compensation, none);

@@ -79,7 +79,7 @@ std::string random_decimal(std::mt19937& random, std::size_t max_decimals) {
   return sign + digits(1 + random() % 6) + "." + digits(random() % (max_decimals + 1));
 }
 
-// The same in the widest integers, from the text alone.
+// Computes the same value in the widest integers, from the text alone.
 std::int64_t exact_nanometres(const std::string& text, std::int64_t nanometres_per_unit) {
   __int128 value = 0;
   __int128 weight = 1;

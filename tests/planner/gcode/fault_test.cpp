@@ -64,7 +64,7 @@ TEST(Fault, IsCutOffWhereTheBufferEnds) {
   EXPECT_EQ(describe(fault, {}), 0U);
 }
 
-// Senders search each line for these without regard to case or word limits.
+// Senders search each line for these words without regard to case or word limits.
 TEST(Fault, NoSentenceCanBeTakenForAnAcknowledgement) {
   for (std::size_t detail = 0; detail < kFaultDetailCount; ++detail) {
     for (char letter = ' '; letter <= '~'; ++letter) {

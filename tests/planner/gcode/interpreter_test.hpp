@@ -15,7 +15,7 @@ inline std::string words_of(const Fault& fault) {
   return {text.data(), describe(fault, text)};
 }
 
-/// Everything about an interpreter that a line can change.
+/// All state of an interpreter that a line can change.
 struct Snapshot {
   ModalState state;
   Shift shift;
@@ -27,7 +27,7 @@ struct Snapshot {
   bool operator==(const Snapshot&) const = default;
 };
 
-/// An interpreter, and sentences about it.
+/// An interpreter, with functions that check its results.
 class InterpreterTest : public testing::Test {
  protected:
   /// Interprets a line that must be accepted, and copies its actions.
@@ -40,7 +40,7 @@ class InterpreterTest : public testing::Test {
     return {actions.value().begin(), actions.value().end()};
   }
 
-  /// Interprets a line that must ask for one thing.
+  /// Interprets a line that must give exactly one action.
   Action take_one(std::string_view line) {
     const auto actions = take(line);
     EXPECT_EQ(actions.size(), 1U) << line;

@@ -5,7 +5,7 @@ namespace {
 
 class Jog : public InterpreterTest {
  protected:
-  /// The one action of a jog that must be taken.
+  /// Returns the single action of a jog that must be accepted.
   Action jog(std::string_view words) {
     const auto actions = interpreter.interpret_jog(words);
     if (actions.ok() && actions.value().size() == 1) return actions.value().front();
@@ -13,7 +13,7 @@ class Jog : public InterpreterTest {
     return {};
   }
 
-  /// Number and column of a jog that must be refused and change nothing.
+  /// Returns number and column of the fault of a jog that must be refused and change nothing.
   std::pair<int, int> refusal(std::string_view words) {
     const Snapshot before{interpreter};
     const auto actions = interpreter.interpret_jog(words);

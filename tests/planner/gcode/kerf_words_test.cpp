@@ -9,7 +9,7 @@
 namespace cnc::gcode {
 namespace {
 
-/// M190, and G41 and G42 by the kerf of what it selects.
+/// Tests M190, and G41 and G42 with the kerf of the selected material.
 class KerfWords : public InterpreterTest {
  protected:
   KerfWords() {
@@ -87,7 +87,7 @@ TEST_F(KerfWords, SayWhatIsMissing) {
   EXPECT_EQ(refused("G41 F4000 S900"), FaultDetail::kToolHasNoRadius);
 }
 
-/// With the nearest that is permissible, in the words of the refusal.
+/// The refusal contains the nearest permissible value.
 TEST_F(KerfWords, RefuseWhatNobodyHasCut) {
   const auto told = [this](std::string_view line) {
     std::array<char, 96> text{};

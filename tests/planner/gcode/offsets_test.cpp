@@ -128,7 +128,7 @@ TEST_F(Offsets, G30GoesByTheNamedPlaceWithTheNamedAxes) {
   EXPECT_EQ(interpreter.position(), legs[1].end);
 }
 
-// A finer resolution, set later, may leave a stored place out of the motors' reach.
+// After a change to a finer resolution, a stored position may be beyond the motors' reach.
 TEST_F(Offsets, G28RefusesAPlaceThatIsNoLongerWithinReach) {
   interpreter.set_position({mm(1), mm(200), mm(3)});
   static_cast<void>(take("G28.1"));

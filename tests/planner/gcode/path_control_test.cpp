@@ -5,7 +5,7 @@
 namespace cnc::gcode {
 namespace {
 
-/// G61, G61.1 and G64 with its P and Q.
+/// Tests G61, G61.1 and G64 with its P and Q.
 class PathControlWords : public InterpreterTest {
  protected:
   const PathControl& after(std::string_view line) {

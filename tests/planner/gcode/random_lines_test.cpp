@@ -9,7 +9,7 @@ namespace {
 
 class RandomLines : public InterpreterTest {
  protected:
-  /// Whatever the line is, a refusal changes nothing and everything is in range.
+  /// Checks any line: a refusal must change nothing, and all values must be in range.
   void check(std::string_view line) {
     const Snapshot before{interpreter};
     const auto actions = interpreter.interpret(line);
@@ -44,7 +44,7 @@ TEST_F(RandomLines, OfAnyBytes) {
   }
 }
 
-// Pieces of real lines, so that many get as far as the arcs and offsets.
+// Lines consist of pieces of real lines, so that many of them reach the code for arcs and offsets.
 TEST_F(RandomLines, OfPlausibleWords) {
   const auto seed = static_cast<unsigned>(proof::test_seed());
   SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);

@@ -8,12 +8,12 @@ namespace {
 
 struct Refused {
   int number;
-  int column;  ///< 1-based.
+  int column;  ///< Column of the fault, from 1.
   std::string line;
-  std::string before;  ///< A line that sets the scene, may be empty.
+  std::string before;  ///< A line that is interpreted first; may be empty.
 };
 
-/// But for comments.
+/// The longest accepted line; comments do not count.
 const std::string kLongestAccepted = "G1 X1 F1" + std::string(248, ' ');
 
 const Refused kRefused[]{
@@ -190,7 +190,7 @@ const Refused kRefused[]{
     {23, 5, "M62 P0.5", ""},
     {23, 5, "M67 E0.5 Q1", ""},
     {23, 11, "G2 X10 I5 P1.5", "G1 F100"},
-    // 24: two claims on the axis words.
+    // 24: two words that both require the axis words.
     {24, 4, "G0 G1 X1", ""},
     {24, 4, "G1 G2 X1 R5", ""},
     {24, 4, "G0 G28 X1", ""},
@@ -245,7 +245,7 @@ const Refused kRefused[]{
     {30, 1, "G53 G80", ""},
     {30, 1, "G53 X1 R5", "G2 X1 R5 F100"},
     {30, 1, "G53 G38.2 Z-1", "F100"},
-    // 31: axis words that nothing uses.
+    // 31: axis words that no other word uses.
     {31, 1, "X1", "G80"},
     {31, 5, "G80 X1", ""},
     {31, 5, "G21 Y1 X1", "G80"},
@@ -303,7 +303,7 @@ const Refused kRefused[]{
     {35, 1, "X10", "G2 X0 Y0 I5 F100"},
     {35, 7, "G90.1 G2 X10 I5", "F100"},
     {35, 7, "G90.1 G2 X10 J5", "F100"},
-    // 36: values that nothing uses.
+    // 36: values that no other word uses.
     {36, 7, "G0 X1 P1", ""},
     {36, 4, "G0 R1", ""},
     {36, 5, "G61 P0.1", ""},
@@ -331,7 +331,7 @@ const Refused kRefused[]{
     {37, 7, "G43.1 X1", ""},
     {37, 10, "G43.1 Z1 Y1", ""},
     {37, 10, "G43.1 Z1 A1", ""},
-    // 38: more than the most.
+    // 38: more than the greatest value.
     {38, 1, "T256", ""},
     {38, 1, "S1000001", ""},
     {38, 4, "G4 P86401", ""},
@@ -384,8 +384,8 @@ TEST_F(RefusedLines, CoverEveryNumber) {
   EXPECT_EQ(numbers, all);
 }
 
-// A line that is refused at its last word has by then set modes, feed, speed
-// and coolant, and moved.
+// A line that is refused at its last word contains words for modes, feed, speed, coolant and motion
+// before it.
 TEST_F(RefusedLines, LeaveNothingOfWhatCameBeforeTheFault) {
   static_cast<void>(refuse("N7 G20 G91 G18 F500 S100 T3 M3 M8 G1 X1 Y2 Z3 A4 L9"));
   static_cast<void>(refuse("G55 G28.1 L9"));

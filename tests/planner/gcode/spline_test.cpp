@@ -9,7 +9,7 @@ class SplineTest : public InterpreterTest {
  protected:
   void SetUp() override { static_cast<void>(take("F600")); }
 
-  /// The only action of a line, a spline through these places in mm.
+  /// Expects that the only action of a line is a spline through these points in mm.
   void expect_spline(std::string_view line, const std::vector<PlanePlace>& mm_places) {
     const Action action = take_one(line);
     ASSERT_EQ(action.kind, ActionKind::kSpline) << line;
@@ -77,7 +77,7 @@ TEST_F(SplineTest, NurbsHasWeightsAndOrder) {
   EXPECT_EQ(spline->point(3).weight, 3.0F);
 }
 
-// In G91 control points count from where the curve begins, as in LinuxCNC.
+// In G91, control points are relative to the start of the curve, as in LinuxCNC.
 TEST_F(SplineTest, NurbsPointsAreInTheUnitsAndDistancesOfTheirLine) {
   static_cast<void>(take("G0 X254 Y0"));
   static_cast<void>(take("G5.2 G20 X11 Y1"));
@@ -138,7 +138,7 @@ TEST_F(SplineTest, NurbsHasNoMoreControlPointsThanFit) {
 
 TEST_F(SplineTest, InverseTimeCountsAlongTheCurve) {
   const Action action = take_one("G93 G5.1 X10 Y0 I5 J0 F6");
-  EXPECT_NEAR(static_cast<double>(action.feed), 1.0, 1.0e-3);  // 10 mm in 10 s.
+  EXPECT_NEAR(static_cast<double>(action.feed), 1.0, 1.0e-3);  // The move is 10 mm in 10 s.
 }
 
 struct RefusedSpline {

@@ -122,7 +122,7 @@ TEST(ProgramWriter, WritesArcsInThreePlanes) {
   EXPECT_EQ(text_of(writer.rapid(Place{0.0, 3.0})), "G0X0\n");
 }
 
-/// An arc as it was meant, in long double.
+/// The exact arc before it is written, in long double.
 struct MeantArc {
   long double x = 0.0L;
   long double y = 0.0L;
@@ -135,7 +135,7 @@ struct MeantArc {
     return {static_cast<double>(x + radius * std::cos(angle)),
             static_cast<double>(y + radius * std::sin(angle))};
   }
-  /// How far a place is from the circle.
+  /// Returns the distance of a point from the circle.
   [[nodiscard]] long double off(long double place_x, long double place_y) const {
     return std::abs(std::hypot(place_x - x, place_y - y) - radius);
   }
@@ -145,13 +145,13 @@ long double in_mm(Coordinate coordinate) {
   return static_cast<long double>(coordinate.nanometres()) * 1.0e-6L;
 }
 
-/// What the text of one line says after a letter; nothing is 0.
+/// Returns the number after a letter in the text of one line; 0 if the letter is missing.
 double word(const std::string& line, char letter) {
   const std::size_t found = line.find(letter);
   return found == std::string::npos ? 0.0 : std::stod(line.substr(found + 1));
 }
 
-/// Reads lines back as the controller does, and as Grbl 1.1 judges arcs.
+/// Reads lines back as the controller does, and checks arcs as Grbl 1.1 does.
 class WriterReadBack : public InterpreterTest {
  protected:
   void read(const std::string& lines, const MeantArc& meant) {
@@ -168,7 +168,7 @@ class WriterReadBack : public InterpreterTest {
   }
 
   double digit_mm = 0.001;
-  long double worst_radii = 0.0L;  ///< In last digits.
+  long double worst_radii = 0.0L;  ///< Greatest difference of radii, in units of the last digit.
   long double worst_shape = 0.0L;
   int arcs = 0;
 
@@ -201,8 +201,9 @@ class WriterReadBack : public InterpreterTest {
     }
   }
 
-  /// gcode.c of Grbl 1.1: error 33 where the radii differ by more than 0.005 mm and either by
-  /// more than 0.5 mm or by more than 0.1 %. In float, from the digits of the line alone.
+  /// Checks by the rule of gcode.c in Grbl 1.1: error 33 if the radii differ by more than 0.005 mm,
+  /// and either by more than 0.5 mm or by more than 0.1 %. Computes in float, from the digits of
+  /// the line alone.
   static void judge_as_grbl(const Position& start, const Position& end, const std::string& line) {
     const auto i = static_cast<float>(word(line, 'I'));
     const auto j = static_cast<float>(word(line, 'J'));
@@ -254,7 +255,8 @@ TEST_F(WriterReadBack, RandomArcsNeedNoRepairAndStayWithinADigit) {
               worst_shape);
 }
 
-/// As on the controller: float places, and what it writes is still an arc without a repair.
+/// Coordinates are floats as on the controller. The written arc must still be valid without a
+/// repair.
 TEST_F(WriterReadBack, ArcsInSinglePrecisionNeedNoRepair) {
   const proof::Trials trials{20'000};
   for (const std::uint64_t seed : trials) {
@@ -273,7 +275,7 @@ TEST_F(WriterReadBack, ArcsInSinglePrecisionNeedNoRepair) {
     writer.set_feed(100'000);
     const auto lines = text_of(writer.cut(from, to, bulge));
     ASSERT_NE(lines, "refused");
-    // Of the shape only the controller's own digits are asked: the meant arc is not known better.
+    // Only the controller's own digits are checked, as the exact arc is not known more exactly.
     read(lines, MeantArc{});
     EXPECT_LE(worst_radii, 0.5L) << lines;
   }

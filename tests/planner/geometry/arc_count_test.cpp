@@ -23,7 +23,7 @@ struct Counts {
     if (exact::ChainCheck{spline, chain}.corners(tolerance).count > 0) return;
     const std::size_t grid = std::clamp<std::size_t>(30 * chain.size(), 400, 2000);
     const std::size_t least = exact::FewestArcs{spline, tolerance, grid}.count();
-    if (least > 1000) return;  // A bend too tight for the grid: no chain over it.
+    if (least > 1000) return;  // The bend is too tight for the grid: no chain covers it.
     arcs += chain.size();
     fewest += least;
     ratios.push_back(static_cast<double>(chain.size()) / static_cast<double>(least));

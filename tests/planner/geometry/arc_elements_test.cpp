@@ -22,7 +22,7 @@ struct Circle {
   bool clockwise = false;
 };
 
-/// From `angle` on, `sweep` radians further, ends rounded to the nanometre.
+/// Returns an arc from `angle` on over `sweep` radians, with ends rounded to the nanometre.
 CentreArc arc_on(const Circle& circle, Real angle, Real sweep, std::uint16_t turns = 1) {
   CentreArc arc{.plane = circle.plane, .clockwise = circle.clockwise, .turns = turns};
   arc.centre = {Coordinate{123'456'789}, Coordinate{-987'654'321}};
@@ -65,7 +65,8 @@ TEST(ArcElements, AddWholeTurnsToTheFirst) {
               4.0e-6);
 }
 
-/// An arc that starts beside its centre in X, to an end that is a little way forwards.
+/// Returns an arc that starts beside its centre in X, and ends at a small distance in the forward
+/// direction.
 ArcElements flat_arc(std::int64_t radius_mm, std::int64_t forwards_nm, bool clockwise) {
   CentreArc arc{.clockwise = clockwise};
   arc.start[0] = arc.end[0] = Coordinate{radius_mm * 1'000'000};
@@ -75,16 +76,16 @@ ArcElements flat_arc(std::int64_t radius_mm, std::int64_t forwards_nm, bool cloc
 
 TEST(ArcElements, AreFullCirclesWhereTheirEndIsRoundedAndFlatArcsElsewhere) {
   for (const bool clockwise : {false, true}) {
-    // Turns of 5e-8, 5e-7 and more, to an end that is 50 µm away: no rounding error is so large.
+    // Sweeps are 5e-8, 5e-7 and more, to an end that is 50 µm away. No rounding error is so large.
     for (const std::int64_t radius_mm : {1'000'000, 100'000, 5'000}) {
       const ArcElements flat = flat_arc(radius_mm, 50'000, clockwise);
       EXPECT_EQ(flat.count(), 1U) << radius_mm;
       EXPECT_NEAR(flat.sweep() * static_cast<float>(radius_mm), 0.05F, 1.0e-6F);
       EXPECT_EQ(flat.element(0).bulge > 0.0F, !clockwise);
     }
-    EXPECT_EQ(flat_arc(10'000, 900, clockwise).count(), 2U);   // 9e-8, to 0.9 µm.
-    EXPECT_EQ(flat_arc(1'000, 900, clockwise).count(), 1U);    // 9e-7.
-    EXPECT_EQ(flat_arc(10'000, -900, clockwise).count(), 2U);  // All but 0.9 µm.
+    EXPECT_EQ(flat_arc(10'000, 900, clockwise).count(), 2U);   // A sweep of 9e-8, to 0.9 µm.
+    EXPECT_EQ(flat_arc(1'000, 900, clockwise).count(), 1U);    // A sweep of 9e-7.
+    EXPECT_EQ(flat_arc(10'000, -900, clockwise).count(), 2U);  // A full turn less 0.9 µm.
     EXPECT_EQ(flat_arc(10'000, -50'000, clockwise).count(), 2U);
   }
 }
@@ -160,7 +161,7 @@ TEST_F(RandomArcs, BeginAndEndExactlyAndHangTogether) {
   }
 }
 
-/// Known excess: half a turn whose bulge is 1 and a rounding, which arcs are made of all the same.
+/// Known excess: half a turn has the bulge 1 plus a rounding error, and is accepted.
 TEST_F(RandomArcs, ExceedHalfATurnByARoundingAtMost) {
   random = proof::Random{38727090};
   expect_chains([this] { return any_helix(); }, Arc::kLargestBulge);
@@ -229,7 +230,7 @@ TEST_F(RandomArcs, StayWithinHalfAMicrometreNearHalfATurn) {
   }
 }
 
-// The arc repair: the end is off by up to the default limit.
+// Tests the arc repair: the end deviates by up to the default limit.
 TEST_F(RandomArcs, MoveTheirCentreToTheNearestPointOfTheBisector) {
   for (int trial = 0; trial < 50'000; ++trial) {
     const Circle circle = any_circle(0.5, 2000.0);
@@ -251,7 +252,7 @@ TEST_F(RandomArcs, MoveTheirCentreToTheNearestPointOfTheBisector) {
   }
 }
 
-// The inner ends of elements lie on radii between the two, in proportion.
+// The inner ends of elements lie on radii between those of start and end, in proportion.
 TEST_F(RandomArcs, DivideARepairedArcOnRadiiBetweenItsEnds) {
   for (int trial = 0; trial < 5'000; ++trial) {
     const Circle circle = any_circle(1.0, 500.0);

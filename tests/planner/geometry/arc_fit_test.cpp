@@ -15,8 +15,8 @@ using exact::chain_of;
 using exact::ChainCheck;
 
 struct Summary {
-  double deviation = 0.0;  ///< Of the tolerance.
-  double smooth = 0.0;     ///< Of the promised kink.
+  double deviation = 0.0;  ///< Greatest deviation, as a fraction of the tolerance.
+  double smooth = 0.0;     ///< Greatest kink, as a fraction of the documented one.
   std::size_t curves = 0;
   std::size_t arcs = 0;
   std::size_t corners = 0;
@@ -80,7 +80,7 @@ TEST(ArcFit, TakesCurvesThatEndWhereTheyBegin) {
   EXPECT_LE(summary.arcs, 60U);
 }
 
-// All: KERFLINE_TRIALS=10000.
+// KERFLINE_TRIALS=10000 tests all.
 TEST(ArcFit, StaysWithinToleranceOfRandomCubics) {
   const proof::Trials trials{2'000};
   Summary summary;
@@ -106,7 +106,7 @@ TEST(ArcFit, StaysWithinToleranceOfRandomNurbs) {
   print("splines", summary);
 }
 
-/// A biarc is held against its curve at places that are close together, not everywhere.
+/// A biarc is compared with its curve at points that are close together, not everywhere.
 TEST(ArcFit, KnownExcessOfTheToleranceNeitherGrowsNorIsGone) {
   constexpr std::uint64_t kSeed = 1011271952;
   proof::Random random{kSeed};

@@ -18,14 +18,14 @@ struct RandomArc {
   CentreArc arc;
   Real radius;
   Real start;
-  Real sweep;  ///< Signed, whole turns included.
+  Real sweep;  ///< Signed sweep, including full turns, radians.
 
   explicit RandomArc(proof::Random& random)
       : radius{random.magnitude(0.05, 2000.0)}, start{random.between(-4.0, 4.0)} {
     const bool whole = random.chance(0.1);
     Real part = whole ? 2.0L * kExactPi : Real{random.between(0.001, 6.28)};
     if (!whole && random.chance(0.2)) {
-      // So flat that the cross product of its radii is a rounding error.
+      // The arc is so flat that the cross product of its radii is a rounding error.
       radius = random.magnitude(1000.0, 400'000.0);
       part = random.magnitude(0.002, 1.0) / radius;
     }
@@ -57,7 +57,8 @@ struct RandomArc {
 
 double mm(Coordinate length) { return static_cast<double>(length.nanometres()) * 1.0e-6; }
 
-// Both ways: nothing of the arc lies outside, and each side is touched.
+// Checks both directions: no point of the arc lies outside of the box, and the arc touches each
+// side.
 TEST(ArcReach, IsTheSmallestBoxAroundAllOfTheArc) {
   const proof::Trials trials{5000};
   for (const std::uint64_t seed : trials) {
@@ -75,7 +76,7 @@ TEST(ArcReach, IsTheSmallestBoxAroundAllOfTheArc) {
       }
     }
     const auto radius = static_cast<double>(random_arc.radius);
-    // Between two looks the arc rises by less than its sagitta there.
+    // Between two samples, the arc rises by less than its sagitta there.
     const double between = static_cast<double>(random_arc.sweep) / kLooks;
     const double rounding = 1.0e-6 * radius + 2.0e-6;
     const double unseen = radius * between * between + rounding;

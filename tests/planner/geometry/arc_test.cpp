@@ -67,13 +67,13 @@ TEST(Arc, TakesAHalfTurnThatWasRounded) {
 
 class ArcOfEveryBulge : public testing::Test {
  protected:
-  /// Legal bulges of either sign and of every magnitude.
+  /// Returns a legal bulge of either sign and any magnitude.
   float any_bulge() { return static_cast<float>(random.signed_magnitude(1.0e-12, 1.0)); }
 
   proof::Random random{proof::test_seed()};
 };
 
-// Over the whole legal range, including the switch to the series.
+// Tests the complete legal range, including the switch to the series.
 TEST_F(ArcOfEveryBulge, LengthAgreesWithDoublePrecision) {
   for (int trial = 0; trial < 100'000; ++trial) {
     const float bulge = any_bulge();

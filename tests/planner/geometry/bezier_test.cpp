@@ -24,7 +24,7 @@ exact::Vector exact_of(const Vec2& v) {
 
 constexpr double kHalfNanometre = 0.51e-6;
 
-// The segments, cut anywhere, against the definition of a NURBS.
+// Compares the segments, divided at any point, with the definition of a NURBS.
 TEST(Spline, IsCutIntoBezierCurvesToTheNanometre) {
   const proof::Trials trials{3000};
   for (const std::uint64_t seed : trials) {
@@ -61,7 +61,7 @@ TEST(Bezier, HasTangentsAlsoWhereControlPointsCoincide) {
   EXPECT_NEAR(static_cast<double>(late.end_tangent().y()), half, 1.0e-7);
 }
 
-// Seen from a place on it, errors are relative to the distance from there.
+// The errors are relative to the distance from a point on the curve.
 TEST(CurveAhead, IsSeenInProportionToItsDistance) {
   const proof::Trials trials{3000};
   double worst = 0.0;
@@ -81,7 +81,7 @@ TEST(CurveAhead, IsSeenInProportionToItsDistance) {
         const exact::Vector place =
             mm(ahead.place()) + seen.x * tangent + seen.y * exact::Vector{-tangent.y, tangent.x};
         const double at = std::min(u + static_cast<double>(distance), want.segments());
-        // The parameter itself has 24 bits, up to four knots.
+        // The parameter itself has 24 bits, for up to four knots.
         const double blur = norm(want.at(at) - want.at(std::max(0.0, at - 6.0e-7))) +
                             norm(want.at(std::min(at + 6.0e-7, want.segments())) - want.at(at));
         const double error = norm(place - want.at(at)) - blur - 2.0 * kHalfNanometre;

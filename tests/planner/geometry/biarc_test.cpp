@@ -23,7 +23,7 @@ double angle_of(const Vec2& v) {
 }
 double turn(double from, double to) { return std::remainder(to - from, 2.0 * kPiExact); }
 
-/// The direction of an arc at its ends, from its chord and bulge.
+/// Returns the direction of an arc at its start, from its chord and bulge; arriving(), at its end.
 double leaving(const Vec2& chord, float bulge) {
   return angle_of(chord) - 2.0 * std::atan(static_cast<double>(bulge));
 }
@@ -36,13 +36,13 @@ struct Worst {
   double joint = 0.0;
 };
 
-/// Both ends' tangents and the joint's, and the joint on its circle.
+/// Checks the tangents at both ends and at the joint, and that the joint is on its circle.
 void check(const BiarcEnds& ends, float share, const Biarc& biarc, Worst& worst) {
   const Vec2 first = biarc.joint - ends.start;
   const Vec2 second = ends.end - biarc.joint;
   const double size = static_cast<double>((ends.end - ends.start).norm());
   const double joint = angle_of(biarc.joint_tangent);
-  // Directions of chords much shorter than the whole have lost digits.
+  // The directions of chords that are much shorter than the complete biarc have lost digits.
   const double least = static_cast<double>(std::min(first.norm(), second.norm())) / size;
   const double room = std::min(1.0, least);
   worst.tangent = std::max(
@@ -96,8 +96,8 @@ TEST(Biarc, MeetsBothTangentsForEveryShapeAndJoint) {
       "biarcs: %zu, tangent error %.2e, joint error %.2e\n", made, worst.tangent, worst.joint);
 }
 
-// In double precision the same routine, held to its own bound: an arc from a place in a
-// direction and with a bulge leaves along 2 atan(bulge) before its chord.
+// Tests the same routine in double precision with its own bound. An arc with a given bulge leaves
+// its start at an angle of 2 atan(bulge) before its chord.
 TEST(BiarcInDouble, MeetsBothTangentsForEveryShapeAndJoint) {
   const proof::Trials trials{200'000};
   double worst = 0.0;
@@ -139,7 +139,7 @@ TEST(Biarc, IsALineBetweenTangentsAlongTheChord) {
   EXPECT_FLOAT_EQ(biarc.value().joint.y(), 2.0F);
 }
 
-// The tangents of one circle: both halves lie on it.
+// The tangents are those of one circle, and both halves lie on it.
 TEST(Biarc, IsTheArcItselfWhereOneWouldDo) {
   const auto biarc = make_biarc({{1.0F, 0.0F}, {0.0F, 1.0F}, {-1.0F, 0.0F}, {0.0F, -1.0F}}, 0.5F);
   ASSERT_TRUE(biarc.ok());
@@ -148,8 +148,8 @@ TEST(Biarc, IsTheArcItselfWhereOneWouldDo) {
   EXPECT_NEAR(static_cast<double>(biarc.value().second_bulge), std::tan(kPiExact / 8.0), 1.0e-6);
 }
 
-// An S between parallel tangents, where formulas that divide by their
-// difference fail: mirrored halves at the middle.
+// An S between parallel tangents, for which formulas that divide by the difference of the tangents
+// fail. The halves are mirrored at the middle.
 TEST(Biarc, JoinsParallelTangents) {
   const auto biarc = make_biarc({{0.0F, 0.0F}, {1.0F, 0.0F}, {2.0F, 1.0F}, {1.0F, 0.0F}}, 0.5F);
   ASSERT_TRUE(biarc.ok());
@@ -163,7 +163,7 @@ TEST(Biarc, IsRefusedWhereThereIsNone) {
   const auto point = make_biarc({{3.0F, 3.0F}, ahead, {3.0F, 3.0F}, ahead}, 0.5F);
   ASSERT_FALSE(point.ok());
   EXPECT_EQ(point.error(), BiarcError::kChordTooShort);
-  // Backwards at both ends: more than half a turn, whatever the joint.
+  // The path runs backwards at both ends: more than half a turn, for any joint.
   const auto back = make_biarc({{0.0F, 0.0F}, {-1.0F, 0.0F}, {1.0F, 0.0F}, {-1.0F, 0.0F}}, 0.5F);
   ASSERT_FALSE(back.ok());
   EXPECT_EQ(back.error(), BiarcError::kSweepTooLarge);

@@ -17,9 +17,8 @@ inline std::vector<PathElement> chain_of(const Spline& spline,
   return chain;
 }
 
-/// Holds a chain of arcs against the exact spline, in double precision, both
-/// ways. All distances found are
-/// upper bounds: they are those to some point.
+/// Compares a chain of arcs with the exact spline, in double precision and both directions. All
+/// computed distances are upper bounds, because each is the distance to some point.
 class ChainCheck {
  public:
   ChainCheck(const Spline& spline, const std::vector<PathElement>& chain) : curve_{spline} {
@@ -30,11 +29,11 @@ class ChainCheck {
 
   [[nodiscard]] double deviation() const { return std::max(curve_to_chain_, chain_to_curve_); }
 
-  /// Of the corners beyond what the fit promises, the greatest that the curve
-  /// within `near` does not make itself, radians; and how many there are.
+  /// Corners that exceed the documented bound: the greatest one in radians that the curve itself
+  /// does not make within `near`, and their number.
   struct Corners {
     double unfounded = 0.0;
-    double smooth = 0.0;  ///< Greatest of the others, relative to the promise.
+    double smooth = 0.0;  ///< Greatest of the other corners, relative to the documented bound.
     std::size_t count = 0;
   };
   [[nodiscard]] Corners corners(double near) const {
@@ -59,7 +58,7 @@ class ChainCheck {
     Vector place;
   };
 
-  /// Along the curve, finely; from each point to all arcs.
+  /// Checks the distance of points along the curve, closely spaced, from all arcs.
   void walk() {
     const std::size_t count = 400 + 48 * arcs_.size();
     const double step = curve_.segments() / static_cast<double>(count);
@@ -77,13 +76,13 @@ class ChainCheck {
     }
   }
 
-  /// From points of an arc to all of the curve.
+  /// Checks the distance of points of an arc from the complete curve.
   void look_from(const ExactArc& arc) {
     for (int i = 0; i <= 12; ++i) {
       const Vector q = arc.at(i / 12.0);
       double least = 1.0e9;
       for (const Sample& sample : samples_) least = std::min(least, distance(sample.place, q));
-      // The nearest point lies beside one of those that are nearest around.
+      // The nearest point lies next to one of the samples that are nearer than their neighbours.
       double nearest = least;
       for (std::size_t k = 0; k < samples_.size(); ++k) {
         const double away = distance(samples_[k].place, q);
@@ -112,7 +111,7 @@ class ChainCheck {
     return distance(curve_.at(0.5 * (low + high)), q);
   }
 
-  /// How far the curve itself turns near the beginning of an arc.
+  /// Returns the angle by which the curve itself turns near the beginning of an arc.
   [[nodiscard]] double turn_near(std::size_t arc, double near) const {
     const Vector joint = arcs_[arc].start();
     std::vector<Vector> tangents;
@@ -136,7 +135,7 @@ class ChainCheck {
   ExactSpline curve_;
   std::vector<ExactArc> arcs_;
   std::vector<Sample> samples_;
-  double longest_ = 1.0e-9;  ///< Distance of two samples.
+  double longest_ = 1.0e-9;  ///< Greatest distance of two consecutive samples, mm.
   double curve_to_chain_ = 0.0;
   double chain_to_curve_ = 0.0;
 };

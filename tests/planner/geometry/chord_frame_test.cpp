@@ -23,7 +23,8 @@ struct ExactPoint {
   long double across_rate;
 };
 
-/// The definition, with the difference of cosines as a product: it cancels nothing.
+/// Computes the point by the definition, with the difference of cosines as a product, so that no
+/// digits cancel.
 ExactPoint exact_at(float half_sweep, std::uint32_t fraction) {
   const long double mu = static_cast<long double>(fraction) / 2147483648.0L - 1.0L;
   const auto h = static_cast<long double>(half_sweep);
@@ -80,7 +81,7 @@ TEST_F(ChordFrameTest, KeepsItsBoundNearBothEnds) {
   }
 }
 
-// As long as the bulge may be: see Arc::kLargestBulge.
+// The bulge has its greatest value: see Arc::kLargestBulge.
 TEST_F(ChordFrameTest, KeepsItsBoundForAHalfTurnThatWasRounded) {
   for (const float half_sweep : {kHalfPi + 1.0e-5F, -kHalfPi - 1.0e-5F, kHalfPi, -kHalfPi}) {
     for (std::uint32_t part = 0; part < 4096; ++part) expect_exact(half_sweep, part << 20);

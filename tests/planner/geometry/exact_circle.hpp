@@ -11,7 +11,7 @@ using Real = long double;
 
 inline constexpr Real kExactPi = 3.14159265358979323846L;
 
-/// In the plane of an arc, mm from its programmed centre.
+/// A point in the plane of an arc, mm from its programmed centre.
 struct PlanePoint {
   Real first;
   Real second;
@@ -26,7 +26,7 @@ inline PlanePoint from_centre(const Position& place, const CentreArc& arc) {
           static_cast<Real>((place[axes.second] - arc.centre[1]).nanometres()) * 1.0e-6L};
 }
 
-/// What the end points and the bulge of an element say, and nothing else.
+/// Geometry that follows from the end points and the bulge of an element alone.
 class ExactCircle {
  public:
   ExactCircle(const PathElement& element, const CentreArc& arc)
@@ -40,16 +40,16 @@ class ExactCircle {
   [[nodiscard]] Real radius() const {
     return half_chord() * (1.0L + bulge_ * bulge_) / (2.0L * std::abs(bulge_));
   }
-  /// Height of its centre over the chord, positive to the left.
+  /// Returns the height of the centre above the chord, positive to the left.
   [[nodiscard]] Real centre_to_left() const {
     return half_chord() * (1.0L - bulge_ * bulge_) / (2.0L * bulge_);
   }
-  /// The same for the point of the bisector nearest to the programmed centre.
+  /// Returns the height of the point of the bisector that is nearest to the programmed centre.
   [[nodiscard]] Real wanted_to_left() const {
     const PlanePoint middle = middle_of_chord();
     return -(left_first() * middle.first + left_second() * middle.second);
   }
-  /// By arc length, 0…1.
+  /// Returns the point at a fraction of the arc length, 0…1.
   [[nodiscard]] PlanePoint at(Real fraction) const {
     const Real half = 2.0L * std::atan(bulge_);
     const Real turned = (2.0L * fraction - 1.0L) * half;

@@ -10,7 +10,7 @@
 
 namespace cnc::exact {
 
-/// Plane vectors in double precision, mm.
+/// Vectors of the plane in double precision, mm.
 struct Vector {
   double x = 0.0;
   double y = 0.0;
@@ -22,13 +22,13 @@ inline double dot(Vector a, Vector b) { return a.x * b.x + a.y * b.y; }
 inline double cross(Vector a, Vector b) { return a.x * b.y - a.y * b.x; }
 inline double norm(Vector a) { return std::sqrt(dot(a, a)); }
 inline double distance(Vector a, Vector b) { return norm(a - b); }
-/// Unsigned, 0…π.
+/// Returns the unsigned angle, 0…π.
 inline double angle_between(Vector a, Vector b) {
   return std::abs(std::atan2(cross(a, b), dot(a, b)));
 }
 
-/// A NURBS by the definition of its basis functions (Cox and de Boor), which
-/// the product does not use. Parameter 0…segments().
+/// A NURBS by the definition of its basis functions (Cox and de Boor), which the product does not
+/// use. The parameter is in 0…segments().
 class ExactSpline {
  public:
   explicit ExactSpline(const Spline& spline) : order_{spline.order()} {
@@ -47,7 +47,7 @@ class ExactSpline {
 
   [[nodiscard]] double segments() const { return knots_.back(); }
   [[nodiscard]] Vector at(double u) const { return value(u, 0); }
-  /// Of any length; null at a cusp.
+  /// Returns the direction, with any length; zero at a cusp.
   [[nodiscard]] Vector direction_at(double u) const { return value(u, 1); }
 
  private:
@@ -77,10 +77,10 @@ class ExactSpline {
     return (1.0 / weight) * (slope - weight_slope * place);
   }
 
-  /// The `order` functions that are not null in the span, the first that of
-  /// control point span + order_ − order.
+  /// Returns the `order` functions that are not zero in the span. The first one belongs to control
+  /// point span + order_ − order.
   [[nodiscard]] std::vector<double> basis(double u, std::size_t span, std::size_t order) const {
-    const std::size_t knot = span + order_ - 1;  // knots_[knot] ≤ u ≤ knots_[knot + 1]
+    const std::size_t knot = span + order_ - 1;  // Here, knots_[knot] ≤ u ≤ knots_[knot + 1].
     std::vector<double> b{1.0};
     for (std::size_t k = 2; k <= order; ++k) {
       std::vector<double> next(k, 0.0);
@@ -103,7 +103,7 @@ class ExactSpline {
   std::vector<double> knots_;
 };
 
-/// An element of a chain, by its own exact ends and bulge.
+/// An element of a chain, by its exact ends and bulge.
 class ExactArc {
  public:
   ExactArc(const PathElement& element, const Position& origin)
@@ -133,7 +133,7 @@ class ExactArc {
       return distance(q, start_ + share * along);
     }
     const double h = 2.0 * std::atan(bulge_);
-    const double radius = chord() / (2.0 * std::sin(h));  // Signed.
+    const double radius = chord() / (2.0 * std::sin(h));  // Signed radius.
     const Vector t = start_tangent();
     const Vector centre = start_ + radius * Vector{-t.y, t.x};
     const Vector inwards_start = (radius > 0.0 ? 1.0 : -1.0) * (start_ - centre);

@@ -9,11 +9,11 @@
 
 namespace cnc::exact {
 
-/// The least number of arcs of a chain of biarcs within a tolerance of a curve
-/// that has its joints on a grid of places of the curve, with its tangents: by
-/// dynamic programming over the grid, in double precision.
+/// Computes the least number of arcs in a chain of biarcs within a tolerance of a curve. The joints
+/// lie on a grid of points of the curve, and have its tangents. Uses dynamic programming over the
+/// grid, in double precision.
 ///
-/// Optimistic: distances count from the curve to the biarc only, at samples.
+/// Optimistic: distances are computed from the curve to the biarc only, at samples.
 class FewestArcs {
  public:
   FewestArcs(const Spline& spline, double tolerance, std::size_t grid) : tolerance_{tolerance} {
@@ -44,7 +44,7 @@ class FewestArcs {
         fewest[to] = std::min(fewest[to], fewest[from] + cost);
         reach = std::max(reach, to);
       }
-      // Whatever reaches far reaches less far, too.
+      // An arc that reaches far can also reach less far.
       for (std::size_t to = from + 1; to <= sure; ++to) {
         fewest[to] = std::min(fewest[to], fewest[from] + 2);
       }
@@ -57,9 +57,9 @@ class FewestArcs {
 
   struct Frame {
     Vector start;
-    Vector along;  ///< Unit chord.
+    Vector along;  ///< Unit vector of the chord.
     double chord;
-    double a;  ///< From the chord to the tangents.
+    double a;  ///< Angles from the chord to the tangents.
     double b;
   };
 

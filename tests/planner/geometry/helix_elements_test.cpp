@@ -24,7 +24,7 @@ struct Helix {
   }
 };
 
-/// Whole turns about null, from the first axis back to it.
+/// Returns full turns around the origin, from the first axis back to it.
 CentreArc whole_turns(const Helix& helix) {
   CentreArc arc{.plane = helix.plane, .clockwise = helix.clockwise, .turns = helix.turns};
   const PlaneAxes axes = axes_of(helix.plane);
@@ -33,7 +33,7 @@ CentreArc whole_turns(const Helix& helix) {
   return arc;
 }
 
-/// How far the plane angle of a place is from `turned`, in turns, −½…½.
+/// Returns the difference between the angle of a point in the plane and `turned`, in turns, −½…½.
 Real angle_error(const Position& place, const CentreArc& arc, Real turned) {
   const Real angle = from_centre(place, arc).angle();
   return std::remainder((arc.clockwise ? -angle : angle) - turned, 2.0L * kExactPi);
@@ -112,7 +112,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Helix{.plane = Plane::kXY, .radius_nm = 2'000'000'000, .turns = 65'535},
                     Helix{.radius_nm = 2'000'000'000, .turns = 65'534, .clockwise = true}));
 
-// From 65535 turns and a part, of which the float sweep keeps only a hint.
+// For 65535 turns and a part, the float sweep retains only a rough value of the part.
 TEST(HelixElements, StayNearTheCylinderWhateverPartOfATurnIsAdded) {
   const std::uint64_t seed = proof::test_seed();
   SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);

@@ -18,7 +18,7 @@ inline PlanePlace in_nanometres(const Knob& place) {
   return {std::llround(place.x * 1.0e6), std::llround(place.y * 1.0e6)};
 }
 
-/// A cubic from its four control points in mm, the first at the origin.
+/// Returns a cubic from its four control points in mm, the first at the origin.
 inline Spline cubic(const std::array<Knob, 4>& points) {
   Spline spline;
   spline.set_order(4);
@@ -28,9 +28,9 @@ inline Spline cubic(const std::array<Knob, 4>& points) {
   return spline;
 }
 
-/// Cubics of all kinds, a micrometre to a metre across: anyhow, nearly straight,
-/// with coincident control points, with a loop, with a cusp, with an
-/// inflection, back on themselves, gentle arcs.
+/// Returns a cubic of any kind, a micrometre to a metre wide: random, nearly straight, with
+/// coincident control points, a loop, a cusp or an inflection, reversing on a line, or a gentle
+/// arc.
 inline Spline random_cubic(proof::Random& random) {
   const double size = random.magnitude(1.0e-3, 1.0e3);
   const auto anywhere = [&] { return Knob{random.between(-1.0, 1.0), random.between(-1.0, 1.0)}; };
@@ -42,7 +42,7 @@ inline Spline random_cubic(proof::Random& random) {
       std::ranges::sort(p, {}, &Knob::x);
       break;
     }
-    case 1:  // Coincident.
+    case 1:  // Coincident control points.
       p[random.below(4)] = p[random.below(4)];
       if (random.chance(0.3)) p[random.below(4)] = p[random.below(4)];
       break;
@@ -65,7 +65,7 @@ inline Spline random_cubic(proof::Random& random) {
             {random.between(-1.0, 0.5), -1.0},
             {1.0, 0.0}}};
       break;
-    case 5:  // To and fro on one line.
+    case 5:  // Back and forth on one line.
       for (Knob& point : p) point.y = 0.5 * point.x;
       break;
     case 6: {  // Close to an arc.
@@ -87,7 +87,7 @@ inline Spline random_cubic(proof::Random& random) {
   return cubic(p);
 }
 
-/// Any order, number of control points and weights.
+/// Returns a spline with any order, number of control points and weights.
 inline Spline random_spline(proof::Random& random) {
   Spline spline;
   spline.set_order(Spline::kLowestOrder +

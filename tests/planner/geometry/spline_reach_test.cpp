@@ -20,7 +20,7 @@ struct Extremes {
   exact::Vector least{1.0e9, 1.0e9};
   exact::Vector most{-1.0e9, -1.0e9};
   double length = 0.0;
-  double step = 0.0;  ///< The longest between two looks.
+  double step = 0.0;  ///< Greatest distance between two samples.
 
   explicit Extremes(const Spline& spline) {
     const exact::ExactSpline curve{spline};
@@ -35,7 +35,7 @@ struct Extremes {
     }
   }
 
-  /// The box around it, wider by so many mm on each side.
+  /// Returns the box around it, extended by `wider` mm on each side.
   [[nodiscard]] PlaneBox box(double wider) const {
     return {.least = exact::in_nanometres({least.x - wider, least.y - wider}),
             .most = exact::in_nanometres({most.x + wider, most.y + wider})};

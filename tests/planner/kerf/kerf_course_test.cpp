@@ -44,7 +44,7 @@ TEST(KerfCourse, TakesWhatNobodyHasCutForTheNearestThatSomebodyHas) {
   EXPECT_LT(course.aside_mm(0.5F), -0.01F);
 }
 
-/// Straight between 33 of the points that were measured.
+/// The course is linear between 33 of the measured points.
 TEST(KerfCourse, FollowsAMeasuredTable) {
   constexpr std::array<Point, 4> kPoints{
       {{500'000, 420'000}, {800'000, 330'000}, {1'500'000, 260'000}, {2'000'000, 240'000}}};

@@ -12,7 +12,7 @@
 namespace cnc::kerf {
 namespace {
 
-/// Table 2 once more, typed from the paper: mm, W, mm/min.
+/// Table 2, typed from the paper independently of the product: mm, W, mm/min.
 struct Printed {
   double thickness, power, least, most;
 };
@@ -95,13 +95,13 @@ TEST(KerfLookup, RefusesThicknessAndPowerOutsideTheTable) {
 }
 
 TEST(KerfLookup, TakesWhatAllRowsAroundPermit) {
-  // Between 1.0 and 1.6 mm at 1200 W: 4000…6000 and 2000…5000.
+  // Between 1.0 and 1.6 mm at 1200 W, the ranges are 4000…6000 and 2000…5000.
   const auto window = permissible_speeds(kCsp1n<double>, 1300, 1'200'000).value();
   EXPECT_EQ(window.least, 4'000'000U);
   EXPECT_EQ(window.most, 5'000'000U);
-  // Between 1200 and 1400 W at 2.0 mm: 3000…4000 and 3000…5000.
+  // Between 1200 and 1400 W at 2.0 mm, the ranges are 3000…4000 and 3000…5000.
   EXPECT_EQ(permissible_speeds(kCsp1n<double>, 2000, 1'300'000).value().most, 4'000'000U);
-  // Both.
+  // Between two thicknesses and two powers.
   const auto all = permissible_speeds(kCsp1n<double>, 1800, 1'500'000).value();
   EXPECT_EQ(all.least, 3'000'000U);
   EXPECT_EQ(all.most, 5'000'000U);
@@ -144,7 +144,7 @@ TEST(KerfLookup, JoinsMeasuredPointsByLines) {
   EXPECT_FALSE(kerf_width(table.view(), {3000, 50'000, 950'000}).ok());
 }
 
-/// The rows around a value by another way than the product's.
+/// Returns the rows around a value, by another method than the product's.
 template <typename List, typename Key>
 std::pair<std::size_t, std::size_t> around(const List& list, Key key, std::uint32_t value) {
   std::pair<std::size_t, std::size_t> found{0, 0};
@@ -157,7 +157,8 @@ std::pair<std::size_t, std::size_t> around(const List& list, Key key, std::uint3
   return found;
 }
 
-/// Any sound table, any condition: single precision refuses the same and is within 1 µm.
+/// For any sound table and any condition, single precision refuses the same cases and is within 1
+/// µm.
 TEST(KerfLookup, IsOnTheControllerWithinAMicrometreOfTheHost) {
   const proof::Trials trials{4000};
   double greatest = 0.0;

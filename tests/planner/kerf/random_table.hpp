@@ -35,7 +35,7 @@ inline OwnedTable<float> in_single(const OwnedTable<double>& table) {
   return single;
 }
 
-/// Sound tables of any thickness, power and speed that a controller has room for.
+/// Generates sound tables of any thickness, power and speed that fit into a controller.
 class RandomTable {
  public:
   explicit RandomTable(proof::Random& random) : random_{random} {}
@@ -51,7 +51,7 @@ class RandomTable {
     return table;
   }
 
-  /// Distinct numbers of any size, rising.
+  /// Returns distinct numbers of any size in ascending order.
   std::vector<std::uint32_t> rising(std::size_t count, std::uint32_t least, std::uint32_t most) {
     std::vector<std::uint32_t> all;
     while (all.size() < count) {
@@ -89,7 +89,8 @@ class RandomTable {
         table.points.push_back({speed, static_cast<std::uint32_t>(random_.between(1, 9.9e6))});
       }
     }
-    // Any two widths at the ends of the heat, or one that does not depend on it.
+    // The widths at the ends of the heat range are arbitrary, or the width does not depend on the
+    // heat.
     const double low = random_.between(0.001, 9.9);
     const double high = random_.between(0.001, 9.9);
     row.law.slope = (high - low) / (max_heat - min_heat);

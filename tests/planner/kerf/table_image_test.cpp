@@ -91,7 +91,7 @@ TEST(KerfTableImage, OfAnotherLengthIsNone) {
   EXPECT_EQ(fault_of(longer), TableError::kBadSize);
 }
 
-/// With its sum made right again, whatever is changed is either a sound table or refused.
+/// If its checksum is recomputed, an image with any change is either a sound table or refused.
 TEST(KerfTableImage, OfNonsenseIsNeverATableThatCannotBeLookedUp) {
   const proof::Trials trials{20'000};
   std::size_t taken = 0;
@@ -154,7 +154,7 @@ TEST(KerfTableImage, SaysHowMuchDoesNotFit) {
   EXPECT_EQ(nine.error().error, TableError::kTooManyRows);
   EXPECT_EQ(nine.error().count, 9);
   EXPECT_EQ(nine.error().capacity, 8);
-  // The controller says the same of an image from elsewhere.
+  // The controller gives the same answer for an image from another source.
   Bytes other = image_of(table_of_thicknesses(8).view());
   other[7] = std::byte{9};
   EXPECT_EQ(fault_of(other), TableError::kTooManyRows);
@@ -184,7 +184,7 @@ TEST(KerfTableImage, RefusesTablesThatCannotBeLookedUp) {
   table.rows[1].law.slope = std::numeric_limits<float>::quiet_NaN();
   EXPECT_EQ(error_of(table), TableError::kBadKerf);
   table = table_of_thicknesses(2);
-  table.rows[1].law.slope = -0.6F;  // 0 at Q = 0.5.
+  table.rows[1].law.slope = -0.6F;  // The width is 0 at Q = 0.5.
   table.bands[1].power_mw = 5000;
   EXPECT_EQ(error_of(table), TableError::kBadKerf);
   table = table_of_thicknesses(2);

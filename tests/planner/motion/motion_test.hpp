@@ -12,12 +12,12 @@
 
 namespace cnc::motion {
 
-/// Of a StepPosition.
+/// One step in units of a StepPosition.
 inline constexpr double kOneStep = 4294967296.0;
 
 inline double squared(double x) { return x * x; }
 
-/// mm or degrees, rounded to the nanometre.
+/// Returns a position from mm or degrees, rounded to the nanometre.
 inline Position place(const AxisArray<double>& mm) {
   Position position;
   for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
@@ -33,7 +33,7 @@ inline Limits plain_limits() {
   return limits;
 }
 
-/// Every axis with a resolution, rate and acceleration of its own.
+/// Returns limits in which every axis has a different resolution, rate and acceleration.
 inline Limits any_limits(proof::Random& random) {
   Limits limits;
   for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
@@ -45,7 +45,7 @@ inline Limits any_limits(proof::Random& random) {
   return limits;
 }
 
-/// A coordinate plane, or another one.
+/// Returns a coordinate plane or another plane.
 inline ArcPlane any_plane(proof::Random& random) {
   if (random.chance(0.6)) return static_cast<Plane>(random.below(3));
   const std::size_t axes = random.chance(0.3) ? kAxisCount : kLinearAxisCount;
@@ -60,7 +60,7 @@ inline ArcPlane any_plane(proof::Random& random) {
   return frame ? ArcPlane{*frame} : ArcPlane{};
 }
 
-/// Straight on for the first two axes, or bent in a plane; sometimes others ride along.
+/// Returns a line along the first two axes or an arc in a plane; sometimes other axes also move.
 inline PathElement any_element_in(const ArcPlane& plane,
                                   proof::Random& random,
                                   const Position& start) {
@@ -72,30 +72,30 @@ inline PathElement any_element_in(const ArcPlane& plane,
   }
   if (element.end == start) element.end[0] += Coordinate{1'000'000};
   if (element.plane.oblique()) {
-    // All of the travel lies in the plane.
+    // All travel lies in the plane.
     const Vec2 chord{static_cast<float>(size * random.between(-1.0, 1.0)),
                      static_cast<float>(size * random.between(0.1, 1.0))};
     element.end = moved_by(start, element.plane.vector(chord));
   }
   if (random.chance(0.6)) element.bulge = static_cast<float>(random.signed_magnitude(1.0e-4, 1.0));
-  // What stays within a nanometre of its chord is driven as a line: a test of its own.
+  // An arc within a nanometre of its chord is driven as a line, which another test checks.
   const auto chord = static_cast<double>(element.plane.seen(start, element.end).norm());
   if (std::abs(static_cast<double>(element.bulge)) * chord < 1.0e-5) element.bulge = 0.0F;
   return element;
 }
 
-/// In a random coordinate plane.
+/// Returns an element in a random coordinate plane.
 inline PathElement any_element(proof::Random& random, const Position& start) {
   const auto plane = static_cast<Plane>(random.below(3));
   return any_element_in(plane, random, start);
 }
-/// In any plane.
+/// Returns an element in any plane.
 inline PathElement any_element_in_space(proof::Random& random, const Position& start) {
   const ArcPlane plane = any_plane(random);
   return any_element_in(plane, random, start);
 }
 
-/// An arc in a random plane; a helix where other axes ride along.
+/// Returns an arc in a random plane; a helix if other axes also move.
 inline PathElement any_arc(proof::Random& random) {
   PathElement element = any_element_in_space(random, Position{});
   const auto more = static_cast<float>(random.magnitude(0.05, 50.0));
@@ -110,12 +110,12 @@ inline Block block_of(const PathElement& element, const Limits& limits, float fe
   return built.value();
 }
 
-/// A straight move along X from null.
+/// Returns a straight move along X from the origin.
 inline Block straight_block(double mm, const Limits& limits, float feed_mm_s = 0.0F) {
   return block_of({.end = place({mm})}, limits, feed_mm_s);
 }
 
-/// The motion that a block is to make, in double: places are from its start.
+/// The exact motion of a block in double precision; positions are relative to its start.
 class ExactMotion : public proof::ExactBlock {
  public:
   explicit ExactMotion(const PathElement& element) : ExactBlock{from_null(element)} {}

@@ -17,7 +17,7 @@ using cnc::order::Index;
 using proof::MadeProblem;
 using PlainAnnealing = Annealing<cnc::order::MatrixCost>;
 
-constexpr double kUnit = 100.0;  // The side of the square of MadeProblem.
+constexpr double kUnit = 100.0;  // Side of the square of MadeProblem.
 
 TEST(AnnealingTest, ItsDecayIsTheExponentialWithinTheStatedError) {
   for (int i = 0; i <= 400'000; ++i) {
@@ -30,7 +30,7 @@ TEST(AnnealingTest, ItsDecayIsTheExponentialWithinTheStatedError) {
   EXPECT_EQ(cnc::order::wide_decay(40.1), 0.0);
 }
 
-/// At any time: a permutation from home on that keeps the precedence.
+/// At any time, the result is a permutation that begins at home and keeps the precedence.
 TEST(AnnealingTest, KeepsPrecedenceAndHome) {
   for (const std::uint64_t seed : proof::Trials{1'000}) {
     proof::Random random{seed};
@@ -69,7 +69,7 @@ TEST(AnnealingTest, CoolsAsThePaperSays) {
   EXPECT_LT(annealing.cost(), 0.7 * course.front().cost);
 }
 
-/// The class of results that the paper's scheme reaches on 35 points: mostly the optimum.
+/// The paper's scheme reaches similar results on 35 points: mostly the optimum.
 TEST(AnnealingTest, OftenFindsTheOptimumOfThirtyFivePoints) {
   double sum = 0.0;
   double least = 1.0e300;

@@ -29,7 +29,8 @@ TEST(ExactTest, ProvesTheOptimumThatTryingAllFinds) {
     const MadeProblem made{random, proof::random_kind(random, 7)};
     const double least = made.min_by_trying_all();
     const proof::TestSpace<ExactSpace> space{sizes_of(made, 2000)};
-    // With a known tour the bounds cut; one at the optimum leaves nothing to be found.
+    // With a known tour the bounds prune the search. If that tour is optimal, the search finds no
+    // better one.
     const double known = random.chance(0.3) ? kInfinite : least * random.between(1.0, 1.5);
     Exact exact{made.problem, made.cost(), made.set_of, *space, known};
     while (exact.run(1 + random.below(9)) == ExactState::kRunning) {
@@ -71,7 +72,7 @@ TEST(EntryChoiceTest, FindsTheBestCandidatesOfAnOrder) {
         cnc::order::EntryChoiceSizes{made.problem.candidates()}};
     cnc::order::EntryChoice choice{made.problem, made.cost(), tour, *space};
     const double before = made.cost_of(tour.order(), tour.choices());
-    // A window first, whose gain is what it says, then all.
+    // First a window is optimized, whose gain must be the returned one, then the complete order.
     if (order.size() > 3) {
       const auto start = static_cast<Index>(random.below(order.size()));
       const auto length = static_cast<Index>(1 + random.below(order.size() - 2));

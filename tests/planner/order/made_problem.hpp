@@ -16,7 +16,7 @@
 
 namespace proof {
 
-/// Working storage on the heap, filled with bytes that no algorithm should rely on.
+/// Working storage on the heap, filled with bytes on which no algorithm may rely.
 template <typename Space>
 class TestSpace {
  public:
@@ -32,18 +32,19 @@ class TestSpace {
   Space space_;
 };
 
-/// What a random problem has.
+/// Properties of a random problem.
 struct ProblemKind {
   std::size_t sets = 6;
   std::size_t max_candidates = 3;
-  double precedence = 0.2;  ///< Probability of a pair.
-  double forbidden = 0.0;   ///< Probability that a leg is.
+  double precedence = 0.2;  ///< Probability that a pair has a precedence.
+  double forbidden = 0.0;   ///< Probability that a leg is forbidden.
   bool is_symmetric = true;
-  bool has_lines = false;  ///< Sets of two candidates are open lines: each the other's reverse.
-  bool is_grid = false;    ///< Whole costs, many of them equal.
+  bool has_lines = false;  ///< If true, sets of two candidates are open lines, each candidate being
+                           ///< the reverse of the other.
+  bool is_grid = false;    ///< If true, costs are integers, many of them equal.
 };
 
-/// A random problem with its costs as a matrix, and all that a search needs.
+/// A random problem with its costs as a matrix, and the storage that a search requires.
 class MadeProblem {
  public:
   using Index = cnc::order::Index;
@@ -171,7 +172,7 @@ class MadeProblem {
     cost_ = cnc::order::MatrixCost{matrix, static_cast<Index>(size)};
   }
 
-  /// Pairs along a hidden random order, so that there is one that keeps them.
+  /// Makes pairs along a hidden random order, so that at least one order keeps them.
   void make_pairs(Random& random, const ProblemKind& kind) {
     std::vector<Index> hidden(kind.sets);
     std::iota(hidden.begin(), hidden.end(), 0);
@@ -189,7 +190,7 @@ class MadeProblem {
   std::unique_ptr<TestSpace<cnc::order::PrecedenceSpace>> precedence_;
 };
 
-/// A kind of problem of 2 to `max_sets` sets, with everything that a problem may have.
+/// Returns a kind of problem with 2 to `max_sets` sets and any of the properties.
 inline ProblemKind random_kind(Random& random, std::size_t max_sets) {
   ProblemKind kind;
   kind.sets = 2 + random.below(max_sets - 1);

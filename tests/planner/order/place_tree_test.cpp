@@ -18,7 +18,7 @@ using cnc::order::PlaceTreeSpace;
 
 std::vector<Place> random_places(proof::Random& random) {
   std::vector<Place> places(random.below(60));
-  const bool is_grid = random.chance(0.5);  // Many equal coordinates, and equal places.
+  const bool is_grid = random.chance(0.5);  // With a grid, many coordinates and points are equal.
   for (Place& place : places) {
     place = {random.between(0.0, 8.0), random.between(0.0, 8.0)};
     if (is_grid) place = {std::floor(place.x), std::floor(place.y)};
@@ -35,7 +35,7 @@ double nearest_distance(const PlaceTree& tree, const Place& centre) {
   return least;
 }
 
-/// Against looking at all, while places come and go.
+/// Compares with a search over all points, while points are added and removed.
 TEST(PlaceTreeTest, FindsTheNearestOfThosePresent) {
   for (const std::uint64_t seed : proof::Trials{10'000}) {
     proof::Random random{seed};

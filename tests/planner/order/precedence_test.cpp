@@ -41,13 +41,13 @@ TEST(PrecedenceTest, RefusesSetsThatAreNotThereAndSetsBeforeHome) {
   EXPECT_EQ(before_home.error().fault, PrecedenceFault::kBeforeHome);
 }
 
-/// A hidden cycle among other pairs: what is named is a cycle of pairs that are there.
+/// A cycle is hidden among other pairs. The reported sets must form a cycle of existing pairs.
 TEST(PrecedenceTest, NamesTheSetsOfACycle) {
   for (const std::uint64_t seed : proof::Trials{20'000}) {
     proof::Random random{seed};
     const std::size_t sets = 2 + random.below(20);
     const std::size_t length = 1 + random.below(sets - 1);
-    // The cycle has the highest numbers or the lowest.
+    // The sets of the cycle have the highest numbers or the lowest.
     const std::size_t low = random.chance(0.5) ? 1 : sets - length;
     std::vector<Before> pairs;
     for (std::size_t i = 0; i < length; ++i) {

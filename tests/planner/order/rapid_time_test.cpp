@@ -16,12 +16,13 @@ struct MoveLimits {
   double jerk = 0.0;
 };
 
-/// Time of a move from rest to rest by adding up short steps: the acceleration grows by the jerk,
-/// stays, and falls, as long as the speed that is left to gain allows; the second half mirrors the
-/// first.
+/// Returns the time of a move from rest to rest by adding short steps. The acceleration increases
+/// by the jerk, remains constant, and decreases, as the remaining change of speed allows. The
+/// second half mirrors the first.
 double stepped_time(double length, const MoveLimits& limits) {
-  // s. A step too late or too early at full acceleration is paid back where the acceleration ends,
-  // over sqrt(2 A kStep / J): 0.05 ms at A = 2,300 mm/s2 and J = 190,000 mm/s3.
+  // Length of a step, s. If full acceleration begins or ends a step too late or too early, the end
+  // of the acceleration moves by up to sqrt(2 A kStep / J): 0.05 ms at A = 2,300 mm/s2 and
+  // J = 190,000 mm/s3.
   constexpr double kStep = 1.0e-7;
   const auto half_way = [&](double top, double& seconds) {
     double speed = 0.0;

@@ -24,7 +24,7 @@ struct Found {
   bool operator==(const Found&) const = default;
 };
 
-/// Runs in parts, whose lengths must not matter.
+/// Runs the search in parts, whose lengths must not matter.
 Found found(const MadeProblem& made, std::uint64_t seed, const std::vector<std::uint64_t>& parts) {
   const proof::TestSpace<SearchSpace> space{
       SearchSizes{made.problem.sets(), made.problem.candidates()}};
@@ -39,8 +39,8 @@ Found found(const MadeProblem& made, std::uint64_t seed, const std::vector<std::
   return result;
 }
 
-/// Any problem, any number of steps: a permutation from home on that keeps the precedence, whose
-/// cost is what the search says, and no more than that of the start.
+/// For any problem and any number of steps, the result is a permutation that begins at home and
+/// keeps the precedence. Its cost must be the returned one, and at most that of the start.
 TEST(SearchTest, KeepsPrecedenceAndItsBooks) {
   for (const std::uint64_t seed : proof::Trials{2'000}) {
     proof::Random random{seed};
@@ -71,7 +71,7 @@ TEST(SearchTest, IsTheSameHoweverItsStepsAreDivided) {
   }
 }
 
-/// Against all tours. A problem of a few sets needs no luck.
+/// Compares with all tours. For a few sets, the search must always find the optimum.
 TEST(SearchTest, FindsTheOptimumOfSmallProblems) {
   for (const std::uint64_t seed : proof::Trials{500, proof::Trials::Range::kFixed}) {
     proof::Random random{seed};
@@ -85,7 +85,8 @@ TEST(SearchTest, FindsTheOptimumOfSmallProblems) {
   }
 }
 
-/// Uniform points: within a few percent of what long tours tend to, which 2-opt alone misses.
+/// The points are uniform. The result must be within a few percent of the limit for long tours,
+/// which 2-opt alone does not reach.
 TEST(SearchTest, ComesNearToTheOptimumOfUniformPoints) {
   constexpr Index kPoints = 2000;
   constexpr Index kWidth = 8;

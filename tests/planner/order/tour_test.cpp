@@ -20,7 +20,7 @@ using cnc::order::Tour;
 using cnc::order::TourSizes;
 using cnc::order::TourSpace;
 
-/// Open lines, so that it shows in which direction each set is driven.
+/// Tests sets that are open lines, so that the direction of each set is visible in the tour.
 class TourTest : public testing::Test {
  protected:
   struct Bench {
@@ -38,8 +38,8 @@ class TourTest : public testing::Test {
     Tour tour;
   };
 
-  /// Candidates along the tour from home on; of the two directions the one that does not reverse
-  /// set 1.
+  /// Returns the candidates along the tour from home on, in the direction that does not reverse set
+  /// 1.
   static std::vector<Index> canonical(const Bench& bench) {
     std::vector<Index> row;
     const Tour& tour = bench.tour;
@@ -60,7 +60,7 @@ std::vector<Index> rows(const Tour& tour) {
   return all;
 }
 
-/// The definition of each rearrangement, written out with copies.
+/// Compares with the definition of each rearrangement, written with copies.
 TEST_F(TourTest, RearrangesAsDefinedAndTakesItBack) {
   for (const std::uint64_t seed : proof::Trials{20'000}) {
     proof::Random random{seed};
@@ -98,7 +98,7 @@ TEST_F(TourTest, RearrangesAsDefinedAndTakesItBack) {
   }
 }
 
-/// A free tour moves the shortest stretches; the legs are the same.
+/// A free tour moves the shortest stretches, and has the same legs.
 TEST_F(TourTest, AFreeTourChangesToTheSameTour) {
   for (const std::uint64_t seed : proof::Trials{20'000}) {
     proof::Random random{seed};
@@ -119,7 +119,7 @@ TEST_F(TourTest, AFreeTourChangesToTheSameTour) {
   }
 }
 
-/// The rearrangement that find_rearrangement() names has exactly the new legs.
+/// The rearrangement that find_rearrangement() returns has exactly the new legs.
 TEST_F(TourTest, ThreeNewLegsAreFoundAgainInTheTour) {
   const proof::Trials trials{20'000};
   int found = 0;

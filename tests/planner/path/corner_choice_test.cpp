@@ -7,7 +7,7 @@ namespace {
 
 constexpr double kSideMm = 50.0;
 
-/// 3,000 mm/s² and this jerk, mm/s³, on all axes; 0 is no limit.
+/// Returns limits of 3,000 mm/s² and this jerk, mm/s³, on all axes; 0 is no limit.
 motion::Limits limits_with(float jerk) {
   motion::Limits limits = path_limits();
   limits.rate_mm_s.fill(200.0F);
@@ -16,7 +16,7 @@ motion::Limits limits_with(float jerk) {
   return limits;
 }
 
-/// Two lines with a turn of so many degrees in the plane of X and another axis.
+/// Returns two lines with a turn of `degrees` in the plane of X and another axis.
 std::vector<PathItem> turn_by(int degrees, std::size_t axis, float feed_mm_s) {
   const double angle = degrees * std::numbers::pi / 180.0;
   Pen pen{tolerance_within(0.01F, 0.002F)};
@@ -29,7 +29,7 @@ std::vector<PathItem> turn_by(int degrees, std::size_t axis, float feed_mm_s) {
   return pen.items;
 }
 
-/// The least turn, in degrees, that is a stop; 180 if none is.
+/// Returns the least turn in degrees at which the path stops; 180 if there is none.
 int min_stop(const motion::Limits& limits, std::size_t axis, float feed_mm_s = 200.0F) {
   int degrees = 5;
   while (degrees < 180 && stops_in(staged(turn_by(degrees, axis, feed_mm_s), limits)) == 0) {
@@ -38,7 +38,8 @@ int min_stop(const motion::Limits& limits, std::size_t axis, float feed_mm_s = 2
   return degrees;
 }
 
-// With T = 2 √(R / A) saved by not standing and a blend of θ √(R / A) they are even at 2 radians.
+// Without a stop, T = 2 √(R / A) is saved, but the blend takes θ √(R / A). Both are equal at 2
+// radians.
 TEST(CornerChoice, StopsAtTurnsOfMoreThanTwoRadiansWithoutALimitOfJerk) {
   EXPECT_NEAR(min_stop(limits_with(0.0F), 1), 115, 4);
 }
@@ -63,7 +64,8 @@ TEST(CornerChoice, StopsAtTheLessTurnTheLessJerkThereMayBe) {
   EXPECT_LT(before, 30);
 }
 
-// At 1 mm/s a radius of a third of a micrometre is enough, which the tolerance leaves up to 176°.
+// At 1 mm/s a radius of a third of a micrometre is sufficient, which the tolerance allows up to
+// 176°.
 TEST(CornerChoice, StopsAtNoTurnWhoseBlendIsAsFastAsTheFeed) {
   EXPECT_GE(min_stop(limits_with(0.0F), 1, 1.0F), 175);
   EXPECT_GE(min_stop(limits_with(3.0e6F), 1, 1.0F), 170);

@@ -8,7 +8,8 @@ namespace {
 
 constexpr Tolerance kTenth{.corner_mm = 0.1F};
 
-/// No stop is left, and the driven path is within the tolerance of the program, and it of that.
+/// Expects that no stop remains, and that the driven path and the program are within the tolerance
+/// of each other.
 void expect_blended(const Pen& pen, const Tolerance& tolerance) {
   const auto pieces = staged(pen.items);
   EXPECT_EQ(stops_in(pieces), 0U);
@@ -101,7 +102,8 @@ TEST(Corners, ShareAShortEdgeByWhatEachNeeds) {
   Pen pen{kTenth};
   pen.line({50.0});
   pen.line({0.0, 0.2});
-  pen.line({-0.01, 50.0});  // Hardly turns: leaves nearly all of the edge to the other.
+  // This corner hardly turns, and leaves nearly all of the edge to the other corner.
+  pen.line({-0.01, 50.0});
   const auto pieces = staged(pen.items);
   EXPECT_EQ(stops_in(pieces), 0U);
   EXPECT_GT(ExactElement{pieces[1].request.element}.radius(), 0.15);
@@ -129,8 +131,9 @@ TEST(Corners, OfASteepRampAreBlendedInThePlaneOfBothLines) {
   }
 }
 
-// 1.6 mm along Y and less than 100 nm along X and Z is nearly upright in the plane of X and Z:
-// a right angle there, however little it turns for one that is as steep.
+// The line moves 1.6 mm along Y and less than 100 nm along X and Z, so it is nearly vertical in the
+// plane of X and Z. In this plane the corner is a right angle, although the turn of such a steep
+// line is small.
 TEST(Corners, OfAnUprightLineAreBlendedInThePlaneInWhichTheyTurn) {
   Pen pen{kTenth};
   pen.line({-0.00007, -1.6347, 0.00003});
@@ -165,7 +168,7 @@ TEST(Corners, BetweenArcsOfDifferentPlanesAreBlended) {
   pen.arc({0.0, 10.0, 10.0}, Plane::kYZ, -0.4);
   pen.line({10.0, 10.0, 3.0});
   pen.arc({10.0, 0.0, 10.0}, Plane::kZX, 0.2);
-  pen.arc({10.0, 10.0, 4.0}, Plane::kXY, 0.5);  // A helix.
+  pen.arc({10.0, 10.0, 4.0}, Plane::kXY, 0.5);  // The element is a helix.
   pen.line({-10.0, 2.0, 1.0, 8.0});
   expect_blended(pen, kTenth);
 }
@@ -196,7 +199,7 @@ TEST(Corners, KeepFeedBeamAndOutputsOnTheirOwnSide) {
     EXPECT_EQ(piece.line, i < 2 ? 1U : 2U) << i;
     EXPECT_EQ(piece.outputs.any(), i == 2) << i;
   }
-  // What is lit ends at the place nearest the corner.
+  // The beam is on up to the point nearest to the corner.
   const Place middle = to_mm(pieces[2].request.element.start);
   EXPECT_NEAR(distance(middle, {50.0}), 0.1, 1.0e-5);
   expect_sound(pen.items, pieces);
@@ -231,7 +234,7 @@ TEST(HeldElements, ComeOutWholeWhenFlushed) {
   EXPECT_EQ(piece->joint, motion::Joint::kStop) << "the corner was given away";
 }
 
-/// A stretch of one nasty kind.
+/// Draws a stretch of one difficult kind.
 void scribble(proof::Random& random, Pen& pen) {
   const std::size_t kind = random.below(7);
   const double size = random.magnitude(0.001, 50.0);
@@ -256,7 +259,7 @@ void scribble(proof::Random& random, Pen& pen) {
   }
 }
 
-/// The same in space: each line and arc in any direction, now and then with rotary axes.
+/// Draws a stretch in space: each line and arc has any direction, sometimes with rotary axes.
 void scribble_in_space(proof::Random& random, Pen& pen) {
   const double size = random.magnitude(0.001, 50.0);
   const bool gentle = random.chance(0.3);
@@ -278,8 +281,10 @@ void scribble_in_space(proof::Random& random, Pen& pen) {
 }
 
 struct Deviation {
-  double of_path = 0.0;    ///< Of the programmed path from the driven one, of the tolerance.
-  double of_driven = 0.0;  ///< The other way.
+  double of_path = 0.0;    ///< Greatest distance of the programmed path from the driven one, as a
+                           ///< fraction of the tolerance.
+  double of_driven = 0.0;  ///< Greatest distance of the driven path from the programmed one, as a
+                           ///< fraction of the tolerance.
   std::size_t pieces = 0;
   std::size_t stops = 0;
 };
@@ -297,7 +302,7 @@ void try_scribble(Scribble scribble, std::uint64_t seed, Deviation& greatest) {
   expect_sound(pen.items, pieces);
   const auto path = exact(pen.items);
   const auto driven = exact(pieces);
-  // 10 nm for the arcs' own rounding, at some metres 1e-7 of their radius.
+  // 10 nm allow for the rounding of the arcs, which is 1e-7 of a radius of some metres.
   const double allowed = tolerance + 1.0e-5;
   const double of_path = farthest(path, driven, 40);
   const double of_driven = farthest(driven, path, 24);

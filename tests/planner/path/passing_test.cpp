@@ -26,7 +26,8 @@ PathElement random_element(Random& random) {
   return element;
 }
 
-/// A place on an element, rounded to the nanometre, is found again; both parts lie on it.
+/// Finds a point on an element that is rounded to the nanometre. Both parts then lie on the
+/// element.
 TEST(Passing, FindsPlacesOnElementsAgain) {
   const proof::Trials trials{20'000};
   for (const std::uint64_t seed : trials) {
@@ -41,8 +42,8 @@ TEST(Passing, FindsPlacesOnElementsAgain) {
       place[axis] = Coordinate{std::llround(on_it[axis] * 1.0e6)};
     }
     const double length = exact.length();
-    // What rounding a place to the nanometre moves it by in its plane counts for more on the axes
-    // that go farther.
+    // The rounding of a point to the nanometre in its plane has a greater effect on axes that move
+    // farther.
     const PlaneAxes axes = axes_of(element.plane);
     const double x = (element.end[axes.first] - element.start[axes.first]).mm();
     const double y = (element.end[axes.second] - element.start[axes.second]).mm();

@@ -32,14 +32,14 @@ inline double dot(const Place& a, const Place& b) {
   return sum;
 }
 
-/// a + share · b.
+/// Returns a + share · b.
 inline Place sum_of(const Place& a, double share, const Place& b) {
   Place sum = a;
   for (std::size_t axis = 0; axis < kAxisCount; ++axis) sum[axis] += share * b[axis];
   return sum;
 }
 
-/// X Y Z, now and then with rotary axes.
+/// Returns a direction in X Y Z, sometimes with rotary axes.
 inline Place any_direction(proof::Random& random) {
   const std::size_t axes = random.chance(0.1) ? kAxisCount : kLinearAxisCount;
   Place direction{};
@@ -57,11 +57,10 @@ class ExactElement : private proof::ExactBlock {
   using ExactBlock::radius;
   [[nodiscard]] Place at(double share) const { return place_at(share); }
   [[nodiscard]] double chord() const { return chord_; }
-  /// Unit direction.
+  /// Returns the unit direction.
   [[nodiscard]] Place tangent(bool at_end) const { return tangent_at(at_end ? 1.0 : 0.0); }
 
-  /// Distance of a place from the element. By sampling and narrowing,
-  /// to 1e-8 mm.
+  /// Returns the distance of a point from the element, by sampling and narrowing, to 1e-8 mm.
   [[nodiscard]] double distance_to(const Place& place) const {
     double low = 0.0;
     double high = 1.0;
@@ -89,7 +88,7 @@ class ExactElement : private proof::ExactBlock {
   double chord_;
 };
 
-/// The nearest that a place comes to a path.
+/// Returns the distance of a point from a path.
 inline double distance_from(const Place& place, const std::vector<ExactElement>& path) {
   double least = 1.0e9;
   for (const ExactElement& element : path) {
@@ -102,7 +101,7 @@ inline double distance_from(const Place& place, const std::vector<ExactElement>&
   return least;
 }
 
-/// The farthest that points of one path are from another.
+/// Returns the greatest distance of points of one path from another.
 inline double farthest(const std::vector<ExactElement>& of,
                        const std::vector<ExactElement>& from,
                        int samples) {
@@ -131,7 +130,7 @@ inline motion::Limits path_limits() {
   motion::Limits limits;
   limits.rate_mm_s.fill(500.0F);
   limits.acceleration_mm_s2.fill(500.0F);
-  // No line is shorter than half a step.
+  // The resolution is so fine that no line is shorter than half a step.
   limits.scale.fill(AxisScale{AxisScale::kMaxStepsPerMm});
   limits.steps_per_s_one_motor = limits.steps_per_s_all_motors = 1.0e9F;
   return limits;
@@ -166,7 +165,7 @@ class Pen {
   Position place_{};
 };
 
-/// What the stage makes of a program that comes without a pause.
+/// Returns the pieces that the stage makes of a program that comes without a pause.
 inline std::vector<PathPiece> staged(const std::vector<PathItem>& items,
                                      const motion::Limits& limits = path_limits()) {
   const auto stage = std::make_unique<PathStage>(limits);
@@ -195,11 +194,11 @@ inline std::size_t stops_in(const std::vector<PathPiece>& pieces) {
   return stops;
 }
 
-/// By how many mm rounded places may be beside a smooth joint, its neighbours included:
-/// a blend of two arcs has five of them.
+/// Distance in mm by which rounded points may lie beside a smooth joint, neighbouring joints
+/// included: a blend of two arcs has five of them.
 inline constexpr double kRoundedPlaces = 1.2e-5;
 
-/// Joins, ends and turns of a path that was staged, whatever it is.
+/// Checks joins, ends and turns of any path after the stage.
 inline void expect_sound(const std::vector<PathItem>& items, const std::vector<PathPiece>& pieces) {
   ASSERT_FALSE(pieces.empty());
   EXPECT_EQ(pieces.front().request.element.start, items.front().request.element.start);

@@ -9,7 +9,8 @@
 namespace cnc::path {
 namespace {
 
-/// Rows in random directions, with random powers, feeds and lengths; corners between.
+/// Returns rows in random directions, with random powers, feeds and lengths, and corners between
+/// them.
 std::vector<PathItem> random_rows(proof::Random& random) {
   Tolerance tolerance{.corner_mm = static_cast<float>(random.magnitude(0.001, 0.2))};
   if (random.chance(0.2)) tolerance.weld_mm = 0.01F;
@@ -17,7 +18,7 @@ std::vector<PathItem> random_rows(proof::Random& random) {
   pen.grid_nm = random.chance(0.5) ? 1000 : 1;
   double angle = random.chance(0.3) ? 0.0 : random.between(0.0, 6.3);
   for (int row = 0; row < 6; ++row) {
-    // Not back over itself, where a place belongs to two rows.
+    // Rows do not reverse, because a point would then belong to two rows.
     angle += random.chance(0.3) ? 0.5 * std::numbers::pi : random.signed_magnitude(0.2, 2.4);
     const double step = random.magnitude(0.02, 0.5);
     const std::size_t count = random.below(150);
@@ -32,10 +33,11 @@ std::vector<PathItem> random_rows(proof::Random& random) {
   return pen.items;
 }
 
-constexpr double kOnALine = 0.002;  ///< mm.
+constexpr double kOnALine = 0.002;  ///< Distance within which a point is on a line, mm.
 
-/// Of the program's lines near a place, from `from` on: their powers, the distance of the nearest,
-/// and the first that the place is on. Rows cross each other: a later one may be the nearest.
+/// The lines of the program near a point, from `from` on: their powers, the distance of the
+/// nearest, and the first line on which the point is. As rows cross each other, a later row may be
+/// the nearest.
 struct Demand {
   double nearest = 1.0e9;
   std::optional<std::size_t> line{};
@@ -47,7 +49,7 @@ Demand demand_at(const std::vector<PathItem>& items,
                  std::size_t from,
                  const Place& place,
                  double slack) {
-  constexpr std::size_t kAhead = 100;  // A blend may pass over dozens of short lines.
+  constexpr std::size_t kAhead = 100;  // A blend may pass dozens of short lines.
   constexpr std::size_t kBehind = 10;
   const std::size_t begin = from - std::min(from, kBehind);
   const std::size_t end = std::min(items.size(), from + kAhead);
@@ -64,7 +66,7 @@ Demand demand_at(const std::vector<PathItem>& items,
   return demand;
 }
 
-// For each place of what is driven: the power of the line of the program that is there.
+// At each point of the driven path, the power must be that of the program's line at this point.
 TEST(RandomRows, HaveAtEachPlaceThePowerThatTheProgramHasThere) {
   const proof::Trials trials{30};
   std::size_t lines = 0;
@@ -89,7 +91,7 @@ TEST(RandomRows, HaveAtEachPlaceThePowerThatTheProgramHasThere) {
         const Place place = element.at((i + 0.5) / RowDrive::kPlaces);
         const double slack = 0.004 + (blend ? 1.2 * corner : 0.0);
         const Demand demand = demand_at(items, elements, at, place, slack);
-        // Beside its own lines, a blend crosses others that come later.
+        // A blend passes its own lines, and also crosses lines that come later.
         if (!blend) at = demand.line.value_or(at);
         const double power = one.powers[static_cast<std::size_t>(i)];
         const bool found = std::ranges::find(demand.powers, power) != demand.powers.end();

@@ -43,7 +43,7 @@ TEST(PixelRow, GivesEachPlaceThePowerOfItsLine) {
   }
 }
 
-// Between lines that are gathered, each is driven with its own powers.
+// A line with several powers between lines that are gathered is driven with its own powers.
 TEST(PixelRow, OfALineWithManyPowersHasThemInEqualParts) {
   PowerPen pen{kUsual};
   pen.pixel({0.1}, 0.5);
@@ -183,7 +183,7 @@ TEST(PixelRow, MayBeWrittenWithThreeDecimalsInAnyDirection) {
   }
 }
 
-// Else what the rounding of three decimals bends would be corners.
+// Otherwise the bends that come from rounding to three decimals would be corners.
 TEST(PixelRow, KeepsToTheNanometreWhereCornersAreStops) {
   PowerPen pen{{}};
   pen.pixel({0.1, 0.001}, 0.1);

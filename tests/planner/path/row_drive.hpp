@@ -10,7 +10,7 @@
 
 namespace cnc::path {
 
-/// A program of which lines have powers.
+/// A program in which lines have powers.
 class PowerPen : public Pen {
  public:
   using Pen::Pen;
@@ -20,16 +20,16 @@ class PowerPen : public Pen {
   }
 };
 
-/// The stage with pixels, and a machine that drives its pieces as soon as they come.
+/// The path stage with pixels, and a machine that drives its pieces as soon as they come.
 class RowDrive {
  public:
   struct Driven {
     PathPiece piece{};
-    std::vector<double> powers{};  ///< At places evenly over the piece.
+    std::vector<double> powers{};  ///< Powers at points that are evenly distributed over the piece.
   };
   static constexpr int kPlaces = 40;
 
-  /// Powers of the lines that are rows by themselves, by their number.
+  /// Powers of the lines that are separate rows, by the number of the line.
   using Rows = std::map<std::size_t, std::vector<float>>;
 
   void run(const std::vector<PathItem>& items, const Rows& rows = {}) {
@@ -64,8 +64,8 @@ class RowDrive {
   }
 
  private:
-  /// Returns whether no pixel is left, or the last one of the last row alone: parts of a row add up
-  /// to its length within rounding, and the next row drops a pixel that ends behind them.
+  /// Returns whether no pixel is left, or only the last one of the last row. The parts of a row add
+  /// up to its length within rounding, and the next row drops a pixel that ends behind them.
   [[nodiscard]] bool all_driven() const {
     constexpr float kRoundingMm = 1.0e-5F;
     if (pixels_->empty()) return true;

@@ -7,7 +7,7 @@ namespace cnc::path {
 namespace {
 
 constexpr Tolerance kExact{};
-constexpr double kHalfStep = 0.002;  ///< mm.
+constexpr double kHalfStep = 0.002;  ///< Half a step, mm.
 
 motion::Limits coarse_limits() {
   motion::Limits limits = path_limits();
@@ -15,7 +15,7 @@ motion::Limits coarse_limits() {
   return limits;
 }
 
-/// A stair whose steps no motor can follow.
+/// Draws a stair whose steps no motor can follow.
 void draw_stair(Pen& pen, double rise) {
   for (int i = 0; i < 100; ++i) {
     pen.line({0.0, rise});
@@ -100,7 +100,7 @@ TEST(ShortLines, LeaveArcsTheirStart) {
   EXPECT_EQ(pieces[1].request.element.start, pen.items[1].request.element.start);
 }
 
-// The tolerance of a corner is less by the distance of a line's start from its place.
+// The tolerance of a corner decreases by the distance of a line's start from its programmed point.
 TEST(RandomShortLines, StayWithinTheToleranceAndHalfAStep) {
   const proof::Trials trials{200};
   for (const std::uint64_t seed : trials) {

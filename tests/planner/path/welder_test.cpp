@@ -138,7 +138,7 @@ TEST(Welding, KeepsSharpCorners) {
   expect_within(pen, pieces, 0.01);
 }
 
-// All points are near one line, but the chain goes farther than where it ends.
+// All points are near one line, but the chain extends beyond its end point.
 TEST(Welding, DrivesAHairpinNarrowerThanTheToleranceToItsTip) {
   Pen pen{kHundredths};
   for (int i = 0; i < 50; ++i) pen.line({0.1});
@@ -190,7 +190,7 @@ TEST(Welding, GoesOnWhereItWasFlushed) {
   expect_sound(pen.items, pieces);
 }
 
-/// A smooth curve as short lines, with noise, corners and places where it stalls.
+/// Draws a smooth curve as short lines, with noise, corners and repeated points.
 void draw_curve(proof::Random& random, Pen& pen) {
   double heading = random.between(-3.0, 3.0);
   double bend = 0.0;
@@ -210,7 +210,7 @@ void draw_curve(proof::Random& random, Pen& pen) {
   }
 }
 
-/// The same in space: the heading turns about all axes.
+/// Draws a curve in space: the heading turns about all axes.
 void draw_curve_in_space(proof::Random& random, Pen& pen) {
   Place heading = sum_of({}, 1.0, {1.0});
   Place bend{};

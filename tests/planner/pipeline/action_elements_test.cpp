@@ -11,7 +11,7 @@
 namespace cnc {
 namespace {
 
-constexpr float kTolerance = 0.002F;  // mm
+constexpr float kTolerance = 0.002F;  // Tolerance, mm.
 
 class ActionElementsTest : public testing::Test {
  protected:
@@ -21,14 +21,15 @@ class ActionElementsTest : public testing::Test {
     interpreter.set_options(options);
   }
 
-  /// The last action of the line; its path begins at `from`.
+  /// Returns the last action of the line; its path begins at `from`.
   const gcode::Action& read(std::string_view line) {
     from = interpreter.position();
     const auto actions = interpreter.interpret(line);
     CNC_ASSERT(actions.ok() && !actions.value().empty());
     return actions.value().back();
   }
-  /// All elements of such a line; they join, and begin and end where the action does.
+  /// Returns all elements of such a line. Expects that they join, and begin and end with the
+  /// action.
   std::vector<ActionPart> parts_of(std::string_view line) {
     const gcode::Action& action = read(line);
     elements.begin(action, from, kTolerance);
@@ -80,7 +81,7 @@ TEST_F(ActionElementsTest, DivideALineIntoEqualPartsWithAPowerEach) {
   }
 }
 
-// One element for all of them, where the caller takes rows and the line is one.
+// If the caller accepts rows and the line is one, all powers are in one element.
 TEST_F(ActionElementsTest, LeaveALineOfManyPowersWhole) {
   parts_of("G1 X1 Y1 F600");
   const gcode::Action& action = read("G1 X2 Y1 S0:1:2:3:4:5:6:7:8:9:10:11:12:13:14:15");
@@ -121,8 +122,8 @@ TEST_F(ActionElementsTest, TurnASplineIntoArcsOfOneCurve) {
   }
 }
 
-// What comes out does not depend on how the work is divided, and none exceeds its budget by more
-// than is promised.
+// The elements do not depend on how the work is divided. No part exceeds its budget by more than
+// documented.
 TEST_F(ActionElementsTest, WorkOnASplineBitByBit) {
   const auto whole = parts_of("G5 X30 Y0 I10 J20 P-10 Q20 F600");
   interpreter.set_position({});

@@ -18,7 +18,7 @@ TEST(WorkBudget, AllowsEightElementsInACycle) {
   }
 }
 
-// A plan over all blocks takes some cycles' work at once: the next ones take no element.
+// A plan over all blocks takes the work of several cycles: the next cycles take no element.
 TEST(WorkBudget, LetsLaterCyclesPayForALongPlan) {
   WorkBudget budget;
   const std::uint32_t evaluated = 3 * 192;
@@ -72,7 +72,7 @@ TEST(SupplyWatch, GathersFromTheFirstElementThatIsHeld) {
   EXPECT_FALSE(supply.has_gathered());
 }
 
-// Days without a line overflow nothing.
+// Days without a line must not cause an overflow.
 TEST(SupplyWatch, StaysSilentForever) {
   SupplyWatch supply;
   for (int i = 0; i < 10'000; ++i) supply.pass(1'000'000'000, true);

@@ -48,8 +48,8 @@ TEST_F(PipelineTest, RefusesAnArcThatTurnedByARightAngleIsOutOfTheMotorsRange) {
   EXPECT_TRUE(pipeline->empty());
 }
 
-// What follows decides how a line ends, so it waits for it; a sender that is silent for 5 ms has
-// no more.
+// The next element decides how a line ends, so the line waits for it. After 5 ms without a line
+// from the sender, the line is driven without a next element.
 TEST_F(PipelineTest, HoldsTheLastElementBackUntilTheSenderIsSilent) {
   ASSERT_TRUE(go(place({10.0})).value());
   for (int i = 0; i < 4; ++i) EXPECT_EQ(cycle(), 0) << i;
@@ -62,7 +62,7 @@ TEST_F(PipelineTest, DrivesAtOnceWhatIsFlushed) {
   EXPECT_GT(cycle(), 0);
 }
 
-// Else a burst of short lines would take the processor longer than the segments last.
+// Otherwise a burst of short lines would take more processor time than the segments last.
 TEST_F(PipelineTest, TakesEightElementsInACycle) {
   for (int i = 1; i <= 8; ++i) {
     ASSERT_TRUE(pipeline->has_room()) << i;
@@ -132,7 +132,8 @@ TEST_F(PipelineTest, TakesUpBacklashWhereAnAxisReverses) {
   EXPECT_EQ(motors[0], steps_at(place({1.0}))[0] - 8);
 }
 
-// As after homing: the counters say another place, and the play is where it was.
+// The situation is as after homing: the counters have other positions, and the play is where it
+// was.
 TEST_F(PipelineTest, StartsAgainElsewhereWithItsBacklash) {
   motion::MotorStageSetting setting;
   setting.max_steps_per_s.fill(50'000.0F);
@@ -163,7 +164,7 @@ TEST_F(PipelineTest, KnowsTheLineThatIsDriven) {
   EXPECT_EQ(pipeline->line().number, 0U);
 }
 
-// Whatever comes, in whatever bursts: every step of it is driven, and none is lost by a hold.
+// For any elements in any bursts, each step is driven, and a hold loses none.
 TEST_F(PipelineTest, DrivesEveryRandomPathToItsEnd) {
   for (const std::uint64_t seed : proof::Trials{100}) {
     SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);

@@ -10,7 +10,7 @@
 
 namespace cnc {
 
-/// A pipeline and motors that count its steps; no drive, no firmware.
+/// A pipeline, and motors that count its steps, without drives and firmware.
 class PipelineTest : public testing::Test {
  protected:
   using Segment = motion::Segment;
@@ -18,13 +18,13 @@ class PipelineTest : public testing::Test {
   static constexpr std::int32_t kCycleUs = 1000;
   static constexpr int kMaxCycles = 100'000;
 
-  /// Straight on from the target, at 50 mm/s.
+  /// Appends a straight move from the target, at 50 mm/s.
   Result<bool, motion::MotionError> go(const Position& end) {
     return pipeline->append(
         {.request = {.element = {.start = pipeline->target(), .end = end}, .feed_mm_s = 50.0F},
          .tolerance = path::tolerance_within(0.01F, 0.002F)});
   }
-  /// The next segment; false if there is none.
+  /// Takes the next segment; returns false if there is none.
   bool step() {
     Segment segment;
     if (!pipeline->next(segment)) return false;
@@ -36,14 +36,14 @@ class PipelineTest : public testing::Test {
     rests = segment.comes_to_rest;
     return true;
   }
-  /// One cycle of a main loop that takes at most so many segments.
+  /// Runs one cycle of a main loop that takes at most `most` segments.
   int cycle(int most = 100) {
     pipeline->attend(kCycleUs);
     int taken = 0;
     while (taken < most && step()) ++taken;
     return taken;
   }
-  /// All that is appended, to its end.
+  /// Drives all appended elements to their end.
   void finish() {
     for (int i = 0; i < kMaxCycles && !pipeline->empty(); ++i) {
       pipeline->flush();

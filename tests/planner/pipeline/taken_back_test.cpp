@@ -7,7 +7,7 @@
 namespace cnc {
 namespace {
 
-/// A chain of lines and arcs that is halted on its way.
+/// Tests a chain of lines and arcs that is halted during its motion.
 class TakenBackTest : public PipelineTest {
  protected:
   void begin(int elements) {

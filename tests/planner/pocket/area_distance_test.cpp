@@ -88,7 +88,7 @@ TEST_F(AreaDistanceTest, SplitsAnArcOfMoreThanHalfATurn) {
 }
 
 TEST_F(AreaDistanceTest, TellsTheInsideOfACuspFromTheOutside) {
-  // A crescent whose circles touch at (5, 0).
+  // The area is a crescent whose circles touch at (5, 0).
   add(5, 0, 1.0);
   add(-5, 0, 1.0);
   add(5, 0, -1.0);

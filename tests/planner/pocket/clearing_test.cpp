@@ -15,7 +15,7 @@ namespace {
 
 constexpr ClearingOptions<double> kPaperTool{.tool_radius = 5.0, .stepover = 10.0};
 
-/// The pocket's stock and what the passes of the bench leave of it.
+/// Returns the oracle for the bench's pocket and the first `passes` passes.
 PocketOracle oracle_of(PocketBench& bench, double radius, std::size_t passes) {
   auto wall = std::make_unique<contour::BoundedContour<double, 4096, 256>>();
   auto space = std::make_unique<contour::BoundedOffsetSpace<double, 4096, 16384>>();
@@ -34,8 +34,8 @@ TEST(Clearing, OfThePapersPocketTakesEightPassesAndLeavesNothing) {
   ASSERT_EQ(count.value(), 8U);
   constexpr double kPaper[] = {
       5.0, 11.865536, 19.057985, 26.514101, 34.189170, 42.049602, 50.069204, 58.227025};
-  // The paper takes the angle of the tangents; as the arc bends away from it, there is room for
-  // more.
+  // The paper uses the angle of the tangents. As the arc bends away from it, a greater distance is
+  // possible.
   for (std::size_t i = 0; i < 8; ++i) {
     EXPECT_GE(bench.passes().note(i).distance, kPaper[i] - 1.0e-5) << i;
     EXPECT_LE(bench.passes().note(i).distance, kPaper[i] + 1.2) << i;
@@ -60,7 +60,8 @@ TEST(Clearing, WithRoundCornersLeavesNothingEither) {
   EXPECT_NEAR(oracle.length(), 2146.7, 1.0);
 }
 
-// The oracle sees what a tool leaves that is a hundredth smaller than the passes were made for.
+// The passes are made for a tool that is a hundredth larger. The oracle must find the material that
+// remains.
 TEST(Clearing, OracleFindsWhatASmallerToolLeaves) {
   PocketBench bench;
   const auto count = bench.paper().clear(kPaperTool);

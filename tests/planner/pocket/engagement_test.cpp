@@ -14,7 +14,8 @@ namespace {
 
 using std::numbers::pi;
 
-/// The leading half of a tool's circumference in small parts, those counted that are outside.
+/// Counts the small parts of the leading half of a tool's circumference that are outside of the
+/// disc.
 double counted(const ClearedDisc& cleared,
                double tool_radius,
                const WideVec2& place,
@@ -38,7 +39,7 @@ TEST(Engagement, IsHalfATurnInFullStockAndNothingInACleared) {
 }
 
 TEST(Engagement, IsAQuarterTurnWhereHalfOfTheToolIsOutsideOfAStraightEdge) {
-  // A disc so large that its edge is straight.
+  // The disc is so large that its edge is straight.
   EXPECT_NEAR(engagement({{-1.0e6, 0}, 1.0e6}, 3.0, {0, 0}, {0, 1}), pi / 2, 1e-5);
   EXPECT_NEAR(engagement({{-1.0e6, 0}, 1.0e6}, 3.0, {-1.5, 0}, {0, 1}), pi / 3, 1e-5);
 }

@@ -26,7 +26,7 @@ double degrees_of(const WideVec2& direction) {
   return std::atan2(direction.y(), direction.x()) * 180.0 / std::numbers::pi;
 }
 
-/// The arcs and lines of a link that have a length.
+/// Returns the arcs and lines of a link that have a length.
 std::vector<ChainArc> parts_of(const Link<double>& link) {
   std::vector<ChainArc> parts;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -36,7 +36,8 @@ std::vector<ChainArc> parts_of(const Link<double>& link) {
   return parts;
 }
 
-/// The greatest angle between a link and what it joins, and between its parts, in degrees.
+/// Returns the greatest angle between a link and the path that it joins, and between its parts, in
+/// degrees.
 double worst_kink(const Pose<double>& from, const Link<double>& link) {
   double direction = degrees_of(from.tangent);
   double worst = 0.0;
@@ -47,7 +48,7 @@ double worst_kink(const Pose<double>& from, const Link<double>& link) {
   return std::max(worst, BothWays::kink(direction, degrees_of(link.landing.pose.tangent)));
 }
 
-/// How far a link gets out of the area, at points all along it; 0 if it does not.
+/// Returns the distance by which a link leaves the area, at points along it; 0 if it stays inside.
 double outside(const PlainContour& area, const Link<double>& link) {
   double worst = 0.0;
   for (const ChainArc& part : parts_of(link)) {

@@ -81,7 +81,8 @@ TEST(LoopMeasures, AgreeWithAnglesInRandomPockets) {
 }
 
 TEST(LoopMeasures, TellPointsOnTheChordsOfArcsFromThoseOutside) {
-  // A disc of two halves and a square with a bite, each turned by quarters and run both ways.
+  // A disc of two halves and a square with a round notch, each rotated by quarter turns and run in
+  // both directions.
   for (const double turn : {0.0, 0.5 * pi, pi, 1.5 * pi, 0.3}) {
     for (const bool is_mirrored : {false, true}) {
       const auto turned = [&](double x, double y) {
@@ -99,7 +100,7 @@ TEST(LoopMeasures, TellPointsOnTheChordsOfArcsFromThoseOutside) {
       add(4, 0, 1.0);
       add(20, -4, 0.0);
       add(28, -4, 0.0);
-      add(28, 4, -1.0);  // The bite, with its chord from X28 to X20.
+      add(28, 4, -1.0);  // The notch, whose chord is from X28 to X20.
       add(20, 4, 0.0);
       const std::array<std::uint32_t, 2> ends{2, 6};
       const contour::ContourView<double> contour{{vertices.data(), vertices.size()},
@@ -128,7 +129,8 @@ TEST(LoopMeasures, AgreeWithAnglesOnTheChordsOfArcs) {
         const auto element = element_at(contour, loop, i);
         const WideVec2 middle = 0.5 * (element.start + element.end);
         if (plain.distance(middle) < 1.0e-6) continue;
-        // Angles, which the judge takes, are ambiguous on a chord: it is asked beside it.
+        // The oracle uses angles, which are ambiguous on a chord, so the test point is offset from
+        // the chord.
         const WideVec2 chord = element.end - element.start;
         const WideVec2 beside = middle + 1.0e-7 / chord.norm() * left_normal(chord);
         EXPECT_EQ(is_inside(contour, middle), plain.encloses(beside)) << "KERFLINE_SEED=" << seed;
@@ -172,7 +174,7 @@ TEST(AreaSplit, ReportsAHoleInNoOutlineAndFullStorage) {
             SplitResult::kFull);
 }
 
-/// An offset inwards of a pocket, with its storage.
+/// Returns an offset of a pocket inwards, with its storage.
 contour::ContourView<double> moved_inwards(PocketBench& bench, double distance) {
   const auto space = bench.space();
   auto writer = space.inner.writer();
@@ -197,7 +199,7 @@ TEST(FarthestPoint, OfACircleIsTheDistanceItself) {
   EXPECT_NEAR(farthest.of(bench.pocket()), 3.0, 1.0e-9);
 }
 
-// Points all along the walls find nothing farther, and something nearly as far.
+// Among many points along the walls, none is farther, and at least one is nearly as far.
 TEST(FarthestPoint, AgreesWithManyPointsOfRandomPockets) {
   for (const std::uint64_t seed : proof::Trials{200}) {
     proof::Random random{seed};

@@ -8,7 +8,7 @@
 namespace cnc::pocket {
 namespace {
 
-/// A slot of 20 × 10 mm whose lower side has a corner that points into it at (10, 2).
+/// Tests a slot of 20 × 10 mm whose lower side has a corner that points into it at (10, 2).
 class MovingDiscTest : public ::testing::Test {
  protected:
   MovingDiscTest() {
@@ -28,7 +28,7 @@ TEST_F(MovingDiscTest, HasNoExcessWhereItFits) {
 }
 
 TEST_F(MovingDiscTest, FindsACornerBetweenTheEnds) {
-  // Both ends fit.
+  // The disc fits at both ends.
   EXPECT_NEAR(excess_of({{2.5, 6}, {17.5, 6}, 2.5, 2.5}, area_), 0.0, 1e-15);
   EXPECT_NEAR(excess_of({{5, 5}, {15, 5}, 4.5, 4.5}, area_), 1.5, 1e-15);
 }

@@ -31,9 +31,9 @@ class PaperProgram {
   ToolPathWriter<double> writer_{points_, row_ends_};
 };
 
-/// A point as the paper prints it, and the radius of the arc that leads there.
+/// A point as the paper prints it, and the radius of the arc that leads to it.
 struct Printed {
-  std::size_t index;  ///< In the path; the line number is 30 + 10 times it.
+  std::size_t index;  ///< Index in the path; the line number is 30 + 10 times the index.
   double x, y;
   double radius = 0.0;
 };
@@ -91,7 +91,7 @@ TEST(PaperPocket, KeepsExactlyToTheDistanceOtherwise) {
   const auto count = program.write(bench.paper(), 5.0, 0.0);
   ASSERT_TRUE(count.ok());
   EXPECT_EQ(count.value(), 8U);
-  // The slanted wall: 1.125 x − y + 98.75 = 0.
+  // The slanted wall is 1.125 x − y + 98.75 = 0.
   const PathPoint<double>& corner = program.path().points[38];
   const double away = (1.125 * corner.x - corner.y + 98.75) / std::hypot(1.125, 1.0);
   EXPECT_NEAR(away, 5.0, 1.0e-12);

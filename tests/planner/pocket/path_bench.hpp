@@ -10,7 +10,7 @@
 
 namespace cnc::pocket {
 
-/// A pocket's path with its storage.
+/// The path of a pocket, with its storage.
 class PathBench {
  public:
   static constexpr std::size_t kPoints = 300'000;
@@ -55,14 +55,15 @@ inline contour::exact::ChainArc arc_of(const PathPoint<double>& from, const Path
   return {from.point(), to.point(), from.bulge};
 }
 
-/// Length in the plane by the angle.
+/// Returns the length of an element in the plane, by its angle.
 inline double flat_length(const PathPoint<double>& from, const PathPoint<double>& to) {
   const double chord = (to.point() - from.point()).norm();
   const double half_sweep = 2.0 * std::atan(std::abs(from.bulge));
   return half_sweep < 1.0e-7 ? chord : chord * half_sweep / std::sin(half_sweep);
 }
 
-/// Degrees between the directions in which elements end and begin; vertical ones do not count.
+/// Returns the degrees between the directions in which one element ends and the next begins. The
+/// elements must not be vertical.
 inline double kink_between(const PathPoint<double>& a,
                            const PathPoint<double>& b,
                            const PathPoint<double>& c) {
@@ -70,7 +71,7 @@ inline double kink_between(const PathPoint<double>& a,
   return BothWays::kink(BothWays::arriving(arc_of(a, b)), BothWays::leaving(arc_of(b, c)));
 }
 
-/// The options that tests have: corners rounded by a tenth of the radius.
+/// Returns the usual options of tests: corners are rounded by a tenth of the radius.
 inline PocketOptions<double> usual_options(double radius) {
   return {.clearing = {radius, 0.1 * radius, 2.0 * radius},
           .entry = {EntryKind::kHelix, 0.1, 0.8 * radius},

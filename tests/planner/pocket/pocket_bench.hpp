@@ -10,7 +10,7 @@
 
 namespace cnc::pocket {
 
-/// A pocket with storage for its passes, on the heap as tests have one.
+/// A pocket with storage for its passes, on the heap, which only tests may use.
 class PocketBench {
  public:
   static constexpr std::size_t kElements = 8192;
@@ -38,7 +38,7 @@ class PocketBench {
     vertices_.clear();
     loop_ends_.clear();
   }
-  /// The pocket of paper 5.
+  /// Appends the pocket of paper 5.
   PocketBench& paper() {
     const double chord = std::hypot(90.0 - 130.0, 200.0 - 110.0);
     const double half_sweep = std::asin(0.5 * chord / 100.0);

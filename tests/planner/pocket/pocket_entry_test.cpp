@@ -40,7 +40,7 @@ class EntryBench {
   [[nodiscard]] ToolPathView<double> path() const { return writer_.view(); }
   [[nodiscard]] const PlainContour& plain() const { return plain_; }
 
-  /// How far the path gets out of the area; 0 if it does not.
+  /// Returns the distance by which the path leaves the area; 0 if it stays inside.
   [[nodiscard]] double outside() const {
     double worst = 0.0;
     for_each_element(path(), [&](const auto& from, const auto& to) {
@@ -89,7 +89,7 @@ TEST(PocketEntry, AHelixTouchesTheLoopFromWithin) {
   ASSERT_EQ(bench.write(plan, Milling::kClimb, kHelix, -1.0, -4.0), EntryResult::kDone);
   EXPECT_EQ(bench.outside(), 0.0);
   EXPECT_LE(bench.steepest(), 0.05 + 1.0e-9);
-  // 3 mm at 5 % of 25 mm are 2.4 revolutions, so three, of two halves each.
+  // 3 mm at 5 % of 25 mm are 2.4 revolutions, which gives three, of two halves each.
   EXPECT_EQ(bench.path().points.size(), 7U);
   EXPECT_EQ(bench.path().points[0].z, -1.0);
   EXPECT_EQ(bench.path().points[0].bulge, 1.0);

@@ -10,10 +10,10 @@
 
 namespace cnc::pocket {
 
-/// Elements by centres, radii and angles, and questions that are answered by trying all of them.
+/// Elements by centres, radii and angles, with queries that try all of them.
 class PlainContour {
  public:
-  /// @param min_area  of loops that count, mm²
+  /// @param min_area  least area of loops that count, mm²
   void add(const contour::ContourView<double>& contour, double min_area = 0.0) {
     for (std::size_t loop = 0; loop < contour.loop_ends.size(); ++loop) {
       const std::uint32_t first = contour.loop_begin(loop);
@@ -25,7 +25,8 @@ class PlainContour {
       }
     }
   }
-  /// With 128 chords for each arc, as arcs may nearly cancel the area of a loop.
+  /// Computes the area with 128 chords for each arc, as the arcs of a loop may nearly cancel its
+  /// area.
   [[nodiscard]] static double area_of(const contour::ContourView<double>& contour,
                                       std::size_t loop) {
     constexpr int kChords = 128;
@@ -55,8 +56,8 @@ class PlainContour {
     for (const auto& arc : plain_) least = std::min(least, arc.distance(place));
     return least;
   }
-  /// By the angle that the loops turn around the place: that of each chord, and a whole turn where
-  /// the place is between chord and arc.
+  /// Returns whether the loops enclose a point, by the angle by which they turn around it: the
+  /// angle of each chord, and a full turn if the point is between chord and arc.
   [[nodiscard]] bool encloses(const WideVec2& place) const {
     constexpr double kTurn = 2.0 * std::numbers::pi;
     double turned = 0.0;
@@ -96,16 +97,17 @@ class PlainContour {
   std::vector<contour::exact::PlainArc> plain_;
 };
 
-/// The stock in a pocket: which points the tool can reach, and how far they are from the passes.
+/// The stock in a pocket: points that the tool can reach, and their distance from the passes.
 class PocketOracle {
  public:
-  /// @param locus  the offset of the pocket by the radius, which tests of the offset prove
+  /// @param locus  the offset of the pocket by the radius, which the tests of the offset prove
   PocketOracle(const contour::ContourView<double>& pocket,
                const contour::ContourView<double>& locus,
                double radius)
       : radius_{radius} {
     wall_.add(pocket);
-    // A neck of exactly the tool's diameter is a loop there and back, and may go either way.
+    // A neck of exactly the tool's diameter is a loop that returns on itself, and may have either
+    // direction.
     locus_.add(locus, 1.0e-9);
     for (const auto& vertex : pocket.vertices) {
       low_ = low_.cwiseMin(vertex.point());
@@ -122,8 +124,8 @@ class PocketOracle {
     return !locus_.empty() && locus_.distance(place) <= radius_;
   }
 
-  /// The greatest distance of a reachable point from the passes: random points, of which the
-  /// farthest climb on.
+  /// Returns the greatest distance of a reachable point from the passes. It takes random points,
+  /// and moves the farthest of them to still greater distances.
   [[nodiscard]] double farthest(proof::Random& random, int points) const {
     struct Found {
       double distance;
@@ -143,7 +145,7 @@ class PocketOracle {
     return most;
   }
 
-  /// The least distance of the passes from the wall, at points all along them.
+  /// Returns the least distance of the passes from the wall, at points along them.
   [[nodiscard]] double min_clearance() const {
     double least = 1.0e30;
     for (std::size_t i = 0; i < passes_.size(); ++i) {

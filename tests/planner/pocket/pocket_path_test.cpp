@@ -10,13 +10,14 @@
 namespace cnc::pocket {
 namespace {
 
-/// What a check of a path found.
+/// Results of the check of a path.
 struct PathVerdict {
-  std::string complaint;  ///< Empty when all is right.
-  std::size_t kinks = 0;  ///< Joints of passes away from the wall that are no joints of tangents.
+  std::string complaint;  ///< Empty if the path is correct.
+  std::size_t kinks = 0;  ///< Number of joints of passes away from the wall at which the tangents
+                          ///< differ.
 };
 
-/// Checks a path against distances and angles of its own.
+/// Checks a path with its own computation of distances and angles.
 class PathCheck {
  public:
   PathCheck(PocketBench& pocket,
@@ -72,7 +73,7 @@ class PathCheck {
       const auto& c = path_.points[i + 2];
       const bool is_short = flat_length(a, b) < 1.0e-4 || flat_length(b, c) < 1.0e-4;
       if (is_short || kink_between(a, b, c) < 0.01) continue;
-      // Corners are at the wall only.
+      // Corners are allowed only at the wall.
       if (locus_.distance(b.point()) > 1.0e-6) ++verdict_.kinks;
     }
   }
@@ -158,7 +159,8 @@ TEST(PocketPath, HasEqualLevels) {
   EXPECT_EQ(bench.write(options).value().levels, 2U);
 }
 
-// With the pocket on the left of climb milling the area lies to the right of the other one.
+// In climb milling the pocket is on the left of the path; in conventional milling it is on the
+// right.
 TEST(PocketPath, ConventionalMillingRunsTheOtherWay) {
   for (const Milling milling : {Milling::kClimb, Milling::kConventional}) {
     PocketBench pocket;

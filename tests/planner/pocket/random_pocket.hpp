@@ -10,8 +10,8 @@
 
 namespace cnc::pocket {
 
-/// A star of lines and arcs about a centre, which does not cross itself; as an island it runs
-/// clockwise.
+/// Adds a star of lines and arcs around a centre, which does not cross itself. As an island, it
+/// runs clockwise.
 inline void add_star(PocketBench& bench,
                      proof::Random& random,
                      const WideVec2& centre,
@@ -25,7 +25,8 @@ inline void add_star(PocketBench& bench,
   const std::size_t count = 3 + random.below(12);
   std::vector<Corner> corners;
   const double step = 2.0 * std::numbers::pi / static_cast<double>(count);
-  const double max_shift = count == 3 ? 0.2 : 0.3;  // The centre sees each side under less than π.
+  // Each side appears from the centre under an angle of less than π.
+  const double max_shift = count == 3 ? 0.2 : 0.3;
   for (std::size_t i = 0; i < count; ++i) {
     const double angle = step * (static_cast<double>(i) + random.between(-max_shift, max_shift));
     const double radius = random.between(min_radius, max_radius);
@@ -49,7 +50,8 @@ inline void add_star(PocketBench& bench,
   bench.close();
 }
 
-/// Rooms in a row with necks between them, some as wide as the tool, some round at their ends.
+/// Adds rooms in a row with necks between them. Some necks are as wide as the tool, some rooms are
+/// round at their ends.
 inline void add_rooms(PocketBench& bench, proof::Random& random, double radius) {
   const std::size_t rooms = 2 + random.below(4);
   std::vector<WideVec2> above;
@@ -79,7 +81,7 @@ inline void add_rooms(PocketBench& bench, proof::Random& random, double radius) 
   bench.close();
 }
 
-/// Whether no two elements but neighbours come nearer to each other than `gap`.
+/// Returns whether no two elements but neighbours are nearer to each other than `gap`.
 inline bool is_apart(const contour::ContourView<double>& contour, double gap) {
   struct Element {
     contour::exact::PlainArc arc;
@@ -112,7 +114,7 @@ inline bool is_apart(const contour::ContourView<double>& contour, double gap) {
   return true;
 }
 
-/// Whether the first loop encloses the first vertex of each other one.
+/// Returns whether the first loop encloses the first vertex of each other loop.
 inline bool islands_are_inside(const contour::ContourView<double>& contour) {
   PlainContour outline;
   outline.add({{contour.vertices.begin(), contour.loop_ends[0]}, {contour.loop_ends.begin(), 1}});
@@ -122,7 +124,7 @@ inline bool islands_are_inside(const contour::ContourView<double>& contour) {
   return true;
 }
 
-/// A star with up to four islands, or rooms, from which the bench takes its pocket.
+/// Adds a star with up to four islands, or rooms, as the pocket of the bench.
 inline void draw_pocket(PocketBench& bench, proof::Random& random, double radius) {
   if (random.chance(0.3)) {
     add_rooms(bench, random, radius);
@@ -141,8 +143,8 @@ inline void draw_pocket(PocketBench& bench, proof::Random& random, double radius
   }
 }
 
-/// Fills an empty bench with a random pocket whose loops do not cross, with all islands inside;
-/// returns the tool's radius.
+/// Fills an empty bench with a random pocket. Its loops do not cross, and all islands are inside.
+/// Returns the radius of the tool.
 inline double add_random_pocket(PocketBench& bench, proof::Random& random) {
   const double radius = random.magnitude(0.5, 8.0);
   for (;;) {

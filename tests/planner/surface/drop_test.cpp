@@ -15,7 +15,7 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-/// The greatest value of a concave function on [0, 1], by golden sections.
+/// Returns the greatest value of a concave function on [0, 1], by golden sections.
 template <typename Function>
 double greatest(const Function& value) {
   const double share = 1.0 / std::numbers::phi;
@@ -37,9 +37,9 @@ double greatest(const Function& value) {
   return std::max({first, second, value(0.0), value(1.0)});
 }
 
-/// The tip's height on a facet, edges and corners included, as the greatest of a concave function
-/// over it: the facet's height less the tool's. Beyond the tool it falls so steeply that only a
-/// facet that the tool misses ends there.
+/// Returns the height of the tip on a facet, edges and corners included. It is the greatest value
+/// of a concave function over the facet: the facet's height less the tool's. Beyond the tool, this
+/// function decreases so steeply that the search ends there only on a facet that the tool misses.
 double searched_height(const Profile& profile,
                        const Vector2d& place,
                        const std::array<Vector3d, 3>& corners) {
@@ -56,7 +56,7 @@ double searched_height(const Profile& profile,
   });
 }
 
-/// The horizontal distance of a facet from a place.
+/// Returns the horizontal distance of a facet from a point.
 double searched_distance(const Vector2d& place, const std::array<Vector3d, 3>& corners) {
   return -greatest([&](double share) {
     const Vector3d from = corners[0] + share * (corners[1] - corners[0]);
@@ -100,7 +100,7 @@ TEST(Drop, IsTheGreatestHeightOfFacetLessTool) {
     const double found = dropped_height(profile, place, corners);
     const double size = corners[0].norm() + corners[1].norm() + profile.radius_mm;
     const double inside = profile.radius_mm - searched_distance(place, corners);
-    if (std::abs(inside) < 1.0e-8 * size) continue;  // The rim of the tool is all that touches.
+    if (std::abs(inside) < 1.0e-8 * size) continue;  // Only the rim of the tool touches.
     if (inside < 0.0) {
       EXPECT_EQ(found, kNoContact) << "KERFLINE_SEED=" << seed;
       continue;
@@ -114,7 +114,7 @@ TEST(Drop, IsTheGreatestHeightOfFacetLessTool) {
   }
 }
 
-/// The rim of a corner is where a section of the tool is most bent.
+/// A section of the tool has its greatest curvature at the rim of a corner.
 TEST(Drop, IsTheGreatestHeightOfAnEdgeBelowTheRimOfACorner) {
   for (const std::uint64_t seed : proof::Trials{20'000}) {
     proof::Random random{seed};

@@ -7,7 +7,7 @@
 
 namespace proof {
 
-/// Whole numbers of up to 1,024 bits, which nothing here exceeds.
+/// Integers of up to 1,024 bits, which no computation here exceeds.
 using Whole = boost::multiprecision::number<
     boost::multiprecision::cpp_int_backend<1024,
                                            1024,
@@ -30,17 +30,17 @@ inline WholeVector cross(const WholeVector& a, const WholeVector& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
-/// A cone whose coordinates are whole numbers of a unit, so that every verdict is exact: with z
-/// along the axis, a point p is in it where 0 ≤ z ≤ length and z² ≥ cos² |p|².
+/// A cone whose coordinates are integer multiples of a unit, so that every result is exact. With z
+/// along the axis, the cone contains a point p if 0 ≤ z ≤ length and z² ≥ cos² |p|².
 struct WholeCone {
   WholeVector tip{};
-  WholeVector axis{};   ///< Its length is whole, too.
+  WholeVector axis{};   ///< Direction of the axis; its length is an integer, too.
   Whole axis_length{};  ///< Length of the axis.
-  Whole cosine{};       ///< Cosine of the half angle, over `whole`.
+  Whole cosine{};       ///< Cosine of the half angle, times `whole`.
   Whole whole{};
-  Whole length{};  ///< In units.
+  Whole length{};  ///< Length in units.
 
-  /// Returns whether the cone meets a triangle of points or touches it.
+  /// Returns whether the cone intersects or touches a triangle.
   [[nodiscard]] bool meets(const std::array<WholeVector, 3>& triangle) const {
     const std::array<WholeVector, 3> corners{
         difference(triangle[0], tip), difference(triangle[1], tip), difference(triangle[2], tip)};
@@ -55,7 +55,7 @@ struct WholeCone {
       const Whole low = dot(from, axis);
       const Whole climb = dot(to, axis) - low;
       if (count == 2 || (low > top) == (low + climb > top)) continue;
-      // The edge passes the lens at from + (top − low) / climb (to − from).
+      // The edge passes the plane at from + (top − low) / climb (to − from).
       const Whole sign = climb < 0 ? -1 : 1;
       const WholeVector way = scaled(difference(to, from), sign * (top - low));
       const WholeVector base = scaled(from, sign * climb);
@@ -71,20 +71,20 @@ struct WholeCone {
   }
 
  private:
-  /// Returns z² − cos² p·q for two vectors, times what makes it whole; above or equal to 0 for a
-  /// point with itself where it is in the double cone.
+  /// Returns z² − cos² p·q for two vectors, times the factor that makes it an integer. For p = q it
+  /// is at least 0 if the point is in the double cone.
   [[nodiscard]] Whole form(const WholeVector& p, const WholeVector& q) const {
     return whole * whole * dot(p, axis) * dot(q, axis) -
            cosine * cosine * axis_length * axis_length * dot(p, q);
   }
 
-  /// A fraction with a denominator above 0.
+  /// A fraction with a positive denominator.
   struct Share {
     Whole over;
     Whole under;
   };
 
-  /// Returns whether a line meets the cone, its ends given over one denominator above 0.
+  /// Returns whether a line intersects the cone; its ends have a common positive denominator.
   [[nodiscard]] bool meets_line(const WholeVector& from,
                                 const WholeVector& to,
                                 const Whole& under) const {
@@ -95,13 +95,14 @@ struct WholeCone {
     Share end{1, 1};
     for (const Whole& plane : {Whole{0}, Whole{length * axis_length * under}}) {
       const bool keeps_above = plane == 0;
-      const Whole beyond = keeps_above ? plane - low : low - plane;  // Above 0: `from` is outside.
+      // Positive if `from` is outside.
+      const Whole beyond = keeps_above ? plane - low : low - plane;
       const Whole leaving = keeps_above ? Whole{-climb} : climb;
       if (leaving == 0) {
         if (beyond > 0) return false;
         continue;
       }
-      // Inside where beyond + leaving t ≤ 0.
+      // A point is inside if beyond + leaving t ≤ 0.
       if (leaving > 0) {
         if (-beyond * end.under < end.over * leaving) end = {-beyond, leaving};
       } else if (beyond * begin.under > begin.over * -leaving) {

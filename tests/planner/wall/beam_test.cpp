@@ -23,7 +23,7 @@ using proof::WholeCone;
 /// Length of a unit of the exact cones, mm.
 constexpr double kUnitMm = 0x1.0p-16;
 
-/// A cone and a triangle in whole numbers, in the cone's own directions before they are turned.
+/// A cone and a triangle in integers, in the cone's own directions before they are rotated.
 struct ExactCase {
   std::array<Vector3l, 3> corners{};
   std::int64_t length = 0;
@@ -39,8 +39,8 @@ std::int64_t integer(proof::Random& random, std::int64_t low, std::int64_t high)
 /// A point on the side of the cone, and the directions there.
 struct SidePoint {
   Vector3l place;
-  Vector3l level;   ///< Along the side, across the axis.
-  Vector3l normal;  ///< Outwards.
+  Vector3l level;   ///< Direction along the side, across the axis.
+  Vector3l normal;  ///< Outward direction.
 };
 
 SidePoint random_side_point(proof::Random& random, const ExactCase& cone) {
@@ -61,12 +61,13 @@ Vector3l random_corner(proof::Random& random, std::int64_t reach, std::int64_t u
   return {integer(random, -reach, reach), integer(random, -reach, reach), integer(random, -up, up)};
 }
 
-/// Sets corners that touch the side, with one point or an edge, or nearly do.
+/// Sets corners so that the triangle touches the side with one point or an edge, or nearly does.
 void set_touching(proof::Random& random, ExactCase& made) {
   const SidePoint side = random_side_point(random, made);
   const std::int64_t in_or_out = random.chance(0.5) ? 0 : integer(random, -1, 1);
   const Vector3l place = side.place + in_or_out * side.normal;
-  // In the tangent plane: along the side's line, which passes the tip, and level.
+  // The points are in the tangent plane: along the side's line, which passes through the tip, and
+  // level.
   const auto in_plane = [&](std::int64_t reach) -> Vector3l {
     const Vector3l up{side.place / std::max<std::int64_t>(1, side.place.z() / 64)};
     return random.chance(0.5) ? Vector3l{integer(random, -reach, reach) * side.level}
@@ -96,7 +97,7 @@ ExactCase random_case(proof::Random& random) {
   if (random.chance(0.05)) made.corners[1] = made.corners[0];
   if (random.chance(0.05)) made.corners[2] = 2 * made.corners[1] - made.corners[0];
   if (random.chance(0.05)) made.corners[integer(random, 0, 2)].setZero();
-  if (random.chance(0.1)) {  // On a plane of the ends, or a unit beside it.
+  if (random.chance(0.1)) {  // The point is on a plane of the ends, or a unit away from it.
     const std::int64_t plane = random.chance(0.5) ? made.length : 0;
     for (Vector3l& corner : made.corners) corner.z() = plane + integer(random, -1, 1);
   }
@@ -104,7 +105,7 @@ ExactCase random_case(proof::Random& random) {
   return made;
 }
 
-/// Returns a turn of whole numbers, whose columns have the length of the quaternion squared.
+/// Returns a rotation in integers, whose columns have the squared length of the quaternion.
 Matrix3i random_turn(proof::Random& random, int& length) {
   int w = 0;
   int x = 0;
@@ -126,8 +127,8 @@ Matrix3i random_turn(proof::Random& random, int& length) {
 
 proof::WholeVector whole_of(const Vector3l& v) { return {v.x(), v.y(), v.z()}; }
 
-/// Returns whether the exact cone meets the triangle when its side is farther out by the margin:
-/// its tip is farther down, in a unit that is small enough for that.
+/// Returns whether the exact cone intersects the triangle when its side is moved outwards by the
+/// margin. For this, the tip is moved down, in a unit that is small enough.
 bool meets_within_margin(const WholeCone& cone,
                          const std::array<proof::WholeVector, 3>& corners,
                          double sine) {
@@ -135,7 +136,8 @@ bool meets_within_margin(const WholeCone& cone,
   const double down = kBeamMarginMm / sine / kUnitMm * static_cast<double>(kFiner);
   const proof::Whole steps{static_cast<std::int64_t>(std::ceil(down))};
   WholeCone larger = cone;
-  // The axis is as long as its turn, and no step is longer than wanted by more than that.
+  // The axis has the length of its rotation, and no step is longer than requested by more than this
+  // length.
   const proof::WholeVector way =
       proof::scaled(cone.axis, proof::Whole{steps / cone.axis_length + 1});
   larger.tip = proof::difference(proof::scaled(cone.tip, kFiner), way);
@@ -216,8 +218,8 @@ double min_of(const Function& value) {
   return std::min({first, second, value(0.0), value(1.0)});
 }
 
-/// The signed distance of a triangle, found by a search: it is convex over the triangle. Points
-/// beyond the planes of the ends are as far as makes them worst.
+/// Returns the signed distance of a triangle, found by a search, as it is convex over the triangle.
+/// The distance of points beyond the planes of the ends is increased steeply with their excess.
 double searched_clearance(const Beam& beam, const Triangle& triangle) {
   const auto distance = [&beam](const Vector3d& point) {
     const Vector3d way = point - beam.tip;
@@ -265,7 +267,7 @@ TEST(Beam, IsAsFarFromATriangleAsASearchFinds) {
       continue;
     }
     const double wanted = searched_clearance(beam, triangle);
-    if (wanted > 1.0e3) continue;  // Hardly between the planes.
+    if (wanted > 1.0e3) continue;  // Hardly any part of the triangle is between the planes.
     ++compared;
     EXPECT_NEAR(found, wanted, 1.0e-5 * (size + beam.length_mm)) << "KERFLINE_SEED=" << seed;
   }

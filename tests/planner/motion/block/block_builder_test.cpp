@@ -122,7 +122,8 @@ TEST_F(RandomBlocks, KeepTheRatesOfEveryMotorAndOfAllTogether) {
       for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
         const double rate = speed * std::abs(tangent[axis]);
         all_steps += rate * static_cast<double>(limits.scale[axis].steps_per_mm());
-        if (block.turns() && exact.plane().has(axis)) continue;  // The spans' business.
+        // Limits of these axes are computed for the spans.
+        if (block.turns() && exact.plane().has(axis)) continue;
         ASSERT_LE(rate, static_cast<double>(motor_rate(limits, axis)) * 1.00001) << trial;
       }
       ASSERT_LE(all_steps, static_cast<double>(limits.steps_per_s_all_motors) * 1.00001) << trial;
@@ -130,7 +131,7 @@ TEST_F(RandomBlocks, KeepTheRatesOfEveryMotorAndOfAllTogether) {
   }
 }
 
-// A bulge is legal from 0 on: what is all but a line may not lose its limits.
+// A bulge is legal from 0 on: an arc that is nearly a line must keep its limits.
 TEST(BlockBuilder, KeepsTheLimitsOfAnArcThatIsAlmostALine) {
   const Limits limits = plain_limits();
   for (const float bulge : {1.0e-10F,

@@ -23,7 +23,7 @@ Places steps_at(const Position& position, const Limits& limits) {
   return places;
 }
 
-/// Where the motors are at a share of a block's length.
+/// Returns the positions of the motors at a fraction of a block's length.
 Places at(const Block& block, const Places& start, double share) {
   const MotorPath path{block, start};
   const MotorPath::Point point = path.at(static_cast<std::uint64_t>(share * kOneStep));
@@ -32,7 +32,7 @@ Places at(const Block& block, const Places& start, double share) {
   return places;
 }
 
-/// mm.
+/// Returns the distance, mm.
 double distance(const Places& a, const Places& b, const Limits& limits) {
   double sum = 0.0;
   for (std::size_t axis = 0; axis < kAxisCount; ++axis) {

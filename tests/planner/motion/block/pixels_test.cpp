@@ -7,7 +7,7 @@ namespace {
 
 constexpr auto kKept = static_cast<std::uint32_t>(Pixels::kKept);
 
-/// Pixels whose duty is their number.
+/// Tests pixels whose duty is their number.
 class PixelsTest : public testing::Test {
  protected:
   void push(std::uint32_t count) {
@@ -47,7 +47,7 @@ TEST_F(PixelsTest, NeedNotTakeBackWhatIsThere) {
   EXPECT_EQ(pixels.first(), 0U);
 }
 
-// However often the storage has been filled.
+// This holds even if the storage has been filled many times.
 TEST_F(PixelsTest, KeepTheNewestWhileFull) {
   push(Pixels::kMax);
   for (int round = 0; round < 3000; ++round) {
@@ -60,7 +60,7 @@ TEST_F(PixelsTest, KeepTheNewestWhileFull) {
   EXPECT_TRUE(pixels.take_back(first - kKept));
   EXPECT_EQ(pixels.front().duty, static_cast<float>(first - kKept));
   EXPECT_EQ(pixels.room(), 0U) << "more than there is room for";
-  push(2);  // Of a row that was begun before.
+  push(2);  // These pixels belong to a row that was begun before.
   EXPECT_EQ(pixels.front().duty, static_cast<float>(first - kKept));
   pop(kKept + 2);
   EXPECT_EQ(pixels.front().duty, static_cast<float>(first + 2));

@@ -17,7 +17,7 @@ PowerTableError refusal_of(const std::vector<PowerPoint>& points) {
   return PowerTable::make(points).error();
 }
 
-/// A tube that fires from 10 % on and gives 40 W at 90 %.
+/// Returns the table of a laser tube that fires from 10 % on and gives 40 W at 90 %.
 PowerTable tube() { return table_of({{1000, 0}, {2000, 5'000}, {5000, 25'000}, {9000, 40'000}}); }
 
 TEST(PowerTable, WithoutPointsTheDutyIsTheShare) {
@@ -57,7 +57,7 @@ TEST(PowerTable, RefusesWhatDoesNotRise) {
   EXPECT_EQ(refusal_of(std::vector<PowerPoint>(17)), PowerTableError::kTooManyPoints);
 }
 
-/// Any table: both ways are each other's inverse above the threshold, rise, and stay in 0…1.
+/// For any table, the two lookups are inverse above the threshold, increase, and stay in 0…1.
 TEST(PowerTable, ReadsTheSameFromBothSides) {
   std::mt19937 random{proof::test_seed()};
   const auto below = [&random](std::uint32_t limit) {

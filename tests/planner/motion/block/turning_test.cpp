@@ -20,7 +20,8 @@ TEST(CubeRoot, IsGoodToItsBound) {
   }
 }
 
-/// Acceleration and jerk of a circle driven at v with path acceleration a, as shares.
+/// Acceleration and jerk of a circle driven at v with path acceleration a, as fractions of the
+/// limits.
 struct Load {
   double acceleration;
   double jerk;
@@ -60,8 +61,8 @@ TEST(Turning, KeepsAccelerationAndJerkOfACircle) {
   EXPECT_GT(worst, 0.99);
 }
 
-// Met where the change leads to, and to as much more as the motion is behind; a fifth more is
-// too much there or, for acceleration, at the end of the way.
+// The limits are satisfied at the speed to which the change leads, including the lag of the motion.
+// A steeper change by a fifth exceeds a limit there or, for acceleration, at the end of the path.
 TEST(Turning, IsAsSteepAsTheSpeedItLeadsToAllows) {
   proof::Random random{proof::test_seed()};
   int by_jerk = 0;
@@ -85,7 +86,7 @@ TEST(Turning, IsAsSteepAsTheSpeedItLeadsToAllows) {
       const double end = std::sqrt(std::min(cap, square));
       const double met = std::min(std::sqrt(cap), end + steep * lag_s);
       const double jerk = load(curvature, met, steep, most, window_s).jerk;
-      // Without the cap: what is left of acceleration may hold over all the way.
+      // Without the cap, the remaining acceleration may last along the complete path.
       const double turned = load(curvature, std::sqrt(square), steep, most, window_s).acceleration;
       by_jerk += jerk > turned ? 1 : 0;
       return std::max(jerk, turned);

@@ -22,7 +22,7 @@ Stretch stretch_of(double start, double end, std::uint64_t ns) {
           .end_speed = static_cast<float>(end)};
 }
 
-/// Fills cells with a plan and takes the motion.
+/// Fills cells with a plan and takes the motion from the filter.
 class MotionFilterTest : public testing::Test {
  protected:
   void begin(const TimeWindow& window) { filter.begin(window); }
@@ -82,7 +82,8 @@ TEST_F(MotionFilterTest, EndsWhereThePlanDoesWhateverItDid) {
   }
 }
 
-// Speeding up by A for longer than T: acceleration rises by A / T, then holds.
+// If the plan accelerates with A for longer than T, the acceleration rises by A / T, and then
+// remains constant.
 TEST_F(MotionFilterTest, MakesAnAccelerationRiseEvenly) {
   begin(kTwentyMilliseconds);
   go(0.0, 50.0, 100'000'000);
@@ -93,7 +94,7 @@ TEST_F(MotionFilterTest, MakesAnAccelerationRiseEvenly) {
   }
 }
 
-// Ten milliseconds after the plan, at the same speed.
+// The motion follows ten milliseconds after the plan, at the same speed.
 TEST_F(MotionFilterTest, LagsHalfAWindowBehindALevelPlan) {
   begin(kTwentyMilliseconds);
   go(100.0, 100.0, 50'000'000);
@@ -101,7 +102,7 @@ TEST_F(MotionFilterTest, LagsHalfAWindowBehindALevelPlan) {
   EXPECT_NEAR(static_cast<double>(planned - driven) * 0x1p-36, 1.0, 1.0e-6);
 }
 
-// The plan stops 0.3 ms into a cell; the motion stops 20 ms after it.
+// The plan stops 0.3 ms into a cell; the motion stops 20 ms later.
 TEST_F(MotionFilterTest, ComesToRestAWindowAfterThePlan) {
   begin(kTwentyMilliseconds);
   go(0.0, 20.0, 40'000'000);

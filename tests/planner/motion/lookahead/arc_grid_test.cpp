@@ -41,7 +41,7 @@ TEST(ArcGrid, IsSplitNoFinerThanTimeAndCapacityAllow) {
     if (split > 1) {
       ASSERT_GE(shortest_span, 0.699e-3F) << "trial " << trial;
     }
-    // The last span is no longer than the others: the capacity is enough.
+    // If the last span is no longer than the others, the capacity is sufficient.
     const ArcGrid grid = ArcGrid::at_multiples(arc, split);
     ASSERT_LE(grid.count(), grid.fine() ? ArcGrid::kMaxFineSpans : ArcGrid::kMaxSpans);
     ASSERT_LE(grid.angle(arc, grid.count()) - grid.angle(arc, grid.count() - 1),

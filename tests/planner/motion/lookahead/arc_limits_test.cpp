@@ -12,7 +12,7 @@
 namespace cnc::motion {
 namespace {
 
-/// An arc under a time window, with the longest of jerk's windows.
+/// Tests an arc under a time window, with the longest window of the jerk limits.
 class RandomArcLimits : public testing::Test {
  protected:
   void any() {
@@ -36,8 +36,8 @@ class RandomArcLimits : public testing::Test {
   ArcLimits arc;
 };
 
-// Turning and the change of speed are in the ellipse of Turning; no direction of the arc takes it
-// beyond the limit of an axis.
+// Turning and the change of speed are within the ellipse of Turning. In no direction of the arc do
+// they exceed the limit of an axis.
 TEST_F(RandomArcLimits, DivideTheAccelerationWithinEachAxis) {
   for (int trial = 0; trial < 20'000; ++trial) {
     any();

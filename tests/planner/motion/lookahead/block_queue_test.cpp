@@ -16,7 +16,7 @@
 namespace cnc::motion {
 namespace {
 
-/// v² with which each block but the first is entered, and at last the end's.
+/// Returns v² at the entry of each block but the first, and finally at the end.
 std::vector<float> exit_squares(const BlockQueue& queue) {
   std::vector<float> exits;
   for (std::size_t index = 0; index < queue.size(); ++index) {
@@ -25,7 +25,7 @@ std::vector<float> exit_squares(const BlockQueue& queue) {
   return exits;
 }
 
-/// A chain of random lines and arcs.
+/// Returns a chain of random lines and arcs.
 std::vector<Block> any_chain(proof::Random& random, const Limits& limits, std::size_t count) {
   std::vector<Block> chain;
   Position here{};
@@ -38,7 +38,7 @@ std::vector<Block> any_chain(proof::Random& random, const Limits& limits, std::s
   return chain;
 }
 
-/// Whether the path turns between a block of the chain and the one before.
+/// Returns whether the path turns between a block of the chain and the one before.
 bool turns_before(const std::vector<Block>& chain, std::size_t index) {
   return !is_tangent(exit_tangent(chain[index - 1]), entry_tangent(chain[index]));
 }
@@ -69,14 +69,14 @@ TEST_F(BlockQueueTest, BeginsEmptyAndHoldsSixtyFour) {
   EXPECT_EQ(queue.size(), 63U);
 }
 
-// Straight on, the plan is one braking curve: v² = 2 a times what is left.
+// On a straight path, the plan is one braking curve: v² = 2 a times the remaining distance.
 TEST_F(BlockQueueTest, LooksAheadAlongAStraightLine) {
   for (int k = 0; k < 64; ++k) queue.push(straight_block(0.1, limits));
   queue.plan(limits, {.overrides = overrides});
   const std::vector<float> exits = exit_squares(queue);
   for (std::size_t index = 0; index < 64; ++index) {
     const double left = 0.1 * static_cast<double>(63 - index);
-    // A little less: each block rounds down.
+    // It is slightly less, because each block rounds down.
     EXPECT_NEAR(static_cast<double>(exits[index]), 1000.0 * left, 5.0e-6 * 1000.0 * left) << index;
   }
 }
@@ -95,7 +95,7 @@ TEST_F(BlockQueueTest, StopsAtAReversal) {
   EXPECT_EQ(queue.exit_of(0).speed_square, 0.0F);
 }
 
-// Of straight blocks the best plan is known: backwards, v0² = v1² + 2 a L.
+// For straight blocks, the best plan is known: backwards, v0² = v1² + 2 a L.
 TEST_F(BlockQueueTest, FindsTheBestPlanOfRandomLines) {
   const std::uint64_t seed = proof::test_seed();
   SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
@@ -152,7 +152,8 @@ TEST_F(BlockQueueTest, PlansAtOnceWhatItPlansOneByOne) {
     limits = any_limits(random);
     BlockQueueOf<64> step_by_step;
     queue.clear();
-    // A few at the end are left, as fewer than that need not be planned at once.
+    // A few blocks at the end remain, because fewer than a certain number need not be planned
+    // immediately.
     for (const Block& block : any_chain(random, limits, 64)) {
       queue.push(block);
       step_by_step.push(block);
@@ -184,7 +185,7 @@ TEST_F(BlockQueueTest, NeverGetsSlowerByMoreBlocks) {
   }
 }
 
-// One more of many is left for the next plan, unless nothing comes.
+// Of many blocks, the last one remains for the next plan, unless no further block comes.
 TEST_F(BlockQueueTest, PlansTheLastBlockWhenNothingComes) {
   for (int k = 0; k < 40; ++k) queue.push(straight_block(0.1, limits));
   queue.plan(limits, {.overrides = overrides});
@@ -197,7 +198,7 @@ TEST_F(BlockQueueTest, PlansTheLastBlockWhenNothingComes) {
   EXPECT_GT(queue.exit_of(0).speed_square, before);
 }
 
-// What comes after all begins from rest, as the window was chosen for.
+// The block that comes late begins from rest, as the window was chosen for a stop.
 TEST_F(BlockQueueTest, StopsAtAnEndThatWasTakenForAStop) {
   queue.push(straight_block(1.0, limits));
   EXPECT_FALSE(queue.ends());
@@ -227,7 +228,7 @@ TEST_F(BlockQueueTest, PlansTheSameAroundTheEndOfItsRing) {
 /// A pace that is tried and taken back, on a random chain of which some blocks are driven.
 class TakenBackPace : public BlockQueueTest {
  protected:
-  /// Leaves the plan after it in the queue and returns the blocks of the plan before it.
+  /// Leaves the plan after the pace in the queue, and returns the blocks of the plan before it.
   std::vector<Block> try_pace(std::uint64_t seed) {
     proof::Random random{seed};
     limits.jerk_mm_s3.fill(25'000.0F);
@@ -250,7 +251,7 @@ class TakenBackPace : public BlockQueueTest {
     return before;
   }
 
-  /// A seed at which zones reach farther after the pace by a known fault, and the ratio.
+  /// A seed at which, by a known fault, zones are longer after the pace, and the ratio.
   struct KnownExcess {
     std::uint64_t seed;
     double length;
@@ -258,7 +259,7 @@ class TakenBackPace : public BlockQueueTest {
   static constexpr std::array<KnownExcess, 2> kKnown{{{14, 1.0112428}, {34, 1.0001242}}};
 };
 
-// A queue that did not find the plan of before would be too fast for its plan at once.
+// A queue that did not restore the earlier plan would be too fast for its plan immediately.
 TEST_F(TakenBackPace, LeavesThePlanOfBefore) {
   for (const std::uint64_t seed : proof::Trials{200, proof::Trials::Range::kKnownFault}) {
     if (std::ranges::count(kKnown, seed, &KnownExcess::seed) != 0) continue;
@@ -273,7 +274,8 @@ TEST_F(TakenBackPace, LeavesThePlanOfBefore) {
   }
 }
 
-// A fault that grows is a new one; the seed of a fault that is gone belongs to a seed file.
+// If the excess grows, the fault is a new one. The seed of a fault that has disappeared belongs in
+// a seed file.
 TEST_F(TakenBackPace, KnownExcessOfZonesNeitherGrowsNorIsGone) {
   for (const KnownExcess& known : kKnown) {
     const std::vector<Block> before = try_pace(known.seed);

@@ -11,12 +11,14 @@
 namespace cnc::motion {
 namespace {
 
-/// The same without a bound: all blocks ever added, and how many of them were driven.
+/// Reference without a capacity limit: all blocks that were ever added, and the number of driven
+/// ones.
 struct Model {
-  std::vector<std::int32_t> ends;  ///< Steps on X, by which a block is known.
+  std::vector<std::int32_t> ends;  ///< Steps on X at the end of each block, which identify the
+                                   ///< block.
   std::size_t driven = 0;
-  std::size_t forgotten = 0;  ///< Of the driven ones.
-  std::int32_t begin = 0;     ///< Of the first that was not forgotten.
+  std::size_t forgotten = 0;  ///< Driven blocks that are no longer kept.
+  std::int32_t begin = 0;     ///< Start of the first block that is kept, steps.
 };
 
 std::int32_t steps_of(const AxisArray<StepPosition>& place) { return place[0].nearest_step(); }

@@ -19,7 +19,7 @@ class RandomBox : public testing::Test {
     last = first + static_cast<float>(random.magnitude(1.0e-3, 4.0));
   }
 
-  /// Greatest |axis acceleration| / limit where the tangent is between `first` and `last`.
+  /// Returns the greatest |axis acceleration| / limit for tangents between `first` and `last`.
   [[nodiscard]] double greatest_load(double tangent, double normal) const {
     constexpr int kSamples = 400;
     double greatest = 0.0;

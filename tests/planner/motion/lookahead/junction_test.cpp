@@ -33,8 +33,8 @@ Tangent unit(Tangent tangent) {
   return tangent;
 }
 
-/// Whether there is no corner at two unit vectors in a random plane of six axes, `turn`
-/// radians apart.
+/// Returns whether two unit vectors in a random plane of six axes, `turn` radians apart, form no
+/// corner.
 bool goes_on(proof::Random& random, double turn) {
   Tangent before{};
   Tangent aside{};
@@ -71,7 +71,7 @@ TEST(Junction, IsAStopWhereverItTurns) {
   EXPECT_FALSE(goes_on(random, std::numbers::pi));
 }
 
-// What the threshold lets pass is far below what an axis can do.
+// The jump of speed at the threshold is far less than an axis can make.
 TEST(Junction, LetsNoAxisJumpByMoreThanATenthOfAMillimetrePerSecond) {
   EXPECT_LE(500.0 * kTangent, 0.1 + 1.0e-6);
 }

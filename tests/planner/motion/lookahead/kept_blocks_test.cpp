@@ -6,7 +6,7 @@
 namespace cnc::motion {
 namespace {
 
-/// Blocks of 1, 2, 3… mm along X, each from the end of the one before.
+/// Tests blocks of 1, 2, 3… mm along X, each from the end of the one before.
 class KeptBlocksTest : public testing::Test {
  protected:
   void push(int count) {
@@ -67,7 +67,7 @@ TEST_F(KeptBlocksTest, AreTheNewestWhileTheQueueIsFull) {
   EXPECT_FALSE(queue.full());
 }
 
-/// The chain of starts and ends holds whatever was dropped.
+/// The chain of starts and ends remains correct after blocks are dropped.
 TEST_F(KeptBlocksTest, KnowWhereTheOldestBegins) {
   push(8);
   for (int round = 0; round < 50; ++round) {

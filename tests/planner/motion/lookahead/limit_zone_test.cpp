@@ -24,7 +24,7 @@ LimitZone any_zone(proof::Random& random) {
   return zone;
 }
 
-/// What zones ask for at a place within a block.
+/// Returns the limits that zones impose at a point within a block.
 LimitZone at(const std::vector<LimitZone>& zones, float place) {
   LimitZone found;
   for (const LimitZone& zone : zones) {
@@ -36,7 +36,7 @@ LimitZone at(const std::vector<LimitZone>& zones, float place) {
   return found;
 }
 
-// However many blocks there are, nothing that one asks for is forgotten.
+// For any number of blocks, no limit that a block imposes is lost.
 TEST(ZoneTrail, AsksForAllThatEveryBlockAsksFor) {
   const std::uint64_t seed = proof::test_seed();
   SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
@@ -64,8 +64,9 @@ TEST(ZoneTrail, AsksForAllThatEveryBlockAsksFor) {
   }
 }
 
-/// mm that a plan is ahead of its mean over `window_s` when it comes from a stretch of the speed
-/// `before` and has since been as fast as it may on stretches of so many mm; less the latter.
+/// Returns the distance in mm by which a plan is ahead of its mean over `window_s`, less the length
+/// of `stretches`. The plan comes from a stretch with the speed `before`, and then has the greatest
+/// allowed speed on each stretch.
 double mean_before_end(const std::vector<std::pair<double, double>>& stretches,
                        double before,
                        double window_s) {
@@ -87,8 +88,8 @@ double mean_before_end(const std::vector<std::pair<double, double>>& stretches,
   return sum / window_s - length;
 }
 
-// However slow and short the blocks behind a fast one are: as soon as nothing of it is asked for
-// any more, the mean of the plan has left it, too.
+// However slow and short the blocks behind a fast one are, the limits of the fast one end only when
+// the mean of the plan has left it, too.
 TEST(ZoneTrail, ForgetsABlockOnlyWhenTheMeanHasLeftIt) {
   const std::uint64_t seed = proof::test_seed();
   SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
@@ -107,7 +108,7 @@ TEST(ZoneTrail, ForgetsABlockOnlyWhenTheMeanHasLeftIt) {
       stretches.emplace_back(length, there);
       trail.advance(static_cast<float>(length), reach(there));
     }
-    // Faster blocks are held to the zone's speed.
+    // Faster blocks are limited to the speed of the zone.
     for (auto& stretch : stretches) stretch.second = std::min(stretch.second, speed);
     const double beyond = mean_before_end(stretches, speed, window_s) / (speed * window_s);
     ASSERT_LE(beyond, 1.0e-5) << "trial " << trial;
@@ -116,7 +117,7 @@ TEST(ZoneTrail, ForgetsABlockOnlyWhenTheMeanHasLeftIt) {
   EXPECT_LT(nearest, 0.05) << "kept much too long";
 }
 
-// A slow zone of a hair's breadth is not made as long as a fast one: two fast ones become one.
+// A very short slow zone is not extended by a fast one; instead, two fast ones are merged.
 TEST(ZoneTrail, MakesOneOfThoseThatLoseTheLeastTime) {
   ZoneTrail trail;
   trail.add({.length = 0.001F, .speed_square = 0.01F});

@@ -7,7 +7,7 @@ namespace {
 
 constexpr float kLength = 10.0F;
 
-/// A block of 10 mm with two zones from each side.
+/// Returns a block of 10 mm with two zones from each side.
 NeighbourZones four_zones() {
   Block block;
   block.head = {LimitZone{.length = 1.0F, .speed_square = 40.0F, .acceleration = 900.0F},

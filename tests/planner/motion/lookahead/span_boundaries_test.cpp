@@ -11,7 +11,7 @@
 namespace cnc::motion {
 namespace {
 
-/// An arc that is divided in any way, with zones that reach into it.
+/// Tests an arc that is divided at random, with zones that extend into it.
 class RandomBoundaries : public testing::Test {
  protected:
   void any() {
@@ -34,7 +34,7 @@ class RandomBoundaries : public testing::Test {
     return zones;
   }
 
-  /// mm: within the block or beyond it, sometimes to a boundary of the grid.
+  /// Returns a length in mm, within the block or beyond it, sometimes up to a boundary of the grid.
   float any_length() {
     const int boundary =
         static_cast<int>(random.below(static_cast<std::uint64_t>(boundaries.grid().count() + 1)));
@@ -42,7 +42,7 @@ class RandomBoundaries : public testing::Test {
     return boundaries.length() * static_cast<float>(random.magnitude(1.0e-6, 1.5));
   }
 
-  /// How many boundaries are at a distance from the start.
+  /// Returns the number of boundaries at a distance from the start.
   [[nodiscard]] int at(float distance) const {
     int found = 0;
     for (int index = 0; index <= boundaries.count(); ++index) {

@@ -26,8 +26,8 @@ class RandomSpans : public testing::Test {
     exact = ExactMotion{element};
   }
 
-  /// Greatest |axis acceleration| / limit over the span, driven from v² = `from`
-  /// with constant `acceleration`.
+  /// Returns the greatest |axis acceleration| / limit over the span, driven from v² = `from` with
+  /// constant `acceleration`.
   [[nodiscard]] double greatest_load(int span, double from, double acceleration) const {
     double greatest = 0.0;
     for (int sample = 0; sample <= 16; ++sample) {
@@ -49,7 +49,7 @@ class RandomSpans : public testing::Test {
   PathElement element;
   Limits limits;
   Block block;
-  bool fine = false;  ///< Of the spans.
+  bool fine = false;  ///< True if the spans are on the fine grid.
   Spans spans;
   ExactMotion exact{PathElement{.end = place({1.0})}};
 };
@@ -76,7 +76,8 @@ TEST_F(RandomSpans, AreAtMostAGridStepLong) {
   }
 }
 
-// No axis reverses within a span in a coordinate plane: its tangent component keeps its sign.
+// No axis reverses within a span in a coordinate plane: the component of the tangent keeps its
+// sign.
 TEST_F(RandomSpans, HaveABoundaryAtEveryQuarterTurnOfTheTangent) {
   for (int trial = 0; trial < 20'000; ++trial) {
     any();
@@ -172,9 +173,9 @@ TEST(Spans, OfAHalfTurnAreFourTimesAsManyOnTheFineGrid) {
   EXPECT_NEAR(static_cast<double>(spans.boundary(96)), 10.0 * kHalfPiExact, 1.0e-5);
 }
 
-// More of them would cost more time than they gain, and fill the queue of segments.
+// More spans would cost more time than they gain, and fill the queue of segments.
 TEST(Spans, OfTheFineGridTakeSevenTenthsOfAMillisecond) {
-  const Limits limits = plain_limits();  // 500 mm/s² at most.
+  const Limits limits = plain_limits();  // The acceleration is at most 500 mm/s².
   for (const double radius : {1.0e-4, 1.0e-3, 1.0e-2, 0.1, 1.0, 10.0}) {
     const Block block = block_of({.end = place({2.0 * radius}), .bulge = -1.0F}, limits);
     const Spans spans{block, limits, {}, Spans::Grid::kFine};
@@ -184,8 +185,8 @@ TEST(Spans, OfTheFineGridTakeSevenTenthsOfAMillisecond) {
   }
 }
 
-// The look-ahead plans on the usual grid what is driven on the fine one. Between its boundaries
-// the usual grid may ask for the thousandth of each acceleration that the fine one leaves.
+// The look-ahead plans on the usual grid, but the motion uses the fine one. Between its boundaries,
+// the usual grid may require the thousandth of each acceleration that the fine grid leaves unused.
 TEST_F(RandomSpans, CanAlwaysBrakeFromWhereTheUsualGridCan) {
   for (int trial = 0; trial < 10'000; ++trial) {
     any();
@@ -215,14 +216,14 @@ TEST(Spans, OfALineAreOne) {
 
 TEST(Spans, OfAHalfTurnFromTheXAxisAreFortyEight) {
   const Limits limits = plain_limits();
-  // Starts upwards and ends downwards, on grid lines both.
+  // The arc starts upwards and ends downwards, both on grid lines.
   const Spans spans{block_of({.end = place({20.0}), .bulge = -1.0F}, limits), limits};
   EXPECT_EQ(spans.count(), 48);
   EXPECT_NEAR(static_cast<double>(spans.boundary(24)), 10.0 * kHalfPiExact, 1.0e-5);
 }
 
-/// mm/s² from rest on a span of a half turn whose tangent lies along Y at both ends and along X in
-/// the middle, all limits being reached in 20 ms.
+/// Returns the acceleration in mm/s² from rest on a span of half a turn. Its tangent is along Y at
+/// both ends and along X in the middle, and all limits are reached within 20 ms.
 float from_rest(float y_acceleration, float place_of_span) {
   Limits limits = plain_limits();
   limits.acceleration_mm_s2[1] = y_acceleration;

@@ -40,7 +40,7 @@ TEST(TimeWindow, HasABoundAndLessAccelerationBeyondIt) {
   EXPECT_EQ(planned_acceleration(limits, 1, window), 500.0F);
 }
 
-/// Of one straight move along X with 500 mm/s² and 25,000 mm/s³.
+/// Returns the window that is chosen for one straight move along X with 500 mm/s² and 25,000 mm/s³.
 double chosen(float length, float speed) {
   const Limits limits = with_jerk(25'000.0F, 25'000.0F);
   const Block block = straight_block(length, limits);

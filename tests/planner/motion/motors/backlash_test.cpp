@@ -55,8 +55,8 @@ TEST(Backlash, LeavesTheToolWhereThePlayLetsIt) {
   EXPECT_EQ(backlash.moved_by(-5, 7), 5) << "taken along the other way";
 }
 
-/// However the tool goes about, rate, acceleration and jerk of taking up stay within theirs,
-/// and at the end the axis is where it belongs.
+/// For any motion of the tool, the rate, acceleration and jerk of taking up play stay within their
+/// limits. At the end, the axis is at its correct position.
 void expect_smooth(std::uint64_t seed) {
   proof::Random random{seed};
   BacklashSetting setting;
@@ -66,11 +66,11 @@ void expect_smooth(std::uint64_t seed) {
   if (random.chance(0.5)) setting.jerk = static_cast<float>(random.magnitude(1e5, 1e8));
   Backlash backlash;
   backlash.configure(setting);
-  // Much finer than the quintic, so that differences are derivatives.
+  // Much finer than the duration of the quintic, so that differences approximate derivatives.
   const double dt = 1.0e-4;
   std::array<double, 4> last{};
   double tool = 0.0;
-  double axis = 0.0;  // Where the play leaves it.
+  double axis = 0.0;  // Position at which the play leaves the axis.
   double direction = 1.0;
   for (int i = 0; i < 20'000; ++i) {
     if (i < 15'000 && random.chance(2.0e-4)) direction = -direction;
@@ -80,13 +80,13 @@ void expect_smooth(std::uint64_t seed) {
     axis = std::clamp(axis, tool + last[0], tool + last[0] + setting.steps);
     ASSERT_LE(std::abs(axis - tool), setting.steps + 1.0e-3);
     if (i < 3) continue;
-    // The place is a Q16 of a step, of a float.
+    // The position is a Q16 fraction of a step, computed in float.
     const double noise = 4.0e-5 + 3.0e-6 * setting.steps;
     ASSERT_LE(std::abs(last[0] - last[1]), static_cast<double>(setting.rate) * dt + noise);
     ASSERT_LE(std::abs(last[0] - 2.0 * last[1] + last[2]),
               static_cast<double>(setting.acceleration) * dt * dt + 2.0 * noise);
   }
-  if (!backlash.settled()) return;  // The slowest take longer.
+  if (!backlash.settled()) return;  // The slowest moves take longer.
   EXPECT_EQ(last[0], backlash.offset());
   EXPECT_NEAR(axis, tool, 1.0 / 16.0 + 1.0e-3) << "however often it turned round meanwhile";
 }

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kTick = 1.0 / kTicksPerSecond;
 
-/// A motion of one axis with constant acceleration from moment to moment, in steps.
+/// A motion of one axis with piecewise constant acceleration, in steps.
 class RandomMotion {
  public:
   RandomMotion(proof::Random& random, double max_speed, double acceleration) {
@@ -59,8 +59,8 @@ class RandomMotion {
   double final_ = 0.0;
 };
 
-/// In double precision, from the definition: each impulse at its own time, all about the
-/// mean of their times.
+/// Returns the position by the definition, in double precision: each impulse at its own time, and
+/// all centred at the mean of their times.
 double shaped_at(const RandomMotion& motion, const ShaperSetting& setting, double time) {
   const ShaperImpulses impulses = impulses_of(setting);
   double mean = 0.0;
@@ -80,7 +80,7 @@ double shaped_at(const RandomMotion& motion, const ShaperSetting& setting, doubl
 
 constexpr std::size_t kMovedAxes = 3;
 
-/// A stage with random shapers, random motions that go into it, and what comes out.
+/// A stage with random shapers, random motions as its input, and its output.
 class ShapedRun {
  public:
   explicit ShapedRun(std::uint64_t seed) : random_{seed} {
@@ -127,7 +127,7 @@ class ShapedRun {
  private:
   [[nodiscard]] ShaperGrid grid() const { return grid_of(setting_.shapers); }
   [[nodiscard]] double cell() const { return grid().cell_ticks * kTick; }
-  /// The motion, and more cells than the slowest shaper needs to come to rest.
+  /// The cells of the motion, and more cells than the slowest shaper requires to come to rest.
   [[nodiscard]] std::size_t max_cells() const {
     return static_cast<std::size_t>(end_ / cell()) + 10'000;
   }
@@ -140,7 +140,7 @@ class ShapedRun {
     return places;
   }
 
-  /// The plan lit from 0 to its end, in slices of any length.
+  /// Passes a plan with the beam on from 0 to its end, in slices of any length.
   void fill_cell() {
     while (stage_->room_ns() > 0) {
       if (planned_ >= end_) return stage_->rest();
@@ -157,7 +157,7 @@ class ShapedRun {
 
   void check(const Segment& segment, double time, AxisArray<double>& motors) {
     const bool lit = !segment.power.dark();
-    // Rounded to a tick at both ends.
+    // Times are rounded to a tick at both ends.
     if (lit) {
       EXPECT_GE(time - segment.ticks * kTick, -kTick) << "the beam is early";
     }
@@ -169,7 +169,8 @@ class ShapedRun {
       const double steps = segment.trains[axis].count;
       motors[axis] += (segment.negative >> axis & 1U) != 0 ? -steps : steps;
       const double exact = shaped_at(motions_[axis], setting_.shapers[axis], time);
-      // Half a step, what lies between two places of the grid, and the parabola.
+      // The bound is half a step, the difference between two points of the grid, and that of the
+      // parabola.
       ASSERT_LE(std::abs(motors[axis] - exact), 0.5 + 0.35 * bend + 2.0e-3)
           << "axis " << axis << " at " << time << ", bend " << bend;
     }
@@ -196,7 +197,7 @@ TEST(MotorStage, IsTheConvolutionInTimeAndTheBeamIsWithIt) {
   }
 }
 
-/// Blocks of a few µm at full speed: more slices than there is room for pieces.
+/// Blocks of a few µm at full speed give more slices than the stage has space for pieces.
 TEST(MotorStage, AveragesTheOutputWhereItChangesTooOften) {
   MotorStageSetting setting;
   setting.shapers[0] = {ShaperKind::kEi, 10.0F, 0.0F};

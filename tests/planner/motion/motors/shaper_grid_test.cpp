@@ -19,8 +19,8 @@ double mean_age(const ShaperTaps& taps) {
   return mean;
 }
 
-/// Weights sum to one to the bit, no axis is earlier or later than another, and all that is
-/// looked at is kept.
+/// Expects that weights sum to exactly one, no axis is earlier or later than another, and all
+/// positions that the grid reads are kept.
 void expect_sound(const ShaperGrid& grid) {
   EXPECT_LT(grid.reach(), ShaperGrid::kMaxPlaces);
   EXPECT_GE(grid.cell_ticks, kTicksPerSecond / 4000U);

@@ -12,8 +12,8 @@ namespace {
 
 constexpr std::array kShapers{ShaperKind::kZv, ShaperKind::kZvd, ShaperKind::kMzv, ShaperKind::kEi};
 
-/// What an oscillator still swings after all impulses, over what one impulse of 1 leaves at
-/// that time: Singer and Seering 1990, equation 2.
+/// Returns the amplitude of an oscillator after all impulses, relative to that after one impulse of
+/// 1: Singer and Seering 1990, equation 2.
 double residual(const ShaperImpulses& impulses, double frequency_hz, double damping) {
   const double omega = 2.0 * std::numbers::pi * frequency_hz;
   const double damped = omega * std::sqrt(1.0 - damping * damping);
@@ -56,7 +56,8 @@ TEST(ShaperImpulses, LeaveNoSwingAtTheirFrequency) {
   }
 }
 
-/// EI allows 5 % at its frequency, and so no more for a fifth around it; ZVD is level there.
+/// EI allows 5 % at its frequency, and therefore no more than that within a fifth around it. ZVD is
+/// flat there.
 TEST(ShaperImpulses, AreAsRobustAsTheirNames) {
   const ShaperImpulses ei = impulses_of({ShaperKind::kEi, 50.0F, 0.0F});
   EXPECT_NEAR(residual(ei, 50.0, 0.0), 0.05, 1.0e-4);

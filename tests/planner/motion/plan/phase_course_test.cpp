@@ -13,7 +13,7 @@
 namespace cnc::motion {
 namespace {
 
-/// Of a length and duration of any magnitude; some begin or end at rest.
+/// Returns a stretch with a length and duration of any magnitude; some begin or end at rest.
 Stretch any_stretch(proof::Random& random) {
   const double seconds = random.magnitude(1.0e-7, 1.0e4);
   const double start = random.chance(0.2) ? 0.0 : random.magnitude(1.0e-3, 500.0);
@@ -53,7 +53,8 @@ TEST(PhaseCourse, FollowsTheParabolaAndMeetsBothEnds) {
   }
 }
 
-// A minute of it in nanoseconds: no step of the way is off by more than its own size.
+// The profile of a minute is sampled in nanoseconds: no step of the distance may be wrong by more
+// than its own size.
 TEST(PhaseCourse, IsEvenWhereTheSpeedIs) {
   const Stretch stretch{.way = to_units(60.0F),
                         .duration_ns = 60'000'000'000,
@@ -68,7 +69,7 @@ TEST(PhaseCourse, IsEvenWhereTheSpeedIs) {
   }
 }
 
-/// The greatest third difference of the ways at every `cell_ns` back from the end.
+/// Returns the greatest third difference of the distances at every `cell_ns` back from the end.
 std::int64_t roughest(PhaseCourse course, std::uint64_t cell_ns) {
   const std::uint64_t end = course.duration_ns();
   std::int64_t most = 0;
@@ -79,8 +80,9 @@ std::int64_t roughest(PhaseCourse course, std::uint64_t cell_ns) {
   return most;
 }
 
-// Speeding up for ten seconds and holding for a hundred at most: places are good to a unit or
-// two, so third differences, which are jerk times the cube of the time, to eight times as much.
+// The profile accelerates for ten seconds and is constant for a hundred at most. Positions are
+// exact to a unit or two. Third differences, which are the jerk times the cube of the time, are
+// therefore exact to eight times as much.
 TEST(PhaseCourse, IsSmoothToItsUnitsWhereItIsFine) {
   const std::uint64_t seed = proof::test_seed();
   SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);

@@ -12,9 +12,9 @@ namespace cnc::motion {
 namespace {
 
 constexpr TimeWindow kTenMilliseconds{.cells = 20, .cell_ns = 500'000};
-constexpr float kFeed = 50.0F;  // mm/s.
+constexpr float kFeed = 50.0F;  // Feed, mm/s.
 
-/// Lines of random lengths along X, one going on into the next.
+/// Tests lines of random lengths along X, each continuing the one before.
 class PlanCursorTest : public testing::Test {
  protected:
   void push_lines(std::size_t count) {
@@ -27,7 +27,7 @@ class PlanCursorTest : public testing::Test {
     length += length_in_units(queue.at(queue.size() - 1));
     at = to;
   }
-  /// s, of all that is in the queue under a window.
+  /// Returns the time of all blocks in the queue under a window, s.
   double time_under(const TimeWindow& window) {
     plan.reset();
     plan.set_window(window);
@@ -50,8 +50,9 @@ class PlanCursorTest : public testing::Test {
   Position at{};
 };
 
-// Phases last whole nanoseconds. Of an even course each stretch is v · t nevertheless, where it
-// ends within a phase and where it ends with one; and all of them are as long as the blocks.
+// Phases last whole nanoseconds. In a motion of constant speed, each stretch must be v · t
+// nevertheless, whether it ends within a phase or with one. The sum of all stretches must be the
+// length of the blocks.
 TEST_F(PlanCursorTest, GivesOutItsWayAsIfPhasesEndedInTime) {
   push_lines(100);
   plan.set_window(kTenMilliseconds);
@@ -73,8 +74,8 @@ TEST_F(PlanCursorTest, GivesOutItsWayAsIfPhasesEndedInTime) {
   EXPECT_GT(even, 500);
 }
 
-// Where short slow lines hold back long ones, a shorter window is quicker; never is a slower one
-// taken.
+// If short slow lines limit the speed of long ones, a shorter window is faster. The cursor must
+// never choose a slower window.
 TEST_F(PlanCursorTest, TakesTheWindowOfTheQuickestPlan) {
   limits.jerk_mm_s3.fill(25'000.0F);
   int shorter = 0;

@@ -13,7 +13,7 @@
 namespace cnc::motion {
 namespace {
 
-/// A block driven to its end, or to standstill.
+/// Result of driving a block to its end, or to standstill.
 struct Ride {
   double time = 0.0;
   double distance = 0.0;
@@ -45,7 +45,7 @@ class SpeedProfileTest : public testing::Test {
     return ride;
   }
 
-  /// Drives the first so many seconds in one piece of each phase.
+  /// Drives the first `seconds`, in one piece for each phase.
   void drive_for(float seconds) {
     for (int phases = 0; seconds > 0.0F && phases < 100; ++phases) {
       const Phase phase = profile.next_phase(Drive::kOn);
@@ -70,7 +70,7 @@ class SpeedProfileTest : public testing::Test {
   SpeedProfile profile;
 };
 
-/// Time from rest to rest over `length` with acceleration a and at most speed v.
+/// Returns the time from rest to rest over `length` with acceleration a and at most speed v.
 double trapezoid_time(double length, double a, double v) {
   if (length * a < v * v) return 2.0 * std::sqrt(length / a);
   return length / v + v / a;
@@ -113,7 +113,7 @@ TEST_F(SpeedProfileTest, TakesTheClosedFormTimeForRandomLines) {
 TEST_F(SpeedProfileTest, GoesFromItsEntryToItsExitSpeed) {
   begin(straight_block(10.0, limits, 100.0F), 2'500.0F, 400.0F);
   const Ride ride = drive();
-  // Up from 20 to a peak, v² = (400 + 2500 + 2·2·500·10) / 2 capped at 100², down to 50.
+  // From 20 up to a peak, v² = (400 + 2500 + 2·2·500·10) / 2 limited to 100², and down to 50.
   EXPECT_NEAR(ride.top_speed, std::sqrt((400.0 + 2'500.0 + 2.0 * 500.0 * 10.0) / 2.0), 1.0e-2);
   EXPECT_FLOAT_EQ(profile.speed_square(), 2'500.0F);
 }
@@ -151,18 +151,21 @@ TEST_F(SpeedProfileTest, SlowsDownToALoweredOverride) {
   EXPECT_NEAR(static_cast<double>(phase.acceleration), -500.0, 0.1);
 }
 
-/// Level where the normal lies along an axis, faster where both axes turn it.
+/// The speed is constant where the normal is along an axis, and greater where both axes turn the
+/// motion.
 TEST_F(SpeedProfileTest, DrivesAFullSpeedArcAtItsCentripetalLimit) {
   begin(block_of({.end = place({4.0}), .bulge = 1.0F}, limits), 900.0F, 900.0F);
   const Ride ride = drive();
   const double level = 500.0 * 2.0;  // v²/R = a
   EXPECT_GE(ride.top_speed, std::sqrt(level));
-  // Less than if all of both axes were for turning, as v has to be that of the level again.
+  // Less than if both axes used all of their acceleration for turning, as v must return to the
+  // constant speed.
   EXPECT_LE(ride.top_speed, std::sqrt(std::numbers::sqrt2 * level));
   EXPECT_TRUE(profile.at_end());
 }
 
-// However many spans it has: at each of them a phase would cost as much as a segment does.
+// This holds for any number of spans: a phase for each of them would cost as much as a segment
+// does.
 TEST_F(SpeedProfileTest, DrivesAnArcThatIsNoFasterAnywhereInOnePhase) {
   begin(block_of({.end = place({40.0}), .bulge = 1.0F}, limits, 20.0F), 400.0F, 400.0F);
   const Phase phase = profile.next_phase(Drive::kOn);
@@ -172,7 +175,7 @@ TEST_F(SpeedProfileTest, DrivesAnArcThatIsNoFasterAnywhereInOnePhase) {
   EXPECT_TRUE(profile.at_end());
 }
 
-// The spans from where it must slow down on are driven one by one.
+// From the point at which the motion must slow down, the spans are driven one by one.
 TEST_F(SpeedProfileTest, SlowsDownInTimeAfterSuchAPhase) {
   begin(block_of({.end = place({40.0}), .bulge = 1.0F}, limits, 80.0F), 0.0F, 6'400.0F);
   const Phase level = profile.next_phase(Drive::kOn);
@@ -198,7 +201,7 @@ TEST_F(SpeedProfileTest, GoesOnFromWhereverSuchAPhaseIsLeft) {
     const auto seconds = 0.9F * static_cast<float>(random.unit()) * phase.duration;
     stop_within(phase, seconds);
     const double driven = 20.0 * static_cast<double>(seconds);
-    // A third: slower from there on. Else as if nothing had been.
+    // A third of the rides are slower from here on. The others are unchanged.
     const bool slower = random.chance(0.3);
     if (slower) overrides.feed = 0.5F;
     profile.replan(block, limits, {.overrides = overrides}, {.speed_square = 100.0F});
@@ -211,7 +214,7 @@ TEST_F(SpeedProfileTest, GoesOnFromWhereverSuchAPhaseIsLeft) {
   }
 }
 
-/// Rides over a random block.
+/// Drives over a random block.
 class RandomRide : public SpeedProfileTest {
  protected:
   Ride ride_over(std::uint64_t seed) {
@@ -222,7 +225,7 @@ class RandomRide : public SpeedProfileTest {
     return drive();
   }
 
-  /// By a known fault this ride is longer than its block.
+  /// By a known fault, this ride is longer than its block.
   static constexpr std::uint64_t kTooLong = 3460;
 };
 
@@ -238,7 +241,8 @@ TEST_F(RandomRide, ReachesTheEndOfTheBlockAtThePlannedSpeed) {
   }
 }
 
-// A fault that grows is a new one; the seed of a fault that is gone belongs to a seed file.
+// If the excess grows, the fault is a new one. The seed of a fault that has disappeared belongs in
+// a seed file.
 TEST_F(RandomRide, KnownExcessOfLengthNeitherGrowsNorIsGone) {
   const double ratio = ride_over(kTooLong).distance / static_cast<double>(block.length);
   EXPECT_NEAR(ratio, 1.0000685, 1.0e-7);

@@ -16,10 +16,10 @@ constexpr std::uint64_t kWhole = std::uint64_t{1} << 32;
 
 double in_steps(StepPosition position) { return static_cast<double>(position.q32()) / kOneStep; }
 
-/// Motor positions and speeds at one moment.
+/// Motor positions and speeds at one time.
 struct MotorState {
   AxisArray<StepPosition> place{};
-  AxisArray<float> speed{};  ///< Steps per mm of path.
+  AxisArray<float> speed{};  ///< Speed of each motor, steps per mm of path.
 };
 
 class RandomMotorPath : public testing::Test {
@@ -50,7 +50,7 @@ class RandomMotorPath : public testing::Test {
     return state;
   }
 
-  /// Distance in mm between where an axis is and where it is to be.
+  /// Returns the distance in mm between the actual and the exact position of an axis.
   [[nodiscard]] double error_mm(std::size_t axis, double fraction) const {
     const auto resolution = static_cast<double>(limits.scale[axis].steps_per_mm());
     const MotorState state = state_at(static_cast<std::uint64_t>(fraction * kOneStep));
@@ -145,7 +145,7 @@ TEST_F(RandomMotorPath, KnowsItsSpeed) {
 TEST_F(RandomMotorPath, ReversesNoAxisBetweenQuarterTurns) {
   limits = plain_limits();
   element = {.end = place({20.0, 20.0}),
-             .bulge = 0.41421356F};  // A quarter turn, along X to along Y.
+             .bulge = 0.41421356F};  // A quarter turn, from along X to along Y.
   prepare();
   MotorState before = state_at(0);
   for (std::uint64_t part = 1; part <= 4096; ++part) {

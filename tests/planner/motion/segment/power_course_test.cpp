@@ -30,8 +30,8 @@ TEST(PowerCourse, OfATickIsItsMean) {
   }
 }
 
-/// Any slope over any slice: stairs of at most 100 µs through the middle of the
-/// slope, none outside the two ends.
+/// For any slope over any slice, each stair lasts at most 100 µs and passes through the middle of
+/// the slope. No stair is outside of the two ends.
 TEST(PowerCourse, FollowsAnySlope) {
   std::mt19937 random{proof::test_seed()};
   std::uniform_real_distribution<float> duty{0.0F, 1.0F};
@@ -44,13 +44,13 @@ TEST(PowerCourse, FollowsAnySlope) {
     const std::uint32_t stairs = course.growth_q8 == 0 ? 1 : (ticks - 1) / course.interval + 1;
     for (std::uint32_t stair = 0; stair < stairs; ++stair) {
       const double value = level(course, stair);
-      // The step interrupt drives the whole part of the value.
+      // The step interrupt outputs the integer part of the value.
       ASSERT_LT(value, kFull + 1.0) << from << " " << to << " " << ticks;
       ASSERT_GE(value, -1.0);
       if (course.growth_q8 == 0) continue;
       const double middle = (stair + 0.5) * course.interval / ticks;
       const double slope = kFull * (from + (to - from) * std::min(1.0, middle));
-      // Rounded up, stairs are at most a tick too long each.
+      // Stairs are rounded up, so each is at most a tick too long.
       const double tolerance = 1.0 + kFull * std::abs(to - from) * stairs / ticks;
       ASSERT_NEAR(value, slope, tolerance) << from << " " << to << " " << ticks;
     }

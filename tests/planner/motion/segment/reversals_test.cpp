@@ -18,7 +18,7 @@ TEST(Reversals, OfALineAreNone) {
   EXPECT_FALSE(reversals.near(0));
 }
 
-// Up to 3 km of arc: between one and the next no axis of the plane turns back.
+// On up to 3 km of arc, no axis of the plane reverses between one reversal and the next.
 TEST(Reversals, AreWhereverAnAxisTurnsBack) {
   const std::uint64_t seed = proof::test_seed();
   SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);

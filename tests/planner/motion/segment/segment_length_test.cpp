@@ -8,8 +8,8 @@
 namespace cnc::motion {
 namespace {
 
-/// Short ways without an end at fine resolutions: tangent arcs and lines of micrometres, on which
-/// axes turn round again and again.
+/// Tests endless sequences of short elements at fine resolutions: tangent arcs and lines of
+/// micrometres, on which axes reverse often.
 class ShortWays : public SegmenterTest {
  protected:
   void begin(std::uint64_t seed) {
@@ -27,7 +27,7 @@ class ShortWays : public SegmenterTest {
     feed_ = static_cast<float>(random.magnitude(5.0, 400.0));
   }
 
-  /// As a line or an arc of up to half a turn that goes on where the one before ends.
+  /// Pushes a line, or an arc of up to half a turn, tangent to the element before.
   void push_next() {
     const double sweep = random.chance(0.3) ? 0.0 : random.between(-3.0, 3.0);
     const double chord = length_ * random.between(0.5, 1.0);
@@ -41,7 +41,7 @@ class ShortWays : public SegmenterTest {
     goal = element.end;
   }
 
-  /// Ticks that the quickest row of so many segments lasts, of those in which nothing rests.
+  /// Returns the ticks of the shortest sequence of `count` segments, among those without a rest.
   [[nodiscard]] std::uint32_t quickest(std::size_t count) const {
     std::uint32_t least = ~0U;
     std::uint32_t sum = 0;
@@ -88,7 +88,7 @@ TEST_F(ShortWays, AreSegmentsThatLastForFiveTurnsOfTheMainLoop) {
   std::printf("%zu segments in a row last %u ticks at least\n", kQueue, least);
 }
 
-// Two stretches of one line that a segment may span, and none where the power jumps between.
+// A segment may span two stretches of one line, but not if the power jumps between them.
 TEST_F(ShortWays, KeepTheirPowerApart) {
   limits = plain_limits();
   push_to(10.0, 100.0F, {.duty = 0.5F});

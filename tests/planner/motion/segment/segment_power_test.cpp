@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::uint32_t kTenMicroseconds = 10'000;  // ns
 
-/// Output over time of a segment, duty · ticks.
+/// Returns the integral of the output of a segment, duty · ticks.
 double energy_of(const Segment& segment) {
   double energy = 0.0;
   std::uint32_t from = 0;
@@ -56,8 +56,8 @@ TEST(SegmentPower, HasALevelForEachSliceWhereItJumps) {
   EXPECT_FALSE(segment.dark());
 }
 
-// Slices begin where their planned time is over: a segment starts with what time was left of the
-// one before.
+// Slices begin when their planned time is over: a segment starts with the remaining time of the one
+// before.
 TEST(SegmentPower, HasItsLevelsWhereTheirTimeIsOver) {
   SegmentPower power;
   power.begin();
@@ -85,7 +85,8 @@ TEST(SegmentPower, OfASliceWithoutATickIsThatOfTheNext) {
   EXPECT_EQ(segment.levels[0].duty, 32'768);
 }
 
-// However many slices: what cannot have a level of its own has its energy in one with others.
+// For any number of slices, the energy of a slice without a separate level is contained in a level
+// that it shares with others.
 TEST(SegmentPower, KeepsTheEnergyOfItsSlices) {
   const proof::Trials trials{200};
   std::size_t full = 0;
@@ -117,7 +118,7 @@ TEST(SegmentPower, KeepsTheEnergyOfItsSlices) {
   }
 }
 
-// The queue to the step interrupt has 256 places for five turns of the main loop.
+// The queue to the step interrupt has 256 entries for five cycles of the main loop.
 TEST(SegmentPower, HasNoMoreLevelsThanTheQueueLastsFor) {
   constexpr std::uint32_t kFiveTurnsNs = 5'000'000;
   SegmentPower power;

@@ -10,7 +10,7 @@
 namespace cnc::motion {
 namespace {
 
-/// Lengths of pieces, and twice the energy of them all.
+/// Lengths of pieces in ticks, and twice the energy of all pieces.
 struct Pieces {
   std::vector<std::uint32_t> ticks{};
   double doubled_energy = 0.0;
@@ -44,7 +44,7 @@ Pieces pieces_of_slices(std::uint32_t slice, int cells, double& doubled_energy) 
   return pieces;
 }
 
-/// The most pieces that begin within a time.
+/// Returns the greatest number of pieces that begin within `window` ticks.
 std::size_t max_within(const std::vector<std::uint32_t>& ticks, std::uint32_t window) {
   std::size_t most = 0;
   for (std::size_t first = 0; first < ticks.size(); ++first) {
@@ -69,7 +69,7 @@ TEST(SegmentRate, LetsAFewShortOnesThroughAfterLongOnes) {
   EXPECT_TRUE(rate.allows_short());
 }
 
-// 63 segments wait at most, and have to last five turns of 4,000 ticks.
+// At most 63 segments wait, and must last five cycles of 4,000 ticks.
 TEST(OutputDelay, HasNoMorePiecesThanAQueueOfSegmentsBears) {
   for (const std::uint32_t slice : {7U, 60U, 240U, 350U, 534U, 1068U}) {
     double doubled_energy = 0.0;

@@ -7,8 +7,8 @@
 namespace cnc::motion {
 namespace {
 
-/// Random blocks on a random machine, fed as they are driven, with an operator
-/// who holds, resumes and turns every knob.
+/// Drives random blocks on a random machine, fed during the motion. An operator holds, resumes and
+/// changes every override.
 class RandomDrive : public SegmenterTest {
  protected:
   void begin(std::uint64_t seed) {
@@ -90,7 +90,7 @@ TEST_F(RandomDrive, NeverHandsOutMoreThanAMillisecondNorANegativeTime) {
   }
 }
 
-// No motor is asked for more than it can be stepped at, but for rounding.
+// No motor receives more steps than its greatest rate allows, except for rounding.
 TEST_F(RandomDrive, KeepsTheStepRateOfEveryMotor) {
   for (const std::uint64_t seed : proof::Trials{40}) {
     SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
@@ -108,13 +108,13 @@ TEST_F(RandomDrive, KeepsTheStepRateOfEveryMotor) {
   }
 }
 
-/// Watches the plan: no axis above its rate or acceleration within a block.
+/// Observes the plan: no axis may exceed its rate or acceleration within a block.
 class LimitWatch : public SliceObserver {
  public:
   void on_slice(const Slice& slice) override {
     EXPECT_GE(slice.to_fraction, slice.from_fraction);
     EXPECT_LE(slice.duration, Segmenter::kLongestSlice * 1.0001F);
-    // Below a sample of 20 kHz, what remains of the speed's rounding is no motion.
+    // Below a sample of 20 kHz, the rounding error of the speed is not a motion.
     constexpr float kOneSample = 50.0e-6F;
     if (slice.duration < kOneSample) return;
     const double end_speed = static_cast<double>(slice.start_speed) +

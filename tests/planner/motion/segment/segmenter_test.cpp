@@ -24,12 +24,12 @@ TEST_F(SegmenterTest, DrivesAFullCircleInTheTimeOfItsLength) {
   push({.end = place({40.0}), .bulge = 1.0F}, 50.0F);
   push({.start = goal, .end = place({}), .bulge = 1.0F}, 50.0F);
   drive();
-  // Speeding up over v²/2a: only the axes' share of the acceleration differs.
+  // The motion accelerates over v²/2a. Only the axes' share of the acceleration differs.
   EXPECT_NEAR(seconds(), 40.0 * std::numbers::pi / 50.0 + 50.0 / 500.0, 0.02);
   EXPECT_EQ(steps[0], 0);
 }
 
-// Slow feeds over long ways: what is speeding up and down there is next to nothing.
+// At slow feeds over long paths, the distance for acceleration is very small.
 TEST_F(SegmenterTest, DrivesEveryLengthAtEveryFeed) {
   for (const float feed : {0.0002F, 0.01F, 0.2F, 1.0F, 5.0F}) {
     for (const double seconds_long : {0.01, 1.0, 30.0, 600.0}) {
@@ -128,7 +128,7 @@ TEST_F(SegmenterTest, FollowsAnOverrideFromTheNextSliceOn) {
   push_to(100.0, 100.0F);
   drive(500);
   segmenter.set_overrides({.feed = 0.5F});
-  drive(200);  // Down to half by then.
+  drive(200);  // The override has reached half by this point.
   const std::uint64_t from_ticks = ticks;
   const std::int32_t from_steps = steps[0];
   drive(100);
@@ -156,7 +156,7 @@ TEST_F(SegmenterTest, ForgetsEverythingAtAReset) {
   EXPECT_FALSE(step());
 }
 
-/// In the middle of a segment.
+/// Returns the power in the middle of a segment.
 double mean_power(const Segment& segment) {
   const PowerCourse& power = segment.power;
   const std::uint32_t stairs = (segment.ticks + power.interval - 1U) / power.interval;
@@ -184,7 +184,7 @@ TEST_F(SegmenterTest, ScalesADynamicBeamByTheSpeedDriven) {
   for (std::size_t index = 1; index + 1 < segments.size(); ++index) {
     const Segment& segment = segments[index];
     const double speed = segment.trains[0].count / 250.0 * kTicksPerSecond / segment.ticks;
-    // A slice holds whole steps only: one more or less is 4 mm/s.
+    // A slice contains whole steps only; one step more or less is 4 mm/s.
     EXPECT_NEAR(
         mean_power(segment), 65'535.0 * 0.5 * speed / 50.0, 65'535.0 * 0.5 * 4.1 * 4 / 50.0);
   }

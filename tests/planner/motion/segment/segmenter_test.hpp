@@ -12,14 +12,14 @@ namespace cnc::motion {
 
 inline constexpr std::uint32_t kMillisecond = kTicksPerSecond / 1000;
 
-/// A segmenter with a queue, and what it has handed out.
+/// A segmenter with a queue, and the segments that it has returned.
 class SegmenterTest : public testing::Test {
  protected:
   void push(const PathElement& element, float feed_mm_s = 0.0F) {
     queue.push(block_of(element, limits, feed_mm_s));
     goal = element.end;
   }
-  /// Straight on along X, from where the motion so far ends.
+  /// Pushes a straight move along X from the end of the motion so far.
   void push_to(double x_mm,
                float feed_mm_s = 0.0F,
                BeamCommand beam = {},
@@ -33,7 +33,7 @@ class SegmenterTest : public testing::Test {
     goal = element.end;
   }
 
-  /// One more segment; false when there is none.
+  /// Takes one more segment; returns false if there is none.
   bool step() {
     Segment segment;
     if (!segmenter.next(segment)) return false;
@@ -45,13 +45,13 @@ class SegmenterTest : public testing::Test {
     }
     return true;
   }
-  /// Until there is no more, but at most so many segments.
+  /// Takes segments until there are none left, but at most `most`.
   void drive(int most = 1'000'000) {
     while (most-- > 0 && step()) {
     }
   }
 
-  /// Where the motors are to be when everything is driven.
+  /// Returns the positions of the motors when all blocks are driven.
   [[nodiscard]] AxisArray<std::int32_t> goal_steps() const {
     AxisArray<std::int32_t> at{};
     for (std::size_t axis = 0; axis < kAxisCount; ++axis) {

@@ -18,7 +18,7 @@ double due(const StepTrain& train, int k) {
   return q16 / 65536.0;
 }
 
-/// A slice in double: `from` and `travel` in steps, speeds in steps per tick.
+/// A slice in double precision: `from` and `travel` in steps, speeds in steps per tick.
 struct Motion {
   double from = 0.0;
   double speed = 0.0;
@@ -32,12 +32,12 @@ struct Motion {
             .speed_steps_per_tick = static_cast<float>(speed),
             .ticks = static_cast<float>(ticks)};
   }
-  /// When the planned place is `distance` steps from the start.
+  /// Returns the time at which the planned position is `distance` steps from the start.
   [[nodiscard]] double time_to(double distance) const {
     const double root = std::sqrt(std::max(0.0, speed * speed + 2.0 * acceleration * distance));
     return 2.0 * distance / (speed + std::copysign(root, speed));
   }
-  /// Of the k-th half step that is crossed.
+  /// Returns the time of the k-th half step that is crossed.
   [[nodiscard]] double crossing(const StepPosition& start, int k) const {
     const bool forward = travel() > 0.0;
     const double edge = start.nearest_step() + (forward ? 0.5 + k : -0.5 - k);
@@ -47,7 +47,7 @@ struct Motion {
 
 class StepTiming : public testing::Test {
  protected:
-  /// A slice that changes speed by at most half, of up to 90 steps.
+  /// Returns a slice of up to 90 steps that changes its speed by at most half.
   Motion any_motion() {
     Motion motion{.from = random.between(-1.0e6, 1.0e6), .ticks = random.magnitude(400.0, 4000.0)};
     motion.speed = random.signed_magnitude(1.0e-4, 0.022);
@@ -127,7 +127,7 @@ TEST_F(StepTiming, ShiftsEveryStepBySoMuch) {
   EXPECT_EQ(shifted.interval_q16, plain.interval_q16);
 }
 
-// From or to standstill, where the change of speed is the greatest.
+// Motion to or from standstill has the greatest change of speed.
 TEST_F(StepTiming, KeepsEveryStepWithinTheSliceFromStandstill) {
   for (int trial = 0; trial < 50'000; ++trial) {
     Motion motion{.from = random.between(-100.0, 100.0), .ticks = 1000.0};
