@@ -60,8 +60,8 @@ bool LineProtocol::tell_news() {
     message(RestLight::kRefusalText);
     return true;
   }
-  if (!tool_refusal_.empty()) {
-    message(std::exchange(tool_refusal_, {}));
+  if (sender_part_.has_refusal()) {
+    message(sender_part_.take_refusal());
     return true;
   }
   const auto tool = machine_.tool_change().wanted();
