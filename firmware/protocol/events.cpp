@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <utility>
 
 #include "firmware/protocol/identity.hpp"
 #include "firmware/protocol/line_protocol.hpp"
