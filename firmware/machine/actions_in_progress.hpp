@@ -55,10 +55,6 @@ class ActionsInProgress {
     is_paused_ = false;
   }
 
-  /// Notes whether the last line was M2 or M30.
-  void note_end(bool is_end) { program_ended_ = is_end; }
-  [[nodiscard]] bool program_ended() const { return program_ended_; }
-
   // Outputs that change with the next motion.
 
   [[nodiscard]] const motion::OutputChanges& outputs() const { return line_.outputs; }
@@ -116,7 +112,6 @@ class ActionsInProgress {
   RestOfLine line_{};
   bool is_dwelling_ = false;
   bool is_paused_ = false;
-  bool program_ended_ = false;
   Dwell dwell_{};
   std::uint32_t spline_points_ = kSplinePoints;  ///< Points left in this cycle's budget.
   ActionElements elements_{};

@@ -76,7 +76,6 @@ gcode::Refusal Machine::take_line(std::string_view line) {
   if (!actions.ok()) return actions.error();
   if (interpreter_.places_revision() != memory_.trusted_places()) trust_places();
   if (actions.value().empty()) return {};
-  actions_.note_end(false);
   if (state_.in(Mode::kCheck)) {
     judge(actions.value(), from);
     return {};

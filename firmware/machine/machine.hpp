@@ -198,8 +198,6 @@ class Machine {
   [[nodiscard]] bool has_news() const {
     return news_.reset_pressed.is_raised() || gap_.has_uncut() || rest_light_.has_refusal();
   }
-  /// Returns whether the last line was M2 or M30.
-  [[nodiscard]] bool program_ended() const { return actions_.program_ended(); }
 
   [[nodiscard]] const gcode::Interpreter& interpreter() const { return interpreter_; }
   /// Returns the motion: the tool's position, the speed, the line being driven, free blocks.

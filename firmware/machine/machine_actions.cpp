@@ -231,7 +231,6 @@ bool Machine::end_program() {
   coolant_.reset();
   progress_.forget();
   rest_light_.forget_program();
-  actions_.note_end(true);
   news_.program_ended.raise();
   return true;
 }

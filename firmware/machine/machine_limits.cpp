@@ -17,7 +17,6 @@ void Machine::judge(gcode::Actions actions, const Position& from) {
     if (action.kind == gcode::ActionKind::kToolCentre) judge_tool_centre();
     if (action.kind != gcode::ActionKind::kEnd) continue;
     if (tool_centre_.active()) judge_tool_centre();
-    actions_.note_end(true);
     news_.program_ended.raise();
   }
   const bool beside = compensated_.compensates() || compensated_.beside();

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <utility>
 
 #include "firmware/protocol/identity.hpp"
 #include "firmware/protocol/line_protocol.hpp"
@@ -61,8 +60,8 @@ bool LineProtocol::tell_news() {
     message(RestLight::kRefusalText);
     return true;
   }
-  if (!tool_refusal_.empty()) {
-    message(std::exchange(tool_refusal_, {}));
+  if (sender_part_.has_refusal()) {
+    message(sender_part_.take_refusal());
     return true;
   }
   const auto tool = machine_.tool_change().wanted();

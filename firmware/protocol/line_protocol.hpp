@@ -13,6 +13,7 @@
 #include "firmware/machine/machine.hpp"
 #include "firmware/protocol/listing.hpp"
 #include "firmware/protocol/reply.hpp"
+#include "firmware/protocol/sender_part.hpp"
 #include "firmware/protocol/statement.hpp"
 #include "firmware/protocol/status_report.hpp"
 #include "firmware/store/kerf_tables.hpp"
@@ -212,10 +213,7 @@ class LineProtocol {
   Owed owed_ = Owed::kNothing;
   Alarm told_alarm_ = Alarm::kNone;
   bool tool_told_ = false;
-  bool takes_part_ = false;  ///< The sender takes part in a tool change (0xA3).
-  /// `~` has arrived; the tool change ends after the earlier lines are done.
-  bool tool_change_ends_ = false;
-  std::string_view tool_refusal_{};  ///< Reason for refusing 0xA3; empty after the report.
+  SenderPart sender_part_{};
   hal::TickCount now_{};
   hal::TickCount reported_{};  ///< Time of the last automatic report.
   bool auto_report_ = false;

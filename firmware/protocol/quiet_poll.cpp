@@ -16,7 +16,7 @@ bool LineProtocol::waits_for_machine() const {
 /// Returns whether a report or a save is due now or may soon be due.
 bool LineProtocol::has_to_tell() const {
   if (!outbox_.empty() || listing_.active() || auto_report_ || modes_wanted_ || greeting_due_ ||
-      startup_trial_ || !tool_refusal_.empty()) {
+      startup_trial_ || sender_part_.has_refusal()) {
     return true;
   }
   if (machine_.alarm() != told_alarm_ || machine_.has_news() ||
@@ -28,7 +28,7 @@ bool LineProtocol::has_to_tell() const {
 
 bool LineProtocol::is_quiet(hal::TickCount now) const {
   if (!receiver_.is_empty() || !waits_for_machine() || has_to_tell()) return false;
-  if (check_.active() || takes_part_ || machine_.tool_change().open()) return false;
+  if (check_.active() || sender_part_.taken() || machine_.tool_change().open()) return false;
   if (now.since(now_) >= kMaxQuietUs) return false;
   const float allowed_ms = machine_.settings().get(setting::kLinkWatchdog);
   return allowed_ms <= 0.0F || silence_.heard_within(now, allowed_ms);

@@ -93,14 +93,5 @@ TEST_F(ActionsInProgressTest, DwellOnceForEachAction) {
   EXPECT_EQ(cycles_of_dwell(0.0F), 0);
 }
 
-TEST_F(ActionsInProgressTest, KnowWhetherTheLastLineEndedTheProgram) {
-  EXPECT_FALSE(actions_.program_ended());
-  actions_.note_end(true);
-  actions_.clear();
-  EXPECT_TRUE(actions_.program_ended());
-  actions_.note_end(false);
-  EXPECT_FALSE(actions_.program_ended());
-}
-
 }  // namespace
 }  // namespace cnc

@@ -97,9 +97,7 @@ TEST_F(MachineOperatorTest, ResetsOverridesAtTheEndOfTheProgram) {
   EXPECT_EQ(machine.overrides().power, 100);
   EXPECT_EQ(machine.interpreter().state().plane, Plane::kXY);
   EXPECT_EQ(machine.interpreter().state().coordinate_system, 0);
-  EXPECT_TRUE(machine.program_ended());
-  send_all({"G0 X1"});
-  EXPECT_FALSE(machine.program_ended());
+  EXPECT_NE(link.outgoing.find("[MSG:Pgm End]"), std::string::npos);
 }
 
 TEST_F(MachineOperatorTest, PausesAtM0UntilResumed) {

@@ -292,7 +292,7 @@ TEST_F(MachineToolTest, KeepsAnOutputForAMotionThatGoesSomewhere) {
 TEST_F(MachineToolTest, TurnsEverythingOffAtTheEndOfTheProgram) {
   send_all({"M3 S500", "M8", "G1 X5 F600", "M2"});
   run_until_idle();
-  EXPECT_TRUE(machine.program_ended());
+  EXPECT_NE(link.outgoing.find("[MSG:Pgm End]"), std::string::npos);
   EXPECT_FALSE(port.spindle_enabled);
   EXPECT_EQ(port.power, 0);
   EXPECT_FALSE(port.flood);
