@@ -5,7 +5,7 @@ usage: judge_cuts.py KERFLINE FOLDER [--only PATTERN] OPTION_OF_CUT …
 
 Not part of the test suite, because it needs shapely and drawings of others. judge_drawing.py reads each drawing a
 second time and fills its closed contours by even-odd, or by the fill rule of a filled shape. judge_path.py then checks
-the program:
+the program, with judge_distance.py:
 
 * No path of the beam runs across a part, or is nearer to a part than half the kerf less 5 um. The option --narrow
   lowers this distance by its value.

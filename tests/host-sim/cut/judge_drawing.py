@@ -39,9 +39,10 @@ def points_of_segment(segment) -> list:
     """Returns points along a segment of svgelements, without its start, within the chord error."""
     if type(segment).__name__ in ("Line", "Close"):
         return [complex(segment.end.x, segment.end.y)]
-    length = segment.length(error=1e-3)
+    rough = numpy.array(segment.npoint(numpy.linspace(0, 1, 17)))
+    length = numpy.sum(numpy.hypot(*numpy.diff(rough, axis=0).T))
     count = max(4, min(800, math.ceil(math.sqrt(length) / math.sqrt(8 * CHORD_MM) * 2)))
-    return [complex(segment.point(i / count).x, segment.point(i / count).y) for i in range(1, count + 1)]
+    return [complex(x, y) for x, y in segment.npoint(numpy.arange(1, count + 1) / count)]
 
 
 def rows_of_svg(file: pathlib.Path) -> list:

@@ -3,15 +3,17 @@ import cmath
 import math
 import re
 
-from shapely.geometry import LineString, Point, Polygon
-from shapely.prepared import prep
+import numpy
+from shapely.geometry import LineString, Polygon
 from shapely.strtree import STRtree
 
+from judge_distance import Inside, Nearest, samples_of, strokes_of
 from judge_drawing import CHORD_MM, closed_rings, is_closed, line, parts_of
 
 SLACK_MM = 0.005
 TOUCHES_MM = 0.012
 EVERY_MM, FINELY_MM = 0.4, 0.05
+SAME_MM = 0.01
 MIN_RUN = 4  # Consecutive points that two cuts share where they only cross.
 
 
@@ -50,46 +52,6 @@ def beam_rows(program: str) -> list:
     return [row for row in rows if len(row) > 1]
 
 
-def strokes_of(rows: list) -> list:
-    """Returns short line strings, which suit a tree, each with the number of its row."""
-    strokes = []
-    for i, row in enumerate(rows):
-        for k in range(0, len(row) - 1, 16):
-            strokes.append((i, line(row[k:k + 17])))
-    return [(i, stroke) for i, stroke in strokes if stroke.length > 0]
-
-
-def strokes_of_lines(lines: list) -> list:
-    return [stroke for _, stroke in strokes_of([[complex(*c) for c in one.coords] for one in lines])]
-
-
-def points_along(one: LineString, every_mm: float = EVERY_MM) -> list:
-    count = max(1, int(one.length / every_mm))
-    return [one.interpolate((k + 0.5) / count, normalized=True) for k in range(count)]
-
-
-class Nearest:
-    """Distances to many lines."""
-
-    def __init__(self, lines: list) -> None:
-        self.tree = STRtree(lines) if lines else None
-
-    def of(self, place: Point) -> float:
-        return place.distance(self.tree.nearest(place)) if self.tree else math.inf
-
-
-class Inside:
-    """Whether points lie in any of the parts."""
-
-    def __init__(self, parts: list) -> None:
-        self.tree = STRtree(parts) if parts else None
-        self.prepared = {id(part): prep(part) for part in parts}
-
-    def has(self, place: Point) -> bool:
-        return self.tree is not None and any(self.prepared[id(part)].contains(place)
-                                             for part in self.tree.query(place))
-
-
 class Shapes:
     """Counts the edges of parts and holes, and those that are cut as they are drawn."""
 
@@ -100,26 +62,25 @@ class Shapes:
         self.count += other.count
         self.right += other.right
 
-    def take(self, rings: list, near_cuts: Nearest, kerf: float, gouged: list) -> None:
-        too_near = STRtree(gouged) if gouged else None
+    def take(self, rings: list, near_cuts: Nearest, kerf: float, gouged: numpy.ndarray) -> None:
         for ring in rings:
-            places = points_along(LineString(ring.coords))
-            reached = sum(near_cuts.of(place) <= kerf + SLACK_MM for place in places)
-            is_gouged = too_near is not None and any(
-                place.distance(ring) < kerf / 2 for place in too_near.query(ring.buffer(kerf)))
+            places, _, _ = samples_of([ring], EVERY_MM)
+            reached = numpy.mean(near_cuts.of(places) <= kerf + SLACK_MM)
+            is_gouged = len(gouged) > 0 and any(Nearest([ring], kerf / 2).of(gouged) < kerf / 2)
             self.count += 1
-            self.right += reached >= 0.95 * len(places) and not is_gouged
+            self.right += bool(reached >= 0.95 and not is_gouged)
 
 
 class SharedLines:
     """Lines along which two contours with parts on both sides lie against each other, and where they touch."""
 
-    def __init__(self, rows: list, parts: list, inside: Inside) -> None:
+    def __init__(self, rows: list, parts: list, inside: Inside, kerf: float) -> None:
         common = self.common_of([line(row) for row in closed_rings(rows)])
-        edges = [LineString(ring.coords) for ring in rings_of(parts)]
-        pieces = [one for one in common if one.length > 0.05 and self.is_between(one, inside)]
-        self.pieces = strokes_of_lines(pieces)
-        self.lines, self.touching = Nearest(self.pieces), Nearest(common + self.common_of(edges))
+        edges = [LineString(ring.coords) for part in parts for ring in [part.exterior, *part.interiors]]
+        self.pieces = [points_of_line(one) for one in common if one.length > 0.05 and self.is_between(one, inside)]
+        self.lines = Nearest(self.pieces, SLACK_MM + TOUCHES_MM)
+        self.touching = Nearest([points_of_line(one) for one in common + self.common_of(edges)], 2 * kerf)
+        self.kerf = kerf
 
     @staticmethod
     def common_of(rings: list) -> list:
@@ -135,28 +96,25 @@ class SharedLines:
 
     @staticmethod
     def is_between(piece: LineString, inside: Inside) -> bool:
-        middle, next_place = (piece.interpolate(0.5 * piece.length + d) for d in (0, 0.001))
-        way = complex(next_place.x - middle.x, next_place.y - middle.y)
-        off = 1j * way / abs(way) * 0.03
-        return inside.has(Point(middle.x + off.real, middle.y + off.imag)) and inside.has(
-            Point(middle.x - off.real, middle.y - off.imag))
+        middle, next_place = (complex(*piece.interpolate(0.5 * piece.length + d).coords[0]) for d in (0, 0.001))
+        off = 1j * (next_place - middle) / abs(next_place - middle) * 0.03
+        return all(inside.has(numpy.array([middle + off, middle - off])))
 
-    def allow(self, place: Point, apart: float, kerf: float) -> bool:
-        if self.lines.of(place) <= SLACK_MM + TOUCHES_MM:
-            return True
-        return apart >= -TOUCHES_MM and self.touching.of(place) <= 2 * kerf
+    def allow(self, places: numpy.ndarray, apart: numpy.ndarray) -> numpy.ndarray:
+        is_along = self.lines.of(places) <= SLACK_MM + TOUCHES_MM
+        return is_along | ((apart >= -TOUCHES_MM) & (self.touching.of(places) <= 2 * self.kerf))
 
-    def uncut(self, near_cuts: Nearest) -> list:
-        places = [place for piece in self.pieces for place in points_along(piece, FINELY_MM)]
-        return [place for place in places if near_cuts.of(place) > SLACK_MM + TOUCHES_MM]
+    def uncut(self, near_cuts: Nearest) -> numpy.ndarray:
+        places, _, _ = samples_of(strokes_of(self.pieces)[0], FINELY_MM)
+        return places[near_cuts.of(places) > SLACK_MM + TOUCHES_MM]
 
 
-def rings_of(parts: list) -> list:
-    return [ring for part in parts for ring in [part.exterior, *part.interiors]]
+def points_of_line(one) -> numpy.ndarray:
+    return numpy.array([complex(x, y) for x, y, *_ in one.coords])
 
 
-def place_text(place: Point) -> str:
-    return f"{place.x:.3f} {place.y:.3f}"
+def place_text(place: complex) -> str:
+    return f"{place.real:.3f} {place.imag:.3f}"
 
 
 def judged(rows: list, program: str, told: str, shapes: Shapes, options: list) -> str:
@@ -166,23 +124,21 @@ def judged(rows: list, program: str, told: str, shapes: Shapes, options: list) -
     """
     narrow = float(options[options.index("--narrow") + 1]) if "--narrow" in options else 0.0
     kerf = float(re.search(r"kerf ([\d.]+) mm", program)[1])
-    parts = parts_of(rows, kerf)
-    rings, inside = rings_of(parts), Inside(parts)
-    edges, cuts = strokes_of_lines(rings), strokes_of(beam_rows(program))
-    near_cuts = Nearest([stroke for _, stroke in cuts])
-    shared = SharedLines(rows, parts, inside) if "--common-line" in options and parts else None
-
-    open_lines = Nearest([stroke for _, stroke in strokes_of([row for row in rows if not is_closed(row)])])
-    gouged = too_near(cuts, kerf, kerf / 2 - narrow - SLACK_MM, Nearest(edges), inside, open_lines, shared)
-    shapes.take(rings, near_cuts, kerf, [place for _, place in gouged])
+    parts, cuts = parts_of(rows, kerf), beam_rows(program)
+    rings = [points_of_line(ring) for part in parts for ring in [part.exterior, *part.interiors]]
+    inside, near_cuts, near_edges = Inside(parts), Nearest(cuts, kerf + SLACK_MM), Nearest(rings, max(kerf, 1))
+    shared = SharedLines(rows, parts, inside, kerf) if "--common-line" in options and parts else None
+    open_lines = Nearest([row for row in rows if not is_closed(row)], SLACK_MM + 0.01)
+    apart, gouged = too_near(cuts, kerf / 2 - narrow - SLACK_MM, near_edges, inside, open_lines, shared)
+    shapes.take(rings, near_cuts, kerf, gouged)
     complaints = []
-    if gouged:
-        apart, place = min(gouged, key=lambda one: one[0])
-        complaints.append(f"{len(gouged)} places too near, {apart:.4f} mm at {place_text(place)}")
+    if len(gouged):
+        worst = numpy.argmin(apart)
+        complaints.append(f"{len(gouged)} places too near, {apart[worst]:.4f} mm at {place_text(gouged[worst])}")
     between = shared.uncut(near_cuts) if shared else []
-    if between:
+    if len(between):
         complaints.append(f"{len(between)} places between parts uncut, as at {place_text(between[0])}")
-    missing, uncut = uncut_length(edges, near_cuts, kerf)
+    missing, uncut = uncut_length(rings, near_cuts, kerf)
     listed = listed_length(told, rings, kerf)
     if missing > 1.2 * listed + 1:
         complaints.append(f"{missing:.1f} mm uncut, {listed:.1f} listed, as at {place_text(uncut[0])}")
@@ -192,52 +148,48 @@ def judged(rows: list, program: str, told: str, shapes: Shapes, options: list) -
     return "; ".join(complaints)
 
 
-def too_near(cuts: list, kerf: float, min_mm: float, edges: Nearest, inside: Inside, open_lines: Nearest,
-             shared: SharedLines) -> list:
-    """Returns (distance, point) of the points of cuts that are nearer to a part than `min_mm`; < 0 is in a part."""
-    found = []
-    for _, stroke in cuts:
-        for place in points_along(stroke):
-            apart = -edges.of(place) if inside.has(place) else edges.of(place)
-            if shared and shared.allow(place, apart, kerf):
-                continue
-            if apart < min_mm and open_lines.of(place) > SLACK_MM + 0.01:
-                found.append((apart, place))
-    return found
+def too_near(cuts: list, min_mm: float, edges: Nearest, inside: Inside, open_lines: Nearest,
+             shared: SharedLines) -> tuple:
+    """Returns the distances and the points of cuts nearer to a part than `min_mm`; a distance < 0 is in a part.
+
+    A depth of more than the reach of `edges` is reported as that reach.
+    """
+    places, _, _ = samples_of(strokes_of(cuts)[0], EVERY_MM)
+    apart = edges.of(places) * numpy.where(inside.has(places), -1, 1)
+    wrong = (apart < min_mm) & (open_lines.of(places) > SLACK_MM + 0.01)
+    if shared:
+        wrong &= ~shared.allow(places, apart)
+    return apart[wrong], places[wrong]
 
 
-def uncut_length(edges: list, near_cuts: Nearest, kerf: float) -> tuple:
+def uncut_length(rings: list, near_cuts: Nearest, kerf: float) -> tuple:
     """Returns the length of edges without a path beside them, and points on them."""
-    uncut, missing = [], 0.0
-    for edge in edges:
-        if all(near_cuts.of(place) <= kerf + SLACK_MM for place in points_along(edge)):
-            continue
-        finely = points_along(edge, FINELY_MM)
-        without = [place for place in finely if near_cuts.of(place) > kerf + SLACK_MM]
-        uncut += without
-        missing += edge.length * len(without) / len(finely)
-    return missing, uncut
+    strokes, _ = strokes_of(rings)
+    places, number, _ = samples_of(strokes, EVERY_MM)
+    doubtful = numpy.unique(number[near_cuts.of(places) > kerf + SLACK_MM])
+    finely, _, each_mm = samples_of([strokes[i] for i in doubtful], FINELY_MM)
+    without = near_cuts.of(finely) > kerf + SLACK_MM
+    return float(numpy.sum(each_mm[without])), finely[without]
 
 
 def listed_length(told: str, rings: list, kerf: float) -> float:
     """Returns the length of edges that the program's own warnings list as uncut."""
     listed = sum(float(mm) for mm in re.findall(r"([\d.]+) mm of it stay uncut", told))
     if "would vanish" in told:
-        listed += sum(ring.length for ring in rings if Polygon(ring).buffer(-kerf / 2).is_empty)
+        areas = [Polygon([(p.real, p.imag) for p in ring]) for ring in rings]
+        listed += sum(area.length for area in areas if area.buffer(-kerf / 2).is_empty)
     return listed
 
 
 def cut_twice(cuts: list) -> float:
-    """Returns the length along which two cuts are within 10 um of each other, without mere crossings."""
-    tree = STRtree([stroke for _, stroke in cuts]) if cuts else None
-    owner = {id(stroke): i for i, stroke in cuts}
-    length = 0.0
-    for i, stroke in cuts:
-        places, run = points_along(stroke, FINELY_MM), 0
-        for place in places:
-            around = LineString([(place.x - 0.01, place.y - 0.01), (place.x + 0.01, place.y + 0.01)])
-            is_shared = any(owner[id(other)] > i and other.distance(place) < 0.01 for other in tree.query(around))
-            run = run + 1 if is_shared else 0
-            if run > MIN_RUN:
-                length += stroke.length / len(places)
+    """Returns the length along which two cuts are within SAME_MM of each other, without mere crossings."""
+    strokes, owner = strokes_of(cuts)
+    places, number, each_mm = samples_of(strokes, FINELY_MM)
+    is_shared = Nearest(cuts, SAME_MM).of(places, after=owner[number]) < SAME_MM
+    length, run, last = 0.0, 0, -1
+    for k in range(len(places)):
+        run = (run if number[k] == last else 0) + 1 if is_shared[k] else 0
+        last = number[k]
+        if run > MIN_RUN:
+            length += each_mm[k]
     return length
