@@ -9,7 +9,7 @@ the program, with judge_distance.py:
 
 * No path of the beam runs across a part, or is nearer to a part than half the kerf less 5 um. The option --narrow
   lowers this distance by its value.
-* Each edge of a part has a path beside it, unless the program's warnings list the edge as uncut.
+* Each edge of a part has a path beside it, unless the program's warnings list the edge as uncut, at its position.
 * No two cuts go along the same line.
 * With the option --common-line, each line along which two parts lie against each other is cut once along itself. At
   its ends, and where parts touch at a corner, a path may be nearer than half the kerf over a length of two kerfs, but

@@ -14,6 +14,7 @@ SLACK_MM = 0.005
 TOUCHES_MM = 0.012
 EVERY_MM, FINELY_MM = 0.4, 0.05
 SAME_MM = 0.01
+MAX_UNLISTED_MM = 1.0
 MIN_RUN = 4  # Consecutive points that two cuts share where they only cross.
 
 
@@ -138,10 +139,13 @@ def judged(rows: list, program: str, told: str, shapes: Shapes, options: list) -
     between = shared.uncut(near_cuts) if shared else []
     if len(between):
         complaints.append(f"{len(between)} places between parts uncut, as at {place_text(between[0])}")
-    missing, uncut = uncut_length(rings, near_cuts, kerf)
-    listed = listed_length(told, rings, kerf)
-    if missing > 1.2 * listed + 1:
-        complaints.append(f"{missing:.1f} mm uncut, {listed:.1f} listed, as at {place_text(uncut[0])}")
+    uncut, each_mm = uncut_places(rings, near_cuts, kerf)
+    is_listed, listed = listed_places(uncut, told, rings, kerf)
+    unlisted = numpy.sum(each_mm[~is_listed])
+    if unlisted > MAX_UNLISTED_MM or numpy.sum(each_mm) > 1.2 * listed + MAX_UNLISTED_MM:
+        first = uncut[numpy.argmin(is_listed)]
+        complaints.append(f"{numpy.sum(each_mm):.1f} mm uncut, {listed:.1f} listed, {unlisted:.1f} of it elsewhere, "
+                          f"as at {place_text(first)}")
     twice = cut_twice(cuts)
     if twice > 1:
         complaints.append(f"{twice:.1f} mm cut twice")
@@ -162,23 +166,31 @@ def too_near(cuts: list, min_mm: float, edges: Nearest, inside: Inside, open_lin
     return apart[wrong], places[wrong]
 
 
-def uncut_length(rings: list, near_cuts: Nearest, kerf: float) -> tuple:
-    """Returns the length of edges without a path beside them, and points on them."""
+def uncut_places(rings: list, near_cuts: Nearest, kerf: float) -> tuple:
+    """Returns points of edges without a path beside them, and the length that each stands for, mm."""
     strokes, _ = strokes_of(rings)
     places, number, _ = samples_of(strokes, EVERY_MM)
     doubtful = numpy.unique(number[near_cuts.of(places) > kerf + SLACK_MM])
     finely, _, each_mm = samples_of([strokes[i] for i in doubtful], FINELY_MM)
     without = near_cuts.of(finely) > kerf + SLACK_MM
-    return float(numpy.sum(each_mm[without])), finely[without]
+    return finely[without], each_mm[without]
 
 
-def listed_length(told: str, rings: list, kerf: float) -> float:
-    """Returns the length of edges that the program's own warnings list as uncut."""
-    listed = sum(float(mm) for mm in re.findall(r"([\d.]+) mm of it stay uncut", told))
+def listed_places(uncut: numpy.ndarray, told: str, rings: list, kerf: float) -> tuple:
+    """Returns whether the program's own warnings list each uncut point, and the length that they list, mm.
+
+    A warning has the position and the length of a stretch. It lists the points within that length of the position.
+    """
+    is_listed, listed = numpy.zeros(len(uncut), dtype=bool), 0.0
+    for x, y, mm in re.findall(r"at (-?[\d.]+) (-?[\d.]+): .*?([\d.]+) mm of it stay uncut", told):
+        is_listed |= numpy.abs(uncut - complex(float(x), float(y))) <= float(mm) + kerf
+        listed += float(mm)
     if "would vanish" in told:
         areas = [Polygon([(p.real, p.imag) for p in ring]) for ring in rings]
-        listed += sum(area.length for area in areas if area.buffer(-kerf / 2).is_empty)
-    return listed
+        vanished = [ring for ring, area in zip(rings, areas) if area.buffer(-kerf / 2).is_empty]
+        is_listed |= Nearest(vanished, SLACK_MM).of(uncut) <= SLACK_MM
+        listed += sum(numpy.sum(numpy.abs(numpy.diff(ring))) for ring in vanished)
+    return is_listed, listed
 
 
 def cut_twice(cuts: list) -> float:
