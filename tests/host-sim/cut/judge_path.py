@@ -4,11 +4,11 @@ import math
 import re
 
 import numpy
-from shapely.geometry import LineString, Polygon
+from shapely.geometry import LineString, Point, Polygon
 from shapely.strtree import STRtree
 
 from judge_distance import Inside, Nearest, samples_of, strokes_of
-from judge_drawing import CHORD_MM, closed_rings, is_closed, line, parts_of
+from judge_drawing import CHORD_MM, closed_rings, is_closed, line, parts_of, turns_round
 
 SLACK_MM = 0.005
 TOUCHES_MM = 0.012
@@ -73,33 +73,44 @@ class Shapes:
 
 
 class SharedLines:
-    """Lines along which two contours with parts on both sides lie against each other, and where they touch."""
+    """Lines along which two contours with parts on both sides lie against each other, and where they touch.
+
+    Contours that run along each other with their insides on the same side cancel each other by even-odd: the program
+    notes that such lines are not cut.
+    """
 
     def __init__(self, rows: list, parts: list, inside: Inside, kerf: float) -> None:
-        common = self.common_of([line(row) for row in closed_rings(rows)])
+        rings = closed_rings(rows)
+        common = self.common_of([line(ring) for ring in rings])
         edges = [LineString(ring.coords) for part in parts for ring in [part.exterior, *part.interiors]]
-        self.pieces = [points_of_line(one) for one in common if one.length > 0.05 and self.is_between(one, inside)]
+        self.pieces = [points_of_line(one) for one, i, k in common
+                       if one.length > 0.05 and self.is_between(one, rings[i], rings[k], inside)]
         self.lines = Nearest(self.pieces, SLACK_MM + TOUCHES_MM)
-        self.touching = Nearest([points_of_line(one) for one in common + self.common_of(edges)], 2 * kerf)
+        self.touching = Nearest([points_of_line(one) for one, _, _ in common + self.common_of(edges)], 2 * kerf)
         self.kerf = kerf
 
     @staticmethod
     def common_of(rings: list) -> list:
-        """Returns the lines of rings that are within TOUCHES_MM of a later ring."""
+        """Returns the lines of rings that are within TOUCHES_MM of a later ring, with the numbers of both rings."""
         tree, number, found = STRtree(rings), {id(ring): i for i, ring in enumerate(rings)}, []
         for i, ring in enumerate(rings):
             for other in tree.query(ring.buffer(TOUCHES_MM)):
-                if number[id(other)] <= i:
+                k = number[id(other)]
+                if k <= i:
                     continue
                 common = ring.intersection(other.buffer(TOUCHES_MM))
-                found += [one for one in getattr(common, "geoms", [common]) if not one.is_empty and one.length > 0]
+                found += [(one, i, k) for one in getattr(common, "geoms", [common])
+                          if not one.is_empty and one.length > 0]
         return found
 
     @staticmethod
-    def is_between(piece: LineString, inside: Inside) -> bool:
+    def is_between(piece: LineString, one: list, other: list, inside: Inside) -> bool:
         middle, next_place = (complex(*piece.interpolate(0.5 * piece.length + d).coords[0]) for d in (0, 0.001))
         off = 1j * (next_place - middle) / abs(next_place - middle) * 0.03
-        return all(inside.has(numpy.array([middle + off, middle - off])))
+        sides = [middle + off, middle - off]
+        in_one, in_other = ([turns_round(numpy.array(row), Point(side.real, side.imag)) % 2 for side in sides]
+                            for row in (one, other))
+        return in_one != in_other and all(inside.has(numpy.array(sides)))
 
     def allow(self, places: numpy.ndarray, apart: numpy.ndarray) -> numpy.ndarray:
         is_along = self.lines.of(places) <= SLACK_MM + TOUCHES_MM

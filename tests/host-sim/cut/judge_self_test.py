@@ -138,6 +138,12 @@ class JudgeTest(unittest.TestCase):
         self.assertEqual(complaint_on(rings, [*around, between], options=common), "")
         self.assertIn("between parts uncut", complaint_on(rings, around, options=common))
 
+    def test_an_edge_that_two_contours_have_on_the_same_side_need_not_be_cut(self):
+        sheet, tall, low = box(0, 0, 20, 10), box(2, 2, 8, 8), box(2, 2, 8, 5)
+        hole = box(2, 5, 8, 8)
+        self.assertEqual(complaint_on(rings_of(sheet) + rings_of(tall) + rings_of(low),
+                                      paths_beside(sheet.difference(hole)), options=("--common-line", "0.1")), "")
+
     @staticmethod
     def parts_of(drawn, kerf: float = KERF) -> list:
         rings = [drawn] if isinstance(drawn, list) else rings_of(drawn)
