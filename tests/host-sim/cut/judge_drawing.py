@@ -147,7 +147,16 @@ def without_copies(rows: list) -> list:
 
 def parts_of(rows: list, kerf: float) -> list:
     """Returns polygons of the area that the closed rows fill, without specks, needles and small loops."""
-    parts = polygons_of(unary_union(filled_faces(closed_rings(rows))))
+    return cleaned(filled_parts(rows), kerf)
+
+
+def filled_parts(rows: list) -> list:
+    """Returns polygons of the area that the closed rows fill, exactly as drawn."""
+    return polygons_of(unary_union(filled_faces(closed_rings(rows))))
+
+
+def cleaned(parts: list, kerf: float) -> list:
+    """Returns parts without specks, needles and small loops."""
     parts = [slim for part in without_specks(parts) for slim in without_needles(part)]
     parts = [whole for part in without_specks(parts) for whole in polygons_of(without_small_loops(part, kerf))]
     return without_specks(parts)  # A filled loop may leave hairlines along its edge.

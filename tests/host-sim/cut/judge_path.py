@@ -8,7 +8,7 @@ from shapely.geometry import LineString, Point, Polygon
 from shapely.strtree import STRtree
 
 from judge_distance import Inside, Nearest, samples_of, strokes_of
-from judge_drawing import CHORD_MM, closed_rings, is_closed, line, parts_of, turns_round
+from judge_drawing import CHORD_MM, cleaned, closed_rings, filled_parts, is_closed, line, turns_round
 
 SLACK_MM = 0.005
 TOUCHES_MM = 0.012
@@ -121,6 +121,10 @@ class SharedLines:
         return places[near_cuts.of(places) > SLACK_MM + TOUCHES_MM]
 
 
+def rings_of(parts: list) -> list:
+    return [points_of_line(ring) for part in parts for ring in [part.exterior, *part.interiors]]
+
+
 def points_of_line(one) -> numpy.ndarray:
     return numpy.array([complex(x, y) for x, y, *_ in one.coords])
 
@@ -136,12 +140,17 @@ def judged(rows: list, program: str, told: str, shapes: Shapes, options: list) -
     """
     narrow = float(options[options.index("--narrow") + 1]) if "--narrow" in options else 0.0
     kerf = float(re.search(r"kerf ([\d.]+) mm", program)[1])
-    parts, cuts = parts_of(rows, kerf), beam_rows(program)
-    rings = [points_of_line(ring) for part in parts for ring in [part.exterior, *part.interiors]]
+    drawn, cuts = filled_parts(rows), beam_rows(program)
+    parts = cleaned(drawn, kerf)
+    rings = rings_of(parts)
     inside, near_cuts, near_edges = Inside(parts), Nearest(cuts, kerf + SLACK_MM), Nearest(rings, max(kerf, 1))
     shared = SharedLines(rows, parts, inside, kerf) if "--common-line" in options and parts else None
     open_lines = Nearest([row for row in rows if not is_closed(row)], SLACK_MM + 0.01)
-    apart, gouged = too_near(cuts, kerf / 2 - narrow - SLACK_MM, near_edges, inside, open_lines, shared)
+    min_mm = kerf / 2 - narrow - SLACK_MM
+    apart, gouged = too_near(cuts, min_mm, near_edges, inside, open_lines, shared)
+    # A cut along a slit that is narrower than NEEDLE_MM is not within the part as drawn.
+    is_wrong = signed_distance(gouged, Nearest(rings_of(drawn), max(kerf, 1)), Inside(drawn)) < min_mm
+    apart, gouged = apart[is_wrong], gouged[is_wrong]
     shapes.take(rings, near_cuts, kerf, gouged)
     complaints = []
     if len(gouged):
@@ -170,11 +179,15 @@ def too_near(cuts: list, min_mm: float, edges: Nearest, inside: Inside, open_lin
     A depth of more than the reach of `edges` is reported as that reach.
     """
     places, _, _ = samples_of(strokes_of(cuts)[0], EVERY_MM)
-    apart = edges.of(places) * numpy.where(inside.has(places), -1, 1)
+    apart = signed_distance(places, edges, inside)
     wrong = (apart < min_mm) & (open_lines.of(places) > SLACK_MM + 0.01)
     if shared:
         wrong &= ~shared.allow(places, apart)
     return apart[wrong], places[wrong]
+
+
+def signed_distance(places: numpy.ndarray, edges: Nearest, inside: Inside) -> numpy.ndarray:
+    return edges.of(places) * numpy.where(inside.has(places), -1, 1)
 
 
 def uncut_places(rings: list, near_cuts: Nearest, kerf: float) -> tuple:

@@ -130,6 +130,15 @@ class JudgeTest(unittest.TestCase):
         self.assertEqual(len(part.interiors), 1)
         self.assertAlmostEqual(part.area, 200 - Point(10, 5).buffer(2).area, 2)
 
+    def test_a_cut_along_a_slit_is_right_as_far_as_narrow_allows(self):
+        drawn = SQUARE.difference(Polygon([(10, 9), (10.001, 9), (10.05, 10), (9.95, 10)]))
+        slit = [(10, 9.05), (10, 10.2)]
+        narrow = ("--narrow", "0.075")
+        self.assertEqual(complaint_on(rings_of(drawn), [*paths_beside(SQUARE), slit], options=narrow), "")
+        self.assertIn("too near", complaint_on(rings_of(drawn), [*paths_beside(SQUARE), slit]))
+        self.assertIn("too near", complaint_on(rings_of(drawn), [*paths_beside(SQUARE), slit, [(5, 5), (5, 6)]],
+                                               options=narrow))
+
     def test_a_shared_edge_is_cut_once_along_itself(self):
         rings = rings_of(box(0, 0, 10, 10)) + rings_of(box(10, 0, 20, 10))
         around = rings_of(SQUARE.buffer(KERF / 2, join_style=2))
