@@ -23,6 +23,14 @@ class ChainRefiner {
   ChainRefiner(const OwnedArea& area, double tolerance_mm)
       : area_{area}, tolerance_mm_{tolerance_mm} {}
 
+  /// Returns whether an edge is outside of the area, although both its nodes count as inside. The
+  /// nearest point of such a node is where hairs of the boundary meet, and these decide wrongly.
+  [[nodiscard]] bool is_outside(const AxisPoint& from,
+                                const AxisPoint& to,
+                                const AxisEdge& edge) const {
+    return area_->depth(middle_place(from, to, edge)) < -tolerance_mm_;
+  }
+
   /// Appends `to`, and before it the points that the tolerance requires between the last point and
   /// `to`.
   void append(std::vector<AxisPoint>& points, const AxisPoint& to, const AxisEdge& edge) {
@@ -58,11 +66,18 @@ class ChainRefiner {
            std::abs(middle.radius - 0.5 * (from.radius + to.radius)) > tolerance_mm_;
   }
 
-  /// Returns the point near the middle of two points that is equally far from both elements of an
-  /// edge.
   [[nodiscard]] AxisPoint middle_of(const AxisPoint& from,
                                     const AxisPoint& to,
                                     const AxisEdge& edge) const {
+    const WideVec2 place = middle_place(from, to, edge);
+    return {place, std::max(0.0, area_->depth(place))};
+  }
+
+  /// Returns the point near the middle of two points that is equally far from both elements of an
+  /// edge.
+  [[nodiscard]] WideVec2 middle_place(const AxisPoint& from,
+                                      const AxisPoint& to,
+                                      const AxisEdge& edge) const {
     constexpr int kSteps = 8;
     const WideVec2 middle = 0.5 * (from.place + to.place);
     const double reach = 0.5 * (to.place - from.place).norm();
@@ -76,8 +91,7 @@ class ChainRefiner {
       if (std::abs(difference) <= kSagittaShare * tolerance_mm_ || square < kMinSquare) break;
       place -= (difference / square) * gradient;
     }
-    if (!((place - middle).norm() <= reach)) place = middle;
-    return {place, std::max(0.0, area_->depth(place))};
+    return (place - middle).norm() <= reach ? place : middle;
   }
 
   /// Least square of the difference between two unit vectors. Below it, the vectors count as
@@ -160,6 +174,10 @@ class ChainMaker {
 
 MedialAxis medial_axis(const OwnedArea& area, const AxisOptions& options) {
   AxisGraph graph = voronoi_graph(area, kSagittaShare * options.tolerance_mm);
+  const ChainRefiner refiner{area, options.tolerance_mm};
+  std::erase_if(graph.edges, [&](const AxisEdge& edge) {
+    return refiner.is_outside(graph.nodes[edge.from], graph.nodes[edge.to], edge);
+  });
   prune_branches(graph, options.slack_mm);
   return ChainMaker{area, graph, options.tolerance_mm}.make();
 }

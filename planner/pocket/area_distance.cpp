@@ -74,8 +74,12 @@ bool AreaDistance::is_inside(const WideVec2& place, std::uint32_t element) const
   // A cusp turns right if the element that leaves it bends more to the left than the element that
   // arrives at it, as seen in the opposite direction.
   if (is_cusp) return before.curvature + after.curvature > 0.0;
-  if (std::abs(turn) > kStraight) return turn < 0.0;
-  // The boundary continues straight, and the place faces neither side only because of rounding.
+  // The tangents of an element of a few nanometres have errors far above kStraight, so a small turn
+  // decides nothing. The place is then nearly at a right angle to the boundary.
+  constexpr double kNearlyStraight = 1.0e-3;
+  const bool is_straight =
+      std::abs(turn) <= kNearlyStraight && before.end_tangent.dot(after.start_tangent) > 0.0;
+  if (!is_straight) return turn < 0.0;
   return cross(before.end_tangent, WideVec2{place - after.start}) > 0.0;
 }
 

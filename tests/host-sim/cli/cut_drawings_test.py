@@ -149,6 +149,15 @@ class CutDrawings(unittest.TestCase):
         self.assertIn("along its middle with --narrow 0.100", refused.stderr)
         self.assertEqual(self.cuts(self.sound(mark, "--layer", "*: narrow=0.1")), 3)
 
+    def test_no_line_runs_through_a_part_where_hairs_of_the_boundary_meet(self):
+        for step in range(3):
+            slot = (f'<g transform="scale(0.26458333333)translate({0.7 * step - 1770},{1700 - 1.3 * step})">'
+                    '<rect width="566.92926" height="566.92914" x="1771.6536" y="-1594.4883" ry="3.0506115e-05"/>'
+                    '<rect width="35.433071" height="10.629956" x="1807.0867" y="-1038.189" ry="3.0506115e-05"/></g>')
+            done = self.sound(slot, "--narrow", "0.075", "--kerf", "0.15")
+            self.assertNotIn("narrower than the kerf", done.stderr)
+            self.assertEqual(self.cuts(done), 1)
+
     def test_a_box_generator_that_allows_for_the_kerf_itself(self):
         box = ('<!-- Created with Boxes.py --><rect x="10" y="10" width="20.2" height="10.2"/>'
                '<text x="1" y="5">100.0mm, burn:0.10mm</text>')
