@@ -20,14 +20,12 @@ bool CompensatedPath::begin_with(const PathElement& element) {
 }
 
 void CompensatedPath::move_apart(PathElement& element) {
-  const Position end = element.end;
-  if (beside()) {
-    const PlaneAxes axes = axes_of(plane());
-    for (const std::size_t axis : {axes.first, axes.second}) {
-      element.start[axis] = element.end[axis] = driven()[axis];
-    }
+  stand_at(element.end);
+  if (!beside()) return;
+  const PlaneAxes axes = axes_of(plane());
+  for (const std::size_t axis : {axes.first, axes.second}) {
+    element.start[axis] = element.end[axis] = driven()[axis];
   }
-  stand_at(end);
 }
 
 bool CompensatedPath::stays_beside(const Position& end) const {

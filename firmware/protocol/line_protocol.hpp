@@ -146,7 +146,8 @@ class LineProtocol {
 
   // Statements (`$`), in statements.cpp.
   void take_statement(std::string_view line);
-  void take_command(const Statement& statement);
+  /// Not inlined, so that lines of G-code do not have its frame on the stack.
+  [[gnu::noinline]] void take_command(const Statement& statement);
   void change_setting(const Statement& statement);
   void tell_waiting_limits();
   void refuse_setting(const Statement& statement, SettingError error);
