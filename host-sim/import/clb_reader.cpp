@@ -93,8 +93,8 @@ class ClbReader {
       if (!std::string_view{setting.name()}.starts_with("CutSetting")) continue;
       ++settings;
       if (library_.entries.size() == kMaxLibraryEntries) {
-        refuse(offset_of(setting), fmt::format("the library has more than {} entries", "
-                                               "kMaxLibraryEntries));
+        refuse(offset_of(setting),
+               fmt::format("the library has more than {} entries", kMaxLibraryEntries));
       }
       found.settings = offered_by(setting);
       if (const auto offset = found.settings.kerf_offset_mm) {

@@ -106,8 +106,8 @@ bool DxfDrawer::is_visible(const std::vector<Shape>& row,
                            const ClipRegions& clips) {
   const auto [sight, clip] = comparison_.compare(row, clips, {});
   if (sight == Sight::kNothing) {
-    sketch_.ignore("entities outside of the boundary of their block (XCLIP) are not visible", "
-                   "named);
+    sketch_.ignore("entities outside of the boundary of their block (XCLIP) are not visible",
+                   named);
   } else if (sight != Sight::kWhole) {
     const std::string reason =
         sight == Sight::kPart

@@ -16,8 +16,8 @@ std::string text_of(const FilledSet& filled, std::size_t contours) {
       contours == 1 ? std::string{"the contour crosses itself or runs along itself"}
                     : fmt::format("{} contours cross each other or run along each other", contours);
   const std::size_t outlines = filled.outlines.loop_ends.size();
-  text += fmt::format(": replaced by {} outline{} of the filled area", outlines, outlines == 1 ? "
-                      """ : "s");
+  text += fmt::format(
+      ": replaced by {} outline{} of the filled area", outlines, outlines == 1 ? "" : "s");
   if (filled.small_loops != 0) {
     text += fmt::format(
         "; {} loop{} of less than {} mm2 or {} mm of width left out, the largest "

@@ -25,11 +25,11 @@ constexpr double kMillimetresPerPixel = 25.4 / 96.0;
 void read_packed(const std::string& bytes, Sketch& sketch) {
   const auto text = gunzip(bytes, kMaxBytes);
   if (!text) {
-    sketch.refuse(0,
-                  0,
-                  fmt::format("its gzip data are damaged, or contain more than {} MiB", kMaxBytes "
-                              ">> 20),
-                  "export the drawing again as SVG");
+    sketch.refuse(
+        0,
+        0,
+        fmt::format("its gzip data are damaged, or contain more than {} MiB", kMaxBytes >> 20),
+        "export the drawing again as SVG");
   } else if (const std::size_t begin = text->find_first_not_of(" \t\r\n\xEF\xBB\xBF");
              begin == std::string::npos || (*text)[begin] != '<') {
     sketch.refuse(0, 0, "its gzip data contain no SVG", "unpack it first");

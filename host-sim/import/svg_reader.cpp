@@ -313,8 +313,8 @@ class SvgReader {
     if (!wrong.is_error) return sketch_.ignore(wrong.reason, document_.entity_of(node), kMend);
     if (!wrong.reason.empty()) return document_.report_bad(node, wrong.reason, kMend);
     if (local_name(document_.find(svg_reference(style.fill))) == "pattern") {
-      sketch_.ignore("patterns are ignored: only the outline of the shape is read", "
-                     "document_.entity_of(node));
+      sketch_.ignore("patterns are ignored: only the outline of the shape is read",
+                     document_.entity_of(node));
     }
     SvgSubpaths& subpaths = pen.subpaths();
     if (properties.has("clip-path")) clips_.enter(node, properties, box_of(subpaths), style);

@@ -226,9 +226,8 @@ void add_notes(SheetPages& pages, const CutJob& job) {
     pages.add_text("• " + notes[i]);
   }
   if (notes.size() > kMaxNotes) {
-    pages.add_text(
-        fmt::format("and {} more; the report of the job lists all of them", notes.size() - "
-                    "kMaxNotes));
+    pages.add_text(fmt::format("and {} more; the report of the job lists all of them",
+                               notes.size() - kMaxNotes));
   }
 }
 
