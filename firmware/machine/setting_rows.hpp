@@ -264,7 +264,7 @@ inline constexpr std::array<SettingInfo, 83> kRows{{
      "How long, between two motions."},
     SettingInfo{884, Group::kStepper, Type::kInteger, "Enable to step delay", "milliseconds",
      0.0F, 1000.0F, 0.0F, kWhole,
-     "From enabling motors to their first step, beyond 1 ms. Some drivers take 200."},
+     "Time from enabling motors to their first step, after a fixed 1 ms. Some drivers need 200."},
     SettingInfo{890, Group::kGeneral, Type::kSwitch, "Block delete", "0 or 1",
      0.0F, 1.0F, 1.0F, "",
      "Skip lines that begin with /. $B switches it until this is set."},

@@ -70,9 +70,10 @@ void plot(const PlotOptions& options) {
 }
 
 void add_plot_command(CLI::App& kerf) {
-  CLI::App* command = kerf.add_subcommand("plot",
-                                          "Draw a record: figure 7, kerf over speed and over "
-                                          "power, or 8, kerf over effective heat input.");
+  CLI::App* command =
+      kerf.add_subcommand("plot",
+                          "Draw a record as in the paper: kerf over speed and power "
+                          "(figure 7), or over effective heat input (figure 8).");
   command->footer(
       "Examples:\n"
       "  kerfline kerf plot --material 'CSP 1N' --thickness 2 --svg kerf.svg\n"
@@ -130,8 +131,8 @@ void write_coupon(const CalibrateOptions& options) {
     if (plan.laser.empty()) {
       terminal::print(
           stderr,
-          "kerfline: {} names no laser; write its name into the form, or give it with --laser "
-          "NAME, here or with --measured\n",
+          "kerfline: {} names no laser; write the name of the laser into the form, or give --laser "
+          "NAME with this call or with --measured\n",
           options.form);
     }
   }

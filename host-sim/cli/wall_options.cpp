@@ -281,7 +281,8 @@ void check_wall_options(const WallOptions& options) {
   if (options.job.wants_layers()) {
     check_job_options(options);
   } else if (!options.job.beams.empty() || !options.job.report.empty()) {
-    throw std::invalid_argument("--beams and --report: describe a program; add --layer");
+    throw std::invalid_argument(
+        "--beams and --report: describe the program of layers; add --layer");
   }
 }
 

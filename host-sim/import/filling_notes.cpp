@@ -81,8 +81,8 @@ void FillingNotes::finish() {
     sketch_.report({FaultKind::kMended,
                     *first_,
                     greatest_.place,
-                    fmt::format("{}: {} of less than {} mm2 or {} mm of width left out, the "
-                                "largest, here, of {:.4f} mm2",
+                    fmt::format("{}: {} smaller than {} mm2 or narrower than {} mm left out; "
+                                "the largest has {:.4f} mm2 and is here",
                                 whose,
                                 loops_,
                                 kMinLoop.area_mm2,

@@ -98,7 +98,7 @@ Approach approach_to(const JobLines& job, std::size_t index, bool laser) {
     if (one.place(axis) == here && other.place(axis) == there) continue;
     if (one.place(axis) != other.place(axis)) {
       throw std::invalid_argument(
-          fmt::format("where {} is there depends on where the machine stood at the start (G91)",
+          fmt::format("the position of {} at that line depends on that of the start (G91)",
                       cnc::kAxisLetters[axis]));
     }
     const Coordinate offset = interpreter.work_offset(static_cast<cnc::Axis>(axis));

@@ -48,7 +48,8 @@ class SheetReader {
     read_stock(fields);
     const json& parts = fields.array("parts");
     if (parts.empty()) {
-      fields.bad("parts", "there is no part to cut", "list one with its \"drawing\" at least");
+      fields.bad(
+          "parts", "there is no part to cut", "list at least one part, with its \"drawing\"");
     } else if (parts.size() > kMaxParts) {
       fields.bad("parts",
                  fmt::format("there are {} parts", parts.size()),

@@ -12,7 +12,7 @@ namespace {
 std::string fault_of_side(char axis, double low, double high) {
   // The negated condition also refuses NaN.
   if (!(std::abs(low) <= kFarthestStockMm && std::abs(high) <= kFarthestStockMm)) {
-    return fmt::format("{} of the stock is {} to {} mm; it takes {} to {} mm",
+    return fmt::format("{} of the stock is {} to {} mm; it must be within {} to {} mm",
                        axis,
                        low,
                        high,

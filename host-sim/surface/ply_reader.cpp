@@ -173,7 +173,7 @@ MeshDraft read_ply(std::string_view bytes, const std::string& name) {
   if (!has("vertex") || has("face") == has("tristrips")) {
     refuse(name,
            0,
-           "has no list of vertices and one of faces or tristrips",
+           "needs a list of vertices, and a list of either faces or tristrips",
            "export a mesh; points alone are read as XYZ text in rows");
   }
   if (header.format == PlyFormat::kAscii) return read_ply_elements<PlyText>(header, name);

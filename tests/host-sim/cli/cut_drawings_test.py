@@ -55,7 +55,7 @@ class CutDrawings(unittest.TestCase):
     def test_loops_at_corners_of_box_generators(self):
         done = self.sound(f'<rect x="1" y="1" width="50" height="30"/><path d="{box_with_loops()}"/>')
         self.assertEqual(self.cuts(done), 2)
-        self.assertIn("4 of less than 0.02 mm2", done.stderr)
+        self.assertIn("4 smaller than 0.02 mm2", done.stderr)
         self.assertNotIn("warning: ", done.stderr.replace("kerfline: warning", ""))
 
     def test_a_copy_on_another_layer_a_nanometre_away(self):

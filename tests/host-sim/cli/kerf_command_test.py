@@ -218,7 +218,7 @@ class KerfCommand(unittest.TestCase):
 
     def test_reads_back_the_form_that_it_writes(self):
         form, told = self.filled_form()
-        self.assertIn("names no laser; write its name into the form, or give it with --laser", told)
+        self.assertIn("names no laser; write the name of the laser into the form", told)
         refused = kerf("calibrate", "--measured", form, "--db", self.base, "--unit", "J/mm")
         self.assertEqual(refused.returncode, 2)
         self.assertIn(f"{form}:2: column laser is empty; name the laser of these cuts", refused.stderr)

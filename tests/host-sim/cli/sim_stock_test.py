@@ -209,7 +209,7 @@ class SimStock(unittest.TestCase):
                 (("--stock", "0,0,20,10", *good[2:]), "has 4 numbers; it takes XMIN,YMIN,XMAX,YMAX,ZTOP[,ZBOTTOM]"),
                 (("--stock", "0,0,20,ten,0", *good[2:]), "`ten` is no number"),
                 (("--stock", "0,0,nan,10,0", *good[2:]), "`nan` is no number"),
-                (("--stock", "0,0,1e300,10,0", *good[2:]), "it takes -100000 to 100000 mm"),
+                (("--stock", "0,0,1e300,10,0", *good[2:]), "it must be within -100000 to 100000 mm"),
                 (("--stock", "20,0,0,10,0", *good[2:]), "20 to 0 mm; the second number must be greater"),
                 (("--stock", "0,0,20,10,0,0", *good[2:]), "Z of the stock is 0 to 0 mm"),
                 (("--stock", "0,0,20,10,0,-2000", *good[2:]), "the stock is 2000 mm high; it takes up to 1000 mm"),

@@ -254,7 +254,7 @@ class WallJob(unittest.TestCase):
             ((flat, *burn, "--layer", 0.1), "flat.stl: encloses no volume"),
             ((block_only, *burn, "--layer", 0.1), "leaves nothing to remove in 10 layers of 0.1 mm"),
             ((part, *half, "--at", one, "--layer", 0.1), "--at: gives the tips and excludes"),
-            ((part, *half, "--at", one, "--beams", self.folder / "b"), "describe a program"),
+            ((part, *half, "--at", one, "--beams", self.folder / "b"), "describe the program of layers"),
         )
         for call, message in calls:
             done = run("wall", *call, "-o", self.output)
