@@ -10,7 +10,7 @@
 
 namespace cnc::motion {
 
-/// A part of a row that is driven with one power.
+/// A part of a row (see Pixels) that is driven with one power.
 struct Pixel {
   /// Distance of the pixel's end from the start of the row, at most 100 mm, accurate to 1e-5 mm.
   float end_mm = 0.0F;
@@ -18,8 +18,8 @@ struct Pixel {
   SourceLine line{};
 };
 
-/// The part of a row of pixels that a path element drives. An element with a single power has no
-/// such part.
+/// The part of a row of pixels that a path element drives. A path element with a single power
+/// drives no row.
 struct RowPart {
   std::uint32_t first = 0;  ///< Number of the row's first pixel, see Pixels.
   float from_mm = 0.0F;     ///< Distance of the part's start from the start of the row.

@@ -8,7 +8,7 @@ namespace cnc::motion {
 /// assumed to be the same in all directions. With curvature κ, speed v and path acceleration a = α
 /// A:
 ///   α² + (v² κ / A)² ≤ 1
-/// and, where jerk is limited to A / T,
+/// and, where a time window T limits jerk to A / T,
 ///   (α / T + v³ κ² / A)² + (3 κ v α)² ≤ 1 / T²,
 /// because jerk is ȧ − κ² v³ along the tangent and 3 κ v a across it. The members are ratios to A,
 /// so that curves with different limits can be combined; see both().
@@ -38,7 +38,9 @@ struct Turning {
                                float window_s,
                                float lag_s = 0.0F) const;
 
-  /// Returns the greatest a that the jerk limit allows at a v² of `speed_square`. @pre window_s > 0
+  /// Returns the greatest a that the jerk limit allows at a v² of `speed_square`.
+  /// @param acceleration A along the path
+  /// @pre window_s > 0
   [[nodiscard]] float within_jerk(float acceleration, float speed_square, float window_s) const;
 
   constexpr bool operator==(const Turning&) const = default;

@@ -8,15 +8,15 @@
 namespace cnc::motion {
 
 /// Limits of a whole arc, and of the axes in its plane. The limits of each span are derived from
-/// them: by DirectionLimits if the window spans few directions, otherwise by ManyDirectionLimits.
+/// them: by DirectionLimits if the directions of travel within the time window differ little,
+/// otherwise by ManyDirectionLimits.
 class ArcLimits {
  public:
   ArcLimits() = default;
-  /// @param line limits of the same block from the axes of constant direction; they hold on the
-  /// arc, too
+  /// @param line limits from the axes outside the arc's plane; they hold on the arc, too
   ArcLimits(const Block& block, const ArcShape& arc, const Limits& limits, const LineLimits& line);
-  /// Reduces the acceleration of each axis by a margin, because limits are evaluated only at some
-  /// positions.
+  /// Reduces the acceleration limit of each axis by a margin, because limits are evaluated only at
+  /// some positions.
   /// @param spacing angle between the boundaries of spans, in radians
   void leave_margin(float spacing);
 
@@ -51,8 +51,9 @@ class ArcLimits {
                                    bool turning_limits) const;
 
  private:
-  /// Greatest angle, in radians, that the window may span to either side for the limits to depend
-  /// on single directions.
+  /// Greatest reach(), in radians, with which the limits are computed for each direction
+  /// separately. If the reach is greater, they are computed for all directions within the window
+  /// together.
   static constexpr float kFarReach = kTwoPi / 48.0F;
 
   void limit_speed(const ArcShape& arc, const TimeWindow& window);

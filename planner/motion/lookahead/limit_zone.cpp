@@ -28,7 +28,7 @@ bool binds(const LimitZone& zone, const LimitZone& own) {
 }
 
 /// Returns the time per distance that the limits of a zone cost, in s/mm. It is the sum of 1 / v
-/// for two speeds: the speed of the zone, and the speed at which turning uses all acceleration.
+/// for two speeds v: the speed of the zone, and the speed at which turning uses all acceleration.
 /// Overrides do not change the second speed.
 float pace_within(const LimitZone& zone) {
   return 1.0F / std::sqrt(zone.speed_square) + std::sqrt(zone.turning.speed_ratio);
@@ -75,9 +75,9 @@ void ZoneTrail::merge_cheapest() {
   remove(second);
 }
 
-/// When the plan has been beyond a position for the whole window, no part of the mean is before
-/// that position, even if the distance is short. If the plan keeps its speed, half of the window is
-/// enough.
+/// A zone also ends by time. When the plan has been beyond a position for the whole time window,
+/// the mean of the plan contains no position before it, even if the distance is short. If the plan
+/// keeps its speed, half of the window is enough.
 void ZoneTrail::advance(float length, float reach) {
   const float window_share = reach > 0.0F ? 0.5F * length / reach : 0.0F;
   for (std::size_t i = count_; i-- > 0;) {

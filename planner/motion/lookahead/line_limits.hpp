@@ -6,8 +6,8 @@
 
 namespace cnc::motion {
 
-/// Limits along the path that the axes of constant direction set. A line has only these limits. An
-/// arc also has the limits of its plane.
+/// Limits along the path from the axes outside the plane of a block's arc. On a line, these are all
+/// axes. An arc also has the limits of its plane, see ArcLimits.
 class LineLimits {
  public:
   LineLimits() = default;

@@ -5,7 +5,7 @@
 
 namespace cnc::motion {
 
-/// Zones of neighbouring blocks that reach into a block, under a time window.
+/// Limit zones of neighbouring blocks that reach into a block, under a time window.
 class NeighbourZones {
  public:
   /// Copies the zones that reach into a block.

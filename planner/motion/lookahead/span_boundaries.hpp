@@ -7,7 +7,7 @@
 namespace cnc::motion {
 
 /// The positions where the spans of a block begin and end. These are the boundaries of the arc's
-/// grid and the edges of zones.
+/// grid (ArcGrid) and the edges of limit zones (ZoneEdges).
 class SpanBoundaries {
  public:
   SpanBoundaries() = default;

@@ -31,8 +31,8 @@ struct TimeWindow {
   ///
   /// At constant speed v the distance is v · T / 2. When the plan is this far beyond the position,
   /// one window earlier it was this far before it. So its mean, which is the motion, has just
-  /// reached the position. Two times are added: the cell in which the motion is taken to have one
-  /// acceleration, and half of the cell before.
+  /// reached the position. To T / 2, one and a half cells are added: the cell in which the motion
+  /// is assumed to have constant acceleration, and half of the cell before.
   /// @param speed_square greatest v² over that distance
   [[nodiscard]] float reach(float speed_square) const {
     if (!filters()) return 0.0F;
@@ -44,19 +44,19 @@ struct TimeWindow {
 /// Returns the axes that a block moves, as a set with one bit for each axis.
 [[nodiscard]] std::uint8_t moving_axes(const Block& block);
 
-/// Returns the window that the greatest A / J of the axes in a bit set requires. The window is at
-/// most 256 ms; if A / J is longer, less acceleration than $12x is used. There is no window if A /
-/// J is below 0.25 ms.
+/// Returns the window that the axes in the bit set `axes` require: the greatest A / J of
+/// acceleration limit A and jerk limit J. The window is at most 256 ms; if A / J is longer, less
+/// acceleration than $12x is used. There is no window if A / J is below 0.25 ms.
 [[nodiscard]] TimeWindow window_for(const Limits& limits, std::uint8_t axes);
 
 /// Chooses the window for a chain of blocks from rest to rest.
 ///
 /// If a plan does not reach full acceleration, a shorter window T, with an acceleration of at most
-/// J T, makes a faster motion. Speeding up to v takes the ramp v / (J T) and the window T. Their
-/// sum is least if both are equal: T = √(v / J). For a motion over a distance d from rest to rest,
-/// they are equal if 2 J T³ = d. So the window is the least of A / J, √(v / J) and ∛(d / 2J)
-/// (Biagiotti and Melchiorri, Trajectory Planning for Automatic Machines and Robots, 2008, section
-/// 3.4: the cases in which the greatest acceleration is not reached).
+/// J T, makes a faster motion. Here J is the jerk limit. Speeding up to v takes the time v / (J T)
+/// and the window T. Their sum is least if both are equal: T = √(v / J). For a motion over a
+/// distance d from rest to rest, they are equal if 2 J T³ = d. So the window is the least of A / J,
+/// √(v / J) and ∛(d / 2J) (Biagiotti and Melchiorri, Trajectory Planning for Automatic Machines and
+/// Robots, 2008, section 3.4: the cases in which the greatest acceleration is not reached).
 ///
 /// This applies to a single move. In a chain of unlike blocks, slow blocks slow down their
 /// neighbours for the length of the window. So a share of the window may make the motion quicker.
@@ -70,7 +70,7 @@ class WindowChoice {
   /// @param speed_square greatest v² on it
   void add(const Block& block, float length, float speed_square);
   /// Returns the window of the chain.
-  /// @param share share of the window that a single move would have, at most 1
+  /// @param share length of the window as a share of the window for a single move, at most 1
   /// @pre all blocks of the chain were added
   [[nodiscard]] TimeWindow window(float share = 1.0F) const;
 

@@ -8,9 +8,9 @@
 
 namespace cnc::motion {
 
-/// Edges of the zones that reach into a block. Each edge is a boundary between spans, in addition
-/// to the boundaries of the arc's grid. Its distance is stored exactly, because the zone of a block
-/// may be as short as some nanometres.
+/// Edges of the limit zones that reach into a block. Each edge is a boundary between spans, in
+/// addition to the boundaries of the arc's grid. Its distance is stored exactly, because the zone
+/// of a block may be as short as some nanometres.
 class ZoneEdges {
  public:
   static constexpr int kMax = 4;

@@ -44,11 +44,11 @@ class ShapingObserver {
 
 /// Makes the motion of the motors from the planned motion, by input shaping and then backlash.
 ///
-/// Time is divided into cells (ShaperGrid). The plan is added slice by slice until a cell is full.
-/// Then the cell goes out that was planned ShaperGrid::ahead cells before. It makes as many
-/// segments as its output has pieces. In a cell, each motor moves along a parabola over time from
-/// position to position. The start speed of the parabola is the mean of the mean speeds of this
-/// cell and the cell before.
+/// Time is divided into cells of equal duration (ShaperGrid). The plan is added slice by slice
+/// until a cell is full. Then the cell that was planned ShaperGrid::ahead cells earlier goes out,
+/// as one segment for each piece of its output (OutputPiece). In a cell, each motor moves along a
+/// parabola over time from position to position. The start speed of the parabola is the mean of the
+/// mean speeds of this cell and the cell before.
 ///
 /// The owner that begins a motion keeps the stage until the motion has come to rest. Main loop
 /// only.
