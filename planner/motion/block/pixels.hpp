@@ -81,7 +81,7 @@ class Pixels {
     slot_ = slot_of(1);
   }
   /// Marks all pixels before `number` as driven. They are kept.
-  /// @param number of a waiting pixel, or next()
+  /// @param number number of a waiting pixel, or next()
   void drop_before(std::uint32_t number) {
     while (!empty() && static_cast<std::int32_t>(number - first_) > 0) pop();
   }
@@ -115,7 +115,7 @@ class Pixels {
   std::array<Pixel, kStored> pixels_{};
   std::uint32_t first_ = 0;
   std::uint32_t end_ = 0;
-  std::uint32_t slot_ = 0;  ///< Index of the oldest waiting pixel.
+  std::uint32_t slot_ = 0;  ///< Index of the oldest waiting pixel in pixels_.
   std::uint32_t kept_ = 0;  ///< Number of driven pixels before the oldest waiting one.
 };
 

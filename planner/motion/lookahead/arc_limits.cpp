@@ -44,7 +44,7 @@ ArcLimits::ArcLimits(const Block& block,
 }
 
 /// Limits the speed so that the axes can turn at this speed in any direction. Sets reach_ to the
-/// angle that the window spans at the speed before kTurningShare lowers it.
+/// angle over which the time window reaches at the speed before kTurningShare lowers it.
 void ArcLimits::limit_speed(const ArcShape& arc, const TimeWindow& window) {
   /// Share of the v² at which turning would use all acceleration. At this share, a third of the
   /// acceleration is left for slowing down after a lower override or a feed hold.

@@ -21,11 +21,11 @@ class ArcLimits {
   void leave_margin(float spacing);
 
   [[nodiscard]] const ArcAxes& axes() const { return axes_; }
-  /// Returns the angle of the arc, in radians, that the window spans to either side of a position;
-  /// 0 without a window.
+  /// Returns the angle of the arc, in radians, over which the time window reaches to either side of
+  /// a position; 0 without a window.
   [[nodiscard]] float reach() const { return reach_; }
-  /// Checks whether the window spans so many directions that the limits are computed for all of
-  /// them together.
+  /// Checks whether the time window covers so many directions of travel that the limits are
+  /// computed for all of them together.
   [[nodiscard]] bool many_directions() const { return reach_ > kFarReach; }
   /// Returns the division of the acceleration within the plane between turning and the change of
   /// speed.
@@ -52,8 +52,8 @@ class ArcLimits {
 
  private:
   /// Greatest reach(), in radians, with which the limits are computed for each direction
-  /// separately. If the reach is greater, they are computed for all directions within the window
-  /// together.
+  /// separately. If the reach is greater, they are computed together for all directions that the
+  /// time window covers.
   static constexpr float kFarReach = kTwoPi / 48.0F;
 
   void limit_speed(const ArcShape& arc, const TimeWindow& window);

@@ -131,8 +131,8 @@ void BlockQueue::stop_before_newest() {
 void BlockQueue::lay_heads(const Limits& limits, const PlanTerms& terms, std::size_t end) {
   if (!terms.window.filters()) return;
   if (unplanned_ == size()) {
-    // front_trail_ itself stays unchanged. So if new terms are refused, planning under the old
-    // terms gives the old plan again.
+    // front_trail_ itself stays unchanged. So if new overrides are refused, planning under the old
+    // ones gives the old plan again.
     trail_ = front_trail_;
     reachable_square_ = left_square_;
   }
@@ -218,8 +218,8 @@ void BlockQueue::plan_chain(const Limits& limits,
 }
 
 // Plans backwards from the block before index `end`. Stops at a block that was planned before if
-// its new entry equals the old one: then the entries of all older blocks would stay equal, too.
-// Continues all the same if a changed zone reaches beyond that block.
+// its new entry equals the old one: then the entries of all older blocks would stay equal, too. But
+// continues if the limit zones that reach into that block, or beyond it, have changed.
 void BlockQueue::plan_backwards(const Limits& limits,
                                 const PlanTerms& terms,
                                 std::size_t lead,

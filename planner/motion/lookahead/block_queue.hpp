@@ -83,7 +83,7 @@ class BlockQueue : protected BlockRing {
   /// @pre forget_plan() was called after the last plan of all blocks; end ≤ size()
   void plan_chain(const Limits& limits, const PlanTerms& terms, std::size_t lead, std::size_t end);
   /// Returns the running count of spans that plans have evaluated (wraps). A span of an arc counts
-  /// twice, and so does every span under a window. The caller budgets planning time with this
+  /// twice, and so does every span under a time window. The caller budgets planning time with this
   /// count.
   [[nodiscard]] std::uint32_t looked_at() const { return looked_at_; }
   /// Makes the next plan include all blocks, because no further block will come for some time.

@@ -9,8 +9,8 @@
 
 namespace cnc::motion {
 
-/// A gain of v² below this share of v² counts as rounding. So does a level stretch below this share
-/// of the distance.
+/// Greatest share that counts as rounding: of v² for a gain of v², and of the distance for a phase
+/// at level speed.
 inline constexpr float kNegligibleShare = 1.0e-5F;
 
 /// Returns the speed, in mm/s, up to which the motion may speed up, because it can then keep this
@@ -101,8 +101,8 @@ BrakingState brake_backwards(const Spans& spans,
   return state;
 }
 
-/// Returns the greatest v² at the start of a straight block without zones of neighbours. Most
-/// blocks are of this kind.
+/// Returns the greatest v² at the start of a straight block into which no limit zones of
+/// neighbouring blocks reach. Most blocks are of this kind.
 [[nodiscard]] inline float brake_over_line(const Block& block,
                                            const SpeedCap& cap,
                                            float exit_square) {

@@ -31,7 +31,7 @@ class DirectionLimits {
   }
   /// Returns the greatest acceleration ≤ `most` mm/s² with which no axis exceeds its jerk limit in
   /// `directions`.
-  /// @param window_s length of the window in s, above 0
+  /// @param window_s length of the time window in s, above 0
   [[nodiscard]] float within_jerk(const DirectionRange& directions,
                                   float most,
                                   float window_s) const;

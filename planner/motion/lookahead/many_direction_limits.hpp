@@ -11,8 +11,9 @@ namespace cnc::motion {
 /// DirectionBox. The object refers to its arguments, which must outlive it.
 class ManyDirectionLimits {
  public:
-  /// @param box the box for all directions that the window spans around the span
-  /// @param window_s length of the window in s, above 0
+  /// @param box the accelerations that are allowed in all directions within the window's reach of
+  /// the span
+  /// @param window_s length of the time window in s, above 0
   ManyDirectionLimits(const ArcShape& arc,
                       const ArcLimits& limits,
                       const DirectionBox& box,

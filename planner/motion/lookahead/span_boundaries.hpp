@@ -20,7 +20,7 @@ class SpanBoundaries {
     grid_ = grid;
     count_ = grid.count();
   }
-  /// Divides the block at the edges of zones, too. @pre cut_at_zones() was not called
+  /// Divides the block at the edges of limit zones, too. @pre cut_at_zones() was not called
   void cut_at_zones(const BlockZones& head, const BlockZones& tail);
 
   [[nodiscard]] const ArcShape& arc() const { return arc_; }

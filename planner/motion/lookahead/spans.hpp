@@ -39,7 +39,7 @@ class Spans {
   [[nodiscard]] int count() const { return boundaries_.count(); }
   /// Checks whether the spans are shorter than those of the usual grid.
   [[nodiscard]] bool fine() const { return boundaries_.grid().fine(); }
-  /// Returns the zones of later blocks that reach into this block.
+  /// Returns the limit zones of later blocks that reach into this block.
   [[nodiscard]] const BlockZones& tail() const { return zones_.tail(); }
   /// Returns the time window in s; 0 without one.
   [[nodiscard]] float window_s() const { return line_.window().seconds(); }
@@ -55,13 +55,14 @@ class Spans {
   /// ends.
   /// @param from, to directions at the start and at the end of the span
   [[nodiscard]] float speed_limit_square(int span, const Place& from, const Place& to) const;
-  /// Returns the limit of v² from the zones of neighbours, which include the neighbours' feeds.
+  /// Returns the limit of v² from the limit zones of neighbouring blocks, which include their
+  /// feeds.
   [[nodiscard]] float zone_speed_square(int span) const { return zone_on(span).speed_square; }
 
   /// Returns the greatest acceleration along the path anywhere on the block, in mm/s². @pre there
   /// is a time window
   [[nodiscard]] float greatest_acceleration() const;
-  /// Returns the zone that this block imposes on its neighbours.
+  /// Returns the limit zone that this block imposes on its neighbours.
   /// @param cap_square greatest v² on the block and in its zone
   /// @param reachable_square greatest v² with which the block may be left
   [[nodiscard]] LimitZone zone(float cap_square, float reachable_square) const;

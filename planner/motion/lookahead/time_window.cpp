@@ -46,7 +46,7 @@ float longest_rise(const Limits& limits, std::uint8_t axes) {
   return seconds;
 }
 
-/// Divides a window of `wanted_s` into cells. The window is limited to kLongest.
+/// Divides a time window of `wanted_s` into cells. The window is limited to kLongest.
 /// @pre wanted_s ≥ kShortest
 TimeWindow divided(float wanted_s) {
   const float seconds = std::min(wanted_s, kLongest);

@@ -15,7 +15,9 @@ class ZoneEdges {
  public:
   static constexpr int kMax = 4;
 
-  /// Adds the edges of all zones. @param length length of the block, mm @pre there are no edges yet
+  /// Adds the edges of all limit zones.
+  /// @param length length of the block, mm
+  /// @pre there are no edges yet
   void add(const BlockZones& head, const BlockZones& tail, float length);
   /// Numbers the edges together with the boundaries of the grid. Removes an edge that is equal to a
   /// boundary of the grid.

@@ -35,8 +35,8 @@ struct ShaperGrid {
   static constexpr std::size_t kMaxPlaces = 192;
 
   std::uint32_t cell_ticks = 2000;
-  std::uint32_t ahead = 0;   ///< Number of cells that shapers use after the cell that goes out.
-  std::uint32_t behind = 0;  ///< Number of cells that shapers use before the cell that goes out.
+  std::uint32_t ahead = 0;   ///< Number of cells after the output cell that shapers use.
+  std::uint32_t behind = 0;  ///< Number of cells before the output cell that shapers use.
   bool shapes = false;       ///< True if any axis has a shaper.
   AxisArray<ShaperTaps> taps{};
 

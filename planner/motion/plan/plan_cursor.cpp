@@ -152,10 +152,10 @@ bool PlanCursor::begin_phase(Drive drive) {
   return true;
 }
 
-/// Returns the position on the block where the phase ends. The position is computed from the nearer
-/// end of the block. So the rounding error of a long block never falls on a short phase at one of
-/// its ends. If settle_place() corrects the position later, it is computed from the distance of the
-/// phase instead.
+/// Returns the position on the block where the phase ends. It is computed from the nearer end of
+/// the block, so that the rounding error of a long block never falls on a short phase at one of its
+/// ends. But if settle_place() corrects rounding errors later, the position is computed from the
+/// distance of the phase.
 PathUnits PlanCursor::place_after(const Phase& phase) const {
   const float left = profile_.left_of_block(phase);
   if (left <= 0.0F) return length_;

@@ -35,8 +35,8 @@ class PlanCursor {
 
   /// Sets the time window over which the motion is the mean of the plan. @pre at rest
   void set_window(const TimeWindow& window);
-  /// Returns the best window for the path to the next stop, or the longest window if that stop is
-  /// not known yet. If the window is not the longest one, blocks that are added later begin from
+  /// Returns the best time window for the path to the next stop, or the longest window if that stop
+  /// is not known yet. If the window is not the longest one, blocks that are added later begin from
   /// rest, because the window was not chosen for them.
   /// @pre at rest, not at_end()
   [[nodiscard]] TimeWindow choose_window();

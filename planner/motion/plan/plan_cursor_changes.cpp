@@ -43,8 +43,9 @@ std::uint64_t PlanCursor::time_to(std::size_t end, const TimeWindow& window) {
   return took_ns;
 }
 
-/// Returns the quickest window for the blocks before index `end`. Tries the window that suits a
-/// single move first, and then shorter windows until the motion takes longer again.
+/// Returns the time window with which the blocks before index `end` are driven in the shortest
+/// time. Tries the window that suits a single move first, and then shorter windows until the motion
+/// takes longer again.
 TimeWindow PlanCursor::quickest(const WindowChoice& choice, std::size_t end) {
   constexpr std::array<float, 7> kShares{0.84F, 0.7F, 0.59F, 0.5F, 0.42F, 0.35F, 0.25F};
   /// These numbers of blocks limit the time of the choice to some milliseconds on the controller.
@@ -123,8 +124,8 @@ void PlanCursor::plan_for(const PlanTerms& terms) {
   replan_ = true;
 }
 
-/// Puts the requested overrides into the terms of the plan. @pre at rest, or without a window, so
-/// that no limits of a block reach into other blocks
+/// Makes the requested overrides those of the plan. @pre at rest, or without a time window, so that
+/// no limits of a block reach into other blocks
 void PlanCursor::take_up_overrides() {
   plan_for({.overrides = overrides_, .greatest = overrides_, .window = terms_.window});
 }

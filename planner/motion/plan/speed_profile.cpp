@@ -18,15 +18,16 @@ constexpr float kMinGain = 1.0e-4F;
 constexpr float kAbovePlan = 1.0F + 1.0e-4F;
 constexpr float kSteeperThanPlan = 1.0F + 5.0e-4F;
 
-/// Greatest ratio of v² to the braking curve that rounding explains if the speed had to stay level
-/// before braking (Patience::before_braking).
+/// Greatest ratio of v² to the braking curve that rounding explains: under a time window, the speed
+/// may have to stay level for a rounded time before braking (Patience::before_braking).
 constexpr float kLate = 1.0005F;
 
 /// Rounding error of v², relative to v²: two units in the last place of a float.
 constexpr float kSpeedSquareRounding = 2.4e-7F;
 
-/// Greatest v² that counts as rest, in mm²/s². Without a window this is (1 µm/s)², slower than a
-/// step per second. Under a window it is the v² that the jerk limit allows within a cell.
+/// Greatest v² that counts as rest, in mm²/s². Without a time window this is (1 µm/s)², slower than
+/// a step per second. Under a time window it is the v² that the jerk limit allows within a cell of
+/// the window.
 constexpr float kStandstillSquare = 1.0e-6F;
 constexpr float kFilteredStandstillSquare = 1.0e-9F;
 
@@ -96,7 +97,7 @@ void SpeedProfile::brake_from_the_end(const Block& block, const Overrides& overr
 }
 
 /// Sets span_ and left_ for the position `left_of_block` mm before the end of the block. This is
-/// required after each change of the zones, because the zones define the spans.
+/// required after each change of the limit zones, because their edges are boundaries of spans.
 void SpeedProfile::find_span(float left_of_block) {
   const float length = spans_.boundary(spans_.count());
   span_ = 0;

@@ -95,7 +95,7 @@ class SpeedProfile {
     if (span_ + 1 == spans_.count() && settles(left_of_block)) left_ = left_of_block;
   }
   /// Returns whether settle() is useful at this distance. Less than a micrometre before the end,
-  /// the sum is exact enough.
+  /// the distance that the profile has added up is exact enough.
   [[nodiscard]] static bool settles(float left_of_block) { return left_of_block > 1.0e-3F; }
   /// Returns the distance from the end of a phase to the end of the block, in mm.
   [[nodiscard]] float left_of_block(const Phase& phase) const {

@@ -7,8 +7,8 @@
 
 namespace cnc::motion {
 
-/// The motion that the motors are to make: the plan itself or, where jerk is limited, the mean of
-/// the plan over a time window.
+/// The motion that the motors are to make. It is the plan itself or, where jerk is limited, the
+/// mean of the plan over a time window.
 ///
 /// Main loop only.
 class FilteredPlan {

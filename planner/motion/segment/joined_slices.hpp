@@ -22,7 +22,8 @@ class JoinedSlices {
     speeds_ = {};
     duration_ns_ = 0;
   }
-  /// Sets the speed of a motor. @param steps_per_tick at the start of the segment, signed
+  /// Sets the speed of a motor.
+  /// @param steps_per_tick speed at the start of the segment, signed
   void set_speed(std::size_t axis, float steps_per_tick) { speeds_[axis] = steps_per_tick; }
   void add(std::uint32_t duration_ns) { duration_ns_ += duration_ns; }
 

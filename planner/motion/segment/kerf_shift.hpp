@@ -49,8 +49,8 @@ class KerfShift {
   /// Prepares for `next`, the block after the present one.
   void meet(const Block& next);
   /// Computes the shift at a position on the block.
-  /// @param fraction of the block's length, 0…1
-  /// @param way_mm distance from the last position
+  /// @param fraction position as a fraction of the block's length, 0…1
+  /// @param way_mm distance from the previous position, mm
   /// @param heat heat input divided by the programmed one, finite
   void move(float fraction, float way_mm, float heat, const Limits& limits);
 

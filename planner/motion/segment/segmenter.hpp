@@ -44,8 +44,8 @@ class SliceObserver {
 /// the plan so that a slice lies in one block and one pixel, lasts at most a millisecond and
 /// reverses no axis. A change of the plan, an override or a hold takes effect at the next stretch.
 ///
-/// A slice shorter than SegmentRate::kShortest goes out in one segment with the slices after it, so
-/// that a queue of segments lasts long enough. A segment is shorter than that only where an axis
+/// A slice shorter than SegmentRate::kShortest is joined to one segment with the slices after it,
+/// so that a queue of segments lasts long enough. A segment is shorter than that only where an axis
 /// reverses, the power jumps, outputs change or the motion ends. Where the power jumps so often
 /// that the queue would not last, a segment has a level for each of its slices. Where pixels are
 /// shorter than kShortest, one slice covers several of them, and each of these pixels has a level.
@@ -82,7 +82,7 @@ class Segmenter {
   [[nodiscard]] float left_of_block() const {
     return driving_ ? to_mm(length_ - place_) : queue_.front().length;
   }
-  /// Returns the distance from the start of the oldest block. @pre !idle()
+  /// Returns the distance from the start of the oldest block, in path units. @pre !idle()
   [[nodiscard]] PathUnits into_block() const { return driving_ ? place_ : 0; }
   /// Returns the running length of all motion that was handed out (wraps). Motion that was taken
   /// back no longer counts.
@@ -92,7 +92,7 @@ class Segmenter {
   /// Returns the speed at the end of the last slice handed out, in mm/s.
   [[nodiscard]] float speed() const { return speed_; }
   /// Returns the speed of the plan, in mm/s. Where jerk is limited, the plan is ahead of the motion
-  /// that was handed out, because the motion is the mean of the plan over the window.
+  /// that was handed out, because the motion is the mean of the plan over a time window.
   [[nodiscard]] float planned_speed() const { return plan_.planned_speed(); }
   [[nodiscard]] const TimeWindow& window() const { return plan_.window(); }
   [[nodiscard]] bool halted() const { return plan_.halts() && at_rest(); }
@@ -104,11 +104,11 @@ class Segmenter {
   /// @pre at rest, and on_path()
   void follow_kerf(const kerf::KerfCourse* course) { kerf_.follow(course); }
   [[nodiscard]] bool follows_kerf() const { return kerf_.follows(); }
-  /// Returns whether the shift for the kerf is zero.
+  /// Returns whether the kerf does not shift the motors away from the path at present.
   [[nodiscard]] bool on_path() const { return kerf_.settled(); }
 
-  /// Makes the ends of planned slices the axis positions at which the tip of the tool is at
-  /// place(). Segments do not change.
+  /// Converts the ends of planned slices from positions of the tool's tip to positions of the axes.
+  /// Segments are not converted.
   /// @param centre must outlive its use; null if rotary axes do not move the tip
   /// @pre at rest
   void follow_centre(const kinematics::ToolCentre* centre) { centre_ = centre; }
@@ -180,7 +180,7 @@ class Segmenter {
 
   bool driving_ = false;    ///< True if the front block has begun.
   PathUnits length_ = 0;    ///< Length of the front block.
-  PathUnits place_ = 0;     ///< Position within the front block.
+  PathUnits place_ = 0;     ///< Position within the front block, in path units.
   float widest_mm_ = 0.0F;  ///< Greatest length of a slice that the block's turning allows, mm.
   BlockFraction fraction_{};
   Reversals reversals_{};
